@@ -19,10 +19,7 @@ pub(crate) struct Failure {
 
 impl Failure {
     pub(crate) fn new(reason: impl Into<String>) -> Self {
-        Self {
-            reason: reason.into(),
-            count: Count::default(),
-        }
+        Self { reason: reason.into(), count: Count::default() }
     }
 }
 
@@ -37,10 +34,7 @@ pub(crate) fn cargo() -> Command {
 pub(crate) fn run(command: &mut Command, advice: &str) -> Result<(), Failure> {
     match command.status() {
         Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(Failure::new(format!(
-            "`{}`: {status}; {advice}",
-            line(command)
-        ))),
+        Ok(status) => Err(Failure::new(format!("`{}`: {status}; {advice}", line(command)))),
         Err(error) => Err(cannot_start(command, &error)),
     }
 }
@@ -57,10 +51,7 @@ pub(crate) fn run_counted(command: &mut Command) -> Result<Count, Failure> {
     if io::stderr().is_terminal() {
         command.env("CARGO_TERM_COLOR", "always");
     }
-    let child = command
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn();
+    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn();
     let mut child = child.map_err(|error| cannot_start(command, &error))?;
     // cargo test reports on standard output, nextest on standard error.
     let output = child.stdout.take().expect("it is piped");
@@ -70,10 +61,7 @@ pub(crate) fn run_counted(command: &mut Command) -> Result<Count, Failure> {
     count += output.join().expect("copying does not panic");
     match child.wait() {
         Ok(status) if status.success() => Ok(count),
-        Ok(status) => Err(Failure {
-            reason: format!("`{}`: {status}", line(command)),
-            count,
-        }),
+        Ok(status) => Err(Failure { reason: format!("`{}`: {status}", line(command)), count }),
         Err(error) => Err(cannot_start(command, &error)),
     }
 }
@@ -82,10 +70,7 @@ fn copy_counting(from: impl Read, mut to: impl Write) -> Count {
     let mut count = Count::default();
     let mut from = BufReader::new(from);
     let mut bytes = Vec::new();
-    while from
-        .read_until(b'\n', &mut bytes)
-        .is_ok_and(|read| read > 0)
-    {
+    while from.read_until(b'\n', &mut bytes).is_ok_and(|read| read > 0) {
         // Nobody may be reading the screen any more; the tests continue.
         let _ = to.write_all(&bytes);
         if let Some(more) = Count::in_line(&String::from_utf8_lossy(&bytes)) {

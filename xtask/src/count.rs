@@ -27,10 +27,7 @@ impl Count {
                 .find_map(|pair| pair[0].parse().ok())
                 .unwrap_or(0)
         };
-        Some(Self {
-            passed: before("passed"),
-            failed: before("failed") + before("timed"),
-        })
+        Some(Self { passed: before("passed"), failed: before("failed") + before("timed") })
     }
 }
 
@@ -69,16 +66,8 @@ mod tests {
                 12,
                 0,
             ),
-            (
-                "test result: \u{1b}[31mFAILED\u{1b}[m. 3 passed; 2 failed; 0 ignored",
-                3,
-                2,
-            ),
-            (
-                "     Summary [   2.315s] 45 tests run: 45 passed, 0 skipped",
-                45,
-                0,
-            ),
+            ("test result: \u{1b}[31mFAILED\u{1b}[m. 3 passed; 2 failed; 0 ignored", 3, 2),
+            ("     Summary [   2.315s] 45 tests run: 45 passed, 0 skipped", 45, 0),
             (
                 "\u{1b}[32;1m     Summary\u{1b}[0m [   2.3s] \u{1b}[1m7\u{1b}[0m tests \
                  run: \u{1b}[1m4\u{1b}[0m passed (\u{1b}[1m1\u{1b}[0m slow), \u{1b}[1m2\u{1b}[0m \
@@ -87,11 +76,7 @@ mod tests {
                 3,
             ),
         ] {
-            assert_eq!(
-                Count::in_line(line),
-                Some(Count { passed, failed }),
-                "{line}"
-            );
+            assert_eq!(Count::in_line(line), Some(Count { passed, failed }), "{line}");
         }
         assert_eq!(Count::in_line("running 3 tests: 3 passed"), None);
     }

@@ -50,10 +50,8 @@ const TEST: &[Step] = &[
     ("Report in a browser", page::browser),
 ];
 
-const VERIFY: &[Step] = &[
-    ("All tests", verification::all_tests),
-    ("Table of verification", verification::write_table),
-];
+const VERIFY: &[Step] =
+    &[("All tests", verification::all_tests), ("Table of verification", verification::write_table)];
 
 fn main() -> ExitCode {
     let arguments: Vec<_> = env::args().skip(1).collect();
@@ -103,23 +101,13 @@ fn take(steps: &[Step]) -> ExitCode {
 }
 
 fn formatting() -> Result<Finding, Failure> {
-    run(
-        cargo().args(["fmt", "--all", "--check"]),
-        "run `cargo fmt --all`",
-    )?;
+    run(cargo().args(["fmt", "--all", "--check"]), "run `cargo fmt --all`")?;
     Ok(Finding::Done)
 }
 
 fn lints() -> Result<Finding, Failure> {
     run(
-        cargo().args([
-            "clippy",
-            "--workspace",
-            "--all-targets",
-            "--",
-            "-D",
-            "warnings",
-        ]),
+        cargo().args(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]),
         "warnings count as errors",
     )?;
     Ok(Finding::Done)
@@ -155,13 +143,7 @@ fn no_cycles() -> Result<Finding, Failure> {
 fn fuzz(fuzz_options: &[&str]) -> Result<Finding, Failure> {
     // Built as part of the workspace, so that what it is made of is that of the other programs.
     run(
-        cargo().args([
-            "build",
-            "--quiet",
-            "--workspace",
-            "--bin",
-            "wholestring-fuzz",
-        ]),
+        cargo().args(["build", "--quiet", "--workspace", "--bin", "wholestring-fuzz"]),
         "the fuzzer must compile",
     )?;
     let program = format!("debug/wholestring-fuzz{}", env::consts::EXE_SUFFIX);
@@ -194,9 +176,7 @@ fn doc_tests() -> Result<Finding, Failure> {
 
 fn documentation() -> Result<Finding, Failure> {
     run(
-        cargo()
-            .args(["doc", "--workspace", "--no-deps"])
-            .env("RUSTDOCFLAGS", "-D warnings"),
+        cargo().args(["doc", "--workspace", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings"),
         "warnings count as errors",
     )?;
     Ok(Finding::Done)

@@ -50,14 +50,7 @@ pub(crate) fn browser() -> Result<Finding, Failure> {
     ];
     page(["run", SLANT], &frames, &browser, "page.mjs")?;
     works(&target().join("run-page"), &browser, "findings.mjs")?;
-    let varied = [
-        "--set",
-        NASTY,
-        "--vary",
-        "friction=0.2,0.3",
-        "--vary",
-        "bit_depth=300m,600m",
-    ];
+    let varied = ["--set", NASTY, "--vary", "friction=0.2,0.3", "--vary", "bit_depth=300m,600m"];
     page(["sweep", SLANT], &varied, &browser, "sweep.mjs")?;
     let study = "studies/friction-on-a-slant.toml";
     page(["study", study], &["--png"], &browser, "study.mjs")?;

@@ -14,9 +14,7 @@ const LIBRARY: &str = "polars>=1.0,<2";
 
 pub(crate) fn example() -> Result<Finding, Failure> {
     let Some(python) = python() else {
-        return Ok(Finding::Skipped(format!(
-            "there is no Python {OLDEST} or newer here"
-        )));
+        return Ok(Finding::Skipped(format!("there is no Python {OLDEST} or newer here")));
     };
     let Some(python) = with_library(python) else {
         return Ok(Finding::Skipped(format!(
@@ -26,24 +24,14 @@ pub(crate) fn example() -> Result<Finding, Failure> {
     let results = target().join("python-example");
     run(
         cargo()
-            .args([
-                "run",
-                "--quiet",
-                "--package",
-                "wholestring-cli",
-                "--",
-                "run",
-            ])
+            .args(["run", "--quiet", "--package", "wholestring-cli", "--", "run"])
             .arg("crates/cli/tests/data/slant.toml")
             .args(["--quiet", "--overwrite", "-o"])
             .arg(&results),
         "the example needs its results",
     )?;
     run(
-        Command::new(python)
-            .current_dir(root())
-            .arg("examples/read_results.py")
-            .arg(&results),
+        Command::new(python).current_dir(root()).arg("examples/read_results.py").arg(&results),
         "the example reads what a run leaves",
     )?;
     Ok(Finding::Done)
@@ -51,10 +39,7 @@ pub(crate) fn example() -> Result<Finding, Failure> {
 
 /// A Python that is new enough.
 fn python() -> Option<Command> {
-    let check = format!(
-        "import sys; sys.exit(sys.version_info < ({}))",
-        OLDEST.replace('.', ", ")
-    );
+    let check = format!("import sys; sys.exit(sys.version_info < ({}))", OLDEST.replace('.', ", "));
     [&["python3"][..], &["python"], &["py", "-3"]]
         .into_iter()
         .map(|words| {
@@ -74,11 +59,7 @@ fn python() -> Option<Command> {
 /// The Python of a virtual environment that has the library; made once and kept.
 fn with_library(mut python: Command) -> Option<PathBuf> {
     let environment = target().join("python");
-    let inside = environment.join(if cfg!(windows) {
-        "Scripts/python.exe"
-    } else {
-        "bin/python"
-    });
+    let inside = environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
     let has_library = || succeeds(Command::new(&inside).args(["-c", "import polars"]));
     if !has_library() {
         succeeds(python.args(["-m", "venv"]).arg(&environment));

@@ -19,10 +19,7 @@ use crate::{
 pub(crate) fn reported() -> PathBuf {
     // Absolute: each test runs in the folder of its own package.
     let target = target();
-    target
-        .canonicalize()
-        .unwrap_or(target)
-        .join("verification.jsonl")
+    target.canonicalize().unwrap_or(target).join("verification.jsonl")
 }
 
 /// Removes what an earlier run reported.
@@ -126,11 +123,7 @@ impl Cases {
                 return None;
             };
             let names = names.split('`').skip(1).step_by(2).map(str::to_owned);
-            Some(Case {
-                names: names.collect(),
-                what: what.to_owned(),
-                source: source.to_owned(),
-            })
+            Some(Case { names: names.collect(), what: what.to_owned(), source: source.to_owned() })
         });
         Self(rows.filter(|case| !case.names.is_empty()).collect())
     }
@@ -185,20 +178,8 @@ fn table(lines: &[Line<'_>], cases: &Cases) -> Result<String, Failure> {
 }
 
 fn row(line: &Line<'_>) -> String {
-    let Line {
-        quantity,
-        expected,
-        computed,
-        tolerance,
-        reason,
-        of,
-        ..
-    } = line;
-    let many = if *of > 1 {
-        format!(" (of {of})")
-    } else {
-        String::new()
-    };
+    let Line { quantity, expected, computed, tolerance, reason, of, .. } = line;
+    let many = if *of > 1 { format!(" (of {of})") } else { String::new() };
     let apart = error(*expected, *computed, *tolerance);
     // `climb, rad` is in rad.
     let unit = quantity.rsplit_once(", ").map_or("", |(_, unit)| unit);
@@ -217,10 +198,7 @@ fn row(line: &Line<'_>) -> String {
         within,
         reason.to_string(),
     ];
-    format!(
-        "| {} |",
-        cells.map(|cell| cell.replace('|', "\\|")).join(" | ")
-    )
+    format!("| {} |", cells.map(|cell| cell.replace('|', "\\|")).join(" | "))
 }
 
 /// Six digits.
@@ -237,11 +215,7 @@ fn number(value: f64) -> String {
 /// Two digits.
 fn short(value: f64) -> String {
     let plain: f64 = format!("{value:.1e}").parse().unwrap_or(value);
-    if plain == 0.0 || plain >= 1e-3 {
-        plain.to_string()
-    } else {
-        format!("{plain:e}")
-    }
+    if plain == 0.0 || plain >= 1e-3 { plain.to_string() } else { format!("{plain:e}") }
 }
 
 /// A stretch of a text: digits sort by their number.
@@ -256,9 +230,7 @@ fn pieces(text: &str) -> Vec<Piece<'_>> {
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
         let digit = first.is_ascii_digit();
-        let end = rest
-            .find(|letter: char| letter.is_ascii_digit() != digit)
-            .unwrap_or(rest.len());
+        let end = rest.find(|letter: char| letter.is_ascii_digit() != digit).unwrap_or(rest.len());
         let (piece, after) = rest.split_at(end);
         pieces.push(match piece.parse() {
             Ok(number) if digit => Piece::Number(number),

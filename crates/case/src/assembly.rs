@@ -28,10 +28,7 @@ pub(crate) fn spec(
                 valid = false;
             }
         }
-        match table
-            .value
-            .build(index == 0 && tables.len() > 1, table.place, steel, reader)
-        {
+        match table.value.build(index == 0 && tables.len() > 1, table.place, steel, reader) {
             Some(component) => components.push(component),
             None => valid = false,
         }

@@ -88,10 +88,7 @@ table! {
 }
 
 fn number(from: f64, to: f64) -> Number {
-    Number {
-        unit: "",
-        range: Range::from_to(from, to),
-    }
+    Number { unit: "", range: Range::from_to(from, to) }
 }
 
 /// A bit alone on its rock, under every weight at every speed.
@@ -161,10 +158,7 @@ pub(crate) fn build(
         }
         reader.report(
             Diagnostic::error(format!("[bit_test] lacks `{name}`"))
-                .at(
-                    whole,
-                    "no operation of the case puts the bit on bottom and turns it",
-                )
+                .at(whole, "no operation of the case puts the bit on bottom and turns it")
                 .help(format!("such as {example}")),
         );
         return None;
@@ -174,10 +168,8 @@ pub(crate) fn build(
     let (averaging, step) = (of.averaging.optional()?, of.step.at()?);
     if let Some(averaging) = averaging.filter(|at| at.value < step.value) {
         reader.report(
-            Diagnostic::error("forces are averaged over less than a step").at(
-                averaging.place,
-                format!("expected at least {} s", number_text(step.value)),
-            ),
+            Diagnostic::error("forces are averaged over less than a step")
+                .at(averaging.place, format!("expected at least {} s", number_text(step.value))),
         );
         return None;
     }
@@ -240,19 +232,14 @@ fn sorted(
 
 /// The mistake of a bit that is no heavier than what it touches.
 fn too_light(test: &BitTest, place: Span) -> Option<Diagnostic> {
-    let law = RockLaw {
-        drilling: test.drilling.clone(),
-    };
+    let law = RockLaw { drilling: test.drilling.clone() };
     let [min_kg, _] = law.touched();
     if test.mass_kg > min_kg {
         return None;
     }
     let [mass, least] = [test.mass_kg, min_kg].map(|kg| number_text((kg * 10.0).round() * 0.1));
     let diagnostic = Diagnostic::error("the bit is too light for the elements that it touches")
-        .at(
-            place,
-            format!("{mass} kg move with it: expected more than {least} kg"),
-        )
+        .at(place, format!("{mass} kg move with it: expected more than {least} kg"))
         .help(
             "raise mass, or lower density_factor or element_size under [rock]: their density is \
                scaled",

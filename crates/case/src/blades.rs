@@ -55,17 +55,13 @@ impl ComponentTable {
             && length.value > component_m
         {
             reader.report(
-                Diagnostic::error("the blades are longer than their component").at(
-                    length.place,
-                    format!("expected {} m or less", number_text(component_m)),
-                ),
+                Diagnostic::error("the blades are longer than their component")
+                    .at(length.place, format!("expected {} m or less", number_text(component_m))),
             );
             return None;
         }
-        component.blades = Some(Blades {
-            od_m: od.value,
-            length_m: length.map_or(component_m, |at| at.value),
-        });
+        component.blades =
+            Some(Blades { od_m: od.value, length_m: length.map_or(component_m, |at| at.value) });
         Some(())
     }
 }

@@ -29,10 +29,7 @@ impl ComponentTable {
                 let length = self.length.at()?;
                 reader.report(
                     Diagnostic::error("the bend is not on its component")
-                        .at(
-                            at.place,
-                            format!("expected {} m at most", number_text(length_m)),
-                        )
+                        .at(at.place, format!("expected {} m at most", number_text(length_m)))
                         .at(length.place, "the component's length"),
                 );
                 return None;
@@ -75,10 +72,7 @@ impl ComponentTable {
                 "the steel's centre of mass is {} off the axis",
                 mm(offset.value)
             ))
-            .at(
-                offset.place,
-                format!("expected {} at most, a tenth of od", mm(most)),
-            );
+            .at(offset.place, format!("expected {} at most, a tenth of od", mm(most)));
             if let Some(od) = self.od.given() {
                 diagnostic = diagnostic.at(od.place, "the outside diameter");
             }
@@ -97,10 +91,8 @@ impl ComponentTable {
 fn alone<T>(given: Option<&Spanned<T>>, name: &str, partner: &str, reader: &mut Reader) {
     if let Some(given) = given {
         reader.report(
-            Diagnostic::warning(format!("`{name}` has no effect here")).at(
-                given.place,
-                format!("used with `{partner}`, which is not given"),
-            ),
+            Diagnostic::warning(format!("`{name}` has no effect here"))
+                .at(given.place, format!("used with `{partner}`, which is not given")),
         );
     }
 }

@@ -47,10 +47,7 @@ pub fn parse(
     let failed = reader.has_errors();
     let report = reader.into_report();
     match case {
-        Some(case) if !failed => Ok(Case {
-            warnings: report,
-            ..case
-        }),
+        Some(case) if !failed => Ok(Case { warnings: report, ..case }),
         _ => Err(report),
     }
 }
@@ -80,9 +77,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
 
     let well = case.well.at();
     let stations = well.and_then(|at| at.value.stations(at.place, files, reader));
-    let path = well
-        .zip(stations.as_ref())
-        .and_then(|(at, stations)| at.value.path(stations, reader));
+    let path =
+        well.zip(stations.as_ref()).and_then(|(at, stations)| at.value.path(stations, reader));
     let sections = well.and_then(|at| at.value.hole.get());
     let rough = well.and_then(|at| at.value.roughness.given());
     let hole =
@@ -93,8 +89,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let bit_depth_m = operation.and_then(|operation| operation.bit_depth_m(last_md_m));
     let bit_place = operation.and_then(OperationTable::bit_depth_place);
     let reached = well.zip(bit_depth_m).and_then(|(at, bit_depth_m)| {
-        at.value
-            .reaches(path.as_ref(), hole.as_ref(), bit_depth_m, bit_place, reader)
+        at.value.reaches(path.as_ref(), hole.as_ref(), bit_depth_m, bit_place, reader)
     });
 
     let components = case.string.get();
@@ -112,9 +107,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
                 law.map(|law| (law.place, "the law \"rock\""))
             }
         };
-        let od = components
-            .and_then(|all| all.first())
-            .map(|at| at.value.od_place(at.place));
+        let od = components.and_then(|all| all.first()).map(|at| at.value.od_place(at.place));
         let lowest = lowest.map(|bit| bit.od_m).zip(od);
         rock::drilling(&case.rock, bit, required_by, lowest, reader)
     });
@@ -136,20 +129,12 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         ),
         _ => None,
     };
-    let sample_interval_s = case
-        .dynamics
-        .get()
-        .and_then(DynamicsTable::sample_interval_s);
+    let sample_interval_s = case.dynamics.get().and_then(DynamicsTable::sample_interval_s);
     let valid = bit.as_ref().zip(operations.as_ref()).zip(sample_interval_s);
     let bit_test = match (&drilling, valid, case.bit_test.at()) {
         (Some(None), ..) => Some(None),
         (Some(Some(drilling)), Some(((bit, operations), sample_interval_s)), Some(table)) => {
-            let around = bit_test::Around {
-                drilling,
-                bit,
-                operations,
-                sample_interval_s,
-            };
+            let around = bit_test::Around { drilling, bit, operations, sample_interval_s };
             bit_test::build(table, tested.is_some(), &around, reader)
         }
         _ => None,
@@ -165,12 +150,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     }
     let dynamics = match (case.dynamics.get(), case.mesh.get(), case.hoist.get()) {
         (Some(dynamics), Some(mesh), Some(hoist)) => {
-            let given_settings = GivenSettings {
-                hoist,
-                bit,
-                top_drive,
-                schedule,
-            };
+            let given_settings = GivenSettings { hoist, bit, top_drive, schedule };
             dynamics.build(mesh, given_settings, reader)
         }
         _ => None,
@@ -219,10 +199,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
 
     reached?;
     let model = Model {
-        well: Well {
-            path: path?,
-            hole: hole?,
-        },
+        well: Well { path: path?, hole: hole? },
         string: drill_string?,
         mud: mud?,
         rig: rig?,
@@ -247,18 +224,15 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         let points = tested.and(bit_test.as_ref()).into_iter();
         let points = points.flat_map(|test| test.rotary_speeds_rad_per_s.iter().copied());
         let fastest = speeds.chain(points).fold(0.0, f64::max);
-        rock.value
-            .warn_of_inertia(drilling, fastest, rock.place, reader);
-        rock.value
-            .check_effort(drilling, longest_s, rock.place, reader)?;
+        rock.value.warn_of_inertia(drilling, fastest, rock.place, reader);
+        rock.value.check_effort(drilling, longest_s, rock.place, reader)?;
     }
     effort::check_effort(&models, &model, &operations, &dynamics, &case, reader)?;
     let name = match case.name.optional()? {
         Some(given) => given.value.clone(),
-        None => FilePath::new(name).file_stem().map_or_else(
-            || "case".to_owned(),
-            |stem| stem.to_string_lossy().into_owned(),
-        ),
+        None => FilePath::new(name)
+            .file_stem()
+            .map_or_else(|| "case".to_owned(), |stem| stem.to_string_lossy().into_owned()),
     };
     let units = *case.units.get()?;
     let given = Given {

@@ -49,11 +49,8 @@ impl HoleTable {
         match casing::find(&name.value) {
             Ok(found) => Some(found.id_m),
             Err(unknown) => {
-                let nearest: Vec<String> = unknown
-                    .nearest
-                    .iter()
-                    .map(|name| format!("\"{name}\""))
-                    .collect();
+                let nearest: Vec<String> =
+                    unknown.nearest.iter().map(|name| format!("\"{name}\"")).collect();
                 reader.report(
                     Diagnostic::error(format!("there is no casing `{}`", short(&name.value)))
                         .at(name.place, "expected its size and weight")
@@ -74,19 +71,11 @@ impl HoleTable {
         }
         let written = reader.text_at(diameter.place);
         let in_inches = written.contains("in") || written.contains("\"\"");
-        let units = if in_inches {
-            UnitSet::Field
-        } else {
-            reader.units()
-        };
+        let units = if in_inches { UnitSet::Field } else { reader.units() };
         let inside: Vec<String> = sizes
             .iter()
             .map(|casing| {
-                format!(
-                    "{} ({})",
-                    Dimension::Diameter.format(casing.id_m, units),
-                    weight(casing)
-                )
+                format!("{} ({})", Dimension::Diameter.format(casing.id_m, units), weight(casing))
             })
             .collect();
         let size = first.designation.split_once(" in ");
@@ -95,10 +84,7 @@ impl HoleTable {
         let mut diagnostic =
             Diagnostic::warning(format!("{size} in is the outside diameter of a casing"))
                 .at(diameter.place, "expected the inside diameter")
-                .help(format!(
-                    "{size} in casing has inside diameters of {}",
-                    inside.join(", ")
-                ))
+                .help(format!("{size} in casing has inside diameters of {}", inside.join(", ")))
                 .help(format!("or name it: casing = \"{}\"", common.designation));
         let also = casing::entries()
             .into_iter()

@@ -21,11 +21,7 @@ use crate::steel::{density, modulus};
 const TO_SURFACE: &str = "to surface";
 
 fn diameter(example: &'static str) -> Quantity {
-    Quantity::si(
-        Dimension::Diameter,
-        Range::from_to(0.005, 2.0).usual(0.02, 1.2),
-        example,
-    )
+    Quantity::si(Dimension::Diameter, Range::from_to(0.005, 2.0).usual(0.02, 1.2), example)
 }
 
 /// A length, or "to surface".
@@ -58,9 +54,7 @@ impl Rule for LengthRule {
                 return None;
             }
         }
-        Self::quantity()
-            .read(node, reader)
-            .map(ComponentLength::Metres)
+        Self::quantity().read(node, reader).map(ComponentLength::Metres)
     }
 
     fn schema(&self) -> serde_json::Value {
@@ -87,12 +81,8 @@ fn bend_angle() -> Quantity {
 }
 
 fn direction(example: &'static str) -> Quantity {
-    Quantity::si(
-        Dimension::Angle,
-        Range::from_to(-360.0 * DEGREE, 360.0 * DEGREE),
-        example,
-    )
-    .bare("deg", DEGREE)
+    Quantity::si(Dimension::Angle, Range::from_to(-360.0 * DEGREE, 360.0 * DEGREE), example)
+        .bare("deg", DEGREE)
 }
 
 fn cavity() -> Choice<Cavity> {

@@ -13,11 +13,7 @@ const OF_THE_RECORD: &[(&str, &str, Dimension)] = &[
     ("radius_m", "radius", Dimension::Diameter),
     ("core_radius_m", "core_radius", Dimension::Diameter),
     ("frequency_Hz", "frequency", Dimension::Frequency),
-    (
-        "rate_of_penetration_m_per_s",
-        "rate_of_penetration",
-        Dimension::RateOfPenetration,
-    ),
+    ("rate_of_penetration_m_per_s", "rate_of_penetration", Dimension::RateOfPenetration),
 ];
 
 /// What a unit measures where nothing else says it.

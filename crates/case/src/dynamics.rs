@@ -184,9 +184,7 @@ table! {
 
 fn hertz_dissipation_default() -> f64 {
     match DynamicsSettings::default().contact_law {
-        ContactLaw::Hertz {
-            dissipation_s_per_m,
-        } => dissipation_s_per_m,
+        ContactLaw::Hertz { dissipation_s_per_m } => dissipation_s_per_m,
         ContactLaw::Linear { .. } => 0.0,
     }
 }
@@ -219,12 +217,7 @@ impl DynamicsTable {
         given_settings: GivenSettings<'_>,
         reader: &mut Reader,
     ) -> Option<DynamicsSettings> {
-        let GivenSettings {
-            hoist,
-            bit,
-            top_drive,
-            schedule,
-        } = given_settings;
+        let GivenSettings { hoist, bit, top_drive, schedule } = given_settings;
         self.warn_of_centred_keys(reader);
         let contact_law = self.contact(reader);
         let plan = schedule.clone().unwrap_or_default();
@@ -322,10 +315,7 @@ impl DynamicsTable {
             return;
         }
         let keys = [
-            (
-                self.start_tension.given().map(|at| at.place),
-                "start_tension",
-            ),
+            (self.start_tension.given().map(|at| at.place), "start_tension"),
             (self.start_ramp.given().map(|at| at.place), "start_ramp"),
         ];
         for (place, name) in keys {
@@ -342,16 +332,8 @@ impl DynamicsTable {
     fn contact(&self, reader: &mut Reader) -> Option<ContactLaw> {
         let law = self.contact_law.at()?;
         let belongs = [
-            (
-                &self.contact_stiffness,
-                "contact_stiffness",
-                Contact::Linear,
-            ),
-            (
-                &self.contact_damping_ratio,
-                "contact_damping_ratio",
-                Contact::Linear,
-            ),
+            (&self.contact_stiffness, "contact_stiffness", Contact::Linear),
+            (&self.contact_damping_ratio, "contact_damping_ratio", Contact::Linear),
             (&self.hertz_dissipation, "hertz_dissipation", Contact::Hertz),
         ];
         for (field, name, owner) in belongs {
@@ -372,9 +354,9 @@ impl DynamicsTable {
             reader.report(diagnostic);
         }
         Some(match law.value {
-            Contact::Hertz => ContactLaw::Hertz {
-                dissipation_s_per_m: *self.hertz_dissipation.get()?,
-            },
+            Contact::Hertz => {
+                ContactLaw::Hertz { dissipation_s_per_m: *self.hertz_dissipation.get()? }
+            }
             Contact::Linear => ContactLaw::Linear {
                 stiffness_N_per_m: *self.contact_stiffness.get()?,
                 damping_ratio: *self.contact_damping_ratio.get()?,
@@ -392,22 +374,12 @@ impl DynamicsTable {
         let given = |preferred: Span, is_given: bool, other: Span| {
             if is_given { preferred } else { other }
         };
-        let place = given(
-            duration.place,
-            self.duration.given().is_some(),
-            interval.place,
-        );
+        let place = given(duration.place, self.duration.given().is_some(), interval.place);
         if interval.value > duration.value {
             reader.report(
                 Diagnostic::error("the window is shorter than one sample")
-                    .at(
-                        place,
-                        format!("window of {} s", number_text(duration.value)),
-                    )
-                    .help(format!(
-                        "sample_interval is {} s",
-                        number_text(interval.value)
-                    )),
+                    .at(place, format!("window of {} s", number_text(duration.value)))
+                    .help(format!("sample_interval is {} s", number_text(interval.value))),
             );
             return None;
         }
@@ -420,10 +392,7 @@ impl DynamicsTable {
                     number_text(interval.value),
                     number_text(samples.ceil())
                 ))
-                .at(
-                    place,
-                    format!("expected at most {} rows", number_text(MAX_SAMPLES)),
-                )
+                .at(place, format!("expected at most {} rows", number_text(MAX_SAMPLES)))
                 .help("shorten duration and settle, or raise sample_interval"),
             );
             return None;

@@ -33,9 +33,7 @@ pub(crate) fn check_effort(
     if !ModelKind::any_in_time(models) {
         return Some(());
     }
-    let efforts = operations
-        .iter()
-        .map(|operation| Effort::of(model, operation, dynamics));
+    let efforts = operations.iter().map(|operation| Effort::of(model, operation, dynamics));
     let efforts: Vec<Effort> = match efforts.collect() {
         Ok(efforts) => efforts,
         Err(error) => {
@@ -44,10 +42,7 @@ pub(crate) fn check_effort(
         }
     };
     let elements = efforts.first()?.elements;
-    let shortest_s = efforts
-        .iter()
-        .map(|effort| effort.time_step_s)
-        .fold(f64::INFINITY, f64::min);
+    let shortest_s = efforts.iter().map(|effort| effort.time_step_s).fold(f64::INFINITY, f64::min);
     let steps: f64 = efforts.iter().map(|effort| effort.steps).sum();
     let message = if elements > MAX_ELEMENTS {
         format!("the string would be cut into {elements} elements")
@@ -69,15 +64,8 @@ pub(crate) fn check_effort(
 
 /// What the engine refuses, where the reader has found nothing wrong.
 fn refused(error: &SetupError, case: &CaseTable) -> Diagnostic {
-    let (
-        SetupError::LightBit {
-            direction,
-            unit,
-            bit,
-            rock,
-        },
-        Some(table),
-    ) = (error, case.rock.given())
+    let (SetupError::LightBit { direction, unit, bit, rock }, Some(table)) =
+        (error, case.rock.given())
     else {
         return Diagnostic::error(format!("the dynamic model refuses: {error}"));
     };
@@ -85,13 +73,8 @@ fn refused(error: &SetupError, case: &CaseTable) -> Diagnostic {
     Diagnostic::error(
         "the bit is too light for the elements that it touches, whose density is scaled",
     )
-    .at(
-        table.value.weighty_place().unwrap_or(table.place),
-        format!("they have {rock} {unit}"),
-    )
-    .help(format!(
-        "the lower end of the string has {bit} {unit} {direction}"
-    ))
+    .at(table.value.weighty_place().unwrap_or(table.place), format!("they have {rock} {unit}"))
+    .help(format!("the lower end of the string has {bit} {unit} {direction}"))
     .help("lower density_factor or element_size under [rock], or raise element_length under [mesh]")
 }
 

@@ -104,10 +104,7 @@ pub(crate) fn check_weight_on_bit(
         reader.report(
             Diagnostic::warning("the weight on bit is more than the string weighs")
                 .at(wob.place, format!("{} kN on the bit", kN(wob.value)))
-                .help(format!(
-                    "the whole string weighs {} kN in this mud",
-                    kN(weight_N)
-                )),
+                .help(format!("the whole string weighs {} kN in this mud", kN(weight_N))),
         );
     }
 }
@@ -157,10 +154,7 @@ pub(crate) fn check_weight(
                         number_text(component.material.density_kg_per_m3)
                     ),
                 )
-                .at(
-                    mud_place,
-                    format!("mud of {} kg/m3", number_text(mud.density_kg_per_m3)),
-                ),
+                .at(mud_place, format!("mud of {} kg/m3", number_text(mud.density_kg_per_m3))),
         );
     }
 }

@@ -34,10 +34,7 @@ table! {
 }
 
 fn coefficient() -> Number {
-    Number {
-        unit: "",
-        range: Range::from_to(0.0, 2.0).usual(0.05, 0.8),
-    }
+    Number { unit: "", range: Range::from_to(0.0, 2.0).usual(0.05, 0.8) }
 }
 
 /// Smallest coefficient along the hole that one around it is taken in its ratio to.
@@ -173,10 +170,7 @@ pub(crate) fn build(
         {
             reader.report(
                 Diagnostic::error("hole sections must go down")
-                    .at(
-                        to.place,
-                        format!("expected more than {} m", number_text(above_m)),
-                    )
+                    .at(to.place, format!("expected more than {} m", number_text(above_m)))
                     .at(above_place, "the section above ends here"),
             );
             valid = false;
@@ -184,11 +178,7 @@ pub(crate) fn build(
             valid &= check_from(from, above, sections.is_empty(), reader);
         }
         let diameter_m = table.value.diameter_m(reader);
-        match section(
-            &table.value,
-            above.map_or(0.0, |(md_m, _)| md_m),
-            diameter_m,
-        ) {
+        match section(&table.value, above.map_or(0.0, |(md_m, _)| md_m), diameter_m) {
             Some(section) => sections.push(section),
             None => valid = false,
         }
@@ -233,10 +223,8 @@ fn check_from(
     } else {
         "there is a gap between hole sections"
     };
-    let mut diagnostic = Diagnostic::error(message).at(
-        from.place,
-        format!("expected {} m", number_text(expected_m)),
-    );
+    let mut diagnostic = Diagnostic::error(message)
+        .at(from.place, format!("expected {} m", number_text(expected_m)));
     if let Some((_, place)) = above {
         diagnostic = diagnostic.at(place, "the section above ends here");
     }
@@ -269,10 +257,7 @@ fn hole_error(error: &HoleError, tables: &[Spanned<HoleTable>]) -> Diagnostic {
         | HoleError::Apart { index, .. } => *index,
         _ => 0,
     };
-    let place = tables
-        .get(index)
-        .map(|table| table.place)
-        .unwrap_or_default();
+    let place = tables.get(index).map(|table| table.place).unwrap_or_default();
     Diagnostic::error(error.to_string()).at(place, "this section")
 }
 
@@ -287,10 +272,10 @@ fn warn_of_sections(
     }
     for section in sections {
         if let Some(given) = section.value.roughness.given() {
-            reader.report(Diagnostic::warning("`roughness` has no effect here").at(
-                given.place,
-                "used with `rms` or `tortuosity` of [well.roughness]",
-            ));
+            reader.report(
+                Diagnostic::warning("`roughness` has no effect here")
+                    .at(given.place, "used with `rms` or `tortuosity` of [well.roughness]"),
+            );
         }
     }
 }

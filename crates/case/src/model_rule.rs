@@ -27,10 +27,7 @@ pub struct ModelRule;
 
 impl ModelRule {
     fn choice() -> Choice<ModelKind> {
-        Choice {
-            noun: "a model",
-            words: MODELS,
-        }
+        Choice { noun: "a model", words: MODELS }
     }
 }
 

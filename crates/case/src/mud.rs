@@ -26,17 +26,11 @@ const BINGHAM: &str = "bingham";
 const POWER_LAW: &str = "power-law";
 
 impl Flow {
-    const WORDS: &'static [(&'static str, Self)] = &[
-        (NEWTONIAN, Self::Newtonian),
-        (BINGHAM, Self::Bingham),
-        (POWER_LAW, Self::PowerLaw),
-    ];
+    const WORDS: &'static [(&'static str, Self)] =
+        &[(NEWTONIAN, Self::Newtonian), (BINGHAM, Self::Bingham), (POWER_LAW, Self::PowerLaw)];
 
     fn word(self) -> &'static str {
-        Self::WORDS
-            .iter()
-            .find(|(_, flow)| *flow == self)
-            .map_or("", |(word, _)| word)
+        Self::WORDS.iter().find(|(_, flow)| *flow == self).map_or("", |(word, _)| word)
     }
 }
 
@@ -142,22 +136,13 @@ impl MudTable {
             Flow::Bingham => {
                 let viscosity = needed(&self.plastic_viscosity, "plastic_viscosity", "\"25 cP\"");
                 let yields = needed(&self.yield_point, "yield_point", "\"15 lbf/100ft2\"");
-                Rheology::Bingham {
-                    plastic_viscosity_Pa_s: viscosity?,
-                    yield_point_Pa: yields?,
-                }
+                Rheology::Bingham { plastic_viscosity_Pa_s: viscosity?, yield_point_Pa: yields? }
             }
             Flow::PowerLaw => {
-                let consistency = needed(
-                    &self.consistency_index,
-                    "consistency_index",
-                    "\"0.6 Pa.s^n\"",
-                );
+                let consistency =
+                    needed(&self.consistency_index, "consistency_index", "\"0.6 Pa.s^n\"");
                 let index = needed(&self.flow_behaviour_index, "flow_behaviour_index", "0.65");
-                Rheology::PowerLaw {
-                    consistency_Pa_s_n: consistency?,
-                    flow_index: index?,
-                }
+                Rheology::PowerLaw { consistency_Pa_s_n: consistency?, flow_index: index? }
             }
         }))
     }

@@ -247,11 +247,7 @@ impl OperationTable {
             );
             return None;
         }
-        let given = Given {
-            rpm: self.rpm.given(),
-            wob: self.wob.given(),
-            rop: self.rop.given(),
-        };
+        let given = Given { rpm: self.rpm.given(), wob: self.wob.given(), rop: self.rop.given() };
         given.warn_of_law(&bit.law, reader);
         let bit_depth_m = bit_depth_m?;
         let operation = |at: &Spanned<OperationKind>| {

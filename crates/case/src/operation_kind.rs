@@ -24,10 +24,7 @@ const KINDS: &[(&str, OperationKind)] = &{
 };
 
 /// An operation by name.
-const KIND: Choice<OperationKind> = Choice {
-    noun: "an operation",
-    words: KINDS,
-};
+const KIND: Choice<OperationKind> = Choice { noun: "an operation", words: KINDS };
 
 /// Drillers' words; capitals, blanks, hyphens and underscores do not count.
 const WORDS: &[(&str, OperationKind)] = {

@@ -55,11 +55,7 @@ pub struct Quote {
 impl Override {
     /// An override that stems from something else than its own `--set`.
     pub fn quoted(key: &str, value: &str, quote: Quote) -> Self {
-        Self {
-            key: key.to_owned(),
-            value: value.to_owned(),
-            quote: Some(quote),
-        }
+        Self { key: key.to_owned(), value: value.to_owned(), quote: Some(quote) }
     }
 
     /// The value without quotes.
@@ -94,11 +90,9 @@ impl std::str::FromStr for Override {
 
     fn from_str(text: &str) -> Result<Self, OverrideError> {
         match text.split_once('=') {
-            Some((key, value)) if !key.trim().is_empty() && !value.trim().is_empty() => Ok(Self {
-                key: key.trim().to_owned(),
-                value: value.trim().to_owned(),
-                quote: None,
-            }),
+            Some((key, value)) if !key.trim().is_empty() && !value.trim().is_empty() => {
+                Ok(Self { key: key.trim().to_owned(), value: value.trim().to_owned(), quote: None })
+            }
             _ => Err(OverrideError(text.to_owned())),
         }
     }
@@ -120,11 +114,7 @@ const MAX_PARTS: usize = 32;
 pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) {
     let quote = change.quote();
     let source = reader.add_source(&quote.name, &quote.text);
-    let place = |of: Range<usize>| Span {
-        source,
-        start: of.start,
-        end: of.end,
-    };
+    let place = |of: Range<usize>| Span { source, start: of.start, end: of.end };
     let key_place = place(quote.key);
     let mut node = match value_node(&change.value, source, quote.value.start) {
         Ok(node) => node,
@@ -142,16 +132,11 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
         reader.ask_unit(&node);
     }
     let long = SHORT.iter().find(|(short, _)| *short == change.key);
-    let path: Vec<&str> = long
-        .map_or(change.key.as_str(), |(_, long)| long)
-        .split('.')
-        .collect();
+    let path: Vec<&str> = long.map_or(change.key.as_str(), |(_, long)| long).split('.').collect();
     if path.len() > MAX_PARTS {
         let message = format!("this key has {} parts", path.len());
-        let diagnostic = Diagnostic::error(message).at(
-            key_place,
-            format!("expected at most {MAX_PARTS}, parted by dots"),
-        );
+        let diagnostic = Diagnostic::error(message)
+            .at(key_place, format!("expected at most {MAX_PARTS}, parted by dots"));
         return reader.report(diagnostic);
     }
     let tables = reader.tables();
@@ -164,13 +149,9 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
         if let Some(home) = homes.first() {
             let table = home.trim_matches(['[', ']']);
             diagnostic = diagnostic.help(format!("write {table}.{}", path[0]));
-        } else if let Some(near) = nearest(
-            path[0],
-            short_keys
-                .iter()
-                .copied()
-                .chain(top_level.iter().map(String::as_str)),
-        ) {
+        } else if let Some(near) =
+            nearest(path[0], short_keys.iter().copied().chain(top_level.iter().map(String::as_str)))
+        {
             diagnostic = diagnostic.help(format!("did you mean `{near}`?"));
         }
         return reader.report(diagnostic.help(format!(
@@ -190,15 +171,8 @@ fn value_node(text: &str, source: usize, offset: usize) -> Result<Node, Diagnost
         // What begins like TOML was meant as TOML.
         Err(diagnostic) if text.starts_with(['[', '{', '"', '\'']) => Err(diagnostic),
         Err(_) => Ok(Node {
-            place: Span {
-                source,
-                start: offset,
-                end: offset + text.len(),
-            },
-            value: Value::Text {
-                text: text.to_owned(),
-                verbatim_from: Some(offset),
-            },
+            place: Span { source, start: offset, end: offset + text.len() },
+            value: Value::Text { text: text.to_owned(), verbatim_from: Some(offset) },
         }),
     }
 }
@@ -228,14 +202,8 @@ fn set_in_table(
             // There is no list to set anything in, which is reported when the case is read.
             return Ok(());
         }
-        let key = Key {
-            name: (*first).to_owned(),
-            place: key_place,
-        };
-        let fresh = Node {
-            place: key_place,
-            value: Value::Table(Entries::default()),
-        };
+        let key = Key { name: (*first).to_owned(), place: key_place };
+        let fresh = Node { place: key_place, value: Value::Table(Entries::default()) };
         table.0.push((key, fresh));
     }
     match table.get_mut(first) {
@@ -285,9 +253,9 @@ fn set_in(
     };
     let noun = entry.value.noun();
     match &mut entry.value {
-        Value::List(items) if *first == "*" => items
-            .iter_mut()
-            .try_for_each(|item| set_in(item, name, rest, node, key_place)),
+        Value::List(items) if *first == "*" => {
+            items.iter_mut().try_for_each(|item| set_in(item, name, rest, node, key_place))
+        }
         _ if *first == "*" => Ok(()),
         Value::Table(table) => set_in_table(table, path, node, key_place),
         Value::List(items) => {

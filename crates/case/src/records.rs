@@ -47,10 +47,7 @@ const NODE_SIGNALS: &[(&str, NodeSignal)] = &[
     (NodeSignal::Tension.name(), NodeSignal::Tension),
     (NodeSignal::Torque.name(), NodeSignal::Torque),
     (NodeSignal::BendingMoment.name(), NodeSignal::BendingMoment),
-    (
-        NodeSignal::VonMisesStress.name(),
-        NodeSignal::VonMisesStress,
-    ),
+    (NodeSignal::VonMisesStress.name(), NodeSignal::VonMisesStress),
     (NodeSignal::ContactForce.name(), NodeSignal::ContactForce),
     (NodeSignal::OffsetHigh.name(), NodeSignal::OffsetHigh),
     (NodeSignal::OffsetRight.name(), NodeSignal::OffsetRight),
@@ -70,10 +67,7 @@ const SEGMENTS: f64 = 4.0;
 const FEWEST_SAMPLES: f64 = 16.0;
 
 fn usual() -> Vec<Spanned<Channel>> {
-    let at = |value| Spanned {
-        value,
-        place: Span::default(),
-    };
+    let at = |value| Spanned { value, place: Span::default() };
     Channel::USUAL.map(at).to_vec()
 }
 
@@ -189,10 +183,7 @@ impl RecordsTable {
         {
             reader.report(
                 Diagnostic::error("frames are taken at samples: there are not so many")
-                    .at(
-                        given.place,
-                        format!("expected at most {} Hz", number_text(1.0 / sample_s)),
-                    )
+                    .at(given.place, format!("expected at most {} Hz", number_text(1.0 / sample_s)))
                     .help(format!(
                         "lower it, or lower dynamics.sample_interval, which is {} s",
                         number_text(sample_s)
@@ -231,10 +222,7 @@ impl RecordsTable {
 
     /// Every signal at every depth.
     fn probes(&self, bit_depth_m: Option<f64>, reader: &mut Reader) -> Option<Vec<Probe>> {
-        let (signals, depths) = (
-            self.node_spectra.optional()?,
-            self.node_spectra_at.optional()?,
-        );
+        let (signals, depths) = (self.node_spectra.optional()?, self.node_spectra_at.optional()?);
         let (signals, depths) = match (signals, depths) {
             (None, None) => return Some(Vec::new()),
             (Some(signals), Some(depths)) => (&signals.value, &depths.value),
@@ -269,10 +257,8 @@ impl RecordsTable {
                         .at(first.place, "first here")
                 }
                 (None, Some(bit_m)) => {
-                    Diagnostic::error("a depth of `node_spectra_at` is below the bit").at(
-                        depth.place,
-                        format!("expected at most {} m", number_text(bit_m)),
-                    )
+                    Diagnostic::error("a depth of `node_spectra_at` is below the bit")
+                        .at(depth.place, format!("expected at most {} m", number_text(bit_m)))
                 }
                 (None, None) => continue,
             };
@@ -281,10 +267,7 @@ impl RecordsTable {
         }
         let at_depth = |depth: &Spanned<f64>| {
             let md_m = depth.value;
-            signals.iter().map(move |at| Probe {
-                md_m,
-                signal: at.value,
-            })
+            signals.iter().map(move |at| Probe { md_m, signal: at.value })
         };
         Some(depths.iter().flat_map(at_depth).collect())
     }

@@ -41,11 +41,7 @@ table! {
 }
 
 fn force(example: &'static str) -> Quantity {
-    Quantity::si(
-        Dimension::Force,
-        Range::positive_to(1e8).usual(1e4, 2e7),
-        example,
-    )
+    Quantity::si(Dimension::Force, Range::positive_to(1e8).usual(1e4, 2e7), example)
 }
 
 impl RigTable {
@@ -186,14 +182,8 @@ impl HoistTable {
         if (mass.value - weight_kg).abs() > SAME_BLOCK * weight_kg {
             reader.report(
                 Diagnostic::warning("the block's mass is not that of its weight")
-                    .at(
-                        mass.place,
-                        format!("{} kg move", number_text(mass.value.round())),
-                    )
-                    .at(
-                        weight.place,
-                        format!("{} kg hang", number_text(weight_kg.round())),
-                    )
+                    .at(mass.place, format!("{} kg move", number_text(mass.value.round())))
+                    .at(weight.place, format!("{} kg hang", number_text(weight_kg.round())))
                     .help(
                         "both are of travelling block and top drive: the mass acts in the \
                            dynamic model, the weight on the limits of the rig",
@@ -217,10 +207,8 @@ impl HoistTable {
             && max.value <= min.value
         {
             reader.report(
-                Diagnostic::error("the block's greatest speed is no more than its least").at(
-                    max.place,
-                    format!("expected more than {} m/s", number_text(min.value)),
-                ),
+                Diagnostic::error("the block's greatest speed is no more than its least")
+                    .at(max.place, format!("expected more than {} m/s", number_text(min.value))),
             );
             return None;
         }

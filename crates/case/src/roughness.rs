@@ -49,19 +49,11 @@ table! {
 }
 
 fn amplitude(example: &'static str) -> Quantity {
-    Quantity::si(
-        Dimension::Diameter,
-        Range::from_to(0.0, 0.5).usual(1e-5, 0.05),
-        example,
-    )
+    Quantity::si(Dimension::Diameter, Range::from_to(0.0, 0.5).usual(1e-5, 0.05), example)
 }
 
 fn wavelength(example: &'static str) -> Quantity {
-    Quantity::si(
-        Dimension::Length,
-        Range::from_to(0.2, 10_000.0).usual(0.2, 2000.0),
-        example,
-    )
+    Quantity::si(Dimension::Length, Range::from_to(0.2, 10_000.0).usual(0.2, 2000.0), example)
 }
 
 impl RoughnessTable {
@@ -83,9 +75,7 @@ impl RoughnessTable {
 
     /// Whether it makes any wall rough.
     pub(crate) fn is_rough(&self) -> bool {
-        [&self.rms, &self.tortuosity]
-            .iter()
-            .any(|field| field.get().is_some_and(|rms| *rms > 0.0))
+        [&self.rms, &self.tortuosity].iter().any(|field| field.get().is_some_and(|rms| *rms > 0.0))
     }
 
     fn check_band(&self, roughness: &Roughness, reader: &mut Reader) -> Option<()> {
@@ -138,10 +128,7 @@ fn check_slope(field: &Field<f64>, roughness: &Roughness, reader: &mut Reader) -
     }
     reader.report(
         Diagnostic::error("the waves of the wall are too steep")
-            .at(
-                given.place,
-                format!("expected {} or less", mm((highest_m * 1e5).floor() / 1e5)),
-            )
+            .at(given.place, format!("expected {} or less", mm((highest_m * 1e5).floor() / 1e5)))
             .help(format!(
                 "waves of {} m and more may be 1/20 as high; for higher ones raise \
                  shortest_wavelength",

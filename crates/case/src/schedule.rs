@@ -122,9 +122,7 @@ pub(crate) fn build(
         reader.report(
             Diagnostic::warning(message)
                 .at(lines.value[0].place, "used by the dynamic model")
-                .help(format!(
-                    "the {name} solves the operation with its own set points"
-                )),
+                .help(format!("the {name} solves the operation with its own set points")),
         );
     }
     warn_of_late_lines(&lines.value, around.end_s, reader);
@@ -155,10 +153,8 @@ fn step(
     let empty = [rpm, velocity, wob, flow].iter().all(Option::is_none) && note.is_none();
     if empty && !reader.has_errors() {
         reader.report(
-            Diagnostic::error("this line of the schedule changes nothing").at(
-                line.place,
-                "expected rpm, block_velocity, wob, flow_rate or a note",
-            ),
+            Diagnostic::error("this line of the schedule changes nothing")
+                .at(line.place, "expected rpm, block_velocity, wob, flow_rate or a note"),
         );
         return None;
     }
@@ -206,16 +202,11 @@ fn step(
 fn fault_at(index: usize, fault: ScheduleFault, lines: &[Spanned<StepTable>]) -> Diagnostic {
     let line = &lines[index];
     let at = line.value.at.at().map_or(line.place, |at| at.place);
-    let above = index
-        .checked_sub(1)
-        .and_then(|above| lines[above].value.at.at());
+    let above = index.checked_sub(1).and_then(|above| lines[above].value.at.at());
     match (fault, above) {
         (ScheduleFault::Order, Some(above)) => {
             Diagnostic::error("the lines of the schedule must continue in time")
-                .at(
-                    at,
-                    format!("expected {} s or later", number_text(above.value)),
-                )
+                .at(at, format!("expected {} s or later", number_text(above.value)))
                 .at(above.place, "the line above begins here")
         }
         (ScheduleFault::Ramping(what), _) => {
@@ -243,10 +234,7 @@ fn names(line: &StepTable, what: &str) -> bool {
 
 fn warn_of_late_lines(lines: &[Spanned<StepTable>], end_s: Option<f64>, reader: &mut Reader) {
     let Some(end_s) = end_s else { return };
-    let late = lines
-        .iter()
-        .filter_map(|line| line.value.at.at())
-        .find(|at| at.value >= end_s);
+    let late = lines.iter().filter_map(|line| line.value.at.at()).find(|at| at.value >= end_s);
     if let Some(at) = late {
         let place: Span = at.place;
         reader.report(

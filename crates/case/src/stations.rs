@@ -127,12 +127,8 @@ impl StationRule {
         let degree = std::f64::consts::PI / 180.0;
         [
             Quantity::si(Dimension::Length, Range::from_to(0.0, 20_000.0), "322.9 m"),
-            Quantity::si(
-                Dimension::Angle,
-                Range::from_to(0.0, std::f64::consts::PI),
-                "45 deg",
-            )
-            .bare("deg", degree),
+            Quantity::si(Dimension::Angle, Range::from_to(0.0, std::f64::consts::PI), "45 deg")
+                .bare("deg", degree),
             Quantity::si(
                 Dimension::Angle,
                 Range::from_to(-360.0 * degree, 360.0 * degree),
@@ -180,11 +176,7 @@ impl Rule for StationRule {
 pub(crate) fn from_case(listed: &Spanned<Vec<Spanned<[f64; 3]>>>) -> Stations {
     let list = listed.value.iter().map(|at| {
         let [md_m, inclination_rad, azimuth_rad] = at.value;
-        Station {
-            md_m,
-            inclination_rad,
-            azimuth_rad,
-        }
+        Station { md_m, inclination_rad, azimuth_rad }
     });
     Stations {
         list: list.collect(),
@@ -227,20 +219,12 @@ fn no_survey(error: &SurveyError, file: &Spanned<String>, reader: &mut Reader) -
     match (error.text(), error.span(), error.place()) {
         (Some(text), Some(span), _) => {
             let source = reader.add_source(&file.value, text);
-            let place = Span {
-                source,
-                start: span.start,
-                end: span.end,
-            };
+            let place = Span { source, start: span.start, end: span.end };
             diagnostic.at(place, expected).at(file.place, "the survey")
         }
         (_, _, Some(place)) => {
             let diagnostic = diagnostic.at(file.place, format!("in {place}"));
-            if expected.is_empty() {
-                diagnostic
-            } else {
-                diagnostic.help(expected)
-            }
+            if expected.is_empty() { diagnostic } else { diagnostic.help(expected) }
         }
         _ => Diagnostic::error(format!("the survey cannot be read: {message}"))
             .at(file.place, expected),

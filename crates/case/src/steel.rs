@@ -21,11 +21,7 @@ pub(crate) fn density() -> Quantity {
 }
 
 pub(crate) fn modulus(example: &'static str) -> Quantity {
-    Quantity::si(
-        Dimension::Pressure,
-        Range::from_to(1e9, 1e12).usual(1e10, 3e11),
-        example,
-    )
+    Quantity::si(Dimension::Pressure, Range::from_to(1e9, 1e12).usual(1e10, 3e11), example)
 }
 
 /// Density of the string's metal where the case does not say, kg/m³.

@@ -140,9 +140,7 @@ impl ComponentTable {
 
 /// A pipe is not heavier than a solid bar as thick as its joints, nor lighter than its own body.
 fn check_mass(component: &ComponentSpec, place: Span, reader: &mut Reader) -> Option<()> {
-    let od_m = component
-        .joints
-        .map_or(component.od_m, |joints| joints.od_m);
+    let od_m = component.joints.map_or(component.od_m, |joints| joints.od_m);
     let solid = component.material.density_kg_per_m3 * std::f64::consts::FRAC_PI_4 * od_m.powi(2);
     if component.mass_per_length_kg_per_m <= solid * 1.001 {
         let body = component.material.density_kg_per_m3
@@ -156,13 +154,7 @@ fn check_mass(component: &ComponentSpec, place: Span, reader: &mut Reader) -> Op
                 "{} kg/m is less than the body alone weighs",
                 number_text(component.mass_per_length_kg_per_m)
             ))
-            .at(
-                place,
-                format!(
-                    "a body of {} kg/m",
-                    number_text((body * 10.0).round() / 10.0)
-                ),
-            )
+            .at(place, format!("a body of {} kg/m", number_text((body * 10.0).round() / 10.0)))
             .help("if the metal is lighter than [steel], give its density too");
             if meant {
                 diagnostic = diagnostic.help(format!("if lb/ft was meant, write \"{mass} lb/ft\""));
@@ -177,10 +169,7 @@ fn check_mass(component: &ComponentSpec, place: Span, reader: &mut Reader) -> Op
             number_text(component.mass_per_length_kg_per_m),
             mm(od_m)
         ))
-        .at(
-            place,
-            format!("expected at most {} kg/m", number_text(solid.round())),
-        ),
+        .at(place, format!("expected at most {} kg/m", number_text(solid.round()))),
     );
     None
 }

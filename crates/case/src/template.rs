@@ -39,10 +39,7 @@ impl Template {
     /// A report that says why it cannot be read.
     pub fn read(path: &Path) -> Result<Self, Report> {
         let (name, text) = read_file(path, "case")?;
-        let files = Remembered {
-            disk: Disk::beside(path),
-            read: Mutex::default(),
-        };
+        let files = Remembered { disk: Disk::beside(path), read: Mutex::default() };
         Ok(Self { name, text, files })
     }
 

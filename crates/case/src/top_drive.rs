@@ -103,10 +103,7 @@ impl TopDriveTable {
         let (proportional_N_m_s, integral_N_m) = (*self.proportional.get()?, *self.integral.get()?);
         let controller = match control {
             Constant => return Some(TopDriveSettings::Constant),
-            Pi => SpeedController::Pi {
-                proportional_N_m_s,
-                integral_N_m,
-            },
+            Pi => SpeedController::Pi { proportional_N_m_s, integral_N_m },
             SoftTorque => SpeedController::SoftTorque {
                 impedance_ratio: impedance_ratio.unwrap_or(SOFT_RATIO),
                 frequency_Hz,
@@ -126,15 +123,9 @@ impl TopDriveTable {
     }
 
     fn warn(&self, key: &Written, reader: &mut Reader) {
-        let words: Vec<String> = key
-            .used_with
-            .iter()
-            .map(|word| format!("\"{word}\""))
-            .collect();
-        let diagnostic = Diagnostic::warning(format!("`{}` has no effect here", key.name)).at(
-            key.place,
-            format!("used with control = {}", words.join(", ")),
-        );
+        let words: Vec<String> = key.used_with.iter().map(|word| format!("\"{word}\"")).collect();
+        let diagnostic = Diagnostic::warning(format!("`{}` has no effect here", key.name))
+            .at(key.place, format!("used with control = {}", words.join(", ")));
         reader.report(match self.control.given() {
             Some(control) => diagnostic.at(control.place, "the control"),
             None => diagnostic.help("the control is \"constant\" where none is given"),

@@ -66,11 +66,7 @@ impl Variation {
             }
             variations.push(variation);
         }
-        if reader.has_errors() {
-            Err(reader.into_report())
-        } else {
-            Ok(variations)
-        }
+        if reader.has_errors() { Err(reader.into_report()) } else { Ok(variations) }
     }
 }
 
@@ -92,10 +88,7 @@ impl Variation {
         let values = match expand(says) {
             Ok(None) => vec![Override::quoted(&self.key, written, quote)],
             Ok(Some(values)) => {
-                let quote = Quote {
-                    verbatim: false,
-                    ..quote
-                };
+                let quote = Quote { verbatim: false, ..quote };
                 let value = |value: &String| Override::quoted(&self.key, value, quote.clone());
                 values.iter().map(value).collect()
             }
@@ -106,10 +99,7 @@ impl Variation {
         };
         // Before they are compared with each other, which takes the square of their number.
         if (self.values.len() + values.len()) as f64 > MAX_VALUES {
-            let message = format!(
-                "`{}` is given more than {MAX_VALUES} values",
-                short(&self.key)
-            );
+            let message = format!("`{}` is given more than {MAX_VALUES} values", short(&self.key));
             reader.report(Diagnostic::error(message).at(place, "expected fewer"));
             return false;
         }
@@ -137,19 +127,11 @@ impl Text {
     fn new(argument: &str, reader: &mut Reader) -> Self {
         let prefix = "--vary ";
         let quoted = format!("{prefix}{argument}");
-        Self {
-            source: reader.add_source(COMMAND_LINE, &quoted),
-            quoted,
-            start: prefix.len(),
-        }
+        Self { source: reader.add_source(COMMAND_LINE, &quoted), quoted, start: prefix.len() }
     }
 
     fn place(&self, start: usize, end: usize) -> Span {
-        Span {
-            source: self.source,
-            start,
-            end,
-        }
+        Span { source: self.source, start, end }
     }
 
     fn read(&self, reader: &mut Reader) -> Option<Variation> {
@@ -171,10 +153,7 @@ impl Text {
         };
         let key_start = self.start + key.len() - key.trim_start().len();
         let key = key.trim();
-        let mut variation = Variation {
-            key: key.to_owned(),
-            values: Vec::new(),
-        };
+        let mut variation = Variation { key: key.to_owned(), values: Vec::new() };
         let values_start = self.quoted.len() - values.len();
         let mut valid = true;
         for (offset, element) in elements(values) {
@@ -223,10 +202,7 @@ type Mistake = (String, String);
 /// The values of a range; none if the element is no range.
 fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
     if element.is_empty() {
-        return Err((
-            "a value is missing between two commas".into(),
-            "expected a value".into(),
-        ));
+        return Err(("a value is missing between two commas".into(), "expected a value".into()));
     }
     let Some((from, rest)) = element.split_once("..") else {
         return Ok(None);
@@ -269,10 +245,7 @@ fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
         });
     };
     if step <= 0.0 {
-        return Err((
-            "the step of a range is more than zero".into(),
-            "it would never end".into(),
-        ));
+        return Err(("the step of a range is more than zero".into(), "it would never end".into()));
     }
     // As many whole steps as fit, but for the rounding of decimal fractions.
     let steps = ((to - from.number).abs() / step + 1e-9).floor();
@@ -283,9 +256,8 @@ fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
         ));
     }
     let toward = step.copysign(to - from.number);
-    let mut numbers: Vec<f64> = (0..=steps as u64)
-        .map(|i| rounded(toward.mul_add(i as f64, from.number)))
-        .collect();
+    let mut numbers: Vec<f64> =
+        (0..=steps as u64).map(|i| rounded(toward.mul_add(i as f64, from.number))).collect();
     let last = numbers[numbers.len() - 1];
     if (last - to).abs() <= 1e-9 * step {
         numbers.pop();
@@ -293,12 +265,7 @@ fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
     numbers.push(to);
     let unit = from.unit;
     let blank = if from.apart { " " } else { "" };
-    Ok(Some(
-        numbers
-            .iter()
-            .map(|number| format!("{number}{blank}{unit}"))
-            .collect(),
-    ))
+    Ok(Some(numbers.iter().map(|number| format!("{number}{blank}{unit}")).collect()))
 }
 
 /// Twelve digits: what is left of 0.1 + 2 × 0.1 is 0.3.
@@ -354,10 +321,7 @@ mod tests {
             ("a=1..1.5/1", &["1", "1.5"]),
             ("a=1e3..3e3/1e3", &["1000", "2000", "3000"]),
             ("a=10 m/h..20 m/h/5 m/h", &["10 m/h", "15 m/h", "20 m/h"]),
-            (
-                "a=1deg/30m..2deg/30m/0.5deg/30m",
-                &["1deg/30m", "1.5deg/30m", "2deg/30m"],
-            ),
+            ("a=1deg/30m..2deg/30m/0.5deg/30m", &["1deg/30m", "1.5deg/30m", "2deg/30m"]),
             ("a=1,5..6/1,9", &["1", "5", "6", "9"]),
             ("a=[1, 2],\"x,y\"", &["[1, 2]", "\"x,y\""]),
             ("a=../one.csv,../two.csv", &["../one.csv", "../two.csv"]),
@@ -373,20 +337,11 @@ mod tests {
         for tenths in 1..40 {
             for step in 1..30 {
                 let argument = format!("a=0.1..{}/{}", tenths as f64 / 10.0, step as f64 / 100.0);
-                let numbers: Vec<f64> = values(&argument)
-                    .iter()
-                    .map(|value| value.parse().unwrap())
-                    .collect();
+                let numbers: Vec<f64> =
+                    values(&argument).iter().map(|value| value.parse().unwrap()).collect();
                 assert_eq!(numbers[0], 0.1, "{argument}");
-                assert_eq!(
-                    numbers[numbers.len() - 1],
-                    tenths as f64 / 10.0,
-                    "{argument}"
-                );
-                assert!(
-                    numbers.is_sorted_by(|a, b| a < b),
-                    "{argument}: {numbers:?}"
-                );
+                assert_eq!(numbers[numbers.len() - 1], tenths as f64 / 10.0, "{argument}");
+                assert!(numbers.is_sorted_by(|a, b| a < b), "{argument}: {numbers:?}");
             }
         }
     }

@@ -148,11 +148,7 @@ impl WellTable {
             Some(given) if self.tie_in.given().is_some() => Some(TieIn {
                 north_m: *given.value.north.get()?,
                 east_m: *given.value.east.get()?,
-                tvd_m: given
-                    .value
-                    .tvd
-                    .optional()?
-                    .map_or(under_origin.tvd_m, |at| at.value),
+                tvd_m: given.value.tvd.optional()?.map_or(under_origin.tvd_m, |at| at.value),
             }),
             _ => Some(stations.tie_in.unwrap_or(under_origin)),
         }
@@ -193,10 +189,7 @@ impl WellTable {
                 number_text(end_m),
                 number_text(bit_depth_m)
             ))
-            .at(
-                to.place,
-                format!("expected {} m or more", number_text(bit_depth_m)),
-            );
+            .at(to.place, format!("expected {} m or more", number_text(bit_depth_m)));
             if let Some(place) = bit_place {
                 diagnostic = diagnostic.at(place, bit_text);
             } else {
@@ -219,33 +212,22 @@ fn path_error(error: &PathError, stations: &Stations) -> Diagnostic {
             Diagnostic::error(format!("the survey has {found} station"))
                 .at(at(0), "expected two stations or more")
         }
-        PathError::DepthNotIncreasing {
-            index,
-            md_m,
-            previous_md_m,
-        } => Diagnostic::error(format!(
+        PathError::DepthNotIncreasing { index, md_m, previous_md_m } => Diagnostic::error(format!(
             "measured depth must grow down the survey: {} m follows {} m",
             number_text(*md_m),
             number_text(*previous_md_m)
         ))
-        .at(
-            at(*index),
-            format!("expected more than {} m", number_text(*previous_md_m)),
-        )
+        .at(at(*index), format!("expected more than {} m", number_text(*previous_md_m)))
         .at(at(index - 1), "the station above"),
-        PathError::Inclination {
-            index,
-            inclination_rad,
-            ..
-        } => Diagnostic::error(format!(
+        PathError::Inclination { index, inclination_rad, .. } => Diagnostic::error(format!(
             "inclination {} deg is out of range",
             number_text(inclination_rad.to_degrees())
         ))
         .at(at(*index), "expected 0 to 180 deg from vertical")
         .help("the columns are md, inc, azi: are inclination and azimuth exchanged?"),
-        PathError::NotFinite {
-            index, quantity, ..
-        } => Diagnostic::error(format!("{quantity} is not a finite number")).at(at(*index), ""),
+        PathError::NotFinite { index, quantity, .. } => {
+            Diagnostic::error(format!("{quantity} is not a finite number")).at(at(*index), "")
+        }
         PathError::Reversal { index, .. } => {
             Diagnostic::error("the hole turns by 180 deg between two stations")
                 .at(at(*index), "opposite to the station above")

@@ -29,14 +29,10 @@ fn the_documented_example_loads() {
     assert_eq!(case.model.well.hole.sections()[1].from_md_m, 2986.53);
     assert_eq!(case.model.mud.density_kg_per_m3, 1200.0);
     assert!((case.model.string.length_m() - 4305.0).abs() < 1e-9);
-    let [bit, pipe] = case.model.string.components() else {
-        panic!("two components")
-    };
+    let [bit, pipe] = case.model.string.components() else { panic!("two components") };
     assert_eq!((bit.id_m, bit.joints), (0.0, None));
     assert!((pipe.od_m - 0.1397).abs() < 1e-9 && pipe.joints.is_some());
-    let [drill] = case.operations.as_slice() else {
-        panic!("one operation")
-    };
+    let [drill] = case.operations.as_slice() else { panic!("one operation") };
     assert_eq!(drill.kind, OperationKind::Drill);
     assert!((drill.rotary_speed_rad_per_s - 70.0 * std::f64::consts::PI / 30.0).abs() < 1e-12);
     assert!((drill.weight_on_bit_N - 6000.0 * 9.80665).abs() < 1e-6);
@@ -73,11 +69,7 @@ fn settling_is_a_time_or_as_long_as_it_takes() {
     let settling = |value: &str| {
         let case = read(&changed("settle = \"20 s\"", &format!("settle = {value}")));
         let case = case.unwrap_or_else(|report| panic!("{report}"));
-        (
-            case.dynamics.settle_s,
-            case.dynamics.steady,
-            case.dynamics.longest_s(),
-        )
+        (case.dynamics.settle_s, case.dynamics.steady, case.dynamics.longest_s())
     };
     assert_eq!(settling("\"1 min\""), (60.0, None, 120.0));
     assert_eq!(settling("0"), (0.0, None, 60.0));
@@ -123,10 +115,8 @@ fn stations_in_the_case_are_metres_and_degrees() {
 
 #[test]
 fn a_survey_that_starts_deep_hangs_from_the_origin() {
-    let text = changed(
-        "survey = \"np13-x1042-survey.csv\" ",
-        "stations = [[1000, 0, 0], [4305, 0, 0]] ",
-    );
+    let text =
+        changed("survey = \"np13-x1042-survey.csv\" ", "stations = [[1000, 0, 0], [4305, 0, 0]] ");
     let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
     let top = case.model.well.path.at(0.0).position_m;
     assert!(top.norm() < 1e-9, "{top}");
@@ -134,30 +124,16 @@ fn a_survey_that_starts_deep_hangs_from_the_origin() {
 
 #[test]
 fn several_models_and_operations_stand_in_lists() {
-    let text = changed("model = \"dynamic\"", "model = [\"soft\", \"dynamic\"]").replace(
-        "kind = \"drill\"",
-        "kind = [\"trip_out\", \"slide\", \"rotate_off_bottom\"]",
-    );
+    let text = changed("model = \"dynamic\"", "model = [\"soft\", \"dynamic\"]")
+        .replace("kind = \"drill\"", "kind = [\"trip_out\", \"slide\", \"rotate_off_bottom\"]");
     let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
     assert_eq!(case.models, [ModelKind::Soft, ModelKind::Dynamic]);
-    let kinds: Vec<_> = case
-        .operations
-        .iter()
-        .map(|operation| operation.kind)
-        .collect();
+    let kinds: Vec<_> = case.operations.iter().map(|operation| operation.kind).collect();
     assert_eq!(
         kinds,
-        [
-            OperationKind::TripOut,
-            OperationKind::Slide,
-            OperationKind::RotateOffBottom
-        ]
+        [OperationKind::TripOut, OperationKind::Slide, OperationKind::RotateOffBottom]
     );
-    assert!(
-        case.operations
-            .iter()
-            .all(|operation| operation.bit_torque_N_m == 3100.0)
-    );
+    assert!(case.operations.iter().all(|operation| operation.bit_torque_N_m == 3100.0));
 }
 
 #[test]
@@ -166,9 +142,7 @@ fn tripping_needs_no_set_points() {
     let text: String = text
         .lines()
         .filter(|line| {
-            !["rpm", "wob", "rop", "trip_speed", "torque"]
-                .iter()
-                .any(|key| line.starts_with(key))
+            !["rpm", "wob", "rop", "trip_speed", "torque"].iter().any(|key| line.starts_with(key))
         })
         .map(|line| format!("{line}\n"))
         .collect();
@@ -179,10 +153,7 @@ fn tripping_needs_no_set_points() {
 
 #[test]
 fn friction_may_have_a_value_at_rest() {
-    let text = changed(
-        "friction = 0.3\n[[",
-        "friction = { kinetic = 0.2, static = 0.25 }\n[[",
-    );
+    let text = changed("friction = 0.3\n[[", "friction = { kinetic = 0.2, static = 0.25 }\n[[");
     let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
     let friction = case.model.well.hole.sections()[0].friction;
     assert_eq!((friction.kinetic, friction.at_rest), (0.2, 0.25));
@@ -209,10 +180,8 @@ fn friction_may_differ_around_the_hole() {
     let case = read_with(&text, &["well.hole.0.friction={ kinetic = 0.1 }"]).expect("a case");
     let friction = case.model.well.hole.sections()[0].friction;
     assert_eq!((friction.at_rest, friction.around), (0.1, 1.0));
-    let smooth = text.replace(
-        "kinetic = 0.2, static = 0.25, around = 0.3",
-        "kinetic = 0, static = 0.25",
-    );
+    let smooth =
+        text.replace("kinetic = 0.2, static = 0.25, around = 0.3", "kinetic = 0, static = 0.25");
     let case = read_with(&smooth, &["friction=0.1"]).expect("a case");
     assert_eq!(case.model.well.hole.sections()[0].friction.at_rest, 0.1);
 }
@@ -239,15 +208,7 @@ fn the_wall_may_be_rough() {
     );
     let shares: Vec<f64> = hole.sections().iter().map(|s| s.roughness).collect();
     assert_eq!(shares, [0.2, 1.0]);
-    assert!(
-        read(EXAMPLE)
-            .expect("a case")
-            .model
-            .well
-            .hole
-            .roughness()
-            .is_none()
-    );
+    assert!(read(EXAMPLE).expect("a case").model.well.hole.roughness().is_none());
 }
 
 /// Blades as long as the component where nothing else is said.
@@ -267,15 +228,9 @@ fn a_stabiliser_may_have_blades() {
     assert_eq!(with(""), None);
     assert_eq!(
         with("blade_od = \"212.7 mm\"\nblade_length = \"0.6 m\""),
-        Some(Blades {
-            od_m: 0.2127,
-            length_m: 0.6
-        })
+        Some(Blades { od_m: 0.2127, length_m: 0.6 })
     );
-    assert_eq!(
-        with("blade_od = 0.2127").map(|blades| blades.length_m),
-        Some(1.5)
-    );
+    assert_eq!(with("blade_od = 0.2127").map(|blades| blades.length_m), Some(1.5));
 }
 
 #[test]
@@ -288,10 +243,7 @@ fn explicit_pipe_may_have_joints_and_mass() {
     assert!(case.warnings.is_empty(), "{}", case.warnings);
     let pipe = &case.model.string.components()[1];
     assert_eq!(pipe.mass_per_length_kg_per_m, 35.8);
-    assert_eq!(
-        pipe.joints.map(|joints| (joints.od_m, joints.spacing_m)),
-        Some((0.1778, 9.6))
-    );
+    assert_eq!(pipe.joints.map(|joints| (joints.od_m, joints.spacing_m)), Some((0.1778, 9.6)));
     assert_eq!(pipe.yield_strength_Pa, Some(931e6));
     assert_eq!(pipe.material.density_kg_per_m3, 7850.0);
     assert_eq!(pipe.material.youngs_modulus_Pa, 210e9);
@@ -319,24 +271,12 @@ fn the_other_laws_and_controls_are_taken() {
         .replace("start = \"prepared\"", "start = \"centred\"\nstart_tension = \"cold\"\nstart_ramp = \"0 s\"");
     let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
     assert!(case.warnings.is_empty(), "{}", case.warnings);
-    let linear = ContactLaw::Linear {
-        stiffness_N_per_m: 2e8,
-        damping_ratio: 0.1,
-    };
+    let linear = ContactLaw::Linear { stiffness_N_per_m: 2e8, damping_ratio: 0.1 };
     assert_eq!(case.dynamics.contact_law, linear);
-    assert_eq!(
-        case.dynamics.hoist_control,
-        Some(HoistControl::BlockVelocity(-0.1))
-    );
+    assert_eq!(case.dynamics.hoist_control, Some(HoistControl::BlockVelocity(-0.1)));
     assert_eq!(case.dynamics.damping.mass_per_s, 0.0);
-    let cold = CentredStart {
-        tension: StartTension::Cold,
-        ramp_s: 0.0,
-    };
-    assert_eq!(
-        (case.dynamics.start, case.dynamics.centred),
-        (Start::Centred, cold)
-    );
+    let cold = CentredStart { tension: StartTension::Cold, ramp_s: 0.0 };
+    assert_eq!((case.dynamics.start, case.dynamics.centred), (Start::Centred, cold));
     assert_eq!(case.dynamics.seed, 7);
 }
 
@@ -359,14 +299,8 @@ fn the_command_line_sets_what_the_file_does_not() {
         ],
     )
     .unwrap_or_else(|report| panic!("{report}"));
-    let friction: Vec<f64> = case
-        .model
-        .well
-        .hole
-        .sections()
-        .iter()
-        .map(|section| section.friction.kinetic)
-        .collect();
+    let friction: Vec<f64> =
+        case.model.well.hole.sections().iter().map(|section| section.friction.kinetic).collect();
     assert_eq!(friction, [0.1, 0.2]);
     assert_eq!(case.operations.len(), 2);
     assert_eq!(case.operations[0].bit_depth_m, 3000.0);
@@ -399,10 +333,8 @@ fn mud_that_flows() {
     )
     .replace("rpm = 70", "flow_rate = \"600 gpm\"\nbit_pressure_drop = \"1000 psi\"\nrpm = 70");
     let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
-    let Some(wholestring::mud::Rheology::Bingham {
-        plastic_viscosity_Pa_s,
-        yield_point_Pa,
-    }) = case.model.mud.rheology
+    let Some(wholestring::mud::Rheology::Bingham { plastic_viscosity_Pa_s, yield_point_Pa }) =
+        case.model.mud.rheology
     else {
         panic!("{:?}", case.model.mud);
     };
@@ -420,19 +352,13 @@ fn mud_that_flows() {
 fn the_engines_np13_is_the_shipped_one() {
     let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/np13-x1042.toml");
     let case = wholestring_case::load(&file, &[]).unwrap_or_else(|report| panic!("{report}"));
-    let built = StringSpec {
-        components: np13::components(),
-    };
+    let built = StringSpec { components: np13::components() };
     let built = built.assemble(case.operations[0].bit_depth_m).unwrap();
     let numbers = |of: &Component| {
         let joints = of.joints.map_or([0.0; 2], |of| [of.od_m, of.spacing_m]);
         let steel = of.material;
         let own = [of.length_m, of.od_m, of.mass_per_length_kg_per_m];
-        let metal = [
-            steel.density_kg_per_m3,
-            steel.youngs_modulus_Pa,
-            steel.shear_modulus_Pa,
-        ];
+        let metal = [steel.density_kg_per_m3, steel.youngs_modulus_Pa, steel.shear_modulus_Pa];
         [&own[..], &joints, &metal].concat()
     };
     let (shipped, built) = (case.model.string.components(), built.components());
@@ -441,18 +367,10 @@ fn the_engines_np13_is_the_shipped_one() {
         assert_eq!(shipped.name, built.name);
         assert!((shipped.id_m - built.id_m).abs() < 1e-5, "{}", shipped.name);
         for (shipped, built) in numbers(shipped).iter().zip(numbers(built)) {
-            assert!(
-                (shipped - built).abs() <= 1e-12 * built,
-                "{shipped} {built}"
-            );
+            assert!((shipped - built).abs() <= 1e-12 * built, "{shipped} {built}");
         }
         let none = (None, None, None);
-        assert_eq!(
-            (shipped.blades, shipped.bend, shipped.eccentricity),
-            none,
-            "{}",
-            shipped.name
-        );
+        assert_eq!((shipped.blades, shipped.bend, shipped.eccentricity), none, "{}", shipped.name);
     }
 }
 
@@ -497,16 +415,10 @@ fn a_motor_takes_the_operations_flow() {
     };
     let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-12;
     assert!(close(motor.rated_flow_m3_per_s, 30e-3));
-    assert!(close(
-        motor.stall_torque_N_m,
-        1.5 * 0.8 * 12e-3 * 8e6 / std::f64::consts::TAU
-    ));
+    assert!(close(motor.stall_torque_N_m, 1.5 * 0.8 * 12e-3 * 8e6 / std::f64::consts::TAU));
     // 70 rev/min of the string and 150 of the motor, less what leaks at a quarter of the largest
     // torque.
     let turns = 70.0 + 150.0 * (1.0 - 0.1 * 3100.0 / motor.max_torque_N_m());
-    let speed = case
-        .dynamics
-        .bit
-        .drilling_speed_rad_per_s(&case.operations[0]);
+    let speed = case.dynamics.bit.drilling_speed_rad_per_s(&case.operations[0]);
     assert!(close(speed * 30.0 / std::f64::consts::PI, turns), "{speed}");
 }

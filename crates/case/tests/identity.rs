@@ -12,10 +12,7 @@ const WITHOUT_EFFECT: &[(&str, &str)] = &[
     ("name", "what the case is called"),
     ("units", "what people are shown"),
     ("dynamics.checkpoint_interval", "how much a kill costs"),
-    (
-        "well.hole.0.from",
-        "where the section above ends: anything else is refused",
-    ),
+    ("well.hole.0.from", "where the section above ends: anything else is refused"),
 ];
 
 /// Two values of keys whose schema does not say enough to make two.
@@ -39,10 +36,7 @@ const VALUES: &[(&str, [&str; 2])] = &[
         ],
     ),
     ("bit_test.rpm", ["[60, 90]", "[60, 91]"]),
-    (
-        "bit_test.wob",
-        ["[\"40 kN\", \"60 kN\"]", "[\"40 kN\", \"61 kN\"]"],
-    ),
+    ("bit_test.wob", ["[\"40 kN\", \"60 kN\"]", "[\"40 kN\", \"61 kN\"]"]),
     ("dynamics.contact_law", ["hertz", "linear"]),
     ("dynamics.friction_law", ["vector", "independent"]),
     ("dynamics.precision", ["double", "single"]),
@@ -65,10 +59,7 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("rock.element_size", ["9 mm", "9.5 mm"]),
     ("rock.friction_angle", ["35 deg", "36 deg"]),
     ("string.0.blade_od", ["212 mm", "211 mm"]),
-    (
-        "string.0.catalogue",
-        ["5 in 19.50 lb/ft G-105", "5 in 19.50 lb/ft S-135"],
-    ),
+    ("string.0.catalogue", ["5 in 19.50 lb/ft G-105", "5 in 19.50 lb/ft S-135"]),
     ("string.0.component", ["pipe", "tube"]),
     ("string.0.eccentricity_cavity", ["mud", "sealed"]),
     ("string.0.id", ["57 mm", "58 mm"]),
@@ -77,20 +68,14 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("string.0.mass_per_length", ["160 kg/m", "161 kg/m"]),
     ("string.0.od", ["171 mm", "172 mm"]),
     ("top_drive.control", ["constant", "soft-torque"]),
-    (
-        "well.hole.0.casing",
-        ["9-5/8 in 40 lb/ft", "9-5/8 in 47 lb/ft"],
-    ),
+    ("well.hole.0.casing", ["9-5/8 in 40 lb/ft", "9-5/8 in 47 lb/ft"]),
     ("well.hole.0.diameter", ["222.96 mm", "223 mm"]),
     ("well.hole.0.kind", ["casing", "open"]),
     ("well.hole.0.to", ["2986.53 m", "2990 m"]),
     ("well.path", ["spline", "minimum-curvature"]),
     (
         "well.stations",
-        [
-            "[[0, 0, 0], [1000, 0, 0], [4305, 60, 90]]",
-            "[[0, 0, 0], [1000, 0, 0], [4305, 60, 91]]",
-        ],
+        ["[[0, 0, 0], [1000, 0, 0], [4305, 60, 90]]", "[[0, 0, 0], [1000, 0, 0], [4305, 60, 91]]"],
     ),
     ("well.survey", [SURVEY_NAME, "other.csv"]),
     ("well.survey_unit", ["m", "ft"]),
@@ -126,22 +111,14 @@ fn bases() -> Vec<String> {
             &format!("{tool}[[string]]\ncomponent = \"drill pipe\""),
         )
     };
-    let bit = |lines: &str| {
-        with(
-            "torque = \"3.1 kN.m\" ",
-            &format!("torque = \"3.1 kN.m\"\n{lines}#"),
-        )
-    };
+    let bit =
+        |lines: &str| with("torque = \"3.1 kN.m\" ", &format!("torque = \"3.1 kN.m\"\n{lines}#"));
     let bit_alone = |lines: &str| {
         with("torque = \"3.1 kN.m\" ", &format!("{lines}#")).replace("rop = \"10 m/h\"", "#")
     };
     let and = |lines: &str| format!("{EXAMPLE}\n{lines}");
     let mud = |lines: &str| {
-        with(
-            "density = \"1.2 sg\"\n",
-            &format!("density = \"1.2 sg\"\n{lines}"),
-        )
-        .replace(
+        with("density = \"1.2 sg\"\n", &format!("density = \"1.2 sg\"\n{lines}")).replace(
             "rpm = 70 ",
             "flow_rate = \"2000 L/min\"\nbit_pressure_drop = \"80 bar\"\nrpm = 70 ",
         )
@@ -163,10 +140,7 @@ fn bases() -> Vec<String> {
             "survey = \"np13-x1042-survey.csv\"",
             "stations = [[0, 0, 0], [1000, 0, 0], [4305, 60, 90]]",
         ),
-        with(
-            "survey = \"np13-x1042-survey.csv\"",
-            "survey = \"bare.csv\"\nsurvey_unit = \"m\"",
-        ),
+        with("survey = \"np13-x1042-survey.csv\"", "survey = \"bare.csv\"\nsurvey_unit = \"m\""),
         with("diameter = \"222.96 mm\"", "casing = \"9-5/8 in 40 lb/ft\""),
         and("[well.roughness]\nrms = \"1 mm\"\ntortuosity = \"2 mm\"\n"),
         and("[well.tie_in]\nnorth = \"10 m\"\n"),
@@ -186,10 +160,7 @@ fn bases() -> Vec<String> {
         bit(
             "[bit.excitation]\namplitude = \"1 mm\"\nroughness = \"1 mm\"\nfrequency = \"20 Hz\"\n",
         ),
-        format!(
-            "{}{motor}",
-            mud("rheology = \"newtonian\"\nviscosity = \"20 mPa.s\"\n")
-        ),
+        format!("{}{motor}", mud("rheology = \"newtonian\"\nviscosity = \"20 mPa.s\"\n")),
         bit_alone(&format!("law = \"regenerative\"\nblades = 4\n{CUTTERS}")),
         bit_alone(&format!(
             "law = \"detournay-defourny\"\nfull_contact_depth = \"0.3 mm\"\ncleaning_limit = \"8 mm\"\n{CUTTERS}"
@@ -222,10 +193,7 @@ fn bases() -> Vec<String> {
         )),
         with("contact_law = \"hertz\"", "contact_law = \"linear\""),
         with("start = \"prepared\"", "start = \"centred\""),
-        with(
-            "friction = 0.3\n[[well",
-            "friction = { kinetic = 0.3, static = 0.35 }\n[[well",
-        ),
+        with("friction = 0.3\n[[well", "friction = { kinetic = 0.3, static = 0.35 }\n[[well"),
     ]
 }
 
@@ -235,10 +203,7 @@ fn read(text: &str, change: &Override) -> Result<Case, String> {
         |name: &str, text: &str| files.0.insert(name.to_owned(), text.as_bytes().to_vec());
     put(SURVEY_NAME, SURVEY);
     put("bare.csv", "md,inc,azi\n0,0,0\n1000,0,0\n4305,50,0\n");
-    put(
-        "other.csv",
-        "md (m),inc (deg),azi (deg)\n0,0,0\n1000,0,0\n4305,50,0\n",
-    );
+    put("other.csv", "md (m),inc (deg),azi (deg)\n0,0,0\n1000,0,0\n4305,50,0\n");
     let head = "weight_on_bit_N,rotary_speed_rpm,rate_of_penetration_m_per_h,torque_N_m\n";
     put(
         "points.csv",
@@ -285,25 +250,17 @@ fn values(path: &str, rule: &Json) -> [String; 2] {
     let example = either.iter().find_map(|rule| rule["examples"][0].as_str());
     if let Some(example) = example {
         let (number, unit) = example.split_once(' ').expect("a number and its unit");
-        let number: f64 = number
-            .parse()
-            .unwrap_or_else(|_| panic!("{path}: {example}"));
+        let number: f64 = number.parse().unwrap_or_else(|_| panic!("{path}: {example}"));
         return [number, 1.02 * number].map(|number| format!("{number} {unit}"));
     }
     if rule["type"] == "integer" {
-        let first = rule["default"]
-            .as_u64()
-            .or(rule["minimum"].as_u64())
-            .unwrap_or(0)
-            + 1;
+        let first = rule["default"].as_u64().or(rule["minimum"].as_u64()).unwrap_or(0) + 1;
         return [first, first + 1].map(|number| number.to_string());
     }
     assert_eq!(rule["type"], "number", "no two values of {path} are known");
     let bound = |key: &str| rule[key].as_f64();
     let highest = bound("maximum").unwrap_or(1.0);
-    let lowest = bound("minimum")
-        .or(bound("exclusiveMinimum"))
-        .unwrap_or(0.0);
+    let lowest = bound("minimum").or(bound("exclusiveMinimum")).unwrap_or(0.0);
     let default = bound("default").filter(|default| *default > 0.0 && *default < highest);
     let first = default.unwrap_or(lowest + 0.3 * (highest.min(1.0) - lowest));
     [first, 1.02 * first].map(|number| number.to_string())
@@ -351,24 +308,14 @@ fn every_key_makes_another_case() {
         .filter(|(path, _)| !without(path))
         .filter_map(|(path, rule)| counts(path, rule, &bases).err())
         .collect();
-    assert!(
-        mistakes.is_empty(),
-        "{} of {}:\n{}",
-        mistakes.len(),
-        keys.len(),
-        mistakes.join("\n")
-    );
+    assert!(mistakes.is_empty(), "{} of {}:\n{}", mistakes.len(), keys.len(), mistakes.join("\n"));
 }
 
 #[test]
 fn what_is_only_shown_makes_no_other_case() {
     let plain: Override = "name=one".parse().expect("KEY=VALUE");
     let identity = read(EXAMPLE, &plain).expect("the example").identity();
-    for change in [
-        "name=other",
-        "units=field",
-        "dynamics.checkpoint_interval=5 s",
-    ] {
+    for change in ["name=other", "units=field", "dynamics.checkpoint_interval=5 s"] {
         let change = change.parse().expect("KEY=VALUE");
         assert_eq!(read(EXAMPLE, &change).expect("sound").identity(), identity);
     }

@@ -38,11 +38,7 @@ fn shipped() -> Vec<Shipped> {
     let mut cases = Vec::new();
     for entry in fs::read_dir(&folder).expect("the folder of cases") {
         let path = entry.expect("an entry").path();
-        let name = path
-            .file_name()
-            .expect("a name")
-            .to_string_lossy()
-            .into_owned();
+        let name = path.file_name().expect("a name").to_string_lossy().into_owned();
         match path.extension().and_then(|extension| extension.to_str()) {
             Some("toml") => cases.push((name, fs::read_to_string(&path).expect("a text"))),
             _ if path.is_file() => {
@@ -53,19 +49,9 @@ fn shipped() -> Vec<Shipped> {
     }
     // The order of a folder is the file system's.
     cases.sort();
-    assert!(
-        cases.len() >= 5,
-        "the shipped cases are not where they were"
-    );
+    assert!(cases.len() >= 5, "the shipped cases are not where they were");
     let files = &files;
-    cases
-        .into_iter()
-        .map(|(name, text)| Shipped {
-            name,
-            text,
-            files: files.clone(),
-        })
-        .collect()
+    cases.into_iter().map(|(name, text)| Shipped { name, text, files: files.clone() }).collect()
 }
 
 #[test]
@@ -76,10 +62,7 @@ fn the_shipped_cases_are_sound() {
         // Well B's pipe has a shear modulus that makes its torsional stiffness the recorded one.
         let told = read.warnings.to_string();
         let known = case.name.starts_with("well-b") && told.matches("warning: ").count() == 1;
-        assert!(
-            told.is_empty() || known && told.contains("Poisson's ratio"),
-            "{told}"
-        );
+        assert!(told.is_empty() || known && told.contains("Poisson's ratio"), "{told}");
     }
 }
 
@@ -98,8 +81,8 @@ fn every_mutation_is_accepted_or_answered() {
         let is_toml = text.is_some_and(|text| DeTable::parse(text).is_ok());
         let is_changed = bytes != case.text.as_bytes() || files.0 != case.files.0;
         valid_toml += usize::from(is_toml && is_changed);
-        let outcome = catch_unwind(AssertUnwindSafe(|| {
-            match parse(&case.name, &bytes, &files, &[]) {
+        let outcome =
+            catch_unwind(AssertUnwindSafe(|| match parse(&case.name, &bytes, &files, &[]) {
                 Ok(read) => {
                     check_accepted(&read);
                     if seed % SHARE_OF_RUNS == 0 {
@@ -108,10 +91,7 @@ fn every_mutation_is_accepted_or_answered() {
                     }
                     let text = std::str::from_utf8(&bytes).expect("an accepted text");
                     let problems = schema_check::problems(&schema, text);
-                    assert!(
-                        problems.is_empty(),
-                        "accepted against the schema: {problems:?}"
-                    );
+                    assert!(problems.is_empty(), "accepted against the schema: {problems:?}");
                     true
                 }
                 Err(report) => {
@@ -122,8 +102,7 @@ fn every_mutation_is_accepted_or_answered() {
                     assert!(!report.render(seed % 2 == 0).trim().is_empty());
                     false
                 }
-            }
-        }));
+            }));
         match outcome {
             Ok(was_accepted) => accepted += usize::from(was_accepted),
             Err(_) => panic!(
@@ -134,10 +113,7 @@ fn every_mutation_is_accepted_or_answered() {
         }
     }
     println!("{valid_toml} of {MUTATIONS} mutations are TOML, {accepted} are accepted");
-    assert!(
-        valid_toml >= MUTATIONS / 2,
-        "only {valid_toml} are valid TOML"
-    );
+    assert!(valid_toml >= MUTATIONS / 2, "only {valid_toml} are valid TOML");
     // A reader that refuses everything would pass otherwise.
     assert!(accepted >= MUTATIONS / 50, "only {accepted} are accepted");
     assert!(accepted <= MUTATIONS / 2, "{accepted} are accepted");
@@ -228,14 +204,10 @@ fn assert_finite(outcome: &DynamicOutcome) {
     // Debug prints every field there is, also those of tomorrow.
     let text = format!("{outcome:?}");
     for word in ["NaN", "inf"] {
-        let found = text
-            .split(|c: char| !c.is_alphanumeric())
-            .any(|part| part == word);
+        let found = text.split(|c: char| !c.is_alphanumeric()).any(|part| part == word);
         if found {
             let at = text.find(word).unwrap_or(0);
-            let from = text[..at]
-                .rfind(": [")
-                .map_or(0, |from| from.saturating_sub(30));
+            let from = text[..at].rfind(": [").map_or(0, |from| from.saturating_sub(30));
             panic!("{word} at {}", &text[from..(from + 200).min(text.len())]);
         }
     }
@@ -377,16 +349,12 @@ fn mutate_structure(text: &str, keys: &[String], rng: &mut Rng) -> String {
             let value = scaled(&text[at.clone()], rng);
             changed.replace_range(at, &value);
         }),
-        12 => pick(&sites.scalars, rng)
-            .zip(pick(&sites.scalars, rng))
-            .map(|(a, b)| {
-                changed.replace_range(a, &text[b]);
-            }),
-        13 => pick(&sites.keys, rng)
-            .zip(pick(keys, rng))
-            .map(|(at, key)| {
-                changed.replace_range(at, &key);
-            }),
+        12 => pick(&sites.scalars, rng).zip(pick(&sites.scalars, rng)).map(|(a, b)| {
+            changed.replace_range(a, &text[b]);
+        }),
+        13 => pick(&sites.keys, rng).zip(pick(keys, rng)).map(|(at, key)| {
+            changed.replace_range(at, &key);
+        }),
         14 => pick(&sites.keys, rng).map(|at| {
             let mut name = text[at.clone()].to_owned();
             let place = rng.usize(..=name.len());
@@ -464,10 +432,7 @@ fn number(rng: &mut Rng) -> String {
         EXTREMES[rng.usize(..EXTREMES.len())].to_owned()
     } else {
         let magnitude = rng.f64() * 24.0 - 12.0;
-        format!(
-            "{:e}",
-            10_f64.powf(magnitude) * if rng.u8(..4) == 0 { -1.0 } else { 1.0 }
-        )
+        format!("{:e}", 10_f64.powf(magnitude) * if rng.u8(..4) == 0 { -1.0 } else { 1.0 })
     }
 }
 
@@ -535,9 +500,7 @@ fn other_value(old: &str, rng: &mut Rng) -> String {
 fn scaled(old: &str, rng: &mut Rng) -> String {
     let quoted = old.starts_with('"');
     let inside = old.trim_matches('"');
-    let digits = inside
-        .find(|c: char| !c.is_ascii_digit() && c != '.')
-        .unwrap_or(inside.len());
+    let digits = inside.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(inside.len());
     let Ok(value) = inside[..digits].parse::<f64>() else {
         return other_value(old, rng);
     };

@@ -54,19 +54,14 @@ fn a_strength_suffices() {
     assert_eq!(found.bit, BitShape::Pdc(PdcBit::for_diameter(OD_M)));
     let rock = Rock::for_drilling(60e6);
     assert!((found.block.rock.ucs_Pa() / 60e6 - 1.0).abs() < 1e-12);
-    assert_eq!(
-        found.block.rock.crushing_energy_J_per_m3,
-        rock.crushing_energy_J_per_m3
-    );
+    assert_eq!(found.block.rock.crushing_energy_J_per_m3, rock.crushing_energy_J_per_m3);
     let expected = DrillingSpec::new(rock, found.bit, OD_M / 18.0).expect("a sound bit");
     assert_eq!(found.block.cells, expected.block.cells);
     assert_eq!(found.wall_m, expected.wall_m);
     assert_eq!(found.contact, expected.contact);
     assert_eq!(found.block.numerics, expected.block.numerics);
     assert_eq!(found.block.confinement_Pa, 0.0);
-    let BitLaw::Rock(law) = &case.dynamics.bit.law else {
-        panic!("{:?}", case.dynamics.bit.law)
-    };
+    let BitLaw::Rock(law) = &case.dynamics.bit.law else { panic!("{:?}", case.dynamics.bit.law) };
     assert_eq!(&law.drilling, found);
     // The soft string takes the law's estimate.
     let operation = &case.operations[0];
@@ -190,11 +185,7 @@ fn every_number_of_the_face_arrives() {
 /// What follows from a number follows the one that is given.
 #[test]
 fn defaults_follow_what_is_given() {
-    let bit = pdc(&on_rock(
-        "",
-        SOUND,
-        "[bit.face]\ncutter_diameter = \"13 mm\"",
-    ));
+    let bit = pdc(&on_rock("", SOUND, "[bit.face]\ncutter_diameter = \"13 mm\""));
     assert!((bit.cutter_length_m - 0.8 * 0.013).abs() < 1e-15);
     assert!((bit.exposure_m - 0.5 * 0.013).abs() < 1e-15);
     assert!(bit.cutters_per_blade > PdcBit::for_diameter(OD_M).cutters_per_blade);
@@ -211,10 +202,7 @@ fn inserts() {
         insert_diameter_m: 0.016,
         protrusion_m: 0.008,
         pitch_m: 0.024,
-        shape: InsertShape::Cone {
-            half_angle_rad: 35.0 * (PI / 180.0),
-            tip_radius_m: 0.004,
-        },
+        shape: InsertShape::Cone { half_angle_rad: 35.0 * (PI / 180.0), tip_radius_m: 0.004 },
         cone_angle_rad: 8.0 * (PI / 180.0),
         ..InsertBit::for_diameter(OD_M)
     };

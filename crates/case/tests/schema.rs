@@ -23,17 +23,9 @@ fn accepts_every_shipped_case() {
     let mut found = 0;
     for entry in std::fs::read_dir(folder).expect("the folder of cases") {
         let path = entry.expect("an entry").path();
-        if path
-            .extension()
-            .is_some_and(|extension| extension == "toml")
-        {
+        if path.extension().is_some_and(|extension| extension == "toml") {
             let text = std::fs::read_to_string(&path).expect("a text");
-            assert_eq!(
-                problems(&schema, &text),
-                Vec::<String>::new(),
-                "{}",
-                path.display()
-            );
+            assert_eq!(problems(&schema, &text), Vec::<String>::new(), "{}", path.display());
             found += 1;
         }
     }
@@ -44,16 +36,9 @@ fn accepts_every_shipped_case() {
 #[test]
 fn refuses_a_misspelt_key_in_every_table() {
     let schema = schema();
-    for heading in [
-        "[well]",
-        "[mud]",
-        "[steel]",
-        "[bit]",
-        "[rig]",
-        "[operation]",
-        "[mesh]",
-        "[dynamics]",
-    ] {
+    for heading in
+        ["[well]", "[mud]", "[steel]", "[bit]", "[rig]", "[operation]", "[mesh]", "[dynamics]"]
+    {
         let text = EXAMPLE.replacen(heading, &format!("{heading}\nno_such_key = 1 #"), 1);
         assert!(!problems(&schema, &text).is_empty(), "{heading}");
         assert!(read(&text).is_err(), "{heading}");
@@ -89,10 +74,7 @@ fn refuses_what_the_reader_refuses_for_its_form() {
         ("name = \"NP13-X1042 at total depth\"", "name = \"\""),
     ] {
         let text = changed(from, to);
-        assert!(
-            !problems(&schema, &text).is_empty(),
-            "the schema accepts {to}"
-        );
+        assert!(!problems(&schema, &text).is_empty(), "the schema accepts {to}");
         assert!(read(&text).is_err(), "the reader accepts {to}");
     }
 }
@@ -125,12 +107,7 @@ fn states_defaults_that_the_reader_accepts() {
             } else {
                 text.push_str(&format!("{heading}\n{line}\n"));
             }
-            let answer = parse(
-                "case.toml",
-                text.as_bytes(),
-                &survey_files(SURVEY.as_bytes()),
-                &[],
-            );
+            let answer = parse("case.toml", text.as_bytes(), &survey_files(SURVEY.as_bytes()), &[]);
             let case = answer.unwrap_or_else(|report| panic!("{table}.{key}: {report}"));
             let plain = read(&plain).expect("the example without the key");
             assert_eq!(case.settings, plain.settings, "{table}.{key} = {default}");
@@ -165,10 +142,7 @@ fn describes_every_key() {
         };
         for (key, rule) in keys {
             let text = rule["description"].as_str().unwrap_or_default();
-            assert!(
-                text.len() > 8 && text.ends_with(['.', ')']),
-                "{at}.{key}: {text:?}"
-            );
+            assert!(text.len() > 8 && text.ends_with(['.', ')']), "{at}.{key}: {text:?}");
             assert!(!text.contains("  "), "{at}.{key}: {text:?}");
             visit(rule, &format!("{at}.{key}"));
             visit(&rule["items"], &format!("{at}.{key}"));
@@ -191,10 +165,7 @@ fn quantities_have_usual_numbers() {
         ("hoist", "gains and speeds of controllers, of either sign"),
         ("schedule", "times, and what starts and ends at rest"),
         ("dynamics", "times and numbers of the method"),
-        (
-            "bit_test",
-            "times, and speeds down to one revolution in a minute",
-        ),
+        ("bit_test", "times, and speeds down to one revolution in a minute"),
         ("records", "times and depths that the run bounds"),
         ("points", "rows of a table"),
         ("table", "rows of a table"),
@@ -216,11 +187,7 @@ fn quantities_have_usual_numbers() {
                 }
                 for (key, value) in object {
                     let skipped = ["properties", "items", "anyOf"].contains(&key.as_str());
-                    let inner = if skipped {
-                        path.to_owned()
-                    } else {
-                        format!("{path}.{key}")
-                    };
+                    let inner = if skipped { path.to_owned() } else { format!("{path}.{key}") };
                     visit(value, &inner, lacking);
                 }
             }
@@ -230,10 +197,6 @@ fn quantities_have_usual_numbers() {
     }
     let mut lacking = Vec::new();
     visit(&schema(), "", &mut lacking);
-    lacking.retain(|path| {
-        !NONE
-            .iter()
-            .any(|(key, _)| path.split('.').any(|part| part == *key))
-    });
+    lacking.retain(|path| !NONE.iter().any(|(key, _)| path.split('.').any(|part| part == *key)));
     assert_eq!(lacking, Vec::<String>::new());
 }

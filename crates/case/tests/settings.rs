@@ -27,11 +27,7 @@ const VARIANTS: &[(&str, &[&str])] = &[
     ("regenerative", &["bit.law=regenerative"]),
     (
         "detournay",
-        &[
-            "bit.law=detournay-defourny",
-            "bit.cleaning_limit=8mm",
-            "top_drive.control=z-torque",
-        ],
+        &["bit.law=detournay-defourny", "bit.cleaning_limit=8mm", "top_drive.control=z-torque"],
     ),
     (
         "table",
@@ -67,11 +63,7 @@ const VARIANTS: &[(&str, &[&str])] = &[
     ),
     (
         "hook_load_in_rough_hole",
-        &[
-            "hoist.control=hook-load",
-            "hoist.hook_load=900kN",
-            "well.roughness.rms=2mm",
-        ],
+        &["hoist.control=hook-load", "hoist.hook_load=900kN", "well.roughness.rms=2mm"],
     ),
     (
         "schedule",
@@ -90,11 +82,8 @@ fn settings(changes: &[&str]) -> Json {
         "operation.wob=50kN",
         "operation.rop=10m/h",
     ];
-    let changes: Vec<Override> = drilling
-        .iter()
-        .chain(changes)
-        .map(|text| text.parse().expect("KEY=VALUE"))
-        .collect();
+    let changes: Vec<Override> =
+        drilling.iter().chain(changes).map(|text| text.parse().expect("KEY=VALUE")).collect();
     let case = load(&file, &changes).unwrap_or_else(|report| panic!("{}", report.render(false)));
     case.settings
 }
@@ -108,17 +97,12 @@ fn are_on_record() {
         let changed = settings(changes);
         let tables = |of: &Json| of.as_object().expect("tables").clone();
         let (plain, changed) = (tables(&plain), tables(&changed));
-        let different = changed
-            .iter()
-            .filter(|(key, value)| plain.get(*key) != Some(value));
+        let different = changed.iter().filter(|(key, value)| plain.get(*key) != Some(value));
         let different: Json = different
             .map(|(key, value)| (key.clone(), value.clone()))
             .collect::<serde_json::Map<_, _>>()
             .into();
-        insta::assert_snapshot!(
-            *name,
-            serde_json::to_string_pretty(&different).expect("JSON")
-        );
+        insta::assert_snapshot!(*name, serde_json::to_string_pretty(&different).expect("JSON"));
     }
 }
 
@@ -126,19 +110,12 @@ fn are_on_record() {
 #[test]
 fn components_without_joints_or_bends_do_not_speak_of_them() {
     let keys = |component: &Json| -> BTreeSet<String> {
-        component
-            .as_object()
-            .expect("a table")
-            .keys()
-            .cloned()
-            .collect()
+        component.as_object().expect("a table").keys().cloned().collect()
     };
     let plain = settings(&[]);
     let bent = settings(&["string.1.bend=1deg", "string.1.bend_at=1m"]);
-    let more: Vec<String> = keys(&bent["string"][1])
-        .difference(&keys(&plain["string"][1]))
-        .cloned()
-        .collect();
+    let more: Vec<String> =
+        keys(&bent["string"][1]).difference(&keys(&plain["string"][1])).cloned().collect();
     assert_eq!(more, ["bend_at_m", "bend_rad", "bend_toolface_rad"]);
     assert_eq!(bent["string"][1]["bend_at_m"], json!(1.0));
     for component in plain["string"].as_array().expect("components") {

@@ -34,10 +34,7 @@ fn recorded(depth_m: u32) -> Swing {
     let data: Value = serde_json::from_str(&fs::read_to_string(file).unwrap()).unwrap();
     let name = format!("E08_wellB_{depth_m}m_digitised.csv");
     let rows = data["derived_statistics"].as_array().unwrap();
-    let row = rows
-        .iter()
-        .find(|row| row["file"] == name.as_str())
-        .unwrap();
+    let row = rows.iter().find(|row| row["file"] == name.as_str()).unwrap();
     let torque = |key: &str| row["tq_recorded_kNm"][key].as_f64().unwrap();
     let bit = |i: usize| row["bit_rpm_recorded_min_max"][i].as_f64().unwrap();
     Swing {
@@ -76,9 +73,7 @@ fn period_s(torque: &[f64], delays: Range<usize>) -> f64 {
         let sum: f64 = pairs.map(|(a, b)| (a - mean) * (b - mean)).sum();
         sum / (torque.len() - delay) as f64
     };
-    let best = delays
-        .max_by(|a, b| alike(*a).total_cmp(&alike(*b)))
-        .unwrap();
+    let best = delays.max_by(|a, b| alike(*a).total_cmp(&alike(*b))).unwrap();
     0.1 * best as f64
 }
 
@@ -115,9 +110,7 @@ fn multiplied(model: &Model, inertia: f64, stiffness: f64) -> DrillString {
         }
     });
     let components = components.collect();
-    StringSpec { components }
-        .assemble(model.string.length_m())
-        .unwrap()
+    StringSpec { components }.assemble(model.string.length_m()).unwrap()
 }
 
 fn shipped(depth_m: u32, changes: &[Override]) -> Case {
@@ -153,20 +146,8 @@ fn compare(depth_m: u32, period: Tolerance, peak: Tolerance, reason: &str) {
     for (quantity, found, expected, tolerance, reason) in [
         ("period, s", found.period_s, record.period_s, period, reason),
         ("peak torque, kN·m", found.peak, record.peak, peak, reason),
-        (
-            "mean torque, kN·m",
-            found.mean,
-            record.mean,
-            Tolerance::Any,
-            told,
-        ),
-        (
-            "least torque, kN·m",
-            found.least,
-            record.least,
-            Tolerance::Any,
-            told,
-        ),
+        ("mean torque, kN·m", found.mean, record.mean, Tolerance::Any, told),
+        ("least torque, kN·m", found.least, record.least, Tolerance::Any, told),
         (
             "least bit speed, rev/min",
             found.bit_least_rpm,
@@ -199,12 +180,7 @@ fn compare(depth_m: u32, period: Tolerance, peak: Tolerance, reason: &str) {
 #[test]
 fn the_fit_at_1714_m_has_the_period_and_the_peak_of_the_record() {
     let reason = "what a fit of two coefficients is asked to meet";
-    compare(
-        1714,
-        Tolerance::Relative(0.10),
-        Tolerance::Relative(0.15),
-        reason,
-    );
+    compare(1714, Tolerance::Relative(0.10), Tolerance::Relative(0.15), reason);
 }
 
 /// The prediction with the same friction.
@@ -253,10 +229,8 @@ fn the_moment_of_the_authors_program_does_not_explain_the_miss() {
         [(SHIPPED, PI, 1.0), (SHIPPED, PI, PI), (REFITTED, PI, PI)]
     {
         for depth_m in [1714, 2235] {
-            let (found, record) = (
-                varied(depth_m, friction, inertia, stiffness),
-                recorded(depth_m),
-            );
+            let (found, record) =
+                (varied(depth_m, friction, inertia, stiffness), recorded(depth_m));
             assert!(found.period_s > 1.4 * record.period_s, "{}", found.period_s);
             if depth_m == 2235 {
                 assert!(found.peak > 1.2 * record.peak, "{}", found.peak);

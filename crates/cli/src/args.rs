@@ -287,12 +287,7 @@ pub(crate) struct BatchArgs {
     pub(crate) overwrite: bool,
 
     // Not a doc comment, which would read `<case name>` as HTML.
-    #[arg(
-        short,
-        long,
-        value_name = "DIR",
-        help = "Folder for the results [default: out/<name>]"
-    )]
+    #[arg(short, long, value_name = "DIR", help = "Folder for the results [default: out/<name>]")]
     pub(crate) output: Option<PathBuf>,
 
     /// Time on the clock between checkpoints, such as 5min [default: the case's, 30 s]
@@ -439,9 +434,7 @@ impl From<PathKind> for Interpolation {
 const SHORTEST_STEP_M: f64 = 0.01;
 
 fn interval(text: &str) -> Result<Duration, String> {
-    let seconds = Dimension::Time
-        .parse(text)
-        .map_err(|error| error.to_string())?;
+    let seconds = Dimension::Time.parse(text).map_err(|error| error.to_string())?;
     if (0.01..=86_400.0).contains(&seconds) {
         Ok(Duration::from_secs_f64(seconds))
     } else {
@@ -457,9 +450,7 @@ fn length_unit(text: &str) -> Result<&'static Unit, String> {
 }
 
 fn length(text: &str) -> Result<f64, String> {
-    let length = Dimension::Length
-        .parse(text)
-        .map_err(|error| error.to_string())?;
+    let length = Dimension::Length.parse(text).map_err(|error| error.to_string())?;
     if length >= SHORTEST_STEP_M && length.is_finite() {
         Ok(length)
     } else {

@@ -12,11 +12,7 @@ use crate::{args::CatalogueArgs, failure::Failure, screen_table::Table, terminal
 /// The kinds of tubulars of a string: their heading, and the words by which they are found.
 const KINDS: [(TubularKind, &str, &str); 3] = [
     (TubularKind::DrillPipe, "Drill pipe", "drill pipe dp"),
-    (
-        TubularKind::HeavyWeight,
-        "Heavy-weight drill pipe",
-        "heavy-weight drill pipe hwdp hwt",
-    ),
+    (TubularKind::HeavyWeight, "Heavy-weight drill pipe", "heavy-weight drill pipe hwdp hwt"),
     (TubularKind::Collar, "Drill collars", "drill collars dc"),
 ];
 
@@ -55,10 +51,7 @@ pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
         )));
     }
     sources.dedup();
-    let sources: Vec<String> = sources
-        .iter()
-        .map(|source| format!("  {source}\n"))
-        .collect();
+    let sources: Vec<String> = sources.iter().map(|source| format!("  {source}\n")).collect();
     print_stdout(&format!(
         "{}\n\
          In a case: catalogue = \"NAME\" under [[string]]; casing = \"NAME\" under [[well.hole]]\n\
@@ -74,12 +67,9 @@ fn description(entry: &CatalogueEntry, words: &str) -> String {
 }
 
 fn tubulars(heading: &str, entries: &[&CatalogueEntry], units: UnitSet) -> String {
-    let [across, mass, strength] = [
-        Dimension::Diameter,
-        Dimension::MassPerLength,
-        Dimension::Pressure,
-    ]
-    .map(|dimension| dimension.unit_in(units));
+    let [across, mass, strength] =
+        [Dimension::Diameter, Dimension::MassPerLength, Dimension::Pressure]
+            .map(|dimension| dimension.unit_in(units));
     let has_joints = entries.iter().any(|entry| entry.joints.is_some());
     let mut headings = vec!["name".to_owned()];
     if has_joints {

@@ -19,25 +19,16 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
         args.case.case.display(),
         outline(&case),
         survey(&case),
-        case.drilling()
-            .map_or_else(String::new, |spec| rock(spec, &case)),
-        case.bit_test
-            .as_ref()
-            .map_or_else(String::new, |test| points(test, &case)),
+        case.drilling().map_or_else(String::new, |spec| rock(spec, &case)),
+        case.bit_test.as_ref().map_or_else(String::new, |test| points(test, &case)),
     ))
 }
 
 /// What a run of the case would solve, in a line.
 fn outline(case: &Case) -> String {
     let models = case.models.iter().copied().map(ModelKind::name);
-    let operations = case
-        .operations
-        .iter()
-        .map(|operation| operation.kind.name());
-    let depth = case
-        .operations
-        .first()
-        .map_or(0.0, |operation| operation.bit_depth_m);
+    let operations = case.operations.iter().map(|operation| operation.kind.name());
+    let depth = case.operations.first().map_or(0.0, |operation| operation.bit_depth_m);
     format!(
         "{}; {}; bit at {}",
         list(operations),
@@ -57,11 +48,9 @@ fn rock(spec: &DrillingSpec, case: &Case) -> String {
     let block = &spec.block;
     let show = |dimension: Dimension, si: f64| dimension.format(si, case.units);
     let face = match &spec.bit {
-        BitShape::Pdc(bit) => format!(
-            "{} blades with {} cutters",
-            bit.blades,
-            bit.blades * bit.cutters_per_blade
-        ),
+        BitShape::Pdc(bit) => {
+            format!("{} blades with {} cutters", bit.blades, bit.blades * bit.cutters_per_blade)
+        }
         BitShape::Insert(bit) => format!("{} rows of inserts", bit.rows),
     };
     let [nx, ny, nz] = block.cells;
@@ -81,10 +70,7 @@ fn rock(spec: &DrillingSpec, case: &Case) -> String {
         let cut = law.steady(operation.weight_on_bit_N, speed);
         text += &format!(
             "to begin with, it is taken to drill {}, {} per revolution ({:.1} elements)\n",
-            show(
-                Dimension::RateOfPenetration,
-                cut.rate_of_penetration_m_per_s
-            ),
+            show(Dimension::RateOfPenetration, cut.rate_of_penetration_m_per_s),
             show(Dimension::Diameter, cut.depth_of_cut_m),
             cut.depth_of_cut_m / size_m,
         );

@@ -28,10 +28,7 @@ struct Column {
 pub(crate) fn table(summary: &Summary, units: UnitSet, width: Option<usize>) -> String {
     let rows = scalars_by_row();
     let labels: Vec<String> = rows.iter().map(|row| row.label.to_owned()).collect();
-    let symbols: Vec<&str> = rows
-        .iter()
-        .map(|row| symbol(row.quantity.kind, units))
-        .collect();
+    let symbols: Vec<&str> = rows.iter().map(|row| symbol(row.quantity.kind, units)).collect();
     let label_width = labels.iter().map(|label| label.len()).max().unwrap_or(0);
     let symbol_width = symbols.iter().map(|symbol| symbol.len()).max().unwrap_or(0);
     let stub = label_width + NARROW + symbol_width;
@@ -85,19 +82,12 @@ pub(crate) fn notes(summary: &Summary, units: UnitSet) -> String {
             lift.runs,
         );
     }
-    let all = || {
-        summary
-            .operations
-            .iter()
-            .filter_map(|solved| solved.numerics.as_ref())
-    };
+    let all = || summary.operations.iter().filter_map(|solved| solved.numerics.as_ref());
     if all().next().is_some() {
         let largest = |of: fn(&Numerics) -> f64| all().map(of).fold(0.0, f64::max);
         let took_s: f64 = all().map(|of| of.wall_time_s).sum();
         let simulated_s: f64 = all().map(|of| of.real_time_factor * of.wall_time_s).sum();
-        let shortest_step_s = all()
-            .map(|of| of.run.time_step_s)
-            .fold(f64::INFINITY, f64::min);
+        let shortest_step_s = all().map(|of| of.run.time_step_s).fold(f64::INFINITY, f64::min);
         notes += &format!(
             "Dynamics: {} elements, step {:.3} ms, added axial mass {:.2} %; {simulated_s:.1} s \
              simulated \
@@ -131,9 +121,7 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
             let kind = row.quantity.kind;
             let alike = rows.iter().filter(|other| other.quantity.kind == kind);
             decimals(alike.flat_map(|row| {
-                let values = operations
-                    .iter()
-                    .filter_map(|solved| (row.of)(&solved.scalars));
+                let values = operations.iter().filter_map(|solved| (row.of)(&solved.scalars));
                 values.map(|value| shown(kind, value, units))
             }))
         })
@@ -141,10 +129,7 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
     let cell = |row: usize, value: Option<f64>| match value {
         Some(value) if value.is_finite() => {
             let decimals = decimals[row];
-            let text = format!(
-                "{:.decimals$}",
-                shown(rows[row].quantity.kind, value, units)
-            );
+            let text = format!("{:.decimals$}", shown(rows[row].quantity.kind, value, units));
             // What rounds to zero has no sign.
             match text.strip_prefix('-') {
                 Some(digits) if digits.bytes().all(|byte| matches!(byte, b'0' | b'.')) => {
@@ -159,9 +144,7 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
     for solved in operations {
         let operation = solved.operation.replace('_', " ");
         let mut push = |heading: String, cells: Vec<String>, across: usize| {
-            let joined = columns
-                .last()
-                .is_some_and(|last| last.operation == operation);
+            let joined = columns.last().is_some_and(|last| last.operation == operation);
             let widest = cells.iter().map(|cell| cell.chars().count()).max();
             columns.push(Column {
                 width: widest.unwrap_or(0).max(heading_width(&heading)).max(across),
@@ -171,35 +154,23 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
                 cells,
             });
         };
-        let incomplete = if solved.status == Status::Complete {
-            ""
-        } else {
-            "*"
-        };
+        let incomplete = if solved.status == Status::Complete { "" } else { "*" };
         let heading = format!("{}{incomplete}", solved.model.name());
         let values = rows.iter().enumerate();
         let cells = values.map(|(row, scalar)| cell(row, (scalar.of)(&solved.scalars)));
         // The name of an operation needs the room of its one column where it has only one.
-        let alone = operations
-            .iter()
-            .filter(|other| other.operation == solved.operation);
-        let across = if alone.count() == 1 {
-            operation.len()
-        } else {
-            0
-        };
+        let alone = operations.iter().filter(|other| other.operation == solved.operation);
+        let across = if alone.count() == 1 { operation.len() } else { 0 };
         push(heading, cells.collect(), across);
         if let Some(statistics) = &solved.statistics {
-            let deviations = rows
-                .iter()
-                .map(|scalar| match statistics.get(scalar.quantity.name) {
-                    Some(statistic) => {
-                        let std = shown(scalar.quantity.kind, statistic.std, units);
-                        let shown = deviation(std);
-                        format!("{shown}{}", drift::mark(statistic))
-                    }
-                    None => String::new(),
-                });
+            let deviations = rows.iter().map(|scalar| match statistics.get(scalar.quantity.name) {
+                Some(statistic) => {
+                    let std = shown(scalar.quantity.kind, statistic.std, units);
+                    let shown = deviation(std);
+                    format!("{shown}{}", drift::mark(statistic))
+                }
+                None => String::new(),
+            });
             push("± std".to_owned(), drift::aligned(deviations.collect()), 0);
         }
     }
@@ -212,9 +183,7 @@ fn heading_width(heading: &str) -> usize {
 
 /// Decimals that show five digits of the largest value, three at most.
 fn decimals(values: impl Iterator<Item = f64>) -> usize {
-    let largest = values
-        .filter(|value| value.is_finite())
-        .fold(0.0, |a: f64, b| a.max(b.abs()));
+    let largest = values.filter(|value| value.is_finite()).fold(0.0, |a: f64, b| a.max(b.abs()));
     if largest == 0.0 {
         return 1;
     }

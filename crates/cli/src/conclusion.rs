@@ -23,16 +23,10 @@ pub(crate) fn conclude(
         ))?;
     }
     let failed = outcome.failed.iter();
-    let failed: Vec<String> = failed
-        .map(|of| format!("  {}: {}", of.name, of.reason))
-        .collect();
+    let failed: Vec<String> = failed.map(|of| format!("  {}: {}", of.name, of.reason)).collect();
     let failures = failed.join("\n");
     if outcome.is_interrupted() {
-        let failures = if failed.is_empty() {
-            failures
-        } else {
-            failures + "\n"
-        };
+        let failures = if failed.is_empty() { failures } else { failures + "\n" };
         return Err(Failure::Interrupted(format!(
             "{failures}interrupted: what was computed is in {place}\nto continue, run the {noun} \
              again with --resume"
@@ -55,9 +49,8 @@ pub(crate) fn judge(outcome: &BatchOutcome, strict: bool, quiet: bool) -> Result
     }
     if strict {
         let wrong = outcome.with_errors.iter();
-        let wrong: Vec<String> = wrong
-            .map(|of| format!("  {}: {}", of.name, of.operations.join(", ")))
-            .collect();
+        let wrong: Vec<String> =
+            wrong.map(|of| format!("  {}: {}", of.name, of.operations.join(", "))).collect();
         return Err(Failure::Refused(format!(
             "error: errors were found in {found} of {cases} cases\n{}",
             wrong.join("\n")
@@ -67,7 +60,5 @@ pub(crate) fn judge(outcome: &BatchOutcome, strict: bool, quiet: bool) -> Result
         return Ok(());
     }
     let file = sweep::FILE;
-    print_stdout(&format!(
-        "Errors were found in {found} of {cases} cases: see {file}\n"
-    ))
+    print_stdout(&format!("Errors were found in {found} of {cases} cases: see {file}\n"))
 }

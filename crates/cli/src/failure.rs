@@ -69,9 +69,9 @@ impl From<Error> for Failure {
         match error {
             Error::Unsound(unsound) => Self::BadInput(unsound.render(color())),
             Error::BadInput(_) => Self::BadInput(message),
-            Error::NotResumable { noun, .. } => Self::BadInput(format!(
-                "{message}\nrun the {noun} without --resume to begin anew"
-            )),
+            Error::NotResumable { noun, .. } => {
+                Self::BadInput(format!("{message}\nrun the {noun} without --resume to begin anew"))
+            }
             Error::Folder(refused) => Self::BadInput(format!("{message}\n{}", way_out(&refused))),
             Error::Results(_) | Error::Failed(_) => Self::Failed(message),
             Error::Interrupted => Self::Interrupted("interrupted: nothing was run".to_owned()),

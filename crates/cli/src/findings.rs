@@ -21,11 +21,8 @@ pub(crate) fn lines(summary: &Summary, width: Option<usize>, color: bool) -> Str
     for (name, found) in all {
         let level = found.level.name();
         let line = wrapped(&format!("{level}: {name}: {}", found.message), width);
-        text += &if color {
-            format!("{}{}", painted(found.level), &line[level.len()..])
-        } else {
-            line
-        };
+        text +=
+            &if color { format!("{}{}", painted(found.level), &line[level.len()..]) } else { line };
         text.push('\n');
     }
     text
@@ -71,16 +68,9 @@ mod tests {
             "warning: trip in (soft): Helically buckled from 100 m to 2000 m, and so on and so on";
         assert_eq!(wrapped(line, None), line);
         let text = wrapped(line, Some(45));
-        assert!(
-            text.lines().all(|line| line.chars().count() <= 45),
-            "{text}"
-        );
+        assert!(text.lines().all(|line| line.chars().count() <= 45), "{text}");
         assert!(text.lines().skip(1).all(|line| line.starts_with("    ")));
-        let words = |text: &str| {
-            text.split_whitespace()
-                .map(str::to_owned)
-                .collect::<Vec<_>>()
-        };
+        let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
         assert_eq!(words(&text), words(line));
     }
 }

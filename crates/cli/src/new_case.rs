@@ -33,9 +33,9 @@ pub(crate) fn new(args: &NewArgs) -> Result<(), Failure> {
             io::ErrorKind::AlreadyExists => Failure::BadInput(format!(
                 "error: {shown} is there already\nhelp: give another name: wholestring new NAME"
             )),
-            io::ErrorKind::NotFound => Failure::BadInput(format!(
-                "error: cannot write {shown}: there is no such folder"
-            )),
+            io::ErrorKind::NotFound => {
+                Failure::BadInput(format!("error: cannot write {shown}: there is no such folder"))
+            }
             _ => Failure::Failed(format!("error: cannot write {shown}: {error}")),
         });
     }
@@ -48,9 +48,7 @@ pub(crate) fn new(args: &NewArgs) -> Result<(), Failure> {
 
 /// `NAME.toml`, also where the ending is given.
 fn file(name: &std::path::Path) -> PathBuf {
-    let is_toml = name
-        .extension()
-        .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    let is_toml = name.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
     if is_toml {
         return name.to_owned();
     }
@@ -68,9 +66,5 @@ fn quoted(text: &str) -> String {
 
 /// A path as an argument.
 fn in_shell(path: &str) -> String {
-    if path.contains(char::is_whitespace) {
-        format!("\"{path}\"")
-    } else {
-        path.to_owned()
-    }
+    if path.contains(char::is_whitespace) { format!("\"{path}\"") } else { path.to_owned() }
 }

@@ -48,11 +48,7 @@ impl Drop for Shown {
 
 impl RunScreen {
     pub(crate) fn new(quiet: bool, without_notes: bool) -> Self {
-        Self {
-            quiet,
-            without_notes,
-            shown: Mutex::new(Shown::Nothing),
-        }
+        Self { quiet, without_notes, shown: Mutex::new(Shown::Nothing) }
     }
 
     /// Shows this in place of what stood there.
@@ -91,9 +87,7 @@ impl Observer for RunScreen {
                 format!("{}, lift {number} of at most {most}", task.name)
             }
         };
-        self.show(Shown::Operation(OwnBar::new(
-            &name, from_s, end_s, self.quiet,
-        )));
+        self.show(Shown::Operation(OwnBar::new(&name, from_s, end_s, self.quiet)));
     }
 
     fn reached(&self, _: &Task<'_>, progress: &Progress) {
@@ -129,23 +123,12 @@ struct BatchBar {
 impl BatchScreen {
     /// The screen of a sweep, or of several that are a study.
     pub(crate) fn sweep(noun: &'static str, quiet: bool) -> Self {
-        Self {
-            noun,
-            items: "cases",
-            with_pace: true,
-            quiet,
-            shown: Mutex::new(None),
-        }
+        Self { noun, items: "cases", with_pace: true, quiet, shown: Mutex::new(None) }
     }
 
     /// The screen of a bit test.
     pub(crate) fn bit_test(quiet: bool) -> Self {
-        Self {
-            noun: "bit test",
-            items: "points",
-            with_pace: false,
-            ..Self::sweep("", quiet)
-        }
+        Self { noun: "bit test", items: "points", with_pace: false, ..Self::sweep("", quiet) }
     }
 
     fn count(&self, ended: usize, of: usize) -> String {
@@ -183,11 +166,8 @@ impl Observer for BatchScreen {
         if !self.with_pace {
             bar.set_message(self.count(size.finished, size.cases));
         }
-        *lock(&self.shown) = Some(BatchBar {
-            bar,
-            start: Instant::now(),
-            operations: HashMap::new(),
-        });
+        *lock(&self.shown) =
+            Some(BatchBar { bar, start: Instant::now(), operations: HashMap::new() });
     }
 
     fn started(&self, task: &Task<'_>, _: f64, end_s: f64) {
@@ -202,9 +182,7 @@ impl Observer for BatchScreen {
 
     fn reached(&self, task: &Task<'_>, progress: &Progress) {
         if task.trial.is_none()
-            && let Some(BatchBar {
-                bar, operations, ..
-            }) = &mut *lock(&self.shown)
+            && let Some(BatchBar { bar, operations, .. }) = &mut *lock(&self.shown)
             && let Some((reached, end)) = operations.get_mut(&task.case)
         {
             let (now, ends) = (milliseconds(progress.time_s), milliseconds(progress.end_s));
@@ -245,11 +223,7 @@ fn milliseconds(seconds: f64) -> u64 {
 /// Where progress is shown: on standard error, unless that is no terminal or nothing is to be
 /// shown.
 fn screen(quiet: bool) -> ProgressDrawTarget {
-    if quiet {
-        ProgressDrawTarget::hidden()
-    } else {
-        ProgressDrawTarget::stderr()
-    }
+    if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() }
 }
 
 /// A bar on the screen.
@@ -298,11 +272,7 @@ impl OwnBar {
     fn new(operation: &str, from_s: f64, end_s: f64, quiet: bool) -> Self {
         let bar = bar(milliseconds(end_s), quiet);
         bar.set_prefix(title(operation));
-        Self {
-            bar,
-            start: Instant::now(),
-            from_s,
-        }
+        Self { bar, start: Instant::now(), from_s }
     }
 
     /// Shows how far it has come.

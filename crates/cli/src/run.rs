@@ -61,17 +61,12 @@ fn show(case: &Case, outcome: &Outcome, units: UnitSet) -> Result<(), Failure> {
 
 /// `bit at 4305 m, friction 0.3, mud 1200 kg/m3`
 fn subtitle(case: &Case, summary: &Summary, units: UnitSet) -> String {
-    let depth = case
-        .operations
-        .first()
-        .map_or(0.0, |operation| operation.bit_depth_m);
+    let depth = case.operations.first().map_or(0.0, |operation| operation.bit_depth_m);
     let friction = match summary.operations.first().map(|of| &of.friction) {
         Some(Friction::Uniform(value)) => value.to_string(),
-        Some(Friction::BySection(values)) => values
-            .iter()
-            .map(f64::to_string)
-            .collect::<Vec<_>>()
-            .join(", "),
+        Some(Friction::BySection(values)) => {
+            values.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
+        }
         None => String::new(),
     };
     format!(
@@ -93,9 +88,9 @@ fn stopped(stop: Stop, outcome: &Outcome) -> Failure {
             };
             Failure::Interrupted(format!("interrupted: what was computed is in {place}{how}"))
         }
-        Stop::Unsolved(reason) => Failure::Failed(format!(
-            "error: {reason}\nwhat was computed until then is in {place}"
-        )),
+        Stop::Unsolved(reason) => {
+            Failure::Failed(format!("error: {reason}\nwhat was computed until then is in {place}"))
+        }
         Stop::Unwritten(error) => error.into(),
     }
 }
@@ -106,9 +101,6 @@ fn refuse(summary: &Summary) -> Result<(), Failure> {
     let wrong: Vec<String> = wrong.map(name).collect();
     match wrong.is_empty() {
         true => Ok(()),
-        false => Err(Failure::Refused(format!(
-            "error: errors were found: {}",
-            wrong.join(", ")
-        ))),
+        false => Err(Failure::Refused(format!("error: errors were found: {}", wrong.join(", ")))),
     }
 }

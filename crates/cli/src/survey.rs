@@ -27,9 +27,7 @@ const COLUMNS: [&str; 7] = [
 
 pub(crate) fn survey(args: &SurveyArgs) -> Result<(), Failure> {
     let file = args.survey.display();
-    let said = Said {
-        length_unit: args.unit,
-    };
+    let said = Said { length_unit: args.unit };
     let survey = read(&args.survey, &said)?;
     for note in &survey.notes {
         print_stderr(&format!("note: {note}\n"));
@@ -67,19 +65,12 @@ fn report(error: &SurveyError) -> Option<Report> {
     let sentence = error.kind().to_string();
     let (message, expected) = sentence.split_once("; ").unwrap_or((&sentence, ""));
     Some(Report {
-        sources: vec![Source {
-            name: error.file().to_owned(),
-            text: text.to_owned(),
-        }],
+        sources: vec![Source { name: error.file().to_owned(), text: text.to_owned() }],
         diagnostics: vec![Diagnostic {
             severity: Severity::Error,
             message: message.to_owned(),
             labels: vec![Label {
-                place: Span {
-                    source: 0,
-                    start: span.start,
-                    end: span.end,
-                },
+                place: Span { source: 0, start: span.start, end: span.end },
                 text: expected.to_owned(),
             }],
             help: Vec::new(),

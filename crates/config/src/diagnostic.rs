@@ -52,18 +52,12 @@ impl Diagnostic {
 
     /// What can be used, but is hardly meant.
     pub fn warning(message: impl Into<String>) -> Self {
-        Self {
-            severity: Severity::Warning,
-            ..Self::error(message)
-        }
+        Self { severity: Severity::Warning, ..Self::error(message) }
     }
 
     /// Underlines a place; `text` stands beside the line.
     pub fn at(mut self, place: Span, text: impl Into<String>) -> Self {
-        self.labels.push(Label {
-            place,
-            text: text.into(),
-        });
+        self.labels.push(Label { place, text: text.into() });
         self
     }
 
@@ -90,10 +84,7 @@ impl Report {
     /// A report about a file that could not be read at all.
     pub fn about_file(name: &str, diagnostic: Diagnostic) -> Self {
         Self {
-            sources: vec![Source {
-                name: name.to_owned(),
-                text: String::new(),
-            }],
+            sources: vec![Source { name: name.to_owned(), text: String::new() }],
             diagnostics: vec![diagnostic],
         }
     }
@@ -105,20 +96,13 @@ impl Report {
 
     /// How many of the diagnostics are errors.
     pub fn errors(&self) -> usize {
-        self.diagnostics
-            .iter()
-            .filter(|diagnostic| diagnostic.severity == Severity::Error)
-            .count()
+        self.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error).count()
     }
 
     /// The text for a person: each diagnostic with its place underlined, the first twenty in full.
     /// With `color`, ANSI escapes for a terminal.
     pub fn render(&self, color: bool) -> String {
-        let renderer = if color {
-            Renderer::styled()
-        } else {
-            Renderer::plain()
-        };
+        let renderer = if color { Renderer::styled() } else { Renderer::plain() };
         let mut text = String::new();
         for diagnostic in self.diagnostics.iter().take(SHOWN) {
             text.push_str(&renderer.render(&[self.group(diagnostic)]));
@@ -141,9 +125,8 @@ impl Report {
             Severity::Error => Level::ERROR,
             Severity::Warning => Level::WARNING,
         };
-        let mut group = level
-            .primary_title(&diagnostic.message)
-            .elements(self.snippets(diagnostic));
+        let mut group =
+            level.primary_title(&diagnostic.message).elements(self.snippets(diagnostic));
         for line in &diagnostic.help {
             group = group.element(Level::HELP.message(line));
         }
@@ -176,11 +159,7 @@ impl Report {
                 if label.place.source != index {
                     continue;
                 }
-                let kind = if i == 0 {
-                    AnnotationKind::Primary
-                } else {
-                    AnnotationKind::Context
-                };
+                let kind = if i == 0 { AnnotationKind::Primary } else { AnnotationKind::Context };
                 let mut annotation = kind.span(span_within(&source.text, label.place));
                 if !label.text.is_empty() {
                     annotation = annotation.label(&label.text);

@@ -38,9 +38,7 @@ pub fn tree(name: &str, text: &[u8], kind: &'static Kind) -> Result<(Entries, Re
     match node::parse_text(text, source) {
         Ok(root) => Ok((root, reader)),
         Err(mistakes) => {
-            mistakes
-                .into_iter()
-                .for_each(|mistake| reader.report(mistake));
+            mistakes.into_iter().for_each(|mistake| reader.report(mistake));
             Err(reader.into_report())
         }
     }
@@ -51,10 +49,7 @@ fn as_text<'a>(bytes: &'a [u8], kind: &Kind) -> Result<&'a str, Diagnostic> {
     let noun = kind.noun;
     const MAX_BYTES: usize = 8 << 20;
     if bytes.len() > MAX_BYTES {
-        let message = format!(
-            "this file holds {} MB: it is no {noun} file",
-            bytes.len() >> 20
-        );
+        let message = format!("this file holds {} MB: it is no {noun} file", bytes.len() >> 20);
         return Err(Diagnostic::error(message)
             .help(format!("a {noun} file is a TOML text of some kilobytes")));
     }
@@ -70,10 +65,7 @@ fn as_text<'a>(bytes: &'a [u8], kind: &Kind) -> Result<&'a str, Diagnostic> {
         }
         Ok(text) => Ok(text),
         Err(error) => {
-            let line = bytes[..error.valid_up_to()]
-                .iter()
-                .filter(|&&byte| byte == b'\n')
-                .count();
+            let line = bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
             let message = format!("this file is not a text: line {} is not UTF-8", line + 1);
             Err(Diagnostic::error(message).help(help))
         }

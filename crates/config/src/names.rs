@@ -22,9 +22,8 @@ pub fn all_near<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Vec
     if wanted.is_empty() || wanted.len() > 80 {
         return Vec::new();
     }
-    let likenesses = names
-        .into_iter()
-        .map(|candidate| (likeness(&wanted, &simplify(candidate)), candidate));
+    let likenesses =
+        names.into_iter().map(|candidate| (likeness(&wanted, &simplify(candidate)), candidate));
     let mut near: Vec<(f64, &str)> = likenesses.filter(|(alike, _)| *alike >= 0.7).collect();
     near.sort_by(|a, b| b.0.total_cmp(&a.0));
     let best = near.first().map_or(0.0, |(alike, _)| *alike);
@@ -39,10 +38,7 @@ pub fn same(a: &str, b: &str) -> bool {
 
 /// Spelling without case and separators, which nobody remembers.
 fn simplify(name: &str) -> String {
-    name.chars()
-        .filter(|c| c.is_alphanumeric())
-        .flat_map(char::to_lowercase)
-        .collect()
+    name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
 
 /// One for the same, zero for nothing in common. A name cut short (`diam`, `trip`) is near too.
@@ -62,11 +58,7 @@ fn likeness(a: &str, b: &str) -> f64 {
         return edit.max(0.75);
     }
     // Jaro and Winkler's measure forgives a wrong end more than a wrong beginning.
-    if cut_short || one_slip || strsim::jaro_winkler(a, b) >= 0.86 {
-        edit.max(0.7)
-    } else {
-        edit
-    }
+    if cut_short || one_slip || strsim::jaro_winkler(a, b) >= 0.86 { edit.max(0.7) } else { edit }
 }
 
 /// `"a", "b" or "c"`: the words that a value may be.
@@ -82,10 +74,7 @@ pub fn any_of(words: &[&str]) -> String {
 /// A user's text, short enough to quote in a message.
 pub fn short(text: &str) -> String {
     const LONGEST: usize = 60;
-    let clean: String = text
-        .chars()
-        .map(|c| if c.is_control() { '\u{fffd}' } else { c })
-        .collect();
+    let clean: String = text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
     if clean.chars().count() <= LONGEST {
         clean
     } else {

@@ -39,15 +39,9 @@ mod tests {
 
     #[test]
     fn brackets_that_are_open_are_counted() {
-        assert_eq!(
-            too_deep("a = [[1, 2], [3, 4]]\n[b]\n[[c]]\nd = { e = '{' }"),
-            None
-        );
+        assert_eq!(too_deep("a = [[1, 2], [3, 4]]\n[b]\n[[c]]\nd = { e = '{' }"), None);
         // As many as one likes beside each other, in texts and comments.
-        assert_eq!(
-            too_deep(&"[a]\nb = { c = \"[\" } # {{[\n".repeat(1000)),
-            None
-        );
+        assert_eq!(too_deep(&"[a]\nb = { c = \"[\" } # {{[\n".repeat(1000)), None);
         let deepest = format!("a = {}{}", "[".repeat(MAX_DEPTH), "]".repeat(MAX_DEPTH));
         assert_eq!(too_deep(&deepest), None);
         assert_eq!(too_deep(&format!("a = [{}", &deepest[4..])), Some(84..85));

@@ -126,11 +126,7 @@ fn shallow(text: &str, source: usize, offset: usize) -> Result<(), Diagnostic> {
     let Some(bracket) = too_deep(text) else {
         return Ok(());
     };
-    let place = Span {
-        source,
-        start: bracket.start + offset,
-        end: bracket.end + offset,
-    };
+    let place = Span { source, start: bracket.start + offset, end: bracket.end + offset };
     let message = format!("more than {MAX_DEPTH} brackets are open here");
     Err(Diagnostic::error(message)
         .at(place, "expected that some are closed before")
@@ -140,11 +136,7 @@ fn shallow(text: &str, source: usize, offset: usize) -> Result<(), Diagnostic> {
 /// What the parser says, in the words of somebody who has not read the TOML specification.
 fn syntax_error(error: &toml::de::Error, text: &str, source: usize, offset: usize) -> Diagnostic {
     let span = error.span().unwrap_or(0..0);
-    let place = Span {
-        source,
-        start: span.start + offset,
-        end: span.end + offset,
-    };
+    let place = Span { source, start: span.start + offset, end: span.end + offset };
     let said = error.message();
     let found = text.get(span.clone()).unwrap_or_default().trim();
     if said == "duplicate key" {
@@ -210,10 +202,7 @@ fn entries(table: &DeTable<'_>, text: &str, source: usize, offset: usize) -> Ent
     let mut entries: Vec<(Key, Node)> = table
         .iter()
         .map(|(key, value)| {
-            let key = Key {
-                name: key.get_ref().to_string(),
-                place: place(key, source, offset),
-            };
+            let key = Key { name: key.get_ref().to_string(), place: place(key, source, offset) };
             (key, node(value, text, source, offset))
         })
         .collect();
@@ -239,31 +228,20 @@ fn node(value: &Spanned<DeValue<'_>>, text: &str, source: usize, offset: usize) 
                 whole,
             }
         }
-        DeValue::Float(float) => Value::Number {
-            value: float.as_str().parse().unwrap_or(f64::NAN),
-            whole: None,
-        },
+        DeValue::Float(float) => {
+            Value::Number { value: float.as_str().parse().unwrap_or(f64::NAN), whole: None }
+        }
         DeValue::Boolean(_) => Value::Boolean,
         DeValue::Datetime(_) => Value::Date,
-        DeValue::Array(items) => Value::List(
-            items
-                .iter()
-                .map(|item| node(item, text, source, offset))
-                .collect(),
-        ),
+        DeValue::Array(items) => {
+            Value::List(items.iter().map(|item| node(item, text, source, offset)).collect())
+        }
         DeValue::Table(table) => Value::Table(entries(table, text, source, offset)),
     };
-    Node {
-        place: place(value, source, offset),
-        value: converted,
-    }
+    Node { place: place(value, source, offset), value: converted }
 }
 
 fn place<T>(spanned: &Spanned<T>, source: usize, offset: usize) -> Span {
     let span = spanned.span();
-    Span {
-        source,
-        start: span.start + offset,
-        end: span.end + offset,
-    }
+    Span { source, start: span.start + offset, end: span.end + offset }
 }

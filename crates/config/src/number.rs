@@ -75,10 +75,7 @@ pub struct Number {
 impl Number {
     /// A number without unit, from zero.
     pub const fn up_to(max: f64) -> Self {
-        Self {
-            unit: "",
-            range: Range::from_to(0.0, max),
-        }
+        Self { unit: "", range: Range::from_to(0.0, max) }
     }
 }
 
@@ -87,11 +84,8 @@ impl Rule for Number {
 
     fn read(&self, node: &Node, reader: &mut Reader) -> Option<f64> {
         let Value::Number { value, .. } = node.value else {
-            let unit = if self.unit.is_empty() {
-                String::new()
-            } else {
-                format!(" in {}", self.unit)
-            };
+            let unit =
+                if self.unit.is_empty() { String::new() } else { format!(" in {}", self.unit) };
             reader.expected(node, &format!("a number{unit}, without quotes"));
             return None;
         };
@@ -119,9 +113,7 @@ impl Rule for Whole {
     type Value = u64;
 
     fn read(&self, node: &Node, reader: &mut Reader) -> Option<u64> {
-        if let Value::Number {
-            whole: Some(whole), ..
-        } = node.value
+        if let Value::Number { whole: Some(whole), .. } = node.value
             && let Ok(whole) = u64::try_from(whole)
         {
             return Some(whole);
@@ -154,9 +146,7 @@ impl Rule for Count {
 
     fn read(&self, node: &Node, reader: &mut Reader) -> Option<u64> {
         let Self { from, to } = self;
-        if let Value::Number {
-            whole: Some(whole), ..
-        } = node.value
+        if let Value::Number { whole: Some(whole), .. } = node.value
             && let Ok(whole) = u64::try_from(whole)
             && (*from..=*to).contains(&whole)
         {

@@ -31,20 +31,12 @@ pub struct Quantity {
 impl Quantity {
     /// A quantity whose bare number is SI.
     pub fn si(dimension: Dimension, range: Range, example: &'static str) -> Self {
-        Self {
-            dimension,
-            range,
-            bare: (dimension.si_symbol(), 1.0),
-            example,
-        }
+        Self { dimension, range, bare: (dimension.si_symbol(), 1.0), example }
     }
 
     /// The same, but a bare number is in `unit`, which is worth so much in SI.
     pub fn bare(self, unit: &'static str, worth: f64) -> Self {
-        Self {
-            bare: (unit, worth),
-            ..self
-        }
+        Self { bare: (unit, worth), ..self }
     }
 }
 
@@ -72,10 +64,7 @@ impl Rule for Quantity {
                 }
                 (*value, value * worth)
             }
-            Value::Text {
-                text,
-                verbatim_from,
-            } => match self.dimension.read(text) {
+            Value::Text { text, verbatim_from } => match self.dimension.read(text) {
                 Ok(written) => (written.number, written.si),
                 Err(error) => {
                     if let QuantityErrorKind::NoUnit { number } = &error.kind
@@ -183,10 +172,7 @@ impl Quantity {
                 let (unit, _) = self.bare;
                 Diagnostic::error(format!("\"{}\" has no unit", short(text)))
                     .at(place, "expected a unit after the number")
-                    .help(format!(
-                        "without quotes a number is in {unit}: {}",
-                        short(number)
-                    ))
+                    .help(format!("without quotes a number is in {unit}: {}", short(number)))
                     .help(units)
             }
             QuantityErrorKind::UnknownUnit { found, nearest } => {

@@ -15,31 +15,18 @@ pub struct Range {
 impl Range {
     /// Both ends included.
     pub const fn from_to(min: f64, max: f64) -> Self {
-        Self {
-            min,
-            min_excluded: false,
-            max,
-            usual: None,
-        }
+        Self { min, min_excluded: false, max, usual: None }
     }
 
     /// More than zero, up to `max`.
     pub const fn positive_to(max: f64) -> Self {
-        Self {
-            min: 0.0,
-            min_excluded: true,
-            max,
-            usual: None,
-        }
+        Self { min: 0.0, min_excluded: true, max, usual: None }
     }
 
     /// The same, but a number outside of these is doubted: mostly its unit is another one's. Zero
     /// is not, where it is believed at all: it switches something off.
     pub const fn usual(self, from: f64, to: f64) -> Self {
-        Self {
-            usual: Some((from, to)),
-            ..self
-        }
+        Self { usual: Some((from, to)), ..self }
     }
 
     /// The numbers that are usual, where the key says so.
@@ -49,28 +36,16 @@ impl Range {
 
     /// Whether a number is believed.
     pub fn holds(&self, value: f64) -> bool {
-        let above = if self.min_excluded {
-            value > self.min
-        } else {
-            value >= self.min
-        };
+        let above = if self.min_excluded { value > self.min } else { value >= self.min };
         above && value <= self.max
     }
 
     /// `expected 0.02 to 2 m`, with numbers divided by what one unit is worth.
     pub(crate) fn text(&self, unit: &str, worth: f64) -> String {
         let show = |value: f64| number_text(value / worth);
-        let unit = if unit.is_empty() {
-            String::new()
-        } else {
-            format!(" {unit}")
-        };
+        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
         if self.min_excluded {
-            format!(
-                "more than {} and at most {}{unit}",
-                show(self.min),
-                show(self.max)
-            )
+            format!("more than {} and at most {}{unit}", show(self.min), show(self.max))
         } else {
             format!("{} to {}{unit}", show(self.min), show(self.max))
         }
@@ -78,11 +53,7 @@ impl Range {
 
     /// Adds the range to the schema of a number in a unit that is worth so much in SI.
     pub fn describe(&self, schema: &mut Json, worth: f64) {
-        let min = if self.min_excluded {
-            "exclusiveMinimum"
-        } else {
-            "minimum"
-        };
+        let min = if self.min_excluded { "exclusiveMinimum" } else { "minimum" };
         schema[min] = json!(self.min / worth);
         schema["maximum"] = json!(self.max / worth);
         if let Some((from, to)) = self.usual {

@@ -37,10 +37,7 @@ const MAX: usize = 100;
 impl Reader {
     /// A reader of such a file.
     pub fn of(kind: &'static Kind) -> Self {
-        Self {
-            kind: Some(kind),
-            ..Self::default()
-        }
+        Self { kind: Some(kind), ..Self::default() }
     }
 
     /// The schema of the tables of what is read; nothing for arguments.
@@ -50,10 +47,7 @@ impl Reader {
 
     /// Adds a text that places can point into; its index.
     pub fn add_source(&mut self, name: &str, text: &str) -> usize {
-        self.sources.push(Source {
-            name: name.to_owned(),
-            text: text.to_owned(),
-        });
+        self.sources.push(Source { name: name.to_owned(), text: text.to_owned() });
         self.sources.len() - 1
     }
 
@@ -74,9 +68,7 @@ impl Reader {
             Value::List(items) => items.as_slice(),
             _ => std::slice::from_ref(node),
         };
-        let numbers = items
-            .iter()
-            .filter(|item| matches!(item.value, Value::Number { .. }));
+        let numbers = items.iter().filter(|item| matches!(item.value, Value::Number { .. }));
         self.asking.extend(numbers.map(|number| number.place));
     }
 
@@ -105,9 +97,7 @@ impl Reader {
 
     /// Whether a mistake was found.
     pub fn has_errors(&self) -> bool {
-        self.diagnostics
-            .iter()
-            .any(|diagnostic| diagnostic.severity == Severity::Error)
+        self.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error)
     }
 
     /// Everything that was found, in the order of the places.
@@ -125,10 +115,7 @@ impl Reader {
             let place = diagnostic.labels.first().map(|label| label.place);
             place.map_or((0, 0), |place| (place.source, place.start))
         });
-        Report {
-            sources: self.sources,
-            diagnostics,
-        }
+        Report { sources: self.sources, diagnostics }
     }
 
     /// What the user wrote at a place, short enough to quote.
@@ -139,8 +126,7 @@ impl Reader {
     /// What the user wrote at a place.
     pub fn text_at(&self, place: Span) -> &str {
         let text = self.sources.get(place.source).map(|source| &source.text);
-        text.and_then(|text| text.get(place.start..place.end))
-            .unwrap_or_default()
+        text.and_then(|text| text.get(place.start..place.end)).unwrap_or_default()
     }
 
     /// A value of the wrong kind.

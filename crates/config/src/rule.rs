@@ -241,11 +241,7 @@ impl<R: Rule> Rule for List<R> {
         let list = json!({
             "type": "array", "items": item, "minItems": 1, "maxItems": self.most
         });
-        if self.or_one {
-            json!({ "anyOf": [item, list] })
-        } else {
-            list
-        }
+        if self.or_one { json!({ "anyOf": [item, list] }) } else { list }
     }
 
     fn json(&self, value: &Self::Value) -> Json {

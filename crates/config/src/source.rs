@@ -43,9 +43,7 @@ pub struct Disk {
 impl Disk {
     /// Files as seen from `folder`.
     pub fn new(folder: impl Into<PathBuf>) -> Self {
-        Self {
-            folder: folder.into(),
-        }
+        Self { folder: folder.into() }
     }
 
     /// Files beside the case at `path`.
@@ -75,10 +73,7 @@ pub fn read_file(path: &Path) -> io::Result<Vec<u8>> {
 fn read_bounded(path: &Path) -> io::Result<Vec<u8>> {
     let about = std::fs::metadata(path)?;
     if about.is_dir() {
-        return Err(io::Error::new(
-            io::ErrorKind::IsADirectory,
-            "it is a folder, not a file",
-        ));
+        return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder, not a file"));
     }
     if !about.is_file() {
         return Err(io::Error::other("it is not a regular file"));

@@ -91,38 +91,22 @@ pub struct Key<R: Rule> {
 
 /// A key that must be there.
 pub fn required<R: Rule>(rule: R) -> Key<R> {
-    Key {
-        rule,
-        need: Need::Required,
-        used_with: &[],
-    }
+    Key { rule, need: Need::Required, used_with: &[] }
 }
 
 /// A key that must be there where `other` is not.
 pub fn required_unless<R: Rule>(other: &'static str, rule: R) -> Key<R> {
-    Key {
-        rule,
-        need: Need::RequiredUnless(other),
-        used_with: &[],
-    }
+    Key { rule, need: Need::RequiredUnless(other), used_with: &[] }
 }
 
 /// A key that may be left out.
 pub fn optional<R: Rule>(rule: R) -> Key<R> {
-    Key {
-        rule,
-        need: Need::Optional,
-        used_with: &[],
-    }
+    Key { rule, need: Need::Optional, used_with: &[] }
 }
 
 /// A key that has a default.
 pub fn default<R: Rule>(rule: R, value: R::Value) -> Key<R> {
-    Key {
-        rule,
-        need: Need::Default(value),
-        used_with: &[],
-    }
+    Key { rule, need: Need::Default(value), used_with: &[] }
 }
 
 /// The table that is being read.
@@ -141,10 +125,7 @@ impl<R: Rule> Key<R> {
     /// The same, but it has an effect with these words of the table's choice only: of a law, of a
     /// control.
     pub fn used_with(self, words: &'static [&'static str]) -> Self {
-        Self {
-            used_with: words,
-            ..self
-        }
+        Self { used_with: words, ..self }
     }
 
     /// Reads the key, or takes what there is in its place.
@@ -153,10 +134,7 @@ impl<R: Rule> Key<R> {
         reader.key = name;
         if let Some(node) = here.entries.get(name) {
             return match self.rule.read(node, reader) {
-                Some(value) => Field::Given(Spanned {
-                    value,
-                    place: node.place,
-                }),
+                Some(value) => Field::Given(Spanned { value, place: node.place }),
                 None => Field::Bad,
             };
         }

@@ -83,10 +83,8 @@ impl Entry<'_> {
             reader.written(self.node.place)
         };
         let mut diagnostic =
-            Diagnostic::warning(format!("`{}` is unusually {side}: {value}", reader.key)).at(
-                self.node.place,
-                format!("usual are {} to {}", show(from), show(to)),
-            );
+            Diagnostic::warning(format!("`{}` is unusually {side}: {value}", reader.key))
+                .at(self.node.place, format!("usual are {} to {}", show(from), show(to)));
         if self.is_bare() {
             diagnostic = diagnostic.help(format!("a number without unit is in {}", self.unit));
         }
@@ -116,10 +114,7 @@ impl Entry<'_> {
         reader.bare.push(Bare {
             key,
             place: self.node.place,
-            text: format!(
-                "taken as {number} {own}, {}",
-                self.dimension.format(self.si, set)
-            ),
+            text: format!("taken as {number} {own}, {}", self.dimension.format(self.si, set)),
             meant: format!("\"{number} {shown}\""),
         });
     }
@@ -153,11 +148,7 @@ impl Entry<'_> {
             )),
             None => diagnostic.help(format!("such as \"{with_unit}\"")),
         }
-        .help(format!(
-            "units of {}: {}",
-            self.dimension.name(),
-            symbols.join(", ")
-        ))
+        .help(format!("units of {}: {}", self.dimension.name(), symbols.join(", ")))
     }
 }
 
@@ -166,10 +157,7 @@ fn with_unit(written: &str, unit: &str) -> String {
     let Some((from, rest)) = written.split_once("..") else {
         return format!("{written}{unit}");
     };
-    let rest: Vec<String> = rest
-        .split('/')
-        .map(|part| format!("{}{unit}", part.trim()))
-        .collect();
+    let rest: Vec<String> = rest.split('/').map(|part| format!("{}{unit}", part.trim())).collect();
     format!("{}{unit}..{}", from.trim(), rest.join("/"))
 }
 
@@ -195,16 +183,8 @@ pub(crate) fn check_number(
     let (Some(side), Some((from, to))) = (unusual(value, range), range.usual_numbers()) else {
         return;
     };
-    let message = format!(
-        "`{}` is unusually {side}: {}",
-        reader.key,
-        reader.written(node.place)
-    );
-    let usual = format!(
-        "usual are {} to {} {unit}",
-        number_text(from),
-        number_text(to)
-    );
+    let message = format!("`{}` is unusually {side}: {}", reader.key, reader.written(node.place));
+    let usual = format!("usual are {} to {} {unit}", number_text(from), number_text(to));
     reader.report(Diagnostic::warning(message).at(node.place, usual.trim_end()));
 }
 
@@ -228,10 +208,8 @@ pub fn warn_of_bare(reader: &mut Reader) {
     if more > 0 {
         diagnostic = diagnostic.help(format!("and {more} more"));
     }
-    reader.report(diagnostic.help(format!(
-        "write the unit that is meant, such as {}",
-        first.meant
-    )));
+    reader
+        .report(diagnostic.help(format!("write the unit that is meant, such as {}", first.meant)));
 }
 
 /// `ppg, sg or g/cm3`.

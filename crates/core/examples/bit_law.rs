@@ -52,16 +52,11 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         torque_per_weight_m: 0.06,
         half_life_J: 300e3,
     };
-    let bit = BitSettings {
-        law: BitLaw::Custom(CustomLaw::new(law, 1e8)),
-        ..BitSettings::default()
-    };
+    let bit =
+        BitSettings { law: BitLaw::Custom(CustomLaw::new(law, 1e8)), ..BitSettings::default() };
     // The operation with the torque and the rate that a new bit has.
     let drill = bit.drilling_steadily(common::drill());
-    let settings = DynamicsSettings {
-        bit,
-        ..common::settings()
-    };
+    let settings = DynamicsSettings { bit, ..common::settings() };
     let mut simulation = Simulation::new(&model, &drill, &settings)?;
     simulation.to_end()?;
     let rates = &simulation.series().rate_of_penetration_m_per_s;

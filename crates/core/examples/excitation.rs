@@ -57,25 +57,15 @@ fn weight_std_N(amplitude_m: f64) -> Result<f64, Box<dyn Error>> {
         rock_stiffness_N_per_m: 1e8,
         excitation: None,
     };
-    let cusps = Cusps {
-        law,
-        amplitude_m,
-        per_revolution: 3.0,
-    };
+    let cusps = Cusps { law, amplitude_m, per_revolution: 3.0 };
     let bit = BitSettings {
         law: BitLaw::Custom(CustomLaw::new(cusps, law.rock_stiffness_N_per_m)),
         ..BitSettings::default()
     };
     let drill = bit.drilling_steadily(common::drill());
-    let settings = DynamicsSettings {
-        bit,
-        ..common::settings()
-    };
+    let settings = DynamicsSettings { bit, ..common::settings() };
     let outcome = Simulation::new(&common::model()?, &drill, &settings)?.to_end()?;
-    let weight = outcome
-        .statistics
-        .iter()
-        .find(|(name, _)| *name == "weight_on_bit_N");
+    let weight = outcome.statistics.iter().find(|(name, _)| *name == "weight_on_bit_N");
     Ok(weight.map_or(0.0, |(_, statistic)| statistic.std))
 }
 

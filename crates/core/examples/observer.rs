@@ -20,29 +20,21 @@ struct TorqueWatch {
 impl Observer for TorqueWatch {
     fn sampled(&mut self, simulation: &Simulation) -> ControlFlow<()> {
         let series = simulation.series();
-        if let (Some(torque_N_m), Some(speed_rad_per_s)) = (
-            series.surface_torque_N_m.last(),
-            series.rotary_speed_rad_per_s.last(),
-        ) {
+        if let (Some(torque_N_m), Some(speed_rad_per_s)) =
+            (series.surface_torque_N_m.last(), series.rotary_speed_rad_per_s.last())
+        {
             if *torque_N_m > self.largest_N_m {
                 (self.largest_N_m, self.at_s) = (*torque_N_m, simulation.time_s());
             }
             self.revolutions += speed_rad_per_s * simulation.sample_interval_s() / TAU;
         }
-        if self.revolutions < 20.0 {
-            ControlFlow::Continue(())
-        } else {
-            ControlFlow::Break(())
-        }
+        if self.revolutions < 20.0 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     }
 }
 
 pub fn main() -> Result<(), Box<dyn Error>> {
     let mut watch = TorqueWatch::default();
-    let settings = DynamicsSettings {
-        duration_s: 20.0,
-        ..common::settings()
-    };
+    let settings = DynamicsSettings { duration_s: 20.0, ..common::settings() };
     let mut simulation = Simulation::new(&common::model()?, &common::drill(), &settings)?;
     simulation.to_end_with(&mut watch)?;
     println!(

@@ -77,10 +77,7 @@ mod tests {
 
     #[test]
     fn what_is_not_finite_is_null_in_text_and_kept_in_bits() {
-        let numbers = Numbers {
-            one: f64::INFINITY,
-            two: [-0.0, f64::NEG_INFINITY],
-        };
+        let numbers = Numbers { one: f64::INFINITY, two: [-0.0, f64::NEG_INFINITY] };
         let text = serde_json::to_string(&numbers).unwrap();
         assert_eq!(text, r#"{"one":null,"two":[-0.0,null]}"#);
         let back: Numbers = serde_json::from_str(&text).unwrap();

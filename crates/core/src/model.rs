@@ -28,12 +28,7 @@ pub struct MudColumn {
 impl Model {
     /// A well, a string and a mud on a rig without limits: set [`Self::rig`] for those.
     pub fn new(well: Well, string: DrillString, mud: Mud) -> Self {
-        Self {
-            well,
-            string,
-            mud,
-            rig: Rig::default(),
-        }
+        Self { well, string, mud, rig: Rig::default() }
     }
 
     /// The mud at rest, its surface where measured depth begins.

@@ -52,10 +52,7 @@ impl OperationKind {
 
     /// Whether the whole string turns.
     pub const fn rotates(self) -> bool {
-        matches!(
-            self,
-            Self::RotateOffBottom | Self::Drill | Self::Ream | Self::BackReam
-        )
+        matches!(self, Self::RotateOffBottom | Self::Drill | Self::Ream | Self::BackReam)
     }
 
     /// Whether the bit is on bottom and cuts.
@@ -95,11 +92,7 @@ pub struct Operation {
 impl Operation {
     /// Rotary speed of the string, rad/s; zero where the kind does not rotate.
     pub fn rotation_rad_per_s(&self) -> f64 {
-        if self.kind.rotates() {
-            self.rotary_speed_rad_per_s
-        } else {
-            0.0
-        }
+        if self.kind.rotates() { self.rotary_speed_rad_per_s } else { 0.0 }
     }
 
     /// Axial speed of the string, m/s, positive towards the bit.
@@ -121,11 +114,8 @@ impl Operation {
         rotary_speed_rad_per_s: f64,
     ) -> f64 {
         let part = |value: f64, of: f64| if of > 0.0 { value / of } else { 1.0 };
-        let cutting = if self.kind.on_bottom() {
-            part(weight_on_bit_N, self.weight_on_bit_N)
-        } else {
-            1.0
-        };
+        let cutting =
+            if self.kind.on_bottom() { part(weight_on_bit_N, self.weight_on_bit_N) } else { 1.0 };
         let turning = if self.kind.on_bottom() && self.kind.rotates() {
             part(rotary_speed_rad_per_s, self.rotary_speed_rad_per_s)
         } else {
@@ -136,21 +126,13 @@ impl Operation {
 
     /// Weight on bit, N; zero off bottom.
     pub fn weight_on_bit_now_N(&self) -> f64 {
-        if self.kind.on_bottom() {
-            self.weight_on_bit_N
-        } else {
-            0.0
-        }
+        if self.kind.on_bottom() { self.weight_on_bit_N } else { 0.0 }
     }
 
     /// Bit torque that the string carries, N·m; zero off bottom. A sliding string carries the
     /// reaction of its motor, which is the same torque.
     pub fn bit_torque_now_N_m(&self) -> f64 {
-        if self.kind.on_bottom() {
-            self.bit_torque_N_m
-        } else {
-            0.0
-        }
+        if self.kind.on_bottom() { self.bit_torque_N_m } else { 0.0 }
     }
 
     /// What the pumps deliver, m³/s; zero while the string trips without rotation, for the top
@@ -164,11 +146,7 @@ impl Operation {
 
     /// Pressure drop of a mud motor, Pa; zero off bottom, where the bit takes no torque.
     pub fn motor_loss_Pa(&self) -> f64 {
-        if self.kind.on_bottom() {
-            self.motor_pressure_drop_Pa
-        } else {
-            0.0
-        }
+        if self.kind.on_bottom() { self.motor_pressure_drop_Pa } else { 0.0 }
     }
 
     /// Pressure drop of the nozzles at a flow rate, Pa: by its square.

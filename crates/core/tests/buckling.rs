@@ -15,9 +15,7 @@ fn number(of: &Value, key: &str) -> f64 {
 
 fn numbers(of: &Value) -> Vec<f64> {
     let all = of.as_array().expect("a list");
-    all.iter()
-        .map(|of| of.as_f64().expect("a number"))
-        .collect()
+    all.iter().map(|of| of.as_f64().expect("a number")).collect()
 }
 
 /// A pipe of stiffness, clearance and weight in a straight hole.
@@ -80,12 +78,7 @@ fn c03_curved_holes() {
             turn_rad_per_m: number(of, "turn_deg_per_30m")
                 * PER_30_M
                 * inclination_deg.to_radians().sin(),
-            ..straight(
-                number(of, "EI"),
-                number(of, "r_c"),
-                number(of, "w"),
-                inclination_deg,
-            )
+            ..straight(number(of, "EI"), number(of, "r_c"), number(of, "w"), inclination_deg)
         };
         let criterion = match of["mode"].as_str() {
             Some("sin") => Sinusoidal,
@@ -111,12 +104,7 @@ fn s2a_all_roots() {
     let clearance_m = number(&data["inputs"], "clearance_m");
     let place = |inclination_deg: f64, curvature: f64| Place {
         build_rad_per_m: curvature,
-        ..straight(
-            number(pipe, "EI"),
-            clearance_m,
-            number(pipe, "w"),
-            inclination_deg,
-        )
+        ..straight(number(pipe, "EI"), clearance_m, number(pipe, "w"), inclination_deg)
     };
     let mut rows = Vec::new();
     let mut hold = |place: Place, criterion: Criterion, expected: &Value| {
@@ -141,10 +129,7 @@ fn s2a_all_roots() {
     }
     for row in data["strong_drop_points"].as_array().expect("drops") {
         let of = &row["inputs"];
-        let place = place(
-            number(of, "inc_deg"),
-            number(of, "build_deg_30m") * PER_30_M,
-        );
+        let place = place(number(of, "inc_deg"), number(of, "build_deg_30m") * PER_30_M);
         hold(place, Sinusoidal, &row["expected"]["F_sin_all_roots_N"]);
         hold(place, Helical, &row["expected"]["F_hel_all_roots_N"]);
     }
@@ -224,10 +209,7 @@ fn s2b_lock_up() {
         let closed_m = number(expected, "closed_form_m");
         lengths.push(hold("length that locks up, m", length_m, closed_m));
         // Nine tenths of that length are a whole number of stretches of their own.
-        let part = Segment {
-            length_m: 0.9 * closed_m / 1000.0,
-            ..segment
-        };
+        let part = Segment { length_m: 0.9 * closed_m / 1000.0, ..segment };
         let Pushed::Through(push_N) = push_through(&[part; 1000], at_bit_N, helix) else {
             panic!("it locks up too early: {row}");
         };
@@ -238,12 +220,7 @@ fn s2b_lock_up() {
         assert!((arrives_N - at_bit_N).abs() < 1.0, "{arrives_N}: {row}");
         // Beyond that length the greatest push does not bring the load to the bit, short of it the
         // load and more.
-        let whole = |length_m: f64| {
-            [Segment {
-                length_m: length_m / 1000.0,
-                ..segment
-            }; 1000]
-        };
+        let whole = |length_m: f64| [Segment { length_m: length_m / 1000.0, ..segment }; 1000];
         let max_N = |length_m| weight_at_bit_N(&whole(length_m), f64::INFINITY, helix);
         assert!(max_N(1.01 * closed_m) < at_bit_N, "{row}");
         assert!(max_N(0.99 * closed_m) > at_bit_N, "{row}");

@@ -58,21 +58,13 @@ fn horizontal_turn_has_a_hyperbolic_closed_form() {
     let rotated = solve(&model, &drill);
     let side_force = weight.hypot(weight_on_bit_N / radius_m);
     let expected = mu * side_force * pipe_radius_m * length_m;
-    assert_close(
-        "torque",
-        rotated.scalars.surface_torque_N_m,
-        expected,
-        1e-11,
-    );
+    assert_close("torque", rotated.scalars.surface_torque_N_m, expected, 1e-11);
 
     // It turns to the right. Tension presses the pipe to the inner (right) and low side,
     // compression to the outer (left) and low side.
     for (profile, side) in [(&pulled, 1.0), (&rotated, -1.0)] {
         let point = model.well.path.at(0.0);
-        let (high, right) = (
-            Vector3::new(0.0, 0.0, -1.0),
-            point.right_side().expect("inclined"),
-        );
+        let (high, right) = (Vector3::new(0.0, 0.0, -1.0), point.right_side().expect("inclined"));
         let direction = profile.contact_direction[0];
         assert!((direction.norm() - 1.0).abs() < 1e-12);
         assert!(direction.dot(&point.tangent).abs() < 1e-12);
@@ -89,11 +81,9 @@ fn horizontal_turn_has_a_hyperbolic_closed_form() {
 #[test]
 fn capstan_in_any_plane() {
     let (mu, tension_N) = (0.25, 150e3);
-    for (top, bottom) in [
-        ([30.0, 10.0], [75.0, 130.0]),
-        ([85.0, 350.0], [40.0, 20.0]),
-        ([0.0, 0.0], [60.0, 233.0]),
-    ] {
+    for (top, bottom) in
+        [([30.0, 10.0], [75.0, 130.0]), ([85.0, 350.0], [40.0, 20.0]), ([0.0, 0.0], [60.0, 233.0])]
+    {
         let model = capstan_model(top, bottom, mu, 0.07, tension_N);
         let stations = model.well.path.stations();
         let dogleg = stations[0].dogleg_rad(&stations[1]);
@@ -110,22 +100,13 @@ fn capstan_in_any_plane() {
 #[test]
 fn reaming_in_a_capstan() {
     let (mu, radius_m, tension_N, dogleg) = (0.3, 0.07, 100e3, std::f64::consts::FRAC_PI_2);
-    for (kind, sign, ratio) in [
-        (BackReam, 1.0, 1.0),
-        (Ream, -1.0, 1.0),
-        (BackReam, 1.0, 0.6),
-        (Ream, -1.0, 1.4),
-    ] {
+    for (kind, sign, ratio) in
+        [(BackReam, 1.0, 1.0), (Ream, -1.0, 1.0), (BackReam, 1.0, 0.6), (Ream, -1.0, 1.4)]
+    {
         let mut model = capstan_model([90.0, 0.0], [0.0, 0.0], mu, radius_m, tension_N);
         let sections = model.well.hole.sections().iter().map(|section| {
-            let friction = Friction {
-                around: ratio,
-                ..section.friction
-            };
-            HoleSection {
-                friction,
-                ..*section
-            }
+            let friction = Friction { around: ratio, ..section.friction };
+            HoleSection { friction, ..*section }
         });
         model.well.hole = Hole::new(sections.collect()).expect("a sound hole");
         let operation = operation(kind, model.string.length_m());
@@ -148,10 +129,7 @@ fn hole_sections_and_components_act_where_they_lie() {
     let (inclination, depth_m) = (50.0_f64, 1500.0);
     let (sin, cos) = inclination.to_radians().sin_cos();
     let mut drill_pipe = pipe(250.0, 0.06, ComponentLength::ToSurface);
-    drill_pipe.joints = Some(ToolJoints {
-        od_m: 0.18,
-        spacing_m: 9.6,
-    });
+    drill_pipe.joints = Some(ToolJoints { od_m: 0.18, spacing_m: 9.6 });
     let collars = pipe(1200.0, 0.1, ComponentLength::Metres(200.0));
     let model = model(
         arcs(&[[0.0, inclination, 30.0], [depth_m, inclination, 30.0]]),
@@ -214,10 +192,7 @@ fn north_is_not_special() {
             assert_eq!(reference.md_m.len(), other.md_m.len());
             for (a, b) in [
                 (reference.scalars.hook_load_N, other.scalars.hook_load_N),
-                (
-                    reference.scalars.surface_torque_N_m,
-                    other.scalars.surface_torque_N_m,
-                ),
+                (reference.scalars.surface_torque_N_m, other.scalars.surface_torque_N_m),
                 (reference.scalars.stretch_m, other.scalars.stretch_m),
                 (reference.scalars.twist_rad, other.scalars.twist_rad),
             ] {
@@ -277,12 +252,7 @@ fn default_step_is_converged() {
             let coarse = solve(&model, &operation).scalars;
             let fine = solve_with(&model, &operation, 0.125).scalars;
             assert_close("hook load", coarse.hook_load_N, fine.hook_load_N, 1e-6);
-            assert_close(
-                "side force",
-                coarse.side_force_total_N,
-                fine.side_force_total_N,
-                1e-6,
-            );
+            assert_close("side force", coarse.side_force_total_N, fine.side_force_total_N, 1e-6);
             assert_close("stretch", coarse.stretch_m, fine.stretch_m, 1e-6);
             if kind.rotates() || kind == Slide {
                 let torque = fine.surface_torque_N_m;
@@ -342,11 +312,7 @@ fn stretch_and_twist_of_a_slanted_string() {
     let pipe = &model.string.components()[0];
     let weight = pipe.buoyed_weight_per_length_N_per_m(density);
     let (weight_on_bit_N, bit_torque_N_m) = (50e3, 4e3);
-    let drill = Operation {
-        weight_on_bit_N,
-        bit_torque_N_m,
-        ..operation(Drill, length_m)
-    };
+    let drill = Operation { weight_on_bit_N, bit_torque_N_m, ..operation(Drill, length_m) };
     let profile = solve(&model, &drill);
     let poisson = 210.0 / 160.0 - 1.0;
     let stretch = |up_m: f64| {
@@ -386,10 +352,7 @@ fn neutral_point() {
         2000.0,
     );
     let drill = pressing(Drill, 2000.0, 120e3);
-    let found = solve(&model, &drill)
-        .scalars
-        .neutral_point_m
-        .expect("it passes zero");
+    let found = solve(&model, &drill).scalars.neutral_point_m.expect("it passes zero");
     // 100 kN of collars and 80 m of pipe; tension is linear there, so only rounding is left.
     assert!((found - 1820.0).abs() < 1e-6, "{found}");
     assert_eq!(run(&model, RotateOffBottom).scalars.neutral_point_m, None);
@@ -405,10 +368,9 @@ fn neutral_point() {
 fn cutoff_of_a_surveyed_build() {
     let data = verification("A01_soft_string_closed_forms.json");
     let rows = data["cases"].as_array().expect("cases");
-    for (id, kind) in [
-        ("build_arc_side_switch_pull", TripOut),
-        ("build_arc_side_switch_lower", TripIn),
-    ] {
+    for (id, kind) in
+        [("build_arc_side_switch_pull", TripOut), ("build_arc_side_switch_lower", TripIn)]
+    {
         let row = rows.iter().find(|row| row["id"] == id).expect(id);
         let input = |key: &str| row["inputs"][key].as_f64().expect(key);
         let (radius_m, weight, bottom) =
@@ -432,18 +394,10 @@ fn cutoff_of_a_surveyed_build() {
             mud(0.0),
             depth_m,
         );
-        let switch = row["expected"]["switch_inclination_deg"]
-            .as_f64()
-            .expect("switch");
+        let switch = row["expected"]["switch_inclination_deg"].as_f64().expect("switch");
         let expected = kick_off_m + radius_m * switch.to_radians();
-        let found = run(&model, kind)
-            .scalars
-            .cutoff_depth_m
-            .expect("the pipe changes sides");
-        assert!(
-            (found - expected).abs() < 0.6,
-            "{id}: {found} for {expected}"
-        );
+        let found = run(&model, kind).scalars.cutoff_depth_m.expect("the pipe changes sides");
+        assert!((found - expected).abs() < 0.6, "{id}: {found} for {expected}");
     }
     // A straight hole has no build, so no cut-off.
     let slant = straight_model(30.0, 1000.0, 300.0, 0.07, 0.3);
@@ -471,14 +425,8 @@ fn profile_runs_from_surface_to_bit_and_adds_up() {
     let middle = 0.5 * (profile.md_m[10] + profile.md_m[11]);
     let mean = 0.5 * (profile.tension_N[10] + profile.tension_N[11]);
     assert_close("tension", profile.tension_at_N(middle), mean, 1e-12);
-    assert_eq!(
-        profile.contact_direction_at(middle + 0.1),
-        profile.contact_direction[11]
-    );
-    assert_eq!(
-        profile.contact_direction_at(middle - 0.1),
-        profile.contact_direction[10]
-    );
+    assert_eq!(profile.contact_direction_at(middle + 0.1), profile.contact_direction[11]);
+    assert_eq!(profile.contact_direction_at(middle - 0.1), profile.contact_direction[10]);
     // Sums of the rows are the scalars within the trapezoidal rule's error at a step of 1 m, and
     // half a metre of the jump of friction at the shoe.
     let integral = |of: &dyn Fn(usize) -> f64| -> f64 {

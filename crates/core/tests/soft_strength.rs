@@ -188,10 +188,7 @@ const YIELD_PA: f64 = 724e6;
 /// Weightless pipe with tool joints: as dense as the mud.
 fn jointed(joints: bool) -> ComponentSpec {
     ComponentSpec {
-        joints: joints.then_some(ToolJoints {
-            od_m: JOINT_OD_M,
-            spacing_m: SPACING_M,
-        }),
+        joints: joints.then_some(ToolJoints { od_m: JOINT_OD_M, spacing_m: SPACING_M }),
         yield_strength_Pa: Some(YIELD_PA),
         ..ComponentSpec::uniform("pipe", 0.127, 0.1086, ComponentLength::ToSurface, steel())
     }
@@ -239,12 +236,7 @@ fn joints_magnify_the_bending_of_a_hole() {
         let von_mises_Pa = (normal_Pa.powi(2) + 3.0 * shear_Pa.powi(2)).sqrt();
         for row in [1, 300, 599] {
             let close = |what: &str, found: f64, expected: f64| {
-                assert_close(
-                    &format!("{joints} {tension_N}: {what}"),
-                    found,
-                    expected,
-                    1e-9,
-                );
+                assert_close(&format!("{joints} {tension_N}: {what}"), found, expected, 1e-9);
             };
             close("moment", profile.bending_moment_N_m[row], moment_N_m);
             close("bending", profile.bending_stress_Pa[row], bending_Pa);
@@ -296,15 +288,9 @@ fn a_turn_climbs_to_its_inside() {
 fn pressures_and_the_force_in_the_metal() {
     let length_m = 1000.0;
     let flow_m3_per_s = 0.03;
-    let bingham = Rheology::Bingham {
-        plastic_viscosity_Pa_s: 0.025,
-        yield_point_Pa: 7.2,
-    };
+    let bingham = Rheology::Bingham { plastic_viscosity_Pa_s: 0.025, yield_point_Pa: 7.2 };
     for rheology in [None, Some(bingham)] {
-        let mud = Mud {
-            rheology,
-            ..mud(1200.0)
-        };
+        let mud = Mud { rheology, ..mud(1200.0) };
         let model = model(
             arcs(&[[0.0, 20.0, 0.0], [length_m, 20.0, 0.0]]),
             hole(0.2, length_m),
@@ -335,11 +321,7 @@ fn pressures_and_the_force_in_the_metal() {
         close("outside", profile.outside_pressure_Pa[last], outside_Pa);
         close("inside", profile.inside_pressure_Pa[last], inside_Pa);
         close("top, outside", profile.outside_pressure_Pa[0], 0.0);
-        close(
-            "top, inside",
-            profile.inside_pressure_Pa[0],
-            added.pump_pressure_Pa,
-        );
+        close("top, inside", profile.inside_pressure_Pa[0], added.pump_pressure_Pa);
         let bore_m2 = pipe.inner_area_m2();
         let pressed_N = outside_Pa * (pipe.area_m2() + bore_m2) - inside_Pa * bore_m2;
         let true_N = profile.tension_N[last] - pressed_N + stream_N;
@@ -354,24 +336,12 @@ fn pressures_and_the_force_in_the_metal() {
 fn the_power_of_friction() {
     let (length_m, friction) = (803.0, 0.25);
     let model = uniform_model(
-        &[
-            [0.0, 30.0, 0.0],
-            [400.0, 50.0, 40.0],
-            [length_m, 50.0, 40.0],
-        ],
+        &[[0.0, 30.0, 0.0], [400.0, 50.0, 40.0], [length_m, 50.0, 40.0]],
         300.0,
         0.07,
         friction,
     );
-    for kind in [
-        TripOut,
-        TripIn,
-        RotateOffBottom,
-        Drill,
-        Slide,
-        Ream,
-        BackReam,
-    ] {
+    for kind in [TripOut, TripIn, RotateOffBottom, Drill, Slide, Ream, BackReam] {
         let operation = Operation {
             rate_of_penetration_m_per_s: 0.01,
             weight_on_bit_N: 20e3,
@@ -379,10 +349,7 @@ fn the_power_of_friction() {
             ..operation(kind, length_m)
         };
         let profile = solve(&model, &operation);
-        let (axial, spin) = (
-            operation.axial_velocity_m_per_s(),
-            operation.rotation_rad_per_s(),
-        );
+        let (axial, spin) = (operation.axial_velocity_m_per_s(), operation.rotation_rad_per_s());
         let scalars = &profile.scalars;
         let power_W = scalars.friction_torque_N_m * spin - scalars.axial_friction_N * axial;
         let on_the_hole = &profile.wear.wear_power_W_per_m;
@@ -398,10 +365,7 @@ fn the_power_of_friction() {
         let hole = on_the_hole[(profile.md_m[row] / HOLE_STEP_M) as usize];
         assert_close(kind.name(), hole, local, 2e-3);
     }
-    let standing = Operation {
-        rate_of_penetration_m_per_s: 0.0,
-        ..operation(Slide, length_m)
-    };
+    let standing = Operation { rate_of_penetration_m_per_s: 0.0, ..operation(Slide, length_m) };
     let profile = solve(&model, &standing);
     assert!(profile.wear_power_W_per_m.iter().all(|power| *power == 0.0));
 }
@@ -411,10 +375,7 @@ fn the_power_of_friction() {
 #[test]
 fn flush_joints_and_unknown_strength() {
     let flush = ComponentSpec {
-        joints: Some(ToolJoints {
-            od_m: 0.127,
-            spacing_m: SPACING_M,
-        }),
+        joints: Some(ToolJoints { od_m: 0.127, spacing_m: SPACING_M }),
         yield_strength_Pa: None,
         material: Material { ..steel() },
         ..jointed(true)

@@ -102,12 +102,7 @@ fn slant(row: &Given) {
     let hook_load = |kind| scalars(&model, kind).hook_load_N;
     row.holds("pick-up, N", hook_load(TripOut), "pickup_N", 1e-9);
     row.holds("slack-off, N", hook_load(TripIn), "slackoff_N", 1e-9);
-    row.holds(
-        "rotating, N",
-        hook_load(RotateOffBottom),
-        "rotating_N",
-        1e-9,
-    );
+    row.holds("rotating, N", hook_load(RotateOffBottom), "rotating_N", 1e-9);
     let torque = scalars(&model, RotateOffBottom).surface_torque_N_m;
     row.holds("torque, N·m", torque, "torque_Nm", 1e-9);
 }
@@ -126,13 +121,7 @@ fn critical_angle(row: &Given) {
 
 fn horizontal_push(row: &Given) {
     let length_m = row.input("L_m");
-    let model = straight_model(
-        90.0,
-        length_m,
-        row.input("w_N_per_m"),
-        0.07,
-        row.input("mu"),
-    );
+    let model = straight_model(90.0, length_m, row.input("w_N_per_m"), 0.07, row.input("mu"));
     let slide = pressing(Slide, length_m, row.input("WOB_N"));
     let hook_load_N = solve(&model, &slide).scalars.hook_load_N;
     row.holds("force at the heel, N", hook_load_N, "axial_at_heel_N", 1e-9);
@@ -141,13 +130,8 @@ fn horizontal_push(row: &Given) {
 fn capstan(row: &Given) {
     let bend = row.input("dogleg_deg");
     let radius_m = row.input("r_m");
-    let model = capstan_model(
-        [bend, 0.0],
-        [0.0, 0.0],
-        row.input("mu"),
-        radius_m,
-        row.input("F_bottom_N"),
-    );
+    let model =
+        capstan_model([bend, 0.0], [0.0, 0.0], row.input("mu"), radius_m, row.input("F_bottom_N"));
     let out = scalars(&model, TripOut).hook_load_N;
     row.holds("pull, N", out, "pull_top_N", 1e-8);
     let lower = scalars(&model, TripIn).hook_load_N;
@@ -166,11 +150,7 @@ fn arc_on_a_tail(row: &Given) -> (Model, f64) {
     let tail_m = row.input("F_bottom_N") / (weight * bottom.to_radians().cos());
     let depth_m = arc_m + tail_m;
     let model = model(
-        arcs(&[
-            [0.0, top, 0.0],
-            [arc_m, bottom, 0.0],
-            [depth_m, bottom, 0.0],
-        ]),
+        arcs(&[[0.0, top, 0.0], [arc_m, bottom, 0.0], [depth_m, bottom, 0.0]]),
         hole_of(&[(row.input("mu"), arc_m), (0.0, depth_m)]),
         vec![pipe(weight, 0.07, ComponentLength::ToSurface)],
         mud(0.0),
@@ -188,10 +168,7 @@ fn build_arc(row: &Given, id: &str) {
     let profile = solve(&model, &operation(kind_of(id), model.string.length_m()));
     row.holds("hook load, N", profile.scalars.hook_load_N, "F_top_N", 1e-7);
     for (md, force) in profile.md_m.iter().zip(&profile.side_force_N_per_m) {
-        assert!(
-            (*force > 0.0) == (*md <= arc_m),
-            "{id}: {force} N/m at {md} m"
-        );
+        assert!((*force > 0.0) == (*md <= arc_m), "{id}: {force} N/m at {md} m");
     }
 }
 
@@ -218,11 +195,7 @@ fn side_switch(row: &Given, id: &str) {
         arc_m + 30.0,
     )
     .expect("the pipe changes sides");
-    assert!(
-        (inclination(cutoff_m) - switch).abs() < 0.015,
-        "{}",
-        inclination(cutoff_m)
-    );
+    assert!((inclination(cutoff_m) - switch).abs() < 0.015, "{}", inclination(cutoff_m));
 }
 
 /// A straight horizontal string whose whole weight is the given side force. Reaming and
@@ -277,10 +250,7 @@ fn a02_synthetic_well() {
         .map(|station| [0, 1, 2].map(|i| number(&station[i])))
         .collect();
     let depth_m = survey[survey.len() - 1][0];
-    let material = Material {
-        density_kg_per_m3: number(&data["rho_steel"]),
-        ..steel()
-    };
+    let material = Material { density_kg_per_m3: number(&data["rho_steel"]), ..steel() };
     let components: Vec<ComponentSpec> = data["string_from_bit_up"]
         .as_array()
         .expect("string")
@@ -318,11 +288,8 @@ fn a02_synthetic_well() {
             ("sliding_6t", Slide, 58839.9, 0.0),
         ] {
             let expected = &row["expected"][name];
-            let operation = Operation {
-                weight_on_bit_N,
-                bit_torque_N_m,
-                ..operation(kind, depth_m)
-            };
+            let operation =
+                Operation { weight_on_bit_N, bit_torque_N_m, ..operation(kind, depth_m) };
             let profile =
                 soft::solve(&model, &operation, &SoftSettings::default()).expect("a sound model");
             let what = |key: &str| format!("friction {mu} {} {key}", name.replace('_', " "));
@@ -342,11 +309,7 @@ fn a02_synthetic_well() {
             // The least tension, and the tension where the file found it (off bottom the bit's
             // zero). Its minimum is flat: two metres change it by a newton, so places are not
             // compared.
-            let least = profile
-                .tension_N
-                .iter()
-                .copied()
-                .fold(f64::INFINITY, f64::min);
+            let least = profile.tension_N.iter().copied().fold(f64::INFINITY, f64::min);
             let expected_least = number(&expected["min_eff_tension_N"]);
             let there = profile.tension_at_N(number(&expected["min_at_md"]));
             for obtained in [least, there] {
@@ -386,10 +349,7 @@ fn a06_common_well() {
         [depth_m, inclination, azimuth],
     ];
     let pipe = &data["inputs"]["strings_top_down"]["A"][0];
-    let material = Material {
-        density_kg_per_m3: input("steel_kg_m3"),
-        ..steel()
-    };
+    let material = Material { density_kg_per_m3: input("steel_kg_m3"), ..steel() };
     let pipe = ComponentSpec::uniform(
         "drill pipe",
         pipe[2].as_f64().expect("OD"),
@@ -400,10 +360,7 @@ fn a06_common_well() {
     let rows = data["results"].as_object().expect("results");
     assert_eq!(rows.len(), 4);
     for (name, expected) in rows {
-        let mu: f64 = name
-            .strip_prefix("A_mu")
-            .and_then(|mu| mu.parse().ok())
-            .expect("A_mu0.1");
+        let mu: f64 = name.strip_prefix("A_mu").and_then(|mu| mu.parse().ok()).expect("A_mu0.1");
         let model = model(
             arcs(&survey),
             hole(mu, depth_m),
@@ -412,11 +369,8 @@ fn a06_common_well() {
             depth_m,
         );
         let solve = |kind, weight_on_bit_N, bit_torque_N_m| {
-            let operation = Operation {
-                weight_on_bit_N,
-                bit_torque_N_m,
-                ..operation(kind, depth_m)
-            };
+            let operation =
+                Operation { weight_on_bit_N, bit_torque_N_m, ..operation(kind, depth_m) };
             soft::solve(&model, &operation, &SoftSettings::default())
                 .expect("a sound model")
                 .scalars
@@ -429,14 +383,8 @@ fn a06_common_well() {
             ("rot_offbottom", rotating.hook_load_N),
             ("rot_offbottom_torque", rotating.surface_torque_N_m),
             ("rotary_drilling_WOB60_TOB5_hook", drilling.hook_load_N),
-            (
-                "rotary_drilling_WOB60_TOB5_torque",
-                drilling.surface_torque_N_m,
-            ),
-            (
-                "slide_drilling_WOB60_hook",
-                solve(Slide, 60e3, 0.0).hook_load_N,
-            ),
+            ("rotary_drilling_WOB60_TOB5_torque", drilling.surface_torque_N_m),
+            ("slide_drilling_WOB60_hook", solve(Slide, 60e3, 0.0).hook_load_N),
         ] {
             let expected = 1e3 * expected[key].as_f64().expect(key);
             // Half a unit of the last printed digit is 0.05 of N or N·m.

@@ -28,28 +28,15 @@ fn a05_drill_pipe_strength() {
         let pipe = catalogue::find(&format!("{size} {grade}"))
             .expect("every pipe of the file is in the catalogue")
             .component("pipe", ComponentLength::Metres(1.0), steel());
-        let string = StringSpec {
-            components: vec![pipe],
-        }
-        .assemble(1.0)
-        .expect("one metre of pipe");
+        let string =
+            StringSpec { components: vec![pipe] }.assemble(1.0).expect("one metre of pipe");
         let pipe = &string.components()[0];
         let square_inch = INCH_M.powi(2);
         for (what, obtained, expected, tolerance) in [
             ("od", pipe.od_m / INCH_M, number("OD_in"), 1e-12),
             ("id", pipe.id_m / INCH_M, number("ID_in"), 1e-12),
-            (
-                "area",
-                pipe.area_m2() / square_inch,
-                number("area_in2"),
-                1e-12,
-            ),
-            (
-                "J",
-                pipe.polar_moment_m4() / square_inch.powi(2),
-                number("J_in4"),
-                1e-12,
-            ),
+            ("area", pipe.area_m2() / square_inch, number("area_in2"), 1e-12),
+            ("J", pipe.polar_moment_m4() / square_inch.powi(2), number("J_in4"), 1e-12),
             (
                 "tensile yield",
                 pipe.tensile_yield_N().expect("graded") / POUND_FORCE_N,
@@ -68,11 +55,7 @@ fn a05_drill_pipe_strength() {
                 "{size} {grade}: {what} {obtained} for {expected}"
             );
             if what.ends_with("yield") {
-                let unit = if what.starts_with("tensile") {
-                    "lbf"
-                } else {
-                    "ft·lbf"
-                };
+                let unit = if what.starts_with("tensile") { "lbf" } else { "ft·lbf" };
                 let what = format!("{what} of {size} {grade}, {unit}");
                 strengths.push((what, obtained, expected));
             }
@@ -92,9 +75,7 @@ fn a05_drill_pipe_strength() {
 #[test]
 fn a05_published_strengths() {
     let data = verification("A05_drill_pipe_strength.json");
-    let table = data["tabulated_from_memory_unverified"]
-        .as_object()
-        .expect("table");
+    let table = data["tabulated_from_memory_unverified"].as_object().expect("table");
     assert_eq!(table.len(), 4);
     let mut published = Vec::new();
     for (name, strengths) in table {
@@ -103,11 +84,7 @@ fn a05_published_strengths() {
         pipe.yield_strength_Pa = Some(entry.yield_strength_Pa);
         let tensile = pipe.tensile_yield_N().expect("graded") / POUND_FORCE_N;
         let torsional = pipe.torsional_yield_N_m().expect("graded") / FOOT_POUND_N_M;
-        published.push((
-            format!("printed tensile yield of {name}, lbf"),
-            tensile,
-            &strengths[0],
-        ));
+        published.push((format!("printed tensile yield of {name}, lbf"), tensile, &strengths[0]));
         let what = format!("printed torsional yield of {name}, ft·lbf");
         published.push((what, torsional, &strengths[1]));
     }
@@ -145,10 +122,7 @@ fn masses_are_near_the_published_ones() {
     ] {
         let entry = catalogue::find(designation).expect("in the catalogue");
         let obtained = entry.mass_per_length_kg_per_m(7850.0) / POUND_KG * FOOT_M;
-        assert!(
-            relative_error(obtained, pounds_per_foot) < 0.03,
-            "{designation}: {obtained}"
-        );
+        assert!(relative_error(obtained, pounds_per_foot) < 0.03, "{designation}: {obtained}");
     }
 }
 
@@ -159,19 +133,11 @@ fn walls_fit_the_nominal_weights() {
     let entries = catalogue::entries();
     assert!(entries.len() > 90);
     for entry in entries {
-        assert!(
-            entry.id_m > 0.0 && entry.id_m < entry.od_m,
-            "{}",
-            entry.designation
-        );
+        assert!(entry.id_m > 0.0 && entry.id_m < entry.od_m, "{}", entry.designation);
         let Some(joints) = &entry.joints else {
             continue;
         };
-        assert!(
-            joints.od_m > entry.od_m && joints.id_m < joints.od_m,
-            "{}",
-            entry.designation
-        );
+        assert!(joints.od_m > entry.od_m && joints.id_m < joints.od_m, "{}", entry.designation);
         if entry.kind == catalogue::TubularKind::DrillPipe {
             let plain = Component::uniform("", entry.od_m, entry.id_m, 1.0, steel())
                 .mass_per_length_kg_per_m
@@ -184,11 +150,7 @@ fn walls_fit_the_nominal_weights() {
                 .and_then(|weight| weight.parse().ok())
                 .expect("a weight");
             let ratio = plain / nominal;
-            assert!(
-                (0.87..1.0).contains(&ratio),
-                "{}: {plain}",
-                entry.designation
-            );
+            assert!((0.87..1.0).contains(&ratio), "{}: {plain}", entry.designation);
         }
     }
 }
@@ -206,13 +168,8 @@ fn a_joint_of_another_size_changes_the_mass() {
         * ((0.1905_f64.powi(2) - 0.0762_f64.powi(2)) - (0.1778_f64.powi(2) - 0.1016_f64.powi(2)));
     assert!(before - after > 7850.0 * ring_m2 * 0.4572 / 9.6);
     assert_eq!(
-        entry
-            .component("pipe", ComponentLength::ToSurface, steel())
-            .joints,
-        Some(ToolJoints {
-            od_m: 0.1778,
-            spacing_m: 9.6
-        })
+        entry.component("pipe", ComponentLength::ToSurface, steel()).joints,
+        Some(ToolJoints { od_m: 0.1778, spacing_m: 9.6 })
     );
 }
 
@@ -256,21 +213,12 @@ fn the_topmost_component_fills_up_to_the_surface() {
     let string = spec.assemble(30.0).expect("just long enough");
     assert_eq!(string.components().len(), 2);
     let string = spec.assemble(100.0).expect("long enough");
-    for (distance_m, index) in [
-        (-1.0, 0),
-        (0.0, 0),
-        (9.999, 0),
-        (10.0, 1),
-        (30.0, 2),
-        (100.0, 2),
-        (101.0, 2),
-    ] {
+    for (distance_m, index) in
+        [(-1.0, 0), (0.0, 0), (9.999, 0), (10.0, 1), (30.0, 2), (100.0, 2), (101.0, 2)]
+    {
         assert_eq!(string.component_at(distance_m).0, index, "{distance_m}");
     }
-    let ends: Vec<_> = string
-        .spans()
-        .map(|span| (span.from_bit_m, span.to_bit_m))
-        .collect();
+    let ends: Vec<_> = string.spans().map(|span| (span.from_bit_m, span.to_bit_m)).collect();
     assert_eq!(ends, [(0.0, 10.0), (10.0, 30.0), (30.0, 100.0)]);
     let mass_per_length = bar(ComponentLength::ToSurface).mass_per_length_kg_per_m;
     assert!(relative_error(string.mass_kg(), 100.0 * mass_per_length) < 1e-14);
@@ -280,11 +228,9 @@ fn the_topmost_component_fills_up_to_the_surface() {
 fn lengths_that_do_not_fit_are_refused() {
     use ComponentLength::{Metres, ToSurface};
     let assemble = |lengths: &[ComponentLength], bit_depth_m: f64| {
-        StringSpec {
-            components: lengths.iter().map(|&length| bar(length)).collect(),
-        }
-        .assemble(bit_depth_m)
-        .map_err(|error| error.to_string())
+        StringSpec { components: lengths.iter().map(|&length| bar(length)).collect() }
+            .assemble(bit_depth_m)
+            .map_err(|error| error.to_string())
     };
     assert!(assemble(&[Metres(40.0), Metres(60.0)], 100.0).is_ok());
     assert!(assemble(&[Metres(40.0), Metres(60.0004)], 100.0).is_ok());
@@ -321,32 +267,19 @@ fn lengths_that_do_not_fit_are_refused() {
         assert_eq!(assemble(&lengths, bit_depth_m), Err(expected.to_owned()));
     }
     for bit_depth_m in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let result = StringSpec {
-            components: vec![bar(ToSurface)],
-        }
-        .assemble(bit_depth_m);
-        assert!(
-            matches!(result, Err(AssemblyError::BitDepth(_))),
-            "{bit_depth_m}"
-        );
+        let result = StringSpec { components: vec![bar(ToSurface)] }.assemble(bit_depth_m);
+        assert!(matches!(result, Err(AssemblyError::BitDepth(_))), "{bit_depth_m}");
     }
 }
 
 #[test]
 fn bad_dimensions_name_component_field_and_value() {
     let refused = |change: &dyn Fn(&mut ComponentSpec)| {
-        let mut components = vec![
-            bar(ComponentLength::Metres(10.0)),
-            bar(ComponentLength::ToSurface),
-        ];
+        let mut components =
+            vec![bar(ComponentLength::Metres(10.0)), bar(ComponentLength::ToSurface)];
         change(&mut components[1]);
         match (StringSpec { components }).assemble(100.0) {
-            Err(AssemblyError::Dimension {
-                index: 1,
-                field,
-                value,
-                ..
-            }) => (field, value),
+            Err(AssemblyError::Dimension { index: 1, field, value, .. }) => (field, value),
             other => panic!("{other:?}"),
         }
     };
@@ -356,43 +289,16 @@ fn bad_dimensions_name_component_field_and_value() {
     assert_eq!(refused(&|c| c.od_m = 0.0), ("od", 0.0));
     assert_eq!(refused(&|c| c.od_m = f64::INFINITY), ("od", f64::INFINITY));
     assert!(refused(&|c| c.id_m = f64::NAN).1.is_nan());
-    assert_eq!(
-        refused(&|c| c.mass_per_length_kg_per_m = 0.0),
-        ("mass_per_length", 0.0)
-    );
-    assert_eq!(
-        refused(&|c| c.material.density_kg_per_m3 = -1.0),
-        ("density", -1.0)
-    );
-    assert_eq!(
-        refused(&|c| c.material.youngs_modulus_Pa = 0.0),
-        ("youngs_modulus", 0.0)
-    );
-    assert_eq!(
-        refused(&|c| c.material.shear_modulus_Pa = 0.0),
-        ("shear_modulus", 0.0)
-    );
-    assert_eq!(
-        refused(&|c| c.joints = joints(0.19, 9.6)),
-        ("joint_od", 0.19)
-    );
-    assert_eq!(
-        refused(&|c| c.joints = joints(0.25, 0.0)),
-        ("joint_spacing", 0.0)
-    );
-    assert_eq!(
-        refused(&|c| c.yield_strength_Pa = Some(0.0)),
-        ("yield_strength", 0.0)
-    );
-    assert_eq!(
-        refused(&|c| c.length = ComponentLength::Metres(-2.0)),
-        ("length", -2.0)
-    );
+    assert_eq!(refused(&|c| c.mass_per_length_kg_per_m = 0.0), ("mass_per_length", 0.0));
+    assert_eq!(refused(&|c| c.material.density_kg_per_m3 = -1.0), ("density", -1.0));
+    assert_eq!(refused(&|c| c.material.youngs_modulus_Pa = 0.0), ("youngs_modulus", 0.0));
+    assert_eq!(refused(&|c| c.material.shear_modulus_Pa = 0.0), ("shear_modulus", 0.0));
+    assert_eq!(refused(&|c| c.joints = joints(0.19, 9.6)), ("joint_od", 0.19));
+    assert_eq!(refused(&|c| c.joints = joints(0.25, 0.0)), ("joint_spacing", 0.0));
+    assert_eq!(refused(&|c| c.yield_strength_Pa = Some(0.0)), ("yield_strength", 0.0));
+    assert_eq!(refused(&|c| c.length = ComponentLength::Metres(-2.0)), ("length", -2.0));
     let error = StringSpec {
-        components: vec![ComponentSpec {
-            id_m: 0.3,
-            ..bar(ComponentLength::ToSurface)
-        }],
+        components: vec![ComponentSpec { id_m: 0.3, ..bar(ComponentLength::ToSurface) }],
     }
     .assemble(100.0)
     .expect_err("the bore is wider than the bar");

@@ -58,8 +58,7 @@ fn main() -> ExitCode {
 }
 
 fn number(text: &str) -> Result<u64, String> {
-    text.parse()
-        .map_err(|_| format!("`{text}` is no whole number"))
+    text.parse().map_err(|_| format!("`{text}` is no whole number"))
 }
 
 fn work(reader: &str, rest: &[&str]) -> Result<ExitCode, String> {
@@ -123,9 +122,7 @@ fn read_all(
     seed: u64,
 ) -> Result<Vec<(&'static str, Outcome)>, String> {
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-    let side_by_side = thread::available_parallelism()
-        .map_or(1, usize::from)
-        .min(chosen.len());
+    let side_by_side = thread::available_parallelism().map_or(1, usize::from).min(chosen.len());
     let inputs = match amount {
         // The readers take turns: each has its share of the time of all processors.
         Amount::Time(all) => Inputs {
@@ -134,21 +131,12 @@ fn read_all(
             count: u64::MAX,
             time: all.mul_f64(side_by_side as f64 / chosen.len() as f64),
         },
-        Amount::Inputs(all) => Inputs {
-            seed,
-            from: 0,
-            count: all.div_ceil(chosen.len() as u64),
-            time: ENDLESS,
-        },
+        Amount::Inputs(all) => {
+            Inputs { seed, from: 0, count: all.div_ceil(chosen.len() as u64), time: ENDLESS }
+        }
     };
     let waiting = Mutex::new(chosen.iter().copied().collect::<VecDeque<_>>());
-    let next = || {
-        waiting
-            .lock()
-            .map(|mut waiting| waiting.pop_front())
-            .ok()
-            .flatten()
-    };
+    let next = || waiting.lock().map(|mut waiting| waiting.pop_front()).ok().flatten();
     let outcomes = Mutex::new(Vec::new());
     thread::scope(|scope| {
         for _ in 0..side_by_side {
@@ -167,10 +155,7 @@ fn read_all(
     outcomes
         .into_iter()
         .map(|(reader, outcome)| {
-            Ok((
-                reader,
-                outcome.map_err(|error| format!("{reader}: {error}"))?,
-            ))
+            Ok((reader, outcome.map_err(|error| format!("{reader}: {error}"))?))
         })
         .collect()
 }
@@ -185,11 +170,7 @@ fn report(outcomes: &[(&'static str, Outcome)], seed: u64) -> ExitCode {
     for (reader, outcome) in outcomes {
         let tally = &outcome.tally;
         sum += tally.inputs();
-        let slowest = format!(
-            "{:.3} (#{})",
-            tally.slowest.as_secs_f64(),
-            tally.slowest_input
-        );
+        let slowest = format!("{:.3} (#{})", tally.slowest.as_secs_f64(), tally.slowest_input);
         println!(
             "{reader:<14}{:>10}{:>10}{:>10}{:>8}  {slowest:<22}{} (#{})",
             tally.inputs(),
@@ -200,10 +181,7 @@ fn report(outcomes: &[(&'static str, Outcome)], seed: u64) -> ExitCode {
             tally.peak_input
         );
     }
-    let faults: Vec<_> = outcomes
-        .iter()
-        .flat_map(|(_, outcome)| &outcome.faults)
-        .collect();
+    let faults: Vec<_> = outcomes.iter().flat_map(|(_, outcome)| &outcome.faults).collect();
     println!("{sum} inputs, {} faults, seed {seed}", faults.len());
     for fault in &faults {
         println!("{} #{} {}", fault.reader, fault.input, fault.what);
@@ -212,11 +190,7 @@ fn report(outcomes: &[(&'static str, Outcome)], seed: u64) -> ExitCode {
             fault.reader, fault.input
         );
     }
-    if faults.is_empty() {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::FAILURE
-    }
+    if faults.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
 #[cfg(test)]
@@ -227,9 +201,6 @@ mod tests {
     #[test]
     fn a_number_of_inputs_has_a_time_that_workers_read() {
         let milliseconds = ENDLESS.as_millis().to_string();
-        assert_eq!(
-            number(&milliseconds).map(Duration::from_millis),
-            Ok(ENDLESS)
-        );
+        assert_eq!(number(&milliseconds).map(Duration::from_millis), Ok(ENDLESS));
     }
 }

@@ -41,9 +41,8 @@ const NUMBERS: &[&str] = &[
 ];
 
 /// Bytes at the edges.
-const BYTES: &[u8] = &[
-    0, 1, 2, 0x7f, 0x80, 0xff, 0xfe, 0xc0, 0xe2, 0xf0, b'\n', b'\r', b'\t', b'"', b'=',
-];
+const BYTES: &[u8] =
+    &[0, 1, 2, 0x7f, 0x80, 0xff, 0xfe, 0xc0, 0xe2, 0xf0, b'\n', b'\r', b'\t', b'"', b'='];
 
 /// A damaged copy of one of the seeds, by a few changes. A text is changed by its words too, of
 /// which `words` are more.
@@ -151,10 +150,8 @@ fn text(input: &mut Vec<u8>, more: &[&str], rng: &mut Rng) {
     match rng.u8(..12) {
         0..=2 => {
             // A number in the place of a number, or of whatever word it met.
-            let numbers: Vec<_> = words
-                .iter()
-                .filter(|word| input[word.start].is_ascii_digit())
-                .collect();
+            let numbers: Vec<_> =
+                words.iter().filter(|word| input[word.start].is_ascii_digit()).collect();
             let word = rng.choice(numbers).cloned().unwrap_or(word);
             let number = rng.choice(NUMBERS).unwrap_or(&"0");
             input.splice(word, number.bytes());
@@ -191,14 +188,9 @@ fn text(input: &mut Vec<u8>, more: &[&str], rng: &mut Rng) {
 
 /// A line goes, comes twice, or changes its place.
 fn lines(input: &mut Vec<u8>, rng: &mut Rng) {
-    let mut lines: Vec<Vec<u8>> = input
-        .split_inclusive(|byte| *byte == b'\n')
-        .map(<[u8]>::to_vec)
-        .collect();
-    let (one, other) = (
-        rng.usize(..lines.len().max(1)),
-        rng.usize(..lines.len().max(1)),
-    );
+    let mut lines: Vec<Vec<u8>> =
+        input.split_inclusive(|byte| *byte == b'\n').map(<[u8]>::to_vec).collect();
+    let (one, other) = (rng.usize(..lines.len().max(1)), rng.usize(..lines.len().max(1)));
     if lines.is_empty() {
         return;
     }

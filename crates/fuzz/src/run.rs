@@ -35,10 +35,7 @@ pub(crate) struct Outcome {
 /// another, from the input after.
 pub(crate) fn run(reader: &'static str, inputs: Inputs, folder: &Path) -> io::Result<Outcome> {
     let begin = Instant::now();
-    let mut outcome = Outcome {
-        tally: Tally::default(),
-        faults: Vec::new(),
-    };
+    let mut outcome = Outcome { tally: Tally::default(), faults: Vec::new() };
     let end = inputs.from.saturating_add(inputs.count);
     let mut from = inputs.from;
     loop {
@@ -47,12 +44,7 @@ pub(crate) fn run(reader: &'static str, inputs: Inputs, folder: &Path) -> io::Re
             return Ok(outcome);
         }
         let counted = folder.join(format!("{reader}-{from}"));
-        let part = Inputs {
-            from,
-            count: end - from,
-            time: left,
-            ..inputs
-        };
+        let part = Inputs { from, count: end - from, time: left, ..inputs };
         let (ended, panics) = one_process(reader, part, &counted)?;
         let mut tally = match File::open(&counted) {
             Ok(mut file) => Tally::read(&mut file)?,
@@ -67,11 +59,7 @@ pub(crate) fn run(reader: &'static str, inputs: Inputs, folder: &Path) -> io::Re
             }
             Some(what) => {
                 let input = tally.next.max(from);
-                outcome.faults.push(Fault {
-                    reader,
-                    input,
-                    what,
-                });
+                outcome.faults.push(Fault { reader, input, what });
                 tally.next = input + 1;
                 tally.panicked += 1;
                 outcome.tally.join(&tally);
@@ -109,11 +97,7 @@ fn one_process(
         .lines()
         .filter_map(|line| {
             let (number, said) = line.strip_prefix("panic ")?.split_once(' ')?;
-            Some(Fault {
-                reader,
-                input: number.parse().ok()?,
-                what: format!("panics: {said}"),
-            })
+            Some(Fault { reader, input: number.parse().ok()?, what: format!("panics: {said}") })
         })
         .collect();
     let ended = ended.map(|how| match erred.trim().lines().next_back() {

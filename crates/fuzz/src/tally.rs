@@ -54,10 +54,7 @@ impl Tally {
             self.peak_bytes,
             self.peak_input,
         ];
-        let bytes: Vec<u8> = numbers
-            .iter()
-            .flat_map(|number| number.to_le_bytes())
-            .collect();
+        let bytes: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
         file.seek(SeekFrom::Start(0))?;
         file.write_all(&bytes)
     }
@@ -71,16 +68,8 @@ impl Tally {
         for (number, eight) in numbers.iter_mut().zip(bytes.as_chunks::<8>().0) {
             *number = u64::from_le_bytes(*eight);
         }
-        let [
-            next,
-            accepted,
-            refused,
-            panicked,
-            slowest,
-            slowest_input,
-            peak_bytes,
-            peak_input,
-        ] = numbers;
+        let [next, accepted, refused, panicked, slowest, slowest_input, peak_bytes, peak_input] =
+            numbers;
         Ok(Self {
             next,
             accepted,

@@ -24,27 +24,17 @@ pub(crate) struct Inputs {
 
 /// The input of that number: the same on every machine.
 pub(crate) fn input(reader: &Reader, seed: u64, number: u64) -> Vec<u8> {
-    let name = reader
-        .name
-        .bytes()
-        .fold(0xcbf2_9ce4_8422_2325, |sum: u64, byte| {
-            (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-        });
+    let name = reader.name.bytes().fold(0xcbf2_9ce4_8422_2325, |sum: u64, byte| {
+        (sum ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+    });
     let mut rng = Rng::with_seed(seed ^ name ^ number.wrapping_mul(0x9e37_79b9_7f4a_7c15));
     reader.input(&mut rng)
 }
 
 /// Reads the inputs; panics are reported on standard output, a line each.
 pub(crate) fn work(reader: &mut Reader, inputs: Inputs, counted: &Path) -> std::io::Result<()> {
-    let mut file = OpenOptions::new()
-        .write(true)
-        .create(true)
-        .truncate(false)
-        .open(counted)?;
-    let mut tally = Tally {
-        next: inputs.from,
-        ..Tally::default()
-    };
+    let mut file = OpenOptions::new().write(true).create(true).truncate(false).open(counted)?;
+    let mut tally = Tally { next: inputs.from, ..Tally::default() };
     let begin = Instant::now();
     for number in inputs.from..inputs.from.saturating_add(inputs.count) {
         if begin.elapsed() > inputs.time {

@@ -20,10 +20,7 @@ fn main() -> std::io::Result<()> {
     for plot in bit_test_plots(&test, "si") {
         let drawing = plot.figure.drawing();
         fs::write(folder.join(format!("{}.svg", plot.name)), drawing.svg())?;
-        fs::write(
-            folder.join(format!("{}.png", plot.name)),
-            drawing.png(150.0),
-        )?;
+        fs::write(folder.join(format!("{}.png", plot.name)), drawing.png(150.0))?;
     }
     Ok(())
 }
@@ -86,38 +83,23 @@ fn bottom(depth_of_cut_m: f64) -> Option<BottomPicture> {
         let behind = (5.0 * angle / TAU + 18.0 * radius).rem_euclid(1.0);
         profile + 0.002 * (radius * TAU / 0.013).cos() + depth_of_cut_m * behind
     };
-    let depths: Vec<f64> = radii
-        .iter()
-        .flat_map(|radius| angles.iter().map(|angle| depth(*radius, *angle)))
-        .collect();
+    let depths: Vec<f64> =
+        radii.iter().flat_map(|radius| angles.iter().map(|angle| depth(*radius, *angle))).collect();
     BottomPicture::new(&radii, &angles, &depths)
 }
 
 fn dimensions() -> BTreeMap<String, [DisplayUnit; 3]> {
-    let unit = |(symbol, factor): (&str, f64)| DisplayUnit {
-        symbol: symbol.into(),
-        factor,
-    };
+    let unit = |(symbol, factor): (&str, f64)| DisplayUnit { symbol: symbol.into(), factor };
     [
         ("force", [("kN", 1e3), ("t", 9806.65), ("klbf", 4448.2216)]),
-        (
-            "torque",
-            [("kN·m", 1e3), ("kN·m", 1e3), ("ft·lbf", 1.355818)],
-        ),
+        ("torque", [("kN·m", 1e3), ("kN·m", 1e3), ("ft·lbf", 1.355818)]),
         ("diameter", [("mm", 1e-3), ("mm", 1e-3), ("in", 0.0254)]),
         (
             "rate of penetration",
-            [
-                ("m/h", 1.0 / 3600.0),
-                ("m/h", 1.0 / 3600.0),
-                ("ft/h", 0.3048 / 3600.0),
-            ],
+            [("m/h", 1.0 / 3600.0), ("m/h", 1.0 / 3600.0), ("ft/h", 0.3048 / 3600.0)],
         ),
         ("rotary speed", [("rpm", RPM); 3]),
-        (
-            "specific energy",
-            [("MPa", 1e6), ("MPa", 1e6), ("psi", 6894.757)],
-        ),
+        ("specific energy", [("MPa", 1e6), ("MPa", 1e6), ("psi", 6894.757)]),
         ("angle", [("°", TAU / 360.0); 3]),
         ("ratio", [("", 1.0); 3]),
     ]

@@ -28,11 +28,7 @@ impl BottomPicture {
     /// # Panics
     /// If there is not one depth for each sector of each ring.
     pub fn new(radius_m: &[f64], angle_rad: &[f64], depth_m: &[f64]) -> Option<Self> {
-        assert_eq!(
-            depth_m.len(),
-            radius_m.len() * angle_rad.len(),
-            "a depth for each cell"
-        );
+        assert_eq!(depth_m.len(), radius_m.len() * angle_rad.len(), "a depth for each cell");
         let known = depth_m.iter().copied().filter(|depth| depth.is_finite());
         let mut known: Vec<f64> = known.collect();
         known.sort_by(f64::total_cmp);

@@ -44,19 +44,11 @@ impl Cell {
         if !value.is_finite() {
             return Self::Nothing;
         }
-        Self::Quantity {
-            value,
-            dimension: dimension.into(),
-            std: None,
-        }
+        Self::Quantity { value, dimension: dimension.into(), std: None }
     }
 
     /// A bare number; nothing where it is not finite.
     pub fn number(value: f64) -> Self {
-        if value.is_finite() {
-            Self::Number(value)
-        } else {
-            Self::Nothing
-        }
+        if value.is_finite() { Self::Number(value) } else { Self::Nothing }
     }
 }

@@ -49,22 +49,14 @@ impl Packed {
                 MISSING
             }
         };
-        Self::Short {
-            values: values.iter().map(place).collect(),
-            middle,
-            step,
-        }
+        Self::Short { values: values.iter().map(place).collect(), middle, step }
     }
 
     /// The numbers as the page sees them.
     pub fn values(&self) -> Vec<f64> {
         match self {
             Self::Single(values) => values.iter().map(|value| f64::from(*value)).collect(),
-            Self::Short {
-                values,
-                middle,
-                step,
-            } => {
+            Self::Short { values, middle, step } => {
                 let value = |place: &i16| match *place {
                     MISSING => f64::NAN,
                     place => middle + step * f64::from(place),
@@ -83,16 +75,8 @@ impl PartialEq for Packed {
                 a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
             }
             (
-                Self::Short {
-                    values: a,
-                    middle: middle_a,
-                    step: step_a,
-                },
-                Self::Short {
-                    values: b,
-                    middle: middle_b,
-                    step: step_b,
-                },
+                Self::Short { values: a, middle: middle_a, step: step_a },
+                Self::Short { values: b, middle: middle_b, step: step_b },
             ) => a == b && middle_a == middle_b && step_a == step_b,
             _ => false,
         }
@@ -111,15 +95,9 @@ impl Serialize for Packed {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         let written = match self {
             Self::Single(values) => Written::F32(base64(values.iter().map(|v| v.to_le_bytes()))),
-            Self::Short {
-                values,
-                middle,
-                step,
-            } => Written::I16(
-                base64(values.iter().map(|v| v.to_le_bytes())),
-                *middle,
-                *step,
-            ),
+            Self::Short { values, middle, step } => {
+                Written::I16(base64(values.iter().map(|v| v.to_le_bytes())), *middle, *step)
+            }
         };
         written.serialize(to)
     }
@@ -159,9 +137,7 @@ mod tests {
     /// Half a step is all that is lost, at the ends of the range too.
     #[test]
     fn short_numbers_come_back_within_half_a_step() {
-        let values: Vec<f64> = (0..1000)
-            .map(|i| (f64::from(i) * 0.7).sin() * 3e5)
-            .collect();
+        let values: Vec<f64> = (0..1000).map(|i| (f64::from(i) * 0.7).sin() * 3e5).collect();
         let step = 6e5 / STEPS;
         for (a, b) in Packed::short(&values).values().iter().zip(&values) {
             assert!((a - b).abs() <= 0.5001 * step, "{a} for {b}");

@@ -50,11 +50,7 @@ struct Model {
 
 impl Model {
     fn of(method: &Method) -> Self {
-        Self {
-            name: method.name,
-            long_name: method.long_name,
-            in_time: method.in_time,
-        }
+        Self { name: method.name, long_name: method.long_name, in_time: method.in_time }
     }
 }
 
@@ -252,16 +248,11 @@ pub(crate) fn document(
 fn json(data: &impl Serialize) -> String {
     let json = serde_json::to_string(data).expect("numbers and words");
     // These stand in JSON within strings only, where an escape means the same.
-    json.replace('<', "\\u003c")
-        .replace('>', "\\u003e")
-        .replace('&', "\\u0026")
+    json.replace('<', "\\u003c").replace('>', "\\u003e").replace('&', "\\u0026")
 }
 
 pub(crate) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]
@@ -279,14 +270,8 @@ pub(crate) mod tests {
     /// A report with something in every part of it.
     pub(crate) fn report() -> Report {
         let column = || Packed::single([0.0, 1.0, f64::NAN]);
-        let unit = |symbol: &str| DisplayUnit {
-            symbol: symbol.into(),
-            factor: 0.1,
-        };
-        let fact = |value| Fact {
-            label: NASTY.into(),
-            value,
-        };
+        let unit = |symbol: &str| DisplayUnit { symbol: symbol.into(), factor: 0.1 };
+        let fact = |value| Fact { label: NASTY.into(), value };
         Report {
             program: "wholestring".into(),
             title: NASTY.into(),
@@ -383,14 +368,7 @@ pub(crate) mod tests {
         tame.title = "tame".into();
         let count = |text: &str, what: &str| text.matches(what).count();
         let page = report_html(&tame);
-        for what in [
-            "</script",
-            "<script",
-            "<!--",
-            "</title",
-            "</style",
-            "</template",
-        ] {
+        for what in ["</script", "<script", "<!--", "</title", "</style", "</template"] {
             assert_eq!(count(&nasty, what), count(&page, what), "{what}");
         }
         // One element of data and one of program, each ended once.

@@ -100,12 +100,7 @@ pub fn study_html(page: &StudyPage) -> String {
     let title = escaped(&page.title);
     let program = escaped(&page.program);
     let about = paragraphs(&page.description);
-    let parts: String = page
-        .parts
-        .iter()
-        .enumerate()
-        .map(|(index, of)| part(index, of))
-        .collect();
+    let parts: String = page.parts.iter().enumerate().map(|(index, of)| part(index, of)).collect();
     let links: String = page
         .parts
         .iter()
@@ -123,25 +118,14 @@ pub fn study_html(page: &StudyPage) -> String {
 
 fn paragraphs(text: &str) -> String {
     let blocks = text.replace("\r\n", "\n");
-    let blocks = blocks
-        .split("\n\n")
-        .map(str::trim)
-        .filter(|block| !block.is_empty());
-    blocks
-        .map(|block| format!("<p>{}</p>\n", escaped(block)))
-        .collect()
+    let blocks = blocks.split("\n\n").map(str::trim).filter(|block| !block.is_empty());
+    blocks.map(|block| format!("<p>{}</p>\n", escaped(block))).collect()
 }
 
 /// A figure or a table, `index` of the page.
 fn part(index: usize, part: &StudyPart) -> String {
     let (title, caption, body, files, endings) = match part {
-        StudyPart::Figure {
-            title,
-            caption,
-            figure,
-            files,
-            painted,
-        } => {
+        StudyPart::Figure { title, caption, figure, files, painted } => {
             let body = match figure {
                 // The page says its title itself.
                 Some(figure) => {
@@ -156,12 +140,7 @@ fn part(index: usize, part: &StudyPart) -> String {
             let endings = endings.into_iter().filter(|of| *of != "png" || *painted);
             (title, caption, body, files, endings.collect::<Vec<_>>())
         }
-        StudyPart::Table {
-            title,
-            caption,
-            grid,
-            files,
-        } => (
+        StudyPart::Table { title, caption, grid, files } => (
             title,
             caption,
             format!("<div class=\"scrolls\">{}</div>", table(grid)),
@@ -192,11 +171,8 @@ fn table(grid: &Grid) -> String {
         .iter()
         .map(|head| format!("<th{}>{}</th>", class(head), escaped(&head.text)))
         .collect();
-    let rows: String = grid
-        .rows
-        .iter()
-        .map(|row| format!("<tr>{}</tr>\n", cells(&grid.heads, row)))
-        .collect();
+    let rows: String =
+        grid.rows.iter().map(|row| format!("<tr>{}</tr>\n", cells(&grid.heads, row))).collect();
     format!("<table>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>")
 }
 
@@ -242,10 +218,7 @@ mod tests {
                     title: nasty.clone(),
                     caption: nasty.clone(),
                     grid: Grid {
-                        heads: vec![Head {
-                            text: nasty.clone(),
-                            words: true,
-                        }],
+                        heads: vec![Head { text: nasty.clone(), words: true }],
                         rows: vec![vec![(nasty.clone(), Verdict::Differs)]],
                     },
                     files: nasty.clone(),
@@ -289,10 +262,8 @@ mod tests {
             assert!(page.contains(&format!("url(#{name})")));
         }
         assert!(!page.contains("Said by the page"));
-        let dark = page
-            .split("@media screen and (prefers-color-scheme:dark){:root{")
-            .nth(1)
-            .unwrap();
+        let dark =
+            page.split("@media screen and (prefers-color-scheme:dark){:root{").nth(1).unwrap();
         assert!(dark.starts_with("--paper:"), "{}", &dark[..40]);
     }
 

@@ -12,16 +12,10 @@
 pub fn thinned(time_s: &[f64], columns: &[&[f64]], most: usize) -> (Vec<f64>, Vec<Vec<f64>>) {
     let rows = time_s.len();
     if rows <= most {
-        return (
-            time_s.to_vec(),
-            columns.iter().map(|column| column.to_vec()).collect(),
-        );
+        return (time_s.to_vec(), columns.iter().map(|column| column.to_vec()).collect());
     }
     let size = rows.div_ceil((most / 2).max(1));
-    let times = time_s
-        .chunks(size)
-        .flat_map(|chunk| [chunk[0], chunk[chunk.len() / 2]])
-        .collect();
+    let times = time_s.chunks(size).flat_map(|chunk| [chunk[0], chunk[chunk.len() / 2]]).collect();
     let thin = |column: &&[f64]| {
         assert_eq!(column.len(), rows, "a column is as long as the times");
         column.chunks(size).flat_map(extremes).collect()

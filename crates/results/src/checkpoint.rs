@@ -89,10 +89,7 @@ impl ResultsFolder {
 }
 
 fn unwrap<T: DeserializeOwned>(bytes: &[u8], path: &Path) -> Result<T, ResultsError> {
-    let bad = |reason: String| ResultsError::Checkpoint {
-        path: path.to_owned(),
-        reason,
-    };
+    let bad = |reason: String| ResultsError::Checkpoint { path: path.to_owned(), reason };
     let damaged = || bad("it is damaged".into());
     let mut rest = bytes;
     if take::<8>(&mut rest).as_ref() != Some(MARK) {
@@ -103,9 +100,7 @@ fn unwrap<T: DeserializeOwned>(bytes: &[u8], path: &Path) -> Result<T, ResultsEr
     let program = length.and_then(|length| rest.split_off(..usize::from(length)));
     let program = program.map(String::from_utf8_lossy).ok_or_else(damaged)?;
     if layout != Some(LAYOUT) || program != PROGRAM {
-        return Err(bad(format!(
-            "wholestring {program} wrote it, this is {PROGRAM}"
-        )));
+        return Err(bad(format!("wholestring {program} wrote it, this is {PROGRAM}")));
     }
     let end = rest.len().checked_sub(16).ok_or_else(damaged)?;
     let (content, mut end) = rest.split_at(end);
@@ -138,13 +133,7 @@ struct Summed<W> {
 
 impl<W: Write> Summed<W> {
     fn new(writer: W) -> Self {
-        Self {
-            writer,
-            length: 0,
-            sum: 0xcbf2_9ce4_8422_2325,
-            word: [0; 8],
-            failed: None,
-        }
+        Self { writer, length: 0, sum: 0xcbf2_9ce4_8422_2325, word: [0; 8], failed: None }
     }
 
     fn add(&mut self, bytes: &[u8]) {
@@ -160,9 +149,7 @@ impl<W: Write> Summed<W> {
 
     fn close_word(&mut self) {
         let word = u64::from_le_bytes(std::mem::take(&mut self.word));
-        self.sum = (self.sum ^ word)
-            .wrapping_mul(0x0000_0100_0000_01b3)
-            .rotate_left(29);
+        self.sum = (self.sum ^ word).wrapping_mul(0x0000_0100_0000_01b3).rotate_left(29);
     }
 
     /// Length and checksum of all that was written.
@@ -242,10 +229,7 @@ mod tests {
             assert!(unwrap::<Content>(&valid[..place], &path).is_err());
         }
         fs::write(&path, &valid[..valid.len() - 1]).unwrap();
-        assert_eq!(
-            message(&folder),
-            "PATH is no checkpoint that can be resumed: it is damaged"
-        );
+        assert_eq!(message(&folder), "PATH is no checkpoint that can be resumed: it is damaged");
         fs::write(&path, "something else").unwrap();
         assert_eq!(
             message(&folder),

@@ -52,10 +52,7 @@ pub enum ResultsError {
 
 impl ResultsError {
     pub(crate) fn format(path: &Path, reason: impl ToString) -> Self {
-        Self::Format {
-            path: path.to_owned(),
-            reason: reason.to_string(),
-        }
+        Self::Format { path: path.to_owned(), reason: reason.to_string() }
     }
 }
 

@@ -44,19 +44,13 @@ fn write_then(
     result.map_err(|source| {
         // The attempt's own remains; the first error is the one worth telling.
         let _ = fs::remove_file(&partial);
-        ResultsError::Write {
-            path: path.to_owned(),
-            source,
-        }
+        ResultsError::Write { path: path.to_owned(), source }
     })
 }
 
 /// Reads a file that holds no more than so many bytes.
 pub(crate) fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, ResultsError> {
-    let unreadable = |source| ResultsError::Read {
-        path: path.to_owned(),
-        source,
-    };
+    let unreadable = |source| ResultsError::Read { path: path.to_owned(), source };
     let file = File::open(path).map_err(unreadable)?;
     let mut bytes = Vec::new();
     let read = file.take(most + 1).read_to_end(&mut bytes);
@@ -89,10 +83,7 @@ mod tests {
             Err(io::ErrorKind::StorageFull.into())
         })
         .unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            format!("cannot write {}: the disk is full", path.display())
-        );
+        assert_eq!(error.to_string(), format!("cannot write {}: the disk is full", path.display()));
         assert_eq!(fs::read_to_string(&path).unwrap(), "old");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }

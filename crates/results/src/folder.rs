@@ -20,15 +20,11 @@ impl ResultsFolder {
     /// written there, so that a long run does not end on a folder it may not write to.
     pub fn create(path: impl Into<PathBuf>) -> Result<Self, ResultsError> {
         let path = path.into();
-        fs::create_dir_all(&path).map_err(|source| ResultsError::Folder {
-            path: path.clone(),
-            source,
-        })?;
+        fs::create_dir_all(&path)
+            .map_err(|source| ResultsError::Folder { path: path.clone(), source })?;
         let probe = path.join(".write-test");
-        fs::write(&probe, "").map_err(|source| ResultsError::Write {
-            path: path.clone(),
-            source,
-        })?;
+        fs::write(&probe, "")
+            .map_err(|source| ResultsError::Write { path: path.clone(), source })?;
         // It was just made: failing to remove it harms nobody.
         let _ = fs::remove_file(&probe);
         Ok(Self { path })

@@ -52,9 +52,7 @@ mod tests {
             assert!(written.starts_with('\''), "{text}");
             assert_eq!(unguarded(&written), text);
         }
-        for text in [
-            "", "-5", "+1e3", "0.3", "drill", "'", "'tis", "a=b", "5 m", "-inf",
-        ] {
+        for text in ["", "-5", "+1e3", "0.3", "drill", "'", "'tis", "a=b", "5 m", "-inf"] {
             assert_eq!(guarded(text), text);
             assert_eq!(unguarded(text), text);
         }

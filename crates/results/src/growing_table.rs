@@ -41,13 +41,7 @@ impl GrowingTable {
     /// A table without rows; what an earlier run left in a file of that name goes with the first
     /// [`GrowingTable::write`].
     pub fn begin(name: &'static str, columns: &'static [ColumnSpec]) -> Self {
-        Self {
-            name,
-            columns,
-            groups: 0,
-            waiting: Table::with_columns(columns),
-            written: false,
-        }
+        Self { name, columns, groups: 0, waiting: Table::with_columns(columns), written: false }
     }
 
     /// Name of its files, without their ending.
@@ -110,10 +104,7 @@ impl GrowingTable {
 
     /// What a checkpoint must keep, to continue from here.
     pub fn so_far(&self) -> TableSoFar<'_> {
-        TableSoFar {
-            groups: self.groups,
-            waiting: Cow::Borrowed(&self.waiting),
-        }
+        TableSoFar { groups: self.groups, waiting: Cow::Borrowed(&self.waiting) }
     }
 
     /// Writes `<name>.parquet` with all rows so far, and `<name>.csv` where `csv` requires it.
@@ -177,9 +168,8 @@ impl GrowingTable {
 
 fn open(path: &Path) -> Result<(File, ParquetMetaData), ResultsError> {
     let file = parquet_file::open(path)?;
-    let metadata = parquet_file::guarded(path, || {
-        ParquetMetaDataReader::new().parse_and_finish(&file)
-    })?;
+    let metadata =
+        parquet_file::guarded(path, || ParquetMetaDataReader::new().parse_and_finish(&file))?;
     Ok((file, metadata))
 }
 
@@ -190,10 +180,7 @@ mod tests {
 
     fn append(table: &mut GrowingTable, operation: &str, from: f64) {
         let numbers = [from, from + 1.0, f64::NAN];
-        table.append(
-            &[("operation", &[operation])],
-            &[("time_s", &numbers), ("md_m", &numbers)],
-        );
+        table.append(&[("operation", &[operation])], &[("time_s", &numbers), ("md_m", &numbers)]);
     }
 
     fn all(folder: &ResultsFolder) -> (Vec<u8>, Vec<u8>, Table) {
@@ -268,9 +255,7 @@ mod tests {
             let error = table.resume(&folder, so_far).unwrap_err().to_string();
             assert!(error.contains(what), "{error}");
         };
-        GrowingTable::begin("contact", CONTACT)
-            .write(&folder, false)
-            .unwrap();
+        GrowingTable::begin("contact", CONTACT).write(&folder, false).unwrap();
         refused(&kept, "contact.parquet is not a file of results");
         Table::with_columns(TIME).write_parquet(&path).unwrap();
         refused(&kept, "contact.parquet is not a file of results");
@@ -294,9 +279,7 @@ mod tests {
         table.write(&folder, true).unwrap();
         let kept = postcard::to_stdvec(&table.so_far()).unwrap();
         let mut resumed = GrowingTable::begin("contact", CONTACT);
-        resumed
-            .resume(&folder, postcard::from_bytes(&kept).unwrap())
-            .unwrap();
+        resumed.resume(&folder, postcard::from_bytes(&kept).unwrap()).unwrap();
         append(&mut resumed, "drill", 5.0);
         resumed.leave_out(&folder).unwrap();
         assert!(there() && !folder.path().join("contact.csv").exists());

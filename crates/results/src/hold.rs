@@ -64,10 +64,7 @@ impl ResultsFolder {
     /// A file that cannot be opened.
     pub fn hold(&self, shared: bool) -> Result<Holding, ResultsError> {
         let path = self.path().join(NAME);
-        let wrong = |source: io::Error| ResultsError::Write {
-            path: path.clone(),
-            source,
-        };
+        let wrong = |source: io::Error| ResultsError::Write { path: path.clone(), source };
         let mut options = OpenOptions::new();
         let options = options.read(true).write(true).create(true).truncate(false);
         let mut file = options.open(&path).map_err(wrong)?;
@@ -82,16 +79,8 @@ impl ResultsFolder {
             Err(TryLockError::Error(error)) => return Err(wrong(error)),
         };
         let occupant = read(&mut file);
-        let hold = Hold {
-            path,
-            file,
-            occupant,
-        };
-        Ok(if alone {
-            Holding::Alone(hold)
-        } else {
-            Holding::Shared(hold)
-        })
+        let hold = Hold { path, file, occupant };
+        Ok(if alone { Holding::Alone(hold) } else { Holding::Shared(hold) })
     }
 
     /// Whether the folder holds anything but the file that says what it was written for.
@@ -122,10 +111,8 @@ impl Hold {
             file.write_all(&text)?;
             file.sync_all()
         };
-        write(&self.file).map_err(|source| ResultsError::Write {
-            path: self.path.clone(),
-            source,
-        })?;
+        write(&self.file)
+            .map_err(|source| ResultsError::Write { path: self.path.clone(), source })?;
         self.occupant = Some(occupant.clone());
         Ok(())
     }
@@ -157,11 +144,7 @@ mod tests {
     use super::*;
 
     fn occupant(identity: &str) -> Occupant {
-        Occupant {
-            kind: "run".into(),
-            name: "a well".into(),
-            identity: identity.into(),
-        }
+        Occupant { kind: "run".into(), name: "a well".into(), identity: identity.into() }
     }
 
     fn folder() -> (tempfile::TempDir, ResultsFolder) {

@@ -190,18 +190,14 @@ fn write_column<W: io::Write + Send>(
     match (writer.untyped(), data) {
         (ColumnWriter::DoubleColumnWriter(writer), Data::Number(values)) => {
             let finite = |value: &Option<f64>| value.filter(|value| value.is_finite());
-            let levels: Vec<i16> = values
-                .iter()
-                .map(|value| i16::from(finite(value).is_some()))
-                .collect();
+            let levels: Vec<i16> =
+                values.iter().map(|value| i16::from(finite(value).is_some())).collect();
             let present: Vec<f64> = values.iter().filter_map(finite).collect();
             writer.write_batch(&present, Some(&levels), None)?;
         }
         (ColumnWriter::ByteArrayColumnWriter(writer), Data::Text(values)) => {
-            let words: Vec<ByteArray> = values
-                .iter()
-                .map(|word| ByteArray::from(word.as_bytes().to_vec()))
-                .collect();
+            let words: Vec<ByteArray> =
+                values.iter().map(|word| ByteArray::from(word.as_bytes().to_vec())).collect();
             writer.write_batch(&words, None, None)?;
         }
         _ => unreachable!("the schema was made from the same columns"),
@@ -274,10 +270,8 @@ pub(crate) fn guarded<T>(
 
 /// Opens a file and sees that its footer is sound.
 pub(crate) fn open(path: &Path) -> Result<File, ResultsError> {
-    let file = File::open(path).map_err(|source| ResultsError::Read {
-        path: path.to_owned(),
-        source,
-    })?;
+    let file =
+        File::open(path).map_err(|source| ResultsError::Read { path: path.to_owned(), source })?;
     parquet_guard::footer(&file).map_err(|reason| ResultsError::format(path, reason))?;
     Ok(file)
 }

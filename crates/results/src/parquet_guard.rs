@@ -53,9 +53,7 @@ pub(crate) fn footer(file: &File) -> Result<(), String> {
             "its footer is said to hold {size} bytes; at most {LONGEST_FOOTER} are read"
         ));
     }
-    let start = begin
-        .checked_sub(size)
-        .ok_or("its footer is longer than the file")?;
+    let start = begin.checked_sub(size).ok_or("its footer is longer than the file")?;
     reader.seek(SeekFrom::Start(start)).map_err(io)?;
     let mut groups = 0_u64;
     let mut negative = false;
@@ -84,19 +82,13 @@ pub(crate) fn columns(
     columns: &[(usize, bool)],
 ) -> Result<(), String> {
     let length = file.metadata().map_err(|error| error.to_string())?.len();
-    let each: u64 = columns
-        .iter()
-        .map(|(_, is_text)| if *is_text { WORD } else { 1 })
-        .sum();
+    let each: u64 = columns.iter().map(|(_, is_text)| if *is_text { WORD } else { 1 }).sum();
     let rows = groups.clone().try_fold(0_u64, |sum, group| {
         let rows = u64::try_from(reader.metadata().row_group(group).num_rows()).ok()?;
         sum.checked_add(rows)
     });
     let rows = rows.ok_or("its number of rows is damaged")?;
-    if rows
-        .checked_mul(each)
-        .is_none_or(|values| values > MAX_VALUES)
-    {
+    if rows.checked_mul(each).is_none_or(|values| values > MAX_VALUES) {
         return Err(format!(
             "it is said to hold {rows} rows of {} columns; at most {MAX_VALUES} values are read",
             columns.len()
@@ -113,20 +105,12 @@ pub(crate) fn columns(
 
 /// Goes through the heads of the pages of a column.
 fn pages(file: &File, length: u64, group: &RowGroupMetaData, column: usize) -> Result<(), String> {
-    let about = group
-        .columns()
-        .get(column)
-        .ok_or("a row group lacks a column")?;
+    let about = group.columns().get(column).ok_or("a row group lacks a column")?;
     let damaged = || format!("its column `{}` is damaged", about.column_path().string());
-    let start = about
-        .dictionary_page_offset()
-        .unwrap_or(about.data_page_offset());
+    let start = about.dictionary_page_offset().unwrap_or(about.data_page_offset());
     let start = u64::try_from(start).map_err(|_| damaged())?;
     let size = u64::try_from(about.compressed_size()).map_err(|_| damaged())?;
-    let end = start
-        .checked_add(size)
-        .filter(|end| *end <= length)
-        .ok_or_else(damaged)?;
+    let end = start.checked_add(size).filter(|end| *end <= length).ok_or_else(damaged)?;
     let mut at = start;
     while at < end {
         let mut reader = BufReader::with_capacity(256, file);

@@ -24,16 +24,14 @@ impl Spectrum {
         if segment < 2 || segment > samples.len() {
             return None;
         }
-        let window: Vec<f64> = (0..segment)
-            .map(|i| 0.5 - 0.5 * (TAU * i as f64 / segment as f64).cos())
-            .collect();
+        let window: Vec<f64> =
+            (0..segment).map(|i| 0.5 - 0.5 * (TAU * i as f64 / segment as f64).cos()).collect();
         let power: f64 = window.iter().map(|w| w * w).sum();
         let transform = RealFftPlanner::<f64>::new().plan_fft_forward(segment);
         let (mut input, mut output) = (transform.make_input_vec(), transform.make_output_vec());
         let mut density = vec![0.0; output.len()];
-        let starts: Vec<usize> = (0..=samples.len() - segment)
-            .step_by((segment / 2).max(1))
-            .collect();
+        let starts: Vec<usize> =
+            (0..=samples.len() - segment).step_by((segment / 2).max(1)).collect();
         for start in &starts {
             let part = &samples[*start..start + segment];
             let mean = part.iter().sum::<f64>() / segment as f64;

@@ -120,10 +120,7 @@ impl OperationSummary {
     pub fn window_from_s(&self, settings: &serde_json::Value) -> f64 {
         let found_s = self.numerics.as_ref().map(|of| of.run.settle_s);
         let given_s = || settings["dynamics"]["settle_s"].as_f64();
-        found_s
-            .filter(|of| of.is_finite())
-            .or_else(given_s)
-            .unwrap_or(0.0)
+        found_s.filter(|of| of.is_finite()).or_else(given_s).unwrap_or(0.0)
     }
 }
 

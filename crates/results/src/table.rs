@@ -59,11 +59,7 @@ impl Column {
             name: spec.name.into(),
             unit: spec.unit.into(),
             meaning: spec.meaning.into(),
-            data: if spec.text {
-                Data::Text(Vec::new())
-            } else {
-                Data::Number(Vec::new())
-            },
+            data: if spec.text { Data::Text(Vec::new()) } else { Data::Number(Vec::new()) },
         }
     }
 }
@@ -168,15 +164,14 @@ impl Table {
         of: &T,
         model: ModelKind,
     ) {
-        let values = declared
-            .iter()
-            .map(|column| (&column.quantity, (column.of)(of)))
-            .filter(|(quantity, values)| {
+        let values = declared.iter().map(|column| (&column.quantity, (column.of)(of))).filter(
+            |(quantity, values)| {
                 let known = quantity.is_known_by(model);
                 let name = quantity.name;
                 assert!(known || values.is_empty(), "{model:?} knows no `{name}`");
                 known
-            });
+            },
+        );
         let values: Vec<_> = values.collect();
         let mut words = words.to_vec();
         let mut numbers: Vec<(&str, &[f64])> = Vec::new();
@@ -195,10 +190,7 @@ impl Table {
             let is_text = matches!(column.data, Data::Text(_));
             (column.name.clone(), column.unit.clone(), is_text)
         };
-        self.columns
-            .iter()
-            .map(about)
-            .eq(other.columns.iter().map(about))
+        self.columns.iter().map(about).eq(other.columns.iter().map(about))
     }
 
     /// The columns, in the order of the file.

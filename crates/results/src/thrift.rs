@@ -29,11 +29,7 @@ const STRUCTURE: u8 = 12;
 /// # Errors
 /// What is no such structure, or deeper than any of Parquet's.
 pub(crate) fn numbers(from: impl Read, visit: &mut dyn FnMut(&[i16], i64)) -> io::Result<()> {
-    let mut walk = Walk {
-        from,
-        visit,
-        path: Vec::new(),
-    };
+    let mut walk = Walk { from, visit, path: Vec::new() };
     walk.structure(0)
 }
 
@@ -166,12 +162,7 @@ mod tests {
             0x15, 5, 0x28, 2, b'a', b'b', 0x19, 0x25, 2, 0xac, 2, 0x0c, 40, 0x16, 0x80, 1, 0x11, 0,
             0,
         ];
-        let expected = [
-            (vec![1], -3),
-            (vec![4], 1),
-            (vec![4], 150),
-            (vec![20, 1], 64),
-        ];
+        let expected = [(vec![1], -3), (vec![4], 1), (vec![4], 150), (vec![20, 1], 64)];
         assert_eq!(visited(&bytes).unwrap(), expected);
         for cut in 0..bytes.len() {
             assert!(visited(&bytes[..cut]).is_err(), "{cut}");

@@ -15,9 +15,7 @@ fn table() -> Table {
         data: match &column.data {
             Data::Text(_) => Data::Text((0..40).map(|row| format!("word {}", row % 3)).collect()),
             Data::Number(_) => Data::Number(
-                (0..40)
-                    .map(|row| (row % 7 != 3).then_some(f64::from(row) * 0.1))
-                    .collect(),
+                (0..40).map(|row| (row % 7 != 3).then_some(f64::from(row) * 0.1)).collect(),
             ),
         },
         ..column.clone()
@@ -46,11 +44,7 @@ fn refused(path: &Path) -> String {
 #[test]
 fn files_that_made_the_reader_panic_are_refused() {
     for name in ["p4201.parquet", "p9353.parquet"] {
-        refused(
-            &Path::new(env!("CARGO_MANIFEST_DIR"))
-                .join("tests/data")
-                .join(name),
-        );
+        refused(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name));
     }
 }
 

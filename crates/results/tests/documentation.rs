@@ -18,9 +18,8 @@ fn rows(columns: &[ColumnSpec]) -> String {
 /// The page with this table behind its mark, up to the next empty line.
 fn with_table(page: &str, name: &str, table: &str) -> String {
     let mark = format!("<!-- {name} -->\n");
-    let (before, rest) = page
-        .split_once(&mark)
-        .unwrap_or_else(|| panic!("docs/src/outputs.md has no {mark}"));
+    let (before, rest) =
+        page.split_once(&mark).unwrap_or_else(|| panic!("docs/src/outputs.md has no {mark}"));
     let (_, after) = rest.split_once("\n\n").expect("an empty line after it");
     format!("{before}{mark}{table}\n{after}")
 }

@@ -9,11 +9,7 @@ use wholestring::dynamics::{Channel, Frame};
 use wholestring_results::{Data, FRAMES, FramesSoFar, ResultsFolder, Table};
 
 fn numbers<'a>(table: &'a Table, name: &str) -> &'a [Option<f64>] {
-    match &table
-        .column(name)
-        .unwrap_or_else(|| panic!("no `{name}`"))
-        .data
-    {
+    match &table.column(name).unwrap_or_else(|| panic!("no `{name}`")).data {
         Data::Number(values) => values,
         Data::Text(_) => panic!("`{name}` holds words"),
     }
@@ -57,21 +53,14 @@ fn every_channel_is_read_back() {
                 assert_eq!(*found, single, "{name} at {time_s} s, node {node}");
             }
         }
-        assert!(
-            numbers(&table, "time_s")[rows.clone()]
-                .iter()
-                .all(|t| *t == Some(*time_s))
-        );
+        assert!(numbers(&table, "time_s")[rows.clone()].iter().all(|t| *t == Some(*time_s)));
         let node = |(i, node): (usize, &Option<f64>)| *node == Some(i as f64);
         assert!(numbers(&table, "node")[rows].iter().enumerate().all(node));
     }
     let Data::Text(words) = &table.column("operation").unwrap().data else {
         panic!("words");
     };
-    assert_eq!(
-        (words[0].as_str(), words[100 * NODES].as_str()),
-        ("drill", "slide")
-    );
+    assert_eq!((words[0].as_str(), words[100 * NODES].as_str()), ("drill", "slide"));
     assert_eq!(table.column("tension_N").unwrap().unit, "N");
 }
 
@@ -84,10 +73,7 @@ fn channels_that_nobody_asked_for_have_no_column() {
     writer.write().unwrap();
     let table = Table::read_parquet(&folder.path().join("frames.parquet")).unwrap();
     let names: Vec<&str> = table.columns().iter().map(|c| c.name.as_str()).collect();
-    assert_eq!(
-        names,
-        ["operation", "time_s", "node", "md_m", "contact_force_N"]
-    );
+    assert_eq!(names, ["operation", "time_s", "node", "md_m", "contact_force_N"]);
     // A run that ended before its first frame.
     let mut writer = results.frames(&Channel::USUAL).unwrap();
     writer.write().unwrap();
@@ -124,11 +110,7 @@ fn frames_go_on_from_any_checkpoint() {
     }
     writer.write().unwrap();
     let whole = fs::read(&path).unwrap();
-    let parts = || {
-        fs::read_dir(folder.path().join("frames.parts"))
-            .unwrap()
-            .count()
-    };
+    let parts = || fs::read_dir(folder.path().join("frames.parts")).unwrap().count();
     assert_eq!(parts(), 2);
     for from in [0, 97, 98, 99, 150, 150, 219] {
         // As it lay on the disk.
@@ -163,10 +145,7 @@ fn frames_that_cannot_go_on_are_refused() {
     }
     let so_far = writer.so_far().clone();
     let refused = |channels: &[Channel]| {
-        let error = results
-            .resume_frames(channels, so_far.clone())
-            .err()
-            .unwrap();
+        let error = results.resume_frames(channels, so_far.clone()).err().unwrap();
         let place = format!("{}{}", folder.path().display(), std::path::MAIN_SEPARATOR);
         error.to_string().replace(&place, "").replace('\\', "/")
     };
@@ -180,10 +159,7 @@ fn frames_that_cannot_go_on_are_refused() {
     let begin = "frames.parts/000001.parquet is not a file of results: ";
     assert!(message.starts_with(begin), "{message}");
     fs::remove_file(&part).unwrap();
-    assert_eq!(
-        refused(&CHANNELS),
-        "cannot read frames.parts/000001.parquet: it does not exist"
-    );
+    assert_eq!(refused(&CHANNELS), "cannot read frames.parts/000001.parquet: it does not exist");
     let message = writer.write().unwrap_err().to_string();
     assert!(message.contains("frames.parquet: cannot read"), "{message}");
 }

@@ -13,10 +13,7 @@ use wholestring_results::ResultsFolder;
 /// Largest resident memory of this process so far, MB.
 fn peak_MB() -> f64 {
     let status = fs::read_to_string("/proc/self/status").unwrap();
-    let line = status
-        .lines()
-        .find(|line| line.starts_with("VmHWM:"))
-        .unwrap();
+    let line = status.lines().find(|line| line.starts_with("VmHWM:")).unwrap();
     let kB: f64 = line.split_whitespace().nth(1).unwrap().parse().unwrap();
     kB / 1024.0
 }
@@ -36,10 +33,7 @@ fn write(frames: u32) -> f64 {
         }
     }
     writer.write().unwrap();
-    fs::metadata(folder.path().join("frames.parquet"))
-        .unwrap()
-        .len() as f64
-        / 1e6
+    fs::metadata(folder.path().join("frames.parquet")).unwrap().len() as f64 / 1e6
 }
 
 /// Memory does not grow with the run: after the first row groups, three times as many frames take

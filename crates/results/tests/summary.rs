@@ -73,11 +73,7 @@ fn dynamic() -> OperationSummary {
             unit: "N".into(),
             message: "Buckled to a helix".into(),
         }],
-        lift: Some(TunedHookLoad {
-            hook_load_N: 7e5,
-            weight_on_bit_N: 59.9e3,
-            runs: 5,
-        }),
+        lift: Some(TunedHookLoad { hook_load_N: 7e5, weight_on_bit_N: 59.9e3, runs: 5 }),
         hydraulics: Some(Hydraulics {
             mud_drag_N: 1.0,
             mud_torque_N_m: 2.0,
@@ -104,10 +100,7 @@ fn dynamic() -> OperationSummary {
                 length_fraction: 0.125,
             }),
             forward_whirl: None,
-            top_drive: Some(TorqueUse {
-                p95: 0.5,
-                max: 0.75,
-            }),
+            top_drive: Some(TorqueUse { p95: 0.5, max: 0.75 }),
         }),
         bit_table: Some(TableUse {
             outside_fraction: 0.25,
@@ -265,9 +258,7 @@ fn zero_has_no_sign() {
     let mut operation = soft();
     operation.scalars.surface_torque_N_m = -0.0;
     let file = written(&summary(vec![operation]));
-    let torque = file["operations"][0]["surface_torque_N_m"]
-        .as_f64()
-        .unwrap();
+    let torque = file["operations"][0]["surface_torque_N_m"].as_f64().unwrap();
     assert_eq!(torque.to_bits(), 0.0_f64.to_bits());
 }
 
@@ -276,19 +267,13 @@ fn another_version_is_refused_by_number() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("summary.json");
     for (text, reason) in [
-        (
-            r#"{"schema_version": 2}"#,
-            "its schema_version is 2, expected 1",
-        ),
+        (r#"{"schema_version": 2}"#, "its schema_version is 2, expected 1"),
         (r#"{"case": "x"}"#, "it has no schema_version"),
         ("[]", "it has no schema_version"),
     ] {
         fs::write(&path, text).unwrap();
         let error = Summary::read(&path).unwrap_err().to_string();
-        assert_eq!(
-            error,
-            format!("{} is not a file of results: {reason}", path.display())
-        );
+        assert_eq!(error, format!("{} is not a file of results: {reason}", path.display()));
     }
     for text in ["", "{", r#"{"schema_version": 1, "case": 3}"#] {
         fs::write(&path, text).unwrap();
@@ -305,9 +290,7 @@ fn a_summary_without_drift_is_read() {
     let mut old = written(&summary(vec![dynamic()]));
     old["settings"]["dynamics"]["settle_s"] = json!(7.5);
     let operation = &mut old["operations"][0];
-    let statistic = operation["statistics"]["hook_load_N"]
-        .as_object_mut()
-        .unwrap();
+    let statistic = operation["statistics"]["hook_load_N"].as_object_mut().unwrap();
     for key in ["std_error", "drift", "drifts"] {
         assert!(statistic.remove(key).is_some(), "{key}");
     }

@@ -25,9 +25,8 @@ fn parquet_gives_back_every_bit() {
             _ => Some((row as f64).sqrt() * 1e-7),
         })
         .collect();
-    let words = (0..300_000)
-        .map(|row| ["soft", "", "Ölfeld, \"N\"\n"][row % 3].to_owned())
-        .collect();
+    let words =
+        (0..300_000).map(|row| ["soft", "", "Ölfeld, \"N\"\n"][row % 3].to_owned()).collect();
     let table = Table::new(vec![
         column("word", "", Data::Text(words)),
         column("x_m3", "m³", Data::Number(numbers)),
@@ -42,37 +41,22 @@ fn parquet_gives_back_every_bit() {
     else {
         panic!("both are numbers");
     };
-    assert!(
-        back.iter()
-            .zip(table)
-            .all(|(a, b)| a.map(f64::to_bits) == b.map(f64::to_bits))
-    );
+    assert!(back.iter().zip(table).all(|(a, b)| a.map(f64::to_bits) == b.map(f64::to_bits)));
 }
 
 #[test]
 fn what_is_not_finite_becomes_null() {
-    let values = vec![
-        Some(f64::NAN),
-        Some(1.5),
-        Some(f64::INFINITY),
-        None,
-        Some(f64::NEG_INFINITY),
-    ];
+    let values =
+        vec![Some(f64::NAN), Some(1.5), Some(f64::INFINITY), None, Some(f64::NEG_INFINITY)];
     let table = Table::new(vec![column("x_m", "m", Data::Number(values))]);
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("t.parquet");
     table.write_parquet(&path).unwrap();
     let back = Table::read_parquet(&path).unwrap();
-    assert_eq!(
-        back.columns()[0].data,
-        Data::Number(vec![None, Some(1.5), None, None, None])
-    );
+    assert_eq!(back.columns()[0].data, Data::Number(vec![None, Some(1.5), None, None, None]));
     let path = folder.path().join("t.csv");
     table.write_csv(&path).unwrap();
-    assert_eq!(
-        fs::read_to_string(&path).unwrap(),
-        "x_m\n\"\"\n1.5\n\"\"\n\"\"\n\"\"\n"
-    );
+    assert_eq!(fs::read_to_string(&path).unwrap(), "x_m\n\"\"\n1.5\n\"\"\n\"\"\n\"\"\n");
 }
 
 #[test]
@@ -134,10 +118,8 @@ fn appended_rows_leave_the_other_columns_null() {
 #[test]
 #[should_panic(expected = "the table has no `md_ft`")]
 fn a_name_outside_the_registry_is_refused() {
-    Table::with_columns(NODES).append(
-        &[("model", &["soft"]), ("operation", &["drill"])],
-        &[("md_ft", &[0.0])],
-    );
+    Table::with_columns(NODES)
+        .append(&[("model", &["soft"]), ("operation", &["drill"])], &[("md_ft", &[0.0])]);
 }
 
 #[test]
@@ -154,15 +136,8 @@ fn what_is_not_ours_is_refused_with_its_path() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("t.parquet");
     let missing = Table::read_parquet(&path).unwrap_err();
-    assert_eq!(
-        missing.to_string(),
-        format!("cannot read {}: it does not exist", path.display())
-    );
-    for bytes in [
-        &b""[..],
-        b"PAR1",
-        b"PAR1 and then no Parquet at all, but long enough PAR1",
-    ] {
+    assert_eq!(missing.to_string(), format!("cannot read {}: it does not exist", path.display()));
+    for bytes in [&b""[..], b"PAR1", b"PAR1 and then no Parquet at all, but long enough PAR1"] {
         fs::write(&path, bytes).unwrap();
         let error = Table::read_parquet(&path).unwrap_err();
         assert!(matches!(error, ResultsError::Format { .. }), "{error}");
@@ -192,9 +167,7 @@ fn a_folder_in_the_place_of_a_file_is_named() {
     let folder = tempfile::tempdir().unwrap();
     fs::create_dir(folder.path().join("nodes.parquet")).unwrap();
     let results = ResultsFolder::create(folder.path()).unwrap();
-    let error = results
-        .write_table("nodes", &Table::with_columns(NODES), false)
-        .unwrap_err();
+    let error = results.write_table("nodes", &Table::with_columns(NODES), false).unwrap_err();
     assert!(matches!(error, ResultsError::Write { .. }));
     assert!(error.to_string().contains("nodes.parquet"), "{error}");
     // Neither the probe nor the attempt leaves anything.

@@ -80,9 +80,8 @@ impl BatchOutcome {
             return Err(Error::Interrupted);
         }
         let reasons = self.failed.iter();
-        let reasons: Vec<String> = reasons
-            .map(|of| format!("{}: {}", of.name, of.reason))
-            .collect();
+        let reasons: Vec<String> =
+            reasons.map(|of| format!("{}: {}", of.name, of.reason)).collect();
         match reasons.is_empty() {
             true => Ok(self),
             false => Err(Error::Failed(reasons.join("\n"))),

@@ -52,18 +52,12 @@ pub(crate) fn for_rock(
     threads: Option<NonZeroUsize>,
     cancellation: &CancellationToken,
 ) -> SharedExecutor {
-    Arc::new(Workers {
-        cores: Cores::of_case(case, threads),
-        cancellation: cancellation.clone(),
-    })
+    Arc::new(Workers { cores: Cores::of_case(case, threads), cancellation: cancellation.clone() })
 }
 
 /// The thread that solves, alone.
 pub(crate) fn alone(cancellation: &CancellationToken) -> SharedExecutor {
-    Arc::new(Workers {
-        cores: None,
-        cancellation: cancellation.clone(),
-    })
+    Arc::new(Workers { cores: None, cancellation: cancellation.clone() })
 }
 
 impl Executor for Workers {

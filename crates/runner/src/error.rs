@@ -66,9 +66,6 @@ impl Unsound {
 
 impl From<Report> for Error {
     fn from(report: Report) -> Self {
-        Self::Unsound(Unsound {
-            reports: vec![report],
-            summary: None,
-        })
+        Self::Unsound(Unsound { reports: vec![report], summary: None })
     }
 }

@@ -35,12 +35,7 @@ pub(crate) fn file_name(name: &str) -> String {
 
 /// Whether Windows takes the name for a device, whatever follows its first dot.
 fn is_device(name: &str) -> bool {
-    let stem = name
-        .split('.')
-        .next()
-        .unwrap_or(name)
-        .trim_end()
-        .to_ascii_uppercase();
+    let stem = name.split('.').next().unwrap_or(name).trim_end().to_ascii_uppercase();
     let numbered = |prefix: &str| {
         stem.strip_prefix(prefix)
             .is_some_and(|rest| rest.len() == 1 && rest.bytes().all(|byte| byte.is_ascii_digit()))
@@ -76,11 +71,7 @@ mod tests {
             ("common", "common"),
             ("Bohrung Süd\n", "Bohrung Süd-"),
         ] {
-            assert_eq!(
-                default_output(name),
-                Path::new("out").join(folder),
-                "{name}"
-            );
+            assert_eq!(default_output(name), Path::new("out").join(folder), "{name}");
         }
         assert_eq!(default_output(&"é".repeat(500)).as_os_str().len(), 4 + 200);
     }

@@ -22,11 +22,7 @@ impl Keep {
     /// milliseconds, what dynamics found is not.
     pub(crate) fn of_itself(case: &Case, csv: bool) -> Self {
         let costs = |of: &ModelKind| of.method().cost > Cost::Milliseconds;
-        if csv || case.models.iter().any(costs) {
-            Self::Tables
-        } else {
-            Self::Summary
-        }
+        if csv || case.models.iter().any(costs) { Self::Tables } else { Self::Summary }
     }
 
     /// Whether a folder with a summary holds the tables that are to be kept beside it.

@@ -152,11 +152,7 @@ pub(crate) struct Simulating<'a>(&'a dyn Observer, Task<'a>);
 impl Simulating<'_> {
     /// Shows how far it has come.
     pub(crate) fn reach(&self, time_s: f64, end_s: f64, settling: bool) {
-        let progress = Progress {
-            time_s,
-            end_s,
-            settling,
-        };
+        let progress = Progress { time_s, end_s, settling };
         self.0.reached(&self.1, &progress);
     }
 }

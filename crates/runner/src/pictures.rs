@@ -45,9 +45,7 @@ pub fn pictures(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Vec<Plot>
             )));
         }
         (_, [true, ..]) => {
-            return Err(bad(
-                "two sweeps cannot be overlaid: vary in one what distinguishes them",
-            ));
+            return Err(bad("two sweeps cannot be overlaid: vary in one what distinguishes them"));
         }
         ([], _) => return Err(bad("no folder is given")),
         (folders, _) => {
@@ -131,11 +129,7 @@ fn drawn(runs: &[Drawn]) -> Result<Vec<Plot>, Error> {
     let runs: Vec<Run<'_>> = runs
         .iter()
         .zip(&names)
-        .map(|(run, name)| Run {
-            name,
-            report: &run.report,
-            spectra: &run.spectra,
-        })
+        .map(|(run, name)| Run { name, report: &run.report, spectra: &run.spectra })
         .collect();
     if common_operations(&runs).is_empty() {
         let solved = |run: &Run<'_>| {

@@ -48,10 +48,8 @@ mod tests {
 
     #[test]
     fn shares_are_disjoint_and_have_every_case() {
-        let shards: Vec<Shard> = ["1/3", "2/3", "3/3"]
-            .iter()
-            .map(|text| text.parse().expect("a share"))
-            .collect();
+        let shards: Vec<Shard> =
+            ["1/3", "2/3", "3/3"].iter().map(|text| text.parse().expect("a share")).collect();
         for case in 0..10 {
             let having = shards.iter().filter(|shard| shard.has(case));
             assert_eq!(having.count(), 1, "{case}");

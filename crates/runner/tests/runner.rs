@@ -19,19 +19,14 @@ fn file() -> &'static Path {
 }
 
 fn slant(changes: &[&str]) -> Case {
-    let changes: Vec<Override> = changes
-        .iter()
-        .map(|change| change.parse().expect("an override"))
-        .collect();
+    let changes: Vec<Override> =
+        changes.iter().map(|change| change.parse().expect("an override")).collect();
     wholestring_case::load(file(), &changes).expect("a sound case")
 }
 
 fn request<'a>(case: &'a Case, folder: &Path, existing: Existing) -> run::Request<'a> {
     run::Request {
-        output: Output {
-            folder: Some(folder.to_owned()),
-            existing,
-        },
+        output: Output { folder: Some(folder.to_owned()), existing },
         ..run::Request::new(case)
     }
 }
@@ -54,9 +49,7 @@ impl Log {
     }
 
     fn lines(self) -> Vec<String> {
-        self.lines
-            .into_inner()
-            .unwrap_or_else(PoisonError::into_inner)
+        self.lines.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -78,10 +71,7 @@ impl Observer for Log {
     }
 
     fn reached(&self, _: &Task<'_>, progress: &Progress) {
-        self.add(format!(
-            "reached {:.1} of {:.1}",
-            progress.time_s, progress.end_s
-        ));
+        self.add(format!("reached {:.1} of {:.1}", progress.time_s, progress.end_s));
         if let Some((time_s, token)) = &self.cancels
             && progress.time_s >= *time_s
         {
@@ -141,10 +131,7 @@ fn a_cancelled_run_is_resumed_to_the_same_bytes() {
     assert!(outcome.stopped.is_none());
 
     let token = CancellationToken::new();
-    let log = Log {
-        cancels: Some((0.5, token.clone())),
-        ..Log::default()
-    };
+    let log = Log { cancels: Some((0.5, token.clone())), ..Log::default() };
     let outcome = go(&halted, Existing::Protect, &log, &token).expect("an outcome");
     assert_eq!(outcome.summary.operations[0].status, Status::Interrupted);
     assert!(outcome.is_resumable);
@@ -152,10 +139,7 @@ fn a_cancelled_run_is_resumed_to_the_same_bytes() {
 
     // What was begun is not replaced unasked.
     let again = go(&halted, Existing::Protect, &Silent, &never);
-    assert!(matches!(
-        again,
-        Err(Error::Folder(FolderRefused::Unfinished { .. }))
-    ));
+    assert!(matches!(again, Err(Error::Folder(FolderRefused::Unfinished { .. }))));
     let outcome = go(&halted, Existing::Resume, &Silent, &never).expect("an outcome");
     let outcome = outcome.finished().expect("a finished run");
     assert_eq!(outcome.summary.operations.len(), 1);
@@ -172,17 +156,11 @@ fn results_of_another_case_are_left_alone() {
         let request = request(case, place.path(), existing);
         run::run(&request, &Silent, &CancellationToken::new())
     };
-    let (one, other) = (
-        slant(&["model=soft"]),
-        slant(&["model=soft", "friction=0.1"]),
-    );
+    let (one, other) = (slant(&["model=soft"]), slant(&["model=soft", "friction=0.1"]));
     let outcome = go(&one, Existing::Protect).expect("an outcome");
     assert!(outcome.stopped.is_none());
     let refused = go(&other, Existing::Protect).expect_err("a refusal");
-    assert!(
-        matches!(refused, Error::Folder(FolderRefused::Occupied { .. })),
-        "{refused}"
-    );
+    assert!(matches!(refused, Error::Folder(FolderRefused::Occupied { .. })), "{refused}");
     let finished = go(&one, Existing::Resume).expect_err("nothing to resume");
     assert!(matches!(finished, Error::BadInput(_)));
     let outcome = go(&other, Existing::Overwrite).expect("an outcome");
@@ -199,10 +177,7 @@ fn swept(frictions: &str, folder: &Path, observer: &dyn Observer) -> Result<usiz
         variations: &variations,
         keep: None,
         batch: BatchOptions {
-            output: Output {
-                folder: Some(folder.to_owned()),
-                existing: Existing::Protect,
-            },
+            output: Output { folder: Some(folder.to_owned()), existing: Existing::Protect },
             ..BatchOptions::default()
         },
     };

@@ -13,26 +13,14 @@ use wholestring_config::{
 
 use crate::{selection::Selection, sweep::Sweep};
 
-pub(crate) const NAMES: List<Text> = List {
-    item: Text,
-    or_one: true,
-    noun: "names of sweeps",
-    most: 100,
-};
+pub(crate) const NAMES: List<Text> =
+    List { item: Text, or_one: true, noun: "names of sweeps", most: 100 };
 
-pub(crate) const MODELS: List<ModelRule> = List {
-    item: ModelRule,
-    or_one: true,
-    noun: "models",
-    most: 10,
-};
+pub(crate) const MODELS: List<ModelRule> =
+    List { item: ModelRule, or_one: true, noun: "models", most: 10 };
 
-pub(crate) const OPERATIONS: List<KindRule> = List {
-    item: KindRule,
-    or_one: true,
-    noun: "operations",
-    most: 7,
-};
+pub(crate) const OPERATIONS: List<KindRule> =
+    List { item: KindRule, or_one: true, noun: "operations", most: 7 };
 
 /// Whose answers a figure or a number shows.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,11 +53,7 @@ impl Choosing<'_> {
     ) -> Option<Chosen> {
         let named = match self.sweeps.optional()? {
             None => Some(outer.sweeps.clone()),
-            Some(names) => names
-                .value
-                .iter()
-                .map(|at| sweep_named(at, sweeps, reader))
-                .collect(),
+            Some(names) => names.value.iter().map(|at| sweep_named(at, sweeps, reader)).collect(),
         };
         let models = self.models.optional()?;
         let operations = self.operations.optional()?;
@@ -90,9 +74,7 @@ impl Choosing<'_> {
             only,
         };
         for sweep in &chosen.sweeps {
-            chosen
-                .only
-                .check(&sweeps[*sweep].name, &sweeps[*sweep].vary, reader)?;
+            chosen.only.check(&sweeps[*sweep].name, &sweeps[*sweep].vary, reader)?;
         }
         Some(chosen)
     }

@@ -80,17 +80,11 @@ impl Quantity {
         columns: &[ColumnName],
         reader: &mut Reader,
     ) -> Option<Self> {
-        let bars = at
-            .value
-            .strip_prefix('|')
-            .and_then(|rest| rest.strip_suffix('|'));
+        let bars = at.value.strip_prefix('|').and_then(|rest| rest.strip_suffix('|'));
         let name = bars.unwrap_or(&at.value).trim();
         let of_source = columns.iter().filter(|column| column.source == source);
         if let Some(column) = of_source.clone().find(|column| column.name == name) {
-            return Some(Self {
-                column: *column,
-                magnitude: bars.is_some(),
-            });
+            return Some(Self { column: *column, magnitude: bars.is_some() });
         }
         let table = source.name();
         let message = format!("there is no column `{}` in {table}", short(name));
@@ -160,9 +154,7 @@ impl Rule for StatisticRule {
         };
         let percent = || {
             let percent: f64 = text.strip_prefix('p')?.parse().ok()?;
-            (0.0..=100.0)
-                .contains(&percent)
-                .then_some(Statistic::Percentile(percent))
+            (0.0..=100.0).contains(&percent).then_some(Statistic::Percentile(percent))
         };
         let found = match text.as_str() {
             "mean" => Some(Statistic::Mean),
@@ -243,10 +235,8 @@ impl Amount {
             Self::WithUnit(text) => text,
         };
         let Some(dimension) = dimension else {
-            let message = format!(
-                "`{}` has a unit, and what it is compared with has none",
-                short(text)
-            );
+            let message =
+                format!("`{}` has a unit, and what it is compared with has none", short(text));
             reader.report(
                 Diagnostic::error(message).at(at.place, "expected a number without quotes"),
             );

@@ -37,29 +37,15 @@ pub(crate) fn depth() -> quantity::Quantity {
 }
 
 pub(crate) fn times() -> List<quantity::Quantity> {
-    List {
-        item: time(),
-        or_one: true,
-        noun: "times",
-        most: MAX,
-    }
+    List { item: time(), or_one: true, noun: "times", most: MAX }
 }
 
 pub(crate) fn depths() -> List<quantity::Quantity> {
-    List {
-        item: depth(),
-        or_one: true,
-        noun: "depths",
-        most: MAX,
-    }
+    List { item: depth(), or_one: true, noun: "depths", most: MAX }
 }
 
-pub(crate) const WINDOW: fn() -> List<quantity::Quantity> = || List {
-    item: time(),
-    or_one: false,
-    noun: "times",
-    most: 2,
-};
+pub(crate) const WINDOW: fn() -> List<quantity::Quantity> =
+    || List { item: time(), or_one: false, noun: "times", most: 2 };
 
 table! {
     /// Curves to draw of the cases, and their data as CSV.
@@ -236,10 +222,7 @@ pub struct Abscissa {
 impl Abscissa {
     /// The number that a value of the key is, SI; none where it is a word.
     pub fn number(&self, value: &str) -> Option<f64> {
-        let bare = value
-            .parse::<f64>()
-            .ok()
-            .filter(|number| number.is_finite());
+        let bare = value.parse::<f64>().ok().filter(|number| number.is_finite());
         bare.or_else(|| self.dimension?.parse(value).ok())
     }
 }
@@ -270,12 +253,8 @@ impl FigureTable {
         };
         let chosen = choosing.within(&Chosen::all(sweeps), sweeps, reader);
         let source = *self.from.get()?;
-        let y: Option<Vec<Quantity>> = self
-            .y
-            .get()?
-            .iter()
-            .map(|at| Quantity::named(at, source, columns, reader))
-            .collect();
+        let y: Option<Vec<Quantity>> =
+            self.y.get()?.iter().map(|at| Quantity::named(at, source, columns, reader)).collect();
         let y = y?;
         let at = self.y.at()?.place;
         let unit = |quantity: &Quantity| quantity.column.dimension;
@@ -341,11 +320,7 @@ impl FigureTable {
             idle(&["colour"], "used with from = \"contact\"", reader);
         }
         if source == Source::Summary {
-            idle(
-                &["times", "depths", "window"],
-                "\"summary\" has a number for each case",
-                reader,
-            );
+            idle(&["times", "depths", "window"], "\"summary\" has a number for each case", reader);
             let statistics = match statistics {
                 None => vec![Statistic::Mean],
                 Some(at) => {
@@ -363,28 +338,16 @@ impl FigureTable {
         match source {
             Source::Frames => match (times_s, depths_m) {
                 (Some(times_s), None) => {
-                    idle(
-                        &["window"],
-                        "frames at `times` are drawn as they are",
-                        reader,
-                    );
+                    idle(&["window"], "frames at `times` are drawn as they are", reader);
                     Some(FigureData::Times { x, times_s })
                 }
-                (None, Some(depths_m)) => Some(FigureData::Depths {
-                    x,
-                    depths_m,
-                    window_s,
-                }),
+                (None, Some(depths_m)) => Some(FigureData::Depths { x, depths_m, window_s }),
                 (times, _) => {
                     let (message, label) = match times {
-                        None => (
-                            "a figure of frames needs `times` or `depths`",
-                            "neither is given",
-                        ),
-                        Some(_) => (
-                            "a figure of frames has `times` or `depths`",
-                            "both are given",
-                        ),
+                        None => {
+                            ("a figure of frames needs `times` or `depths`", "neither is given")
+                        }
+                        Some(_) => ("a figure of frames has `times` or `depths`", "both are given"),
                     };
                     let at = self.depths.given().map_or(at, |at| at.place);
                     reader.report(Diagnostic::error(message).at(at, label).help(
@@ -400,20 +363,12 @@ impl FigureTable {
             }
             Source::Contact => {
                 idle(&["times", "depths"], "used with from = \"frames\"", reader);
-                idle(
-                    &["x_axis"],
-                    "the depth of a map points down the page",
-                    reader,
-                );
+                idle(&["x_axis"], "the depth of a map points down the page", reader);
                 let colour = self.map_colour(at, columns, reader)?;
                 Some(FigureData::Map { colour, window_s })
             }
             _ => {
-                idle(
-                    &["times", "depths", "window"],
-                    "this table does not tell of time",
-                    reader,
-                );
+                idle(&["times", "depths", "window"], "this table does not tell of time", reader);
                 Some(FigureData::Rows { x, window_s: None })
             }
         }
@@ -471,10 +426,10 @@ pub(crate) fn window(
     match given.value.as_slice() {
         [from, to] if from.value < to.value => Some(Some([from.value, to.value])),
         _ => {
-            reader.report(Diagnostic::error("`window` holds no time").at(
-                given.place,
-                "expected two times, such as [\"0 s\", \"20 s\"]",
-            ));
+            reader.report(
+                Diagnostic::error("`window` holds no time")
+                    .at(given.place, "expected two times, such as [\"0 s\", \"20 s\"]"),
+            );
             None
         }
     }
@@ -490,15 +445,9 @@ fn abscissa(
     let mut dimension = None;
     for sweep in chosen.sweeps.iter().map(|index| &sweeps[*index]) {
         let Some(varied) = sweep.vary.iter().find(|varied| varied.key == at.value) else {
-            let message = format!(
-                "sweep `{}` does not vary `{}`",
-                sweep.name,
-                short(&at.value)
-            );
-            let mut diagnostic = Diagnostic::error(message).at(
-                at.place,
-                "from = \"summary\" draws against a key that is varied",
-            );
+            let message = format!("sweep `{}` does not vary `{}`", sweep.name, short(&at.value));
+            let mut diagnostic = Diagnostic::error(message)
+                .at(at.place, "from = \"summary\" draws against a key that is varied");
             if let Some(near) = nearest(&at.value, sweep.keys()) {
                 diagnostic = diagnostic.help(format!("did you mean `{near}`?"));
             }
@@ -512,11 +461,8 @@ fn abscissa(
             let mut all = Dimension::ALL.iter().copied();
             dimension = dimension.or_else(|| all.find(|of| of.parse(value).is_ok()));
             if dimension.is_none_or(|of| of.parse(value).is_err()) {
-                let message = format!(
-                    "`{}` of `{}` is no place on an axis",
-                    short(value),
-                    at.value
-                );
+                let message =
+                    format!("`{}` of `{}` is no place on an axis", short(value), at.value);
                 reader.report(
                     Diagnostic::error(message)
                         .at(at.place, "expected a key of numbers of one unit"),
@@ -525,8 +471,5 @@ fn abscissa(
             }
         }
     }
-    Some(Abscissa {
-        key: at.value.clone(),
-        dimension,
-    })
+    Some(Abscissa { key: at.value.clone(), dimension })
 }

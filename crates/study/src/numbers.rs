@@ -193,11 +193,7 @@ impl Row {
     /// What the number measures; none for a bare one.
     pub fn dimension(&self) -> Option<Dimension> {
         let bare = matches!(self.along, Some((_, Shape::Linearity | Shape::Growth)));
-        self.number
-            .quantity
-            .column
-            .dimension
-            .filter(|_| !bare && self.over.is_none())
+        self.number.quantity.column.dimension.filter(|_| !bare && self.over.is_none())
     }
 }
 
@@ -408,18 +404,14 @@ impl RowTable {
             if along == Some(varied.key.as_str()) {
                 continue;
             }
-            let mut left = varied
-                .bare_values()
-                .filter(|value| only.has_value(&varied.key, value));
+            let mut left = varied.bare_values().filter(|value| only.has_value(&varied.key, value));
             if let (Some(first), Some(second)) = (left.next(), left.next()) {
                 let key = &varied.key;
                 let message = format!("`{key}` of sweep `{}` is open", sweep.name);
                 reader.report(
                     Diagnostic::error(message)
                         .at(at, format!("is it {first}, {second} or another?"))
-                        .help(format!(
-                            "say which, such as only = {{ {key} = \"{first}\" }}"
-                        )),
+                        .help(format!("say which, such as only = {{ {key} = \"{first}\" }}")),
                 );
                 return None;
             }
@@ -437,16 +429,8 @@ impl RowTable {
         let mut most = si(self.at_most.optional()?)?;
         if let Some(at) = self.tolerance.optional()? {
             let Some(expected) = expected else {
-                unheeded(
-                    [("tolerance", Some(at.place))],
-                    "used with `expected`",
-                    reader,
-                );
-                return Some(Wanted {
-                    expected,
-                    least,
-                    most,
-                });
+                unheeded([("tolerance", Some(at.place))], "used with `expected`", reader);
+                return Some(Wanted { expected, least, most });
             };
             let within = match at.value.share() {
                 Some(share) => share * expected.abs(),
@@ -457,10 +441,6 @@ impl RowTable {
                 Some(least.map_or(expected - within, |least: f64| least.max(expected - within)));
             most = Some(most.map_or(expected + within, |most: f64| most.min(expected + within)));
         }
-        Some(Wanted {
-            expected,
-            least,
-            most,
-        })
+        Some(Wanted { expected, least, most })
     }
 }

@@ -66,17 +66,13 @@ impl Selection {
     /// The same, but for the keys that `other` names those values that it names.
     pub fn narrowed(&self, other: &Self) -> Self {
         let kept = self.terms.iter().filter(|term| !other.names(&term.key));
-        Self {
-            terms: kept.chain(&other.terms).cloned().collect(),
-        }
+        Self { terms: kept.chain(&other.terms).cloned().collect() }
     }
 
     /// The same, but for a key any value.
     pub(crate) fn without(&self, key: &str) -> Self {
         let kept = self.terms.iter().filter(|term| term.key != key);
-        Self {
-            terms: kept.cloned().collect(),
-        }
+        Self { terms: kept.cloned().collect() }
     }
 
     /// Whether it leaves this value of a key.
@@ -102,11 +98,7 @@ impl Selection {
                     diagnostic = diagnostic.help(format!("did you mean `{near}`?"));
                 }
                 let keys: Vec<&str> = keys.collect();
-                let keys = if keys.is_empty() {
-                    "none".into()
-                } else {
-                    keys.join(", ")
-                };
+                let keys = if keys.is_empty() { "none".into() } else { keys.join(", ") };
                 reader.report(diagnostic.help(format!("keys that it varies: {keys}")));
                 valid = None;
                 continue;
@@ -147,11 +139,7 @@ impl Rule for SelectionRule {
             };
             let wanted: Option<Vec<Wish>> = items.iter().map(|item| wish(item, reader)).collect();
             let Some(wanted) = wanted else { return false };
-            terms.push(Term {
-                key: key.to_owned(),
-                key_place,
-                wanted,
-            });
+            terms.push(Term { key: key.to_owned(), key_place, wanted });
             true
         });
         valid.then_some(Selection { terms })
@@ -188,17 +176,15 @@ fn wish(node: &Node, reader: &mut Reader) -> Option<Wish> {
         && from != to
         && compare(from, to).is_none_or(Ordering::is_gt)
     {
-        reader.report(Diagnostic::error("this range holds nothing").at(
-            node.place,
-            "expected the smaller number first, both with a unit or both without",
-        ));
+        reader.report(
+            Diagnostic::error("this range holds nothing").at(
+                node.place,
+                "expected the smaller number first, both with a unit or both without",
+            ),
+        );
         return None;
     }
-    Some(Wish {
-        from,
-        to,
-        place: node.place,
-    })
+    Some(Wish { from, to, place: node.place })
 }
 
 /// Visits what stands under dotted keys, as long as it is sound. `a.b = 1` and `"a.b" = 1` are the

@@ -83,10 +83,7 @@ impl Study {
     pub fn reads_tables_of(&self, sweep: usize) -> bool {
         let reads =
             |quantity: &Quantity| !matches!(quantity.column.source, Source::Summary | Source::Path);
-        let figures = self
-            .figures
-            .iter()
-            .filter(|of| of.chosen.sweeps.contains(&sweep));
+        let figures = self.figures.iter().filter(|of| of.chosen.sweeps.contains(&sweep));
         let rows = self.tables.iter().flat_map(|table| &table.rows);
         let mut rows = rows.filter(|of| of.chosen.sweeps.contains(&sweep));
         figures.flat_map(Figure::quantities).any(reads)
@@ -94,11 +91,8 @@ impl Study {
     }
 }
 
-static STUDY_FILE: Kind = Kind {
-    noun: "study",
-    needs: "it needs at least one [[sweep]]",
-    tables: || &TABLES,
-};
+static STUDY_FILE: Kind =
+    Kind { noun: "study", needs: "it needs at least one [[sweep]]", tables: || &TABLES };
 
 static TABLES: LazyLock<Json> = LazyLock::new(StudyTable::schema);
 
@@ -131,10 +125,7 @@ pub fn parse(name: &str, text: &[u8], columns: &[ColumnName]) -> Result<Study, R
     let failed = reader.has_errors();
     let report = reader.into_report();
     match study {
-        Some(study) if !failed => Ok(Study {
-            warnings: report,
-            ..study
-        }),
+        Some(study) if !failed => Ok(Study { warnings: report, ..study }),
         _ => Err(report),
     }
 }
@@ -170,16 +161,10 @@ fn build(
     all(tables_given.len(), tables.len())?;
     let stem = || {
         let stem = Path::new(name).file_stem();
-        stem.map_or_else(
-            || "study".to_owned(),
-            |stem| stem.to_string_lossy().into_owned(),
-        )
+        stem.map_or_else(|| "study".to_owned(), |stem| stem.to_string_lossy().into_owned())
     };
     Some(Study {
-        name: table
-            .name
-            .optional()?
-            .map_or_else(stem, |at| at.value.clone()),
+        name: table.name.optional()?.map_or_else(stem, |at| at.value.clone()),
         description: table.description.text()?,
         units: *table.units.get()?,
         sweeps,

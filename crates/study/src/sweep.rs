@@ -117,10 +117,7 @@ impl SweepTable {
             name: self.name.get()?.clone(),
             case: self.case.get()?.clone(),
             set: changes(&self.set)?,
-            vary: self
-                .vary
-                .optional()?
-                .map_or_else(Vec::new, |at| at.value.clone()),
+            vary: self.vary.optional()?.map_or_else(Vec::new, |at| at.value.clone()),
             exceptions: exceptions
                 .iter()
                 .map(|Spanned { value: table, .. }| {
@@ -136,11 +133,7 @@ impl SweepTable {
 }
 
 fn changes(field: &Field<Vec<Override>>) -> Option<Vec<Override>> {
-    Some(
-        field
-            .optional()?
-            .map_or_else(Vec::new, |at| at.value.clone()),
-    )
+    Some(field.optional()?.map_or_else(Vec::new, |at| at.value.clone()))
 }
 
 /// The quotation of what stands at these places of the study.
@@ -163,10 +156,7 @@ impl Rule for Changes {
 
     fn read(&self, node: &Node, reader: &mut Reader) -> Option<Vec<Override>> {
         let Value::Table(entries) = &node.value else {
-            reader.expected(
-                node,
-                "keys with values, such as { rpm = 70, wob = \"6 tf\" }",
-            );
+            reader.expected(node, "keys with values, such as { rpm = 70, wob = \"6 tf\" }");
             return None;
         };
         let mut changes = Vec::new();
@@ -207,10 +197,7 @@ impl Rule for Varied {
                 reader.report(Diagnostic::error(message).at(node.place, "expected at least one"));
                 return false;
             }
-            let mut variation = Variation {
-                key: key.to_owned(),
-                values: Vec::new(),
-            };
+            let mut variation = Variation { key: key.to_owned(), values: Vec::new() };
             let mut valid = true;
             for item in items {
                 let written = reader.text_at(item.place).to_owned();

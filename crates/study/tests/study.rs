@@ -100,19 +100,11 @@ const COLUMNS: &[ColumnName] = &[
     column(Source::Frames, "contact_force_N", Dimension::Force),
     column(Source::Contact, "time_s", Dimension::Time),
     column(Source::Contact, "md_m", Dimension::Length),
-    column(
-        Source::Contact,
-        "side_force_N_per_m",
-        Dimension::ForcePerLength,
-    ),
+    column(Source::Contact, "side_force_N_per_m", Dimension::ForcePerLength),
 ];
 
 const fn column(source: Source, name: &'static str, dimension: Dimension) -> ColumnName {
-    ColumnName {
-        source,
-        name,
-        dimension: Some(dimension),
-    }
+    ColumnName { source, name, dimension: Some(dimension) }
 }
 
 fn read(text: &str) -> Result<Study, Report> {
@@ -121,11 +113,7 @@ fn read(text: &str) -> Result<Study, Report> {
 
 /// The example with one text replaced by another, which must stand in it once.
 fn changed(from: &str, to: &str) -> String {
-    assert_eq!(
-        EXAMPLE.matches(from).count(),
-        1,
-        "`{from}` must stand once in the example"
-    );
+    assert_eq!(EXAMPLE.matches(from).count(), 1, "`{from}` must stand once in the example");
     EXAMPLE.replace(from, to)
 }
 
@@ -133,31 +121,18 @@ fn changed(from: &str, to: &str) -> String {
 fn an_example_is_read_as_it_is_meant() {
     let study = read(EXAMPLE).unwrap_or_else(|report| panic!("{report}"));
     assert!(study.warnings.is_empty(), "{}", study.warnings);
-    let [deep, soft] = &study.sweeps[..] else {
-        panic!("two sweeps")
-    };
-    let set: Vec<_> = deep
-        .set
-        .iter()
-        .map(|of| (of.key.as_str(), of.value.as_str()))
-        .collect();
+    let [deep, soft] = &study.sweeps[..] else { panic!("two sweeps") };
+    let set: Vec<_> = deep.set.iter().map(|of| (of.key.as_str(), of.value.as_str())).collect();
     assert_eq!(set, [("rpm", "70"), ("well.mud", "1")]);
-    let values = |index: usize| {
-        deep.vary[index]
-            .values
-            .iter()
-            .map(|of| of.bare())
-            .collect::<Vec<_>>()
-    };
+    let values =
+        |index: usize| deep.vary[index].values.iter().map(|of| of.bare()).collect::<Vec<_>>();
     assert_eq!(values(0), ["300m", "600m", "900m", "1200m", "1500m"]);
     assert_eq!(values(1), ["0.1", "0.3"]);
     assert_eq!(soft.vary[0].values.len(), 4);
 
     let keys = ["bit_depth".to_owned(), "friction".to_owned()];
     let has = |depth: &str, friction: &str| {
-        deep.exceptions[0]
-            .when
-            .has(&keys, &[depth.to_owned(), friction.to_owned()])
+        deep.exceptions[0].when.has(&keys, &[depth.to_owned(), friction.to_owned()])
     };
     assert!(has("300m", "0.3") && has("600m", "0.30"));
     assert!(!has("900m", "0.3") && !has("300m", "0.1"));
@@ -191,11 +166,7 @@ fn an_example_is_read_as_it_is_meant() {
 #[test]
 fn an_axis_points_down_where_that_is_asked_for() {
     let across = read(EXAMPLE).unwrap_or_else(|report| panic!("{report}"));
-    let asked = EXAMPLE.replacen(
-        "x = \"bit_depth\"",
-        "x = \"bit_depth\"\nx_axis = \"down\"",
-        1,
-    );
+    let asked = EXAMPLE.replacen("x = \"bit_depth\"", "x = \"bit_depth\"\nx_axis = \"down\"", 1);
     let down = read(&asked).unwrap_or_else(|report| panic!("{report}"));
     assert_eq!(across.figures[0].x_axis, Pointing::Across);
     assert_eq!(down.figures[0].x_axis, Pointing::Down);

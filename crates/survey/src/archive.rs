@@ -87,8 +87,7 @@ fn claims(content: &[u8]) -> Vec<u64> {
                 .skip_while(|byte| byte.is_ascii_whitespace() || b"='\"+".contains(byte))
                 .take_while(|byte| byte.is_ascii_digit());
             digits.fold(0_u64, |sum, digit| {
-                sum.saturating_mul(10)
-                    .saturating_add(u64::from(digit - b'0'))
+                sum.saturating_mul(10).saturating_add(u64::from(digit - b'0'))
             })
         })
         .collect()

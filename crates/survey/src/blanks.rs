@@ -30,10 +30,7 @@ pub(crate) fn cut<'a>(source: Source<'a>, text: &'a str) -> Table<'a> {
     let columns: Vec<Range<usize>> = match first {
         Some(i) => {
             let numbers = numbers(text, &lines[i]).unwrap_or_default();
-            numbers
-                .iter()
-                .map(|word| in_characters(text, &lines[i], word))
-                .collect()
+            numbers.iter().map(|word| in_characters(text, &lines[i], word)).collect()
         }
         None => Vec::new(),
     };
@@ -58,10 +55,7 @@ pub(crate) fn cut<'a>(source: Source<'a>, text: &'a str) -> Table<'a> {
                 at: Position(span.start, span.end),
             })
             .collect();
-        rows.push(Row {
-            cells,
-            end: Position(line.end, line.end),
-        });
+        rows.push(Row { cells, end: Position(line.end, line.end) });
     }
     let note = marks.first().map(|(line, mark)| match marks.len() - 1 {
         0 => format!("the mark '{mark}' in line {line} is passed over"),
@@ -69,13 +63,7 @@ pub(crate) fn cut<'a>(source: Source<'a>, text: &'a str) -> Table<'a> {
     });
     let notes = note.into_iter().collect();
     let counted = first.is_some().then_some(columns.len());
-    Table {
-        source,
-        rows,
-        parted_by: Some("blanks"),
-        counted,
-        notes,
-    }
+    Table { source, rows, parted_by: Some("blanks"), counted, notes }
 }
 
 /// The words of a line, with what stands in brackets as one word.
@@ -122,10 +110,7 @@ fn phrases(text: &str, line: &Range<usize>) -> Vec<Range<usize>> {
 /// The numbers of a line that holds three or more and nothing else, a mark before them aside.
 fn numbers(text: &str, line: &Range<usize>) -> Option<Vec<Range<usize>>> {
     let mut words = words(text, line);
-    if words
-        .first()
-        .is_some_and(|word| is_mark(&text[word.clone()]))
-    {
+    if words.first().is_some_and(|word| is_mark(&text[word.clone()])) {
         words.remove(0);
     }
     let numeric = |word: &Range<usize>| number::is_number(&text[word.clone()]);
@@ -134,10 +119,7 @@ fn numbers(text: &str, line: &Range<usize>) -> Option<Vec<Range<usize>>> {
 
 /// A sign before a row, such as `!` or `*`, that is not part of its numbers.
 fn is_mark(word: &str) -> bool {
-    matches!(
-        word,
-        "!" | "*" | "**" | ">" | "+" | "@" | "&" | "x" | "P" | "T"
-    )
+    matches!(word, "!" | "*" | "**" | ">" | "+" | "@" | "&" | "x" | "P" | "T")
 }
 
 /// The cells of a line below the headings, and the mark before them.

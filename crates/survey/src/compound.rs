@@ -62,9 +62,7 @@ pub(crate) fn workbook_stream(bytes: &[u8]) -> Result<Vec<u8>, SurveyErrorKind> 
 }
 
 fn damaged(reason: &str) -> SurveyErrorKind {
-    SurveyErrorKind::NotAWorkbook {
-        reason: reason.to_owned(),
-    }
+    SurveyErrorKind::NotAWorkbook { reason: reason.to_owned() }
 }
 
 /// A compound file and its table of sectors: which one follows each.
@@ -203,17 +201,12 @@ fn entry(name: &str, kind: u8, start: u32, length: u64) -> Vec<u8> {
 /// Whether a directory entry has this name; names are UTF-16 with a zero at the end.
 fn has_name(entry: &[u8], name: &str) -> bool {
     let units: Vec<u16> = (0..32).filter_map(|i| u16_at(entry, 2 * i)).collect();
-    let end = units
-        .iter()
-        .position(|&unit| unit == 0)
-        .unwrap_or(units.len());
+    let end = units.iter().position(|&unit| unit == 0).unwrap_or(units.len());
     String::from_utf16_lossy(&units[..end]).eq_ignore_ascii_case(name)
 }
 
 fn numbers(bytes: &[u8]) -> impl Iterator<Item = u32> {
-    bytes
-        .chunks_exact(4)
-        .map(|four| u32::from_le_bytes([four[0], four[1], four[2], four[3]]))
+    bytes.chunks_exact(4).map(|four| u32::from_le_bytes([four[0], four[1], four[2], four[3]]))
 }
 
 pub(crate) fn u16_at(bytes: &[u8], at: usize) -> Option<u16> {
@@ -246,16 +239,10 @@ mod tests {
         // The third sector of the stream is followed by the first.
         let table = 4096;
         file[table + 4 * 4..][..4].copy_from_slice(&2_u32.to_le_bytes());
-        assert_eq!(
-            workbook_stream(&file),
-            Err(damaged("its sectors run in a circle"))
-        );
+        assert_eq!(workbook_stream(&file), Err(damaged("its sectors run in a circle")));
         // The directory by itself.
         let mut file = file_of(&[7; 20_000]);
         file[table + 4..][..4].copy_from_slice(&1_u32.to_le_bytes());
-        assert_eq!(
-            workbook_stream(&file),
-            Err(damaged("its sectors run in a circle"))
-        );
+        assert_eq!(workbook_stream(&file), Err(damaged("its sectors run in a circle")));
     }
 }

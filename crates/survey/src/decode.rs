@@ -20,11 +20,7 @@ pub(crate) fn text(bytes: &[u8]) -> Option<String> {
 fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Option<String> {
     let (pairs, rest) = bytes.as_chunks::<2>();
     let units: Vec<u16> = pairs.iter().map(|&pair| unit(pair)).collect();
-    if rest.is_empty() {
-        String::from_utf16(&units).ok()
-    } else {
-        None
-    }
+    if rest.is_empty() { String::from_utf16(&units).ok() } else { None }
 }
 
 /// One byte of Windows-1252. Its quotes and dashes matter; the rest of its own block is rare.

@@ -23,10 +23,7 @@ pub(crate) fn cut<'a>(
         match text.as_bytes().get(at) {
             Some(&byte) if byte == sign => at += 1,
             ended => {
-                rows.push(Row {
-                    cells: std::mem::take(&mut cells),
-                    end: Position(at, at),
-                });
+                rows.push(Row { cells: std::mem::take(&mut cells), end: Position(at, at) });
                 match ended {
                     Some(b'\r') if text.as_bytes().get(at + 1) == Some(&b'\n') => at += 2,
                     Some(_) => at += 1,
@@ -35,13 +32,7 @@ pub(crate) fn cut<'a>(
             }
         }
     }
-    Table {
-        source,
-        rows,
-        parted_by: Some(parted_by),
-        counted: None,
-        notes: Vec::new(),
-    }
+    Table { source, rows, parted_by: Some(parted_by), counted: None, notes: Vec::new() }
 }
 
 /// The cell from a byte on, and where it ends: at the sign, the end of the line or of the text.
@@ -54,40 +45,18 @@ fn cell(text: &str, start: usize, sign: u8) -> (Cell, usize) {
     {
         let inside = text[first + 1..close].replace("\"\"", "\"");
         let words: Vec<&str> = inside.split_whitespace().collect();
-        let end = close
-            + 1
-            + bytes[close + 1..]
-                .iter()
-                .take_while(|byte| blank(byte))
-                .count();
+        let end = close + 1 + bytes[close + 1..].iter().take_while(|byte| blank(byte)).count();
         let at = Position(first + 1, close);
-        return (
-            Cell {
-                text: words.join(" "),
-                number: None,
-                at,
-            },
-            end,
-        );
+        return (Cell { text: words.join(" "), number: None, at }, end);
     }
     let ends = |byte: &u8| *byte == sign || matches!(byte, b'\n' | b'\r');
-    let end = bytes[start..]
-        .iter()
-        .position(ends)
-        .map_or(text.len(), |length| start + length);
+    let end = bytes[start..].iter().position(ends).map_or(text.len(), |length| start + length);
     let content = &text[start..end];
     let trimmed = content.trim();
     let from = start + (content.len() - content.trim_start().len());
     let from = if trimmed.is_empty() { start } else { from };
     let at = Position(from, from + trimmed.len());
-    (
-        Cell {
-            text: trimmed.to_owned(),
-            number: None,
-            at,
-        },
-        end,
-    )
+    (Cell { text: trimmed.to_owned(), number: None, at }, end)
 }
 
 /// The quote that closes a cell: not doubled, and nothing but blanks before the cell's end.
@@ -116,10 +85,7 @@ mod tests {
     use super::{Source, cut};
 
     fn texts(text: &str) -> Vec<Vec<String>> {
-        let source = Source::Text {
-            file: "a.csv",
-            text,
-        };
+        let source = Source::Text { file: "a.csv", text };
         let table = cut(source, text, b',', "commas");
         table
             .rows
@@ -136,19 +102,13 @@ mod tests {
 
     #[test]
     fn cells_are_cut_at_the_sign() {
-        assert_eq!(
-            texts("a, b ,c\r\n1,,3"),
-            [vec!["a", "b", "c"], vec!["1", "", "3"]]
-        );
+        assert_eq!(texts("a, b ,c\r\n1,,3"), [vec!["a", "b", "c"], vec!["1", "", "3"]]);
         assert_eq!(texts("a\rb\n"), [vec!["a"], vec!["b"], vec![""]]);
     }
 
     #[test]
     fn quotes_hold_signs_lines_and_quotes() {
-        assert_eq!(
-            texts("\"MD\n(ft)\", \"1,500.0\" ,x"),
-            [vec!["MD (ft)", "1,500.0", "x"]]
-        );
+        assert_eq!(texts("\"MD\n(ft)\", \"1,500.0\" ,x"), [vec!["MD (ft)", "1,500.0", "x"]]);
         assert_eq!(texts("\"8 1/2\"\" bit\",2"), [vec!["8 1/2\" bit", "2"]]);
     }
 

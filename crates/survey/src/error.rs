@@ -98,11 +98,7 @@ pub enum SurveyErrorKind {
     )]
     NoHeader,
     /// A needed column is not there.
-    #[error(
-        "no column of {column}{}; the header has: {}",
-        perhaps(nearest),
-        quoted(headers)
-    )]
+    #[error("no column of {column}{}; the header has: {}", perhaps(nearest), quoted(headers))]
     MissingColumn {
         /// The column.
         column: Column,
@@ -246,26 +242,16 @@ pub enum SurveyErrorKind {
 
 fn quoted(names: &[String]) -> String {
     const SHOWN: usize = 20;
-    let mut text = names
-        .iter()
-        .take(SHOWN)
-        .map(|name| format!("'{name}'"))
-        .collect::<Vec<_>>()
-        .join(", ");
+    let mut text =
+        names.iter().take(SHOWN).map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ");
     if names.len() > SHOWN {
         text.push_str(", ...");
     }
-    if text.is_empty() {
-        "(none)".to_owned()
-    } else {
-        text
-    }
+    if text.is_empty() { "(none)".to_owned() } else { text }
 }
 
 fn perhaps(nearest: &Option<String>) -> String {
-    nearest
-        .as_ref()
-        .map_or(String::new(), |name| format!(" (is it '{name}'?)"))
+    nearest.as_ref().map_or(String::new(), |name| format!(" (is it '{name}'?)"))
 }
 
 fn other(is: Option<Dimension>) -> String {
@@ -273,12 +259,7 @@ fn other(is: Option<Dimension>) -> String {
 }
 
 fn units(dimension: Dimension) -> String {
-    dimension
-        .units()
-        .iter()
-        .map(|unit| unit.symbol)
-        .collect::<Vec<_>>()
-        .join(", ")
+    dimension.units().iter().map(|unit| unit.symbol).collect::<Vec<_>>().join(", ")
 }
 
 /// Why a file is no survey.

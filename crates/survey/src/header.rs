@@ -54,13 +54,11 @@ impl Partial {
             .iter()
             .filter(|cell| !cell.is_empty())
             .map(|cell| cell.at)
-            .reduce(|first, last| {
-                if first.0 == last.0 {
-                    first
-                } else {
-                    Position(first.0, last.1)
-                }
-            });
+            .reduce(
+                |first, last| {
+                    if first.0 == last.0 { first } else { Position(first.0, last.1) }
+                },
+            );
         table.source.error(self.kind, at)
     }
 }
@@ -101,11 +99,8 @@ fn named(table: &Table, top: usize, row: usize) -> Result<Header, Partial> {
     let width = width.min(HEADER_COLUMNS);
     let texts: Vec<String> = (0..width)
         .map(|index| {
-            let parts: Vec<&str> = rows
-                .iter()
-                .map(|row| row.text(index))
-                .filter(|text| !text.is_empty())
-                .collect();
+            let parts: Vec<&str> =
+                rows.iter().map(|row| row.text(index)).filter(|text| !text.is_empty()).collect();
             parts.join(" ")
         })
         .collect();
@@ -142,48 +137,25 @@ fn named(table: &Table, top: usize, row: usize) -> Result<Header, Partial> {
     }
     // One alone is no position: "N" may as well number the rows.
     let is_plan = |column| matches!(column, Column::North | Column::East);
-    if taken
-        .iter()
-        .filter(|(_, _, heading): &&Taken| is_plan(heading.column))
-        .count()
-        == 1
-    {
+    if taken.iter().filter(|(_, _, heading): &&Taken| is_plan(heading.column)).count() == 1 {
         let alone = taken.extract_if(.., |(_, _, heading)| is_plan(heading.column));
         passed_over.extend(alone.map(|(_, text, _)| text));
     }
     match fault {
-        None => Ok(Header {
-            row,
-            headings: taken,
-            passed_over,
-            texts,
-        }),
+        None => Ok(Header { row, headings: taken, passed_over, texts }),
         Some(kind) => {
             let count = Column::ALL
                 .iter()
-                .filter(|column| {
-                    headings
-                        .iter()
-                        .any(|(_, heading)| heading.column == **column)
-                })
+                .filter(|column| headings.iter().any(|(_, heading)| heading.column == **column))
                 .count();
             let texts = texts.into_iter().filter(|text| !text.is_empty()).collect();
-            Err(Partial {
-                count,
-                row,
-                texts,
-                kind,
-            })
+            Err(Partial { count, row, texts, kind })
         }
     }
 }
 
 fn missing(column: Column, texts: &[String]) -> SurveyErrorKind {
-    let headers: Vec<String> = texts
-        .iter()
-        .filter(|text| !text.is_empty())
-        .cloned()
-        .collect();
+    let headers: Vec<String> = texts.iter().filter(|text| !text.is_empty()).cloned().collect();
     let nearest = headers
         .iter()
         .filter(|text| heading::recognise(text).is_none())
@@ -191,9 +163,5 @@ fn missing(column: Column, texts: &[String]) -> SurveyErrorKind {
         .filter(|(nearness, _)| *nearness >= NEAR)
         .max_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, text)| text.clone());
-    SurveyErrorKind::MissingColumn {
-        column,
-        headers,
-        nearest,
-    }
+    SurveyErrorKind::MissingColumn { column, headers, nearest }
 }

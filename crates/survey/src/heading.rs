@@ -39,15 +39,8 @@ pub(crate) fn recognise(text: &str) -> Option<Heading> {
     }
     let (name, brackets) = part_brackets(text);
     let words = words(&name);
-    let inside: Vec<String> = brackets
-        .iter()
-        .flat_map(|bracket| self::words(bracket))
-        .collect();
-    if words
-        .iter()
-        .chain(&inside)
-        .any(|word| SUBSEA.contains(&lower(word).as_str()))
-    {
+    let inside: Vec<String> = brackets.iter().flat_map(|bracket| self::words(bracket)).collect();
+    if words.iter().chain(&inside).any(|word| SUBSEA.contains(&lower(word).as_str())) {
         return None;
     }
 
@@ -61,12 +54,7 @@ pub(crate) fn recognise(text: &str) -> Option<Heading> {
             Some((column, rank, Some(unit)))
         })?,
     };
-    let has = |word: &str| {
-        words
-            .iter()
-            .chain(&inside)
-            .any(|other| lower(other) == word)
-    };
+    let has = |word: &str| words.iter().chain(&inside).any(|other| lower(other) == word);
     match column {
         Column::Azimuth if has("grid") || has("corr") || has("corrected") => rank = 0,
         Column::Azimuth if has("true") => rank = 2,
@@ -83,17 +71,12 @@ pub(crate) fn recognise(text: &str) -> Option<Heading> {
 
 /// The unit that a cell in a row of units names: `ft`, `(ft)`, `[ft]`.
 pub(crate) fn bare_unit(text: &str) -> &str {
-    text.trim()
-        .trim_matches(['(', ')', '[', ']', '{', '}'])
-        .trim()
+    text.trim().trim_matches(['(', ')', '[', ']', '{', '}']).trim()
 }
 
 /// Whether a text is a unit of any dimension.
 pub(crate) fn dimension_of(text: &str) -> Option<Dimension> {
-    Dimension::ALL
-        .iter()
-        .copied()
-        .find(|dimension| dimension.find_unit(text).is_some())
+    Dimension::ALL.iter().copied().find(|dimension| dimension.find_unit(text).is_some())
 }
 
 /// The column whose name comes nearest to a heading, with how near, from 0 to 1.
@@ -131,10 +114,7 @@ fn named(words: &[String]) -> Option<(Column, u8)> {
 /// The unit among the bracketed parts of a heading.
 fn unit_in(column: Column, brackets: &[String]) -> HeadingUnit {
     let dimension = column.dimension();
-    if let Some(unit) = brackets
-        .iter()
-        .find_map(|bracket| dimension.find_unit(bracket))
-    {
+    if let Some(unit) = brackets.iter().find_map(|bracket| dimension.find_unit(bracket)) {
         return HeadingUnit::Unit(unit);
     }
     // "Measured Depth (MD)", "Azimuth (T)", "MD (RKB)", "N(+)/S(-)": not meant as units.
@@ -147,10 +127,7 @@ fn unit_in(column: Column, brackets: &[String]) -> HeadingUnit {
         words.iter().all(beside) || named(&words).is_some()
     };
     match brackets.iter().find(|bracket| !meant_otherwise(bracket)) {
-        Some(bracket) => HeadingUnit::Wrong {
-            found: bracket.clone(),
-            is: dimension_of(bracket),
-        },
+        Some(bracket) => HeadingUnit::Wrong { found: bracket.clone(), is: dimension_of(bracket) },
         None => HeadingUnit::None,
     }
 }

@@ -24,8 +24,5 @@ impl ImportedSurvey {
 
 /// The first station on the vertical under the origin, as deep as its measured depth.
 pub fn under_origin(stations: &[Station]) -> TieIn {
-    TieIn {
-        tvd_m: stations.first().map_or(0.0, |first| first.md_m),
-        ..TieIn::default()
-    }
+    TieIn { tvd_m: stations.first().map_or(0.0, |first| first.md_m), ..TieIn::default() }
 }

@@ -56,11 +56,7 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
         };
         let unit = match (&heading.unit, in_row) {
             (HeadingUnit::Wrong { found, is }, _) => {
-                let kind = SurveyErrorKind::WrongUnit {
-                    column,
-                    found: found.clone(),
-                    is: *is,
-                };
+                let kind = SurveyErrorKind::WrongUnit { column, found: found.clone(), is: *is };
                 return Err(table.source.error(kind, Some(header_at)));
             }
             (HeadingUnit::Unit(in_header), Some((in_row, at))) if *in_header != in_row => {
@@ -84,10 +80,7 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
                         unit
                     }
                     None => {
-                        let kind = SurveyErrorKind::MissingUnit {
-                            column,
-                            header: text.clone(),
-                        };
+                        let kind = SurveyErrorKind::MissingUnit { column, header: text.clone() };
                         return Err(table.source.error(kind, Some(header_at)));
                     }
                 },
@@ -97,19 +90,11 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
             && column == Column::MeasuredDepth
             && said != unit
         {
-            let kind = SurveyErrorKind::OtherUnit {
-                column,
-                file: unit.symbol,
-                said: said.symbol,
-            };
+            let kind = SurveyErrorKind::OtherUnit { column, file: unit.symbol, said: said.symbol };
             return Err(table.source.error(kind, Some(header_at)));
         }
         notes.push(format!("{column} from '{text}' in {}", unit.symbol));
-        columns.push(Found {
-            column,
-            index: *index,
-            unit,
-        });
+        columns.push(Found { column, index: *index, unit });
     }
     if let Some(unit) = said.length_unit.filter(|_| !as_said.is_empty()) {
         notes.push(format!(
@@ -119,17 +104,9 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
         ));
     }
     if !in_degrees.is_empty() {
-        notes.push(format!(
-            "no unit for {}: read in degrees",
-            in_degrees.join(" and ")
-        ));
+        notes.push(format!("no unit for {}: read in degrees", in_degrees.join(" and ")));
     }
-    Ok(Layout {
-        columns,
-        data,
-        header: header.texts,
-        notes,
-    })
+    Ok(Layout { columns, data, header: header.texts, notes })
 }
 
 /// Three columns of numbers without a header, from the first row that is such; none if the
@@ -152,10 +129,7 @@ pub(crate) fn without_header(table: &Table, said: &Said) -> Option<Result<Layout
         let at = at.map_or(row.end, |cell| cell.at);
         return Some(Err(table.source.error(SurveyErrorKind::NoUnits, Some(at))));
     };
-    let filled = cells
-        .iter()
-        .enumerate()
-        .filter(|(_, cell)| !cell.is_empty());
+    let filled = cells.iter().enumerate().filter(|(_, cell)| !cell.is_empty());
     let columns = filled
         .zip(Column::NEEDED)
         .map(|((index, _), column)| {
@@ -164,11 +138,7 @@ pub(crate) fn without_header(table: &Table, said: &Said) -> Option<Result<Layout
             } else {
                 named_unit(column, "deg")
             };
-            Found {
-                column,
-                index,
-                unit,
-            }
+            Found { column, index, unit }
         })
         .collect();
     let notes = vec![
@@ -179,12 +149,7 @@ pub(crate) fn without_header(table: &Table, said: &Said) -> Option<Result<Layout
             length_unit.symbol
         ),
     ];
-    Some(Ok(Layout {
-        columns,
-        data: first,
-        header: Vec::new(),
-        notes,
-    }))
+    Some(Ok(Layout { columns, data: first, header: Vec::new(), notes }))
 }
 
 /// The row of units below a header, if there is one, and the row after it.
@@ -208,11 +173,7 @@ fn units_row(table: &Table, header: &Header) -> (Option<usize>, usize) {
         names_unit |= heading::dimension_of(unit).is_some();
         names_number |= number::is_number(text);
     }
-    if names_unit && !names_number {
-        (Some(row), row + 1)
-    } else {
-        (None, below)
-    }
+    if names_unit && !names_number { (Some(row), row + 1) } else { (None, below) }
 }
 
 /// The unit in a row of units, and where it stands.
@@ -233,11 +194,7 @@ fn unit_in_row(
         Some(unit) => Ok(Some((unit, cell.at))),
         None => {
             let is = heading::dimension_of(text);
-            let kind = SurveyErrorKind::WrongUnit {
-                column,
-                found: text.to_owned(),
-                is,
-            };
+            let kind = SurveyErrorKind::WrongUnit { column, found: text.to_owned(), is };
             Err(table.source.error(kind, Some(cell.at)))
         }
     }

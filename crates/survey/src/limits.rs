@@ -63,11 +63,7 @@ impl Budget {
         self.text_bytes = self.text_bytes.saturating_add(more);
         if self.text_bytes > TEXT_BYTES {
             let most = format!("{} MB", TEXT_BYTES >> 20);
-            return Err(too_much(
-                format!("more than {most}"),
-                "of text in its cells",
-                most,
-            ));
+            return Err(too_much(format!("more than {most}"), "of text in its cells", most));
         }
         Ok(())
     }

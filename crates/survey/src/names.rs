@@ -84,17 +84,9 @@ pub(crate) const NAMES: &[(Column, u8, &[&str])] = &[
             "verticaldepthtvd",
         ],
     ),
-    (
-        Column::North,
-        0,
-        &["north", "ns", "n", "northsouth", "nsoffset", "northoffset"],
-    ),
+    (Column::North, 0, &["north", "ns", "n", "northsouth", "nsoffset", "northoffset"]),
     (Column::North, 1, &["northing", "northings"]),
-    (
-        Column::East,
-        0,
-        &["east", "ew", "e", "eastwest", "ewoffset", "eastoffset"],
-    ),
+    (Column::East, 0, &["east", "ew", "e", "eastwest", "ewoffset", "eastoffset"]),
     (Column::East, 1, &["easting", "eastings"]),
 ];
 

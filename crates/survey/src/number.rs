@@ -54,10 +54,7 @@ pub(crate) fn style<'a>(numbers: impl Iterator<Item = &'a str>) -> Result<Style,
 pub(crate) fn read(text: &str, style: Style) -> Result<f64, Fault> {
     let text = text.trim().replace('−', "-");
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(&text);
-    if ["nan", "inf", "infinity"]
-        .iter()
-        .any(|name| unsigned.eq_ignore_ascii_case(name))
-    {
+    if ["nan", "inf", "infinity"].iter().any(|name| unsigned.eq_ignore_ascii_case(name)) {
         return Err(Fault::NotFinite);
     }
     let (decimal, thousands) = match style {
@@ -126,9 +123,7 @@ mod tests {
         assert_eq!(point("1e3"), Ok(1000.0));
         assert_eq!(comma("1.500,25"), Ok(1500.25));
         assert_eq!(comma("−0,5"), Ok(-0.5));
-        for text in [
-            "", ".", "-", "1,50", "0,500", "1,5000", "1.2.3", "1e", "e5", "abc", "5m",
-        ] {
+        for text in ["", ".", "-", "1,50", "0,500", "1,5000", "1.2.3", "1e", "e5", "abc", "5m"] {
             assert_eq!(point(text), Err(Fault::NotANumber), "{text}");
         }
         for text in ["NaN", "-inf", "Infinity", "1e999"] {

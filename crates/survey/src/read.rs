@@ -64,10 +64,7 @@ fn csv(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, SurveyEr
     let Some(text) = decode::text(bytes) else {
         return Err(SurveyError::new(name, SurveyErrorKind::NotText, None, None));
     };
-    let source = Source::Text {
-        file: name,
-        text: &text,
-    };
+    let source = Source::Text { file: name, text: &text };
     if text.trim().is_empty() {
         return Err(source.error(SurveyErrorKind::Empty, None));
     }
@@ -92,11 +89,9 @@ fn fits(text: &str) -> Result<(), SurveyErrorKind> {
         return Err(limits::too_much(rows, "lines", limits::ROWS));
     }
     let blanks = text.split_whitespace().count();
-    let cells = SIGNS
-        .map(|(sign, _)| count(&|byte| byte == sign))
-        .into_iter()
-        .fold(blanks, usize::max)
-        + rows;
+    let cells =
+        SIGNS.map(|(sign, _)| count(&|byte| byte == sign)).into_iter().fold(blanks, usize::max)
+            + rows;
     if cells > limits::CELLS {
         return Err(limits::too_much(cells, "cells", limits::CELLS));
     }
@@ -116,10 +111,8 @@ pub fn read_excel(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyErro
 fn excel(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, SurveyError> {
     let sheets =
         workbook::sheets(bytes).map_err(|kind| SurveyError::new(name, kind, None, None))?;
-    let (names, rows): (Vec<String>, Vec<_>) = sheets
-        .into_iter()
-        .map(|sheet| (sheet.name, sheet.rows))
-        .unzip();
+    let (names, rows): (Vec<String>, Vec<_>) =
+        sheets.into_iter().map(|sheet| (sheet.name, sheet.rows)).unzip();
     let tables: Vec<Table> = names
         .iter()
         .zip(rows)
@@ -149,9 +142,7 @@ fn read_first(tables: &[Table], said: &Said) -> Option<Result<ImportedSurvey, Su
                 return Some(layout.and_then(|layout| stations::read(table, layout)));
             }
             Err(Some(partial)) => {
-                let nearer = nearest
-                    .as_ref()
-                    .is_none_or(|(best, _)| partial.count > best.count);
+                let nearer = nearest.as_ref().is_none_or(|(best, _)| partial.count > best.count);
                 if nearer {
                     nearest = Some((partial, table));
                 }
@@ -160,13 +151,9 @@ fn read_first(tables: &[Table], said: &Said) -> Option<Result<ImportedSurvey, Su
         }
     }
     // Two columns named are a header; one may be a title's word.
-    if nearest
-        .as_ref()
-        .is_none_or(|(partial, _)| partial.count < 2)
-    {
-        let bare = tables
-            .iter()
-            .find_map(|table| Some((table, layout::without_header(table, said)?)));
+    if nearest.as_ref().is_none_or(|(partial, _)| partial.count < 2) {
+        let bare =
+            tables.iter().find_map(|table| Some((table, layout::without_header(table, said)?)));
         if let Some((table, layout)) = bare {
             return Some(layout.and_then(|layout| stations::read(table, layout)));
         }

@@ -139,11 +139,7 @@ fn place(kind: u16, data: &[u8]) -> Option<(u16, u16, u16)> {
             let numbers = data.len().saturating_sub(6) / 6;
             let by_length = usize::from(first) + numbers.max(1) - 1;
             let stated = u16_at(data, data.len().checked_sub(2)?)?;
-            Some((
-                row,
-                first,
-                stated.max(by_length.min(usize::from(u16::MAX)) as u16),
-            ))
+            Some((row, first, stated.max(by_length.min(usize::from(u16::MAX)) as u16)))
         }
         _ => None,
     }
@@ -170,12 +166,7 @@ struct Extent(Option<[u16; 4]>);
 impl Extent {
     fn take(&mut self, row: u16, first: u16, last: u16) {
         let [top, bottom, left, right] = self.0.unwrap_or([row, row, first, last]);
-        self.0 = Some([
-            top.min(row),
-            bottom.max(row),
-            left.min(first),
-            right.max(last),
-        ]);
+        self.0 = Some([top.min(row), bottom.max(row), left.min(first), right.max(last)]);
     }
 
     fn area(&self) -> usize {
@@ -195,11 +186,8 @@ fn string_lengths(head: &[Record], stream: &[u8]) -> Vec<usize> {
     let more = head[at + 1..].iter();
     let more = more.take_while(|record| record.kind == CONTINUE);
     let pieces = std::iter::once(&head[at]).chain(more);
-    let mut strings = Strings {
-        pieces: pieces.map(|record| record.data(stream)).collect(),
-        piece: 0,
-        at: 8,
-    };
+    let mut strings =
+        Strings { pieces: pieces.map(|record| record.data(stream)).collect(), piece: 0, at: 8 };
     let mut lengths = Vec::new();
     while let Some(length) = strings.next_length() {
         lengths.push(length);
@@ -290,7 +278,5 @@ fn records(stream: &[u8], from: usize) -> impl Iterator<Item = Record> + '_ {
 }
 
 fn damaged(reason: &str) -> SurveyErrorKind {
-    SurveyErrorKind::NotAWorkbook {
-        reason: reason.to_owned(),
-    }
+    SurveyErrorKind::NotAWorkbook { reason: reason.to_owned() }
 }

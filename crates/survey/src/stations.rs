@@ -20,10 +20,7 @@ const NOTED_ROWS: usize = 5;
 pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, SurveyError> {
     let mut notes = layout.notes.clone();
     let rows = station_rows(table, &layout, &mut notes);
-    let reader = Reader {
-        table,
-        style: style(table, &layout, &rows)?,
-    };
+    let reader = Reader { table, style: style(table, &layout, &rows)? };
     if reader.style == Style::Comma {
         notes.push("a comma is read as the decimal sign".to_owned());
     }
@@ -37,10 +34,7 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, Surv
     for &row in &rows {
         let row = &table.rows[row];
         if let Some(expected) = table.counted.filter(|&count| row.cells.len() < count) {
-            let kind = SurveyErrorKind::ShortRow {
-                found: row.cells.len(),
-                expected,
-            };
+            let kind = SurveyErrorKind::ShortRow { found: row.cells.len(), expected };
             return Err(table.source.error(kind, Some(whole(row))));
         }
         let md_m = reader.value(row, depth)?;
@@ -65,19 +59,11 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, Surv
         if !(-turn..=2.0 * turn).contains(&azimuth_rad) {
             return Err(reader.out_of_range(row, azimuth, "-360 to 720 deg"));
         }
-        stations.push(Station {
-            md_m,
-            inclination_rad,
-            azimuth_rad,
-        });
+        stations.push(Station { md_m, inclination_rad, azimuth_rad });
     }
     if stations.len() < 2 {
-        let kind = SurveyErrorKind::TooFewStations {
-            found: stations.len(),
-        };
-        let last = rows
-            .last()
-            .map_or(layout.data.saturating_sub(1), |&row| row);
+        let kind = SurveyErrorKind::TooFewStations { found: stations.len() };
+        let last = rows.last().map_or(layout.data.saturating_sub(1), |&row| row);
         let at = table.rows.get(last).map(whole);
         return Err(table.source.error(kind, at));
     }
@@ -97,11 +83,7 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, Surv
     }
     notes.extend(table.notes.iter().cloned());
     notes.push(format!("{} stations", stations.len()));
-    Ok(ImportedSurvey {
-        stations,
-        tie_in,
-        notes,
-    })
+    Ok(ImportedSurvey { stations, tie_in, notes })
 }
 
 /// The rows that hold stations: not empty, no comment, rule, remark or repeated header.
@@ -122,9 +104,7 @@ fn station_rows(table: &Table, layout: &Layout, notes: &mut Vec<String>) -> Vec<
             && !row.texts().any(number::is_number);
         let header = !layout.header.is_empty()
             && row.texts().count() > 1
-            && row
-                .texts()
-                .all(|text| layout.header.iter().any(|heading| heading == text));
+            && row.texts().all(|text| layout.header.iter().any(|heading| heading == text));
         if remark || header || row.is_comment() {
             passed_over += 1;
             if passed_over <= NOTED_ROWS {
@@ -146,21 +126,13 @@ fn station_rows(table: &Table, layout: &Layout, notes: &mut Vec<String>) -> Vec<
 fn style(table: &Table, layout: &Layout, rows: &[usize]) -> Result<Style, SurveyError> {
     let cells = || {
         rows.iter().flat_map(|&row| {
-            layout
-                .columns
-                .iter()
-                .filter_map(move |found| table.rows[row].cells.get(found.index))
+            layout.columns.iter().filter_map(move |found| table.rows[row].cells.get(found.index))
         })
     };
     let written = cells().filter(|cell| cell.number.is_none());
     number::style(written.map(|cell| cell.text.as_str())).map_err(|found| {
         let at = cells().find(|cell| cell.text == found).map(|cell| cell.at);
-        table.source.error(
-            SurveyErrorKind::AmbiguousComma {
-                found: found.to_owned(),
-            },
-            at,
-        )
+        table.source.error(SurveyErrorKind::AmbiguousComma { found: found.to_owned() }, at)
     })
 }
 
@@ -185,30 +157,18 @@ impl Reader<'_> {
         let text = cell.text.clone();
         match number.map(|number| found.unit.to_si(number)) {
             Ok(si) if si.is_finite() => Ok(si),
-            Ok(_) | Err(Fault::NotFinite) => error(
-                SurveyErrorKind::NotFinite {
-                    column,
-                    found: text,
-                },
-                cell.at,
-            ),
-            Err(Fault::NotANumber) => error(
-                SurveyErrorKind::NotANumber {
-                    column,
-                    found: text,
-                },
-                cell.at,
-            ),
+            Ok(_) | Err(Fault::NotFinite) => {
+                error(SurveyErrorKind::NotFinite { column, found: text }, cell.at)
+            }
+            Err(Fault::NotANumber) => {
+                error(SurveyErrorKind::NotANumber { column, found: text }, cell.at)
+            }
         }
     }
 
     fn out_of_range(&self, row: &Row, found: &Found, expected: &'static str) -> SurveyError {
         let written = format!("{} {}", row.text(found.index), found.unit.symbol);
-        let kind = SurveyErrorKind::OutOfRange {
-            column: found.column,
-            found: written,
-            expected,
-        };
+        let kind = SurveyErrorKind::OutOfRange { column: found.column, found: written, expected };
         self.table.source.error(kind, Some(position(row, found)))
     }
 
@@ -243,11 +203,8 @@ impl Reader<'_> {
                 notes.push(format!("the first station has no {column}: taken as 0"));
             }
         }
-        let tie_in = TieIn {
-            north_m: north_m.unwrap_or(0.0),
-            east_m: east_m.unwrap_or(0.0),
-            tvd_m,
-        };
+        let tie_in =
+            TieIn { north_m: north_m.unwrap_or(0.0), east_m: east_m.unwrap_or(0.0), tvd_m };
         notes.push(format!(
             "the first station lies at true vertical depth {} m, north {} m, east {} m",
             tie_in.tvd_m, tie_in.north_m, tie_in.east_m
@@ -262,8 +219,5 @@ fn position(row: &Row, found: &Found) -> Position {
 
 /// The place of a whole row: its first cell that holds anything.
 fn whole(row: &Row) -> Position {
-    row.cells
-        .iter()
-        .find(|cell| !cell.is_empty())
-        .map_or(row.end, |cell| cell.at)
+    row.cells.iter().find(|cell| !cell.is_empty()).map_or(row.end, |cell| cell.at)
 }

@@ -42,10 +42,7 @@ impl Row {
 
     /// The texts of its cells that hold any.
     pub(crate) fn texts(&self) -> impl Iterator<Item = &str> {
-        self.cells
-            .iter()
-            .map(|cell| cell.text.as_str())
-            .filter(|text| !text.is_empty())
+        self.cells.iter().map(|cell| cell.text.as_str()).filter(|text| !text.is_empty())
     }
 
     /// It begins with a sign of comments.
@@ -56,11 +53,7 @@ impl Row {
 
     /// A line drawn with signs, such as `-----`.
     pub(crate) fn is_rule(&self) -> bool {
-        let mut drawn = self
-            .texts()
-            .flat_map(str::chars)
-            .filter(|c| !c.is_whitespace())
-            .peekable();
+        let mut drawn = self.texts().flat_map(str::chars).filter(|c| !c.is_whitespace()).peekable();
         drawn.peek().is_some() && drawn.all(|c| "-=_*+|".contains(c))
     }
 }

@@ -29,20 +29,12 @@ pub(crate) fn sheets(bytes: &[u8]) -> Result<Vec<Sheet>, SurveyErrorKind> {
         return Err(SurveyErrorKind::Empty);
     }
     // The reader of workbooks is not ours, and a damaged file may make it panic.
-    let sheets = contain(|| {
-        if bytes.starts_with(b"PK") {
-            xlsx(bytes)
-        } else {
-            xls(bytes)
-        }
-    });
+    let sheets = contain(|| if bytes.starts_with(b"PK") { xlsx(bytes) } else { xls(bytes) });
     sheets.unwrap_or_else(|_| Err(unreadable("it is damaged")))
 }
 
 fn unreadable(reason: impl ToString) -> SurveyErrorKind {
-    SurveyErrorKind::NotAWorkbook {
-        reason: reason.to_string(),
-    }
+    SurveyErrorKind::NotAWorkbook { reason: reason.to_string() }
 }
 
 fn xlsx(bytes: &[u8]) -> Result<Vec<Sheet>, SurveyErrorKind> {
@@ -135,20 +127,13 @@ fn rows(
     for ((row, column), cell) in cells {
         let (row, column) = (row as usize, column as usize);
         while rows.len() <= row {
-            rows.push(Row {
-                cells: Vec::new(),
-                end: Position(rows.len(), 0),
-            });
+            rows.push(Row { cells: Vec::new(), end: Position(rows.len(), 0) });
         }
         let row = &mut rows[row];
         budget.cells(column - row.cells.len())?;
         while row.cells.len() < column {
             let at = Position(row.end.0, row.cells.len());
-            row.cells.push(Cell {
-                text: String::new(),
-                number: None,
-                at,
-            });
+            row.cells.push(Cell { text: String::new(), number: None, at });
         }
         row.cells.push(cell);
         row.end.1 = row.cells.len();

@@ -142,12 +142,7 @@ fn workbook(replaced: usize, by: &[u8]) -> Vec<u8> {
         zip::write::SimpleFileOptions::default().compression_method(zip::CompressionMethod::Stored);
     for (index, (name, part)) in PARTS.iter().enumerate() {
         zip.start_file(*name, options).unwrap();
-        zip.write_all(if index == replaced {
-            by
-        } else {
-            part.as_bytes()
-        })
-        .unwrap();
+        zip.write_all(if index == replaced { by } else { part.as_bytes() }).unwrap();
     }
     zip.finish().unwrap().into_inner()
 }
@@ -183,16 +178,10 @@ fn damaged_records() -> impl Strategy<Value = Vec<u8>> {
 
 #[test]
 fn what_is_damaged_below_is_whole() {
-    for (bytes, name) in [
-        (TEXT, "a.csv"),
-        (REPORT, "a.txt"),
-        (&WORKBOOK, "a.xlsx"),
-        (&OLD_WORKBOOK, "a.xls"),
-    ] {
-        assert!(
-            read(bytes, name).is_ok_and(|survey| survey.stations.len() == 3),
-            "{name}"
-        );
+    for (bytes, name) in
+        [(TEXT, "a.csv"), (REPORT, "a.txt"), (&WORKBOOK, "a.xlsx"), (&OLD_WORKBOOK, "a.xls")]
+    {
+        assert!(read(bytes, name).is_ok_and(|survey| survey.stations.len() == 3), "{name}");
     }
 }
 

@@ -40,9 +40,7 @@ fn survey(bytes: &[u8]) -> ImportedSurvey {
 #[test]
 fn the_sheet_with_the_columns_is_found() {
     let bytes = workbook(&[
-        ("Notes", &|sheet| {
-            write(sheet, 0, 0, &[&["Well S-1"], &["Rig", "7"]])
-        }),
+        ("Notes", &|sheet| write(sheet, 0, 0, &[&["Well S-1"], &["Rig", "7"]])),
         ("Survey 2", &|sheet| {
             // A title, a gap, a row of units, a column of remarks, feet, an azimuth through north.
             write(sheet, 0, 0, &[&["Survey of S-1"]]);
@@ -51,15 +49,7 @@ fn the_sheet_with_the_columns_is_found() {
                 3,
                 2,
                 &[
-                    &[
-                        "Measured Depth",
-                        "Incl",
-                        "Azimuth Grid",
-                        "TVD",
-                        "N/S",
-                        "E/W",
-                        "Remark",
-                    ],
+                    &["Measured Depth", "Incl", "Azimuth Grid", "TVD", "N/S", "E/W", "Remark"],
                     &["ft", "deg", "deg", "ft", "ft", "ft", ""],
                     &["0", "0", "359.5", "0", "10", "20", "tie-in"],
                     &["100", "1.25", "0.5", "100", "10.1", "20", ""],
@@ -75,34 +65,16 @@ fn the_sheet_with_the_columns_is_found() {
     assert_eq!(survey.stations[1].inclination_rad, 1.25f64.to_radians());
     assert_eq!(survey.stations[0].azimuth_rad, 359.5f64.to_radians());
     let tie_in = survey.tie_in.unwrap();
-    assert_eq!(
-        (tie_in.north_m, tie_in.east_m, tie_in.tvd_m),
-        (3.048, 6.096, 0.0)
-    );
+    assert_eq!((tie_in.north_m, tie_in.east_m, tie_in.tvd_m), (3.048, 6.096, 0.0));
     assert_eq!(survey.notes[0], "header in row 4 of sheet 'Survey 2'");
 }
 
 #[test]
 fn numbers_as_text_and_formulas_are_numbers() {
     let bytes = workbook(&[("S", &|sheet| {
-        write(
-            sheet,
-            0,
-            0,
-            &[
-                &["MD (m)", "Inc", "Azi"],
-                &["0", "0", "0"],
-                &["30", "1", ""],
-            ],
-        );
+        write(sheet, 0, 0, &[&["MD (m)", "Inc", "Azi"], &["0", "0", "0"], &["30", "1", ""]]);
         sheet.write_string(2, 0, "1,030.5").unwrap();
-        sheet
-            .write_formula(
-                2,
-                2,
-                rust_xlsxwriter::Formula::new("=40+5").set_result("45"),
-            )
-            .unwrap();
+        sheet.write_formula(2, 2, rust_xlsxwriter::Formula::new("=40+5").set_result("45")).unwrap();
     })]);
     let survey = survey(&bytes);
     assert_eq!(survey.stations[1].md_m, 1030.5);
@@ -111,14 +83,11 @@ fn numbers_as_text_and_formulas_are_numbers() {
 
 #[test]
 fn three_bare_columns_are_read_in_the_unit_that_is_said() {
-    let bytes = workbook(&[("S", &|sheet| {
-        write(sheet, 0, 0, &[&["0", "0", "0"], &["9", "1", "2"]])
-    })]);
+    let bytes =
+        workbook(&[("S", &|sheet| write(sheet, 0, 0, &[&["0", "0", "0"], &["9", "1", "2"]]))]);
     let error = read(&bytes, "a.xlsx").unwrap_err();
     assert_eq!(error.kind(), &SurveyErrorKind::NoUnits);
-    let said = Said {
-        length_unit: wholestring_units::Dimension::Length.find_unit("m"),
-    };
+    let said = Said { length_unit: wholestring_units::Dimension::Length.find_unit("m") };
     let survey = read_as(&bytes, "a.xlsx", &said).unwrap();
     assert_eq!(survey.stations[1].md_m, 9.0);
 }
@@ -126,47 +95,19 @@ fn three_bare_columns_are_read_in_the_unit_that_is_said() {
 #[test]
 fn faults_name_the_sheet_and_the_cell() {
     let date = |sheet: &mut Worksheet| {
-        write(
-            sheet,
-            0,
-            0,
-            &[
-                &["MD (m)", "Inc", "Azi"],
-                &["0", "0", "0"],
-                &["30", "1", ""],
-            ],
-        );
+        write(sheet, 0, 0, &[&["MD (m)", "Inc", "Azi"], &["0", "0", "0"], &["30", "1", ""]]);
         let date = ExcelDateTime::from_ymd(2020, 1, 2).unwrap();
         let format = Format::new().set_num_format("yyyy-mm-dd");
-        sheet
-            .write_datetime_with_format(2, 2, &date, &format)
-            .unwrap();
+        sheet.write_datetime_with_format(2, 2, &date, &format).unwrap();
     };
     let backwards = |sheet: &mut Worksheet| {
-        write(
-            sheet,
-            1,
-            27,
-            &[
-                &["MD (m)", "Inc", "Azi"],
-                &["90", "0", "0"],
-                &["30", "1", "0"],
-            ],
-        );
+        write(sheet, 1, 27, &[&["MD (m)", "Inc", "Azi"], &["90", "0", "0"], &["30", "1", "0"]]);
     };
     let missing = |sheet: &mut Worksheet| {
-        write(
-            sheet,
-            0,
-            0,
-            &[&["MD (m)", "Inc"], &["90", "0"], &["30", "1"]],
-        );
+        write(sheet, 0, 0, &[&["MD (m)", "Inc"], &["90", "0"], &["30", "1"]]);
     };
     let cases: [(Fill, &str); 3] = [
-        (
-            &date,
-            "a.xlsx, sheet 'S', cell C3: 'a date' is not a number; the azimuth was expected",
-        ),
+        (&date, "a.xlsx, sheet 'S', cell C3: 'a date' is not a number; the azimuth was expected"),
         (
             &backwards,
             "a.xlsx, sheet 'S', cell AB4: the measured depth runs backwards: 30 m after 90 m; \
@@ -188,56 +129,33 @@ fn faults_name_the_sheet_and_the_cell() {
 #[test]
 fn workbooks_without_a_survey_list_their_sheets() {
     let bytes = workbook(&[
-        ("Costs", &|sheet| {
-            write(sheet, 0, 0, &[&["Item", "Price"], &["Bit", "1"]])
-        }),
+        ("Costs", &|sheet| write(sheet, 0, 0, &[&["Item", "Price"], &["Bit", "1"]])),
         ("Empty", &|_| {}),
     ]);
     let error = read(&bytes, "a.xlsx").unwrap_err();
     let sheets = vec!["Costs".to_owned(), "Empty".to_owned()];
     assert_eq!(error.kind(), &SurveyErrorKind::NoSurveySheet { sheets });
-    assert!(
-        error
-            .to_string()
-            .ends_with("the sheets are: 'Costs', 'Empty'"),
-        "{error}"
-    );
+    assert!(error.to_string().ends_with("the sheets are: 'Costs', 'Empty'"), "{error}");
 }
 
 #[test]
 fn damaged_workbooks_are_refused() {
-    let whole = workbook(&[("S", &|sheet| {
-        write(sheet, 0, 0, &[&["MD (m)", "Inc", "Azi"]])
-    })]);
+    let whole = workbook(&[("S", &|sheet| write(sheet, 0, 0, &[&["MD (m)", "Inc", "Azi"]]))]);
     for bytes in [&whole[..whole.len() / 2], &whole[..4], b"PK\x03\x04", b"PK"] {
         let error = read_excel(bytes, "a.xlsx").unwrap_err();
-        assert!(
-            matches!(error.kind(), SurveyErrorKind::NotAWorkbook { .. }),
-            "{error}"
-        );
+        assert!(matches!(error.kind(), SurveyErrorKind::NotAWorkbook { .. }), "{error}");
     }
     let compound = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1 and no more";
     let error = read(compound, "a.xls").unwrap_err();
-    assert!(
-        matches!(error.kind(), SurveyErrorKind::NotAWorkbook { .. }),
-        "{error}"
-    );
-    assert_eq!(
-        read_excel(b"", "a.xlsx").unwrap_err().kind(),
-        &SurveyErrorKind::Empty
-    );
+    assert!(matches!(error.kind(), SurveyErrorKind::NotAWorkbook { .. }), "{error}");
+    assert_eq!(read_excel(b"", "a.xlsx").unwrap_err().kind(), &SurveyErrorKind::Empty);
 }
 
 /// A cell in the sheet's far corner makes the range of its cells hundreds of gigabytes.
 #[test]
 fn a_cell_in_the_far_corner_costs_nothing() {
     let bytes = workbook(&[("S", &|sheet| {
-        write(
-            sheet,
-            0,
-            0,
-            &[&["md_m", "inc", "azi"], &["0", "0", "0"], &["9", "1", "2"]],
-        );
+        write(sheet, 0, 0, &[&["md_m", "inc", "azi"], &["0", "0", "0"], &["9", "1", "2"]]);
         sheet.write_number(1_048_575, 16_383, 1.0).unwrap();
     })]);
     assert_eq!(survey(&bytes).stations.len(), 2);
@@ -250,11 +168,8 @@ fn old_survey() -> Vec<u8> {
     let at = |i: usize| ((i / 3) as u16, (i % 3) as u16);
     let texts = texts.iter().map(|&text| Value::Text(text));
     let numbers = numbers.iter().map(|&number| Value::Number(number));
-    let cells: Vec<(u16, u16, Value)> = texts
-        .chain(numbers)
-        .enumerate()
-        .map(|(i, value)| (at(i).0, at(i).1, value))
-        .collect();
+    let cells: Vec<(u16, u16, Value)> =
+        texts.chain(numbers).enumerate().map(|(i, value)| (at(i).0, at(i).1, value)).collect();
     old_excel::workbook(&cells)
 }
 
@@ -264,25 +179,15 @@ fn old_workbooks_are_read() {
     let depths: Vec<f64> = survey.stations.iter().map(|station| station.md_m).collect();
     assert_eq!(depths, [0.0, 30.48, 60.96]);
     assert_eq!(survey.stations[0].azimuth_rad, 359.5f64.to_radians());
-    assert!(
-        survey.notes[0].starts_with("header in row 1 of sheet 'Survey'"),
-        "{:?}",
-        survey.notes
-    );
+    assert!(survey.notes[0].starts_with("header in row 1 of sheet 'Survey'"), "{:?}", survey.notes);
 }
 
 /// A claim of 2^32 rows would be made room for.
 #[test]
 fn old_workbooks_that_claim_more_than_the_format_has_are_refused() {
     let whole = old_survey();
-    let claim = whole
-        .windows(4)
-        .position(|bytes| bytes == [0x00, 0x02, 14, 0])
-        .unwrap();
-    let number = whole
-        .windows(4)
-        .position(|bytes| bytes == [0x03, 0x02, 14, 0])
-        .unwrap();
+    let claim = whole.windows(4).position(|bytes| bytes == [0x00, 0x02, 14, 0]).unwrap();
+    let number = whole.windows(4).position(|bytes| bytes == [0x03, 0x02, 14, 0]).unwrap();
     let damages: [(usize, &[u8]); 3] = [
         (claim + 8, &[0xf0, 0xff, 0xff, 0xff]),
         (claim + 14, &[0xff, 0xff]),
@@ -292,10 +197,7 @@ fn old_workbooks_that_claim_more_than_the_format_has_are_refused() {
         let mut bytes = whole.clone();
         bytes[at..at + damage.len()].copy_from_slice(damage);
         let error = read(&bytes, "a.xls").unwrap_err();
-        assert!(
-            matches!(error.kind(), SurveyErrorKind::NotAWorkbook { .. }),
-            "{error}"
-        );
+        assert!(matches!(error.kind(), SurveyErrorKind::NotAWorkbook { .. }), "{error}");
     }
 }
 
@@ -303,19 +205,14 @@ fn old_workbooks_that_claim_more_than_the_format_has_are_refused() {
 #[track_caller]
 fn refused(bytes: &[u8], name: &str) -> String {
     let error = read(bytes, name).unwrap_err();
-    assert!(
-        matches!(error.kind(), SurveyErrorKind::TooMuch { .. }),
-        "{error}"
-    );
+    assert!(matches!(error.kind(), SurveyErrorKind::TooMuch { .. }), "{error}");
     error.to_string()
 }
 
 /// An archive of these parts beside those of a sound workbook, which they replace.
 fn with_parts(parts: &[(&str, &[u8])]) -> Vec<u8> {
     use std::io::{Cursor, Read, Write};
-    let whole = workbook(&[("S", &|sheet| {
-        write(sheet, 0, 0, &[&["MD (m)", "Inc", "Azi"]])
-    })]);
+    let whole = workbook(&[("S", &|sheet| write(sheet, 0, 0, &[&["MD (m)", "Inc", "Azi"]]))]);
     let mut from = zip::ZipArchive::new(Cursor::new(whole)).unwrap();
     let mut to = zip::ZipWriter::new(Cursor::new(Vec::new()));
     let options = zip::write::SimpleFileOptions::default();
@@ -326,8 +223,7 @@ fn with_parts(parts: &[(&str, &[u8])]) -> Vec<u8> {
         part.read_to_end(&mut content).unwrap();
         let other = parts.iter().find(|(other, _)| *other == name);
         to.start_file(name, options).unwrap();
-        to.write_all(other.map_or(&content, |(_, other)| other))
-            .unwrap();
+        to.write_all(other.map_or(&content, |(_, other)| other)).unwrap();
     }
     to.finish().unwrap().into_inner()
 }
@@ -339,10 +235,7 @@ fn shared_strings_that_are_only_claimed_are_refused() {
         let strings = format!("<sst uniqueCount=\"{count}\"><si><t>MD (m)</t></si></sst>");
         let bytes = with_parts(&[("xl/sharedStrings.xml", strings.as_bytes())]);
         let message = refused(&bytes, "a.xlsx");
-        assert!(
-            message.contains("shared strings by its own count; at most 1"),
-            "{message}"
-        );
+        assert!(message.contains("shared strings by its own count; at most 1"), "{message}");
         // The same in another encoding, which the reader of workbooks understands.
         let wide: Vec<u8> = std::iter::once(0xfeff)
             .chain(strings.encode_utf16())
@@ -398,19 +291,14 @@ fn rows_that_are_mostly_gaps_are_refused() {
 /// were the same one took 8 GB.
 #[test]
 fn old_workbooks_with_far_cells_are_refused() {
-    let corner = [
-        (0, 0, Value::Number(1.0)),
-        (65_534, 255, Value::Number(1.0)),
-    ];
+    let corner = [(0, 0, Value::Number(1.0)), (65_534, 255, Value::Number(1.0))];
     assert_eq!(
         refused(&old_excel::workbook(&corner), "a.xls"),
         "a.xls: the file holds more than 1000000 cells; at most 1000000 can be read"
     );
     let near = [(0, 0, Value::Number(1.0)), (4_999, 9, Value::Number(1.0))];
     assert!(matches!(
-        read(&old_excel::workbook_of(&near, 1), "a.xls")
-            .unwrap_err()
-            .kind(),
+        read(&old_excel::workbook_of(&near, 1), "a.xls").unwrap_err().kind(),
         SurveyErrorKind::NoSurveySheet { .. }
     ));
     refused(&old_excel::workbook_of(&near, 40), "a.xls");

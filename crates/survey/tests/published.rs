@@ -24,21 +24,14 @@ fn assert_imported(text: &str, name: &str, depth_m: f64, tie_in: [(usize, f64); 
     let rows: Vec<Vec<f64>> = text
         .lines()
         .skip(1)
-        .map(|line| {
-            line.split(',')
-                .map(|cell| cell.trim().parse().unwrap())
-                .collect()
-        })
+        .map(|line| line.split(',').map(|cell| cell.trim().parse().unwrap()).collect())
         .collect();
     assert_eq!(survey.stations.len(), rows.len());
     // Two roundings on either side.
     let near = |a: f64, b: f64| (a - b).abs() <= 4.0 * f64::EPSILON * b.abs();
     for (station, row) in survey.stations.iter().zip(&rows) {
         assert!(near(station.md_m, row[0] * depth_m), "{row:?}");
-        assert!(
-            near(station.inclination_rad, row[1].to_radians()),
-            "{row:?}"
-        );
+        assert!(near(station.inclination_rad, row[1].to_radians()), "{row:?}");
         assert!(near(station.azimuth_rad, row[2].to_radians()), "{row:?}");
     }
     let [tvd_m, north_m, east_m] = tie_in.map(|(column, unit_m)| rows[0][column] * unit_m);
@@ -53,12 +46,7 @@ fn wellpathpy_surveys() {
         assert_imported(&text, "deviation.csv", 1.0, [(3, 1.0), (4, 1.0), (5, 1.0)]);
     }
     if let Some(text) = published("B02_wellpathpy_well9.csv") {
-        assert_imported(
-            &text,
-            "well9.csv",
-            0.3048,
-            [(3, 0.3048), (5, 1.0), (6, 1.0)],
-        );
+        assert_imported(&text, "well9.csv", 0.3048, [(3, 0.3048), (5, 1.0), (6, 1.0)]);
     }
 }
 

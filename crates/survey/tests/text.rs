@@ -16,24 +16,14 @@ fn assert_stations(survey: &ImportedSurvey, expected: &[[f64; 3]]) {
         // One multiplication by a factor, one here: a few units in the last place.
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-14 * b.abs().max(1.0);
         assert!(near(station.md_m, md_m), "{station:?}, {md_m}");
-        assert!(
-            near(station.inclination_rad, inclination.to_radians()),
-            "{station:?}"
-        );
-        assert!(
-            near(station.azimuth_rad, azimuth.to_radians()),
-            "{station:?}"
-        );
+        assert!(near(station.inclination_rad, inclination.to_radians()), "{station:?}");
+        assert!(near(station.azimuth_rad, azimuth.to_radians()), "{station:?}");
     }
 }
 
 #[track_caller]
 fn noted(survey: &ImportedSurvey, part: &str) {
-    assert!(
-        survey.notes.iter().any(|note| note.contains(part)),
-        "{:#?}",
-        survey.notes
-    );
+    assert!(survey.notes.iter().any(|note| note.contains(part)), "{:#?}", survey.notes);
 }
 
 #[test]
@@ -66,21 +56,14 @@ fn columns_in_any_order_with_others_between() {
     let foot = 0.3048;
     assert_stations(
         &survey,
-        &[
-            [0.0, 0.0, 10.0],
-            [100.0 * foot, 1.0, 20.0],
-            [200.0 * foot, 2.0, 30.0],
-        ],
+        &[[0.0, 0.0, 10.0], [100.0 * foot, 1.0, 20.0], [200.0 * foot, 2.0, 30.0]],
     );
 }
 
 #[test]
 fn semicolons_with_decimal_commas() {
     let survey = survey("MD (m);Inc (°);Azi (°)\n0,0;0,0;0\n30,5;1,25;90,125\n1.060,5;1,25;90\n");
-    assert_stations(
-        &survey,
-        &[[0.0, 0.0, 0.0], [30.5, 1.25, 90.125], [1060.5, 1.25, 90.0]],
-    );
+    assert_stations(&survey, &[[0.0, 0.0, 0.0], [30.5, 1.25, 90.125], [1060.5, 1.25, 90.0]]);
     noted(&survey, "comma is read as the decimal sign");
     noted(&survey, "parted by semicolons");
 }
@@ -97,9 +80,7 @@ fn tabs_titles_comments_quotes_and_empty_rows() {
 
 /// What is said of a file that does not tell its unit.
 fn said(unit: &str) -> Said {
-    Said {
-        length_unit: Some(Dimension::Length.find_unit(unit).unwrap()),
-    }
+    Said { length_unit: Some(Dimension::Length.find_unit(unit).unwrap()) }
 }
 
 /// Metres for feet would go unseen: a well a third as deep is a well too.
@@ -118,24 +99,15 @@ fn lengths_without_a_unit_are_refused_until_it_is_said() {
         let headless = read_as(text.as_bytes(), "a.csv", &said("ft")).unwrap();
         assert_stations(&headless, &in_feet);
         noted(&headless, "no header");
-        noted(
-            &headless,
-            "three columns read as measured depth in ft as was said",
-        );
+        noted(&headless, "three columns read as measured depth in ft as was said");
     }
     let text = b"md,inc,azi\n0,0,0\n30,1.5,45\n";
     let error = read_csv(text, "a.csv").unwrap_err();
-    assert!(
-        matches!(error.kind(), SurveyErrorKind::MissingUnit { .. }),
-        "{error}"
-    );
+    assert!(matches!(error.kind(), SurveyErrorKind::MissingUnit { .. }), "{error}");
     let bare = read_as(text, "a.csv", &said("ft")).unwrap();
     assert_stations(&bare, &in_feet);
     noted(&bare, "no unit for measured depth: read in ft as was said");
-    noted(
-        &bare,
-        "no unit for inclination and azimuth: read in degrees",
-    );
+    noted(&bare, "no unit for inclination and azimuth: read in degrees");
 }
 
 #[test]
@@ -155,10 +127,7 @@ fn angles_without_a_unit_are_degrees_and_say_so() {
     let expected = [[0.0, 0.0, 0.0], [30.0, 1.5, 45.0]];
     let degrees = survey("MD (m),Inc,Azi\n0,0,0\n30,1.5,45\n");
     assert_stations(&degrees, &expected);
-    noted(
-        &degrees,
-        "no unit for inclination and azimuth: read in degrees",
-    );
+    noted(&degrees, "no unit for inclination and azimuth: read in degrees");
     let radians = survey("md_m,inc_rad,azi_rad\n0,0,0\n30,0.5,1\n");
     assert_eq!(radians.stations[1].inclination_rad, 0.5);
 }
@@ -186,17 +155,11 @@ fn the_first_row_ties_the_survey_in() {
          500,10,45,495,100,-200\n530,10,45,524.5,110,-190\n",
     );
     let tie_in = tied.tie_in.unwrap();
-    assert_eq!(
-        (tie_in.tvd_m, tie_in.north_m, tie_in.east_m),
-        (495.0, 30.48, -60.96)
-    );
+    assert_eq!((tie_in.tvd_m, tie_in.north_m, tie_in.east_m), (495.0, 30.48, -60.96));
 
     let depth_only = survey("MD (m),Inc (deg),Azi (deg),TVD (m)\n500,10,45,495\n530,10,45,524\n");
     let tie_in = depth_only.tie_in.unwrap();
-    assert_eq!(
-        (tie_in.tvd_m, tie_in.north_m, tie_in.east_m),
-        (495.0, 0.0, 0.0)
-    );
+    assert_eq!((tie_in.tvd_m, tie_in.north_m, tie_in.east_m), (495.0, 0.0, 0.0));
     noted(&depth_only, "the first station has no north: taken as 0");
 
     let no_depth = survey("MD (m),Inc (deg),Azi (deg),N (m),E (m)\n500,10,45,1,2\n530,10,45,3,4\n");
@@ -226,10 +189,7 @@ fn bare_headers_may_have_a_bare_position() {
     let text = b"md,inc,azi,tvd,north,east\n10,0,0,9,1,2\n30,1,1,29,1,2\n";
     let survey = read_as(text, "a.csv", &said("m")).unwrap();
     let tie_in = survey.tie_in.unwrap();
-    assert_eq!(
-        (tie_in.tvd_m, tie_in.north_m, tie_in.east_m),
-        (9.0, 1.0, 2.0)
-    );
+    assert_eq!((tie_in.tvd_m, tie_in.north_m, tie_in.east_m), (9.0, 1.0, 2.0));
 }
 
 #[test]
@@ -289,10 +249,7 @@ fn a_table_continued_on_another_page() {
     let survey = survey(
         "MD (m),Inc (deg),Azi (deg)\n0,0,0\n30,1.5,45\n\u{c}\nMD (m),Inc (deg),Azi (deg)\n60,3,45\n",
     );
-    assert_stations(
-        &survey,
-        &[[0.0, 0.0, 0.0], [30.0, 1.5, 45.0], [60.0, 3.0, 45.0]],
-    );
+    assert_stations(&survey, &[[0.0, 0.0, 0.0], [30.0, 1.5, 45.0], [60.0, 3.0, 45.0]]);
 }
 
 /// The sentence, and the text that is underlined.
@@ -300,11 +257,7 @@ fn a_table_continued_on_another_page() {
 fn refused(text: &str, underlined: &str, message: &str) -> SurveyErrorKind {
     let error = read_csv(text.as_bytes(), "a.csv").unwrap_err();
     let span = error.span().unwrap_or(0..0);
-    assert_eq!(
-        error.text().map(|text| &text[span]),
-        Some(underlined),
-        "{error}"
-    );
+    assert_eq!(error.text().map(|text| &text[span]), Some(underlined), "{error}");
     assert_eq!(error.to_string(), message);
     error.kind().clone()
 }
@@ -317,13 +270,7 @@ fn faults_in_the_header_are_underlined() {
         "a.csv, line 1, column 1: no column of inclination (is it 'Inclnation (deg)'?); \
          the header has: 'MD (m)', 'Inclnation (deg)', 'Azi (deg)'",
     );
-    assert!(matches!(
-        kind,
-        SurveyErrorKind::MissingColumn {
-            column: Column::Inclination,
-            ..
-        }
-    ));
+    assert!(matches!(kind, SurveyErrorKind::MissingColumn { column: Column::Inclination, .. }));
     refused(
         "Title\nMD;Inc;Azi\n0;0;0\n30;1;1\n",
         "MD",
@@ -373,16 +320,8 @@ fn faults_in_the_rows_are_underlined() {
             "x y",
             "line 3, column 4: 'x y' is not a number; the inclination was expected",
         ),
-        (
-            "30,1",
-            "",
-            "line 3, column 5: the azimuth is missing in this row",
-        ),
-        (
-            "30,,1",
-            "",
-            "line 3, column 4: the inclination is missing in this row",
-        ),
+        ("30,1", "", "line 3, column 5: the azimuth is missing in this row"),
+        ("30,,1", "", "line 3, column 4: the inclination is missing in this row"),
         (
             "30,1,NaN",
             "NaN",
@@ -512,9 +451,6 @@ fn texts_with_more_cells_than_any_survey_are_refused() {
         (" 1".repeat(1_000_000), "1000001 cells; at most 1000000"),
     ] {
         let error = read_csv(text.as_bytes(), "a.csv").unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            format!("a.csv: the file holds {message} can be read")
-        );
+        assert_eq!(error.to_string(), format!("a.csv: the file holds {message} can be read"));
     }
 }

@@ -192,10 +192,7 @@ impl Dimension {
     /// The unit in which a unit set shows this dimension.
     pub fn unit_in(self, set: UnitSet) -> &'static Unit {
         let symbol = self.symbol_in(set);
-        self.units()
-            .iter()
-            .find(|unit| unit.symbol == symbol)
-            .unwrap_or(self.si_unit())
+        self.units().iter().find(|unit| unit.symbol == symbol).unwrap_or(self.si_unit())
     }
 
     /// Symbol of the unit in which a unit set shows this dimension.
@@ -272,10 +269,7 @@ impl Dimension {
     /// The unit with factor 1.
     fn si_unit(self) -> &'static Unit {
         let units = self.units();
-        units
-            .iter()
-            .find(|unit| unit.factor == 1.0)
-            .unwrap_or(&units[0])
+        units.iter().find(|unit| unit.factor == 1.0).unwrap_or(&units[0])
     }
 }
 

@@ -61,10 +61,9 @@ impl QuantityError {
     /// a help line or a label.
     pub fn help(&self) -> Option<String> {
         match &self.kind {
-            QuantityErrorKind::UnknownUnit {
-                nearest: Some(nearest),
-                ..
-            } => Some(format!("did you mean '{nearest}'?")),
+            QuantityErrorKind::UnknownUnit { nearest: Some(nearest), .. } => {
+                Some(format!("did you mean '{nearest}'?"))
+            }
             _ => None,
         }
     }
@@ -80,17 +79,10 @@ impl fmt::Display for QuantityError {
         let example = format!("1 {}", self.dimension.units()[0].symbol);
         match &self.kind {
             QuantityErrorKind::Empty => {
-                write!(
-                    f,
-                    "there is nothing here; {a_dimension} was expected, such as '{example}'"
-                )
+                write!(f, "there is nothing here; {a_dimension} was expected, such as '{example}'")
             }
             QuantityErrorKind::NotANumber { found } => {
-                write!(
-                    f,
-                    "'{}' is not a number; {a_dimension} was expected",
-                    shown(found)
-                )?;
+                write!(f, "'{}' is not a number; {a_dimension} was expected", shown(found))?;
                 if found.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
                     write!(
                         f,
@@ -136,22 +128,15 @@ fn accepted(dimension: Dimension) -> String {
 
 /// "a length", "an angle".
 fn with_article(noun: &str) -> String {
-    let article = if noun.starts_with(['a', 'e', 'i', 'o', 'u']) {
-        "an"
-    } else {
-        "a"
-    };
+    let article = if noun.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
     format!("{article} {noun}")
 }
 
 /// Foreign text inside a sentence: short, and without control characters.
 fn shown(text: &str) -> String {
     const LONGEST: usize = 40;
-    let mut shown: String = text
-        .chars()
-        .take(LONGEST)
-        .map(|c| if c.is_control() { '\u{fffd}' } else { c })
-        .collect();
+    let mut shown: String =
+        text.chars().take(LONGEST).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
     if text.chars().nth(LONGEST).is_some() {
         shown.push_str("...");
     }

@@ -37,11 +37,8 @@ impl Dimension {
 
 /// Reads a number and a unit of the dimension.
 fn quantity(dimension: Dimension, text: &str) -> Result<Written, QuantityError> {
-    let error = |kind, start: usize, end: usize| QuantityError {
-        kind,
-        span: start..end,
-        dimension,
-    };
+    let error =
+        |kind, start: usize, end: usize| QuantityError { kind, span: start..end, dimension };
     let end = text.trim_end().len();
     let start = end - text.trim().len();
     if start == end {
@@ -56,33 +53,21 @@ fn quantity(dimension: Dimension, text: &str) -> Result<Written, QuantityError> 
     let written = text[start..number_end].to_owned();
     if !number.is_finite() {
         let found = written;
-        return Err(error(
-            QuantityErrorKind::TooLarge { found },
-            start,
-            number_end,
-        ));
+        return Err(error(QuantityErrorKind::TooLarge { found }, start, number_end));
     }
 
     let unit_start = end - text[number_end..end].trim_start().len();
     let unit_text = &text[unit_start..end];
     if unit_text.is_empty() {
         let number = written;
-        return Err(error(
-            QuantityErrorKind::NoUnit { number },
-            start,
-            number_end,
-        ));
+        return Err(error(QuantityErrorKind::NoUnit { number }, start, number_end));
     }
     if let Some(unit) = dimension.find_unit(unit_text) {
         let si = unit.to_si(number);
         return if si.is_finite() {
             Ok(Written { number, unit, si })
         } else {
-            Err(error(
-                QuantityErrorKind::TooLarge { found: written },
-                start,
-                number_end,
-            ))
+            Err(error(QuantityErrorKind::TooLarge { found: written }, start, number_end))
         };
     }
     // A second number where the unit should be belongs to the number: "1,500 m", "1.2.3 m".
@@ -93,9 +78,7 @@ fn quantity(dimension: Dimension, text: &str) -> Result<Written, QuantityError> 
         let found = text[start..stop].to_owned();
         return Err(error(QuantityErrorKind::NotANumber { found }, start, stop));
     }
-    let other = Dimension::ALL
-        .iter()
-        .find(|other| other.find_unit(unit_text).is_some());
+    let other = Dimension::ALL.iter().find(|other| other.find_unit(unit_text).is_some());
     let found = unit_text.to_owned();
     let kind = match other {
         Some(&is) => QuantityErrorKind::OtherDimension { found, is },
@@ -208,9 +191,7 @@ fn digits_end(text: &str, start: usize) -> usize {
 
 /// The end of the word from `start`.
 fn word_end(text: &str, start: usize, end: usize) -> usize {
-    text[start..end]
-        .find(char::is_whitespace)
-        .map_or(end, |length| start + length)
+    text[start..end].find(char::is_whitespace).map_or(end, |length| start + length)
 }
 
 /// The end of what looks like parts of numbers from `start`.

@@ -53,10 +53,7 @@ pub(crate) fn for_people(unit: &Unit, si: f64) -> String {
 /// `1.500` as `1.5`, `3.0` as `3`.
 fn without_trailing_zeros(decimal: &str) -> String {
     if decimal.contains('.') {
-        decimal
-            .trim_end_matches('0')
-            .trim_end_matches('.')
-            .to_owned()
+        decimal.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {
         decimal.to_owned()
     }

@@ -66,10 +66,7 @@ pub(crate) fn find<'a>(units: &'a [Unit], written: &str) -> Option<&'a Unit> {
     if let Some(unit) = units.iter().find(exact) {
         return Some(unit);
     }
-    let loose = |unit: &&Unit| {
-        unit.spellings()
-            .any(|s| same_but_for_capitals(&bare(s), &written))
-    };
+    let loose = |unit: &&Unit| unit.spellings().any(|s| same_but_for_capitals(&bare(s), &written));
     let mut found = units.iter().filter(loose);
     match (found.next(), found.next()) {
         (Some(unit), None) => Some(unit),
@@ -150,28 +147,15 @@ mod tests {
     #[test]
     fn depths_tell_from_where_they_are_measured() {
         let length = |text: &str| Dimension::Length.find_unit(text).map(|unit| unit.symbol);
-        for text in [
-            "ftKB", "ft KB", "FTKB", "ftRKB", "ftMD", "ft MD RT", "ftMDBRT", "ft TVD",
-        ] {
+        for text in ["ftKB", "ft KB", "FTKB", "ftRKB", "ftMD", "ft MD RT", "ftMDBRT", "ft TVD"] {
             assert_eq!(length(text), Some("ft"), "{text}");
         }
-        for text in [
-            "mKB", "mMD", "m MD", "m RT", "mTVDRKB", "mBRT", "mAH", "mGL",
-        ] {
+        for text in ["mKB", "mMD", "m MD", "m RT", "mTVDRKB", "mBRT", "mAH", "mGL"] {
             assert_eq!(length(text), Some("m"), "{text}");
         }
         assert_eq!(length("usftKB"), Some("usft"));
         // Words alone, depths below the sea, and what is no unit before the words.
-        for text in [
-            "KB",
-            "MD",
-            "mSS",
-            "ftMSL",
-            "mTVDSS",
-            "furlongKB",
-            "cmd",
-            "kbm",
-        ] {
+        for text in ["KB", "MD", "mSS", "ftMSL", "mTVDSS", "furlongKB", "cmd", "kbm"] {
             assert_eq!(length(text), None, "{text}");
         }
         assert_eq!(Dimension::Length.parse("1000 ftKB"), Ok(304.8));

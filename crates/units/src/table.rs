@@ -27,74 +27,35 @@ const HOUR: f64 = 3600.0;
 const DAY: f64 = 86_400.0;
 
 const fn unit(symbol: &'static str, factor: f64, aliases: &'static [&'static str]) -> Unit {
-    Unit {
-        symbol,
-        aliases,
-        factor,
-    }
+    Unit { symbol, aliases, factor }
 }
 
-const METRE: Unit = unit(
-    "m",
-    1.0,
-    &["metre", "metres", "meter", "meters", "mtr", "mtrs"],
-);
+const METRE: Unit = unit("m", 1.0, &["metre", "metres", "meter", "meters", "mtr", "mtrs"]);
 const FEET: Unit = unit("ft", FOOT, &["'", "feet", "foot"]);
 const INCHES: Unit = unit("in", INCH, &["\"", "''", "inch", "inches"]);
 const CENTIMETRE: Unit = unit("cm", 0.01, &[]);
 const MILLIMETRE: Unit = unit("mm", 0.001, &[]);
 const KILOMETRE: Unit = unit("km", 1000.0, &[]);
 const YARDS: Unit = unit("yd", YARD, &["yard", "yards"]);
-const SURVEY_FEET: Unit = unit(
-    "usft",
-    US_SURVEY_FOOT,
-    &["ftUS", "ft[US]", "US ft", "ft US"],
-);
+const SURVEY_FEET: Unit = unit("usft", US_SURVEY_FOOT, &["ftUS", "ft[US]", "US ft", "ft US"]);
 
-pub(crate) const LENGTH: &[Unit] = &[
-    METRE,
-    FEET,
-    MILLIMETRE,
-    INCHES,
-    CENTIMETRE,
-    KILOMETRE,
-    YARDS,
-    SURVEY_FEET,
-];
+pub(crate) const LENGTH: &[Unit] =
+    &[METRE, FEET, MILLIMETRE, INCHES, CENTIMETRE, KILOMETRE, YARDS, SURVEY_FEET];
 
-pub(crate) const DIAMETER: &[Unit] = &[
-    MILLIMETRE,
-    INCHES,
-    METRE,
-    CENTIMETRE,
-    FEET,
-    KILOMETRE,
-    YARDS,
-    SURVEY_FEET,
-];
+pub(crate) const DIAMETER: &[Unit] =
+    &[MILLIMETRE, INCHES, METRE, CENTIMETRE, FEET, KILOMETRE, YARDS, SURVEY_FEET];
 
 pub(crate) const FORCE: &[Unit] = &[
     unit("kN", 1e3, &[]),
     unit(
         "t",
         TONNE_FORCE,
-        &[
-            "tf",
-            "tonnef",
-            "tonne-force",
-            "tonne",
-            "tonnes",
-            "Mgf",
-            "metric ton",
-            "metric tons",
-        ],
+        &["tf", "tonnef", "tonne-force", "tonne", "tonnes", "Mgf", "metric ton", "metric tons"],
     ),
     unit(
         "klbf",
         1e3 * POUND_FORCE,
-        &[
-            "klb", "klbs", "kip", "kips", "kipf", "1000 lbf", "1000 lb", "1000 lbs",
-        ],
+        &["klb", "klbs", "kip", "kips", "kipf", "1000 lbf", "1000 lb", "1000 lbs"],
     ),
     unit("N", 1.0, &["newton"]),
     unit("MN", 1e6, &[]),
@@ -102,11 +63,7 @@ pub(crate) const FORCE: &[Unit] = &[
     unit("kdaN", 1e4, &[]),
     unit("lbf", POUND_FORCE, &["lb", "lbs"]),
     unit("kgf", GRAVITY, &["kp"]),
-    unit(
-        "tonfUS",
-        SHORT_TON_FORCE,
-        &["tonf[US]", "US tonf", "short tonf", "short ton-force"],
-    ),
+    unit("tonfUS", SHORT_TON_FORCE, &["tonf[US]", "US tonf", "short tonf", "short ton-force"]),
 ];
 
 pub(crate) const TORQUE: &[Unit] = &[
@@ -114,14 +71,7 @@ pub(crate) const TORQUE: &[Unit] = &[
     unit(
         "ft-lbf",
         FOOT * POUND_FORCE,
-        &[
-            "lbf.ft",
-            "ft.lb",
-            "lb.ft",
-            "ft.lbs",
-            "lbs.ft",
-            "foot pounds",
-        ],
+        &["lbf.ft", "ft.lb", "lb.ft", "ft.lbs", "lbs.ft", "foot pounds"],
     ),
     unit(
         "kft-lbf",
@@ -148,11 +98,7 @@ pub(crate) const TORQUE: &[Unit] = &[
     unit("MN.m", 1e6, &[]),
     unit("daN.m", 10.0, &[]),
     unit("kgf.m", GRAVITY, &["m.kgf"]),
-    unit(
-        "in-lbf",
-        INCH * POUND_FORCE,
-        &["lbf.in", "in.lb", "lb.in", "in.lbs", "lbs.in"],
-    ),
+    unit("in-lbf", INCH * POUND_FORCE, &["lbf.in", "in.lb", "lb.in", "in.lbs", "lbs.in"]),
 ];
 
 pub(crate) const PRESSURE: &[Unit] = &[
@@ -173,37 +119,17 @@ pub(crate) const DENSITY: &[Unit] = &[
     unit(
         "ppg",
         POUND / US_GALLON,
-        &[
-            "lb/gal",
-            "lbs/gal",
-            "lbm/gal",
-            "lbm/galUS",
-            "lbm/gal[US]",
-            "lb/USgal",
-            "lbs/USgal",
-        ],
+        &["lb/gal", "lbs/gal", "lbm/gal", "lbm/galUS", "lbm/gal[US]", "lb/USgal", "lbs/USgal"],
     ),
-    unit(
-        "g/cm3",
-        1e3,
-        &["g/cc", "kg/l", "kg/L", "kg/dm3", "t/m3", "g/ml", "g/mL"],
-    ),
-    unit(
-        "lb/ft3",
-        POUND / (FOOT * FOOT * FOOT),
-        &["lbm/ft3", "lbs/ft3", "pcf", "lb/cu ft"],
-    ),
+    unit("g/cm3", 1e3, &["g/cc", "kg/l", "kg/L", "kg/dm3", "t/m3", "g/ml", "g/mL"]),
+    unit("lb/ft3", POUND / (FOOT * FOOT * FOOT), &["lbm/ft3", "lbs/ft3", "pcf", "lb/cu ft"]),
     unit("psi/ft", PSI / FOOT / GRAVITY, &[]),
     unit("kPa/m", 1e3 / GRAVITY, &[]),
 ];
 
 pub(crate) const MASS_PER_LENGTH: &[Unit] = &[
     unit("kg/m", 1.0, &[]),
-    unit(
-        "lb/ft",
-        POUND / FOOT,
-        &["lbm/ft", "lbs/ft", "ppf", "#/ft", "#"],
-    ),
+    unit("lb/ft", POUND / FOOT, &["lbm/ft", "lbs/ft", "ppf", "#/ft", "#"]),
     unit("t/m", 1e3, &[]),
 ];
 
@@ -219,27 +145,15 @@ pub(crate) const FORCE_PER_LENGTH: &[Unit] = &[
 ];
 
 pub(crate) const ROTARY_SPEED: &[Unit] = &[
-    unit(
-        "rpm",
-        TURN / MINUTE,
-        &["rev/min", "revs/min", "r/min", "1/min", "c/min"],
-    ),
+    unit("rpm", TURN / MINUTE, &["rev/min", "revs/min", "r/min", "1/min", "c/min"]),
     unit("rad/s", 1.0, &[]),
     unit("rev/s", TURN, &["Hz", "rps", "r/s"]),
     unit("deg/s", DEGREE, &["dega/s"]),
 ];
 
 pub(crate) const RATE_OF_PENETRATION: &[Unit] = &[
-    unit(
-        "m/h",
-        1.0 / HOUR,
-        &["m/hr", "m/hour", "metres/hour", "meters/hour"],
-    ),
-    unit(
-        "ft/h",
-        FOOT / HOUR,
-        &["ft/hr", "fph", "ft/hour", "feet/h", "feet/hr", "feet/hour"],
-    ),
+    unit("m/h", 1.0 / HOUR, &["m/hr", "m/hour", "metres/hour", "meters/hour"]),
+    unit("ft/h", FOOT / HOUR, &["ft/hr", "fph", "ft/hour", "feet/h", "feet/hr", "feet/hour"]),
     unit("m/s", 1.0, &["m/sec"]),
     unit("m/min", 1.0 / MINUTE, &[]),
     unit("ft/min", FOOT / MINUTE, &["fpm", "feet/min"]),
@@ -257,11 +171,7 @@ pub(crate) const ANGLE: &[Unit] = &[
 
 pub(crate) const DOGLEG_SEVERITY: &[Unit] = &[
     unit("deg/30m", DEGREE / 30.0, &["dega/30m"]),
-    unit(
-        "deg/100ft",
-        DEGREE / (100.0 * FOOT),
-        &["dega/100ft", "deg/100'", "deg/100feet"],
-    ),
+    unit("deg/100ft", DEGREE / (100.0 * FOOT), &["dega/100ft", "deg/100'", "deg/100feet"]),
     unit("deg/10m", DEGREE / 10.0, &["dega/10m"]),
     unit("deg/m", DEGREE, &["dega/m"]),
     unit("deg/ft", DEGREE / FOOT, &["dega/ft"]),
@@ -274,11 +184,7 @@ pub(crate) const STIFFNESS: &[Unit] = &[
     unit("MN/m", 1e6, &["kN/mm"]),
     unit("lbf/in", POUND_FORCE / INCH, &["lb/in", "lbs/in"]),
     unit("lbf/ft", POUND_FORCE / FOOT, &["lb/ft", "lbs/ft"]),
-    unit(
-        "klbf/in",
-        1e3 * POUND_FORCE / INCH,
-        &["kip/in", "kips/in", "klb/in"],
-    ),
+    unit("klbf/in", 1e3 * POUND_FORCE / INCH, &["kip/in", "kips/in", "klb/in"]),
 ];
 
 pub(crate) const DAMPING: &[Unit] = &[
@@ -312,24 +218,13 @@ pub(crate) const SHEAR_STRESS: &[Unit] = &[
     unit(
         "lbf/100ft2",
         PER_HUNDRED_SQUARE_FEET,
-        &[
-            "lb/100ft2",
-            "lbs/100ft2",
-            "#/100ft2",
-            "lbf/100sqft",
-            "lb/100sqft",
-            "lbs/100sqft",
-        ],
+        &["lb/100ft2", "lbs/100ft2", "#/100ft2", "lbf/100sqft", "lb/100sqft", "lbs/100sqft"],
     ),
     unit("dyn/cm2", 0.1, &["dyne/cm2"]),
 ];
 
 pub(crate) const FLOW_RATE: &[Unit] = &[
-    unit(
-        "L/min",
-        1e-3 / MINUTE,
-        &["l/min", "lpm", "LPM", "litres/min"],
-    ),
+    unit("L/min", 1e-3 / MINUTE, &["l/min", "lpm", "LPM", "litres/min"]),
     unit(
         "gpm",
         US_GALLON / MINUTE,
@@ -358,21 +253,9 @@ pub(crate) const DISSIPATION_TIME: &[Unit] = &[
 
 pub(crate) const HOIST_GAIN: &[Unit] = &[
     unit("m/s/N", 1.0, &["m/(s.N)", "m/(N.s)", "m/N/s", "s/kg"]),
-    unit(
-        "m/s/kN",
-        1e-3,
-        &["m/(s.kN)", "m/(kN.s)", "m/kN/s", "mm/s/N", "s/t"],
-    ),
-    unit(
-        "m/s/t",
-        1.0 / TONNE_FORCE,
-        &["m/s/tf", "m/(s.tf)", "m/(tf.s)"],
-    ),
-    unit(
-        "ft/s/klbf",
-        FOOT / (1e3 * POUND_FORCE),
-        &["ft/(s.klbf)", "ft/(klbf.s)", "ft/klbf/s"],
-    ),
+    unit("m/s/kN", 1e-3, &["m/(s.kN)", "m/(kN.s)", "m/kN/s", "mm/s/N", "s/t"]),
+    unit("m/s/t", 1.0 / TONNE_FORCE, &["m/s/tf", "m/(s.tf)", "m/(tf.s)"]),
+    unit("ft/s/klbf", FOOT / (1e3 * POUND_FORCE), &["ft/(s.klbf)", "ft/(klbf.s)", "ft/klbf/s"]),
 ];
 
 pub(crate) const TIME: &[Unit] = &[
@@ -407,11 +290,7 @@ pub(crate) const MOMENT_OF_INERTIA: &[Unit] = &[
 pub(crate) const ROTARY_DAMPING: &[Unit] = &[
     unit("kN.m.s", 1e3, &["kN.m.s/rad"]),
     unit("N.m.s", 1.0, &["N.m.s/rad"]),
-    unit(
-        "ft-lbf.s",
-        FOOT * POUND_FORCE,
-        &["lbf.ft.s", "ft.lbf.s", "ft.lb.s"],
-    ),
+    unit("ft-lbf.s", FOOT * POUND_FORCE, &["lbf.ft.s", "ft.lbf.s", "ft.lb.s"]),
     unit("kN.m/rpm", 1e3 * MINUTE / TURN, &[]),
 ];
 

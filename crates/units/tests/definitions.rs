@@ -239,11 +239,7 @@ fn factors_agree_with_the_nist_guide() {
         let unit = dimension.find_unit(symbol).unwrap();
         let relative = (unit.factor / published - 1.0).abs();
         // Half a unit in the seventh digit is at most 5e-7 of a value that begins with a 1.
-        assert!(
-            relative < 5e-7,
-            "{symbol}: {} against {published}",
-            unit.factor
-        );
+        assert!(relative < 5e-7, "{symbol}: {} against {published}", unit.factor);
     }
 }
 
@@ -262,10 +258,6 @@ fn the_sets_show_the_promised_units() {
             Dimension::Diameter,
             Dimension::Density,
         ];
-        assert_eq!(
-            dimensions.map(|dimension| dimension.unit_in(set).symbol),
-            symbols,
-            "{set}"
-        );
+        assert_eq!(dimensions.map(|dimension| dimension.unit_in(set).symbol), symbols, "{set}");
     }
 }

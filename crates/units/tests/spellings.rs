@@ -3,13 +3,8 @@
 use wholestring_units::{Dimension, QuantityErrorKind, UnitSet, UnknownUnitSet};
 
 fn close(dimension: Dimension, text: &str, si: f64) {
-    let value = dimension
-        .parse(text)
-        .unwrap_or_else(|error| panic!("{text}: {error}"));
-    assert!(
-        (value - si).abs() <= 4.0 * f64::EPSILON * si.abs(),
-        "{text}: {value} is not {si}"
-    );
+    let value = dimension.parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+    assert!((value - si).abs() <= 4.0 * f64::EPSILON * si.abs(), "{text}: {value} is not {si}");
 }
 
 #[test]
@@ -41,59 +36,26 @@ fn the_fields_units_are_read_in_its_spellings() {
     use Dimension as D;
     close(D::Density, "1.2 sg", 1200.0);
     close(D::Density, "1.2 SG", 1200.0);
-    close(
-        D::Density,
-        "10 lb/gal",
-        10.0 * 0.45359237 / (231.0 * 0.0254f64.powi(3)),
-    );
-    close(
-        D::Density,
-        "0.52 psi/ft",
-        0.52 * 0.45359237 / (0.0254 * 0.0254 * 0.3048),
-    );
+    close(D::Density, "10 lb/gal", 10.0 * 0.45359237 / (231.0 * 0.0254f64.powi(3)));
+    close(D::Density, "0.52 psi/ft", 0.52 * 0.45359237 / (0.0254 * 0.0254 * 0.3048));
     close(D::Pressure, "210 GPa", 2.1e11);
     close(D::MassPerLength, "21.90 ppf", 21.9 * 0.45359237 / 0.3048);
     close(D::MassPerLength, "21.90 lbm/ft", 21.9 * 0.45359237 / 0.3048);
-    close(
-        D::RotarySpeed,
-        "70 rev/min",
-        70.0 * std::f64::consts::PI / 30.0,
-    );
+    close(D::RotarySpeed, "70 rev/min", 70.0 * std::f64::consts::PI / 30.0);
     close(D::RateOfPenetration, "36 m/hr", 0.01);
     close(D::TripSpeed, "60 ft/min", 0.3048);
-    for text in [
-        "3 deg/30m",
-        "3 deg/30 m",
-        "3°/30m",
-        "3 ° / 30 m",
-        "3 DEG/30M",
-        "3 dega/30m",
-    ] {
+    for text in ["3 deg/30m", "3 deg/30 m", "3°/30m", "3 ° / 30 m", "3 DEG/30M", "3 dega/30m"] {
         close(D::DoglegSeverity, text, 0.1f64.to_radians());
     }
-    for text in [
-        "3 deg/100ft",
-        "3 deg/100 ft",
-        "3°/100 ft",
-        "3 deg per 100 ft",
-    ] {
+    for text in ["3 deg/100ft", "3 deg/100 ft", "3°/100 ft", "3 deg per 100 ft"] {
         close(D::DoglegSeverity, text, 3f64.to_radians() / 30.48);
     }
-    for text in [
-        "45 kN.m", "45 kN·m", "45 kN*m", "45 kNm", "45 kN-m", "45 kN m", "45 KN.M",
-    ] {
+    for text in ["45 kN.m", "45 kN·m", "45 kN*m", "45 kNm", "45 kN-m", "45 kN m", "45 KN.M"] {
         close(D::Torque, text, 45e3);
     }
     let foot_pound = 0.3048 * 0.45359237 * 9.80665;
-    for text in [
-        "9 ft-lbf",
-        "9 ft.lbf",
-        "9 lbf.ft",
-        "9 lbf·ft",
-        "9 ft-lb",
-        "9 ft lbs",
-        "9 lb-ft",
-    ] {
+    for text in ["9 ft-lbf", "9 ft.lbf", "9 lbf.ft", "9 lbf·ft", "9 ft-lb", "9 ft lbs", "9 lb-ft"]
+    {
         close(D::Torque, text, 9.0 * foot_pound);
     }
     for text in [
@@ -113,15 +75,7 @@ fn the_fields_units_are_read_in_its_spellings() {
         close(D::Torque, text, 9e3 * foot_pound);
     }
     let pound = 0.45359237 * 9.80665;
-    for text in [
-        "9 klbs",
-        "9 kips",
-        "9 klb",
-        "9 klbf",
-        "9 k-lbs",
-        "9 KLBS",
-        "9 1000 lbs",
-    ] {
+    for text in ["9 klbs", "9 kips", "9 klb", "9 klbf", "9 k-lbs", "9 KLBS", "9 1000 lbs"] {
         close(D::Force, text, 9e3 * pound);
     }
     close(D::Force, "9 metric tons", 9e3 * 9.80665);
@@ -201,42 +155,14 @@ fn a_text_that_is_no_quantity_gets_a_sentence() {
         "'pppg' is not a unit of density; did you mean 'ppg'? \
          Accepted: kg/m3, sg, ppg, g/cm3, lb/ft3, psi/ft, kPa/m"
     );
-    refused(
-        Length,
-        "",
-        "",
-        "there is nothing here; a length was expected, such as '1 m'",
-    );
+    refused(Length, "", "", "there is nothing here; a length was expected, such as '1 m'");
     refused(Length, "  ", "  ", "there is nothing here");
-    refused(
-        Angle,
-        "4305",
-        "4305",
-        "'4305' has no unit; an angle was expected, with one of: deg",
-    );
+    refused(Angle, "4305", "4305", "'4305' has no unit; an angle was expected, with one of: deg");
     refused(Diameter, "5-1/2", "5-1/2", "'5-1/2' has no unit");
-    refused(
-        Force,
-        " 12 wombats",
-        "wombats",
-        "'wombats' is not a unit of force; accepted: kN",
-    );
-    for text in [
-        "nan m",
-        "NaN m",
-        "inf m",
-        "-inf m",
-        "infinity m",
-        "m",
-        "- m",
-        "e5 m",
-        ". m",
-    ] {
+    refused(Force, " 12 wombats", "wombats", "'wombats' is not a unit of force; accepted: kN");
+    for text in ["nan m", "NaN m", "inf m", "-inf m", "infinity m", "m", "- m", "e5 m", ". m"] {
         let kind = refused(Length, text, text.split(' ').next().unwrap(), "'");
-        assert!(
-            matches!(kind, QuantityErrorKind::NotANumber { .. }),
-            "{text}: {kind:?}"
-        );
+        assert!(matches!(kind, QuantityErrorKind::NotANumber { .. }), "{text}: {kind:?}");
     }
     for (text, at) in [
         ("1,500 m", "1,500"),
@@ -250,45 +176,16 @@ fn a_text_that_is_no_quantity_gets_a_sentence() {
     ] {
         let kind = Length.parse(text).unwrap_err();
         assert_eq!(&text[kind.span.clone()], at);
-        assert!(
-            matches!(kind.kind, QuantityErrorKind::NotANumber { .. }),
-            "{text}: {kind:?}"
-        );
+        assert!(matches!(kind.kind, QuantityErrorKind::NotANumber { .. }), "{text}: {kind:?}");
     }
     let sentence = Length.parse("1,500 m").unwrap_err().to_string();
-    assert!(
-        sentence.contains("thousands not separated: '1500.5 m'"),
-        "{sentence}"
-    );
-    for (text, at) in [
-        ("1e400 m", "1e400"),
-        ("1e308 km", "1e308"),
-        ("-1e999 m", "-1e999"),
-    ] {
-        let kind = refused(
-            Length,
-            text,
-            at,
-            &format!("'{at}' is too large for a length"),
-        );
-        assert!(
-            matches!(kind, QuantityErrorKind::TooLarge { .. }),
-            "{text}: {kind:?}"
-        );
+    assert!(sentence.contains("thousands not separated: '1500.5 m'"), "{sentence}");
+    for (text, at) in [("1e400 m", "1e400"), ("1e308 km", "1e308"), ("-1e999 m", "-1e999")] {
+        let kind = refused(Length, text, at, &format!("'{at}' is too large for a length"));
+        assert!(matches!(kind, QuantityErrorKind::TooLarge { .. }), "{text}: {kind:?}");
     }
-    let kind = refused(
-        Force,
-        "6 ton",
-        "ton",
-        "'ton' is not a unit of force; did you mean 't'?",
-    );
-    assert!(matches!(
-        kind,
-        QuantityErrorKind::UnknownUnit {
-            nearest: Some("t"),
-            ..
-        }
-    ));
+    let kind = refused(Force, "6 ton", "ton", "'ton' is not a unit of force; did you mean 't'?");
+    assert!(matches!(kind, QuantityErrorKind::UnknownUnit { nearest: Some("t"), .. }));
 }
 
 #[test]
@@ -305,19 +202,10 @@ fn people_are_shown_five_digits_in_their_units() {
     assert_eq!(D::Diameter.format(-0.2159, UnitSet::Si), "-215.9 mm");
     assert_eq!(D::Pressure.format(2.1e11, UnitSet::Field), "3.0458e7 psi");
     assert_eq!(D::Density.format(1e-9, UnitSet::Si), "1e-9 kg/m3");
-    assert_eq!(
-        D::DoglegSeverity.format(0.1f64.to_radians(), UnitSet::Metric),
-        "3 deg/30m"
-    );
+    assert_eq!(D::DoglegSeverity.format(0.1f64.to_radians(), UnitSet::Metric), "3 deg/30m");
     assert_eq!(D::Length.format_exact(0.1397, UnitSet::Si), "0.1397 m");
-    assert_eq!(
-        D::Diameter.format_exact(5.5 * 0.0254, UnitSet::Field),
-        "5.5 in"
-    );
-    assert_eq!(
-        D::DoglegSeverity.format_exact(0.1f64.to_radians(), UnitSet::Si),
-        "3 deg/30m"
-    );
+    assert_eq!(D::Diameter.format_exact(5.5 * 0.0254, UnitSet::Field), "5.5 in");
+    assert_eq!(D::DoglegSeverity.format_exact(0.1f64.to_radians(), UnitSet::Si), "3 deg/30m");
 }
 
 #[test]

@@ -82,14 +82,7 @@ impl Row<'_> {
 
     #[track_caller]
     fn check(&self) {
-        let Row {
-            case,
-            quantity,
-            expected,
-            computed,
-            tolerance,
-            ..
-        } = self;
+        let Row { case, quantity, expected, computed, tolerance, .. } = self;
         assert!(
             self.strain() <= 1.0,
             "{case}, {quantity}: {computed} for {expected}, {:.2e} apart, {tolerance:?} is held",
@@ -138,9 +131,7 @@ pub fn report_worst<'a>(rows: impl IntoIterator<Item = Row<'a>>) {
     for row in rows {
         row.check();
         count += 1;
-        let nearer = worst
-            .as_ref()
-            .is_none_or(|worst| row.strain() >= worst.strain());
+        let nearer = worst.as_ref().is_none_or(|worst| row.strain() >= worst.strain());
         if nearer {
             worst = Some(row);
         }
@@ -196,14 +187,7 @@ mod tests {
     use super::*;
 
     fn row(expected: f64, computed: f64, tolerance: Tolerance) -> Row<'static> {
-        Row {
-            case: "X01",
-            quantity: "a number",
-            expected,
-            computed,
-            tolerance,
-            reason: "a test",
-        }
+        Row { case: "X01", quantity: "a number", expected, computed, tolerance, reason: "a test" }
     }
 
     #[test]

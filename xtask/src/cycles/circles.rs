@@ -28,10 +28,7 @@ pub fn circles(count: usize, arrows: &Arrows) -> Vec<Circle> {
         let first = chain.iter().enumerate().min_by_key(|&(_, file)| file);
         let first = first.map_or(0, |(index, _)| index);
         chain.rotate_left(first);
-        let circle = match found
-            .iter_mut()
-            .position(|circle| circle.knot.contains(&from))
-        {
+        let circle = match found.iter_mut().position(|circle| circle.knot.contains(&from)) {
             Some(index) => &mut found[index],
             None => {
                 let tied = |&file: &usize| {
@@ -39,10 +36,7 @@ pub fn circles(count: usize, arrows: &Arrows) -> Vec<Circle> {
                         || (shortest(&next, from, file).is_some()
                             && shortest(&next, file, from).is_some())
                 };
-                found.push(Circle {
-                    knot: (0..count).filter(tied).collect(),
-                    chains: Vec::new(),
-                });
+                found.push(Circle { knot: (0..count).filter(tied).collect(), chains: Vec::new() });
                 let last = found.len() - 1;
                 &mut found[last]
             }

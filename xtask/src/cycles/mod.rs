@@ -34,10 +34,7 @@ pub fn in_words(root: &Path) -> io::Result<String> {
         let folder = file.parent().unwrap_or(root);
         let name = |index: usize| {
             let file = &modules.files[index];
-            file.strip_prefix(folder)
-                .unwrap_or(file)
-                .display()
-                .to_string()
+            file.strip_prefix(folder).unwrap_or(file).display().to_string()
         };
         for Circle { knot, chains } in circles(modules.files.len(), &arrows) {
             let shown = file.strip_prefix(root).unwrap_or(&file).display();

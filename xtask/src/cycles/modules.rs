@@ -56,11 +56,7 @@ impl Modules {
     }
 
     fn module(&mut self, file: usize, parent: usize) -> usize {
-        let module = Module {
-            file,
-            parent,
-            ..Module::default()
-        };
+        let module = Module { file, parent, ..Module::default() };
         self.modules.push(module);
         self.modules.len() - 1
     }
@@ -113,8 +109,7 @@ impl Modules {
                     i = end;
                 }
                 "macro_rules" => {
-                    self.macros
-                        .insert(word(i + 2).to_owned(), self.modules[at].file);
+                    self.macros.insert(word(i + 2).to_owned(), self.modules[at].file);
                     i += 2;
                 }
                 "fn" | "struct" | "enum" | "trait" | "type" | "const" | "static" if depth == 0 => {
@@ -194,9 +189,7 @@ impl Modules {
                 if file != module.file {
                     let names = arrows.entry((module.file, file)).or_default();
                     // Of `Type::function`, the type.
-                    let named = path
-                        .iter()
-                        .find(|name| name.starts_with(char::is_uppercase));
+                    let named = path.iter().find(|name| name.starts_with(char::is_uppercase));
                     names.insert(named.or(path.last()).cloned().unwrap_or_default());
                 }
             }

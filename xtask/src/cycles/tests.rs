@@ -21,14 +21,8 @@ fn a_circle_is_named_with_what_ties_it() {
         "circle",
         &[
             ("lib.rs", "mod rod; mod wall; mod well;"),
-            (
-                "rod.rs",
-                "use crate::wall::{Wall, LIMIT as L}; pub struct Rod(Wall);",
-            ),
-            (
-                "wall.rs",
-                "pub struct Wall; pub const LIMIT: u8 = 1; fn f() { super::well::g() }",
-            ),
+            ("rod.rs", "use crate::wall::{Wall, LIMIT as L}; pub struct Rod(Wall);"),
+            ("wall.rs", "pub struct Wall; pub const LIMIT: u8 = 1; fn f() { super::well::g() }"),
             ("well.rs", "pub fn g() { let _ = crate::rod::Rod::new(); }"),
         ],
     );
@@ -61,10 +55,7 @@ fn no_circle_where_arrows_point_one_way() {
 /// What a folder's `mod.rs` hands on is its child's; what it declares itself is its own.
 #[test]
 fn re_exports_lead_to_the_file_that_declares() {
-    let child = (
-        "rod/b.rs",
-        "use super::A; use crate::rod::C; pub struct B(A, C);",
-    );
+    let child = ("rod/b.rs", "use super::A; use crate::rod::C; pub struct B(A, C);");
     let (a, c) = (("rod/a.rs", "pub struct A;"), ("rod/c.rs", "pub struct C;"));
     let root = ("lib.rs", "pub mod rod; pub use rod::B;");
     let only = "mod a; mod b; mod c; pub use a::A; pub use b::*; pub use self::c::{C, C as D};";
@@ -94,10 +85,7 @@ fn globs_and_macros_are_followed() {
         "globs",
         &[
             ("main.rs", "#[macro_use] mod m; mod a; mod b; mod c;"),
-            (
-                "m.rs",
-                "macro_rules! made { () => { $crate::a::A } } pub(crate) use made;",
-            ),
+            ("m.rs", "macro_rules! made { () => { $crate::a::A } } pub(crate) use made;"),
             ("a.rs", "use crate::b::*; pub struct A; fn f() { g() }"),
             ("b.rs", "pub fn g() { made!() }"),
             ("c.rs", "use crate::m::made; use crate::b::*;"),

@@ -44,11 +44,9 @@ impl BitTable {
         let excitation = self.excitation.get()?.build(points.as_ref(), reader)?;
         let rock_stiffness_N_per_m = *self.rock_stiffness.get()?;
         let law = match (law, points) {
-            (Law::Table, Some(table)) => BitLaw::Table(TableLaw {
-                table,
-                rock_stiffness_N_per_m,
-                excitation,
-            }),
+            (Law::Table, Some(table)) => {
+                BitLaw::Table(TableLaw { table, rock_stiffness_N_per_m, excitation })
+            }
             (Law::Regenerative, _) => BitLaw::Regenerative(RegenerativeLaw {
                 cutters: self.cutters(around.radius_m?, reader)?,
                 blades: u32::try_from(*self.blades.get()?).ok()?,
@@ -60,13 +58,10 @@ impl BitTable {
                 rock_stiffness_N_per_m,
                 excitation,
             }),
-            (Law::Rock, _) => BitLaw::Rock(Box::new(RockLaw {
-                drilling: around.drilling?.clone(),
-            })),
-            _ => BitLaw::Rate(RateLaw {
-                rock_stiffness_N_per_m,
-                excitation,
-            }),
+            (Law::Rock, _) => {
+                BitLaw::Rock(Box::new(RockLaw { drilling: around.drilling?.clone() }))
+            }
+            _ => BitLaw::Rate(RateLaw { rock_stiffness_N_per_m, excitation }),
         };
         Some(BitSettings {
             law,
@@ -196,12 +191,10 @@ impl BitTable {
                 None
             }
             (Kind::Core, Some(core)) if core.value >= 2.0 * radius_m => {
-                reader.report(
-                    Diagnostic::error("the core is as wide as the bit, or wider").at(
-                        core.place,
-                        format!("expected less than {} m", number_text(2.0 * radius_m)),
-                    ),
-                );
+                reader.report(Diagnostic::error("the core is as wide as the bit, or wider").at(
+                    core.place,
+                    format!("expected less than {} m", number_text(2.0 * radius_m)),
+                ));
                 None
             }
             (Kind::Core, Some(core)) => Some(0.5 * core.value),
@@ -216,10 +209,8 @@ impl BitTable {
         let full = self.full_contact_depth.at()?;
         if limit.value <= full.value {
             let mut diagnostic =
-                Diagnostic::error("the bit is choked before its wear flats are in contact").at(
-                    limit.place,
-                    format!("expected more than {} m", number_text(full.value)),
-                );
+                Diagnostic::error("the bit is choked before its wear flats are in contact")
+                    .at(limit.place, format!("expected more than {} m", number_text(full.value)));
             if let Some(full) = self.full_contact_depth.given() {
                 diagnostic = diagnostic.at(full.place, "full contact");
             }
@@ -237,10 +228,8 @@ impl BitTable {
                 continue;
             }
             let name = key.name;
-            let mut diagnostic = Diagnostic::warning(format!("`{name}` has no effect here")).at(
-                key.place,
-                format!("used with law = {}", any_of(key.used_with)),
-            );
+            let mut diagnostic = Diagnostic::warning(format!("`{name}` has no effect here"))
+                .at(key.place, format!("used with law = {}", any_of(key.used_with)));
             diagnostic = match self.law.given() {
                 Some(law) => diagnostic.at(law.place, "the law of the bit"),
                 None => diagnostic.help("the law of the bit is \"rate\" where none is given"),
@@ -256,10 +245,8 @@ impl BitTable {
         let cuts = is_tested || SHAPED.contains(&word);
         if !cuts || self.kind.get() != Some(&Kind::Core) {
             reader.report(
-                Diagnostic::warning("`core_diameter` has no effect here").at(
-                    core.place,
-                    "used with kind = \"core\" and a law of cutters or rock",
-                ),
+                Diagnostic::warning("`core_diameter` has no effect here")
+                    .at(core.place, "used with kind = \"core\" and a law of cutters or rock"),
             );
         }
     }

@@ -48,11 +48,7 @@ table! {
 }
 
 fn displacement() -> Quantity {
-    Quantity::si(
-        Dimension::Diameter,
-        Range::from_to(0.0, 0.1).usual(1e-6, 0.03),
-        "1 mm",
-    )
+    Quantity::si(Dimension::Diameter, Range::from_to(0.0, 0.1).usual(1e-6, 0.03), "1 mm")
 }
 
 impl ExcitationTable {
@@ -65,18 +61,8 @@ impl ExcitationTable {
         let spreads_torque = points.is_some_and(Points::spreads_torque);
         let spreads_weight = points.is_some_and(Points::spreads_weight);
         for (field, name, column, brought) in [
-            (
-                &self.torque_fluctuation,
-                "torque_fluctuation",
-                "torque_std_N_m",
-                spreads_torque,
-            ),
-            (
-                &self.roughness,
-                "roughness",
-                "weight_on_bit_std_N",
-                spreads_weight,
-            ),
+            (&self.torque_fluctuation, "torque_fluctuation", "torque_std_N_m", spreads_torque),
+            (&self.roughness, "roughness", "weight_on_bit_std_N", spreads_weight),
         ] {
             if let Some(given) = field.given().filter(|_| brought) {
                 reader.report(

@@ -98,18 +98,11 @@ fn cells<'a>(line: &Cell<'a>) -> Vec<Cell<'a>> {
 fn trimmed(text: &str, from: usize) -> Cell<'_> {
     let begin = from + (text.len() - text.trim_start().len());
     let text = text.trim();
-    Cell {
-        text,
-        span: begin..begin + text.len(),
-    }
+    Cell { text, span: begin..begin + text.len() }
 }
 
 fn place(source: usize, span: &ByteRange<usize>) -> Span {
-    Span {
-        source,
-        start: span.start,
-        end: span.end,
-    }
+    Span { source, start: span.start, end: span.end }
 }
 
 /// Where each column stands; none of one that may be left out.
@@ -122,10 +115,8 @@ fn columns(head: &Cell<'_>, source: usize) -> Result<[Option<usize>; 6], Diagnos
             continue;
         }
         if *required {
-            return Err(
-                Diagnostic::error(format!("the table has no column `{column}`"))
-                    .at(place(source, &head.span), format!("`{column}` is missing")),
-            );
+            return Err(Diagnostic::error(format!("the table has no column `{column}`"))
+                .at(place(source, &head.span), format!("`{column}` is missing")));
         }
         // A column that is nearly there was meant.
         let near = names.iter().find(|cell| {
@@ -133,11 +124,9 @@ fn columns(head: &Cell<'_>, source: usize) -> Result<[Option<usize>; 6], Diagnos
             !known && nearest(cell.text, [*column]).is_some()
         });
         if let Some(cell) = near {
-            return Err(
-                Diagnostic::error(format!("unknown column `{}`", short(cell.text)))
-                    .at(place(source, &cell.span), "unknown column")
-                    .help(format!("did you mean `{column}`?")),
-            );
+            return Err(Diagnostic::error(format!("unknown column `{}`", short(cell.text)))
+                .at(place(source, &cell.span), "unknown column")
+                .help(format!("did you mean `{column}`?")));
         }
     }
     Ok(found)
@@ -160,12 +149,8 @@ fn point(
         };
         match cell.text.parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(Some(number * worth)),
-            _ => Err(
-                Diagnostic::error(format!("`{}` is not a number", short(cell.text))).at(
-                    place(source, &cell.span),
-                    format!("expected a number of `{name}`"),
-                ),
-            ),
+            _ => Err(Diagnostic::error(format!("`{}` is not a number", short(cell.text)))
+                .at(place(source, &cell.span), format!("expected a number of `{name}`"))),
         }
     };
     // What must be there has been found.

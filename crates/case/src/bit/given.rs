@@ -109,10 +109,7 @@ impl Given<'_> {
         if bit.drilling_speed_rad_per_s(operation) == 0.0 {
             reader.report(
                 Diagnostic::warning("the motor stalls under this weight on bit")
-                    .at(
-                        wob.place,
-                        format!("the motor gives {stalls} kN.m at the most"),
-                    )
+                    .at(wob.place, format!("the motor gives {stalls} kN.m at the most"))
                     .help("lower wob, or give a stronger motor under [bit.motor]"),
             );
         } else if torque > motor.max_torque_N_m() {

@@ -49,11 +49,7 @@ pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span) -> Diagnostic 
     // The first of these keys that stands in the case.
     let first = |keys: &[&str]| keys.iter().find_map(|key| given(key)).unwrap_or(whole);
     match error {
-        FaceError::OutOfRange {
-            quantity,
-            value,
-            expected,
-        } => {
+        FaceError::OutOfRange { quantity, value, expected } => {
             let (key, place) = match *quantity {
                 "diameter" => ("od", Some(od)),
                 "core diameter" => ("core_diameter", bit.core_diameter.place()),
@@ -76,11 +72,7 @@ pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span) -> Diagnostic 
                 ),
             }
         }
-        FaceError::Profile {
-            nose_radius_m,
-            shoulder_radius_m,
-            reach_m,
-        } => {
+        FaceError::Profile { nose_radius_m, shoulder_radius_m, reach_m } => {
             let reach = millimetres(*reach_m);
             Diagnostic::error("the arcs of the bit's nose and shoulder cannot meet")
                 .at(
@@ -97,35 +89,27 @@ pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span) -> Diagnostic 
                      the nose to the gauge"
                 ))
         }
-        FaceError::Unspread {
-            cutters_per_track,
-            blades,
-        } => Diagnostic::error("the cutters of a track do not spread evenly over the blades").at(
-            first(&["cutters_per_track", "blades"]),
-            format!("{cutters_per_track} do not divide {blades} blades"),
-        ),
-        FaceError::Overlap {
-            distance_m,
-            diameter_m,
-            ..
-        } => Diagnostic::error("two cutters of a blade overlap")
-            .at(
-                first(&[
-                    "cutters_per_blade",
-                    "cutter_diameter",
-                    "blades",
-                    "centre_spacing",
-                ]),
-                format!(
-                    "they are {} mm wide and {} mm apart",
-                    millimetres(*diameter_m),
-                    millimetres(*distance_m)
-                ),
+        FaceError::Unspread { cutters_per_track, blades } => {
+            Diagnostic::error("the cutters of a track do not spread evenly over the blades").at(
+                first(&["cutters_per_track", "blades"]),
+                format!("{cutters_per_track} do not divide {blades} blades"),
             )
-            .help(
-                "lower cutters_per_blade or cutter_diameter, or leave the number of cutters to \
+        }
+        FaceError::Overlap { distance_m, diameter_m, .. } => {
+            Diagnostic::error("two cutters of a blade overlap")
+                .at(
+                    first(&["cutters_per_blade", "cutter_diameter", "blades", "centre_spacing"]),
+                    format!(
+                        "they are {} mm wide and {} mm apart",
+                        millimetres(*diameter_m),
+                        millimetres(*distance_m)
+                    ),
+                )
+                .help(
+                    "lower cutters_per_blade or cutter_diameter, or leave the number of cutters to \
                    the program",
-            ),
+                )
+        }
         FaceError::UncutRing { from_m, to_m } => {
             Diagnostic::error("the bit leaves a ring of the bottom uncut")
                 .at(

@@ -73,13 +73,7 @@ impl MotorTable {
         flow_m3_per_s: Option<f64>,
         reader: &mut Reader,
     ) -> Option<MudMotor> {
-        let displacement_m3 = needed(
-            &self.displacement,
-            "displacement",
-            "\"12 L\"",
-            place,
-            reader,
-        );
+        let displacement_m3 = needed(&self.displacement, "displacement", "\"12 L\"", place, reader);
         let max_pressure_Pa = needed(
             &self.max_differential_pressure,
             "max_differential_pressure",

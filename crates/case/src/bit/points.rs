@@ -58,18 +58,10 @@ impl PointRule {
         let force = |range| Quantity::si(Dimension::Force, range, "60 kN");
         [
             force(Range::positive_to(5e6)),
-            Quantity::si(
-                Dimension::RotarySpeed,
-                Range::positive_to(1000.0 * PI / 30.0),
-                "120 rpm",
-            )
-            .bare("rev/min", PI / 30.0),
-            Quantity::si(
-                Dimension::RateOfPenetration,
-                Range::from_to(0.0, 0.3),
-                "10 m/h",
-            )
-            .bare("m/h", 1.0 / 3600.0),
+            Quantity::si(Dimension::RotarySpeed, Range::positive_to(1000.0 * PI / 30.0), "120 rpm")
+                .bare("rev/min", PI / 30.0),
+            Quantity::si(Dimension::RateOfPenetration, Range::from_to(0.0, 0.3), "10 m/h")
+                .bare("m/h", 1.0 / 3600.0),
             torque,
             torque,
             force(Range::from_to(0.0, 5e6)),
@@ -165,17 +157,16 @@ fn no_table(fault: &TableFault, points: &[Spanned<TablePoint>], whole: Span) -> 
                 .at(at(second), "again here")
                 .at(at(first), "first here")
         }
-        TableFault::Missing {
-            weight_on_bit_N,
-            rotary_speed_rad_per_s,
-        } => Diagnostic::error("the table has a gap: every weight needs every speed").at(
-            whole,
-            format!(
-                "no point for {} N at {} rev/min",
-                number_text(weight_on_bit_N),
-                number_text(rotary_speed_rad_per_s * 30.0 / PI)
-            ),
-        ),
+        TableFault::Missing { weight_on_bit_N, rotary_speed_rad_per_s } => {
+            Diagnostic::error("the table has a gap: every weight needs every speed").at(
+                whole,
+                format!(
+                    "no point for {} N at {} rev/min",
+                    number_text(weight_on_bit_N),
+                    number_text(rotary_speed_rad_per_s * 30.0 / PI)
+                ),
+            )
+        }
         TableFault::Spread { line } => {
             Diagnostic::error("a standard deviation stands at some points and not at others")
                 .at(at(line), "not as the first point")

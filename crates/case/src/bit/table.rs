@@ -33,11 +33,7 @@ const FULL_CONTACT_M: f64 = 0.3e-3;
 const ROCK_STIFFNESS_N_PER_M: f64 = 1e8;
 
 fn depth(example: &'static str) -> Quantity {
-    Quantity::si(
-        Dimension::Diameter,
-        Range::from_to(0.0, 0.1).usual(1e-5, 0.02),
-        example,
-    )
+    Quantity::si(Dimension::Diameter, Range::from_to(0.0, 0.1).usual(1e-5, 0.02), example)
 }
 
 table! {

@@ -51,11 +51,6 @@ fn build(
     let rock = table.value.rock(table.place, reader);
     let (diameter_m, od) = lowest?;
     let shape = bit.shape(0.5 * diameter_m, reader)?;
-    let places = Places {
-        rock: table.place,
-        od,
-    };
-    table
-        .value
-        .drilling(rock?, shape, diameter_m, (bit, places), reader)
+    let places = Places { rock: table.place, od };
+    table.value.drilling(rock?, shape, diameter_m, (bit, places), reader)
 }

@@ -45,10 +45,8 @@ impl RockTable {
             BitShape::Pdc(bit) => bit.exposure_m,
             BitShape::Insert(bit) => bit.protrusion_m,
         };
-        let size_m = element.map_or(
-            (diameter_m / ELEMENTS_ACROSS).min(OVER_EXPOSURE * exposure_m),
-            |at| at.value,
-        );
+        let size_m = element
+            .map_or((diameter_m / ELEMENTS_ACROSS).min(OVER_EXPOSURE * exposure_m), |at| at.value);
         if let Some(element) = element.filter(|at| at.value > WIDEST * diameter_m) {
             let most = number_text((WIDEST * diameter_m * 1e4).floor() * 1e-1);
             reader.report(
@@ -97,11 +95,7 @@ impl RockTable {
         }
         let count = spec.block.cells.iter().map(|&n| n as f64).product::<f64>();
         if count > MAX_ELEMENTS {
-            let place = self
-                .element_size
-                .place()
-                .or(self.beside.place())
-                .or(self.below.place());
+            let place = self.element_size.place().or(self.beside.place()).or(self.below.place());
             reader.report(
                 Diagnostic::error(format!(
                     "the rock would be cut into {} elements",

@@ -37,10 +37,7 @@ impl RockTable {
             ))
             .at(
                 self.density_factor.place().unwrap_or(whole),
-                format!(
-                    "expected a density_factor of {} or less",
-                    number_text(most.floor())
-                ),
+                format!("expected a density_factor of {} or less", number_text(most.floor())),
             )
             .help("more moves the mean forces by 5 % and beyond"),
         );
@@ -48,10 +45,7 @@ impl RockTable {
 
     /// What makes the elements heavy, if it stands in the case.
     pub(crate) fn weighty_place(&self) -> Option<Span> {
-        self.density_factor
-            .place()
-            .or(self.element_size.place())
-            .or(self.density.place())
+        self.density_factor.place().or(self.element_size.place()).or(self.density.place())
     }
 
     /// Refuses what would take weeks: the rock moving for so long.

@@ -53,14 +53,8 @@ impl RockTable {
             (&mut rock.dilation_angle_rad, &self.dilation_angle),
             (&mut rock.youngs_modulus_Pa, &self.youngs_modulus),
             (&mut rock.tensile_strength_Pa, &self.tensile_strength),
-            (
-                &mut rock.tensile_fracture_energy_J_per_m2,
-                &self.tensile_fracture_energy,
-            ),
-            (
-                &mut rock.compressive_fracture_energy_J_per_m2,
-                &self.compressive_fracture_energy,
-            ),
+            (&mut rock.tensile_fracture_energy_J_per_m2, &self.tensile_fracture_energy),
+            (&mut rock.compressive_fracture_energy_J_per_m2, &self.compressive_fracture_energy),
         ] {
             if let Some(at) = field.optional()? {
                 *number = at.value;
@@ -88,12 +82,10 @@ impl RockTable {
             && bears_Pa < given.value
         {
             let most = number_text((bears_Pa * 1e-5).round() * 1e-1);
-            reader.report(
-                Diagnostic::warning("the rock shears before it bears this tension").at(
-                    given.place,
-                    format!("its cone allows {most} MPa in sum of the principal stresses"),
-                ),
-            );
+            reader.report(Diagnostic::warning("the rock shears before it bears this tension").at(
+                given.place,
+                format!("its cone allows {most} MPa in sum of the principal stresses"),
+            ));
         }
         Some(rock)
     }
@@ -101,11 +93,7 @@ impl RockTable {
     /// The mistake, at those of its numbers that stand in the case.
     pub(super) fn unsound(&self, error: &RockError, whole: Span) -> Diagnostic {
         match error {
-            RockError::OutOfRange {
-                quantity,
-                value,
-                expected,
-            } => {
+            RockError::OutOfRange { quantity, value, expected } => {
                 let known = [
                     ("the density", self.density.place()),
                     ("Young's modulus", self.youngs_modulus.place()),
@@ -114,10 +102,7 @@ impl RockTable {
                     ("the friction angle", self.friction_angle.place()),
                     ("the dilation angle", self.dilation_angle.place()),
                     ("the tensile strength", self.tensile_strength.place()),
-                    (
-                        "the fracture energy in tension",
-                        self.tensile_fracture_energy.place(),
-                    ),
+                    ("the fracture energy in tension", self.tensile_fracture_energy.place()),
                     (
                         "the fracture energy in compression",
                         self.compressive_fracture_energy.place(),

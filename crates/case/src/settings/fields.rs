@@ -68,8 +68,7 @@ impl Fields {
     pub(super) fn spread(mut self, key: &str, prefix: &str) -> Self {
         if let Some(Json::Object(inner)) = self.0.remove(key) {
             let named = inner.into_iter();
-            self.0
-                .extend(named.map(|(name, value)| (format!("{prefix}{name}"), value)));
+            self.0.extend(named.map(|(name, value)| (format!("{prefix}{name}"), value)));
         }
         self
     }

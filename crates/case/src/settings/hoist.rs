@@ -30,11 +30,7 @@ pub(super) fn hoist(
     };
     Fields::of(&dynamics.hoist_line)
         .renamed([("block_mass_kg", "mass_kg")])
-        .and(if automatic {
-            autodriller
-        } else {
-            autodriller.nulled()
-        })
+        .and(if automatic { autodriller } else { autodriller.nulled() })
         .with("control", control)
         .with("block_velocity_m_per_s", velocity)
         .with("hook_load_N", load)

@@ -17,10 +17,7 @@ pub(super) fn operation(operations: &[Operation], plan: &Schedule) -> Fields {
     first
         // The bit's torque stands with the bit, its motor's pressure follows from it.
         .without(["bit_torque_N_m", "motor_pressure_drop_Pa"])
-        .renamed([
-            ("weight_on_bit_N", "wob_N"),
-            ("rate_of_penetration_m_per_s", "rop_m_per_s"),
-        ])
+        .renamed([("weight_on_bit_N", "wob_N"), ("rate_of_penetration_m_per_s", "rop_m_per_s")])
         .with("kind", kinds)
         .with("schedule", schedule(plan))
 }

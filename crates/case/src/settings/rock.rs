@@ -32,10 +32,9 @@ pub(super) fn face(shape: &BitShape) -> Fields {
 fn inserts(bit: &InsertBit) -> Fields {
     let (half_angle_rad, tip_radius_m) = match bit.shape {
         InsertShape::Hemisphere => (None, None),
-        InsertShape::Cone {
-            half_angle_rad,
-            tip_radius_m,
-        } => (Some(half_angle_rad), Some(tip_radius_m)),
+        InsertShape::Cone { half_angle_rad, tip_radius_m } => {
+            (Some(half_angle_rad), Some(tip_radius_m))
+        }
     };
     Fields::of(bit)
         .spread_variant("shape", "insert_shape")
@@ -45,8 +44,7 @@ fn inserts(bit: &InsertBit) -> Fields {
 
 /// What a bit alone on its rock is put to; bit and rock stand in tables of their own.
 pub(super) fn bit_test(test: &BitTest) -> Fields {
-    Fields::of(test).without(["drilling"]).renamed([
-        ("weights_N", "wob_N"),
-        ("rotary_speeds_rad_per_s", "rotary_speed_rad_per_s"),
-    ])
+    Fields::of(test)
+        .without(["drilling"])
+        .renamed([("weights_N", "wob_N"), ("rotary_speeds_rad_per_s", "rotary_speed_rad_per_s")])
 }

@@ -9,12 +9,7 @@ use crate::{records::Records, settle::AUTO};
 pub(super) fn run(dynamics: &DynamicsSettings, checkpoint_interval_s: Option<f64>) -> Fields {
     let fields = Fields::of(dynamics)
         // These stand in tables of their own.
-        .without([
-            "element_length_m",
-            "hoist_control",
-            "autodriller",
-            "hoist_line",
-        ])
+        .without(["element_length_m", "hoist_control", "autodriller", "hoist_line"])
         .without(["lift_tolerance", "top_drive", "schedule", "bit", "probes"])
         .without(["steady"])
         .spread("centred", "start_")

@@ -37,9 +37,8 @@ fn section(section: &HoleSection) -> Fields {
     let friction = &section.friction;
     // The engine has it as a part of the kinetic one.
     let around = friction.kinetic * friction.around;
-    let friction = Fields::of(friction)
-        .renamed([("at_rest", "static")])
-        .with("around", json(&around));
+    let friction =
+        Fields::of(friction).renamed([("at_rest", "static")]).with("around", json(&around));
     Fields::of(section)
         .words(["kind"])
         .renamed([("from_md_m", "from_m"), ("to_md_m", "to_m")])

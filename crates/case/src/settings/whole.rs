@@ -30,17 +30,8 @@ pub(crate) struct Given<'a> {
 
 /// What the solvers were given, in SI, with units in the names of the keys.
 pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
-    let Given {
-        name,
-        units,
-        models,
-        model,
-        operations,
-        dynamics,
-        records,
-        drilling,
-        bit_test,
-    } = *given;
+    let Given { name, units, models, model, operations, dynamics, records, drilling, bit_test } =
+        *given;
     let survey = case.well.get().and_then(|well| well.survey.get());
     let dynamics_table = case.dynamics.get();
     let checkpoint_interval_s = dynamics_table.and_then(|of| of.checkpoint_interval.get());
@@ -50,33 +41,18 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
     }
     let mut whole = Fields::empty()
         .with("name", name)
-        .with(
-            "model",
-            models.iter().map(|of| of.name()).collect::<Vec<_>>(),
-        )
+        .with("model", models.iter().map(|of| of.name()).collect::<Vec<_>>())
         .with("units", units.name())
         .with("well", well::well(&model.well, survey))
         .with("mud", Fields::of(&model.mud).tag_inside("rheology", "law"))
         .with("string", string::string(&model.string))
         .with("bit", bit)
         .with("rig", to_json(&model.rig))
-        .with(
-            "hoist",
-            hoist::hoist(dynamics, operations, case.hoist.get()),
-        )
+        .with("hoist", hoist::hoist(dynamics, operations, case.hoist.get()))
         .with("top_drive", hoist::top_drive(&dynamics.top_drive))
-        .with(
-            "operation",
-            operation::operation(operations, &dynamics.schedule),
-        )
-        .with(
-            "mesh",
-            json!({ "element_length_m": dynamics.element_length_m }),
-        )
-        .with(
-            "dynamics",
-            run::run(dynamics, checkpoint_interval_s.copied()),
-        )
+        .with("operation", operation::operation(operations, &dynamics.schedule))
+        .with("mesh", json!({ "element_length_m": dynamics.element_length_m }))
+        .with("dynamics", run::run(dynamics, checkpoint_interval_s.copied()))
         .with("records", run::records(records));
     if let Some(drilling) = drilling {
         whole = whole.with("rock", rock::rock(drilling));

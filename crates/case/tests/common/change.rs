@@ -27,11 +27,7 @@ fn name(before: &str) -> &str {
 fn cells(table: &str) -> Vec<(&str, String)> {
     let parts: Vec<&str> = table.split('`').collect();
     let (cells, rest) = parts.as_chunks::<2>();
-    assert!(
-        !cells.is_empty() && rest.concat().trim().is_empty(),
-        "{table}"
-    );
+    assert!(!cells.is_empty() && rest.concat().trim().is_empty(), "{table}");
     let of = cells.iter();
-    of.map(|[before, text]| (before.trim(), text.replace("\\n", "\n")))
-        .collect()
+    of.map(|[before, text]| (before.trim(), text.replace("\\n", "\n"))).collect()
 }

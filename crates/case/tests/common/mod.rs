@@ -21,33 +21,17 @@ pub(crate) fn survey_files(survey: &[u8]) -> InMemory {
 }
 
 pub(crate) fn read(text: &str) -> Result<Case, Report> {
-    parse(
-        "case.toml",
-        text.as_bytes(),
-        &survey_files(SURVEY.as_bytes()),
-        &[],
-    )
+    parse("case.toml", text.as_bytes(), &survey_files(SURVEY.as_bytes()), &[])
 }
 
 pub(crate) fn read_with(text: &str, settings: &[&str]) -> Result<Case, Report> {
-    let changes: Vec<Override> = settings
-        .iter()
-        .map(|text| text.parse().expect("KEY=VALUE"))
-        .collect();
-    parse(
-        "case.toml",
-        text.as_bytes(),
-        &survey_files(SURVEY.as_bytes()),
-        &changes,
-    )
+    let changes: Vec<Override> =
+        settings.iter().map(|text| text.parse().expect("KEY=VALUE")).collect();
+    parse("case.toml", text.as_bytes(), &survey_files(SURVEY.as_bytes()), &changes)
 }
 
 /// The example with one text replaced by another, which must stand in it once.
 pub(crate) fn changed(from: &str, to: &str) -> String {
-    assert_eq!(
-        EXAMPLE.matches(from).count(),
-        1,
-        "`{from}` must stand once in the example"
-    );
+    assert_eq!(EXAMPLE.matches(from).count(), 1, "`{from}` must stand once in the example");
     EXAMPLE.replace(from, to)
 }

@@ -28,10 +28,7 @@ fn converted(value: &DeValue<'_>) -> Json {
             Err(_) => json!(1e300),
         },
         // JSON has no NaN and no infinity: they are no numbers there either.
-        DeValue::Float(float) => float
-            .as_str()
-            .parse::<f64>()
-            .map_or(Json::Null, |v| json!(v)),
+        DeValue::Float(float) => float.as_str().parse::<f64>().map_or(Json::Null, |v| json!(v)),
         DeValue::Boolean(value) => json!(value),
         DeValue::Datetime(_) => Json::Null,
         DeValue::Array(items) => items.iter().map(|item| converted(item.get_ref())).collect(),
@@ -49,15 +46,11 @@ fn check(schema: &Json, value: &Json, at: &str, problems: &mut Vec<String>) {
             "type" => is_of_type(rule.as_str().expect("a type"), value),
             "enum" => rule.as_array().expect("words").contains(value),
             "const" => rule == value,
-            "minimum" => value
-                .as_f64()
-                .is_none_or(|v| v >= rule.as_f64().expect("a number")),
-            "maximum" => value
-                .as_f64()
-                .is_none_or(|v| v <= rule.as_f64().expect("a number")),
-            "exclusiveMinimum" => value
-                .as_f64()
-                .is_none_or(|v| v > rule.as_f64().expect("a number")),
+            "minimum" => value.as_f64().is_none_or(|v| v >= rule.as_f64().expect("a number")),
+            "maximum" => value.as_f64().is_none_or(|v| v <= rule.as_f64().expect("a number")),
+            "exclusiveMinimum" => {
+                value.as_f64().is_none_or(|v| v > rule.as_f64().expect("a number"))
+            }
             "minItems" => length(value).is_none_or(|n| n >= rule.as_u64().expect("a number")),
             "maxItems" => length(value).is_none_or(|n| n <= rule.as_u64().expect("a number")),
             "minLength" => value.as_str().is_none_or(|t| !t.is_empty()),
@@ -82,13 +75,7 @@ fn check(schema: &Json, value: &Json, at: &str, problems: &mut Vec<String>) {
         }
     }
     if let (Some(cells), Some(items)) = (schema.get("prefixItems"), value.as_array()) {
-        for (i, (cell, item)) in cells
-            .as_array()
-            .expect("cells")
-            .iter()
-            .zip(items)
-            .enumerate()
-        {
+        for (i, (cell, item)) in cells.as_array().expect("cells").iter().zip(items).enumerate() {
             check(cell, item, &format!("{at}.{i}"), problems);
         }
     }
@@ -115,12 +102,7 @@ fn check_object(schema: &Json, value: &Json, at: &str, problems: &mut Vec<String
             None => problems.push(format!("{at}: unknown key {key}")),
         }
     }
-    for key in schema
-        .get("required")
-        .and_then(Json::as_array)
-        .into_iter()
-        .flatten()
-    {
+    for key in schema.get("required").and_then(Json::as_array).into_iter().flatten() {
         if !object.contains_key(key.as_str().expect("a key")) {
             problems.push(format!("{at}: lacks {key}"));
         }

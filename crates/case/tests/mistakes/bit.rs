@@ -14,44 +14,17 @@ fn law_and_excitation() {
         ("bit_law_not_text", "law = 2"),
         ("blades_none", "law = \"regenerative\"\nblades = 0"),
         ("blades_halved", "law = \"regenerative\"\nblades = 4.5"),
-        (
-            "specific_energy_zero",
-            "law = \"regenerative\"\nintrinsic_specific_energy = 0",
-        ),
-        (
-            "specific_energy_in_pascals",
-            "law = \"regenerative\"\nintrinsic_specific_energy = 60",
-        ),
-        (
-            "cutter_inclination_zero",
-            "law = \"regenerative\"\ncutter_inclination = 0",
-        ),
-        (
-            "wear_flat_negative",
-            "law = \"regenerative\"\nwear_flat = -1e-3",
-        ),
-        (
-            "contact_strength_not_a_number",
-            "law = \"regenerative\"\ncontact_strength = nan",
-        ),
-        (
-            "bit_geometry_in_quotes",
-            "law = \"regenerative\"\nbit_geometry = \"flat\"",
-        ),
-        (
-            "bit_friction_above_two",
-            "law = \"regenerative\"\nfriction = 6",
-        ),
+        ("specific_energy_zero", "law = \"regenerative\"\nintrinsic_specific_energy = 0"),
+        ("specific_energy_in_pascals", "law = \"regenerative\"\nintrinsic_specific_energy = 60"),
+        ("cutter_inclination_zero", "law = \"regenerative\"\ncutter_inclination = 0"),
+        ("wear_flat_negative", "law = \"regenerative\"\nwear_flat = -1e-3"),
+        ("contact_strength_not_a_number", "law = \"regenerative\"\ncontact_strength = nan"),
+        ("bit_geometry_in_quotes", "law = \"regenerative\"\nbit_geometry = \"flat\""),
+        ("bit_friction_above_two", "law = \"regenerative\"\nfriction = 6"),
         ("motor_speed_negative", "motor_speed = -120"),
         ("bit_kind_unknown", "kind = \"tricone\""),
-        (
-            "roller_cone_with_blades",
-            "law = \"regenerative\"\nkind = \"roller cone\"",
-        ),
-        (
-            "core_bit_without_core",
-            "law = \"detournay-defourny\"\nkind = \"core\"",
-        ),
+        ("roller_cone_with_blades", "law = \"regenerative\"\nkind = \"roller cone\""),
+        ("core_bit_without_core", "law = \"detournay-defourny\"\nkind = \"core\""),
         (
             "core_as_wide_as_the_bit",
             "law = \"detournay-defourny\"\nkind = \"core\"\ncore_diameter = \"10 in\"",
@@ -67,26 +40,11 @@ fn law_and_excitation() {
             "[bit.motor]\ndisplacement = \"12 L\"\nmax_differential_pressure = \"80 bar\"",
         ),
         ("excitation_as_value", "excitation = true"),
-        (
-            "excitation_key_misspelt",
-            "[bit.excitation]\nroughnes = \"1 mm\"",
-        ),
-        (
-            "excitation_lobes_zero",
-            "[bit.excitation]\nlobes = 0\namplitude = \"1 mm\"",
-        ),
-        (
-            "excitation_amplitude_in_mm_meant",
-            "[bit.excitation]\namplitude = 1",
-        ),
-        (
-            "excitation_torque_in_percent",
-            "[bit.excitation]\ntorque_fluctuation = 20",
-        ),
-        (
-            "excitation_waves_zero",
-            "[bit.excitation]\nroughness = \"1 mm\"\nwaves = 0",
-        ),
+        ("excitation_key_misspelt", "[bit.excitation]\nroughnes = \"1 mm\""),
+        ("excitation_lobes_zero", "[bit.excitation]\nlobes = 0\namplitude = \"1 mm\""),
+        ("excitation_amplitude_in_mm_meant", "[bit.excitation]\namplitude = 1"),
+        ("excitation_torque_in_percent", "[bit.excitation]\ntorque_fluctuation = 20"),
+        ("excitation_waves_zero", "[bit.excitation]\nroughness = \"1 mm\"\nwaves = 0"),
         (
             "excitation_by_time_and_angle",
             "[bit.excitation]\nroughness = \"1 mm\"\nwaves = 8\nfrequency = \"20 Hz\"",
@@ -144,14 +102,9 @@ const POINTS: &str = "law = \"table\"\n[bit.table]\npoints = ";
 
 /// The file of a table.
 fn with_file(table: &str) -> Result<wholestring_case::Case, wholestring_case::Report> {
-    let text = changed(
-        "torque = \"3.1 kN.m\"",
-        "law = \"table\"\n[bit.table]\nfile = \"bit.csv\"",
-    );
+    let text = changed("torque = \"3.1 kN.m\"", "law = \"table\"\n[bit.table]\nfile = \"bit.csv\"");
     let mut files = survey_files(SURVEY.as_bytes());
-    files
-        .0
-        .insert("bit.csv".to_owned(), table.as_bytes().to_vec());
+    files.0.insert("bit.csv".to_owned(), table.as_bytes().to_vec());
     parse("case.toml", text.as_bytes(), &files, &[])
 }
 
@@ -167,23 +120,14 @@ fn tables() {
             "law = \"table\"\n[bit.table]\nfile = \"bit.csv\"\npoints = [[60e3, 70, 10, 3e3]]"
                 .to_owned(),
         ),
-        (
-            "bit_table_no_such_file",
-            "law = \"table\"\n[bit.table]\nfile = \"bit.csv\"".to_owned(),
-        ),
+        ("bit_table_no_such_file", "law = \"table\"\n[bit.table]\nfile = \"bit.csv\"".to_owned()),
         ("bit_table_short_point", format!("{POINTS}[[60e3, 70, 10]]")),
-        (
-            "bit_table_speed_zero",
-            format!("{POINTS}[[60e3, 0, 10, 3e3]]"),
-        ),
+        ("bit_table_speed_zero", format!("{POINTS}[[60e3, 0, 10, 3e3]]")),
         (
             "bit_table_gap",
             format!("{POINTS}[[40e3, 60, 6, 2e3], [40e3, 90, 9, 2e3], [80e3, 60, 12, 4e3]]"),
         ),
-        (
-            "bit_table_point_twice",
-            format!("{POINTS}[[40e3, 60, 6, 2e3], [40e3, 60, 9, 2e3]]"),
-        ),
+        ("bit_table_point_twice", format!("{POINTS}[[40e3, 60, 6, 2e3], [40e3, 60, 9, 2e3]]")),
         (
             "bit_table_spread_here_and_there",
             format!("{POINTS}[[40e3, 60, 6, 2e3, 100], [80e3, 60, 9, 2e3]]"),
@@ -208,23 +152,11 @@ fn tables() {
             "bit_table_file_without_torque",
             "weight_on_bit_N,rotary_speed_rpm,rate_of_penetration_m_per_h\n60e3,70,10\n".to_owned(),
         ),
-        (
-            "bit_table_file_column_misspelt",
-            format!("{HEAD},torque_sdt_N_m\n60e3,70,10,3e3,100\n"),
-        ),
-        (
-            "bit_table_file_no_number",
-            format!("{HEAD}\n60e3,70,ten,3e3\n"),
-        ),
-        (
-            "bit_table_file_cell_missing",
-            format!("{HEAD}\n60e3,70,10\n"),
-        ),
+        ("bit_table_file_column_misspelt", format!("{HEAD},torque_sdt_N_m\n60e3,70,10,3e3,100\n")),
+        ("bit_table_file_no_number", format!("{HEAD}\n60e3,70,ten,3e3\n")),
+        ("bit_table_file_cell_missing", format!("{HEAD}\n60e3,70,10\n")),
         ("bit_table_file_head_alone", format!("{HEAD}\n")),
-        (
-            "bit_table_file_negative",
-            format!("{HEAD}\n60e3,70,-10,3e3\n"),
-        ),
+        ("bit_table_file_negative", format!("{HEAD}\n60e3,70,-10,3e3\n")),
     ];
     for (name, table) in files {
         refused(name, with_file(&table));
@@ -243,10 +175,7 @@ fn a_file_is_read_as_the_points_that_it_holds() {
     let read_file = with_file(&file).unwrap_or_else(|report| panic!("{report}"));
     let points = "[[\"40 kN\", 60, 6, 2e3, 200], [40e3, 90, \"9 m/h\", 2100, 220], \
                   [80e3, 60, 12, \"4 kN.m\", 300], [80e3, 90, 18, 4100, 330]]";
-    let here = read(&changed(
-        "torque = \"3.1 kN.m\"",
-        &format!("{POINTS}{points}"),
-    ));
+    let here = read(&changed("torque = \"3.1 kN.m\"", &format!("{POINTS}{points}")));
     let here = here.unwrap_or_else(|report| panic!("{report}"));
     assert_eq!(read_file.dynamics.bit, here.dynamics.bit);
     assert_eq!(read_file.settings["bit"], here.settings["bit"]);

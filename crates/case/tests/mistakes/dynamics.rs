@@ -28,21 +28,15 @@ fn values() {
     texts_refused([
         (
             "step_of_nanoseconds",
-            changed(
-                "duration = \"60 s\"",
-                "damping.stiffness = \"10 ms\"\nduration = \"60 s\"",
-            )
-            .replace("\"3.2 m\"", "\"0.2 m\""),
+            changed("duration = \"60 s\"", "damping.stiffness = \"10 ms\"\nduration = \"60 s\"")
+                .replace("\"3.2 m\"", "\"0.2 m\""),
         ),
         (
             "run_of_weeks",
-            changed(
-                "duration = \"60 s\"",
-                "sample_interval = 1\nduration = \"86400 s\"",
-            )
-            .replace("\"3.2 m\"", "\"0.2 m\"")
-            .replace("bit_depth = \"4305 m\"", "bit_depth = \"19999 m\"")
-            .replace("to = \"4305 m\"", "to = \"20000 m\""),
+            changed("duration = \"60 s\"", "sample_interval = 1\nduration = \"86400 s\"")
+                .replace("\"3.2 m\"", "\"0.2 m\"")
+                .replace("bit_depth = \"4305 m\"", "bit_depth = \"19999 m\"")
+                .replace("to = \"4305 m\"", "to = \"20000 m\""),
         ),
     ]);
     each_warned(

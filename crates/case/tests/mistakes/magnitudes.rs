@@ -46,10 +46,7 @@ fn numbers_out_of_range_name_it_too() {
 #[test]
 fn numbers_without_unit_in_a_field_case() {
     let text = changed("\"0.34 m\"", "1.1")
-        .replace(
-            "model = \"dynamic\"",
-            "model = \"dynamic\"\nunits = \"field\"",
-        )
+        .replace("model = \"dynamic\"", "model = \"dynamic\"\nunits = \"field\"")
         .replace("\"4305 m\"\ndiameter", "4305\ndiameter");
     warned("usual_bare_in_field_units", read(&text));
     let shown_in_si = read(&text.replace("\"field\"", "\"si\"")).expect("a sound case");
@@ -59,11 +56,9 @@ fn numbers_without_unit_in_a_field_case() {
 /// Zero switches something off, and needs no unit.
 #[test]
 fn zero_is_not_doubted() {
-    for (from, to) in [
-        ("\"1.2 sg\"", "0"),
-        ("friction = 0.3\n[[", "friction = 0\n[["),
-        ("\"3.1 kN.m\"", "0"),
-    ] {
+    for (from, to) in
+        [("\"1.2 sg\"", "0"), ("friction = 0.3\n[[", "friction = 0\n[["), ("\"3.1 kN.m\"", "0")]
+    {
         let case = read(&changed(from, to)).expect("a sound case");
         let doubts = |report: &Report| {
             let mut said = report.diagnostics.iter();

@@ -24,9 +24,7 @@ use wholestring_case::{Case, Report};
 /// Holds the answer against the one on record. The mistake must be refused.
 #[track_caller]
 fn refused(name: &str, answer: Result<Case, Report>) {
-    let Err(report) = answer else {
-        panic!("`{name}` was accepted")
-    };
+    let Err(report) = answer else { panic!("`{name}` was accepted") };
     assert!(report.errors() > 0, "`{name}` is refused without an error");
     on_record(name, &report);
 }

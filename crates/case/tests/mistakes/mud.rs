@@ -30,18 +30,12 @@ fn rheology_and_flow() {
             "flow_index_above_one",
             "\nrheology = \"power-law\"\nconsistency_index = \"0.6 Pa.s^n\"\nflow_behaviour_index = 1.4",
         ),
-        (
-            "viscosity_in_pascals",
-            "\nrheology = \"newtonian\"\nviscosity = \"20 Pa\"",
-        ),
+        ("viscosity_in_pascals", "\nrheology = \"newtonian\"\nviscosity = \"20 Pa\""),
     ];
     let flow = changed("rpm = 70", "flow_rate = \"2000 L\"\nrpm = 70");
     refused("flow_rate_in_litres", read(&flow));
     for (name, more) in cases {
-        let text = changed(
-            "density = \"1.2 sg\"",
-            &format!("density = \"1.2 sg\"{more}"),
-        );
+        let text = changed("density = \"1.2 sg\"", &format!("density = \"1.2 sg\"{more}"));
         refused(name, read(&text));
     }
     each_warned(

@@ -97,22 +97,13 @@ fn bit_tests() {
             "bit_test_of_a_weight_twice",
             format!("{SOUND}\n[bit_test]\nwob = [\"60 kN\", \"20 kN\", \"60 kN\"]"),
         ),
-        (
-            "bit_test_at_rest",
-            format!("{SOUND}\n[bit_test]\nrpm = [0, 60]"),
-        ),
-        (
-            "bit_test_lighter_than_the_bricks",
-            format!("{SOUND}\n[bit_test]\nmass = \"1 kg\""),
-        ),
+        ("bit_test_at_rest", format!("{SOUND}\n[bit_test]\nrpm = [0, 60]")),
+        ("bit_test_lighter_than_the_bricks", format!("{SOUND}\n[bit_test]\nmass = \"1 kg\"")),
         (
             "bit_test_averages_over_less_than_a_step",
             format!("{SOUND}\n[bit_test]\naveraging = \"0.1 ms\""),
         ),
-        (
-            "bit_test_without_weights",
-            format!("{SOUND}\n[bit_test]\nwob = []"),
-        ),
+        ("bit_test_without_weights", format!("{SOUND}\n[bit_test]\nwob = []")),
     ];
     for (name, tables) in cases {
         let tables = format!("torque = \"3.1 kN.m\"\n{tables}");
@@ -125,9 +116,7 @@ fn bit_tests() {
 
 #[test]
 fn what_has_no_effect() {
-    let idle = with_bit(&format!(
-        "torque = \"3.1 kN.m\"\n[bit.face]\nblades = 5\n{SOUND}"
-    ));
+    let idle = with_bit(&format!("torque = \"3.1 kN.m\"\n[bit.face]\nblades = 5\n{SOUND}"));
     warned("warn_rock_under_another_law", read(&idle));
     let others = on_rock(
         "rock_stiffness = 1e8\nkind = \"inserts\"",

@@ -15,11 +15,7 @@ const LINE: &str = "[[operation.schedule]]\n";
 #[test]
 fn lines_of_a_schedule() {
     let cases = [
-        (
-            "schedule_backwards",
-            "at = \"30 s\"\nrpm = 60\n",
-            "at = \"20 s\"\nrpm = 70",
-        ),
+        ("schedule_backwards", "at = \"30 s\"\nrpm = 60\n", "at = \"20 s\"\nrpm = 70"),
         (
             "schedule_over_a_ramp",
             "at = \"30 s\"\nramp = \"10 s\"\nrpm = 60\n",
@@ -35,34 +31,16 @@ fn lines_of_a_schedule() {
             "at = 0\nrpm = 0\n",
             "at = \"30 s\"\nwob = \"50 kN\"\nblock_velocity = \"0.3 m/s\"",
         ),
-        (
-            "schedule_of_nothing",
-            "at = 0\nrpm = 0\n",
-            "at = \"30 s\"\nramp = \"10 s\"",
-        ),
+        ("schedule_of_nothing", "at = 0\nrpm = 0\n", "at = \"30 s\"\nramp = \"10 s\""),
         ("schedule_without_time", "at = 0\nrpm = 0\n", "rpm = 60"),
-        (
-            "schedule_key_misspelt",
-            "at = 0\nrpm = 0\n",
-            "at = \"30 s\"\nrmp = 60",
-        ),
-        (
-            "schedule_before_time_zero",
-            "at = \"-5 s\"\nrpm = 0\n",
-            "at = \"30 s\"\nrpm = 60",
-        ),
+        ("schedule_key_misspelt", "at = 0\nrpm = 0\n", "at = \"30 s\"\nrmp = 60"),
+        ("schedule_before_time_zero", "at = \"-5 s\"\nrpm = 0\n", "at = \"30 s\"\nrpm = 60"),
     ];
     for (name, first, second) in cases {
-        refused(
-            name,
-            read(&scheduled(&format!("{LINE}{first}{LINE}{second}"))),
-        );
+        refused(name, read(&scheduled(&format!("{LINE}{first}{LINE}{second}"))));
     }
     let plan = format!("{LINE}at = \"30 s\"\nrpm = 60");
-    refused(
-        "schedule_single_brackets",
-        read(&scheduled("[operation.schedule]\nat = 0\nrpm = 0")),
-    );
+    refused("schedule_single_brackets", read(&scheduled("[operation.schedule]\nat = 0\nrpm = 0")));
     let several = "kind = [\"drill\", \"ream\"]";
     refused(
         "schedule_of_two_operations",
@@ -84,10 +62,7 @@ fn lines_of_a_schedule() {
     let both = scheduled(&plan).replace("model = \"dynamic\" ", "model = [\"soft\", \"dynamic\"]");
     warned("warn_schedule_soft_too", read(&both));
     let pumps = format!("{LINE}at = \"30 s\"\nflow_rate = 0");
-    warned(
-        "warn_schedule_flow_without_rheology",
-        read(&scheduled(&pumps)),
-    );
+    warned("warn_schedule_flow_without_rheology", read(&scheduled(&pumps)));
     // Where a schedule holds a weight, the autodriller's keys have their effect.
     let tuned = format!("{held}\n[hoist]\ngain = 1e-7\nintegral_time = \"60 s\"");
     let case = read(&scheduled(&tuned)).expect("a sound case");

@@ -24,40 +24,19 @@ fn sizes_and_lengths() {
         format!("{}{keys}{}", &EXAMPLE[..start], &EXAMPLE[end..])
     };
     texts_refused([
-        (
-            "id_not_below_od",
-            explicit("od = \"139.7 mm\"\nid = \"139.7 mm\""),
-        ),
+        ("id_not_below_od", explicit("od = \"139.7 mm\"\nid = \"139.7 mm\"")),
         ("id_missing", explicit("od = \"139.7 mm\"")),
         ("od_missing", explicit("id = \"118.6 mm\"")),
-        (
-            "od_beside_catalogue",
-            explicit(&format!("{pipe}\nod = \"5 in\"")),
-        ),
-        (
-            "joint_thinner_than_pipe",
-            explicit(&format!("{pipe}\njoint_od = \"5 in\"")),
-        ),
+        ("od_beside_catalogue", explicit(&format!("{pipe}\nod = \"5 in\""))),
+        ("joint_thinner_than_pipe", explicit(&format!("{pipe}\njoint_od = \"5 in\""))),
         (
             "joint_without_spacing",
             explicit("od = \"139.7 mm\"\nid = \"118.6 mm\"\njoint_od = \"7 in\""),
         ),
-        (
-            "joint_wider_than_hole",
-            explicit(&format!("{pipe}\njoint_od = \"9 in\"")),
-        ),
-        (
-            "collar_wider_than_hole",
-            explicit("od = \"8-1/2 in\"\nid = \"3 in\""),
-        ),
-        (
-            "bend_without_place",
-            explicit(&format!("{pipe}\nbend = \"1.5 deg\"")),
-        ),
-        (
-            "bend_of_a_turn",
-            explicit(&format!("{pipe}\nbend = \"90 deg\"\nbend_at = \"2 m\"")),
-        ),
+        ("joint_wider_than_hole", explicit(&format!("{pipe}\njoint_od = \"9 in\""))),
+        ("collar_wider_than_hole", explicit("od = \"8-1/2 in\"\nid = \"3 in\"")),
+        ("bend_without_place", explicit(&format!("{pipe}\nbend = \"1.5 deg\""))),
+        ("bend_of_a_turn", explicit(&format!("{pipe}\nbend = \"90 deg\"\nbend_at = \"2 m\""))),
         (
             "bend_off_its_component",
             changed(
@@ -72,36 +51,16 @@ fn sizes_and_lengths() {
                 "length = \"0.34 m\"\nbend = \"1 deg\"\nbend_at = \"0.1 m\"",
             ),
         ),
-        (
-            "eccentricity_of_a_crank",
-            explicit(&format!("{pipe}\neccentricity = \"30 mm\"")),
-        ),
+        ("eccentricity_of_a_crank", explicit(&format!("{pipe}\neccentricity = \"30 mm\""))),
         (
             "eccentricity_cavity_unknown",
-            explicit(&format!(
-                "{pipe}\neccentricity = \"2 mm\"\neccentricity_cavity = \"air\""
-            )),
+            explicit(&format!("{pipe}\neccentricity = \"2 mm\"\neccentricity_cavity = \"air\"")),
         ),
-        (
-            "pipe_heavier_than_solid",
-            explicit(&format!("{pipe}\nmass_per_length = \"358 kg/m\"")),
-        ),
-        (
-            "pipe_floats",
-            explicit(&format!("{pipe}\nmass_per_length = \"3.58 kg/m\"")),
-        ),
-        (
-            "bit_wider_than_casing",
-            changed("od = \"215.9 mm\"", "od = \"12-1/4 in\""),
-        ),
-        (
-            "string_longer_than_well",
-            changed("length = \"0.34 m\"", "length = \"5000 m\""),
-        ),
-        (
-            "string_shorter_than_well",
-            changed("length = \"to surface\"", "length = \"4000 m\""),
-        ),
+        ("pipe_heavier_than_solid", explicit(&format!("{pipe}\nmass_per_length = \"358 kg/m\""))),
+        ("pipe_floats", explicit(&format!("{pipe}\nmass_per_length = \"3.58 kg/m\""))),
+        ("bit_wider_than_casing", changed("od = \"215.9 mm\"", "od = \"12-1/4 in\"")),
+        ("string_longer_than_well", changed("length = \"0.34 m\"", "length = \"5000 m\"")),
+        ("string_shorter_than_well", changed("length = \"to surface\"", "length = \"4000 m\"")),
         (
             "component_above_to_surface",
             changed(
@@ -109,10 +68,7 @@ fn sizes_and_lengths() {
                 "[[string]]\ncomponent = \"kelly\"\nod = 0.13\nid = 0.08\nlength = 12\n[bit]",
             ),
         ),
-        (
-            "two_components_to_surface",
-            changed("length = \"0.34 m\"", "length = \"to surface\""),
-        ),
+        ("two_components_to_surface", changed("length = \"0.34 m\"", "length = \"to surface\"")),
     ]);
 }
 
@@ -122,26 +78,14 @@ fn blades() {
     let body =
         "[[string]]\ncomponent = \"stabiliser\"\nod = \"165 mm\"\nid = \"71.4 mm\"\nlength = 1.5\n";
     let cases = [
-        (
-            "blade_length_without_gauge",
-            stabiliser,
-            format!("{body}blade_length = \"0.6 m\"\n"),
-        ),
-        (
-            "blades_thinner_than_body",
-            stabiliser,
-            format!("{body}blade_od = \"150 mm\"\n"),
-        ),
+        ("blade_length_without_gauge", stabiliser, format!("{body}blade_length = \"0.6 m\"\n")),
+        ("blades_thinner_than_body", stabiliser, format!("{body}blade_od = \"150 mm\"\n")),
         (
             "blades_longer_than_component",
             stabiliser,
             format!("{body}blade_od = \"210 mm\"\nblade_length = 2\n"),
         ),
-        (
-            "blades_wider_than_hole",
-            stabiliser,
-            format!("{body}blade_od = \"220 mm\"\n"),
-        ),
+        ("blades_wider_than_hole", stabiliser, format!("{body}blade_od = \"220 mm\"\n")),
         (
             "blades_beside_joints",
             "length = \"to surface\"",

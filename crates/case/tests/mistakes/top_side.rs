@@ -11,18 +11,9 @@ fn top_drive_and_hoist() {
     let cases = [
         ("top_drive_control_misspelt", "control = \"soft_torque\""),
         ("top_drive_without_inertia", "control = \"pi\"\ninertia = 0"),
-        (
-            "top_drive_inertia_in_kg",
-            "control = \"pi\"\ninertia = \"2900 kg\"",
-        ),
-        (
-            "top_drive_gain_negative",
-            "control = \"pi\"\nproportional = -1",
-        ),
-        (
-            "top_drive_frequency_zero",
-            "control = \"soft-torque\"\nfrequency = 0",
-        ),
+        ("top_drive_inertia_in_kg", "control = \"pi\"\ninertia = \"2900 kg\""),
+        ("top_drive_gain_negative", "control = \"pi\"\nproportional = -1"),
+        ("top_drive_frequency_zero", "control = \"soft-torque\"\nfrequency = 0"),
     ];
     for (name, keys) in cases {
         refused(name, read(&drive(keys)));
@@ -30,9 +21,7 @@ fn top_drive_and_hoist() {
     let hoist = |keys: &str| changed("[mesh]", &format!("[hoist]\n{keys}\n[mesh]"));
     refused(
         "hoist_speeds_reversed",
-        read(&hoist(
-            "control = \"autodriller\"\nmin_speed = \"60 m/h\"\nmax_speed = \"10 m/h\"",
-        )),
+        read(&hoist("control = \"autodriller\"\nmin_speed = \"60 m/h\"\nmax_speed = \"10 m/h\"")),
     );
     refused("hoist_mass_negative", read(&hoist("mass = \"-20 t\"")));
     let block = |mass: &str| {
@@ -42,15 +31,10 @@ fn top_drive_and_hoist() {
     warned("warn_two_blocks", read(&block("35 t")));
     let same = read(&block("20.5 t")).expect("a sound case");
     assert!(same.warnings.is_empty(), "{}", same.warnings);
-    warned(
-        "warn_top_drive_constant",
-        read(&drive("inertia = \"2900 kg.m2\"")),
-    );
+    warned("warn_top_drive_constant", read(&drive("inertia = \"2900 kg.m2\"")));
     warned(
         "warn_top_drive_tuned",
-        read(&drive(
-            "control = \"soft-torque\"\nproportional = \"38 kN.m.s\"",
-        )),
+        read(&drive("control = \"soft-torque\"\nproportional = \"38 kN.m.s\"")),
     );
     each_warned(
         r#"
@@ -64,18 +48,13 @@ fn tuned_lifts() {
     let tuned = "[hoist]\ncontrol = \"tuned-lift\"\n[mesh]";
     let of = |kind: &str| {
         let text = changed("[mesh]", tuned);
-        let from = text
-            .lines()
-            .find(|line| line.starts_with("kind = \"drill\""))
-            .expect("operations");
+        let from =
+            text.lines().find(|line| line.starts_with("kind = \"drill\"")).expect("operations");
         text.replace(from, kind)
     };
     texts_refused([
         ("lift_of_a_trip", of("kind = [\"drill\", \"trip_out\"]")),
-        (
-            "lift_of_no_weight",
-            of("kind = \"drill\"").replace("wob = \"6 tf\"", "wob = 0"),
-        ),
+        ("lift_of_no_weight", of("kind = \"drill\"").replace("wob = \"6 tf\"", "wob = 0")),
         (
             "lift_of_a_moving_block",
             of("kind = \"drill\"\nschedule = [{ at = 10, block_velocity = 0 }]"),
@@ -104,10 +83,7 @@ fn loads() {
     texts_refused([
         (
             "block_heavier_than_hoist",
-            changed(
-                "[rig] ",
-                "[rig]\nblock_weight = \"50 tf\"\nhoist_capacity = \"40 tf\"\n#",
-            ),
+            changed("[rig] ", "[rig]\nblock_weight = \"50 tf\"\nhoist_capacity = \"40 tf\"\n#"),
         ),
         (
             "hook_load_control_without_load",

@@ -43,28 +43,16 @@ fn roughness() {
 #[test]
 fn sections() {
     texts_refused([
-        (
-            "hole_short_of_bit",
-            changed("to = \"4305 m\"", "to = \"4300 m\""),
-        ),
-        (
-            "hole_sections_not_downwards",
-            changed("to = \"4305 m\"", "to = \"2900 m\""),
-        ),
-        (
-            "hole_sections_overlap",
-            changed("to = \"4305 m\"", "from = \"2900 m\"\nto = \"4305 m\""),
-        ),
+        ("hole_short_of_bit", changed("to = \"4305 m\"", "to = \"4300 m\"")),
+        ("hole_sections_not_downwards", changed("to = \"4305 m\"", "to = \"2900 m\"")),
+        ("hole_sections_overlap", changed("to = \"4305 m\"", "from = \"2900 m\"\nto = \"4305 m\"")),
         (
             "hole_sections_with_gap",
             changed("to = \"4305 m\"", "from = \"3000 m\"\nto = \"4305 m\""),
         ),
         (
             "static_friction_below_kinetic",
-            changed(
-                "friction = 0.3\n[[",
-                "friction = { kinetic = 0.3, static = 0.2 }\n[[",
-            ),
+            changed("friction = 0.3\n[[", "friction = { kinetic = 0.3, static = 0.2 }\n[["),
         ),
     ]);
 }
@@ -80,27 +68,15 @@ fn stations() {
     texts_refused([
         (
             "survey_twice",
-            changed(
-                "path = \"spline\"",
-                "stations = [[0, 0, 0], [5000, 0, 0]]\npath = \"spline\"",
-            ),
+            changed("path = \"spline\"", "stations = [[0, 0, 0], [5000, 0, 0]]\npath = \"spline\""),
         ),
         (
             "stations_run_backwards",
             stations("[[0, 0, 0], [900, 10, 0], [600, 20, 0], [4305, 20, 0]]"),
         ),
-        (
-            "station_with_two_numbers",
-            stations("[[0, 0, 0], [900, 10], [4305, 20, 0]]"),
-        ),
+        ("station_with_two_numbers", stations("[[0, 0, 0], [900, 10], [4305, 20, 0]]")),
         ("station_alone", stations("[[4305, 0, 0]]")),
-        (
-            "station_inclination",
-            stations("[[0, 0, 0], [900, 190, 0], [4305, 20, 0]]"),
-        ),
-        (
-            "station_bend",
-            stations("[[0, 0, 0], [900, 0, 0], [900.5, 30, 0], [4305, 30, 0]]"),
-        ),
+        ("station_inclination", stations("[[0, 0, 0], [900, 190, 0], [4305, 20, 0]]")),
+        ("station_bend", stations("[[0, 0, 0], [900, 0, 0], [900.5, 30, 0], [4305, 30, 0]]")),
     ]);
 }

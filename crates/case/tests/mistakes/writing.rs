@@ -61,10 +61,7 @@ fn windows_paths() {
     for (name, path) in [
         ("path_with_backslashes", r#""C:\Users\me\survey.csv""#),
         ("path_with_valid_escapes", r#""C:\temp\new.csv""#),
-        (
-            "path_with_backslash_in_text",
-            r#""wells\survey.csv" # "quoted""#,
-        ),
+        ("path_with_backslash_in_text", r#""wells\survey.csv" # "quoted""#),
     ] {
         refused(name, read(&changed(survey, path)));
     }
@@ -115,20 +112,12 @@ fn a_hundred_at_most() {
 #[test]
 fn what_is_no_case_file() {
     let files = survey_files(SURVEY.as_bytes());
-    let binary = [
-        0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1a, b'\n', 0, 0, 0, 13,
-    ];
+    let binary = [0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1a, b'\n', 0, 0, 0, 13];
     refused("file_empty", parse("case.toml", b"", &files, &[]));
     refused("file_blank", parse("case.toml", b"\n  \n", &files, &[]));
     refused("file_binary", parse("case.toml", &binary, &files, &[]));
-    refused(
-        "file_with_zero_bytes",
-        parse("case.toml", b"name = \"a\"\0\0", &files, &[]),
-    );
-    refused(
-        "file_not_toml",
-        parse("case.toml", b"<case>\n  <well/>\n</case>\n", &files, &[]),
-    );
+    refused("file_with_zero_bytes", parse("case.toml", b"name = \"a\"\0\0", &files, &[]));
+    refused("file_not_toml", parse("case.toml", b"<case>\n  <well/>\n</case>\n", &files, &[]));
     refused("file_missing", load("no-such-case.toml".as_ref(), &[]));
     refused("file_is_a_folder", load("tests".as_ref(), &[]));
 }

@@ -18,10 +18,7 @@ mod kind {
     /// Whatever else the machine does is not in it.
     pub(super) fn now() -> Duration {
         let time = clock_gettime(ClockId::ThreadCPUTime);
-        Duration::new(
-            time.tv_sec.unsigned_abs(),
-            u32::try_from(time.tv_nsec).unwrap_or(0),
-        )
+        Duration::new(time.tv_sec.unsigned_abs(), u32::try_from(time.tv_nsec).unwrap_or(0))
     }
 }
 
@@ -73,32 +70,17 @@ impl Spread {
         } else {
             0.5 * (found[middle - 1] + found[middle])
         };
-        Self {
-            median,
-            least: found[0],
-            most: found[found.len() - 1],
-        }
+        Self { median, least: found[0], most: found[found.len() - 1] }
     }
 
     pub(crate) fn times(self, factor: f64) -> Self {
-        Self {
-            median: factor * self.median,
-            least: factor * self.least,
-            most: factor * self.most,
-        }
+        Self { median: factor * self.median, least: factor * self.least, most: factor * self.most }
     }
 
     /// Median, and least to most beside it.
     pub(crate) fn cells(self, decimals: usize) -> [String; 2] {
-        let Self {
-            median,
-            least,
-            most,
-        } = self;
-        [
-            format!("{median:.decimals$}"),
-            format!("{least:.decimals$} to {most:.decimals$}"),
-        ]
+        let Self { median, least, most } = self;
+        [format!("{median:.decimals$}"), format!("{least:.decimals$} to {most:.decimals$}")]
     }
 }
 
@@ -109,11 +91,7 @@ mod tests {
     #[test]
     fn the_median_is_the_middle_one_or_between_two() {
         let of = |found: &[f64]| {
-            let Spread {
-                median,
-                least,
-                most,
-            } = Spread::of(found.to_vec());
+            let Spread { median, least, most } = Spread::of(found.to_vec());
             [median, least, most]
         };
         assert_eq!(of(&[3.0]), [3.0, 3.0, 3.0]);

@@ -19,10 +19,7 @@ const fn with(name: &'static str, keys: &'static [&'static str]) -> Mechanism {
 /// is there for.
 const MECHANISMS: &[Mechanism] = &[
     with("linear contact", &["dynamics.contact_law=linear"]),
-    with(
-        "independent friction",
-        &["dynamics.friction_law=independent"],
-    ),
+    with("independent friction", &["dynamics.friction_law=independent"]),
     with(
         "friction at rest",
         &[
@@ -37,13 +34,7 @@ const MECHANISMS: &[Mechanism] = &[
             "well.hole.1.friction={ kinetic = 0.3, around = 0.25 }",
         ],
     ),
-    with(
-        "rough, winding wall",
-        &[
-            "well.roughness.rms=0.5 mm",
-            "well.roughness.tortuosity=2 mm",
-        ],
-    ),
+    with("rough, winding wall", &["well.roughness.rms=0.5 mm", "well.roughness.tortuosity=2 mm"]),
     with(
         "viscous mud, pumps on",
         &[
@@ -53,23 +44,14 @@ const MECHANISMS: &[Mechanism] = &[
             "operation.flow_rate=30 L/s",
         ],
     ),
-    with(
-        "bent motor housing",
-        &["string.1.bend=1.5 deg", "string.1.bend_at=2 m"],
-    ),
+    with("bent motor housing", &["string.1.bend=1.5 deg", "string.1.bend_at=2 m"]),
     with("eccentric collar", &["string.4.eccentricity=5 mm"]),
-    with(
-        "eccentric pipe, all of it",
-        &["string.10.eccentricity=1 mm"],
-    ),
+    with("eccentric pipe, all of it", &["string.10.eccentricity=1 mm"]),
     with("stiff top drive", &["top_drive.control=pi"]),
     with("SoftTorque", &["top_drive.control=soft-torque"]),
     with("Z-Torque", &["top_drive.control=z-torque"]),
     with("block on the hoist", &["hoist.mass=25 t"]),
-    with(
-        "schedule under way",
-        &["operation.schedule=[{ at = 0.5, ramp = 10, rpm = 90 }]"],
-    ),
+    with("schedule under way", &["operation.schedule=[{ at = 0.5, ramp = 10, rpm = 90 }]"]),
     with(
         "excitation of the bit",
         &[
@@ -79,10 +61,7 @@ const MECHANISMS: &[Mechanism] = &[
         ],
     ),
     with("regenerative bit", &["bit.law=regenerative"]),
-    with(
-        "bit in three regimes",
-        &["bit.law=detournay-defourny", "bit.steerability=0.05"],
-    ),
+    with("bit in three regimes", &["bit.law=detournay-defourny", "bit.steerability=0.05"]),
     with(
         "bit from a table, with its spread",
         &[
@@ -99,10 +78,7 @@ const MECHANISMS: &[Mechanism] = &[
             "bit.motor={ displacement = \"20 L\", max_differential_pressure = \"5 MPa\" }",
         ],
     ),
-    with(
-        "statistics every ms, not every 10",
-        &["dynamics.sample_interval=1 ms"],
-    ),
+    with("statistics every ms, not every 10", &["dynamics.sample_interval=1 ms"]),
     with("frames, 10 in a second", &["records.frames=10 Hz"]),
 ];
 
@@ -148,10 +124,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Mechanisms, Failure> {
             time_ratio: ratio,
         });
     }
-    Ok(Mechanisms {
-        ns_per_element_step: ns(&plain, plain_s),
-        rows,
-    })
+    Ok(Mechanisms { ns_per_element_step: ns(&plain, plain_s), rows })
 }
 
 /// Nanoseconds per element and step of runs that took so many seconds for one.
@@ -165,12 +138,7 @@ impl Mechanisms {
         let mut table = Table::new(
             "What a mechanism costs a whole run",
             1,
-            &[
-                "switched on",
-                "ns per element-step",
-                "costs",
-                "least to most",
-            ],
+            &["switched on", "ns per element-step", "costs", "least to most"],
         );
         table.row(vec![
             "nothing".to_owned(),
@@ -180,11 +148,7 @@ impl Mechanisms {
         ]);
         for row in &self.rows {
             let percent = |ratio: f64| format!("{:+.0} %", 100.0 * (ratio - 1.0));
-            let Spread {
-                median,
-                least,
-                most,
-            } = row.time_ratio;
+            let Spread { median, least, most } = row.time_ratio;
             table.row(vec![
                 row.mechanism.to_owned(),
                 format!("{:.1}", row.ns_per_element_step),

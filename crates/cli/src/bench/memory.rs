@@ -26,20 +26,13 @@ pub(crate) struct Memory {
 
 pub(crate) fn measure(bench: &Bench) -> Result<Memory, Failure> {
     if !IS_MEASURED {
-        return Err(Failure::BadInput(
-            "error: memory is measured on Linux only".to_owned(),
-        ));
+        return Err(Failure::BadInput("error: memory is measured on Linux only".to_owned()));
     }
     bench.begin(1);
     bench.next("memory of a run")?;
     let case = bench.well.case(&[])?;
     let (file, folder) = (bench.well.file(), bench.well.folder());
-    let arguments = [
-        "run",
-        &file.to_string_lossy(),
-        "-o",
-        &folder.to_string_lossy(),
-    ];
+    let arguments = ["run", &file.to_string_lossy(), "-o", &folder.to_string_lossy()];
     let start = Instant::now();
     let mut child = process::start(&arguments, bench.well.changes())?;
     let mut peak_MB: f64 = 0.0;

@@ -48,12 +48,8 @@ struct Numbers {
 pub(crate) fn bench(args: &BenchArgs) -> Result<(), Failure> {
     let cancellation = interrupt::listen();
     let well = Well::new(&args.overrides)?;
-    let bench = Bench {
-        well,
-        count: args.repeat.get(),
-        cancellation,
-        bar: progress::bar(0, false),
-    };
+    let bench =
+        Bench { well, count: args.repeat.get(), cancellation, bar: progress::bar(0, false) };
     bench.bar.set_prefix("bench");
     let measured = measure(&bench, args);
     bench.bar.finish_and_clear();

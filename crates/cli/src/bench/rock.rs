@@ -64,14 +64,10 @@ struct Row {
 pub(crate) fn measure(bench: &Bench) -> Result<RockSpeed, Failure> {
     let steppers = Stepper::all();
     bench.begin(2 * (1 + steppers.len()));
-    let mut speed = RockSpeed {
-        hexahedra: CELLS.iter().product(),
-        rows: Vec::new(),
-    };
-    for (name, set_up) in [
-        ("under a bit", cut as fn() -> Result<Scene, Failure>),
-        ("all of it yielding", squeezed),
-    ] {
+    let mut speed = RockSpeed { hexahedra: CELLS.iter().product(), rows: Vec::new() };
+    for (name, set_up) in
+        [("under a bit", cut as fn() -> Result<Scene, Failure>), ("all of it yielding", squeezed)]
+    {
         bench.next(&format!("solid rock, {name}"))?;
         let scene = set_up()?;
         let yielding = scene.clone().yielding();

@@ -39,19 +39,15 @@ pub(crate) fn measure(bench: &Bench) -> Result<Sweeps, Failure> {
     let mut rows = Vec::new();
     for (_, precision) in precisions {
         for law in LAWS {
-            bench.next(&format!(
-                "sweep of {CASES} cases, {precision} precision, {law} friction"
-            ))?;
+            bench
+                .next(&format!("sweep of {CASES} cases, {precision} precision, {law} friction"))?;
             let mut changes = bench.well.changes().to_vec();
-            for key in [
-                format!("dynamics.precision={precision}"),
-                format!("dynamics.friction_law={law}"),
-            ] {
+            for key in
+                [format!("dynamics.precision={precision}"), format!("dynamics.friction_law={law}")]
+            {
                 changes.push(key.parse().map_err(|error| failed(&error))?);
             }
-            let arguments = [
-                "sweep", &file, "--vary", DEPTHS, "--vary", FRICTIONS, "-o", &folder,
-            ];
+            let arguments = ["sweep", &file, "--vary", DEPTHS, "--vary", FRICTIONS, "-o", &folder];
             let start = Instant::now();
             let mut child = process::start(&arguments, &changes)?;
             process::check(child.wait().map_err(|error| failed(&error))?)?;
@@ -63,29 +59,17 @@ pub(crate) fn measure(bench: &Bench) -> Result<Sweeps, Failure> {
             });
         }
     }
-    Ok(Sweeps {
-        cores: thread::available_parallelism().map_or(1, usize::from),
-        cases: CASES,
-        rows,
-    })
+    Ok(Sweeps { cores: thread::available_parallelism().map_or(1, usize::from), cases: CASES, rows })
 }
 
 impl Sweeps {
     pub(crate) fn text(&self) -> String {
-        let title = format!(
-            "A sweep of {} cases on {} cores, results written",
-            self.cases, self.cores
-        );
+        let title =
+            format!("A sweep of {} cases on {} cores, results written", self.cases, self.cores);
         let mut table = Table::new(
             &title,
             2,
-            &[
-                "precision",
-                "friction",
-                "simulated, s",
-                "on the clock, s",
-                "× real time",
-            ],
+            &["precision", "friction", "simulated, s", "on the clock, s", "× real time"],
         );
         for row in &self.rows {
             table.row(vec![

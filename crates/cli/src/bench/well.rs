@@ -13,14 +13,9 @@ use crate::{
     failure::{Failure, failed},
 };
 
-const CASE: (&str, &str) = (
-    "np13-x1042.toml",
-    include_str!("../../../../cases/np13-x1042.toml"),
-);
-const SURVEY: (&str, &str) = (
-    "np13-x1042-survey.csv",
-    include_str!("../../../../cases/np13-x1042-survey.csv"),
-);
+const CASE: (&str, &str) = ("np13-x1042.toml", include_str!("../../../../cases/np13-x1042.toml"));
+const SURVEY: (&str, &str) =
+    ("np13-x1042-survey.csv", include_str!("../../../../cases/np13-x1042-survey.csv"));
 
 /// Simulated time before anything is timed, s: what the initialisation has left is gone.
 const SETTLED_S: f64 = 1.0;
@@ -80,9 +75,7 @@ impl Well {
         for key in keys {
             changes.push(key.parse().map_err(|error| failed(&error))?);
         }
-        self.template
-            .case(&changes)
-            .map_err(|report| Failure::BadInput(report.render(color())))
+        self.template.case(&changes).map_err(|report| Failure::BadInput(report.render(color())))
     }
 
     pub(crate) fn about(&self) -> Result<About, Failure> {
@@ -106,17 +99,13 @@ impl Well {
         let begin_s = simulation.time_s();
         let clock = Clock::begin();
         match case.records.frame_interval_s {
-            None => simulation
-                .advance(TIMED_S)
-                .map_err(|error| failed(&error))?,
+            None => simulation.advance(TIMED_S).map_err(|error| failed(&error))?,
             Some(interval_s) => {
                 let mut frames = folder.frames(&case.records.channels)?;
                 let sample_s = simulation.sample_interval_s();
                 let every_s = (interval_s / sample_s).round().max(1.0) * sample_s;
                 while simulation.time_s() - begin_s < TIMED_S - 0.5 * every_s {
-                    simulation
-                        .advance(every_s)
-                        .map_err(|error| failed(&error))?;
+                    simulation.advance(every_s).map_err(|error| failed(&error))?;
                     frames.push(case.operations[0].kind.name(), &simulation.frame())?;
                 }
                 frames.write()?;
@@ -128,12 +117,7 @@ impl Well {
 
 impl About {
     pub(crate) fn sentence(&self, count: usize) -> String {
-        let Self {
-            case,
-            bit_depth_m,
-            elements,
-            time_step_s,
-        } = self;
+        let Self { case, bit_depth_m, elements, time_step_s } = self;
         let (kind, step_ms) = (clock::KIND, 1e3 * time_step_s);
         format!(
             "{case}: bit at {bit_depth_m:.0} m, {elements} elements, steps of {step_ms:.3} ms; \
@@ -145,31 +129,20 @@ impl About {
 
 /// The string in a precision, initialised in its hole and settled, its window begun.
 pub(crate) fn initialise(case: &Case, precision: Precision) -> Result<Simulation, Failure> {
-    let settings = DynamicsSettings {
-        precision,
-        settle_s: SETTLED_S,
-        steady: None,
-        ..case.dynamics.clone()
-    };
+    let settings =
+        DynamicsSettings { precision, settle_s: SETTLED_S, steady: None, ..case.dynamics.clone() };
     let simulation = Simulation::new(&case.model, &case.operations[0], &settings);
     let mut simulation = simulation.map_err(|error| failed(&error))?;
     // The window begins with the first sample after the settling.
     let beyond_s = SETTLED_S + 2.0 * simulation.sample_interval_s();
-    simulation
-        .advance(beyond_s)
-        .map_err(|error| failed(&error))?;
+    simulation.advance(beyond_s).map_err(|error| failed(&error))?;
     Ok(simulation)
 }
 
 /// The precisions that serve the case, and how they are called.
 pub(crate) fn precisions(case: &Case) -> Vec<(Precision, &'static str)> {
     let all = [(Precision::Double, "double"), (Precision::Single, "single")];
-    let serves = |precision: Precision| {
-        precision
-            .serves(&case.operations[0], &case.dynamics)
-            .is_ok()
-    };
-    all.into_iter()
-        .filter(|(precision, _)| serves(*precision))
-        .collect()
+    let serves =
+        |precision: Precision| precision.serves(&case.operations[0], &case.dynamics).is_ok();
+    all.into_iter().filter(|(precision, _)| serves(*precision)).collect()
 }

@@ -44,13 +44,7 @@ pub(crate) fn text(rows: &[Row]) -> String {
     let mut table = Table::new(
         "A whole run",
         2,
-        &[
-            "precision",
-            "instructions",
-            "ns per element-step",
-            "least to most",
-            "× real time",
-        ],
+        &["precision", "instructions", "ns per element-step", "least to most", "× real time"],
     );
     for row in rows {
         let [median, spread] = row.ns_per_element_step.cells(1);

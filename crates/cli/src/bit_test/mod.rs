@@ -13,11 +13,7 @@ pub(crate) fn bit_test(args: &BitTestArgs) -> Result<(), Failure> {
     let quiet = args.batch.quiet;
     let case = load(&args.case, quiet)?;
     let units = args.units.unwrap_or(case.units);
-    let request = Request {
-        case: &case,
-        units: Some(units),
-        batch: args.batch.options(),
-    };
+    let request = Request { case: &case, units: Some(units), batch: args.batch.options() };
     let screen = BatchScreen::bit_test(quiet);
     let outcome = bit_test::run(&request, &screen, &interrupt::listen())?;
     if !quiet {

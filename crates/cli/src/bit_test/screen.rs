@@ -15,30 +15,15 @@ type Column = (&'static str, Dimension, fn(&TrialOutcome) -> Option<Value>);
 type Value = (f64, Option<f64>);
 
 const COLUMNS: [Column; 7] = [
-    ("weight on bit", Dimension::Force, |of| {
-        Some((of.weight_on_bit_N, None))
-    }),
-    ("rotary speed", Dimension::RotarySpeed, |of| {
-        Some((of.rotary_speed_rad_per_s, None))
-    }),
+    ("weight on bit", Dimension::Force, |of| Some((of.weight_on_bit_N, None))),
+    ("rotary speed", Dimension::RotarySpeed, |of| Some((of.rotary_speed_rad_per_s, None))),
     ("rate of penetration", Dimension::RateOfPenetration, |of| {
-        Some((
-            of.rate_of_penetration_m_per_s,
-            of.rate_of_penetration_error_m_per_s,
-        ))
+        Some((of.rate_of_penetration_m_per_s, of.rate_of_penetration_error_m_per_s))
     }),
-    ("depth of cut", Dimension::Diameter, |of| {
-        Some((of.depth_of_cut_m, None))
-    }),
-    ("torque", Dimension::Torque, |of| {
-        Some((of.torque_N_m, of.torque_error_N_m))
-    }),
-    ("its deviation", Dimension::Torque, |of| {
-        Some((of.torque_std_N_m, None))
-    }),
-    ("specific energy", Dimension::Pressure, |of| {
-        Some((of.specific_energy_Pa?, None))
-    }),
+    ("depth of cut", Dimension::Diameter, |of| Some((of.depth_of_cut_m, None))),
+    ("torque", Dimension::Torque, |of| Some((of.torque_N_m, of.torque_error_N_m))),
+    ("its deviation", Dimension::Torque, |of| Some((of.torque_std_N_m, None))),
+    ("specific energy", Dimension::Pressure, |of| Some((of.specific_energy_Pa?, None))),
 ];
 
 /// The finished points as a table, what they have in common, and what is to be wary of.
@@ -62,11 +47,7 @@ pub(super) fn text(summary: &BitTestSummary, units: UnitSet) -> String {
             match value(&outcome) {
                 Some((value, None)) => number(unit.from_si(value)),
                 Some((value, Some(error))) => {
-                    format!(
-                        "{} ± {}",
-                        number(unit.from_si(value)),
-                        number(unit.from_si(error))
-                    )
+                    format!("{} ± {}", number(unit.from_si(value)), number(unit.from_si(error)))
                 }
                 None => "–".to_owned(),
             }

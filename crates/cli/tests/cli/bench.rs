@@ -8,14 +8,8 @@ use wholestring::{dynamics::Simulation, rock::Stepper};
 use crate::desk::{Desk, args};
 
 /// A short string of long elements, measured once: some hundredths of a second.
-const SMALL: [&str; 6] = [
-    "--repeat",
-    "1",
-    "--set",
-    "bit_depth=400 m",
-    "--set",
-    "mesh.element_length=10 m",
-];
+const SMALL: [&str; 6] =
+    ["--repeat", "1", "--set", "bit_depth=400 m", "--set", "mesh.element_length=10 m"];
 
 /// What is printed, and what is written to the file, of some parts.
 fn measured(arguments: &[&str]) -> (String, Value) {
@@ -24,10 +18,7 @@ fn measured(arguments: &[&str]) -> (String, Value) {
     let message = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{message}");
     let json = fs::read_to_string(desk.path("speed.json")).unwrap();
-    (
-        String::from_utf8(output.stdout).unwrap(),
-        serde_json::from_str(&json).unwrap(),
-    )
+    (String::from_utf8(output.stdout).unwrap(), serde_json::from_str(&json).unwrap())
 }
 
 fn positive(number: &Value) -> bool {
@@ -67,13 +58,7 @@ fn inner_loop_and_whole_run_with_every_instruction_set() {
     for row in numbers["run"].as_array().unwrap() {
         assert!(positive(&row["real_time_factor"]));
     }
-    for kind in [
-        "additions",
-        "multiplications",
-        "multiply_additions",
-        "divisions",
-        "roots",
-    ] {
+    for kind in ["additions", "multiplications", "multiply_additions", "divisions", "roots"] {
         assert!(positive(&kernel["flops"][kind]), "{kind}");
     }
     for part in ["mechanisms", "memory", "sweep"] {
@@ -112,21 +97,14 @@ fn solid_rock_under_a_bit_with_every_instruction_set() {
     let (text, numbers) = measured(&["rock", "--repeat", "1"]);
     let rows = numbers["rock"]["rows"].as_array().unwrap();
     let sets: Vec<&str> = Stepper::all().iter().map(|s| s.instructions).collect();
-    let found: Vec<&str> = rows
-        .iter()
-        .map(|row| row["instructions"].as_str().unwrap())
-        .collect();
+    let found: Vec<&str> = rows.iter().map(|row| row["instructions"].as_str().unwrap()).collect();
     assert_eq!(found, [&sets[..], &sets[..]].concat());
     for (place, row) in rows.iter().enumerate() {
         assert!(positive(&row["ns_per_hexahedron_step"]["median"]), "{row}");
         assert!(positive(&row["contact_ns_per_hexahedron_step"]), "{row}");
         assert!(row["touching_nodes"].as_u64().unwrap() > 5, "{row}");
         let yielding = row["yielding"].as_f64().unwrap();
-        let expected = if place < sets.len() {
-            0.001..0.5
-        } else {
-            0.95..1.1
-        };
+        let expected = if place < sets.len() { 0.001..0.5 } else { 0.95..1.1 };
         assert!(expected.contains(&yielding), "{row}");
     }
     assert!(numbers.get("kernel").is_none());
@@ -167,9 +145,6 @@ fn a_key_that_the_case_does_not_have_is_refused() {
     let output = Desk::new().run(&["bench", "--set", "mesh.element_lenght=10 m"]);
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(
-        message.contains("did you mean `element_length`?"),
-        "{message}"
-    );
+    assert!(message.contains("did you mean `element_length`?"), "{message}");
     assert!(output.stdout.is_empty());
 }

@@ -31,12 +31,8 @@ settle_revolutions = 0.25
 revolutions = 2
 "#;
 
-const POINTS: [&str; 4] = [
-    "wob=10kN,rpm=240",
-    "wob=10kN,rpm=300",
-    "wob=20kN,rpm=240",
-    "wob=20kN,rpm=300",
-];
+const POINTS: [&str; 4] =
+    ["wob=10kN,rpm=240", "wob=10kN,rpm=300", "wob=20kN,rpm=240", "wob=20kN,rpm=300"];
 
 /// A desk with the rock under the slant well's bit in `rock.toml`.
 fn desk() -> Desk {
@@ -127,10 +123,7 @@ fn every_weight_at_every_speed() {
         for (name, value) in [
             ("weight_on_bit_N", outcome.weight_on_bit_N),
             ("rotary_speed_rad_per_s", outcome.rotary_speed_rad_per_s),
-            (
-                "rate_of_penetration_m_per_s",
-                outcome.rate_of_penetration_m_per_s,
-            ),
+            ("rate_of_penetration_m_per_s", outcome.rate_of_penetration_m_per_s),
             ("torque_N_m", outcome.torque_N_m),
             ("torque_error_N_m", outcome.torque_error_N_m.unwrap()),
             ("specific_energy_Pa", outcome.specific_energy_Pa.unwrap()),
@@ -150,17 +143,11 @@ fn every_weight_at_every_speed() {
         ] {
             assert_eq!(number(&law, name, row), value, "{name}");
         }
-        let drilled = lawful
-            .dynamics
-            .bit
-            .law
-            .steady(outcome.weight_on_bit_N, outcome.rotary_speed_rad_per_s);
+        let drilled =
+            lawful.dynamics.bit.law.steady(outcome.weight_on_bit_N, outcome.rotary_speed_rad_per_s);
         let drilled = drilled.expect("a table knows its points");
         for (of_law, of_rock) in [
-            (
-                drilled.rate_of_penetration_m_per_s,
-                outcome.rate_of_penetration_m_per_s,
-            ),
+            (drilled.rate_of_penetration_m_per_s, outcome.rate_of_penetration_m_per_s),
             (drilled.torque_N_m, outcome.torque_N_m),
         ] {
             assert!((of_law / of_rock - 1.0).abs() < 1e-9, "{of_law} {of_rock}");
@@ -182,10 +169,7 @@ fn threads_leave_the_numbers_alone() {
     let [one, two] = ["1", "2"].map(|folder| leavings(&desk.path(folder)));
     assert!(one.contains_key("wob=10kN,rpm=240/point.json"));
     let differing: BTreeSet<_> = one.keys().filter(|name| one[*name] != two[*name]).collect();
-    assert!(
-        one.len() == two.len() && differing.is_empty(),
-        "{differing:?}"
-    );
+    assert!(one.len() == two.len() && differing.is_empty(), "{differing:?}");
 }
 
 /// What is finished is left alone, what was begun continues, the rest is drilled: as if nothing had
@@ -217,10 +201,7 @@ fn a_killed_test_goes_on() {
         let file = desk.path("killed").join(point).join("point.json");
         fs::metadata(file).ok()?.modified().ok()
     };
-    let done = POINTS
-        .iter()
-        .find(|point| written(point).is_some())
-        .unwrap();
+    let done = POINTS.iter().find(|point| written(point).is_some()).unwrap();
     let before = written(done);
     // As if it had been killed between the outcome and this.
     let left = desk.path("killed").join(done).join("checkpoint.bin");
@@ -270,11 +251,7 @@ fn an_interrupted_test_goes_on() {
     assert!(place.join(POINTS[1]).join("checkpoint.bin").exists());
     assert!(!place.join("bit-table.csv").exists());
     let points = summary(&desk, "stopped").points;
-    assert!(
-        points
-            .iter()
-            .all(|point| point.status == Status::Interrupted)
-    );
+    assert!(points.iter().all(|point| point.status == Status::Interrupted));
     let output = desk.run(&[&stopped[..], &["--resume"]].concat());
     assert!(output.status.success(), "{}", transcript(&output));
     assert!(place.join("bit-table.csv").exists());

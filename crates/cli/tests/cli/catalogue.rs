@@ -8,14 +8,8 @@ fn search_by_size_weight_grade_and_kind() {
     let desk = Desk::new();
     for (name, words) in [
         ("pipe", &["catalogue", "5-1/2", "21.9"][..]),
-        (
-            "heavy_weight_in_field_units",
-            &["catalogue", "HWDP", "--units", "field"],
-        ),
-        (
-            "casing",
-            &["catalogue", "casing", "9 5/8", "--units", "field"],
-        ),
+        ("heavy_weight_in_field_units", &["catalogue", "HWDP", "--units", "field"]),
+        ("casing", &["catalogue", "casing", "9 5/8", "--units", "field"]),
         ("collars", &["catalogue", "DC 6-1/2"]),
         ("nothing", &["catalogue", "6-1/3"]),
     ] {
@@ -28,12 +22,7 @@ fn search_by_size_weight_grade_and_kind() {
 fn all_of_it() {
     let output = Desk::new().run(&["catalogue"]);
     let text = String::from_utf8(output.stdout).unwrap();
-    for heading in [
-        "Drill pipe\n",
-        "Heavy-weight drill pipe\n",
-        "Drill collars\n",
-        "Casing\n",
-    ] {
+    for heading in ["Drill pipe\n", "Heavy-weight drill pipe\n", "Drill collars\n", "Casing\n"] {
         assert_eq!(text.matches(heading).count(), 1, "{heading}");
     }
     assert!(text.lines().count() > 180, "{text}");

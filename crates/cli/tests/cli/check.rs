@@ -23,9 +23,7 @@ fn a_case_on_solid_rock() {
 fn mistakes_are_underlined() {
     let desk = Desk::new();
     let text = fs::read_to_string(desk.path("slant.toml")).unwrap();
-    let text = text
-        .replace("\"1.2 sg\"", "\"1.2 bar\"")
-        .replace("rpm", "rmp");
+    let text = text.replace("\"1.2 sg\"", "\"1.2 bar\"").replace("rpm", "rmp");
     fs::write(desk.path("slant.toml"), text).unwrap();
     assert_snapshot!(transcript(&desk.run(&["check", "slant.toml"])));
 }
@@ -43,12 +41,7 @@ fn a_case_that_is_not_there() {
 
 #[test]
 fn an_override_that_is_none() {
-    assert_snapshot!(transcript(&Desk::new().run(&[
-        "check",
-        "slant.toml",
-        "--set",
-        "friction"
-    ])));
+    assert_snapshot!(transcript(&Desk::new().run(&["check", "slant.toml", "--set", "friction"])));
 }
 
 #[test]
@@ -66,12 +59,8 @@ fn the_schema_lists_the_keys_of_a_case() {
     let output = Desk::new().run(&["schema"]);
     assert!(output.status.success());
     let schema: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    let keys: BTreeSet<&str> = schema["properties"]
-        .as_object()
-        .unwrap()
-        .keys()
-        .map(String::as_str)
-        .collect();
+    let keys: BTreeSet<&str> =
+        schema["properties"].as_object().unwrap().keys().map(String::as_str).collect();
     for key in [
         "name",
         "model",
@@ -97,20 +86,10 @@ fn a_number_without_its_unit() {
     let desk = Desk::new();
     let text = fs::read_to_string(desk.path("slant.toml")).unwrap();
     fs::write(desk.path("bare.toml"), text.replace("\"1.2 sg\"", "10.8")).unwrap();
-    assert_snapshot!(
-        "a_density_of_ppg",
-        transcript(&desk.run(&["check", "bare.toml"]))
-    );
+    assert_snapshot!("a_density_of_ppg", transcript(&desk.run(&["check", "bare.toml"])));
     let lost = desk.run(&["check", "slant.toml", "--set", "mud.density=9.5"]);
     assert_snapshot!("a_density_without_unit", transcript(&lost));
     let range = "bit_depth=300..900/300";
-    let range = desk.run(&[
-        "sweep",
-        "slant.toml",
-        "--vary",
-        range,
-        "--set",
-        "model=soft",
-    ]);
+    let range = desk.run(&["sweep", "slant.toml", "--vary", range, "--set", "model=soft"]);
     assert_snapshot!("a_range_without_unit", transcript(&range));
 }

@@ -119,11 +119,7 @@ fn words<'a>(table: &'a Table, name: &str) -> Option<&'a [String]> {
 }
 
 fn number(table: &Table, name: &str, row: usize) -> Option<f64> {
-    match &table
-        .column(name)
-        .unwrap_or_else(|| panic!("no `{name}`"))
-        .data
-    {
+    match &table.column(name).unwrap_or_else(|| panic!("no `{name}`")).data {
         Data::Number(values) => values[row],
         Data::Text(_) => panic!("`{name}` holds words"),
     }
@@ -164,27 +160,17 @@ fn check(
 ) {
     let path = desk.path(folder).join(format!("{name}.parquet"));
     if !path.is_file() {
-        assert!(
-            matches!(name, "frames" | "spectra"),
-            "no {name} in {folder}"
-        );
+        assert!(matches!(name, "frames" | "spectra"), "no {name} in {folder}");
         return;
     }
     let table = Table::read_parquet(&path).unwrap();
     let models = words(&table, "model");
     assert_eq!(table.columns().len(), specs.len(), "{name}");
     for spec in specs {
-        let column = table
-            .column(spec.name)
-            .unwrap_or_else(|| panic!("no `{}`", spec.name));
+        let column = table.column(spec.name).unwrap_or_else(|| panic!("no `{}`", spec.name));
         for row in 0..table.rows() {
             let model = model(models, row);
-            let place = || {
-                format!(
-                    "`{}` of {name} in {folder}, {model:?}, row {row}",
-                    spec.name
-                )
-            };
+            let place = || format!("`{}` of {name} in {folder}, {model:?}, row {row}", spec.name);
             let has = has_value(column, row);
             if !spec.is_known_by(model) {
                 assert!(!has, "{} has a value", place());
@@ -210,20 +196,14 @@ fn check(
 fn solved() -> Desk {
     let desk = Desk::new();
     let write = |name: &str, kinds: &str, schedule: &str| {
-        let text = DEVIATED
-            .replace("KINDS", kinds)
-            .replace("SCHEDULE", schedule);
+        let text = DEVIATED.replace("KINDS", kinds).replace("SCHEDULE", schedule);
         fs::write(desk.path(name), text).unwrap();
     };
     write("deviated.toml", KINDS, "");
     write("scheduled.toml", "\"rotate_off_bottom\"", NOTED);
     let kinds = format!("operation.kind={KINDS}");
     let short = args("--set 'dynamics.duration=0.1 s' --set 'dynamics.settle=0.1 s'");
-    let plain = [
-        &["run", "slant.toml", "-o", "plain", "--set", &kinds],
-        &short[..],
-    ]
-    .concat();
+    let plain = [&["run", "slant.toml", "-o", "plain", "--set", &kinds], &short[..]].concat();
     for arguments in [
         &plain[..],
         &["run", "deviated.toml", "-o", "deviated"],
@@ -252,11 +232,7 @@ fn every_column_has_what_it_declares() {
             for model in [ModelKind::Soft, ModelKind::Dynamic] {
                 if spec.is_known_by(model) && (tells_models || model == ModelKind::Dynamic) {
                     let had = seen.contains(&(name, spec.name, model.name()));
-                    assert!(
-                        had,
-                        "`{}` of {name} never has a value, {model:?}",
-                        spec.name
-                    );
+                    assert!(had, "`{}` of {name} never has a value, {model:?}", spec.name);
                 }
             }
         }

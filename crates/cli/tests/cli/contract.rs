@@ -8,15 +8,8 @@ use serde_json::Value;
 use wholestring::findings::Kind;
 use wholestring_results::{Data, Table};
 
-const OPERATIONS: [&str; 7] = [
-    "trip_out",
-    "trip_in",
-    "rotate_off_bottom",
-    "drill",
-    "slide",
-    "ream",
-    "back_ream",
-];
+const OPERATIONS: [&str; 7] =
+    ["trip_out", "trip_in", "rotate_off_bottom", "drill", "slide", "ream", "back_ream"];
 
 /// Numbers of every operation.
 const SCALARS: [&str; 10] = [
@@ -35,17 +28,8 @@ const SCALARS: [&str; 10] = [
 /// Numbers, or `null` where there is none.
 const DEPTHS: [&str; 2] = ["neutral_point_m", "cutoff_depth_m"];
 
-const STATISTIC: [&str; 9] = [
-    "mean",
-    "std",
-    "min",
-    "max",
-    "p05",
-    "p95",
-    "std_error",
-    "drift",
-    "drifts",
-];
+const STATISTIC: [&str; 9] =
+    ["mean", "std", "min", "max", "p05", "p95", "std_error", "drift", "drifts"];
 
 const NUMERICS: [&str; 11] = [
     "elements",
@@ -83,12 +67,7 @@ fn solved() -> Desk {
 }
 
 fn keys(object: &Value) -> BTreeSet<&str> {
-    object
-        .as_object()
-        .expect("an object")
-        .keys()
-        .map(String::as_str)
-        .collect()
+    object.as_object().expect("an object").keys().map(String::as_str).collect()
 }
 
 #[test]
@@ -96,14 +75,7 @@ fn keys_of_the_summary() {
     let desk = solved();
     let text = fs::read(desk.path("results/summary.json")).unwrap();
     let summary: Value = serde_json::from_slice(&text).unwrap();
-    let top = [
-        "schema_version",
-        "engine_version",
-        "case",
-        "identity",
-        "settings",
-        "operations",
-    ];
+    let top = ["schema_version", "engine_version", "case", "identity", "settings", "operations"];
     assert_eq!(keys(&summary), top.into());
     assert_eq!(summary["schema_version"], 1);
     assert_eq!(summary["case"], "Straight slant");
@@ -113,17 +85,10 @@ fn keys_of_the_summary() {
     let operations = summary["operations"].as_array().unwrap();
     let found: Vec<(&str, &str)> = operations
         .iter()
-        .map(|o| {
-            (
-                o["operation"].as_str().unwrap(),
-                o["model"].as_str().unwrap(),
-            )
-        })
+        .map(|o| (o["operation"].as_str().unwrap(), o["model"].as_str().unwrap()))
         .collect();
-    let expected: Vec<(&str, &str)> = OPERATIONS
-        .iter()
-        .flat_map(|name| [(*name, "soft"), (*name, "dynamic")])
-        .collect();
+    let expected: Vec<(&str, &str)> =
+        OPERATIONS.iter().flat_map(|name| [(*name, "soft"), (*name, "dynamic")]).collect();
     assert_eq!(found, expected);
 
     for operation in operations {
@@ -155,19 +120,13 @@ fn keys_of_the_summary() {
 
 /// Findings have the same keys whatever their kind, and the kinds are those of the engine.
 fn check_findings(findings: &Value) {
-    let keys_of_all = [
-        "kind", "level", "md_m", "to_md_m", "value", "limit", "unit", "message",
-    ];
+    let keys_of_all = ["kind", "level", "md_m", "to_md_m", "value", "limit", "unit", "message"];
     for found in findings.as_array().expect("a list") {
         assert_eq!(keys(found), keys_of_all.into());
         let mut kinds = Kind::ALL.iter();
         let kind = kinds.find(|kind| found["kind"] == kind.name());
         assert_eq!(found["unit"], kind.expect("a kind").unit());
-        assert!(
-            ["note", "warning", "error"]
-                .map(Value::from)
-                .contains(&found["level"])
-        );
+        assert!(["note", "warning", "error"].map(Value::from).contains(&found["level"]));
         for key in ["md_m", "to_md_m", "value", "limit"] {
             assert!(found[key].is_number() || found[key].is_null(), "{found}");
         }
@@ -197,10 +156,7 @@ fn check_dynamic(operation: &Value) {
         assert!(value("mean") >= value("min") - rounding, "{key}: {of}");
         assert!(value("mean") <= value("max") + rounding, "{key}: {of}");
         assert!(value("std") >= 0.0, "{key}: {of}");
-        assert!(
-            value("std_error") >= 0.0 && value("drift").is_finite(),
-            "{key}: {of}"
-        );
+        assert!(value("std_error") >= 0.0 && value("drift").is_finite(), "{key}: {of}");
         assert!(of["drifts"].is_boolean(), "{key}: {of}");
     }
 }
@@ -234,13 +190,7 @@ fn columns_of_the_tables() {
     let nodes = check_table(
         &desk.path("results/nodes.parquet"),
         &["model", "operation"],
-        &[
-            "md_m",
-            "tension_N",
-            "torque_N_m",
-            "side_force_N_per_m",
-            "contact_fraction",
-        ],
+        &["md_m", "tension_N", "torque_N_m", "side_force_N_per_m", "contact_fraction"],
     );
     assert!(nodes > 14 * 100, "{nodes} rows");
     let mut scalars: Vec<&str> = SCALARS.to_vec();
@@ -270,10 +220,7 @@ fn units_of_the_screen_leave_the_files_alone() {
 #[test]
 fn an_error_that_nobody_hears() {
     let desk = Desk::new();
-    let full = fs::OpenOptions::new()
-        .write(true)
-        .open("/dev/full")
-        .unwrap();
+    let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
     let mut command = desk.command(&["check", "slant.toml", "--set", "frction=0.1"]);
     assert_eq!(command.stderr(full).status().unwrap().code(), Some(2));
 }

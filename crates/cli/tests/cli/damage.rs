@@ -60,27 +60,18 @@ fn keys_of_sixteen_thousand_parts_are_refused() {
     let desk = Desk::new();
     let key = vec!["a"; 16_000].join(".");
     let change = format!("{key}=1");
-    for arguments in [
-        ["check", "slant.toml", "--set", &change],
-        ["sweep", "slant.toml", "--vary", &change],
-    ] {
+    for arguments in
+        [["check", "slant.toml", "--set", &change], ["sweep", "slant.toml", "--vary", &change]]
+    {
         let output = desk.run(&arguments);
         assert_eq!(output.status.code(), Some(2));
         let told = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(
-            told.contains("this key has 16000 parts"),
-            "{}",
-            &told[..500]
-        );
+        assert!(told.contains("this key has 16000 parts"), "{}", &told[..500]);
     }
     for text in [
         format!("{key} = 1\n"),
         format!("[{key}]\nx = 1\n"),
-        format!(
-            "name = \"x\"\nx = {}1{}\n",
-            "[".repeat(16_000),
-            "]".repeat(16_000)
-        ),
+        format!("name = \"x\"\nx = {}1{}\n", "[".repeat(16_000), "]".repeat(16_000)),
         // The parser forgets how deep it is past a mistake.
         "x = { f\" = \"d\" [b]\n".repeat(16_000),
         format!("[[sweep]]\nname = \"a\"\ncase = \"slant.toml\"\nvary = [\"{change}\"]\n"),

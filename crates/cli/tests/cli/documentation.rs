@@ -22,10 +22,7 @@ fn describe(schema: &Value, text: &mut String) {
     };
     let _ = write!(text, "\n### {title}\n\n| key | meaning |\n|---|---|\n");
     for (key, value) in keys {
-        let meaning = value["description"]
-            .as_str()
-            .unwrap_or("")
-            .replace('|', "\\|");
+        let meaning = value["description"].as_str().unwrap_or("").replace('|', "\\|");
         let needed = if required(key) { " Required." } else { "" };
         let _ = writeln!(text, "| `{key}` | {}{needed} |", meaning.replace('\n', " "));
     }
@@ -33,22 +30,15 @@ fn describe(schema: &Value, text: &mut String) {
         describe(value, text);
         describe(&value["items"], text);
         let choices = value["anyOf"].as_array();
-        choices
-            .into_iter()
-            .flatten()
-            .for_each(|choice| describe(choice, text));
+        choices.into_iter().flatten().for_each(|choice| describe(choice, text));
     }
 }
 
 /// Holds the keys that a page lists against the schema, or rewrites them.
 fn list(page: &str, schema: &Value) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../docs/src")
-        .join(page);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/src").join(page);
     let text = fs::read_to_string(&path).unwrap().replace("\r\n", "\n");
-    let (before, rest) = text
-        .split_once(BEGIN)
-        .expect("the page marks where keys begin");
+    let (before, rest) = text.split_once(BEGIN).expect("the page marks where keys begin");
     let (found, after) = rest.split_once(END).expect("the page marks where keys end");
     let mut expected = String::new();
     describe(schema, &mut expected);

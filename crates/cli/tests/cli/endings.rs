@@ -20,12 +20,7 @@ fn bad_input_leaves_no_folder() {
 #[test]
 fn a_file_in_the_place_of_the_folder() {
     let desk = Desk::new();
-    assert_snapshot!(transcript(&desk.run(&[
-        "run",
-        "slant.toml",
-        "-o",
-        "slant.toml"
-    ])));
+    assert_snapshot!(transcript(&desk.run(&["run", "slant.toml", "-o", "slant.toml"])));
 }
 
 #[test]
@@ -52,18 +47,9 @@ fn diverged() {
     // Nobody means such a hook load, which is said first.
     let told = message.split_once("error: ");
     let (warning, message) = told.unwrap_or_else(|| panic!("{message}"));
-    assert!(
-        warning.starts_with("warning: `hook_load` is unusually large"),
-        "{warning}"
-    );
-    assert!(
-        message.starts_with("trip_out: the run diverged"),
-        "{message}"
-    );
-    assert!(
-        message.ends_with("what was computed until then is in results\n"),
-        "{message}"
-    );
+    assert!(warning.starts_with("warning: `hook_load` is unusually large"), "{warning}");
+    assert!(message.starts_with("trip_out: the run diverged"), "{message}");
+    assert!(message.ends_with("what was computed until then is in results\n"), "{message}");
     let table = String::from_utf8(output.stdout).unwrap();
     assert!(
         table.contains("dynamic*") && table.contains("\n* as far as it was computed\n"),
@@ -116,11 +102,7 @@ fn interrupted() {
     );
 
     let summary = desk.summary("results");
-    let statuses: Vec<_> = summary
-        .operations
-        .iter()
-        .map(|solved| &solved.status)
-        .collect();
+    let statuses: Vec<_> = summary.operations.iter().map(|solved| &solved.status).collect();
     assert_eq!(statuses, [&Status::Complete, &Status::Interrupted]);
     let time = Table::read_parquet(&desk.path("results/time.parquet")).unwrap();
     assert!(time.rows() > 0);

@@ -26,8 +26,7 @@ fn kinds(of: &OperationSummary, level: Level) -> BTreeSet<&str> {
 
 fn found<'a>(of: &'a OperationSummary, kind: &str) -> &'a Finding {
     let mut all = of.findings.iter().filter(|of| of.kind == kind);
-    all.next()
-        .unwrap_or_else(|| panic!("no {kind}: {:?}", of.findings))
+    all.next().unwrap_or_else(|| panic!("no {kind}: {:?}", of.findings))
 }
 
 #[test]
@@ -46,21 +45,14 @@ fn the_lateral_that_cannot_be_drilled_says_so() {
         for model in [ModelKind::Soft, ModelKind::Dynamic] {
             let of = solved(operation, model);
             let errors = kinds(of, Level::Error);
-            assert!(
-                errors.is_superset(&["hook_load_negative", "lock_up"].into()),
-                "{errors:?}"
-            );
+            assert!(errors.is_superset(&["hook_load_negative", "lock_up"].into()), "{errors:?}");
             let negative = found(of, "hook_load_negative");
             assert_eq!(negative.value, Some(of.scalars.hook_load_N));
             let buckled = found(of, "helical_buckling");
             assert!(buckled.value > buckled.limit);
             // In the vertical part, into the build at least, and round the heel.
             assert!(buckled.md_m.unwrap() < 300.0, "{buckled:?}");
-            assert!(
-                of.findings
-                    .windows(2)
-                    .all(|pair| pair[0].level >= pair[1].level)
-            );
+            assert!(of.findings.windows(2).all(|pair| pair[0].level >= pair[1].level));
             assert!(text.contains(&format!(
                 "error: {} ({}): The string does not go down by its weight: hook load ",
                 operation.replace('_', " "),
@@ -76,15 +68,10 @@ fn the_lateral_that_cannot_be_drilled_says_so() {
     // The gravest come first on the screen.
     let levels = text.lines().filter_map(|line| {
         let places = [Level::Error, Level::Warning, Level::Note].into_iter();
-        places
-            .into_iter()
-            .find(|level| line.starts_with(&format!("{}: ", level.name())))
+        places.into_iter().find(|level| line.starts_with(&format!("{}: ", level.name())))
     });
     let levels: Vec<Level> = levels.collect();
-    assert!(
-        levels.len() > 8 && levels.is_sorted_by(|a, b| a >= b),
-        "{levels:?}"
-    );
+    assert!(levels.len() > 8 && levels.is_sorted_by(|a, b| a >= b), "{levels:?}");
 }
 
 #[test]
@@ -95,10 +82,7 @@ fn strict_ends_with_four() {
     let output = desk.run(&arguments);
     assert_eq!(output.status.code(), Some(4));
     let told = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(
-        told,
-        "error: errors were found: trip in (soft), slide (soft)\n"
-    );
+    assert_eq!(told, "error: errors were found: trip in (soft), slide (soft)\n");
     // All results are there.
     assert_eq!(desk.summary("results").operations.len(), 2);
     assert!(desk.path("results/report.html").exists());
@@ -107,10 +91,7 @@ fn strict_ends_with_four() {
     let output = desk.run(&valid);
     assert_eq!(output.status.code(), Some(0));
     let text = String::from_utf8(output.stdout).unwrap();
-    assert!(
-        !text.contains("error") && !text.contains("warning"),
-        "{text}"
-    );
+    assert!(!text.contains("error") && !text.contains("warning"), "{text}");
     for of in desk.summary("out/Straight slant").operations {
         assert_eq!(of.findings, []);
     }
@@ -123,21 +104,12 @@ fn a_sweep_counts_what_was_found() {
     let desk = Desk::new();
     let arguments = |more: &[&'static str]| {
         let sweep = args("sweep slant.toml --vary friction=0.25,0.6 -o results");
-        [
-            &sweep[..],
-            &["--set", "operation.kind=trip_in"],
-            &SOFT,
-            more,
-        ]
-        .concat()
+        [&sweep[..], &["--set", "operation.kind=trip_in"], &SOFT, more].concat()
     };
     let output = desk.run(&arguments(&["--strict"]));
     assert_eq!(output.status.code(), Some(4));
     let told = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(
-        told,
-        "error: errors were found in 1 of 2 cases\n  friction=0.6: trip in (soft)\n"
-    );
+    assert_eq!(told, "error: errors were found in 1 of 2 cases\n  friction=0.6: trip in (soft)\n");
     let text = fs::read_to_string(desk.path("results/sweep.csv")).unwrap();
     let mut lines = text.lines().map(split);
     let heads = lines.next().unwrap();
@@ -145,25 +117,15 @@ fn a_sweep_counts_what_was_found() {
     let rows: Vec<Vec<String>> = lines.collect();
     let cell = |row: usize, name: &str| rows[row][place(name)].as_str();
     assert_eq!([cell(0, "errors"), cell(0, "warnings")], ["0", "0"]);
-    assert_eq!(
-        [cell(0, "worst_finding"), cell(0, "worst_finding_message")],
-        [""; 2]
-    );
+    assert_eq!([cell(0, "worst_finding"), cell(0, "worst_finding_message")], [""; 2]);
     assert_eq!([cell(1, "errors"), cell(1, "warnings")], ["2", "0"]);
     assert_eq!(cell(1, "worst_finding"), "hook_load_negative");
     let message = cell(1, "worst_finding_message");
-    assert!(
-        message.starts_with("The string does not go down by its weight"),
-        "{message}"
-    );
+    assert!(message.starts_with("The string does not go down by its weight"), "{message}");
 
     assert_eq!(desk.run(&arguments(&["--resume"])).status.code(), Some(0));
     let strict = desk.run(&arguments(&["--resume", "--strict"]));
-    assert_eq!(
-        strict.status.code(),
-        Some(4),
-        "what was solved before counts too"
-    );
+    assert_eq!(strict.status.code(), Some(4), "what was solved before counts too");
 }
 
 #[test]

@@ -13,11 +13,7 @@ use crate::desk::{Desk, args};
 const SOFT: [&str; 2] = ["--set", "model=soft"];
 
 fn words(output: &Output) -> (i32, String, String) {
-    let text = |bytes: &[u8]| {
-        String::from_utf8(bytes.to_vec())
-            .unwrap()
-            .replace('\\', "/")
-    };
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap().replace('\\', "/");
     let status = output.status.code().unwrap();
     (status, text(&output.stdout), text(&output.stderr))
 }
@@ -27,11 +23,7 @@ fn soft(desk: &Desk, more: &[&str]) -> (i32, String, String) {
 }
 
 fn begin(desk: &Desk, arguments: &[&str]) -> Child {
-    desk.command(arguments)
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap()
+    desk.command(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
 }
 
 fn wait_for(desk: &Desk, name: &str) {
@@ -56,15 +48,9 @@ fn another_case_goes_to_a_folder_of_its_own() {
         said,
         "note: out/Straight slant holds other results, and is left alone: these go to out/Straight slant-2\n"
     );
-    assert!(
-        told.ends_with("Results in out/Straight slant-2\n"),
-        "{told}"
-    );
+    assert!(told.ends_with("Results in out/Straight slant-2\n"), "{told}");
     assert_eq!(friction("out/Straight slant-2")["kinetic"], 0.4);
-    assert_eq!(
-        fs::read(desk.path("out/Straight slant/summary.json")).unwrap(),
-        first
-    );
+    assert_eq!(fs::read(desk.path("out/Straight slant/summary.json")).unwrap(), first);
     // Each again: into its own, whatever it is called and shown in.
     assert_eq!(soft(&desk, &["--set", "friction=0.4"]).0, 0);
     let (status, told, said) = soft(&desk, &["--set", "units=metric"]);
@@ -106,10 +92,7 @@ fn a_named_folder_with_another_case_is_refused() {
     let sweep = args("sweep slant.toml --vary friction=0.1 -o results");
     let (status, _, said) = words(&desk.run(&[&sweep[..], &SOFT].concat()));
     assert_eq!(status, 2);
-    assert!(
-        said.contains("results holds the run of another case"),
-        "{said}"
-    );
+    assert!(said.contains("results holds the run of another case"), "{said}");
     // Results of a version that did not say of which case they are.
     let path = desk.path("results/summary.json");
     let mut summary: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
@@ -136,10 +119,7 @@ fn sweeps_are_not_replaced_by_other_sweeps() {
     let first = fs::read(&table).unwrap();
     assert_eq!(sweep(&other).0, 0);
     assert_eq!(fs::read(&table).unwrap(), first);
-    assert!(
-        desk.path("out/Straight slant sweep-2/friction=0.3")
-            .exists()
-    );
+    assert!(desk.path("out/Straight slant sweep-2/friction=0.3").exists());
     let into = ["-o", "out/Straight slant sweep"];
     assert_eq!(sweep(&[&other[..], &into].concat()).0, 2);
     assert_eq!(sweep(&[&other[..], &into, &["--overwrite"]].concat()).0, 0);
@@ -166,18 +146,10 @@ fn a_resumed_sweep_does_not_take_the_answers_of_another_case() {
     assert_eq!((status, said.as_str()), (0, ""));
     assert_eq!(written(), first);
     let mut before = first;
-    for change in [
-        "string.0.bend=1 deg",
-        "string.0.eccentricity=2 mm",
-        "hoist.tolerance=0.02",
-    ] {
+    for change in ["string.0.bend=1 deg", "string.0.eccentricity=2 mm", "hoist.tolerance=0.02"] {
         // A bend of the only component stands where it is told to; with no bend it stands nowhere.
         let place = ["--set", "string.0.bend_at=20 m"];
-        let place = if change.contains("bend") {
-            &place[..]
-        } else {
-            &[]
-        };
+        let place = if change.contains("bend") { &place[..] } else { &[] };
         let (status, _, said) = with(&[&["--resume", "--set", change], place].concat());
         assert_eq!(status, 0, "{said}");
         assert!(said.contains("it is of another case"), "{change}: {said}");
@@ -199,10 +171,7 @@ fn a_run_that_ended_before_its_first_checkpoint_is_not_finished() {
     let resume = || words(&desk.run(&["run", "slant.toml", "--resume", "results"]));
     let (status, _, said) = resume();
     assert_eq!(status, 2);
-    assert!(
-        said.contains("is finished: nothing is left to do"),
-        "{said}"
-    );
+    assert!(said.contains("is finished: nothing is left to do"), "{said}");
     summary["operations"].as_array_mut().unwrap().truncate(1);
     assert_eq!(summary["operations"][0]["status"], "complete");
     fs::write(&path, summary.to_string()).unwrap();
@@ -218,10 +187,7 @@ fn a_run_that_ended_before_its_first_checkpoint_is_not_finished() {
          --set 'string.0.bend_at=20 m'",
     )));
     assert_eq!(status, 2);
-    assert!(
-        said.contains("`string.0.bend_at_m` is not given there and 20.0 here"),
-        "{said}"
-    );
+    assert!(said.contains("`string.0.bend_at_m` is not given there and 20.0 here"), "{said}");
     assert!(!said.contains("is finished"), "{said}");
 }
 
@@ -240,12 +206,7 @@ fn a_second_program_is_kept_out_and_an_unfinished_run_is_kept() {
          wait until it has ended, or name another folder with -o\n"
     );
     // Nor may it be replaced, or continued.
-    assert_eq!(
-        desk.run(&[&long[..], &["--overwrite"]].concat())
-            .status
-            .code(),
-        Some(2)
-    );
+    assert_eq!(desk.run(&[&long[..], &["--overwrite"]].concat()).status.code(), Some(2));
     let resume = args("run slant.toml --resume results --set 'dynamics.duration=4000 s'");
     let (status, _, said) = words(&desk.run(&resume));
     assert_eq!(status, 2);
@@ -284,19 +245,11 @@ fn programs_are_told_in_their_own_words() {
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let (status, script, _) = words(&desk.run(&["completions", shell]));
         assert_eq!(status, 0);
-        assert!(
-            script.contains("wholestring") && script.contains("overwrite"),
-            "{shell}"
-        );
+        assert!(script.contains("wholestring") && script.contains("overwrite"), "{shell}");
     }
     let (status, page, _) = words(&desk.run(&["man"]));
     assert_eq!(status, 0);
-    for part in [
-        ".TH wholestring 1",
-        ".SH \"WHOLESTRING SWEEP\"",
-        "overwrite",
-        "Exit status",
-    ] {
+    for part in [".TH wholestring 1", ".SH \"WHOLESTRING SWEEP\"", "overwrite", "Exit status"] {
         assert!(page.contains(part), "{part}");
     }
 }
@@ -318,10 +271,7 @@ fn a_resumed_sweep_finds_its_folder() {
     };
     sweep("0.1,0.2", &[]);
     sweep("0.1,0.3", &[]);
-    let names = [
-        "Straight slant sweep/friction=0.1",
-        "Straight slant sweep-2/friction=0.3",
-    ];
+    let names = ["Straight slant sweep/friction=0.1", "Straight slant sweep-2/friction=0.3"];
     let before = names.map(written);
     sweep("0.1,0.3", &["--resume"]);
     sweep("0.1,0.2,0.25", &["--resume"]);

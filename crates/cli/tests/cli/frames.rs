@@ -7,11 +7,7 @@ use crate::{
 use wholestring_results::{Data, Table};
 
 fn numbers(table: &Table, name: &str) -> Vec<f64> {
-    match &table
-        .column(name)
-        .unwrap_or_else(|| panic!("no `{name}`"))
-        .data
-    {
+    match &table.column(name).unwrap_or_else(|| panic!("no `{name}`")).data {
         Data::Number(values) => values.iter().copied().flatten().collect(),
         Data::Text(_) => panic!("`{name}` holds words"),
     }
@@ -44,10 +40,7 @@ fn frames_and_spectra() {
     assert!(output.status.success(), "{message}");
 
     let frames = Table::read_parquet(&desk.path("out/frames.parquet")).unwrap();
-    let nodes = Table::read_parquet(&desk.path("out/nodes.parquet"))
-        .unwrap()
-        .rows()
-        / 2;
+    let nodes = Table::read_parquet(&desk.path("out/nodes.parquet")).unwrap().rows() / 2;
     let time = Table::read_parquet(&desk.path("out/time.parquet")).unwrap();
     // A sample is a whole number of steps, 0.6 ms each, and a frame ten samples.
     let taken = time.rows() / 2 / 10;
@@ -71,10 +64,7 @@ fn frames_and_spectra() {
     let last = frames.rows() - nodes;
     let row = times.iter().rposition(|t| *t == frame_times[last]).unwrap();
     assert!(twists[row] != 0.0);
-    assert!(
-        (frame_twists[last] / twists[row] - 1.0).abs() < 1e-6,
-        "single precision"
-    );
+    assert!((frame_twists[last] / twists[row] - 1.0).abs() < 1e-6, "single precision");
 
     // One segment over the whole window: Hann's window weighs its middle, the variance comes out
     // roughly.
@@ -93,10 +83,7 @@ fn frames_and_spectra() {
     }
     let summary = desk.summary("out");
     let std = summary.operations[0].statistics.as_ref().unwrap()["hook_load_N"].std;
-    assert!(
-        (0.2..5.0).contains(&(variance.sqrt() / std)),
-        "{variance} for {std}²"
-    );
+    assert!((0.2..5.0).contains(&(variance.sqrt() / std)), "{variance} for {std}²");
 
     let anew = ["run", "slant.toml", "-o", "out", "--overwrite"];
     let output = desk.run(&[&anew[..], &SOFT].concat());

@@ -12,10 +12,7 @@ fn a_new_case_runs() {
     assert_snapshot!("new_case", transcript(&desk.run(&["new", "north-1"])));
     let text = fs::read_to_string(desk.path("north-1.toml")).unwrap();
     assert!(text.contains("name = \"north-1\""), "{text}");
-    assert_snapshot!(
-        "new_case_checked",
-        transcript(&desk.run(&["check", "north-1.toml"]))
-    );
+    assert_snapshot!("new_case_checked", transcript(&desk.run(&["check", "north-1.toml"])));
     let start = Instant::now();
     let run = desk.run(&["run", "north-1.toml", "-o", "out"]);
     assert!(run.status.success(), "{}", transcript(&run));
@@ -58,10 +55,7 @@ fn nothing_is_written_over() {
     let desk = Desk::new();
     let before = fs::read_to_string(desk.path("slant.toml")).unwrap();
     for name in ["slant", "slant.toml"] {
-        assert_snapshot!(
-            "new_case_that_is_there",
-            transcript(&desk.run(&["new", name]))
-        );
+        assert_snapshot!("new_case_that_is_there", transcript(&desk.run(&["new", name])));
     }
     assert_eq!(fs::read_to_string(desk.path("slant.toml")).unwrap(), before);
     assert_snapshot!(

@@ -16,17 +16,12 @@ fn run(desk: &Desk, folder: &str, more: &[&str]) {
 
 fn files(desk: &Desk, folder: &str) -> BTreeSet<String> {
     let entries = fs::read_dir(desk.path(folder)).unwrap();
-    entries
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .collect()
+    entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
 }
 
 fn read(desk: &Desk, name: &str) -> String {
     let svg = fs::read_to_string(desk.path(name)).unwrap();
-    assert!(
-        svg.starts_with("<?xml") && svg.ends_with("</svg>\n"),
-        "{name}"
-    );
+    assert!(svg.starts_with("<?xml") && svg.ends_with("</svg>\n"), "{name}");
     // Pixels may spell anything.
     if !svg.contains("<image") {
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
@@ -37,16 +32,7 @@ fn read(desk: &Desk, name: &str) -> String {
 /// Text of a picture, in the order in which it is drawn.
 fn texts(svg: &str) -> Vec<&str> {
     let texts = svg.split("<text ").skip(1);
-    texts
-        .map(|text| {
-            text.split_once('>')
-                .unwrap()
-                .1
-                .split_once("</text>")
-                .unwrap()
-                .0
-        })
-        .collect()
+    texts.map(|text| text.split_once('>').unwrap().1.split_once("</text>").unwrap().0).collect()
 }
 
 #[test]
@@ -74,21 +60,13 @@ fn a_run_is_drawn() {
         read(&desk, &format!("out/plots/{name}"));
     }
     let tension = read(&desk, "out/plots/tension.svg");
-    for text in [
-        "Straight slant",
-        "Effective tension",
-        "klbf",
-        "Measured depth, ft",
-        "trip out",
-    ] {
+    for text in ["Straight slant", "Effective tension", "klbf", "Measured depth, ft", "trip out"] {
         assert!(texts(&tension).contains(&text), "{text}");
     }
     let spectrum = read(&desk, "out/plots/spectrum-torque-nodes-trip-out.svg");
     assert!(texts(&spectrum).contains(&"Density of torque, (ft·lbf)²/Hz"));
     // Of two nodes, those nearest to 328 and 1640 ft.
-    let depths = texts(&spectrum)
-        .into_iter()
-        .filter_map(|text| text.strip_prefix("at "));
+    let depths = texts(&spectrum).into_iter().filter_map(|text| text.strip_prefix("at "));
     let depths: Vec<&str> = depths.collect();
     assert!(
         depths.len() == 2 && depths[0].starts_with("32") && depths[1].starts_with("164"),
@@ -110,10 +88,7 @@ fn the_profile_of_a_run_is_the_same() {
     run(&desk, "out", &["--units", "metric"]);
     let output = desk.run(&["plot", "out", "--units", "metric", "-o", "pictures"]);
     assert!(output.status.success());
-    assert_eq!(
-        read(&desk, "pictures/profile.svg"),
-        read(&desk, "out/profile.svg")
-    );
+    assert_eq!(read(&desk, "pictures/profile.svg"), read(&desk, "out/profile.svg"));
 }
 
 #[test]
@@ -131,20 +106,13 @@ fn two_runs_stand_on_the_same_axes() {
         for name in ["profile", "time-hook-load", "map-side-force"] {
             let svg = read(&desk, &format!("first/plots-second/{name}-{operation}.svg"));
             for run in ["Straight slant", "Rough &amp; ready"] {
-                assert!(
-                    texts(&svg).iter().any(|text| text.contains(run)),
-                    "{name}: {run}"
-                );
+                assert!(texts(&svg).iter().any(|text| text.contains(run)), "{name}: {run}");
             }
         }
     }
     // Of one case, runs are distinguished by where they lie.
     run(&desk, "third", &SOFT);
-    assert!(
-        desk.run(&["plot", "first", "third", "-o", "both"])
-            .status
-            .success()
-    );
+    assert!(desk.run(&["plot", "first", "third", "-o", "both"]).status.success());
     let svg = read(&desk, "both/torque-rotate-off-bottom.svg");
     for run in ["first", "third"] {
         assert!(texts(&svg).contains(&run), "{run}");
@@ -160,12 +128,7 @@ fn a_sweep_is_drawn_and_reported() {
     );
     assert!(desk.run(&sweep).status.success());
     let page = fs::read_to_string(desk.path("sweep/report.html")).unwrap();
-    for word in [
-        "Straight slant",
-        "friction 0.2",
-        "Bit depth, ft",
-        "soft string",
-    ] {
+    for word in ["Straight slant", "friction 0.2", "Bit depth, ft", "soft string"] {
         assert!(page.contains(word), "{word}");
     }
     fs::remove_file(desk.path("sweep/report.html")).unwrap();
@@ -177,21 +140,10 @@ fn a_sweep_is_drawn_and_reported() {
     assert!(output.status.success(), "{}", transcript(&output));
     let names = files(&desk, "sweep/plots");
     // A straight hole has no cut-off.
-    let expected = [
-        "axial-friction.svg",
-        "hook-load.svg",
-        "sweep.svg",
-        "torque.svg",
-    ];
+    let expected = ["axial-friction.svg", "hook-load.svg", "sweep.svg", "torque.svg"];
     assert_eq!(names, expected.map(String::from).into());
     let svg = read(&desk, "sweep/plots/hook-load.svg");
-    for text in [
-        "Bit depth, ft",
-        "klbf",
-        "friction 0.2",
-        "friction 0.3",
-        "trip out",
-    ] {
+    for text in ["Bit depth, ft", "klbf", "friction 0.2", "friction 0.3", "trip out"] {
         assert!(texts(&svg).contains(&text), "{text}");
     }
 }
@@ -199,23 +151,11 @@ fn a_sweep_is_drawn_and_reported() {
 #[test]
 fn what_cannot_be_drawn_is_refused() {
     let desk = Desk::new();
-    run(
-        &desk,
-        "tripped",
-        &[&SOFT[..], &["--set", "operation.kind=trip_in"]].concat(),
-    );
-    run(
-        &desk,
-        "drilled",
-        &[&SOFT[..], &["--set", "operation.kind=drill"]].concat(),
-    );
+    run(&desk, "tripped", &[&SOFT[..], &["--set", "operation.kind=trip_in"]].concat());
+    run(&desk, "drilled", &[&SOFT[..], &["--set", "operation.kind=drill"]].concat());
     let vary = ["--vary", "friction=0.2,0.3"];
     let sweep = ["sweep", "slant.toml", "--quiet", "-o", "swept"];
-    assert!(
-        desk.run(&[&sweep[..], &SOFT, &vary].concat())
-            .status
-            .success()
-    );
+    assert!(desk.run(&[&sweep[..], &SOFT, &vary].concat()).status.success());
     run(&desk, "thin", &[]);
     fs::remove_file(desk.path("thin/time.parquet")).unwrap();
     fs::remove_file(desk.path("thin/wear.parquet")).unwrap();

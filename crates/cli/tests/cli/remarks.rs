@@ -45,10 +45,7 @@ fn what_the_rig_cannot_do_is_told() {
         )),
         "{beyond:?}"
     );
-    assert!(
-        beyond[0].contains(&kilo(0.99 * (hook_N + block_N))),
-        "{beyond:?}"
-    );
+    assert!(beyond[0].contains(&kilo(0.99 * (hook_N + block_N))), "{beyond:?}");
     assert!(
         beyond[1].starts_with("error: rotate off bottom (soft): Surface torque of "),
         "{beyond:?}"
@@ -57,14 +54,8 @@ fn what_the_rig_cannot_do_is_told() {
     // is still finding its place swings by more.
     let dynamic = errors(0.9, &["--set", "model=dynamic"]);
     let of = |what: &str| dynamic.iter().any(|line| line.contains(what));
-    assert!(
-        of("trip out (dynamic): Hook load with block"),
-        "{dynamic:?}"
-    );
-    assert!(
-        of("rotate off bottom (dynamic): Surface torque"),
-        "{dynamic:?}"
-    );
+    assert!(of("trip out (dynamic): Hook load with block"), "{dynamic:?}");
+    assert!(of("rotate off bottom (dynamic): Surface torque"), "{dynamic:?}");
 }
 
 /// A tuned lift is reported of on the screen and in the summary, and is what the answer was
@@ -89,11 +80,7 @@ fn a_tuned_lift_is_reported() {
     assert!(text.contains("Lift: ") && text.contains(&told), "{text}");
 
     // Frames are those of the run with that lift.
-    let frames = [
-        &arguments[..],
-        &["--set", "records.frames=20 Hz", "-o", "frames"],
-    ]
-    .concat();
+    let frames = [&arguments[..], &["--set", "records.frames=20 Hz", "-o", "frames"]].concat();
     assert!(desk.run(&frames).status.success());
     let again = desk.summary("frames");
     assert_eq!(again.operations[0].scalars, solved.scalars);
@@ -111,10 +98,7 @@ fn a_lift_that_is_not_found_says_which_came_nearest() {
     ));
     assert_eq!(output.status.code(), Some(3));
     let told = String::from_utf8(output.stderr).unwrap();
-    assert!(
-        told.contains("no constant lift gives a mean weight on bit of 240.0 kN"),
-        "{told}"
-    );
+    assert!(told.contains("no constant lift gives a mean weight on bit of 240.0 kN"), "{told}");
 }
 
 /// A bit whose weight swings beyond its table is reported of on the screen and in the summary; its

@@ -49,10 +49,7 @@ fn a_run_writes_it_and_report_makes_it_again() {
     // What the page shows is what the summary says.
     let summary = desk.summary("out");
     for (shown, told) in report.solved.iter().zip(&summary.operations) {
-        assert_eq!(
-            shown.answers[0].value,
-            Cell::quantity(told.scalars.hook_load_N, "force")
-        );
+        assert_eq!(shown.answers[0].value, Cell::quantity(told.scalars.hook_load_N, "force"));
         let tension = shown.profile["tension_N"].values();
         assert!((tension[0] / told.scalars.hook_load_N - 1.0).abs() < 1e-6);
     }
@@ -60,10 +57,7 @@ fn a_run_writes_it_and_report_makes_it_again() {
         assert_eq!(run.history["time_s"].values().len(), run.samples);
         let contact = run.contact.as_ref().expect("a map");
         let (times, depths) = (contact.time_s.values(), contact.md_m.values());
-        assert_eq!(
-            contact.side_force.values().len(),
-            times.len() * depths.len()
-        );
+        assert_eq!(contact.side_force.values().len(), times.len() * depths.len());
         let frames = run.frames.as_ref().expect("frames");
         let (times, depths) = (frames.time_s.values(), frames.md_m.values());
         // 2 s at 50 Hz, to whole samples.
@@ -99,10 +93,7 @@ fn path_hole_and_string_are_those_of_the_case() {
     let ends: Vec<_> = report.hole.iter().map(|of| (of.from_m, of.to_m)).collect();
     assert_eq!(ends, [(0.0, 400.0), (400.0, 600.0)]);
     assert_eq!(report.string.len(), 1);
-    assert_eq!(
-        (report.string[0].from_m, report.string[0].to_m),
-        (0.0, 600.0)
-    );
+    assert_eq!((report.string[0].from_m, report.string[0].to_m), (0.0, 600.0));
     assert!(report.runs.is_empty());
 }
 
@@ -126,11 +117,7 @@ fn a_report_of_a_minute_stays_small() {
     let report = read(&page);
     for run in &report.runs {
         let rows = run.history["time_s"].values().len();
-        assert!(
-            rows <= 4000 && run.samples > 5500,
-            "{rows} of {}",
-            run.samples
-        );
+        assert!(rows <= 4000 && run.samples > 5500, "{rows} of {}", run.samples);
         let frames = run.frames.as_ref().expect("frames");
         let shown = frames.time_s.values().len();
         assert!((30..400).contains(&shown), "{shown} of {}", frames.kept);
@@ -149,10 +136,7 @@ fn block_findings_and_spectra_reach_the_page() {
         "records.spectra=[\"surface_torque\"]",
     ];
     let settings = settings.iter().flat_map(|key| ["--set", key]);
-    let asked: Vec<&str> = ["run", "slant.toml", "-o", "out"]
-        .into_iter()
-        .chain(settings)
-        .collect();
+    let asked: Vec<&str> = ["run", "slant.toml", "-o", "out"].into_iter().chain(settings).collect();
     assert!(desk.run(&asked).status.success());
     let mut summary = desk.summary("out");
     for solved in &mut summary.operations {
@@ -167,11 +151,7 @@ fn block_findings_and_spectra_reach_the_page() {
             message: "Helically buckled".into(),
         }];
     }
-    fs::write(
-        desk.path("out/summary.json"),
-        serde_json::to_string(&summary).unwrap(),
-    )
-    .unwrap();
+    fs::write(desk.path("out/summary.json"), serde_json::to_string(&summary).unwrap()).unwrap();
     assert!(desk.run(&["report", "out"]).status.success());
     let report = read(&fs::read_to_string(desk.path("out/report.html")).unwrap());
     for (shown, told) in report.solved.iter().zip(&summary.operations) {
@@ -180,10 +160,7 @@ fn block_findings_and_spectra_reach_the_page() {
         assert_eq!(hook.label, "Hook load without block");
         assert_eq!(hook.value, Cell::quantity(load_N, "force"));
         assert_eq!(hook.more[0].value, Cell::quantity(load_N + 200e3, "force"));
-        let largest_N = told
-            .statistics
-            .as_ref()
-            .map_or(load_N, |all| all["hook_load_N"].max);
+        let largest_N = told.statistics.as_ref().map_or(load_N, |all| all["hook_load_N"].max);
         assert_eq!(hook.held, Some(largest_N + 200e3));
         assert_eq!(hook.limit, Some(1e6));
         let found = &shown.findings[0];
@@ -191,10 +168,7 @@ fn block_findings_and_spectra_reach_the_page() {
         assert_eq!(found.value, Cell::quantity(190e3, "force"));
         assert_eq!(found.limit, Cell::quantity(95e3, "force"));
     }
-    let results = report
-        .sheets
-        .iter()
-        .find(|sheet| sheet.place == Place::Results);
+    let results = report.sheets.iter().find(|sheet| sheet.place == Place::Results);
     let names: Vec<&Cell> = results.unwrap().rows.iter().map(|row| &row[0]).collect();
     for name in ["Hook load without block", "Hook load with block"] {
         assert!(names.contains(&&Cell::Text(name.into())), "{name}");
@@ -230,8 +204,5 @@ fn a_damaged_folder_is_refused() {
     let output = desk.run(&["report", "out"]);
     assert_eq!(output.status.code(), Some(2));
     let told = String::from_utf8(output.stderr).unwrap();
-    assert!(
-        told.starts_with("error: out/nodes.parquet is not a file of results: "),
-        "{told}"
-    );
+    assert!(told.starts_with("error: out/nodes.parquet is not a file of results: "), "{told}");
 }

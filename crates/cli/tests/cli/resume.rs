@@ -40,22 +40,12 @@ fn leavings(desk: &Desk, folder: &str) -> (Value, BTreeMap<String, Vec<u8>>) {
 }
 
 /// Every table there is, and frames that fill more than one row group.
-pub(crate) const RECORDS: [&str; 5] = [
-    "--csv",
-    "--set",
-    "records.frames=20 Hz",
-    "--set",
-    "records.spectra=hook_load",
-];
+pub(crate) const RECORDS: [&str; 5] =
+    ["--csv", "--set", "records.frames=20 Hz", "--set", "records.spectra=hook_load"];
 
 /// Two operations with both models.
 fn arguments<'a>(duration: &'a str, more: &[&'a str]) -> Vec<&'a str> {
-    [
-        &["run", "slant.toml", "--set", duration],
-        &RECORDS[..],
-        more,
-    ]
-    .concat()
+    [&["run", "slant.toml", "--set", duration], &RECORDS[..], more].concat()
 }
 
 fn frames(desk: &Desk, folder: &str) -> Table {
@@ -63,11 +53,7 @@ fn frames(desk: &Desk, folder: &str) -> Table {
 }
 
 fn begin(desk: &Desk, arguments: &[&str]) -> Child {
-    desk.command(arguments)
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap()
+    desk.command(arguments).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
 }
 
 /// Waits until there is a checkpoint that is newer than `since`; false where the run ended before.
@@ -100,9 +86,8 @@ fn killed(times: u32, duration: &str) {
     let mut since = SystemTime::UNIX_EPOCH;
     let mut child = begun(["-o", "killed"]);
     while kills < times && checkpointed(&desk, &mut child, since) {
-        random = random
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        random =
+            random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         sleep(Duration::from_micros((random >> 33) % 80_000));
         if child.try_wait().unwrap().is_some() {
             break;
@@ -194,17 +179,7 @@ fn what_cannot_be_resumed_is_refused() {
     assert!(output.status.success());
     assert_snapshot!("resume_a_finished_run", resume(&soft));
 
-    let mut child = begin(
-        &desk,
-        &[
-            "run",
-            "slant.toml",
-            "-o",
-            "killed",
-            "--checkpoint",
-            "0.01 s",
-        ],
-    );
+    let mut child = begin(&desk, &["run", "slant.toml", "-o", "killed", "--checkpoint", "0.01 s"]);
     assert!(checkpointed(&desk, &mut child, SystemTime::UNIX_EPOCH));
     child.kill().unwrap();
     child.wait().unwrap();
@@ -227,10 +202,7 @@ fn what_cannot_be_resumed_is_refused() {
     put(&checkpoint);
     let anew = [&["run", "slant.toml", "-o", "results"], &soft[..]].concat();
     assert_eq!(desk.run(&anew).status.code(), Some(2));
-    assert_eq!(
-        fs::read(desk.path("results/checkpoint.bin")).unwrap(),
-        checkpoint
-    );
+    assert_eq!(fs::read(desk.path("results/checkpoint.bin")).unwrap(), checkpoint);
     let output = desk.run(&[&anew[..], &["--overwrite"]].concat());
     assert!(output.status.success());
     assert!(!desk.path("results/checkpoint.bin").exists());

@@ -33,10 +33,7 @@ fn soft_string_side_by_side() {
         "time.parquet",
         "wear.parquet",
     ];
-    assert_eq!(
-        files(&desk, "out/Straight slant"),
-        expected.map(String::from).into()
-    );
+    assert_eq!(files(&desk, "out/Straight slant"), expected.map(String::from).into());
 }
 
 #[test]
@@ -50,11 +47,7 @@ fn field_units_on_the_screen() {
 #[test]
 fn the_numbers_are_the_closed_forms() {
     let desk = Desk::new();
-    assert!(
-        desk.run(&[&["run", "slant.toml"], &SOFT[..]].concat())
-            .status
-            .success()
-    );
+    assert!(desk.run(&[&["run", "slant.toml"], &SOFT[..]].concat()).status.success());
     let summary = desk.summary("out/Straight slant");
     let weight_N =
         (7850.0 - 1200.0) * 9.80665 * PI / 4.0 * (0.12_f64.powi(2) - 0.08_f64.powi(2)) * 600.0;
@@ -64,10 +57,7 @@ fn the_numbers_are_the_closed_forms() {
     };
     // The equations are linear in depth here: what is left is rounding of some 600 steps.
     let close = |obtained: f64, expected: f64| {
-        assert!(
-            (obtained / expected - 1.0).abs() < 1e-12,
-            "{obtained} against {expected}"
-        );
+        assert!((obtained / expected - 1.0).abs() < 1e-12, "{obtained} against {expected}");
     };
     close(trip_out.scalars.hook_load_N, along_N + 0.25 * across_N);
     close(trip_out.scalars.axial_friction_N, 0.25 * across_N);
@@ -95,10 +85,7 @@ fn soft_string_and_dynamics_side_by_side() {
         "wear.csv",
         "wear.parquet",
     ];
-    assert_eq!(
-        files(&desk, "here/and/there"),
-        expected.map(String::from).into()
-    );
+    assert_eq!(files(&desk, "here/and/there"), expected.map(String::from).into());
 
     let summary = desk.summary("here/and/there");
     let solved: Vec<_> = summary
@@ -156,10 +143,7 @@ fn check_climb(nodes: &Table) {
     };
     for operation in ["trip_out", "rotate_off_bottom"] {
         let climbs = of("soft", operation);
-        assert!(
-            climbs.len() > 600 && climbs.iter().all(|climb| *climb == 0.0),
-            "{operation}"
-        );
+        assert!(climbs.len() > 600 && climbs.iter().all(|climb| *climb == 0.0), "{operation}");
     }
     let median = |operation: &str| {
         let mut values = of("dynamic", operation);

@@ -10,10 +10,7 @@ use wholestring_results::{Level, OperationSummary, Status};
 fn solved(case: &Path, settle: &str, duration: &str) -> Vec<OperationSummary> {
     solved_with(
         case,
-        &[
-            &format!("dynamics.settle={settle}"),
-            &format!("dynamics.duration={duration}"),
-        ],
+        &[&format!("dynamics.settle={settle}"), &format!("dynamics.duration={duration}")],
     )
 }
 
@@ -48,27 +45,15 @@ fn np13_with_both_models() {
     let [soft, dynamic] = &solved[..] else {
         panic!("one operation with two models");
     };
-    assert_eq!(
-        [soft.model, dynamic.model],
-        [ModelKind::Soft, ModelKind::Dynamic]
-    );
+    assert_eq!([soft.model, dynamic.model], [ModelKind::Soft, ModelKind::Dynamic]);
     let apart = |found: f64, expected: f64| (found / expected - 1.0).abs();
     let (hook_N, soft_hook_N) = (dynamic.scalars.hook_load_N, soft.scalars.hook_load_N);
-    assert!(
-        apart(hook_N, soft_hook_N) < 0.01,
-        "{hook_N} for {soft_hook_N} N"
-    );
+    assert!(apart(hook_N, soft_hook_N) < 0.01, "{hook_N} for {soft_hook_N} N");
     let climbed_N_m = soft.scalars.friction_torque_N_m / 0.3_f64.hypot(1.0);
     let torque_N_m = dynamic.scalars.friction_torque_N_m;
-    assert!(
-        apart(torque_N_m, climbed_N_m) < 0.02,
-        "{torque_N_m} for {climbed_N_m} N·m"
-    );
+    assert!(apart(torque_N_m, climbed_N_m) < 0.02, "{torque_N_m} for {climbed_N_m} N·m");
     let numerics = dynamic.numerics.as_ref().unwrap();
-    assert!(
-        numerics.run.added_axial_mass_fraction < 0.005,
-        "{numerics:?}"
-    );
+    assert!(numerics.run.added_axial_mass_fraction < 0.005, "{numerics:?}");
 }
 
 /// The dynamics of the shipped case as they are shipped: each operation was steady when its window
@@ -132,11 +117,7 @@ fn every_case_runs_to_its_end() {
         let scheduled = text.contains("schedule = [");
         for model in [ModelKind::Soft, ModelKind::Dynamic] {
             let wanted = model == ModelKind::Dynamic || !scheduled;
-            assert_eq!(
-                solved.iter().any(|of| of.model == model),
-                wanted,
-                "{path:?}"
-            );
+            assert_eq!(solved.iter().any(|of| of.model == model), wanted, "{path:?}");
         }
         // One is wrong on purpose; of the others the soft string finds no error. Of the dynamics
         // these windows are too short.

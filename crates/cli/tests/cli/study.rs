@@ -21,11 +21,7 @@ fn desk() -> Desk {
 }
 
 fn study(desk: &Desk, more: &[&str]) -> Output {
-    let all = [
-        &["study", "friction-on-a-slant.toml", "-o", "results"],
-        more,
-    ]
-    .concat();
+    let all = [&["study", "friction-on-a-slant.toml", "-o", "results"], more].concat();
     desk.run(&all)
 }
 
@@ -60,21 +56,12 @@ fn the_small_study_meets_its_closed_forms() {
     assert_eq!(dynamics.len(), 8, "{dynamics:?}");
     for [label, model, computed, agrees] in &dynamics {
         let climbs = label.starts_with("friction torque");
-        let expected = if climbs && model == "soft" {
-            "no"
-        } else {
-            "yes"
-        };
+        let expected = if climbs && model == "soft" { "no" } else { "yes" };
         assert_eq!(agrees, expected, "{label}, {model}: {computed}");
     }
 
     // A case for each combination, and the exception where it holds.
-    assert_eq!(
-        desk.summary("results/statics/friction=0.35,bit_depth=2000m")
-            .operations
-            .len(),
-        3
-    );
+    assert_eq!(desk.summary("results/statics/friction=0.35,bit_depth=2000m").operations.len(), 3);
     for (friction, settle_s) in [("0.1", 8.0), ("0.2", 6.0)] {
         let case = format!("results/dynamics/friction={friction},bit_depth=300 m");
         let summary = desk.summary(&case);
@@ -101,10 +88,7 @@ fn the_small_study_meets_its_closed_forms() {
         assert!(!page.contains(from_elsewhere), "{from_elsewhere}");
     }
     let markdown = read(&desk, "tables/dynamics.md");
-    assert!(
-        markdown.contains("| soft string | dynamics |"),
-        "{markdown}"
-    );
+    assert!(markdown.contains("| soft string | dynamics |"), "{markdown}");
 }
 
 /// A study of the test's own case: two wells in two sweeps, and maps of contact.
@@ -201,17 +185,11 @@ fn maps_and_wells_are_drawn() {
     // Two maps of the half second on either side of where the window begins, and a line across
     // each.
     let map = read(&desk, "figures/map.svg");
-    assert_eq!(
-        map.matches("<image").count(),
-        2 * 2,
-        "each with its colours"
-    );
+    assert_eq!(map.matches("<image").count(), 2 * 2, "each with its colours");
     for text in ["Bit depth 300 m", "Bit depth 500 m", "a seam", "high side"] {
         assert!(map.contains(text), "{text}");
     }
-    let contact = desk
-        .path("results/slow/bit_depth=500 m")
-        .join("contact.parquet");
+    let contact = desk.path("results/slow/bit_depth=500 m").join("contact.parquet");
     let contact = Table::read_parquet(&contact).unwrap();
     let column = |name: &str| match &contact.column(name).unwrap().data {
         Data::Number(values) => values.iter().map(|of| of.unwrap()).collect::<Vec<f64>>(),
@@ -221,19 +199,14 @@ fn maps_and_wells_are_drawn() {
     let forces = column("side_force_N_per_m");
     let data = read(&desk, "figures/map.csv");
     let mut lines = data.lines();
-    assert_eq!(
-        lines.next(),
-        Some("sweep,model,operation,bit_depth,time_s,md_m,quantity,value")
-    );
+    assert_eq!(lines.next(), Some("sweep,model,operation,bit_depth,time_s,md_m,quantity,value"));
     let seen: Vec<Vec<f64>> = lines
         .map(split)
         .filter(|cells| cells[3] == "500 m")
         .map(|cells| [4, 5, 7].map(|of: usize| cells[of].parse().unwrap()).into())
         .collect();
     let kept = (0..times.len()).filter(|row| times[*row] > 0.5 + 1e-6 && times[*row] < 1.5 + 1e-6);
-    let kept: Vec<Vec<f64>> = kept
-        .map(|row| vec![times[row], depths[row], forces[row]])
-        .collect();
+    let kept: Vec<Vec<f64>> = kept.map(|row| vec![times[row], depths[row], forces[row]]).collect();
     assert!(kept.len() > 1000, "{}", kept.len());
     assert_eq!(seen, kept);
 
@@ -247,9 +220,7 @@ fn maps_and_wells_are_drawn() {
         all.min_by(|a, b| near(a, wanted).total_cmp(&near(b, wanted)))
     };
     let time_s = nearest(&times, 1.5).unwrap();
-    let rows: Vec<usize> = (0..times.len())
-        .filter(|row| times[*row] == time_s)
-        .collect();
+    let rows: Vec<usize> = (0..times.len()).filter(|row| times[*row] == time_s).collect();
     let there: Vec<f64> = rows.iter().map(|row| depths[*row]).collect();
     let depth_m = nearest(&there, 250.0).unwrap();
     let row = rows.iter().find(|row| depths[**row] == depth_m).unwrap();
@@ -312,10 +283,7 @@ y = "hook_load_N"
     let desk = Desk::new();
     fs::write(desk.path("lifts.toml"), STUDY).unwrap();
     // A ring in the legend and one for each case with an error.
-    for (capacity, rings) in [
-        ("rig.hoist_capacity=120 kN", 2),
-        ("rig.hoist_capacity=200 kN", 0),
-    ] {
+    for (capacity, rings) in [("rig.hoist_capacity=120 kN", 2), ("rig.hoist_capacity=200 kN", 0)] {
         let folder = format!("results-{rings}");
         let study = ["study", "lifts.toml", "-o", &folder, "--quiet"];
         let output = desk.run(&[&study[..], &["--set", capacity]].concat());
@@ -344,9 +312,7 @@ fn the_tours_study_answers_as_told() {
     assert!(told.contains(folder) && rest.contains(folder), "{told}");
     let table = fs::read_to_string(desk.path(folder).join("tables/table-01.md")).unwrap();
     let numbers = |text: &str| -> Vec<[String; 2]> {
-        let rows = text
-            .lines()
-            .filter(|line| line.starts_with("| torque with"));
+        let rows = text.lines().filter(|line| line.starts_with("| torque with"));
         rows.map(|row| {
             let cells: Vec<&str> = row.split('|').map(str::trim).collect();
             [1, 4].map(|cell| cells[cell].to_owned())
@@ -371,11 +337,7 @@ fn shares_make_a_whole() {
     };
     let before = solved("friction=0.2,bit_depth=500m");
     let output = study(&desk, &["--resume"]);
-    assert!(
-        transcript(&output).contains("30 of 30 cases finished"),
-        "{}",
-        transcript(&output)
-    );
+    assert!(transcript(&output).contains("30 of 30 cases finished"), "{}", transcript(&output));
     assert_eq!(solved("friction=0.2,bit_depth=500m"), before);
     assert_eq!(rows(&desk, "statics.csv").len(), 8);
 }
@@ -386,26 +348,17 @@ fn mistakes_are_underlined_in_the_study() {
     let desk = desk();
     let file = desk.path("friction-on-a-slant.toml");
     let text = fs::read_to_string(&file).unwrap();
-    let set = text.replace(
-        "\"dynamics.settle\" = \"8 s\"",
-        "\"dynamics.setle\" = \"8 s\"",
-    );
+    let set = text.replace("\"dynamics.settle\" = \"8 s\"", "\"dynamics.setle\" = \"8 s\"");
     assert_ne!(set, text);
     fs::write(&file, set).unwrap();
     let output = study(&desk, &[]);
     assert_snapshot!(transcript(&output));
     assert!(!desk.path("results").exists());
 
-    let varied = text.replace(
-        "friction = [0.1, 0.2, 0.35]",
-        "friction = [0.1, 20, 0.35, 0.2]",
-    );
+    let varied = text.replace("friction = [0.1, 0.2, 0.35]", "friction = [0.1, 20, 0.35, 0.2]");
     assert_ne!(varied, text);
-    fs::write(
-        &file,
-        varied.replace("only = { friction = 0.2 }", "only = { friction = 0.35 }"),
-    )
-    .unwrap();
+    fs::write(&file, varied.replace("only = { friction = 0.2 }", "only = { friction = 0.35 }"))
+        .unwrap();
     let output = study(&desk, &[]);
     assert_snapshot!(transcript(&output));
 
@@ -420,14 +373,8 @@ fn the_articles_study_is_sound() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let file = root.join("studies/full-hole-system-dynamics.toml");
     // The last case of all is a soft string: it is solved in no time.
-    let output = desk.run(&[
-        "study",
-        file.to_str().unwrap(),
-        "-o",
-        "results",
-        "--shard",
-        "180/180",
-    ]);
+    let output =
+        desk.run(&["study", file.to_str().unwrap(), "-o", "results", "--shard", "180/180"]);
     let told = transcript(&output);
     assert!(told.contains("1 of 1 cases finished"), "{told}");
     assert!(told.ends_with("--- standard error\n"), "{told}");
@@ -446,18 +393,12 @@ fn the_articles_study_is_sound() {
     for friction in ["0.1", "0.3"] {
         for (quantity, label) in [
             ("mean_friction_torque_kNm", "friction torque, friction"),
-            (
-                "max_static_torque_kNm",
-                "maximum static friction torque, friction",
-            ),
+            ("max_static_torque_kNm", "maximum static friction torque, friction"),
             ("axial_friction_kN", "axial friction, friction"),
         ] {
             let printed = article["outputs"][quantity][friction].as_f64().unwrap();
             assert_eq!(given(&format!("{label} {friction}")), printed, "{quantity}");
         }
     }
-    assert_eq!(
-        given("largest contact force"),
-        article["outputs"]["contact_force_max_kN"]
-    );
+    assert_eq!(given("largest contact force"), article["outputs"]["contact_force_max_kN"]);
 }

@@ -22,13 +22,7 @@ fn rows(csv: &str) -> Vec<Row> {
             let [md_m, _, _, tvd_m, north_m, east_m, dogleg_deg_per_30m] = cells[..] else {
                 panic!("seven cells in {line}");
             };
-            Row {
-                md_m,
-                tvd_m,
-                north_m,
-                east_m,
-                dogleg_deg_per_30m,
-            }
+            Row { md_m, tvd_m, north_m, east_m, dogleg_deg_per_30m }
         })
         .collect()
 }
@@ -78,11 +72,7 @@ fn rows_between_stations() {
     // Every station is a multiple of the step: none comes twice.
     let depths: Vec<f64> = stepped.iter().map(|row| row.md_m).collect();
     assert_eq!(depths.len(), 21);
-    assert!(
-        depths
-            .windows(2)
-            .all(|pair| (pair[1] - pair[0] - 30.48).abs() < 1e-6)
-    );
+    assert!(depths.windows(2).all(|pair| (pair[1] - pair[0] - 30.48).abs() < 1e-6));
 }
 
 #[test]
@@ -93,11 +83,7 @@ fn both_paths_take_the_surveys_directions() {
         let text = text(&output.stdout);
         let last = text.lines().last().unwrap();
         let cells: Vec<&str> = last.split(',').collect();
-        assert_eq!(
-            &cells[..3],
-            ["609.600000", "6.000000", "45.000000"],
-            "{path}"
-        );
+        assert_eq!(&cells[..3], ["609.600000", "6.000000", "45.000000"], "{path}");
     }
 }
 
@@ -105,16 +91,8 @@ fn both_paths_take_the_surveys_directions() {
 #[test]
 fn reads_its_own_result() {
     let desk = Desk::new();
-    assert!(
-        desk.run(&["survey", "survey.csv", "-o", "first.csv"])
-            .status
-            .success()
-    );
-    assert!(
-        desk.run(&["survey", "first.csv", "-o", "second.csv"])
-            .status
-            .success()
-    );
+    assert!(desk.run(&["survey", "survey.csv", "-o", "first.csv"]).status.success());
+    assert!(desk.run(&["survey", "first.csv", "-o", "second.csv"]).status.success());
     let [first, second] =
         ["first.csv", "second.csv"].map(|name| rows(&fs::read_to_string(desk.path(name)).unwrap()));
     for (a, b) in first.iter().zip(&second) {
@@ -154,10 +132,7 @@ fn a_step_that_is_none() {
 fn with_survey(desk: &Desk, survey: &str) {
     fs::write(desk.path("own.csv"), survey).unwrap();
     let case = fs::read_to_string(desk.path("slant.toml")).unwrap();
-    let case = case.replace(
-        "stations = [[0, 60, 0], [600, 60, 0]]",
-        "survey = \"own.csv\"",
-    );
+    let case = case.replace("stations = [[0, 60, 0], [600, 60, 0]]", "survey = \"own.csv\"");
     fs::write(desk.path("own.toml"), case).unwrap();
 }
 
@@ -184,15 +159,7 @@ fn a_survey_without_units_is_refused_by_all_alike() {
     let said = ["--set", "well.survey_unit=ft"];
     for command in [
         &["check", "own.toml"][..],
-        &[
-            "run",
-            "own.toml",
-            "--quiet",
-            "--set",
-            "model=soft",
-            "-o",
-            "r",
-        ],
+        &["run", "own.toml", "--quiet", "--set", "model=soft", "-o", "r"],
     ] {
         let refused = desk.run(command);
         assert_eq!(refused.status.code(), Some(2), "{}", transcript(&refused));

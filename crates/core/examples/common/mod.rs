@@ -23,11 +23,7 @@ pub fn model() -> Result<Model, Box<dyn Error>> {
         .catalogue("6-1/2 in x 2-13/16 in collar", Metres(60.0))?
         .catalogue("5 in 19.50 lb/ft S-135", ToSurface)?
         .assemble(BIT_DEPTH_M)?;
-    Ok(Model::new(
-        Well::new(path, hole),
-        string,
-        Mud::of_density(1200.0),
-    ))
+    Ok(Model::new(Well::new(path, hole), string, Mud::of_density(1200.0)))
 }
 
 /// Rotary drilling at 115 rev/min with 50 kN on the bit.
@@ -43,9 +39,5 @@ pub fn drill() -> Operation {
 /// A short window after the start has settled: enough to see what an example shows.
 #[allow(dead_code, reason = "every example uses its own part of this module")]
 pub fn settings() -> wholestring::dynamics::DynamicsSettings {
-    DynamicsSettings {
-        settle_s: 6.0,
-        duration_s: 4.0,
-        ..DynamicsSettings::default()
-    }
+    DynamicsSettings { settle_s: 6.0, duration_s: 4.0, ..DynamicsSettings::default() }
 }

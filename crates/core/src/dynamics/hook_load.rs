@@ -122,12 +122,9 @@ pub fn tune_hook_load(
             if !watch(run, &simulation) {
                 return Err(TuningError::Stopped);
             }
-            simulation
-                .advance(left_s.min(WATCH_INTERVAL_S))
-                .map_err(|diverged| TuningError::Diverged {
-                    hook_load_N: search.lift_N,
-                    diverged,
-                })?;
+            simulation.advance(left_s.min(WATCH_INTERVAL_S)).map_err(|diverged| {
+                TuningError::Diverged { hook_load_N: search.lift_N, diverged }
+            })?;
         }
         let found = TunedHookLoad {
             hook_load_N: search.lift_N,
@@ -197,21 +194,12 @@ struct Search {
 
 impl Search {
     fn new(target_N: f64, lift_N: f64) -> Self {
-        Self {
-            lift_N,
-            heavy: None,
-            light: None,
-            was_heavy: None,
-            step_N: 0.2 * target_N,
-        }
+        Self { lift_N, heavy: None, light: None, was_heavy: None, step_N: 0.2 * target_N }
     }
 
     /// Chooses the next lift, now that this one leaves so much too much weight, N.
     fn learn(&mut self, excess_N: f64) {
-        let tried = Try {
-            lift_N: self.lift_N,
-            excess_N,
-        };
+        let tried = Try { lift_N: self.lift_N, excess_N };
         let is_heavy = excess_N > 0.0;
         let (same, other) = if is_heavy {
             (&mut self.heavy, &mut self.light)

@@ -112,13 +112,7 @@ impl<'a> Line<'a> {
             })
             .unzip();
         let place = Box::new(move |row: usize| Place::of(model, bit_depth_m, md_m[row]));
-        Self {
-            md_m,
-            tension_N,
-            place,
-            sinusoidal,
-            helical,
-        }
+        Self { md_m, tension_N, place, sinusoidal, helical }
     }
 
     /// Whether any of it is helical.
@@ -133,16 +127,10 @@ pub fn findings(line: &Line<'_>) -> Vec<Finding> {
     let of = |criterion, kind, over: &[f64]| -> Vec<Finding> {
         let intervals = beyond_one(line.md_m, over).into_iter();
         let reported = intervals.filter(|of| of.md_m[1] - of.md_m[0] >= SHORTEST_M);
-        reported
-            .map(|interval| finding(line, criterion, kind, over, &interval))
-            .collect()
+        reported.map(|interval| finding(line, criterion, kind, over, &interval)).collect()
     };
     let mut found = of(Criterion::Helical, Kind::HelicalBuckling, &line.helical);
-    let bowed = of(
-        Criterion::Sinusoidal,
-        Kind::SinusoidalBuckling,
-        &line.sinusoidal,
-    );
+    let bowed = of(Criterion::Sinusoidal, Kind::SinusoidalBuckling, &line.sinusoidal);
     let is_helix = |bow: &Finding| {
         let mut helices = found.iter();
         helices.any(|helix| helix.from_md_m < bow.to_md_m && bow.from_md_m < helix.to_md_m)
@@ -171,12 +159,11 @@ fn finding(
         Kind::SinusoidalBuckling if by_weight_alone => Level::Note,
         _ => Level::Warning,
     };
-    Finding::new(kind, level)
-        .over(interval.md_m)
-        .value(compression_N)
-        .limit(match place.critical_load_N(criterion, compression_N) {
+    Finding::new(kind, level).over(interval.md_m).value(compression_N).limit(
+        match place.critical_load_N(criterion, compression_N) {
             // The curvature jumps at the row: the load that the row itself was compared with.
             load_N if load_N > compression_N => limit_N,
             load_N => load_N,
-        })
+        },
+    )
 }

@@ -48,46 +48,26 @@ pub struct Finding {
 impl Finding {
     /// A finding without place or number.
     pub(super) fn new(kind: Kind, level: Level) -> Self {
-        Self {
-            kind,
-            level,
-            from_md_m: None,
-            to_md_m: None,
-            value: None,
-            limit: None,
-        }
+        Self { kind, level, from_md_m: None, to_md_m: None, value: None, limit: None }
     }
 
     /// The same with its number.
     pub(super) fn value(self, value: f64) -> Self {
-        Self {
-            value: Some(value),
-            ..self
-        }
+        Self { value: Some(value), ..self }
     }
 
     /// The same with what the number is compared with.
     pub(super) fn limit(self, limit: f64) -> Self {
-        Self {
-            limit: Some(limit),
-            ..self
-        }
+        Self { limit: Some(limit), ..self }
     }
 
     /// The same at a measured depth, m.
     pub(super) fn at(self, md_m: f64) -> Self {
-        Self {
-            from_md_m: Some(md_m.max(0.0)),
-            ..self
-        }
+        Self { from_md_m: Some(md_m.max(0.0)), ..self }
     }
 
     /// The same over an interval of measured depth, m.
     pub(super) fn over(self, [from_md_m, to_md_m]: [f64; 2]) -> Self {
-        Self {
-            from_md_m: Some(from_md_m.max(0.0)),
-            to_md_m: Some(to_md_m.max(0.0)),
-            ..self
-        }
+        Self { from_md_m: Some(from_md_m.max(0.0)), to_md_m: Some(to_md_m.max(0.0)), ..self }
     }
 }

@@ -15,25 +15,16 @@ pub fn steady(model: &Model, hook_load_N: f64) -> Option<Finding> {
 pub fn varying(model: &Model, window: &Window<'_>) -> Option<Finding> {
     let of = window.statistic("hook_load_N")?;
     steady(model, of.mean).or_else(|| {
-        (of.min <= min_N(model)).then(|| {
-            Finding::new(Kind::HookLoadNegative, Level::Warning)
-                .value(of.min)
-                .limit(0.0)
-        })
+        (of.min <= min_N(model))
+            .then(|| Finding::new(Kind::HookLoadNegative, Level::Warning).value(of.min).limit(0.0))
     })
 }
 
 /// What the block still pushes is no reason to stop; where its weight is not known, nothing pushes.
 fn finding(model: &Model, hook_load_N: f64) -> Finding {
     let block_N = model.rig.block_weight_N.unwrap_or(0.0);
-    let level = if hook_load_N + block_N > min_N(model) {
-        Level::Warning
-    } else {
-        Level::Error
-    };
-    Finding::new(Kind::HookLoadNegative, level)
-        .value(hook_load_N)
-        .limit(0.0)
+    let level = if hook_load_N + block_N > min_N(model) { Level::Warning } else { Level::Error };
+    Finding::new(Kind::HookLoadNegative, level).value(hook_load_N).limit(0.0)
 }
 
 fn min_N(model: &Model) -> f64 {

@@ -29,10 +29,7 @@ pub fn beyond_one(md_m: &[f64], measure: &[f64]) -> Vec<Interval> {
         match (&mut open, *value > 1.0) {
             (None, true) => {
                 let from_m = if row == 0 { md_m[0] } else { crossing(row) };
-                open = Some(Interval {
-                    md_m: [from_m, md_m[row]],
-                    worst: row,
-                });
+                open = Some(Interval { md_m: [from_m, md_m[row]], worst: row });
             }
             (Some(interval), true) => {
                 interval.md_m[1] = md_m[row];
@@ -79,26 +76,14 @@ mod tests {
         assert_eq!(
             found,
             [
-                Interval {
-                    md_m: [100.0, 500.0],
-                    worst: 1
-                },
-                Interval {
-                    md_m: [1300.0, 1600.0],
-                    worst: 8
-                }
+                Interval { md_m: [100.0, 500.0], worst: 1 },
+                Interval { md_m: [1300.0, 1600.0], worst: 8 }
             ]
         );
         // What is near is one.
         let near: Vec<f64> = md_m.iter().map(|md| 0.1 * md).collect();
         let found = beyond_one(&near, &measure);
-        assert_eq!(
-            found,
-            [Interval {
-                md_m: [10.0, 160.0],
-                worst: 8
-            }]
-        );
+        assert_eq!(found, [Interval { md_m: [10.0, 160.0], worst: 8 }]);
         assert_eq!(beyond_one(&md_m, &[1.0; 9]), []);
         assert_eq!(beyond_one(&[], &[]), []);
     }

@@ -45,9 +45,7 @@ pub fn of_soft(
     if arrives_N >= asked_N - MISSING * weight_N(model) {
         return None;
     }
-    let found = Finding::new(Kind::LockUp, Level::Error)
-        .value(asked_N)
-        .limit(arrives_N);
+    let found = Finding::new(Kind::LockUp, Level::Error).value(asked_N).limit(arrives_N);
     Some(match push_through(&segments, asked_N, Criterion::Helical) {
         Pushed::LocksUp(above_bit_m) => found.at(operation.bit_depth_m - above_bit_m),
         Pushed::Through(_) => found,
@@ -63,12 +61,9 @@ fn segments(model: &Model, operation: &Operation, md_m: &[f64]) -> Vec<Segment> 
     for row in (0..md_m.len().saturating_sub(1)).rev() {
         let from_md_m = md_m[row];
         let jumps = {
-            let (above, _) = model
-                .string
-                .component_at(bit_depth_m - 0.5 * (from_md_m + md_m[row + 1]));
-            let next = row
-                .checked_sub(1)
-                .map(|next| 0.5 * (md_m[next] + from_md_m));
+            let (above, _) =
+                model.string.component_at(bit_depth_m - 0.5 * (from_md_m + md_m[row + 1]));
+            let next = row.checked_sub(1).map(|next| 0.5 * (md_m[next] + from_md_m));
             next.is_some_and(|next| {
                 model.string.component_at(bit_depth_m - next).0 != above
                     || model.well.hole.at(next) != model.well.hole.at(from_md_m)
@@ -102,9 +97,7 @@ pub fn of_dynamic(model: &Model, operation: &Operation, window: &Window<'_>) -> 
     }
     let asked_N = operation.weight_on_bit_now_N();
     let arrives_N = window.statistic("weight_on_bit_N")?.mean;
-    let found = Finding::new(Kind::LockUp, Level::Error)
-        .value(asked_N)
-        .limit(arrives_N);
+    let found = Finding::new(Kind::LockUp, Level::Error).value(asked_N).limit(arrives_N);
     if asked_N > 0.0 {
         return (arrives_N < ARRIVES * asked_N).then_some(found);
     }

@@ -64,10 +64,7 @@ pub fn of_dynamic(
     found.extend(buckling::findings(&line));
     found.extend(rig::hoist(&model.rig, window.mean_and_max("hook_load_N")));
     found.extend(rig::top_drive(&model.rig, window.torque_N_m()));
-    found.extend(strength::yield_use(
-        &outcome.nodes.md_m,
-        &outcome.nodes.yield_use,
-    ));
+    found.extend(strength::yield_use(&outcome.nodes.md_m, &outcome.nodes.yield_use));
     found.extend(motion::findings(settings, outcome, &window));
     found.extend(numerics::findings(model, outcome));
     found.extend(steadiness::findings(operation, outcome));

@@ -39,11 +39,7 @@ pub fn findings(
     found.extend(limit);
     let of = &outcome.indicators;
     // What a stalled drive does to the bit is no stick-slip.
-    found.extend(
-        of.stick_slip
-            .filter(|_| !stalled)
-            .and_then(|of| stick_slip(&of)),
-    );
+    found.extend(of.stick_slip.filter(|_| !stalled).and_then(|of| stick_slip(&of)));
     let speed = window.statistic("bit_rotary_speed_rad_per_s");
     let speed = speed.map_or(0.0, |of| of.mean);
     for (kind, level, whirl) in [
@@ -95,8 +91,5 @@ fn stick_slip(of: &StickSlip) -> Option<Finding> {
 }
 
 fn of_whirl(kind: Kind, level: Level, whirl: &Whirl, rotary_speed: f64) -> Finding {
-    Finding::new(kind, level)
-        .at(whirl.md_m)
-        .value(whirl.rate_rad_per_s)
-        .limit(rotary_speed)
+    Finding::new(kind, level).at(whirl.md_m).value(whirl.rate_rad_per_s).limit(rotary_speed)
 }

@@ -51,11 +51,7 @@ fn penetration(clearance_m: f64, deepest_m: f64) -> Option<Finding> {
     } else {
         return None;
     };
-    Some(
-        Finding::new(Kind::WallPenetration, level)
-            .value(deepest_m)
-            .limit(limit_m),
-    )
+    Some(Finding::new(Kind::WallPenetration, level).value(deepest_m).limit(limit_m))
 }
 
 /// Mean radial clearance along the string, of what touches the wall, m.
@@ -80,29 +76,18 @@ fn energy_residual(residual: f64) -> Option<Finding> {
     } else {
         (Level::Error, LOST)
     };
-    Some(
-        Finding::new(Kind::EnergyResidual, level)
-            .value(residual)
-            .limit(limit),
-    )
+    Some(Finding::new(Kind::EnergyResidual, level).value(residual).limit(limit))
 }
 
 fn bit_table(of: &TableUse) -> Option<Finding> {
     (of.outside_fraction > 0.0).then(|| {
-        Finding::new(Kind::BitTableLeft, Level::Warning)
-            .value(of.outside_fraction)
-            .limit(0.0)
+        Finding::new(Kind::BitTableLeft, Level::Warning).value(of.outside_fraction).limit(0.0)
     })
 }
 
 /// The node that is most restless against its neighbours.
 fn unsettled(nodes: &Profile) -> Option<Finding> {
-    let Profile {
-        md_m,
-        tension_N,
-        tension_std_N: std_N,
-        ..
-    } = nodes;
+    let Profile { md_m, tension_N, tension_std_N: std_N, .. } = nodes;
     let largest_N = tension_N.iter().fold(0.0, |of: f64, t| of.max(t.abs()));
     let mut near: Vec<f64> = Vec::new();
     let mut worst: Option<(f64, Finding)> = None;

@@ -21,11 +21,7 @@ pub fn hoist(rig: &Rig, hook_load_N: [f64; 2]) -> Option<Finding> {
     } else {
         return None;
     };
-    Some(
-        Finding::new(Kind::HoistOverloaded, level)
-            .value(largest_N)
-            .limit(capacity_N),
-    )
+    Some(Finding::new(Kind::HoistOverloaded, level).value(largest_N).limit(capacity_N))
 }
 
 /// Magnitudes of the surface torque, N·m, of which the mean and the largest count, against the top
@@ -42,9 +38,5 @@ pub fn top_drive(rig: &Rig, torque_N_m: [f64; 2]) -> Option<Finding> {
     } else {
         return None;
     };
-    Some(
-        Finding::new(Kind::TopDriveOverloaded, level)
-            .value(largest_N_m)
-            .limit(rated_N_m),
-    )
+    Some(Finding::new(Kind::TopDriveOverloaded, level).value(largest_N_m).limit(rated_N_m))
 }

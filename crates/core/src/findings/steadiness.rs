@@ -18,11 +18,7 @@ pub fn findings(operation: &Operation, outcome: &DynamicOutcome) -> Vec<Finding>
         found.push(Finding::new(Kind::NeverSteady, Level::Warning).value(of.settle_s));
     }
     if outcome.statistics.iter().any(|(_, of)| of.drifts) {
-        let level = if of.bit_travel_m.abs() >= TRAVELS_M {
-            Level::Note
-        } else {
-            Level::Warning
-        };
+        let level = if of.bit_travel_m.abs() >= TRAVELS_M { Level::Note } else { Level::Warning };
         found.push(Finding::new(Kind::WindowDrifts, level));
     }
     // Who gives the time has chosen the place.

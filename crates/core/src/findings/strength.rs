@@ -10,23 +10,16 @@ pub const YIELD_USE_WARNING: f64 = 0.8;
 /// [`YIELD_USE_WARNING`], errors beyond one. Rows whose yield strength is not known bear all.
 pub fn yield_use(md_m: &[f64], yield_use: &[Option<f64>]) -> Vec<Finding> {
     let use_of = |row: usize| yield_use[row].unwrap_or(0.0);
-    let measure: Vec<f64> = (0..yield_use.len())
-        .map(|row| use_of(row) / YIELD_USE_WARNING)
-        .collect();
+    let measure: Vec<f64> =
+        (0..yield_use.len()).map(|row| use_of(row) / YIELD_USE_WARNING).collect();
     let finding = |of: super::interval::Interval| {
         let worst = use_of(of.worst);
-        let level = if worst > 1.0 {
-            Level::Error
+        let level = if worst > 1.0 { Level::Error } else { Level::Warning };
+        Finding::new(Kind::YieldUse, level).over(of.md_m).value(worst).limit(if worst > 1.0 {
+            1.0
         } else {
-            Level::Warning
-        };
-        Finding::new(Kind::YieldUse, level)
-            .over(of.md_m)
-            .value(worst)
-            .limit(if worst > 1.0 { 1.0 } else { YIELD_USE_WARNING })
+            YIELD_USE_WARNING
+        })
     };
-    beyond_one(md_m, &measure)
-        .into_iter()
-        .map(finding)
-        .collect()
+    beyond_one(md_m, &measure).into_iter().map(finding).collect()
 }

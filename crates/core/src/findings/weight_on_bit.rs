@@ -30,10 +30,7 @@ pub fn findings(
     window: &Window<'_>,
 ) -> Vec<Finding> {
     let mut found = Vec::new();
-    let (true, Some(of)) = (
-        operation.kind.on_bottom(),
-        window.statistic("weight_on_bit_N"),
-    ) else {
+    let (true, Some(of)) = (operation.kind.on_bottom(), window.statistic("weight_on_bit_N")) else {
         return found;
     };
     if let Some((target_N, held)) = target_N(operation, settings, window) {
@@ -46,15 +43,9 @@ pub fn findings(
                 .limit(UNSTEADY * of.mean),
         );
     }
-    let off_rock = share(window.series(|of| &of.weight_on_bit_N), |weight| {
-        *weight <= 0.0
-    });
+    let off_rock = share(window.series(|of| &of.weight_on_bit_N), |weight| *weight <= 0.0);
     if of.mean > 0.0 && off_rock > BOUNCES {
-        found.push(
-            Finding::new(Kind::BitBounce, Level::Warning)
-                .value(off_rock)
-                .limit(BOUNCES),
-        );
+        found.push(Finding::new(Kind::BitBounce, Level::Warning).value(off_rock).limit(BOUNCES));
     }
     found
 }
@@ -78,15 +69,7 @@ fn target_N(
 
 fn off_target(mean_N: f64, target_N: f64, held: bool) -> Option<Finding> {
     let off = mean_N / target_N - 1.0;
-    let kind = if off < 0.0 {
-        Kind::WeightOnBitNotReached
-    } else {
-        Kind::WeightOnBitExceeded
-    };
-    let level = if held && off.abs() > FAR_OFF {
-        Level::Error
-    } else {
-        Level::Warning
-    };
+    let kind = if off < 0.0 { Kind::WeightOnBitNotReached } else { Kind::WeightOnBitExceeded };
+    let level = if held && off.abs() > FAR_OFF { Level::Error } else { Level::Warning };
     (off.abs() > OFF).then(|| Finding::new(kind, level).value(mean_N).limit(target_N))
 }

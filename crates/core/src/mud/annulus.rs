@@ -82,10 +82,7 @@ impl Annulus {
     /// tenths of its hole counts as one that fills nine tenths.
     pub fn new(pipe_od_m: f64, hole_diameter_m: f64) -> Self {
         let hole_m = 0.5 * hole_diameter_m;
-        Self {
-            pipe_m: (0.5 * pipe_od_m).min(FULLEST * hole_m),
-            hole_m,
-        }
+        Self { pipe_m: (0.5 * pipe_od_m).min(FULLEST * hole_m), hole_m }
     }
 
     /// Mean speed of mud that passes at a flow rate, m/s.
@@ -232,11 +229,7 @@ impl Annulus {
                 * PI
                 * hole
                 * hole
-                * if spin.abs() > 1e-6 {
-                    -x.z / spin
-                } else {
-                    inverse.m33
-                },
+                * if spin.abs() > 1e-6 { -x.z / spin } else { inverse.m33 },
             gradient_Pa_per_m: x.x / hole,
             surge_Pa_s_per_m2: -inverse.m12 / (hole * hole),
         }
@@ -262,10 +255,7 @@ impl Annulus {
     fn strain(&self, rheology: &Rheology, x: &Vector3<f64>) -> Strain {
         let inner = self.pipe_m / self.hole_m;
         let layers = Layers::new(x, inner, rheology.knee_Pa());
-        let mut strain = Strain {
-            rates: Vector3::zeros(),
-            slopes: Matrix3::zeros(),
-        };
+        let mut strain = Strain { rates: Vector3::zeros(), slopes: Matrix3::zeros() };
         for edges in layers.edges.windows(2) {
             let (middle, half) = (0.5 * (edges[1] + edges[0]), 0.5 * (edges[1] - edges[0]));
             if half <= 0.0 {
@@ -329,9 +319,7 @@ impl Layers {
         } else {
             [first, least, least, last]
         };
-        Self {
-            edges: edges.map(f64::sqrt),
-        }
+        Self { edges: edges.map(f64::sqrt) }
     }
 }
 
@@ -350,18 +338,10 @@ impl Strain {
         let flow = rheology.flow(stress);
         let area = thickness * radius;
         let rate = area * flow.fluidity;
-        self.rates += Vector3::new(
-            rate * along * of_g,
-            rate * along * of_b,
-            rate * around * of_c,
-        );
+        self.rates += Vector3::new(rate * along * of_g, rate * along * of_b, rate * around * of_c);
         let (cos, sin) = (along / stress, around / stress);
         let more = area * (flow.slope - flow.fluidity);
-        let (zz, zt, tt) = (
-            rate + more * cos * cos,
-            more * cos * sin,
-            rate + more * sin * sin,
-        );
+        let (zz, zt, tt) = (rate + more * cos * cos, more * cos * sin, rate + more * sin * sin);
         let s = &mut self.slopes;
         s.m11 += zz * of_g * of_g;
         s.m12 += zz * of_g * of_b;

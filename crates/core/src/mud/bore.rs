@@ -27,14 +27,10 @@ fn laminar_wall_stress_Pa(rheology: &Rheology, radius_m: f64, flow_m3_per_s: f64
     let rate = flow_m3_per_s / (PI * radius_m.powi(3));
     match *rheology {
         Rheology::Newtonian { viscosity_Pa_s } => 4.0 * viscosity_Pa_s * rate,
-        Rheology::PowerLaw {
-            consistency_Pa_s_n,
-            flow_index: n,
-        } => consistency_Pa_s_n * ((3.0 * n + 1.0) / n * rate).powf(n),
-        Rheology::Bingham {
-            plastic_viscosity_Pa_s,
-            yield_point_Pa,
-        } => {
+        Rheology::PowerLaw { consistency_Pa_s_n, flow_index: n } => {
+            consistency_Pa_s_n * ((3.0 * n + 1.0) / n * rate).powf(n)
+        }
+        Rheology::Bingham { plastic_viscosity_Pa_s, yield_point_Pa } => {
             // τ (1 − 4/3 y + y⁴/3) = 4 μ Q/(π r³), y = τ₀/τ: convex, and the start lies above the
             // root.
             let newtonian = 4.0 * plastic_viscosity_Pa_s * rate;
@@ -67,26 +63,9 @@ mod tests {
     fn laminar_gradients_invert_rabinowitschs_integral() {
         let radius = 0.05;
         for (rheology, flow) in [
-            (
-                Rheology::Newtonian {
-                    viscosity_Pa_s: 0.5,
-                },
-                2e-3,
-            ),
-            (
-                Rheology::Bingham {
-                    plastic_viscosity_Pa_s: 0.5,
-                    yield_point_Pa: 8.0,
-                },
-                2e-3,
-            ),
-            (
-                Rheology::PowerLaw {
-                    consistency_Pa_s_n: 2.0,
-                    flow_index: 0.55,
-                },
-                2e-3,
-            ),
+            (Rheology::Newtonian { viscosity_Pa_s: 0.5 }, 2e-3),
+            (Rheology::Bingham { plastic_viscosity_Pa_s: 0.5, yield_point_Pa: 8.0 }, 2e-3),
+            (Rheology::PowerLaw { consistency_Pa_s_n: 2.0, flow_index: 0.55 }, 2e-3),
         ] {
             let gradient = gradient_Pa_per_m(&mud(rheology), PI * radius * radius, flow);
             let wall = 0.5 * gradient * radius;
@@ -113,9 +92,7 @@ mod tests {
     /// Water in a smooth pipe of 100 mm at 2 m/s: Blasius' 0.0791/Re^0.25 within 1 %.
     #[test]
     fn turbulent_water_follows_blasius() {
-        let water = mud(Rheology::Newtonian {
-            viscosity_Pa_s: 1e-3,
-        });
+        let water = mud(Rheology::Newtonian { viscosity_Pa_s: 1e-3 });
         let area = PI * 0.05f64.powi(2);
         let found = gradient_Pa_per_m(&water, area, 2.0 * area);
         let friction = 0.0791 / 2e5f64.powf(0.25);
@@ -130,28 +107,14 @@ mod tests {
     fn the_transition_is_that_of_api_rp_13d() {
         let (radius, area) = (0.05, PI * 0.05f64.powi(2));
         for rheology in [
-            Rheology::Newtonian {
-                viscosity_Pa_s: 0.01,
-            },
-            Rheology::Bingham {
-                plastic_viscosity_Pa_s: 0.01,
-                yield_point_Pa: 2.0,
-            },
-            Rheology::PowerLaw {
-                consistency_Pa_s_n: 0.2,
-                flow_index: 0.6,
-            },
+            Rheology::Newtonian { viscosity_Pa_s: 0.01 },
+            Rheology::Bingham { plastic_viscosity_Pa_s: 0.01, yield_point_Pa: 2.0 },
+            Rheology::PowerLaw { consistency_Pa_s_n: 0.2, flow_index: 0.6 },
         ] {
             let n: f64 = rheology.flow_index();
             let (a, b) = ((n.log10() + 3.93) / 50.0, (1.75 - n.log10()) / 7.0);
             let (first, last) = (3470.0 - 1370.0 * n, 4270.0 - 1370.0 * n);
-            for reynolds in [
-                0.5 * first,
-                0.95 * first,
-                first + 400.0,
-                1.1 * last,
-                3.0 * last,
-            ] {
+            for reynolds in [0.5 * first, 0.95 * first, first + 400.0, 1.1 * last, 3.0 * last] {
                 // The speed that has this Reynolds number.
                 let (mut low, mut high) = (1e-3, 100.0);
                 for _ in 0..100 {

@@ -44,51 +44,33 @@ impl Rheology {
     pub fn stress_Pa(&self, rate_per_s: f64) -> f64 {
         match *self {
             Self::Newtonian { viscosity_Pa_s } => viscosity_Pa_s * rate_per_s,
-            Self::Bingham {
-                plastic_viscosity_Pa_s: viscosity,
-                yield_point_Pa,
-            } => (viscosity * rate_per_s + yield_point_Pa).min(UNYIELDED * viscosity * rate_per_s),
-            Self::PowerLaw {
-                consistency_Pa_s_n,
-                flow_index,
-            } => consistency_Pa_s_n * rate_per_s.powf(flow_index),
+            Self::Bingham { plastic_viscosity_Pa_s: viscosity, yield_point_Pa } => {
+                (viscosity * rate_per_s + yield_point_Pa).min(UNYIELDED * viscosity * rate_per_s)
+            }
+            Self::PowerLaw { consistency_Pa_s_n, flow_index } => {
+                consistency_Pa_s_n * rate_per_s.powf(flow_index)
+            }
         }
     }
 
     /// How the mud flows at a positive shear stress.
     pub fn flow(&self, stress_Pa: f64) -> Flow {
         match *self {
-            Self::Newtonian { viscosity_Pa_s } => Flow {
-                fluidity: 1.0 / viscosity_Pa_s,
-                slope: 1.0 / viscosity_Pa_s,
-            },
-            Self::Bingham {
-                plastic_viscosity_Pa_s: viscosity,
-                yield_point_Pa,
-            } => {
+            Self::Newtonian { viscosity_Pa_s } => {
+                Flow { fluidity: 1.0 / viscosity_Pa_s, slope: 1.0 / viscosity_Pa_s }
+            }
+            Self::Bingham { plastic_viscosity_Pa_s: viscosity, yield_point_Pa } => {
                 let slope = 1.0 / viscosity;
                 if stress_Pa <= self.knee_Pa() {
                     let stiff = slope / UNYIELDED;
-                    return Flow {
-                        fluidity: stiff,
-                        slope: stiff,
-                    };
+                    return Flow { fluidity: stiff, slope: stiff };
                 }
-                Flow {
-                    fluidity: slope * (stress_Pa - yield_point_Pa) / stress_Pa,
-                    slope,
-                }
+                Flow { fluidity: slope * (stress_Pa - yield_point_Pa) / stress_Pa, slope }
             }
-            Self::PowerLaw {
-                consistency_Pa_s_n,
-                flow_index,
-            } => {
+            Self::PowerLaw { consistency_Pa_s_n, flow_index } => {
                 let inverse = 1.0 / flow_index;
                 let fluidity = (stress_Pa / consistency_Pa_s_n).powf(inverse) / stress_Pa;
-                Flow {
-                    fluidity,
-                    slope: inverse * fluidity,
-                }
+                Flow { fluidity, slope: inverse * fluidity }
             }
         }
     }
@@ -118,17 +100,9 @@ mod tests {
     #[test]
     fn stress_and_flow_are_each_others_inverse() {
         for rheology in [
-            Rheology::Newtonian {
-                viscosity_Pa_s: 0.03,
-            },
-            Rheology::Bingham {
-                plastic_viscosity_Pa_s: 0.025,
-                yield_point_Pa: 7.0,
-            },
-            Rheology::PowerLaw {
-                consistency_Pa_s_n: 0.8,
-                flow_index: 0.6,
-            },
+            Rheology::Newtonian { viscosity_Pa_s: 0.03 },
+            Rheology::Bingham { plastic_viscosity_Pa_s: 0.025, yield_point_Pa: 7.0 },
+            Rheology::PowerLaw { consistency_Pa_s_n: 0.8, flow_index: 0.6 },
         ] {
             for rate in [1e-3, 0.1, 1.0, 50.0, 1000.0] {
                 let stress = rheology.stress_Pa(rate);
@@ -137,10 +111,7 @@ mod tests {
                 let step = 1e-6 * stress;
                 let ahead = rheology.flow(stress + step);
                 let slope = (ahead.fluidity * (stress + step) - rate) / step;
-                assert!(
-                    (slope / flow.slope - 1.0).abs() < 1e-4,
-                    "{rheology:?} {rate}"
-                );
+                assert!((slope / flow.slope - 1.0).abs() < 1e-4, "{rheology:?} {rate}");
             }
         }
     }

@@ -48,10 +48,7 @@ mod tests {
         for re in [3e3, 5e3, 2e4, 1e5] {
             let friction: f64 = 16.0 / re * through_flow(re, 1.0, 16.0);
             let blasius = 0.0791 / re.powf(0.25);
-            assert!(
-                (friction / blasius - 1.0).abs() < 0.01,
-                "{friction} {blasius}"
-            );
+            assert!((friction / blasius - 1.0).abs() < 0.01, "{friction} {blasius}");
         }
     }
 

@@ -48,16 +48,8 @@ pub(crate) fn spread(hole: &mut [f64], from_m: f64, to_m: f64, amount: f64) {
     let (first, end) = (place(from_m), place(to_m));
     let per_m = amount / (to_m - from_m);
     for (step, sum) in hole.iter_mut().enumerate().take(end + 1).skip(first) {
-        let top = if step == first {
-            from_m
-        } else {
-            step as f64 * HOLE_STEP_M
-        };
-        let bottom = if step == end {
-            to_m
-        } else {
-            (step + 1) as f64 * HOLE_STEP_M
-        };
+        let top = if step == first { from_m } else { step as f64 * HOLE_STEP_M };
+        let bottom = if step == end { to_m } else { (step + 1) as f64 * HOLE_STEP_M };
         *sum += per_m * (bottom - top);
     }
 }

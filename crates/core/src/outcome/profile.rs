@@ -18,9 +18,7 @@ pub(crate) const SLACK: f64 = 1e-3;
 /// neutral point: its tension reaches zero at the bit, but does not pass it. Nor has a string that
 /// lies slack in a horizontal hole: tensions below a thousandth of the largest one are passed over.
 pub fn neutral_point_m(md_m: &[f64], tension_N: &[f64]) -> Option<f64> {
-    let largest_N = tension_N
-        .iter()
-        .fold(0.0_f64, |largest, tension| largest.max(tension.abs()));
+    let largest_N = tension_N.iter().fold(0.0_f64, |largest, tension| largest.max(tension.abs()));
     let tensions_N = tension_N.iter().copied().take(md_m.len()).enumerate();
     neutral_point_among(tensions_N, largest_N, |index| md_m[index])
 }
@@ -40,12 +38,7 @@ pub(crate) fn neutral_point_among(
         if let Some((above, tension_above)) = previous
             && (tension > 0.0) != (tension_above > 0.0)
         {
-            return Some(zero_between(
-                md_m(above),
-                tension_above,
-                md_m(index),
-                tension,
-            ));
+            return Some(zero_between(md_m(above), tension_above, md_m(index), tension));
         }
         previous = Some((index, tension));
     }
@@ -106,12 +99,7 @@ pub fn cutoff_depth_m(
     (1..contacts.len()).rev().find_map(|below| {
         let (mean_above, mean_below) = (mean(below - 1), mean(below));
         (mean_above > 0.0 && mean_below <= 0.0).then(|| {
-            zero_between(
-                contacts[below - 1].md_m,
-                mean_above,
-                contacts[below].md_m,
-                mean_below,
-            )
+            zero_between(contacts[below - 1].md_m, mean_above, contacts[below].md_m, mean_below)
         })
     })
 }
@@ -126,9 +114,7 @@ struct Contact {
 /// for.
 fn contacts(md_m: &[f64], force_N_per_m: &[f64], from_md_m: f64, to_md_m: f64) -> Vec<Contact> {
     let count = md_m.len().min(force_N_per_m.len());
-    let largest = force_N_per_m
-        .iter()
-        .fold(0.0_f64, |largest, force| largest.max(force.abs()));
+    let largest = force_N_per_m.iter().fold(0.0_f64, |largest, force| largest.max(force.abs()));
     (0..count)
         .filter_map(|index| {
             let md = md_m[index];
@@ -136,11 +122,7 @@ fn contacts(md_m: &[f64], force_N_per_m: &[f64], from_md_m: f64, to_md_m: f64) -
                 Some(above) => 0.5 * (md_m[above] + md),
                 None => md,
             };
-            let lower_m = if index + 1 < count {
-                0.5 * (md + md_m[index + 1])
-            } else {
-                md
-            };
+            let lower_m = if index + 1 < count { 0.5 * (md + md_m[index + 1]) } else { md };
             let (upper_m, lower_m) = (upper_m.max(from_md_m), lower_m.min(to_md_m));
             let touches = force_N_per_m[index].abs() > NO_CONTACT * largest;
             (touches && lower_m > upper_m).then(|| Contact {
@@ -197,11 +179,7 @@ mod tests {
         let force: Vec<f64> = md
             .iter()
             .map(|&md| {
-                let mean = if md < 200.0 || (500.0..600.0).contains(&md) {
-                    1.0
-                } else {
-                    -1.0
-                };
+                let mean = if md < 200.0 || (500.0..600.0).contains(&md) { 1.0 } else { -1.0 };
                 mean + 3.0 * (md * std::f64::consts::TAU / 3.0).sin()
             })
             .collect();

@@ -107,10 +107,7 @@ pub(crate) const IN_TIME: &[ModelKind] = &[ModelKind::Dynamic];
 impl Quantity {
     /// Words, which every method knows.
     pub const fn text(name: &'static str, meaning: &'static str) -> Self {
-        Self {
-            text: true,
-            ..Self::number(name, QuantityKind::Ratio, meaning)
-        }
+        Self { text: true, ..Self::number(name, QuantityKind::Ratio, meaning) }
     }
 
     /// Numbers, which every method knows.
@@ -133,10 +130,7 @@ impl Quantity {
 
     /// The same, without a value there.
     pub const fn null_where(self, place: &'static str) -> Self {
-        Self {
-            null_where: Some(place),
-            ..self
-        }
+        Self { null_where: Some(place), ..self }
     }
 
     /// Whether a method has values of it.
@@ -146,9 +140,7 @@ impl Quantity {
 
     /// Its name without the unit: `hook_load`.
     pub fn stem(&self) -> &'static str {
-        self.name
-            .strip_suffix(&self.kind.suffix())
-            .unwrap_or(self.name)
+        self.name.strip_suffix(&self.kind.suffix()).unwrap_or(self.name)
     }
 }
 
@@ -293,11 +285,7 @@ mod tests {
     fn a_name_without_its_unit() {
         for (name, kind, stem) in [
             ("hook_load_N", QuantityKind::Force, "hook_load"),
-            (
-                "friction_torque_N_m_per_m",
-                QuantityKind::TorquePerLength,
-                "friction_torque",
-            ),
+            ("friction_torque_N_m_per_m", QuantityKind::TorquePerLength, "friction_torque"),
             ("flow_rate_m3_per_s", QuantityKind::FlowRate, "flow_rate"),
             ("contact_fraction", QuantityKind::Ratio, "contact_fraction"),
         ] {

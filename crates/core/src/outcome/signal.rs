@@ -103,10 +103,7 @@ mod tests {
         let series = TimeSeries::default();
         for signal in Signal::ALL {
             let values = (signal.column().of)(&series);
-            assert!(
-                matches!(values, Values::Numbers(Cow::Borrowed(_))),
-                "{signal:?}"
-            );
+            assert!(matches!(values, Values::Numbers(Cow::Borrowed(_))), "{signal:?}");
         }
     }
 }

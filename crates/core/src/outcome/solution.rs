@@ -47,13 +47,7 @@ pub struct InTime<'a> {
 impl<'a> From<&'a SoftProfile> for Solution<'a> {
     fn from(of: &'a SoftProfile) -> Self {
         // Every field is named: a new one is either a part of every solution or the method's own.
-        let SoftProfile {
-            profile,
-            contact_direction: _,
-            wear,
-            scalars,
-            hydraulics,
-        } = of;
+        let SoftProfile { profile, contact_direction: _, wear, scalars, hydraulics } = of;
         Self {
             model: ModelKind::Soft,
             scalars: *scalars,

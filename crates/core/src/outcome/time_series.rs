@@ -93,14 +93,9 @@ impl TimeSeries {
     /// rows it has.
     pub(crate) fn check(&self, nodes: usize) -> Result<usize, Damaged> {
         let rows = self.time_s.len();
-        let fits = TIME_SERIES
-            .iter()
-            .all(|column| (column.of)(self).len() == rows)
+        let fits = TIME_SERIES.iter().all(|column| (column.of)(self).len() == rows)
             && self.schedule_line.len() == rows
-            && self
-                .probes
-                .iter()
-                .all(|probe| probe.node < nodes && probe.samples.len() == rows);
+            && self.probes.iter().all(|probe| probe.node < nodes && probe.samples.len() == rows);
         ensure(fits, "the series against time")?;
         Ok(rows)
     }

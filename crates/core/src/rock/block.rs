@@ -154,10 +154,7 @@ impl Block {
     pub fn new(spec: &BlockSpec) -> Result<Self, RockError> {
         let constants = spec.constants()?;
         let [_, ny, nz] = spec.cells;
-        let grid = Grid {
-            cells: spec.cells,
-            size_m: spec.size_m,
-        };
+        let grid = Grid { cells: spec.cells, size_m: spec.size_m };
         let across = -spec.confinement_Pa;
         let initial_stress = [across, across, -spec.pressure_Pa, 0.0, 0.0, 0.0];
         let zeros = || vec![0.0; grid.node_places()];
@@ -191,11 +188,7 @@ impl Block {
 
     /// Puts fresh rock in all layers from one on.
     pub(super) fn fill(&mut self, from: usize) {
-        for element in self
-            .grid
-            .each_element()
-            .filter(|element| element[2] >= from)
-        {
+        for element in self.grid.each_element().filter(|element| element[2] >= from) {
             let place = self.grid.element(element);
             for (field, stress) in self.stress.iter_mut().zip(self.initial_stress) {
                 field[place] = stress;
@@ -214,11 +207,8 @@ impl Block {
     /// Mass of a node from the elements around it.
     pub(super) fn weigh(&mut self, node: usize) {
         let around = f64::from(self.around[node]);
-        self.inverse_mass[node] = if around > 0.0 {
-            8.0 / (around * self.constants.mass_kg)
-        } else {
-            0.0
-        };
+        self.inverse_mass[node] =
+            if around > 0.0 { 8.0 / (around * self.constants.mass_kg) } else { 0.0 };
     }
 
     /// One step: nodes drift, elements answer, nodes are kicked, elements that have failed go. What
@@ -376,11 +366,7 @@ impl Block {
     pub fn position_m(&self, index: usize) -> [f64; 3] {
         let ([i, j, k], [dx, dy, dz]) = (self.grid.node_at(index), self.grid.size_m);
         let [u, v, w] = at(&self.displacement, index);
-        [
-            i as f64 * dx + u,
-            j as f64 * dy + v,
-            self.top_m + k as f64 * dz + w,
-        ]
+        [i as f64 * dx + u, j as f64 * dy + v, self.top_m + k as f64 * dz + w]
     }
 
     /// How far a node has moved, m.
@@ -449,10 +435,8 @@ impl Block {
             [0, 1, 2, 3, 4, 5, 6, 7].map(|c| u[corners[c]] + half * velocity[axis][c])
         });
         let (velocity, middle) = (Modes::of(velocity, c), Modes::of(middle, c));
-        let motion = Motion::of(
-            middle.gradient,
-            velocity.gradient.map(|row| row.map(|x| x * half)),
-        );
+        let motion =
+            Motion::of(middle.gradient, velocity.gradient.map(|row| row.map(|x| x * half)));
         let stress = c.law.predict(self.stress_Pa(element), motion.strain);
         let hourglass: f64 = middle.hourglass.as_flattened().iter().map(|x| x * x).sum();
         Energies {

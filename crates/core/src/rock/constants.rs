@@ -78,10 +78,8 @@ impl Constants {
         let volume_m3 = size_m.iter().product::<f64>();
         let size = volume_m3.cbrt();
         let law = Law::new(rock, size)?;
-        let rock = Rock {
-            density_kg_per_m3: rock.density_kg_per_m3 * numerics.density_factor,
-            ..*rock
-        };
+        let rock =
+            Rock { density_kg_per_m3: rock.density_kg_per_m3 * numerics.density_factor, ..*rock };
         let density = rock.density_kg_per_m3;
         let (lame, shear) = (rock.lame_Pa(), rock.shear_modulus_Pa());
         let squares = size_m.map(|h| 1.0 / (h * h));
@@ -89,10 +87,8 @@ impl Constants {
             * squares.iter().sum::<f64>();
         // An element's highest frequencies: it swells, it shears, it hourglasses. No mesh of it has
         // a higher one.
-        let swelling = squares
-            .iter()
-            .map(|square| square * (lame * 3.0 + 2.0 * shear))
-            .fold(0.0, f64::max);
+        let swelling =
+            squares.iter().map(|square| square * (lame * 3.0 + 2.0 * shear)).fold(0.0, f64::max);
         let shearing = shear
             * (squares.iter().sum::<f64>() - squares.iter().copied().fold(f64::MAX, f64::min));
         let hourglassing = 16.0 * hourglass / volume_m3;

@@ -51,10 +51,7 @@ impl Edges {
     pub fn new(grid: &Grid, faces: &[Edge; 6], stress_Pa: [f64; 3], constants: &Constants) -> Self {
         let mut found = Vec::new();
         for node in grid.each_node() {
-            let mut outside = Outside {
-                place: grid.node(node),
-                ..Outside::default()
-            };
+            let mut outside = Outside { place: grid.node(node), ..Outside::default() };
             for (face, edge) in faces.iter().enumerate() {
                 let (axis, far) = (face / 2, face % 2 == 1);
                 if node[axis] != if far { grid.cells[axis] } else { 0 } {
@@ -62,13 +59,7 @@ impl Edges {
                 }
                 // A quarter of the face of each element around the node.
                 let quarters: f64 = [(axis + 1) % 3, (axis + 2) % 3]
-                    .map(|a| {
-                        if node[a] == 0 || node[a] == grid.cells[a] {
-                            0.5
-                        } else {
-                            1.0
-                        }
-                    })
+                    .map(|a| if node[a] == 0 || node[a] == grid.cells[a] { 0.5 } else { 1.0 })
                     .iter()
                     .product();
                 let area_m2 = quarters * grid.area_m2(face);

@@ -75,10 +75,7 @@ impl<N: Number> Modes<N> {
     #[inline(always)]
     pub fn of(field: [[N; 8]; 3], constants: &Constants) -> Self {
         let zero = N::zero();
-        let mut modes = Self {
-            gradient: [[zero; 3]; 3],
-            hourglass: [[zero; 4]; 3],
-        };
+        let mut modes = Self { gradient: [[zero; 3]; 3], hourglass: [[zero; 4]; 3] };
         for axis in 0..3 {
             let s = transform(field[axis]);
             for (j, sum) in [s[1], s[2], s[4]].into_iter().enumerate() {

@@ -34,12 +34,7 @@ impl Block {
         if self.intact[place] < 0.0 {
             return;
         }
-        let Energies {
-            elastic_J,
-            hourglass_J,
-            pressure_J,
-            ..
-        } = self.element_energies(element);
+        let Energies { elastic_J, hourglass_J, pressure_J, .. } = self.element_energies(element);
         self.energies.removed_J += elastic_J + hourglass_J;
         self.energies.pressure_J += pressure_J;
         self.intact[place] = -1.0;
@@ -67,8 +62,6 @@ impl Block {
             }
         }
         let (grid, intact) = (self.grid, &self.intact);
-        self.surface.remove(&grid, &self.edges, element, |b| {
-            intact[grid.element(b)] >= 0.0
-        });
+        self.surface.remove(&grid, &self.edges, element, |b| intact[grid.element(b)] >= 0.0);
     }
 }

@@ -35,14 +35,9 @@ pub(super) fn share<T: Send>(
     pieces: &mut [T],
     work: impl Fn(&mut T) + Sync,
 ) {
-    let waiting: Vec<_> = pieces
-        .iter_mut()
-        .map(|piece| Mutex::new(Some(piece)))
-        .collect();
+    let waiting: Vec<_> = pieces.iter_mut().map(|piece| Mutex::new(Some(piece))).collect();
     let take = |index: usize| {
-        let mut place = waiting[index]
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
+        let mut place = waiting[index].lock().unwrap_or_else(PoisonError::into_inner);
         place.take()
     };
     executor.each(waiting.len(), &|index| {
@@ -50,8 +45,5 @@ pub(super) fn share<T: Send>(
             work(piece);
         }
     });
-    assert!(
-        (0..waiting.len()).all(|index| take(index).is_none()),
-        "the executor left work undone"
-    );
+    assert!((0..waiting.len()).all(|index| take(index).is_none()), "the executor left work undone");
 }

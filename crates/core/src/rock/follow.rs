@@ -48,11 +48,8 @@ impl Block {
             self.energies.viscous_J += book.viscous_J;
             *book = RowBook::default();
         }
-        for field in self
-            .displacement
-            .iter_mut()
-            .chain(&mut self.velocity)
-            .chain(&mut self.velocity_before)
+        for field in
+            self.displacement.iter_mut().chain(&mut self.velocity).chain(&mut self.velocity_before)
         {
             shift_on(field, &grid, layers);
         }

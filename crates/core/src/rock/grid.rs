@@ -76,11 +76,7 @@ impl Grid {
     /// Which node is at a place.
     pub fn node_at(&self, place: usize) -> [usize; 3] {
         // Nodes are fewer than 2³², and half as wide numbers are divided in half the time.
-        let (place, row, rows) = (
-            place as u32,
-            self.node_row() as u32,
-            self.cells[1] as u32 + 1,
-        );
+        let (place, row, rows) = (place as u32, self.node_row() as u32, self.cells[1] as u32 + 1);
         let over = place / row;
         [place % row, over % rows, over / rows].map(|at| at as usize)
     }
@@ -112,11 +108,8 @@ impl Grid {
     /// The element beyond a face, and none beyond the block. Faces are −x, +x, −y, +y, −z, +z.
     pub fn beyond(&self, mut element: [usize; 3], face: usize) -> Option<[usize; 3]> {
         let axis = face / 2;
-        element[axis] = if face.is_multiple_of(2) {
-            element[axis].checked_sub(1)?
-        } else {
-            element[axis] + 1
-        };
+        element[axis] =
+            if face.is_multiple_of(2) { element[axis].checked_sub(1)? } else { element[axis] + 1 };
         (element[axis] < self.cells[axis]).then_some(element)
     }
 
@@ -149,10 +142,7 @@ mod tests {
 
     #[test]
     fn places_are_found_again() {
-        let grid = Grid {
-            cells: [9, 4, 3],
-            size_m: [1.0; 3],
-        };
+        let grid = Grid { cells: [9, 4, 3], size_m: [1.0; 3] };
         for node in grid.each_node() {
             assert_eq!(grid.node_at(grid.node(node)), node);
         }

@@ -127,11 +127,8 @@ impl Rock {
 
     /// What failure takes in tension and in compression in elements of a size, J/m².
     pub(super) fn failure_J_per_m2(&self, size_m: f64) -> [f64; 2] {
-        [
-            self.tensile_fracture_energy_J_per_m2,
-            self.compressive_fracture_energy_J_per_m2,
-        ]
-        .map(|crack| crack.max(self.crushing_energy_J_per_m3 * size_m))
+        [self.tensile_fracture_energy_J_per_m2, self.compressive_fracture_energy_J_per_m2]
+            .map(|crack| crack.max(self.crushing_energy_J_per_m3 * size_m))
     }
 
     /// Unconfined compressive strength `2 c cos φ/(1 − sin φ)`, Pa.
@@ -217,12 +214,7 @@ impl Rock {
                 (0.0..0.5).contains(&self.poisson_ratio),
                 "from 0 to below 0.5",
             ),
-            (
-                "the cohesion",
-                self.cohesion_Pa,
-                positive(self.cohesion_Pa),
-                "more than 0 Pa",
-            ),
+            ("the cohesion", self.cohesion_Pa, positive(self.cohesion_Pa), "more than 0 Pa"),
             (
                 "the friction angle",
                 self.friction_angle_rad,
@@ -262,11 +254,9 @@ impl Rock {
         ];
         match checks.into_iter().find(|(_, _, valid, _)| !valid) {
             None => Ok(()),
-            Some((quantity, value, _, expected)) => Err(RockError::OutOfRange {
-                quantity,
-                value,
-                expected,
-            }),
+            Some((quantity, value, _, expected)) => {
+                Err(RockError::OutOfRange { quantity, value, expected })
+            }
         }
     }
 }
@@ -284,19 +274,13 @@ mod tests {
 
     #[test]
     fn what_no_rock_has_is_named() {
-        let rock = Rock {
-            poisson_ratio: 0.5,
-            ..Rock::of_strength(50e6)
-        };
+        let rock = Rock { poisson_ratio: 0.5, ..Rock::of_strength(50e6) };
         let error = rock.check().expect_err("a rock as incompressible as water");
         assert_eq!(
             error.to_string(),
             "Poisson's ratio of the rock is 0.5, expected from 0 to below 0.5"
         );
-        let rock = Rock {
-            dilation_angle_rad: 1.0,
-            ..Rock::of_strength(50e6)
-        };
+        let rock = Rock { dilation_angle_rad: 1.0, ..Rock::of_strength(50e6) };
         assert!(rock.check().is_err());
     }
 }

@@ -151,14 +151,7 @@ impl Law {
         // I₁, the deviator and √J₂ of the elastic trial.
         let first = trial[0] + trial[1] + trial[2];
         let mean = first * N::splat(1.0 / 3.0);
-        let s = [
-            trial[0] - mean,
-            trial[1] - mean,
-            trial[2] - mean,
-            trial[3],
-            trial[4],
-            trial[5],
-        ];
+        let s = [trial[0] - mean, trial[1] - mean, trial[2] - mean, trial[3], trial[4], trial[5]];
         let normal = s[0].mul_add(s[0], s[1].mul_add(s[1], s[2] * s[2]));
         let shear = s[3].mul_add(s[3], s[4].mul_add(s[4], s[5] * s[5]));
         let second = normal.mul_add(N::splat(0.5), shear);
@@ -167,14 +160,10 @@ impl Law {
         // The cone. The smaller multiplier is that of a rock that has no cohesion left at the end.
         let load = first.mul_add(N::splat(self.alpha), root);
         let over = intact.neg_mul_add(N::splat(self.k), load);
-        let flow = (over * N::splat(self.softening))
-            .min(load * N::splat(self.softened))
-            .max(zero);
+        let flow = (over * N::splat(self.softening)).min(load * N::splat(self.softened)).max(zero);
         let cone_root = flow.neg_mul_add(N::splat(self.shear), root);
         let cone_first = flow.neg_mul_add(N::splat(self.swelling), first);
-        let cone_intact = flow
-            .neg_mul_add(N::splat(self.softening_rate), intact)
-            .max(zero);
+        let cone_intact = flow.neg_mul_add(N::splat(self.softening_rate), intact).max(zero);
 
         // Where nothing yields, what follows would give the same to the last bit. Elements that are
         // gone, whose intact part is −1, do not count.
@@ -193,10 +182,7 @@ impl Law {
         let inverse = one / first;
         let slope = second * inverse * inverse;
         let tensile_softening = slope
-            .mul_add(
-                N::splat(self.tensile_softening_shear),
-                N::splat(self.tensile_softening_bulk),
-            )
+            .mul_add(N::splat(self.tensile_softening_shear), N::splat(self.tensile_softening_bulk))
             .min(N::splat(self.tensile_softening));
         let left = (tensile_softening.neg_mul_add(first, intact)
             / tensile_softening.neg_mul_add(N::splat(self.tension), one))
@@ -208,9 +194,7 @@ impl Law {
             .min(shrunk * N::splat(self.edge_softened))
             .max(zero);
         let tip_root = flow.neg_mul_add(N::splat(self.shear), shrunk);
-        let tip_intact = flow
-            .neg_mul_add(N::splat(self.softening_rate), left)
-            .max(zero);
+        let tip_intact = flow.neg_mul_add(N::splat(self.softening_rate), left).max(zero);
         let tip_first = tip_intact * N::splat(self.tension);
 
         let new_root = beyond.if_positive(tip_root, cone_root).max(zero);
@@ -266,9 +250,7 @@ mod tests {
         let law = Law::new(&Rock::of_strength(30e6), 1e-3).expect("an intact rock");
         let mut state = 7_u64;
         let mut random = || {
-            state = state
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
             (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
         };
         for round in 0..1000 {
@@ -291,10 +273,7 @@ mod tests {
             assert!(softened < 1.0, "the other one yields: {softened}");
             assert_eq!(alone.intact.to_bits(), intact.to_bits());
             assert_eq!(kept.to_bits(), intact.to_bits());
-            assert_eq!(
-                alone.stress,
-                both.stress.map(|component| parts(component)[0])
-            );
+            assert_eq!(alone.stress, both.stress.map(|component| parts(component)[0]));
             assert_eq!([alone.plastic, parts(both.plastic)[0]], [0.0; 2]);
         }
     }

@@ -40,12 +40,7 @@ impl Block {
             // What the rock does to it.
             let force_N =
                 (Vector3::from(at(&self.velocity, index)) - velocity_before) * mass_kg / dt_s;
-            let node = RockNode {
-                position_m,
-                velocity_m_per_s: velocity_before,
-                force_N,
-                mass_kg,
-            };
+            let node = RockNode { position_m, velocity_m_per_s: velocity_before, force_N, mass_kg };
             let area_m2 = || {
                 let area_m2 = self.surface.area_m2(&self.grid, index);
                 Vector3::from(area_m2).norm().max(min_m2)
@@ -56,15 +51,8 @@ impl Block {
                 pushes.push((index, (force_N + force) - force_N));
             }
         }
-        let pushes = pushes
-            .into_iter()
-            .filter(|(_, push)| *push != Vector3::zeros());
-        let pushed_J = pushes
-            .map(|(index, push)| self.push(index, push.into()))
-            .sum();
-        Pressed {
-            load: contact.load(),
-            pushed_J,
-        }
+        let pushes = pushes.into_iter().filter(|(_, push)| *push != Vector3::zeros());
+        let pushed_J = pushes.map(|(index, push)| self.push(index, push.into())).sum();
+        Pressed { load: contact.load(), pushed_J }
     }
 }

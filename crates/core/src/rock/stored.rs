@@ -14,10 +14,7 @@ impl Block {
     /// # Errors
     /// What of it does not fit.
     pub fn check(&self, spec: &BlockSpec) -> Result<(), Damaged> {
-        let grid = Grid {
-            cells: spec.cells,
-            size_m: spec.size_m,
-        };
+        let grid = Grid { cells: spec.cells, size_m: spec.size_m };
         let constants = spec.constants().map_err(|_| Damaged("the rock"))?;
         let same = self.grid == grid
             && self.rock == spec.rock
@@ -32,9 +29,7 @@ impl Block {
         ensure(steps, "the step of the rock")?;
         let (nodes, elements) = (grid.node_places(), grid.element_places());
         let of_nodes = [&self.displacement, &self.velocity, &self.velocity_before];
-        let lengths = of_nodes
-            .iter()
-            .all(|field| field.iter().all(|of| of.len() == nodes))
+        let lengths = of_nodes.iter().all(|field| field.iter().all(|of| of.len() == nodes))
             && self.inverse_mass.len() == nodes
             && self.around.len() == nodes
             && self.stress.iter().all(|of| of.len() == elements)
@@ -61,14 +56,8 @@ impl Block {
             }
         }
         // Places beside the elements of a row hold none.
-        let beside = rock
-            .iter()
-            .zip(&self.intact)
-            .all(|(rock, intact)| *rock || *intact < 0.0);
-        ensure(
-            beside && around == self.around && left == self.left,
-            "the elements that are left",
-        )?;
+        let beside = rock.iter().zip(&self.intact).all(|(rock, intact)| *rock || *intact < 0.0);
+        ensure(beside && around == self.around && left == self.left, "the elements that are left")?;
         let fresh = Surface::new(&grid, &self.edges, is_rock);
         ensure(self.surface.is_like(&fresh), "the surface of the rock")
     }
@@ -110,9 +99,7 @@ mod tests {
             ("the step of the rock", |b| b.constants.dt_s = f64::NAN),
             ("the fields of the rock", |b| b.displacement[1].clear()),
             ("the fields of the rock", |b| b.velocity[2].clear()),
-            ("the fields of the rock", |b| {
-                b.velocity_before[0].truncate(1)
-            }),
+            ("the fields of the rock", |b| b.velocity_before[0].truncate(1)),
             ("the fields of the rock", |b| b.stress[5].clear()),
             ("the fields of the rock", |b| b.intact.clear()),
             ("the fields of the rock", |b| b.books.clear()),

@@ -55,10 +55,7 @@ impl Surface {
             && exposed.count() == self.exposed.len()
             && self.exposed.len() == other.exposed.len()
             && self.place.iter().enumerate().all(stands)
-            && self
-                .exposed
-                .iter()
-                .all(|node| other.is_exposed(*node as usize))
+            && self.exposed.iter().all(|node| other.is_exposed(*node as usize))
     }
 
     /// Names a node that is not there.
@@ -140,18 +137,8 @@ mod tests {
     /// the block that is left.
     #[test]
     fn a_surface_follows_the_elements_that_go() {
-        let grid = Grid {
-            cells: [5, 4, 3],
-            size_m: [1.0, 2.0, 3.0],
-        };
-        let edges = [
-            Edge::Open,
-            Edge::Open,
-            Edge::Held,
-            Edge::Guided,
-            Edge::Free,
-            Edge::Open,
-        ];
+        let grid = Grid { cells: [5, 4, 3], size_m: [1.0, 2.0, 3.0] };
+        let edges = [Edge::Open, Edge::Open, Edge::Held, Edge::Guided, Edge::Free, Edge::Open];
         let mut rock = vec![true; grid.element_places()];
         let mut surface = Surface::new(&grid, &edges, |_| true);
         let mut seed = 7_usize;

@@ -19,12 +19,7 @@ pub fn director_below(director: Vector<f64>, toward: Vector<f64>, angle_rad: f64
 pub fn pose_below(pose: &Pose<f64>, spin: f64, below: Vector<f64>) -> Pose<f64> {
     let turn = pose.w1.plus(pose.d1, spin);
     let about = turn.dot(below);
-    Pose {
-        d1: below,
-        w1: turn.minus(below, about),
-        spin: pose.spin + spin - about,
-        ..*pose
-    }
+    Pose { d1: below, w1: turn.minus(below, about), spin: pose.spin + spin - about, ..*pose }
 }
 
 /// The whole moment of an element on its upper node, N·m; `d1` is the director that the element

@@ -95,18 +95,10 @@ impl Number for Dual {
         self * factor + term
     }
     fn max(self, other: Self) -> Self {
-        if self.value > other.value {
-            self
-        } else {
-            other
-        }
+        if self.value > other.value { self } else { other }
     }
     fn min(self, other: Self) -> Self {
-        if self.value < other.value {
-            self
-        } else {
-            other
-        }
+        if self.value < other.value { self } else { other }
     }
     fn if_positive(self, then: Self, otherwise: Self) -> Self {
         if self.value > 0.0 { then } else { otherwise }

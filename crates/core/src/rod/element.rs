@@ -179,11 +179,7 @@ pub fn chord<N: Number>(k: &Stiffness<N>, p: &Pose<N>) -> Chord<N> {
         let l2 = r.dot(r);
         let l = l2.sqrt();
         let inverse_length = l * (N::splat(1.0) / l2);
-        return Chord {
-            direction: r.scaled(inverse_length),
-            inverse_length,
-            longer: l - k.length,
-        };
+        return Chord { direction: r.scaled(inverse_length), inverse_length, longer: l - k.length };
     }
     // l² − L², without cancellation.
     let excess = (p.anchor_chord + r).dot(p.displacement) + p.anchor_excess;
@@ -253,9 +249,7 @@ pub fn strain<N: Number>(
     // c12 − c1 c2 = x1 c2 + x2 − (1 − c12).
     let far = x1.mul_add(c2, x2 - apart);
     // ε L: the chord's stretch, bowing by the two directors, and what they share.
-    let longer = k
-        .bow_far
-        .neg_mul_add(far, k.half_bow_near.mul_add(near, chord.longer));
+    let longer = k.bow_far.neg_mul_add(far, k.half_bow_near.mul_add(near, chord.longer));
     let elastic_tension = k.axial * longer;
     let lengthening = t.dot(p.velocity);
     let damping_tension = k.axial * (beta * lengthening);
@@ -270,16 +264,9 @@ pub fn strain<N: Number>(
     let s2 = a.mul_add(c2, b * c1);
     // `bend` pulls with s (d − t)/l, which has −s x/l along the chord: taken out here, the force
     // along the chord is the tension.
-    let along = chord
-        .inverse_length
-        .neg_mul_add(s1.mul_add(x1, s2 * x2), tension);
+    let along = chord.inverse_length.neg_mul_add(s1.mul_add(x1, s2 * x2), tension);
     Strained {
-        strain: Strain {
-            near1: s1,
-            near2: s2,
-            shared: b,
-            along,
-        },
+        strain: Strain { near1: s1, near2: s2, shared: b, along },
         tension,
         damping_power: damping_tension * lengthening,
     }
@@ -304,9 +291,7 @@ pub fn bend<N: Number>(chord: &Chord<N>, p: &Pose<N>, strain: &Strain<N>) -> Ben
     let part2 = (p.d2 - t).scaled(strain.near2);
     let shared = (p.d2 - p.d1).scaled(strain.shared);
     Bent {
-        force: (part1 + part2)
-            .scaled(chord.inverse_length)
-            .minus(t, strain.along),
+        force: (part1 + part2).scaled(chord.inverse_length).minus(t, strain.along),
         bend1: part1 + shared,
         bend2: part2 - shared,
     }
@@ -335,10 +320,8 @@ pub fn twist<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Twiste
     let e = half * bend.dot(bend);
     // 1/(1 + c12) by its series in e = 1 − c12: within 1e-8 for a bend of 12° in an element, 4e-8
     // for 15°, and the same in the rate and in its moments, so that no work is lost.
-    let share = e.mul_add(
-        e.mul_add(e.mul_add(N::splat(0.0625), N::splat(0.125)), N::splat(0.25)),
-        half,
-    );
+    let share =
+        e.mul_add(e.mul_add(e.mul_add(N::splat(0.0625), N::splat(0.125)), N::splat(0.25)), half);
     // w2·d1 − w1·d2, for each is across its own director.
     let rate = (p.w1 + p.w2).dot(bend).neg_mul_add(share, p.spin);
     let twist = rate.mul_add(dt, p.twist);
@@ -349,9 +332,7 @@ pub fn twist<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Twiste
     let bending_damping = beta * k.bending;
     Twisted {
         // M (d1 + d2)/(1 + c12): the torque about the directors and its part across them.
-        couple: (p.d1 + p.d2)
-            .scaled(torque * share)
-            .plus(turning, bending_damping),
+        couple: (p.d1 + p.d2).scaled(torque * share).plus(turning, bending_damping),
         torque,
         twist,
         damping_power: damping_torque.mul_add(rate, bending_damping * turning.dot(turning)),

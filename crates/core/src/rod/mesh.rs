@@ -94,10 +94,7 @@ impl Mesh {
             }
         }
         let top = &marks[marks.len() - 1];
-        nodes.push(MeshNode {
-            from_bit_m: top.from_bit_m,
-            contact_radius_m: top.contact_radius_m,
-        });
+        nodes.push(MeshNode { from_bit_m: top.from_bit_m, contact_radius_m: top.contact_radius_m });
         nodes.reverse();
         let elements = nodes
             .windows(2)
@@ -116,11 +113,7 @@ impl Mesh {
         let above = below.saturating_sub(1);
         let below = below.min(self.nodes.len() - 1);
         let off = |i: usize| (self.nodes[i].from_bit_m - from_bit_m).abs();
-        if off(below) < off(above) {
-            below
-        } else {
-            above
-        }
+        if off(below) < off(above) { below } else { above }
     }
 
     /// The node nearest to a place between the ends, the ends left out.
@@ -141,15 +134,10 @@ impl Mesh {
             pair[0].contact_radius_m > pair[1].contact_radius_m + BLADE_HEIGHT_M
         };
         let pairs = self.nodes.windows(2).enumerate();
-        let joints: Vec<usize> = pairs
-            .filter(|(_, p)| stands_out(p))
-            .map(|(i, _)| i)
-            .collect();
+        let joints: Vec<usize> = pairs.filter(|(_, p)| stands_out(p)).map(|(i, _)| i).collect();
         let gaps = || joints.windows(2).map(|pair| pair[1] - pair[0]);
         let many = |gap: usize| gaps().filter(|g| *g == gap).count() * gap;
-        gaps()
-            .find(|gap| 2 * many(*gap) > self.nodes.len())
-            .unwrap_or(1)
+        gaps().find(|gap| 2 * many(*gap) > self.nodes.len()).unwrap_or(1)
     }
 
     /// Length of the unloaded string, m.
@@ -159,11 +147,7 @@ impl Mesh {
 
     /// Half of each neighbouring element: the length that a node answers for, m.
     pub fn tributary_length_m(&self, node: usize) -> f64 {
-        let above = if node > 0 {
-            self.elements[node - 1].length_m
-        } else {
-            0.0
-        };
+        let above = if node > 0 { self.elements[node - 1].length_m } else { 0.0 };
         let below = self.elements.get(node).map_or(0.0, |e| e.length_m);
         0.5 * (above + below)
     }
@@ -199,11 +183,7 @@ fn marks(string: &DrillString, element_length_m: f64) -> Vec<Mark> {
     let components = string.components();
     let length = string.length_m();
     let mut marks = vec![
-        Mark {
-            from_bit_m: 0.0,
-            contact_radius_m: components[0].contact_radius_m(),
-            fixed: true,
-        },
+        Mark { from_bit_m: 0.0, contact_radius_m: components[0].contact_radius_m(), fixed: true },
         Mark {
             from_bit_m: length,
             contact_radius_m: components[components.len() - 1].contact_radius_m(),
@@ -217,11 +197,7 @@ fn marks(string: &DrillString, element_length_m: f64) -> Vec<Mark> {
         if let Some(joints) = component.joints {
             let mut from_bit_m = bottom;
             while from_bit_m < top {
-                marks.push(Mark {
-                    from_bit_m,
-                    contact_radius_m: radius,
-                    fixed: false,
-                });
+                marks.push(Mark { from_bit_m, contact_radius_m: radius, fixed: false });
                 from_bit_m += joints.spacing_m;
             }
         } else if let Some(blades) = &component.blades {
@@ -229,20 +205,12 @@ fn marks(string: &DrillString, element_length_m: f64) -> Vec<Mark> {
                 let near = |m: &&mut Mark| (m.from_bit_m - from_bit_m).abs() < SAME_M;
                 match marks.iter_mut().filter(|m| m.fixed).find(near) {
                     Some(mark) => mark.contact_radius_m = mark.contact_radius_m.max(radius),
-                    None => marks.push(Mark {
-                        from_bit_m,
-                        contact_radius_m: radius,
-                        fixed: true,
-                    }),
+                    None => marks.push(Mark { from_bit_m, contact_radius_m: radius, fixed: true }),
                 }
             }
         } else if is_blade(components, index) {
             let from_bit_m = 0.5 * (bottom + top);
-            marks.push(Mark {
-                from_bit_m,
-                contact_radius_m: radius,
-                fixed: true,
-            });
+            marks.push(Mark { from_bit_m, contact_radius_m: radius, fixed: true });
         }
         bottom = top;
     }
@@ -268,11 +236,7 @@ fn marks(string: &DrillString, element_length_m: f64) -> Vec<Mark> {
 /// Number of elements for a stretch of `lengths` times their length.
 fn parts(lengths: f64) -> usize {
     let few = (lengths + SLACK).floor().max(1.0);
-    let parts = if lengths > LONGEST * few {
-        few + 1.0
-    } else {
-        few
-    };
+    let parts = if lengths > LONGEST * few { few + 1.0 } else { few };
     parts as usize
 }
 
@@ -285,29 +249,19 @@ fn is_blade(components: &[Component], index: usize) -> bool {
     };
     index > 0
         && components[index].length_m <= LONGEST_BLADE_M
-        && over(if index == 1 {
-            None
-        } else {
-            components.get(index - 1)
-        })
+        && over(if index == 1 { None } else { components.get(index - 1) })
         && over(components.get(index + 1))
 }
 
 /// Drops joints that crowd a fixed mark or the joint below.
 fn thin(marks: Vec<Mark>, element_length_m: f64) -> Vec<Mark> {
     let near = (CROWDED * element_length_m).min(CROWDED_M);
-    let fixed: Vec<f64> = marks
-        .iter()
-        .filter(|m| m.fixed)
-        .map(|m| m.from_bit_m)
-        .collect();
+    let fixed: Vec<f64> = marks.iter().filter(|m| m.fixed).map(|m| m.from_bit_m).collect();
     let mut kept: Vec<Mark> = Vec::with_capacity(marks.len());
     for mark in marks {
         let crowds_fixed = !mark.fixed && fixed.iter().any(|f| (f - mark.from_bit_m).abs() < near);
-        let crowds_last = !mark.fixed
-            && kept
-                .last()
-                .is_some_and(|last| mark.from_bit_m - last.from_bit_m < near);
+        let crowds_last =
+            !mark.fixed && kept.last().is_some_and(|last| mark.from_bit_m - last.from_bit_m < near);
         if !crowds_fixed && !crowds_last {
             kept.push(mark);
         }

@@ -50,20 +50,14 @@ impl Section {
         let last = string.components().len() - 1;
         for (index, component) in string.components().iter().enumerate() {
             // The last component takes whatever rounding leaves above it.
-            let top = if index == last {
-                f64::INFINITY
-            } else {
-                bottom + component.length_m
-            };
+            let top = if index == last { f64::INFINITY } else { bottom + component.length_m };
             let part = (to_bit_m.min(top) - from_bit_m.max(bottom)) / span;
             bottom = top;
             if part <= 0.0 {
                 continue;
             }
-            let (e, g) = (
-                component.material.youngs_modulus_Pa,
-                component.material.shear_modulus_Pa,
-            );
+            let (e, g) =
+                (component.material.youngs_modulus_Pa, component.material.shear_modulus_Pa);
             let area = component.area_m2();
             let nu = component.material.poisson_ratio();
             let kappa = shear_factor(nu, component.id_m / component.od_m);

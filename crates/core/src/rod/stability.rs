@@ -67,19 +67,15 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
     let total: f64 = bare.iter().map(|(_, i)| i.axial_kg).sum();
     let lend_all = |dt: f64| -> Option<Vec<ElementInertia>> {
         let limit = frequency_limit(dt, stiffness_damping_s);
-        bare.iter()
-            .map(|(k, i)| scaled_inertia(k, i, limit))
-            .collect()
+        bare.iter().map(|(k, i)| scaled_inertia(k, i, limit)).collect()
     };
     let added =
         |inertia: &[ElementInertia]| inertia.iter().map(|i| i.axial_kg).sum::<f64>() / total - 1.0;
     let fits = |dt: f64| lend_all(dt).is_some_and(|i| added(&i) <= MAX_ADDED_MASS);
 
     // Only the few are given to: no longer a step than half of the string's mass carries by itself.
-    let mut own: Vec<(f64, f64)> = bare
-        .iter()
-        .map(|(k, i)| (own_step(k, i, stiffness_damping_s), i.axial_kg))
-        .collect();
+    let mut own: Vec<(f64, f64)> =
+        bare.iter().map(|(k, i)| (own_step(k, i, stiffness_damping_s), i.axial_kg)).collect();
     own.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut carried = 0.0;
     let most = own.iter().find(|(_, kg)| {
@@ -97,11 +93,7 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
     }
     let inertia = lend_all(low).unwrap_or_else(|| bare.iter().map(|(_, i)| *i).collect());
     let added_axial_mass_fraction = added(&inertia).max(0.0);
-    StepPlan {
-        dt_s: low,
-        inertia,
-        added_axial_mass_fraction,
-    }
+    StepPlan { dt_s: low, inertia, added_axial_mass_fraction }
 }
 
 /// Longest step of an element that gets no added mass, by its axial frequency, s.
@@ -134,14 +126,7 @@ fn scaled_inertia(k: &Stiffness<f64>, bare: &ElementInertia, limit: f64) -> Opti
     if budget <= 0.0 {
         return None;
     }
-    let rotary_kg_m2 = bare
-        .rotary_kg_m2
-        .max(0.5 / budget)
-        .max((k.bending_near() - k.bending_far) / square);
-    Some(ElementInertia {
-        axial_kg,
-        lateral_kg,
-        polar_kg_m2: bare.polar_kg_m2,
-        rotary_kg_m2,
-    })
+    let rotary_kg_m2 =
+        bare.rotary_kg_m2.max(0.5 / budget).max((k.bending_near() - k.bending_far) / square);
+    Some(ElementInertia { axial_kg, lateral_kg, polar_kg_m2: bare.polar_kg_m2, rotary_kg_m2 })
 }

@@ -28,13 +28,8 @@ pub struct Flops {
 }
 
 impl Flops {
-    const NONE: Self = Self {
-        additions: 0,
-        multiplications: 0,
-        multiply_additions: 0,
-        divisions: 0,
-        roots: 0,
-    };
+    const NONE: Self =
+        Self { additions: 0, multiplications: 0, multiply_additions: 0, divisions: 0, roots: 0 };
 
     /// All of them: a multiplication with addition is two, anything else one.
     pub fn total(self) -> u64 {

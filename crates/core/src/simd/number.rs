@@ -158,19 +158,11 @@ macro_rules! number {
             }
             #[inline(always)]
             fn max(self, other: Self) -> Self {
-                if $get(self) > $get(other) {
-                    self
-                } else {
-                    other
-                }
+                if $get(self) > $get(other) { self } else { other }
             }
             #[inline(always)]
             fn min(self, other: Self) -> Self {
-                if $get(self) < $get(other) {
-                    self
-                } else {
-                    other
-                }
+                if $get(self) < $get(other) { self } else { other }
             }
             #[inline(always)]
             fn any_positive(self) -> bool {

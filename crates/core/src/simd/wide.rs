@@ -117,17 +117,11 @@ impl<N: Number> Number for Pair<N> {
     }
     #[inline(always)]
     fn mul_add(self, factor: Self, term: Self) -> Self {
-        Self(
-            self.0.mul_add(factor.0, term.0),
-            self.1.mul_add(factor.1, term.1),
-        )
+        Self(self.0.mul_add(factor.0, term.0), self.1.mul_add(factor.1, term.1))
     }
     #[inline(always)]
     fn neg_mul_add(self, factor: Self, term: Self) -> Self {
-        Self(
-            self.0.neg_mul_add(factor.0, term.0),
-            self.1.neg_mul_add(factor.1, term.1),
-        )
+        Self(self.0.neg_mul_add(factor.0, term.0), self.1.neg_mul_add(factor.1, term.1))
     }
     #[inline(always)]
     fn max(self, other: Self) -> Self {
@@ -144,10 +138,7 @@ impl<N: Number> Number for Pair<N> {
     }
     #[inline(always)]
     fn if_positive(self, then: Self, otherwise: Self) -> Self {
-        Self(
-            self.0.if_positive(then.0, otherwise.0),
-            self.1.if_positive(then.1, otherwise.1),
-        )
+        Self(self.0.if_positive(then.0, otherwise.0), self.1.if_positive(then.1, otherwise.1))
     }
 }
 

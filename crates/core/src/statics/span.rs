@@ -49,11 +49,8 @@ pub struct SpanBending {
 }
 
 impl SpanBending {
-    const STRAIGHT: Self = Self {
-        at_joint_per_m: 0.0,
-        at_middle_per_m: 0.0,
-        contact: BodyContact::Line,
-    };
+    const STRAIGHT: Self =
+        Self { at_joint_per_m: 0.0, at_middle_per_m: 0.0, contact: BodyContact::Line };
 }
 
 impl JointSpan {
@@ -95,19 +92,11 @@ impl JointSpan {
         let hanging = 1.0 + square * shape;
         let sag_m = 0.125 * required_per_m * length_square * shape / hanging;
         let touches = hanging <= 0.0 || sag_m > self.standoff_m;
-        let half_swing_per_m = if touches {
-            held_per_m
-        } else {
-            0.25 * required_per_m / hanging
-        };
+        let half_swing_per_m = if touches { held_per_m } else { 0.25 * required_per_m / hanging };
         SpanBending {
             at_joint_per_m: mean_per_m + half_swing_per_m,
             at_middle_per_m: mean_per_m - half_swing_per_m,
-            contact: if touches {
-                BodyContact::Middle
-            } else {
-                BodyContact::None
-            },
+            contact: if touches { BodyContact::Middle } else { BodyContact::None },
         }
     }
 }
@@ -121,11 +110,7 @@ fn shape(square: f64) -> f64 {
         return 1.0 / 3.0 + square * (-1.0 / 45.0 + square * (2.0 / 945.0 - square / 4725.0));
     }
     let root = square.abs().sqrt();
-    let product = if square > 0.0 {
-        root / root.tanh()
-    } else {
-        root / root.tan()
-    };
+    let product = if square > 0.0 { root / root.tanh() } else { root / root.tan() };
     (product - 1.0) / square
 }
 
@@ -148,11 +133,8 @@ mod tests {
     /// compression.
     #[test]
     fn contacts_follow_each_other_without_a_jump() {
-        let span = JointSpan {
-            bending_stiffness_N_m2: 1.25e6,
-            half_spacing_m: 4.8,
-            standoff_m: 0.02,
-        };
+        let span =
+            JointSpan { bending_stiffness_N_m2: 1.25e6, half_spacing_m: 4.8, standoff_m: 0.02 };
         for tension_N in [-6e5, -2e5, -1e3, 0.0, 1e3, 3e5, 2e6] {
             let mut last: Option<SpanBending> = None;
             let mut met = Vec::new();

@@ -29,9 +29,7 @@ impl ComponentSpec {
 impl StringSpec {
     /// A string that begins with its lowest component.
     pub fn from_bit(bit: ComponentSpec) -> Self {
-        Self {
-            components: vec![bit],
-        }
+        Self { components: vec![bit] }
     }
 
     /// With one more component above the others.

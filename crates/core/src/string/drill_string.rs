@@ -73,11 +73,7 @@ impl DrillString {
     pub fn spans(&self) -> impl DoubleEndedIterator<Item = Span<'_>> + ExactSizeIterator {
         (0..self.components.len()).map(|index| Span {
             component: &self.components[index],
-            from_bit_m: if index == 0 {
-                0.0
-            } else {
-                self.tops_m[index - 1]
-            },
+            from_bit_m: if index == 0 { 0.0 } else { self.tops_m[index - 1] },
             to_bit_m: self.tops_m[index],
         })
     }

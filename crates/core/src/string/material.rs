@@ -17,11 +17,8 @@ pub struct Material {
 
 impl Material {
     /// Steel of drill pipe where nothing else is said: 7860 kg/m³, 210 GPa and 76.923 GPa.
-    pub const STEEL: Self = Self {
-        density_kg_per_m3: 7860.0,
-        youngs_modulus_Pa: 210e9,
-        shear_modulus_Pa: 76.923e9,
-    };
+    pub const STEEL: Self =
+        Self { density_kg_per_m3: 7860.0, youngs_modulus_Pa: 210e9, shear_modulus_Pa: 76.923e9 };
 
     /// Poisson's ratio that goes with the two moduli of an isotropic metal, `ν = E/(2G) - 1`, at
     /// most the 0.5 of an incompressible one: beyond, contact stiffness would turn negative.

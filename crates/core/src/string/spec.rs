@@ -128,12 +128,7 @@ impl ComponentSpec {
                 joints.od_m.is_finite() && joints.od_m >= self.od_m,
                 "at least od",
             ));
-            fields.push((
-                "joint_spacing",
-                joints.spacing_m,
-                positive(joints.spacing_m),
-                POSITIVE,
-            ));
+            fields.push(("joint_spacing", joints.spacing_m, positive(joints.spacing_m), POSITIVE));
         }
         if let Some(blades) = self.blades {
             fields.push((
@@ -356,10 +351,7 @@ impl StringSpec {
         let difference_m = bit_depth_m - fixed_m;
         let top_m = components.last().map_or(0.0, |top| top.length_m);
         if difference_m.abs() > LENGTH_TOLERANCE_M || top_m + difference_m <= 0.0 {
-            return Err(AssemblyError::LengthMismatch {
-                string_m: fixed_m,
-                bit_depth_m,
-            });
+            return Err(AssemblyError::LengthMismatch { string_m: fixed_m, bit_depth_m });
         }
         if let Some(top) = components.last_mut() {
             top.length_m += difference_m;
@@ -385,10 +377,7 @@ impl StringSpec {
             }
             if spec.length == ComponentLength::ToSurface {
                 if let Some(first) = to_surface {
-                    return Err(AssemblyError::SecondToSurface {
-                        first,
-                        second: index,
-                    });
+                    return Err(AssemblyError::SecondToSurface { first, second: index });
                 }
                 to_surface = Some(index);
             }

@@ -75,11 +75,7 @@ impl Component {
         stream_N_m2: f64,
     ) -> f64 {
         let bore_m2 = self.inner_area_m2();
-        let stream_N = if bore_m2 > 0.0 {
-            stream_N_m2 / bore_m2
-        } else {
-            0.0
-        };
+        let stream_N = if bore_m2 > 0.0 { stream_N_m2 / bore_m2 } else { 0.0 };
         // `p_o A_o − p_i A_i`: nothing is left of digits that cancel where the pressures are the
         // same.
         let pressed_N = outside_Pa * self.area_m2() + (outside_Pa - inside_Pa) * bore_m2;

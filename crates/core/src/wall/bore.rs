@@ -41,10 +41,7 @@ impl Bore {
     /// The bore of `hole`.
     pub fn new(hole: &Hole) -> Self {
         let rough = |r: &&Roughness| r.radius_rms_m > 0.0 || r.tortuosity_rms_m > 0.0;
-        Self {
-            hole: hole.clone(),
-            relief: hole.roughness().filter(rough).map(Relief::new),
-        }
+        Self { hole: hole.clone(), relief: hole.roughness().filter(rough).map(Relief::new) }
     }
 
     /// The section at a measured depth.
@@ -63,11 +60,7 @@ impl Bore {
         let Some(roughness) = self.hole.roughness().filter(|_| self.relief.is_some()) else {
             return REACH_M;
         };
-        let turn = if self.undulates() {
-            (2.0 * LOST).sqrt()
-        } else {
-            (6.0 * LOST).cbrt()
-        };
+        let turn = if self.undulates() { (2.0 * LOST).sqrt() } else { (6.0 * LOST).cbrt() };
         REACH_M.min(turn * roughness.shortest_m / std::f64::consts::TAU)
     }
 
@@ -76,11 +69,7 @@ impl Bore {
         let axis = path.at(md_m);
         let [radius_m, slope] = self.smooth(md_m);
         let Some(relief) = &self.relief else {
-            return BorePoint {
-                axis,
-                radius_m,
-                slope,
-            };
+            return BorePoint { axis, radius_m, slope };
         };
         let relief = relief.at(md_m).scaled(self.share(md_m));
         BorePoint {
@@ -150,11 +139,7 @@ fn smooth_step(x: f64) -> [f64; 3] {
         [1.0, 0.0, 0.0]
     } else {
         let y = x * (1.0 - x);
-        [
-            x * x * x * (10.0 + x * (6.0 * x - 15.0)),
-            30.0 * y * y,
-            60.0 * y * (1.0 - 2.0 * x),
-        ]
+        [x * x * x * (10.0 + x * (6.0 * x - 15.0)), 30.0 * y * y, 60.0 * y * (1.0 - 2.0 * x)]
     }
 }
 

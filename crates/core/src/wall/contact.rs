@@ -30,9 +30,7 @@ impl ContactLaw {
     /// Hunt-Crossley dissipation, s/m; the linear law has none.
     pub(crate) fn dissipation_s_per_m(&self) -> f64 {
         match self {
-            Self::Hertz {
-                dissipation_s_per_m,
-            } => *dissipation_s_per_m,
+            Self::Hertz { dissipation_s_per_m } => *dissipation_s_per_m,
             Self::Linear { .. } => 0.0,
         }
     }
@@ -138,10 +136,7 @@ mod tests {
                 assert!(n > 0.0 && end >= 0.0);
                 if k * alpha.sqrt() / inertia < 60.0 {
                     let law = exact(alpha, k);
-                    assert!(
-                        (n / law - 1.0).abs() < 3e-6,
-                        "alpha {alpha} k {k}: {law} {n}"
-                    );
+                    assert!((n / law - 1.0).abs() < 3e-6, "alpha {alpha} k {k}: {law} {n}");
                     solved += 1;
                 }
             }

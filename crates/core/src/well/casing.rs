@@ -101,11 +101,7 @@ fn drift_allowance_in(od_in: f64) -> f64 {
 fn casing(size: &Size, weight_lb_per_ft: f64, wall_in: f64) -> Casing {
     let id_in = size.od_in - 2.0 * wall_in;
     // 32.75 lb/ft is the only weight of two decimals.
-    let decimals = if (weight_lb_per_ft * 10.0).fract() == 0.0 {
-        1
-    } else {
-        2
-    };
+    let decimals = if (weight_lb_per_ft * 10.0).fract() == 0.0 { 1 } else { 2 };
     Casing {
         designation: format!("{} in {weight_lb_per_ft:.decimals$} lb/ft", size.name),
         od_m: size.od_in * INCH_M,
@@ -153,9 +149,7 @@ pub fn of_outside_diameter(od_m: f64) -> Vec<Casing> {
 pub fn find(designation: &str) -> Result<Casing, UnknownCasing> {
     let mut entries = entries();
     // Text longer than any spelling of a tubular is not read.
-    let requested = (designation.len() <= 120)
-        .then(|| size_and_weight(designation))
-        .flatten();
+    let requested = (designation.len() <= 120).then(|| size_and_weight(designation)).flatten();
     let distance = |casing: &Casing| -> (f64, f64) {
         let Some((od_in, weight)) = requested else {
             return (0.0, 0.0);
@@ -180,19 +174,13 @@ pub fn find(designation: &str) -> Result<Casing, UnknownCasing> {
         // The sizes that are run most.
         let common = ["9-5/8 in", "13-3/8 in", "7 in"];
         entries.sort_by_key(|casing| {
-            let place = common
-                .iter()
-                .position(|size| casing.designation.starts_with(size));
+            let place = common.iter().position(|size| casing.designation.starts_with(size));
             place.unwrap_or(common.len())
         });
     }
     Err(UnknownCasing {
         designation: designation.to_owned(),
-        nearest: entries
-            .into_iter()
-            .take(NEAREST)
-            .map(|casing| casing.designation)
-            .collect(),
+        nearest: entries.into_iter().take(NEAREST).map(|casing| casing.designation).collect(),
     })
 }
 
@@ -241,11 +229,7 @@ mod tests {
             let plain_end = 10.69 * (od_in - wall_in) * wall_in;
             let nominal = casing.mass_per_length_kg_per_m / POUND_PER_FOOT_KG_PER_M;
             let more = nominal / plain_end - 1.0;
-            assert!(
-                (0.0..0.05).contains(&more),
-                "{}: {plain_end}",
-                casing.designation
-            );
+            assert!((0.0..0.05).contains(&more), "{}: {plain_end}", casing.designation);
         }
     }
 

@@ -102,14 +102,8 @@ impl Arc {
         // Twice, because a short difference keeps few digits of its direction.
         let across = t1 - t0 * t0.dot(&t1);
         let across = across.try_normalize(0.0).map(|e| e - t0 * t0.dot(&e));
-        let e = across
-            .and_then(|e| e.try_normalize(0.5))
-            .unwrap_or_else(|| any_perpendicular(&t0));
-        Self {
-            length_m: to.md_m - from.md_m,
-            turn_rad,
-            frame: [t0, e, t0.cross(&e)],
-        }
+        let e = across.and_then(|e| e.try_normalize(0.5)).unwrap_or_else(|| any_perpendicular(&t0));
+        Self { length_m: to.md_m - from.md_m, turn_rad, frame: [t0, e, t0.cross(&e)] }
     }
 
     fn rate_per_m(&self) -> f64 {
@@ -135,10 +129,7 @@ pub(super) fn pieces(
     interpolation: Interpolation,
     start_m: Vector3<f64>,
 ) -> Vec<Piece> {
-    let arcs: Vec<Arc> = stations
-        .windows(2)
-        .map(|pair| Arc::new(&pair[0], &pair[1]))
-        .collect();
+    let arcs: Vec<Arc> = stations.windows(2).map(|pair| Arc::new(&pair[0], &pair[1])).collect();
     let mut pieces = Vec::with_capacity(3 * arcs.len());
     let mut position_m = start_m;
     for (index, (arc, station)) in arcs.iter().zip(stations).enumerate() {
@@ -171,10 +162,8 @@ pub(super) fn pieces(
             let turn = length_m * from[0].hypot(from[1]).max(to[0].hypot(to[1]));
             let count = (turn / PIECE_TURN_RAD).ceil().max(1.0);
             let step_m = length_m / count;
-            let (phi_bend, beta_bend) = (
-                0.5 * (to[0] - from[0]) / length_m,
-                0.5 * (to[1] - from[1]) / length_m,
-            );
+            let (phi_bend, beta_bend) =
+                (0.5 * (to[0] - from[0]) / length_m, 0.5 * (to[1] - from[1]) / length_m);
             for part in 0..count as usize {
                 let x0 = part as f64 * step_m;
                 let piece = Piece {

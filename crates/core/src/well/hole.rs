@@ -42,11 +42,7 @@ pub struct Friction {
 impl Friction {
     /// The same coefficient at rest and sliding, along the hole and around it.
     pub const fn uniform(coefficient: f64) -> Self {
-        Self {
-            kinetic: coefficient,
-            at_rest: coefficient,
-            around: 1.0,
-        }
+        Self { kinetic: coefficient, at_rest: coefficient, around: 1.0 }
     }
 }
 
@@ -162,10 +158,7 @@ impl Hole {
                 });
             }
         }
-        Ok(Self {
-            sections,
-            roughness: None,
-        })
+        Ok(Self { sections, roughness: None })
     }
 
     /// The same hole with a rough wall, or with a smooth one.
@@ -203,11 +196,7 @@ impl Hole {
                 ),
             ] {
                 if !valid {
-                    return Err(HoleError::Roughness {
-                        quantity,
-                        value,
-                        expected,
-                    });
+                    return Err(HoleError::Roughness { quantity, value, expected });
                 }
             }
         }
@@ -227,9 +216,7 @@ impl Hole {
     /// The section at a measured depth, m: the upper one where two meet, the first above the hole
     /// and the last below it.
     pub fn at(&self, md_m: f64) -> &HoleSection {
-        let index = self
-            .sections
-            .partition_point(|section| section.to_md_m < md_m);
+        let index = self.sections.partition_point(|section| section.to_md_m < md_m);
         &self.sections[index.min(self.sections.len() - 1)]
     }
 
@@ -242,17 +229,9 @@ impl Hole {
     pub fn with_friction(&self, kinetic: f64) -> Result<Self, HoleError> {
         let sections = self.sections.iter().map(|section| {
             let old = section.friction;
-            let ratio = if old.kinetic > 0.0 {
-                old.at_rest / old.kinetic
-            } else {
-                1.0
-            };
+            let ratio = if old.kinetic > 0.0 { old.at_rest / old.kinetic } else { 1.0 };
             HoleSection {
-                friction: Friction {
-                    kinetic,
-                    at_rest: kinetic * ratio,
-                    ..old
-                },
+                friction: Friction { kinetic, at_rest: kinetic * ratio, ..old },
                 ..*section
             }
         });
@@ -262,37 +241,13 @@ impl Hole {
 
 impl HoleSection {
     fn check(&self, index: usize) -> Result<(), HoleError> {
-        let Friction {
-            kinetic,
-            at_rest,
-            around,
-        } = self.friction;
+        let Friction { kinetic, at_rest, around } = self.friction;
         let positive = |value: f64| value > 0.0 && value.is_finite();
         for (quantity, value, valid, expected) in [
-            (
-                "beginning",
-                self.from_md_m,
-                self.from_md_m.is_finite(),
-                "a finite depth",
-            ),
-            (
-                "end",
-                self.to_md_m,
-                self.to_md_m.is_finite(),
-                "a finite depth",
-            ),
-            (
-                "diameter",
-                self.diameter_m,
-                positive(self.diameter_m),
-                "more than zero",
-            ),
-            (
-                "kinetic friction",
-                kinetic,
-                kinetic >= 0.0 && kinetic.is_finite(),
-                "zero or more",
-            ),
+            ("beginning", self.from_md_m, self.from_md_m.is_finite(), "a finite depth"),
+            ("end", self.to_md_m, self.to_md_m.is_finite(), "a finite depth"),
+            ("diameter", self.diameter_m, positive(self.diameter_m), "more than zero"),
+            ("kinetic friction", kinetic, kinetic >= 0.0 && kinetic.is_finite(), "zero or more"),
             (
                 "friction at rest",
                 at_rest,
@@ -325,12 +280,7 @@ impl HoleSection {
             ),
         ] {
             if !valid {
-                return Err(HoleError::OutOfRange {
-                    index,
-                    quantity,
-                    value,
-                    expected,
-                });
+                return Err(HoleError::OutOfRange { index, quantity, value, expected });
             }
         }
         if self.to_md_m <= self.from_md_m {

@@ -64,19 +64,14 @@ fn between<'a>(
     below: &Station,
 ) -> impl Iterator<Item = &'a Station> {
     let (from, to) = (above.md_m, below.md_m);
-    survey
-        .iter()
-        .filter(move |station| station.md_m > from && station.md_m < to)
+    survey.iter().filter(move |station| station.md_m > from && station.md_m < to)
 }
 
 /// Every station that lies far enough below the one kept before it, and the last one.
 fn thinned(stations: &[Station]) -> Vec<Station> {
     let mut kept: Vec<Station> = Vec::with_capacity(stations.len());
     for station in stations {
-        if kept
-            .last()
-            .is_none_or(|above| station.md_m - above.md_m >= THIN_TO_M)
-        {
+        if kept.last().is_none_or(|above| station.md_m - above.md_m >= THIN_TO_M) {
             kept.push(*station);
         }
     }

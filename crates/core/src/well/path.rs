@@ -61,11 +61,7 @@ impl PathPoint {
     /// vertical.
     pub fn azimuth_rad(&self) -> f64 {
         let azimuth = self.tangent.y.atan2(self.tangent.x);
-        if azimuth < 0.0 {
-            azimuth + std::f64::consts::TAU
-        } else {
-            azimuth
-        }
+        if azimuth < 0.0 { azimuth + std::f64::consts::TAU } else { azimuth }
     }
 
     /// High side: the unit vector across the hole that points up; `None` where the hole is vertical
@@ -181,24 +177,14 @@ pub struct Path {
 impl Serialize for Path {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         // Every field is named: a new one either follows from these or is written.
-        let Self {
-            stations,
-            interpolation,
-            pieces,
-            end: _,
-            near_vertical: _,
-        } = self;
+        let Self { stations, interpolation, pieces, end: _, near_vertical: _ } = self;
         let start_m = pieces[0].position_m(0.0);
         let mut path = to.serialize_struct("Path", 3)?;
         path.serialize_field("stations", stations)?;
         path.serialize_field("interpolation", interpolation)?;
         path.serialize_field(
             "tie_in",
-            &TieIn {
-                north_m: start_m.x,
-                east_m: start_m.y,
-                tvd_m: start_m.z,
-            },
+            &TieIn { north_m: start_m.x, east_m: start_m.y, tvd_m: start_m.z },
         )?;
         path.end()
     }
@@ -229,13 +215,7 @@ impl Path {
             curvature_per_m: Vector3::zeros(),
         };
         let near_vertical = NearVertical::find(&pieces, last_md_m);
-        Ok(Self {
-            stations: stations.to_vec(),
-            interpolation,
-            pieces,
-            end,
-            near_vertical,
-        })
+        Ok(Self { stations: stations.to_vec(), interpolation, pieces, end, near_vertical })
     }
 
     /// The survey.
@@ -280,32 +260,18 @@ impl Path {
         let piece = &self.pieces[self.piece_index(md_m)];
         let x = md_m - piece.md_m;
         let (tangent, curvature_per_m) = piece.heading(x);
-        PathPoint {
-            position_m: piece.position_m(x),
-            tangent,
-            curvature_per_m,
-        }
+        PathPoint { position_m: piece.position_m(x), tangent, curvature_per_m }
     }
 
     /// Tangent and curvature of [`Self::at`], without the position, which costs six times as much.
     pub(crate) fn heading_at(&self, md_m: f64) -> Heading {
         if md_m >= self.last_md_m() || md_m < self.first_md_m() {
-            let PathPoint {
-                tangent,
-                curvature_per_m,
-                ..
-            } = self.at(md_m);
-            return Heading {
-                tangent,
-                curvature_per_m,
-            };
+            let PathPoint { tangent, curvature_per_m, .. } = self.at(md_m);
+            return Heading { tangent, curvature_per_m };
         }
         let piece = &self.pieces[self.piece_index(md_m)];
         let (tangent, curvature_per_m) = piece.heading(md_m - piece.md_m);
-        Heading {
-            tangent,
-            curvature_per_m,
-        }
+        Heading { tangent, curvature_per_m }
     }
 
     /// Dogleg severity: the magnitude of the curvature, rad/m.
@@ -361,9 +327,7 @@ impl Path {
 
     /// Index of the piece that holds `md_m`, the first one for depths above it.
     fn piece_index(&self, md_m: f64) -> usize {
-        self.pieces
-            .partition_point(|piece| piece.md_m <= md_m)
-            .saturating_sub(1)
+        self.pieces.partition_point(|piece| piece.md_m <= md_m).saturating_sub(1)
     }
 }
 
@@ -386,11 +350,7 @@ fn check(stations: &[Station]) -> Result<(), PathError> {
             (station.azimuth_rad, "azimuth"),
         ] {
             if !number.is_finite() {
-                return Err(PathError::NotFinite {
-                    index,
-                    md_m,
-                    quantity,
-                });
+                return Err(PathError::NotFinite { index, md_m, quantity });
             }
         }
         // Half a circle in degrees, converted, may come out a rounding error above π.
@@ -412,11 +372,7 @@ fn check(stations: &[Station]) -> Result<(), PathError> {
             });
         }
         if (station.tangent() + previous.tangent()).norm() < REVERSAL {
-            return Err(PathError::Reversal {
-                index,
-                md_m,
-                previous_md_m: previous.md_m,
-            });
+            return Err(PathError::Reversal { index, md_m, previous_md_m: previous.md_m });
         }
     }
     Ok(())

@@ -75,10 +75,7 @@ impl Relief {
                 let phase = TAU * random.unit();
                 [amplitude * phase.cos(), amplitude * phase.sin()]
             });
-            Wave {
-                number_per_m: TAU / wavelength_m,
-                parts,
-            }
+            Wave { number_per_m: TAU / wavelength_m, parts }
         });
         Self { waves }
     }

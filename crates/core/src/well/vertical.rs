@@ -68,9 +68,7 @@ impl NearVertical {
 
     /// Bearing of the high side at a measured depth in one of the stretches.
     pub(super) fn bearing_rad(&self, md_m: f64) -> Option<f64> {
-        let index = self
-            .intervals
-            .partition_point(|interval| interval.to_md_m < md_m);
+        let index = self.intervals.partition_point(|interval| interval.to_md_m < md_m);
         let interval = self.intervals.get(index)?;
         if md_m < interval.from_md_m {
             return None;
@@ -130,13 +128,7 @@ fn lowest(function: impl Fn(f64) -> f64, length: f64) -> f64 {
             low = left;
         }
     }
-    [0.0, length]
-        .into_iter()
-        .fold(0.5 * (low + high), |best, end| {
-            if function(end) < function(best) {
-                end
-            } else {
-                best
-            }
-        })
+    [0.0, length].into_iter().fold(0.5 * (low + high), |best, end| {
+        if function(end) < function(best) { end } else { best }
+    })
 }

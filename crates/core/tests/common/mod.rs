@@ -19,9 +19,8 @@ pub use wholestring_verification::{Row, Tolerance, report, report_worst};
 
 /// A file of `verification/`, parsed.
 pub fn verification(name: &str) -> Value {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../verification")
-        .join(name);
+    let path =
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../verification").join(name);
     let text = std::fs::read_to_string(&path)
         .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
@@ -43,19 +42,12 @@ pub fn relative_error(obtained: f64, expected: f64) -> f64 {
 #[track_caller]
 pub fn assert_close(what: &str, obtained: f64, expected: f64, tolerance: f64) {
     let error = relative_error(obtained, expected);
-    assert!(
-        error <= tolerance,
-        "{what}: {obtained} for {expected}, {error:.2e} apart"
-    );
+    assert!(error <= tolerance, "{what}: {obtained} for {expected}, {error:.2e} apart");
 }
 
 /// Steel of 7850 kg/m³, 210 GPa and 80 GPa.
 pub fn steel() -> Material {
-    Material {
-        density_kg_per_m3: 7850.0,
-        youngs_modulus_Pa: 210e9,
-        shear_modulus_Pa: 80e9,
-    }
+    Material { density_kg_per_m3: 7850.0, youngs_modulus_Pa: 210e9, shear_modulus_Pa: 80e9 }
 }
 
 /// A path of circular arcs through stations of MD in m, inclination and azimuth in degrees.
@@ -66,11 +58,7 @@ pub fn arcs(stations_m_deg: &[[f64; 3]]) -> Path {
 /// A path through stations of MD in m, inclination and azimuth in degrees.
 pub fn path(stations_m_deg: &[[f64; 3]], interpolation: Interpolation) -> Path {
     let in_rad = |[md_m, inclination_deg, azimuth_deg]: &[f64; 3]| {
-        [
-            *md_m,
-            inclination_deg.to_radians(),
-            azimuth_deg.to_radians(),
-        ]
+        [*md_m, inclination_deg.to_radians(), azimuth_deg.to_radians()]
     };
     let stations: Vec<[f64; 3]> = stations_m_deg.iter().map(in_rad).collect();
     path_in_rad(&stations, interpolation)
@@ -96,10 +84,7 @@ pub fn hole(friction: f64, to_md_m: f64) -> Hole {
 pub fn hole_of(frictions: &[(f64, f64)]) -> Hole {
     let mut from_md_m = 0.0;
     let sections = frictions.iter().map(|&(friction, to_md_m)| {
-        let section = HoleSection {
-            from_md_m,
-            ..open_section(0.3, friction, to_md_m)
-        };
+        let section = HoleSection { from_md_m, ..open_section(0.3, friction, to_md_m) };
         from_md_m = to_md_m;
         section
     });
@@ -138,29 +123,17 @@ pub fn open_section(diameter_m: f64, friction: f64, to_md_m: f64) -> HoleSection
 
 /// Mud of 1.2 sg that drags on lateral motion.
 pub const fn mud_with_drag() -> Mud {
-    Mud {
-        linear_drag_Pa_s: 5.0,
-        drag_coefficient: 1.0,
-        ..mud(1200.0)
-    }
+    Mud { linear_drag_Pa_s: 5.0, drag_coefficient: 1.0, ..mud(1200.0) }
 }
 
 /// Mud of a density and a rheology, without lateral drag.
 pub fn viscous_mud(density_kg_per_m3: f64, rheology: Rheology) -> Mud {
-    Mud {
-        rheology: Some(rheology),
-        ..mud(density_kg_per_m3)
-    }
+    Mud { rheology: Some(rheology), ..mud(density_kg_per_m3) }
 }
 
 /// Mud of a density, without drag.
 pub const fn mud(density_kg_per_m3: f64) -> Mud {
-    Mud {
-        density_kg_per_m3,
-        linear_drag_Pa_s: 0.0,
-        drag_coefficient: 0.0,
-        rheology: None,
-    }
+    Mud { density_kg_per_m3, linear_drag_Pa_s: 0.0, drag_coefficient: 0.0, rheology: None }
 }
 
 /// Plain pipe of a weight per length in air and a contact radius, its wall a tenth of its diameter.
@@ -181,9 +154,7 @@ pub fn model(
 ) -> Model {
     Model {
         well: Well { path, hole },
-        string: StringSpec { components }
-            .assemble(bit_depth_m)
-            .expect("a sound string"),
+        string: StringSpec { components }.assemble(bit_depth_m).expect("a sound string"),
         mud,
         rig: Rig::default(),
     }
@@ -194,13 +165,7 @@ pub fn uniform_model(stations_m_deg: &[[f64; 3]], w_N_per_m: f64, r_m: f64, mu: 
     let path = arcs(stations_m_deg);
     let bit_depth_m = path.last_md_m();
     let components = vec![pipe(w_N_per_m, r_m, ComponentLength::ToSurface)];
-    model(
-        path,
-        hole(mu, bit_depth_m),
-        components,
-        mud(0.0),
-        bit_depth_m,
-    )
+    model(path, hole(mu, bit_depth_m), components, mud(0.0), bit_depth_m)
 }
 
 /// The same in a straight hole of an inclination, deg.
@@ -227,10 +192,7 @@ pub const fn operation(kind: OperationKind, bit_depth_m: f64) -> Operation {
 
 /// The same with a weight on the bit.
 pub const fn pressing(kind: OperationKind, bit_depth_m: f64, weight_on_bit_N: f64) -> Operation {
-    Operation {
-        weight_on_bit_N,
-        ..operation(kind, bit_depth_m)
-    }
+    Operation { weight_on_bit_N, ..operation(kind, bit_depth_m) }
 }
 
 /// Revolutions per minute in rad/s.
@@ -256,10 +218,7 @@ pub fn capstan_model(
     let tail_m = 100.0;
     let depth_m = CAPSTAN_ARC_M + tail_m;
     let light = steel();
-    let dense = Material {
-        density_kg_per_m3: 2.0 * light.density_kg_per_m3,
-        ..light
-    };
+    let dense = Material { density_kg_per_m3: 2.0 * light.density_kg_per_m3, ..light };
     // Half of its weight in air is left in a mud half as dense.
     let weight = 2.0 * tension_N / (tail_m * bottom_deg[0].to_radians().cos());
     let tail = ComponentSpec {
@@ -268,11 +227,7 @@ pub fn capstan_model(
     };
     let [[top_inc, top_azi], [inc, azi]] = [top_deg, bottom_deg];
     model(
-        arcs(&[
-            [0.0, top_inc, top_azi],
-            [CAPSTAN_ARC_M, inc, azi],
-            [depth_m, inc, azi],
-        ]),
+        arcs(&[[0.0, top_inc, top_azi], [CAPSTAN_ARC_M, inc, azi], [depth_m, inc, azi]]),
         hole_of(&[(mu, CAPSTAN_ARC_M), (0.0, depth_m)]),
         vec![tail, pipe(300.0, radius_m, ComponentLength::ToSurface)],
         mud(light.density_kg_per_m3),

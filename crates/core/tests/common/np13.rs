@@ -5,11 +5,7 @@ use wholestring::string::{ComponentLength, ComponentSpec, Material, ToolJoints};
 
 /// The steel of the article's Table 1.
 pub fn steel() -> Material {
-    Material {
-        density_kg_per_m3: 7860.0,
-        youngs_modulus_Pa: 210e9,
-        shear_modulus_Pa: 76.923e9,
-    }
+    Material { density_kg_per_m3: 7860.0, youngs_modulus_Pa: 210e9, shear_modulus_Pa: 76.923e9 }
 }
 
 /// A component without joints.
@@ -27,10 +23,7 @@ fn jointed(
 ) -> ComponentSpec {
     ComponentSpec {
         mass_per_length_kg_per_m,
-        joints: Some(ToolJoints {
-            od_m: 0.1778,
-            spacing_m,
-        }),
+        joints: Some(ToolJoints { od_m: 0.1778, spacing_m }),
         ..tool(name, length, 0.1397, id_m)
     }
 }

@@ -58,20 +58,11 @@ fn a_pipe_in_an_arc_bends_most_where_it_is_held() {
         // As dense as the mud, the pipe hangs in it as if there were none: its metal feels the
         // pressure.
         let path = &case.model.well.path;
-        let pressure = case
-            .model
-            .mud_column()
-            .pressure_Pa(path.at(*md_m).position_m.z);
+        let pressure = case.model.mud_column().pressure_Pa(path.at(*md_m).position_m.z);
         let pressed = TENSION_N - pressure * area;
         let error = (nodes.true_tension_N[i] - pressed).abs();
-        assert!(
-            error < 2e-3 * TENSION_N,
-            "true tension {error} N off at {md_m} m"
-        );
-        assert_eq!(
-            ContactClass::of(nodes.contact_fraction[i]),
-            ContactClass::Continuous
-        );
+        assert!(error < 2e-3 * TENSION_N, "true tension {error} N off at {md_m} m");
+        assert_eq!(ContactClass::of(nodes.contact_fraction[i]), ContactClass::Continuous);
         assert!(nodes.side_force_N_per_m[i] > 0.0, "on the high side");
         // Nothing but the tension in its curve presses it there, the signed force's median as its
         // mean.
@@ -80,11 +71,7 @@ fn a_pipe_in_an_arc_bends_most_where_it_is_held() {
             nodes.side_force_p50_N_per_m[i],
             nodes.side_force_p95_N_per_m[i],
         ];
-        close(
-            "side force",
-            nodes.side_force_N_per_m[i],
-            TENSION_N / radius_m,
-        );
+        close("side force", nodes.side_force_N_per_m[i], TENSION_N / radius_m);
         close("its median", p50, TENSION_N / radius_m);
         assert!(p05 <= p50 && p50 <= p95);
         assert!(nodes.whirl_coherence[i] < 0.5, "it does not whirl");

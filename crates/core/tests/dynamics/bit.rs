@@ -35,10 +35,7 @@ const LAW: RegenerativeLaw = RegenerativeLaw {
 /// Collars and pipe in a vertical well, drilling with a drag bit at a rotary speed.
 fn vertical(revolutions_per_minute: f64) -> Case {
     let vertical = model(
-        path(
-            &[[0.0, 0.0, 0.0], [DEPTH_M + 20.0, 0.0, 0.0]],
-            Interpolation::Spline,
-        ),
+        path(&[[0.0, 0.0, 0.0], [DEPTH_M + 20.0, 0.0, 0.0]], Interpolation::Spline),
         vec![section(HoleKind::Open, 0.0, DEPTH_M + 20.0, 0.2159, 0.2)],
         vec![
             tool("bit", ComponentLength::Metres(0.3), 0.2159, 0.0),
@@ -47,10 +44,7 @@ fn vertical(revolutions_per_minute: f64) -> Case {
         ],
         DEPTH_M,
     );
-    let bit = BitSettings {
-        law: BitLaw::Regenerative(LAW),
-        ..BitSettings::default()
-    };
+    let bit = BitSettings { law: BitLaw::Regenerative(LAW), ..BitSettings::default() };
     let drill = Operation {
         rotary_speed_rad_per_s: rpm(revolutions_per_minute),
         weight_on_bit_N: 60e3,
@@ -86,21 +80,9 @@ fn a_fast_drag_bit_drills_steadily() {
     let weight = statistic(&outcome, "weight_on_bit_N");
     for (quantity, expected, computed) in [
         ("weight on bit, N", 60e3, weight.mean),
-        (
-            "torque on bit, N·m",
-            torque,
-            statistic(&outcome, "bit_torque_N_m").mean,
-        ),
-        (
-            "rate of penetration, m/s",
-            depth_of_cut_m * rpm(200.0) / std::f64::consts::TAU,
-            rate,
-        ),
-        (
-            "depth of cut, m",
-            depth_of_cut_m,
-            *series.depth_of_cut_m.last().expect("a sample"),
-        ),
+        ("torque on bit, N·m", torque, statistic(&outcome, "bit_torque_N_m").mean),
+        ("rate of penetration, m/s", depth_of_cut_m * rpm(200.0) / std::f64::consts::TAU, rate),
+        ("depth of cut, m", depth_of_cut_m, *series.depth_of_cut_m.last().expect("a sample")),
     ] {
         report(&Row {
             case: "E07",
@@ -144,11 +126,7 @@ fn a_bit_without_history_drills_steadily() {
     for (quantity, expected, computed) in [
         ("weight on bit, N", 60e3, mean("weight_on_bit_N")),
         ("torque on bit, N·m", torque, mean("bit_torque_N_m")),
-        (
-            "rate of penetration, m/s",
-            rate,
-            mean("rate_of_penetration_m_per_s"),
-        ),
+        ("rate of penetration, m/s", rate, mean("rate_of_penetration_m_per_s")),
         ("speed of the bit along the hole, m/s", rate, moved),
     ] {
         report(&Row {
@@ -185,12 +163,7 @@ fn a_motor_turns_the_bit_of_a_sliding_string() {
         torque_std_N_m: None,
         weight_on_bit_std_N: None,
     };
-    let points = [
-        point(30e3, 100.0),
-        point(30e3, 200.0),
-        point(90e3, 100.0),
-        point(90e3, 200.0),
-    ];
+    let points = [point(30e3, 100.0), point(30e3, 200.0), point(90e3, 100.0), point(90e3, 200.0)];
     case.settings.bit.law = BitLaw::Table(TableLaw {
         table: BitTable::new(&points).expect("a table"),
         rock_stiffness_N_per_m: 1e8,
@@ -210,22 +183,14 @@ fn a_motor_turns_the_bit_of_a_sliding_string() {
     let turns = (free - fall * 3600.0) / (1.0 - fall);
     let series = &outcome.series;
     let from = series.time_s.partition_point(|t| *t < 30.0);
-    let speeds: Vec<f64> = series.motor_speed_rad_per_s[from..]
-        .iter()
-        .flatten()
-        .copied()
-        .collect();
+    let speeds: Vec<f64> = series.motor_speed_rad_per_s[from..].iter().flatten().copied().collect();
     let speed = speeds.iter().sum::<f64>() / speeds.len() as f64;
     let mean = |name| statistic(&outcome, name).mean;
     for (quantity, expected, computed) in [
         ("weight on bit, N", 60e3, mean("weight_on_bit_N")),
         ("torque on bit, N·m", 3600.0 - turns, mean("bit_torque_N_m")),
         ("speed of the motor, rad/s", rpm(turns), speed),
-        (
-            "rate of penetration, m/s",
-            3e-3 * turns / 100.0,
-            mean("rate_of_penetration_m_per_s"),
-        ),
+        ("rate of penetration, m/s", 3e-3 * turns / 100.0, mean("rate_of_penetration_m_per_s")),
     ] {
         report(&Row {
             case: "E07",
@@ -238,10 +203,7 @@ fn a_motor_turns_the_bit_of_a_sliding_string() {
     }
     let pressure = series.motor_pressure_Pa[from].expect("known");
     let expected = (3600.0 - turns) * std::f64::consts::TAU / (0.8 * 12e-3);
-    assert!(
-        (pressure / expected - 1.0).abs() < 2e-3,
-        "{pressure} {expected}"
-    );
+    assert!((pressure / expected - 1.0).abs() < 2e-3, "{pressure} {expected}");
     assert_eq!(outcome.bit_table.expect("a table").outside_fraction, 0.0);
 }
 
@@ -253,12 +215,7 @@ fn a_slow_drag_bit_sticks_and_slips() {
     let case = vertical(40.0);
     let outcome = case.run();
     let series = &outcome.series;
-    let spins = between(
-        &series.time_s,
-        &series.bit_rotary_speed_rad_per_s,
-        30.0,
-        60.0,
-    );
+    let spins = between(&series.time_s, &series.bit_rotary_speed_rad_per_s, 30.0, 60.0);
     let stuck = spins.iter().filter(|s| s.abs() < 1e-6).count() as f64 / spins.len() as f64;
     let spin = statistic(&outcome, "bit_rotary_speed_rad_per_s");
     assert!(stuck > 0.02, "{stuck}");
@@ -290,13 +247,9 @@ fn a_rough_bottom_shakes_the_string() {
         }),
     });
     let outcome = case.run();
-    let [weight, torque, hook, spin] = [
-        "weight_on_bit_N",
-        "bit_torque_N_m",
-        "hook_load_N",
-        "bit_rotary_speed_rad_per_s",
-    ]
-    .map(|name| statistic(&outcome, name));
+    let [weight, torque, hook, spin] =
+        ["weight_on_bit_N", "bit_torque_N_m", "hook_load_N", "bit_rotary_speed_rad_per_s"]
+            .map(|name| statistic(&outcome, name));
     assert!((weight.mean / 58_839.9 - 1.0).abs() < 0.01, "{weight:?}");
     assert!((torque.mean / 3100.0 - 1.0).abs() < 0.01, "{torque:?}");
     assert!((spin.mean / rpm(70.0) - 1.0).abs() < 0.01, "{spin:?}");
@@ -307,10 +260,7 @@ fn a_rough_bottom_shakes_the_string() {
     // Independent factors: 1 + var = (1 + var of the weight)(1 + var of the fluctuation).
     let share = (weight.std / weight.mean).powi(2);
     let expected = (share + 0.01 * (1.0 + share)).sqrt() * torque.mean;
-    assert!(
-        (torque.std / expected - 1.0).abs() < 0.05,
-        "{torque:?} {expected}"
-    );
+    assert!((torque.std / expected - 1.0).abs() < 0.05, "{torque:?} {expected}");
     // Wall friction and 4 km of string take most of it before the surface.
     assert!(hook.std < 0.2 * weight.std, "{hook:?}");
     let residual = outcome.numerics.energy_residual;
@@ -321,10 +271,7 @@ fn a_rough_bottom_shakes_the_string() {
     let line = |hertz: f64| {
         let from = series.time_s.partition_point(|t| *t < 10.0);
         let (mut re, mut im) = (0.0, 0.0);
-        for (t, w) in series.time_s[from..]
-            .iter()
-            .zip(&series.weight_on_bit_N[from..])
-        {
+        for (t, w) in series.time_s[from..].iter().zip(&series.weight_on_bit_N[from..]) {
             let angle = std::f64::consts::TAU * hertz * t;
             re += (w - weight.mean) * angle.cos();
             im += (w - weight.mean) * angle.sin();
@@ -334,9 +281,7 @@ fn a_rough_bottom_shakes_the_string() {
     // The spin swings, so that the line is wide: power of a band, against another one.
     let power = |from: f64, to: f64| {
         let lines = ((to - from) * 60.0) as usize;
-        let sum: f64 = (0..lines)
-            .map(|i| line(from + i as f64 / 60.0).powi(2))
-            .sum();
+        let sum: f64 = (0..lines).map(|i| line(from + i as f64 / 60.0).powi(2)).sum();
         sum / lines as f64
     };
     let (lobes, beside) = (power(3.0, 4.0), power(5.0, 7.0));

@@ -70,20 +70,10 @@ fn a_run_without_settling_is_like_a_settled_one() {
         });
         let [fresh, settled] = [0, 1].map(|i: usize| outcomes[i].scalars);
         let close = |what: &str, found: f64, expected: f64, tolerance| {
-            assert_close(
-                &format!("{what} of {}", kind.name()),
-                found,
-                expected,
-                tolerance,
-            );
+            assert_close(&format!("{what} of {}", kind.name()), found, expected, tolerance);
         };
         close("hook load", fresh.hook_load_N, settled.hook_load_N, 0.01);
-        close(
-            "side force",
-            fresh.side_force_total_N,
-            settled.side_force_total_N,
-            0.03,
-        );
+        close("side force", fresh.side_force_total_N, settled.side_force_total_N, 0.03);
         if kind.rotates() {
             let torque = [&fresh, &settled].map(|s| s.friction_torque_N_m);
             close("torque", torque[0], torque[1], 0.03);
@@ -122,9 +112,8 @@ fn a_run_without_settling_is_like_a_settled_one() {
 /// the bit carry, 12 m of 600 at either end.
 #[test]
 fn a_build_from_the_surface_keeps_its_hook_load() {
-    let mut stations: Vec<[f64; 3]> = (0..=10)
-        .map(|i| [30.0 * f64::from(i), 4.5 * f64::from(i), 40.0])
-        .collect();
+    let mut stations: Vec<[f64; 3]> =
+        (0..=10).map(|i| [30.0 * f64::from(i), 4.5 * f64::from(i), 40.0]).collect();
     stations.push([600.0, 45.0, 40.0]);
     let model = model(
         path(&stations, Interpolation::Spline),
@@ -158,25 +147,14 @@ fn a_build_from_the_surface_keeps_its_hook_load() {
 #[test]
 fn a_survey_that_begins_deep_stretches_alike() {
     for tvd_m in [0.0, 1000.0] {
-        let mut case = Case::new(
-            straight(300.0, 0.0),
-            operation(OperationKind::RotateOffBottom, 300.0),
-        );
-        let station = |md_m| Station {
-            md_m,
-            inclination_rad: STRAIGHT_DEG.to_radians(),
-            azimuth_rad: 0.3,
-        };
-        let tie_in = TieIn {
-            tvd_m,
-            ..TieIn::default()
-        };
-        case.model.well.path = Path::new(
-            &[station(0.0), station(300.0)],
-            Interpolation::Spline,
-            tie_in,
-        )
-        .expect("a sound survey");
+        let mut case =
+            Case::new(straight(300.0, 0.0), operation(OperationKind::RotateOffBottom, 300.0));
+        let station =
+            |md_m| Station { md_m, inclination_rad: STRAIGHT_DEG.to_radians(), azimuth_rad: 0.3 };
+        let tie_in = TieIn { tvd_m, ..TieIn::default() };
+        case.model.well.path =
+            Path::new(&[station(0.0), station(300.0)], Interpolation::Spline, tie_in)
+                .expect("a sound survey");
         let (found, expected) = (case.run().scalars.stretch_m, case.soft().scalars.stretch_m);
         assert_close(&format!("stretch from {tvd_m} m"), found, expected, 5e-3);
     }
@@ -187,10 +165,8 @@ fn a_survey_that_begins_deep_stretches_alike() {
 #[test]
 fn a_long_bit_has_the_torque_of_any_mesh() {
     let torques = each(&[3.2, 1.6], |element_length_m| {
-        let mut case = Case::new(
-            straight(300.0, 0.25),
-            operation(OperationKind::RotateOffBottom, 300.0),
-        );
+        let mut case =
+            Case::new(straight(300.0, 0.25), operation(OperationKind::RotateOffBottom, 300.0));
         case.model.string = StringSpec {
             components: vec![
                 tool("bit", ComponentLength::Metres(4.0), 0.2159, 0.0714),
@@ -217,15 +193,9 @@ fn a_snug_motor_touches_the_wall() {
     let bit = tool("bit", ComponentLength::Metres(0.3), 0.2159, 0.0714);
     let strings = [vec![motor.clone(), pipe.clone()], vec![bit, motor, pipe]];
     for outcome in each(&strings, |components| {
-        let mut case = Case::new(
-            straight(300.0, 0.25),
-            operation(OperationKind::TripIn, 300.0),
-        );
-        case.model.string = StringSpec {
-            components: components.clone(),
-        }
-        .assemble(300.0)
-        .expect("a sound string");
+        let mut case = Case::new(straight(300.0, 0.25), operation(OperationKind::TripIn, 300.0));
+        case.model.string =
+            StringSpec { components: components.clone() }.assemble(300.0).expect("a sound string");
         case.run()
     }) {
         let (nodes, deepest_m) = (&outcome.nodes, outcome.numerics.max_penetration_m);
@@ -247,18 +217,13 @@ fn a_snug_motor_touches_the_wall() {
 /// no wall acts on it: it fills its hole, so by all of its offset.
 #[test]
 fn a_held_bit_shows_its_penetration() {
-    let mut case = Case::new(
-        straight(300.0, 0.25),
-        operation(OperationKind::TripIn, 300.0),
-    );
+    let mut case = Case::new(straight(300.0, 0.25), operation(OperationKind::TripIn, 300.0));
     let components = vec![
         tool("bit", ComponentLength::Metres(0.3), 0.2159, 0.0714),
         tool("collar", ComponentLength::Metres(60.0), 0.165, 0.0714),
         tool("pipe", ComponentLength::ToSurface, 0.1397, 0.1186),
     ];
-    case.model.string = StringSpec { components }
-        .assemble(300.0)
-        .expect("a sound string");
+    case.model.string = StringSpec { components }.assemble(300.0).expect("a sound string");
     case.settings.bit.lateral_stiffness_N_per_m = 1e6;
     let outcome = case.run();
     let offset_m = *outcome.nodes.lateral_offset_m.last().expect("a bit");

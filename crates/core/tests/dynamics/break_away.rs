@@ -21,11 +21,7 @@ const STRIBECK_M_PER_S: f64 = 0.1;
 fn case() -> Case {
     let mut model = straight(LENGTH_M, KINETIC);
     change_hole(&mut model, |s| HoleSection {
-        friction: Friction {
-            kinetic: KINETIC,
-            at_rest: AT_REST,
-            around: 1.0,
-        },
+        friction: Friction { kinetic: KINETIC, at_rest: AT_REST, around: 1.0 },
         ..*s
     });
     let mut operation = operation(OperationKind::TripOut, LENGTH_M);
@@ -42,13 +38,8 @@ fn case() -> Case {
 fn last_second(simulation: &Simulation) -> [f64; 4] {
     let series = simulation.outcome().series;
     let now = simulation.time_s();
-    [
-        &series.hook_load_N,
-        &series.axial_friction_N,
-        &series.side_force_total_N,
-        &series.bit_depth_m,
-    ]
-    .map(|values| mean_between(&series.time_s, values, now - 1.0, now + 1.0))
+    [&series.hook_load_N, &series.axial_friction_N, &series.side_force_total_N, &series.bit_depth_m]
+        .map(|values| mean_between(&series.time_s, values, now - 1.0, now + 1.0))
 }
 
 fn weight_N(case: &Case) -> f64 {
@@ -77,12 +68,7 @@ fn friction_falls_with_the_speed_of_sliding() {
         let [hook, friction, side, _] = last_second(&simulation);
         let x = speed / STRIBECK_M_PER_S;
         let mu = KINETIC + (AT_REST - KINETIC) / (1.0 + x * x);
-        assert_close(
-            &format!("friction at {speed} m/s"),
-            friction,
-            mu * side,
-            2e-3,
-        );
+        assert_close(&format!("friction at {speed} m/s"), friction, mu * side, 2e-3);
         let load = weight_N(&case) + mu * side;
         assert_close(&format!("hook load at {speed} m/s"), hook, load, 1e-3);
     }
@@ -108,10 +94,7 @@ fn a_string_at_rest_breaks_away_at_its_static_friction() {
         go(simulation, seconds);
     };
     let [_, held, ..] = last_second(&simulation);
-    assert!(
-        held > KINETIC / AT_REST * limit,
-        "it stopped with {held} N of {limit}"
-    );
+    assert!(held > KINETIC / AT_REST * limit, "it stopped with {held} N of {limit}");
     pull(&mut simulation, 0.80, 1.0);
     let [.., before] = last_second(&simulation);
     for percent in 81..=97 {
@@ -119,11 +102,7 @@ fn a_string_at_rest_breaks_away_at_its_static_friction() {
     }
     pull(&mut simulation, 0.97, 5.0);
     let [.., after] = last_second(&simulation);
-    assert!(
-        (before - after).abs() < 1e-4,
-        "held, it moved by {} m",
-        before - after
-    );
+    assert!((before - after).abs() < 1e-4, "held, it moved by {} m", before - after);
     for percent in 98..=103 {
         pull(&mut simulation, f64::from(percent) / 100.0, 0.3);
     }

@@ -38,10 +38,7 @@ fn row(inclination_deg: f64, waves: f64) -> Pushed {
     let expected = |key: &str| row["expected"][key].as_f64().expect("a number");
     let wavelength_m = expected("sin_wavelength_m");
     let length_m = (waves * wavelength_m).round();
-    let stations = [
-        [0.0, inclination_deg, 0.0],
-        [length_m, inclination_deg, 0.0],
-    ];
+    let stations = [[0.0, inclination_deg, 0.0], [length_m, inclination_deg, 0.0]];
     let pipe = ComponentSpec {
         mass_per_length_kg_per_m: input("mass_air_kg_m"),
         ..ComponentSpec::uniform(
@@ -58,20 +55,11 @@ fn row(inclination_deg: f64, waves: f64) -> Pushed {
     };
     let mut model = model(
         path(&stations, Interpolation::Spline),
-        vec![section(
-            HoleKind::Open,
-            0.0,
-            length_m + 10.0,
-            input("hole_m"),
-            0.0,
-        )],
+        vec![section(HoleKind::Open, 0.0, length_m + 10.0, input("hole_m"), 0.0)],
         vec![pipe],
         length_m,
     );
-    model.mud = Mud {
-        density_kg_per_m3: input("rho_mud"),
-        ..model.mud
-    };
+    model.mud = Mud { density_kg_per_m3: input("rho_mud"), ..model.mud };
     let slide = Operation {
         // A bit that hardly cuts, without torque.
         rate_of_penetration_m_per_s: 1e-9,
@@ -119,17 +107,12 @@ fn shape(row: &Pushed, load: f64, seconds: f64, ends: f64) -> Shape {
         .iter()
         .zip(&nodes.climb_rad)
         .filter(|(md, _)| **md > near && **md < length_m - near);
-    let lying: Vec<(f64, f64)> = inner
-        .clone()
-        .filter_map(|(md, climb)| climb.map(|climb| (*md, climb)))
-        .collect();
+    let lying: Vec<(f64, f64)> =
+        inner.clone().filter_map(|(md, climb)| climb.map(|climb| (*md, climb))).collect();
     // What touches nothing has no angle, and would pass for straight.
     assert_eq!(lying.len(), inner.count(), "it lies on the wall");
-    let crossings: Vec<f64> = lying
-        .windows(2)
-        .filter(|pair| pair[0].1 * pair[1].1 < 0.0)
-        .map(|pair| pair[0].0)
-        .collect();
+    let crossings: Vec<f64> =
+        lying.windows(2).filter(|pair| pair[0].1 * pair[1].1 < 0.0).map(|pair| pair[0].0).collect();
     let wavelength_m = match crossings.as_slice() {
         [first, .., last] => 2.0 * (last - first) / (crossings.len() - 1) as f64,
         _ => f64::INFINITY,
@@ -244,10 +227,7 @@ fn snaking<'a>(quantity: &'a str, shape: &Shape) -> Row<'a> {
 fn the_onset_and_the_amplitude_of_snaking() {
     let loads = [0.99, 1.0, 1.02, 1.05, 1.1];
     let row = row(90.0, WAVES);
-    for (load, shape) in loads
-        .iter()
-        .zip(each(&loads, |load| shape(&row, *load, 40.0, ENDS)))
-    {
+    for (load, shape) in loads.iter().zip(each(&loads, |load| shape(&row, *load, 40.0, ENDS))) {
         let at = format!("hole of 90° at {load} of the load");
         if *load <= 1.0 {
             report(&straight(&format!("{at}: largest angle, rad"), &shape));
@@ -286,24 +266,15 @@ fn the_onset_hardly_depends_on_length_and_mesh() {
     });
     let below = cases.iter().zip(&shapes).filter(|(case, _)| case.2 < 1.0);
     report_worst(below.map(|(_, shape)| {
-        straight(
-            "12 to 48 waves at 0.99 of the load: largest angle, rad",
-            shape,
-        )
+        straight("12 to 48 waves at 0.99 of the load: largest angle, rad", shape)
     }));
     let above = cases.iter().zip(&shapes).filter(|(case, _)| case.2 > 1.0);
     report_worst(above.map(|(_, shape)| {
-        snaking(
-            "12 to 48 waves at 1.02 of the load: largest angle, rad",
-            shape,
-        )
+        snaking("12 to 48 waves at 1.02 of the load: largest angle, rad", shape)
     }));
     let row = row(60.0, 24.0);
     let loads = [1.02, 1.05, 1.1, 1.15, 1.25];
-    for (load, shape) in loads
-        .iter()
-        .zip(each(&loads, |load| shape(&row, *load, 30.0, 0.5)))
-    {
+    for (load, shape) in loads.iter().zip(each(&loads, |load| shape(&row, *load, 30.0, 0.5))) {
         let quantity =
             format!("hole of 60° at {load} of the load with 24 waves: largest angle, rad");
         if *load <= 1.05 {

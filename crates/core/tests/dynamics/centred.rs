@@ -40,11 +40,7 @@ fn it_starts_with_its_static_tension() {
         let expected = along * (bit_md - nodes.md_m[i]) - weight;
         let error = (nodes.tension_N[i] - expected).abs() / largest;
         assert!(error < 2e-3, "{error:e} at {} m", nodes.md_m[i]);
-        assert!(
-            nodes.torque_N_m[i].abs() < 1.0,
-            "{} N·m",
-            nodes.torque_N_m[i]
-        );
+        assert!(nodes.torque_N_m[i].abs() < 1.0, "{} N·m", nodes.torque_N_m[i]);
     }
     assert!(outcome.scalars.twist_rad.abs() < 1e-3);
     assert_close("hook load", outcome.scalars.hook_load_N, largest, 2e-3);
@@ -125,15 +121,9 @@ fn a_cold_start_drops_the_string_into_its_weight() {
     case.settings.centred.tension = StartTension::Cold;
     case.settings.settle_s = 0.0;
     case.settings.hoist_control = Some(HoistControl::BlockVelocity(0.0));
-    case.settings.hoist_line = HoistLine {
-        stiffness_N_per_m: 1e11,
-        damping_N_s_per_m: 0.0,
-        block_mass_kg: 0.0,
-    };
-    case.settings.damping = RodDamping {
-        mass_per_s: 0.0,
-        stiffness_s: 1e-5,
-    };
+    case.settings.hoist_line =
+        HoistLine { stiffness_N_per_m: 1e11, damping_N_s_per_m: 0.0, block_mass_kg: 0.0 };
+    case.settings.damping = RodDamping { mass_per_s: 0.0, stiffness_s: 1e-5 };
     let pipe = &case.model.string.components()[0];
     let weight = length
         * pipe.buoyed_weight_per_length_N_per_m(mud().density_kg_per_m3)
@@ -148,10 +138,7 @@ fn a_cold_start_drops_the_string_into_its_weight() {
         let part = (time - 0.5 * case.settings.sample_interval_s) / back_s;
         let expected = 2.0 * weight * (1.0 - (part - 1.0).abs()).abs();
         let error = (load - expected).abs() / (2.0 * weight);
-        assert!(
-            error < 0.01 || part > 1.9,
-            "{load} N at {part} of the way, expected {expected} N"
-        );
+        assert!(error < 0.01 || part > 1.9, "{load} N at {part} of the way, expected {expected} N");
     }
 }
 
@@ -162,20 +149,13 @@ fn the_ramp_is_as_set() {
         let hang = operation(OperationKind::RotateOffBottom, 100.0);
         let mut case = Case::new(straight(100.0, 0.3), hang);
         case.settings.start = Start::Centred;
-        case.settings.centred = CentredStart {
-            ramp_s,
-            ..CentredStart::default()
-        };
+        case.settings.centred = CentredStart { ramp_s, ..CentredStart::default() };
         case.settings.settle_s = 0.0;
         let mut simulation = case.start();
         go(&mut simulation, 1.0);
         let series = simulation.outcome().series;
         for (time, speed) in series.time_s.iter().zip(&series.rotary_speed_rad_per_s) {
-            let part = if ramp_s > 0.0 {
-                (time / ramp_s).min(1.0)
-            } else {
-                1.0
-            };
+            let part = if ramp_s > 0.0 { (time / ramp_s).min(1.0) } else { 1.0 };
             // The step that ends at a time set its speed at its beginning.
             let late = 1e-3 / if ramp_s > 0.0 { ramp_s } else { 1.0 };
             let expected = part * hang.rotary_speed_rad_per_s;

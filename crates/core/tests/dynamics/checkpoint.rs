@@ -146,10 +146,7 @@ fn a_run_taken_up_again_settles_at_the_same_sample() {
         assert!(settle_s > 10.0, "{settle_s}");
         assert_eq!(straight.numerics.settled, Some(true), "{settle_s}");
         let end_s = straight.series.time_s.last().copied().unwrap();
-        assert!(
-            (end_s - settle_s - 4.0).abs() < 0.02,
-            "{settle_s} to {end_s}"
-        );
+        assert!((end_s - settle_s - 4.0).abs() < 0.02, "{settle_s} to {end_s}");
         assert!(straight == resumed);
     }
 }
@@ -162,10 +159,7 @@ fn a_checkpoint_of_another_string_is_refused() {
     case.settings.element_length_m *= 2.0;
     let expected = case.start().mesh().nodes.len();
     let error = Simulation::resume(&case.model, &case.operation, &case.settings, checkpoint);
-    assert_eq!(
-        error.unwrap_err(),
-        ResumeError::AnotherString { found, expected }
-    );
+    assert_eq!(error.unwrap_err(), ResumeError::AnotherString { found, expected });
 }
 
 #[test]

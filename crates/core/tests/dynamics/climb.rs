@@ -46,10 +46,8 @@ fn a_turning_pipe_climbs_to_the_angle_of_friction() {
     let data = verification("E05_rotating_pipe_climb_angle.json");
     let rows = data["rows"].as_array().expect("rows");
     assert_eq!(rows.len(), 4);
-    let cases: Vec<_> = rows
-        .iter()
-        .flat_map(|row| [3.2, 1.6].map(|length| (row, length)))
-        .collect();
+    let cases: Vec<_> =
+        rows.iter().flat_map(|row| [3.2, 1.6].map(|length| (row, length))).collect();
     let found = each(&cases, |(row, element_length_m)| {
         let mu = row["mu"].as_f64().expect("mu");
         let model = straight(LENGTH_M, mu);
@@ -68,11 +66,7 @@ fn a_turning_pipe_climbs_to_the_angle_of_friction() {
             number("torque_over_r_w_sin_i") * across * pipe.contact_radius_m(),
             number("offset_angle_deg").to_radians(),
         ];
-        let what = [
-            ("side force", "N/m"),
-            ("torque per metre", "N"),
-            ("climb", "rad"),
-        ];
+        let what = [("side force", "N/m"), ("torque per metre", "N"), ("climb", "rad")];
         for (((what, unit), computed), expected) in
             what.iter().zip([force, torque, climb]).zip(expected)
         {

@@ -24,26 +24,16 @@ fn drilling() -> Case {
         ..operation(OperationKind::Drill, LENGTH_M)
     };
     let mut case = Case::new(straight(LENGTH_M, 0.0), drill);
-    case.settings.damping = RodDamping {
-        mass_per_s: 0.0,
-        ..case.settings.damping
-    };
+    case.settings.damping = RodDamping { mass_per_s: 0.0, ..case.settings.damping };
     case
 }
 
 /// Stiffness between block and rock front, N/m: pipe, hoist line and rock in series.
 fn stiffness_N_per_m(case: &Case) -> f64 {
-    let pipe: f64 = case
-        .model
-        .string
-        .components()
-        .iter()
-        .map(|c| c.length_m / c.axial_stiffness_N())
-        .sum();
+    let pipe: f64 =
+        case.model.string.components().iter().map(|c| c.length_m / c.axial_stiffness_N()).sum();
     let line = 1.0 / case.settings.hoist_line.stiffness_N_per_m;
-    let BitLaw::Rate(law) = case.settings.bit.law else {
-        panic!("the rate law is the default")
-    };
+    let BitLaw::Rate(law) = case.settings.bit.law else { panic!("the rate law is the default") };
     let rock = 1.0 / law.rock_stiffness_N_per_m;
     1.0 / (pipe + line + rock)
 }
@@ -91,14 +81,8 @@ fn a_constant_hook_load_sets_the_weight_on_bit() {
     let series = simulation.outcome().series;
     let of = |from, to| mean_between(&series.time_s, &series.weight_on_bit_N, from, to);
     let (same, less) = (of(20.0, 25.0), of(65.0, 70.0));
-    assert!(
-        (same - weight).abs() < 20.0,
-        "{same} N for {weight} N at the same hook load"
-    );
-    assert!(
-        (weight - less - 5e3).abs() < 20.0,
-        "{less} N for {weight} N less 5 kN"
-    );
+    assert!((same - weight).abs() < 20.0, "{same} N for {weight} N at the same hook load");
+    assert!((weight - less - 5e3).abs() < 20.0, "{less} N for {weight} N less 5 kN");
 }
 
 /// The autodriller brings a bit that has too little weight back to its target, at the rate of the
@@ -125,11 +109,7 @@ fn the_autodriller_recovers_its_weight() {
         .map(|w| (WEIGHT_N - w).ln())
         .collect();
     let found = -line(&time, &missing).0;
-    let Autodriller {
-        gain_m_per_s_per_N: gain,
-        filter_s: tau,
-        ..
-    } = case.settings.autodriller;
+    let Autodriller { gain_m_per_s_per_N: gain, filter_s: tau, .. } = case.settings.autodriller;
     let k = stiffness_N_per_m(&case);
     let open = k * RATE_M_PER_S / WEIGHT_N;
     // τ s² + (1 + open τ) s + open + k g = 0.

@@ -18,10 +18,7 @@ const LENGTH_M: f64 = 1500.0;
 /// An undamped string that hangs from a fixed top in air, with no wall near.
 fn free_string() -> Simulation {
     let mut model = model(
-        path(
-            &[[0.0, 0.0, 0.0], [LENGTH_M, 0.0, 0.0]],
-            Interpolation::Spline,
-        ),
+        path(&[[0.0, 0.0, 0.0], [LENGTH_M, 0.0, 0.0]], Interpolation::Spline),
         vec![section(HoleKind::Open, 0.0, LENGTH_M, 40.0, 0.3)],
         vec![tool("pipe", ComponentLength::ToSurface, 0.1397, 0.1186)],
         LENGTH_M,
@@ -31,10 +28,7 @@ fn free_string() -> Simulation {
     case.operation.trip_speed_m_per_s = 0.0;
     case.settings = DynamicsSettings {
         start: Start::Centred,
-        damping: RodDamping {
-            mass_per_s: 0.0,
-            stiffness_s: 0.0,
-        },
+        damping: RodDamping { mass_per_s: 0.0, stiffness_s: 0.0 },
         hoist_control: Some(HoistControl::BlockVelocity(0.0)),
         // So stiff that the top does not move: it neither stores energy nor, solved implicitly,
         // loses any.
@@ -67,11 +61,7 @@ fn an_undamped_string_keeps_its_energy() {
     // turns at 5 rad/s.
     let bump = |from_bit_m: f64, depth_m: f64, width_m: f64| {
         let part = (LENGTH_M - from_bit_m - depth_m) / width_m + 0.5;
-        if (0.0..1.0).contains(&part) {
-            (std::f64::consts::PI * part).sin()
-        } else {
-            0.0
-        }
+        if (0.0..1.0).contains(&part) { (std::f64::consts::PI * part).sin() } else { 0.0 }
     };
     simulation.apply_impulse(|node| {
         let sideways = bump(node.from_bit_m, 500.0, 60.0);
@@ -90,10 +80,7 @@ fn an_undamped_string_keeps_its_energy() {
         peak = peak.max(simulation.kinetic_energy_J());
     }
     let outcome = simulation.outcome();
-    assert!(
-        outcome.nodes.contact_fraction.iter().all(|c| *c == 0.0),
-        "it touched the wall"
-    );
+    assert!(outcome.nodes.contact_fraction.iter().all(|c| *c == 0.0), "it touched the wall");
     let worst = change.iter().fold(0.0f64, |w, c| w.max(c.abs())) / peak;
     let drift = line(&time, &change).0 * 60.0 / peak;
     for (what, computed, within, reason) in [
@@ -178,13 +165,7 @@ fn what_comes_in_goes_out() {
     close("work of the hoist", e.hoist_work_J, hoist, 1e-3, line);
     let drive = sum(&|i| t.surface_torque_N_m[i] * spin(i));
     let samples = "samples against steps in the second of the start";
-    close(
-        "work of the top drive",
-        e.top_drive_work_J,
-        drive,
-        2e-4,
-        samples,
-    );
+    close("work of the top drive", e.top_drive_work_J, drive, 2e-4, samples);
     let friction = sum(&|i| t.friction_torque_N_m[i] * spin(i) - t.axial_friction_N[i] * speed(i));
     let moves = "in the first seconds the string does not yet move as its top does";
     close("loss by friction", e.friction_loss_J, friction, 0.01, moves);
@@ -204,13 +185,7 @@ fn what_comes_in_goes_out() {
         })
         .sum();
     let fall = "the fall on the wall left out: 0.04 m of 18";
-    close(
-        "change of potential energy",
-        e.gravity_change_J,
-        gained,
-        2e-3,
-        fall,
-    );
+    close("change of potential energy", e.gravity_change_J, gained, 2e-3, fall);
     // What has no independent estimate has its sign.
     assert!(e.contact_loss_J > 0.0 && e.mud_loss_J > 0.0 && e.damping_loss_J > 0.0);
     // The bit is off bottom; what holds it to the axis takes part in the fall.

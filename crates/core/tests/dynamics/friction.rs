@@ -22,10 +22,7 @@ const TRIP_M_PER_S: f64 = 0.1;
 fn reaming(mu: f64, ratio: f64, law: FrictionLaw) -> Case {
     let mut model = straight(LENGTH_M, mu);
     change_hole(&mut model, |s| HoleSection {
-        friction: Friction {
-            around: ratio,
-            ..s.friction
-        },
+        friction: Friction { around: ratio, ..s.friction },
         to_md_m: s.to_md_m + 10.0,
         ..*s
     });
@@ -49,11 +46,7 @@ fn middle(outcome: &DynamicOutcome) -> [f64; 3] {
     let mean = |of: &[f64]| inside.iter().map(|i| of[*i]).sum::<f64>() / inside.len() as f64;
     let md: Vec<f64> = inside.iter().map(|i| nodes.md_m[*i]).collect();
     let torque: Vec<f64> = inside.iter().map(|i| nodes.torque_N_m[*i]).collect();
-    [
-        mean(&nodes.axial_friction_N_per_m),
-        -line(&md, &torque).0,
-        mean(&nodes.wear_work_J_per_m),
-    ]
+    [mean(&nodes.axial_friction_N_per_m), -line(&md, &torque).0, mean(&nodes.wear_work_J_per_m)]
 }
 
 /// A pipe that turns while it goes down, in a straight hole: with `q = w sin i`, surface speeds `v`
@@ -95,20 +88,12 @@ fn friction_and_wear_of_a_pipe_that_turns_and_goes_down() {
         // To a whole sample of 10 ms, and that to whole steps of 0.7 ms.
         let window_s = outcome.wear.wear_work_J_per_m[20] / outcome.wear.wear_power_W_per_m[20];
         assert_close("window", window_s, 10.0, 1.07e-3);
-        let expected = [
-            -share_along * normal,
-            radius * share_around * normal,
-            power * window_s,
-        ];
-        for (what, (found, expected)) in ["axial friction", "torque", "wear"]
-            .iter()
-            .zip(found.iter().zip(expected))
+        let expected = [-share_along * normal, radius * share_around * normal, power * window_s];
+        for (what, (found, expected)) in
+            ["axial friction", "torque", "wear"].iter().zip(found.iter().zip(expected))
         {
             let what = format!("{law:?} {ratio}: {what} per metre");
-            println!(
-                "{what}: {found} for {expected}, {:.1e}",
-                found / expected - 1.0
-            );
+            println!("{what}: {found} for {expected}, {:.1e}", found / expected - 1.0);
             assert_close(&what, *found, expected, 2e-4);
         }
         let wear = &outcome.wear;
@@ -117,10 +102,7 @@ fn friction_and_wear_of_a_pipe_that_turns_and_goes_down() {
             .collect();
         let mean = |of: &[f64]| inside.iter().map(|i| of[*i]).sum::<f64>() / inside.len() as f64;
         let what = format!("{law:?} {ratio}: wear per metre of hole");
-        println!(
-            "{what}: {:.1e}",
-            mean(&wear.wear_power_W_per_m) / power - 1.0
-        );
+        println!("{what}: {:.1e}", mean(&wear.wear_power_W_per_m) / power - 1.0);
         assert_close(&what, mean(&wear.wear_work_J_per_m), expected[2], 2e-4);
         assert_close(&what, mean(&wear.wear_power_W_per_m), power, 2e-4);
     }

@@ -22,26 +22,10 @@ fn a_stopped_string_keeps_its_hook_load() {
     go(&mut simulation, 61.0);
     let outcome = simulation.outcome();
     let series = &outcome.series;
-    let held = between(
-        &series.time_s,
-        &series.hook_load_N,
-        stop_s + 10.0,
-        stop_s + 60.0,
-    );
-    let (low, high) = held
-        .iter()
-        .fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(*x), h.max(*x)));
-    let friction = between(
-        &series.time_s,
-        &series.axial_friction_N,
-        stop_s + 10.0,
-        stop_s + 60.0,
-    );
+    let held = between(&series.time_s, &series.hook_load_N, stop_s + 10.0, stop_s + 60.0);
+    let (low, high) = held.iter().fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(*x), h.max(*x)));
+    let friction = between(&series.time_s, &series.axial_friction_N, stop_s + 10.0, stop_s + 60.0);
     assert!(high - low < 100.0, "hook load between {low} and {high} N");
     // It was lowered against friction, and that has not been lost.
-    assert!(
-        friction.iter().all(|f| *f < -100e3),
-        "the wall carries {} N",
-        friction[0]
-    );
+    assert!(friction.iter().all(|f| *f < -100e3), "the wall carries {} N", friction[0]);
 }

@@ -41,30 +41,15 @@ fn drilling(mu: f64) -> Case {
 #[test]
 fn without_friction_it_is_the_weight_that_the_bit_does_not_bear() {
     let case = drilling(0.0);
-    let (lift, _) = tune_hook_load(
-        &case.model,
-        &case.operation,
-        &case.settings,
-        &alone(),
-        |_, _| true,
-    )
-    .unwrap_or_else(|error| panic!("{error}"));
+    let (lift, _) =
+        tune_hook_load(&case.model, &case.operation, &case.settings, &alone(), |_, _| true)
+            .unwrap_or_else(|error| panic!("{error}"));
     let pipe = &case.model.string.components()[0];
     let hanging = LENGTH_M
         * pipe.buoyed_weight_per_length_N_per_m(mud().density_kg_per_m3)
         * STRAIGHT_DEG.to_radians().cos();
-    assert_close(
-        "lift and weight on bit",
-        lift.hook_load_N + lift.weight_on_bit_N,
-        hanging,
-        1e-3,
-    );
-    assert_close(
-        "weight on bit",
-        lift.weight_on_bit_N,
-        WEIGHT_N,
-        WEIGHT_TOLERANCE,
-    );
+    assert_close("lift and weight on bit", lift.hook_load_N + lift.weight_on_bit_N, hanging, 1e-3);
+    assert_close("weight on bit", lift.weight_on_bit_N, WEIGHT_N, WEIGHT_TOLERANCE);
 }
 
 /// Where friction holds the string against its lift the weight does not follow it one for one, and
@@ -77,36 +62,20 @@ fn with_friction_it_is_found_and_holds() {
     case.settings.settle_s = 0.0;
     case.settings.friction_law = FrictionLaw::Independent;
     let mut tries = Vec::new();
-    let (lift, simulation) = tune_hook_load(
-        &case.model,
-        &case.operation,
-        &case.settings,
-        &alone(),
-        |run, _| {
+    let (lift, simulation) =
+        tune_hook_load(&case.model, &case.operation, &case.settings, &alone(), |run, _| {
             if tries.last() != Some(&run) {
                 tries.push(run);
             }
             true
-        },
-    )
-    .unwrap_or_else(|error| panic!("{error}"));
-    assert_close(
-        "weight on bit",
-        lift.weight_on_bit_N,
-        WEIGHT_N,
-        WEIGHT_TOLERANCE,
-    );
+        })
+        .unwrap_or_else(|error| panic!("{error}"));
+    assert_close("weight on bit", lift.weight_on_bit_N, WEIGHT_N, WEIGHT_TOLERANCE);
     assert_eq!(tries, (1..=lift.runs).collect::<Vec<_>>());
     case.settings.hoist_control = Some(HoistControl::HookLoad(lift.hook_load_N));
     let (found, again) = (simulation.outcome().scalars, case.run().scalars);
-    assert_eq!(
-        found.weight_on_bit_N.to_bits(),
-        again.weight_on_bit_N.to_bits()
-    );
-    assert_eq!(
-        lift.weight_on_bit_N.to_bits(),
-        again.weight_on_bit_N.to_bits()
-    );
+    assert_eq!(found.weight_on_bit_N.to_bits(), again.weight_on_bit_N.to_bits());
+    assert_eq!(lift.weight_on_bit_N.to_bits(), again.weight_on_bit_N.to_bits());
 }
 
 /// Nothing to tune for, a weight that the string does not have, and somebody who asks to stop.
@@ -115,30 +84,16 @@ fn what_cannot_be_tuned_says_so() {
     let case = drilling(0.0);
     let off = operation(OperationKind::RotateOffBottom, LENGTH_M);
     let tuned = |operation: &Operation, goes_on: bool| {
-        tune_hook_load(&case.model, operation, &case.settings, &alone(), |_, _| {
-            goes_on
-        })
-        .map(|(lift, _)| lift)
+        tune_hook_load(&case.model, operation, &case.settings, &alone(), |_, _| goes_on)
+            .map(|(lift, _)| lift)
     };
-    assert!(matches!(
-        tuned(&off, true),
-        Err(TuningError::NoWeight("rotate_off_bottom"))
-    ));
-    assert!(matches!(
-        tuned(&case.operation, false),
-        Err(TuningError::Stopped)
-    ));
-    let heavy = Operation {
-        weight_on_bit_N: 1e6,
-        ..case.operation
-    };
+    assert!(matches!(tuned(&off, true), Err(TuningError::NoWeight("rotate_off_bottom"))));
+    assert!(matches!(tuned(&case.operation, false), Err(TuningError::Stopped)));
+    let heavy = Operation { weight_on_bit_N: 1e6, ..case.operation };
     match tuned(&heavy, true) {
         Err(error @ TuningError::NotFound { .. }) => {
             let told = error.to_string();
-            assert!(
-                told.contains("1000.0 kN") && told.contains("20 runs"),
-                "{told}"
-            );
+            assert!(told.contains("1000.0 kN") && told.contains("20 runs"), "{told}");
         }
         other => panic!("{other:?}"),
     }

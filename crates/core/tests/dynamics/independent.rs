@@ -35,11 +35,6 @@ fn reaming_slides_both_ways() {
         let limit = mu * found.side_force_total_N;
         let name = format!("{law:?}");
         assert_close(&name, -found.axial_friction_N, limit * parts[0], 1e-3);
-        assert_close(
-            &name,
-            found.friction_torque_N_m,
-            limit * radius * parts[1],
-            1e-3,
-        );
+        assert_close(&name, found.friction_torque_N_m, limit * radius * parts[1], 1e-3);
     }
 }

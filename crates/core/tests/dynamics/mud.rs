@@ -21,14 +21,8 @@ const OD_M: f64 = 0.127;
 const ID_M: f64 = 0.1086;
 const HOLE_M: f64 = 0.2159;
 
-const BINGHAM: Rheology = Rheology::Bingham {
-    plastic_viscosity_Pa_s: 0.025,
-    yield_point_Pa: 7.2,
-};
-const POWER_LAW: Rheology = Rheology::PowerLaw {
-    consistency_Pa_s_n: 0.6,
-    flow_index: 0.6,
-};
+const BINGHAM: Rheology = Rheology::Bingham { plastic_viscosity_Pa_s: 0.025, yield_point_Pa: 7.2 };
+const POWER_LAW: Rheology = Rheology::PowerLaw { consistency_Pa_s_n: 0.6, flow_index: 0.6 };
 
 /// Plain pipe in a straight, frictionless hole.
 fn case(kind: OperationKind, mud: Mud) -> Case {
@@ -58,10 +52,7 @@ fn case(kind: OperationKind, mud: Mud) -> Case {
 }
 
 fn heavy(rheology: Rheology) -> Mud {
-    Mud {
-        rheology: Some(rheology),
-        ..mud_with_drag()
-    }
+    Mud { rheology: Some(rheology), ..mud_with_drag() }
 }
 
 /// A motor that takes 4.19 MPa for the bit's 1000 N·m, `2π T/(η V)`.
@@ -91,24 +82,14 @@ fn a_rotating_string_needs_couettes_torque() {
     let viscosity = 0.5;
     let mut case = case(
         OperationKind::RotateOffBottom,
-        Mud {
-            density_kg_per_m3: 0.0,
-            ..heavy(Rheology::Newtonian {
-                viscosity_Pa_s: viscosity,
-            })
-        },
+        Mud { density_kg_per_m3: 0.0, ..heavy(Rheology::Newtonian { viscosity_Pa_s: viscosity }) },
     );
     case.operation.flow_rate_m3_per_s = 0.0;
     let outcome = case.run();
     let (a2, r2) = (0.25 * OD_M * OD_M, 0.25 * HOLE_M * HOLE_M);
     let per_m = 4.0 * std::f64::consts::PI * viscosity * a2 * r2 / (r2 - a2) * rpm(100.0);
     let soft = case.soft();
-    assert_close(
-        "soft",
-        soft.scalars.surface_torque_N_m,
-        per_m * LENGTH_M,
-        1e-12,
-    );
+    assert_close("soft", soft.scalars.surface_torque_N_m, per_m * LENGTH_M, 1e-12);
     let torque = outcome.scalars.surface_torque_N_m;
     assert_close("dynamic", torque, per_m * LENGTH_M, 1e-4);
     let mud = outcome.hydraulics.expect("the mud has a rheology");
@@ -158,15 +139,10 @@ fn dynamics_and_soft_string_agree_in_a_mud_that_flows() {
         );
         assert_close(&name, found.mud_drag_N, mud.mud_drag_N, 1e-3);
         if case.operation.kind.rotates() {
-            let (found, wanted) = (
-                d.surface_torque_N_m - d.bit_torque_N_m,
-                s.surface_torque_N_m - s.bit_torque_N_m,
-            );
+            let (found, wanted) =
+                (d.surface_torque_N_m - d.bit_torque_N_m, s.surface_torque_N_m - s.bit_torque_N_m);
             let allowed = 1e-3 * s.surface_torque_N_m;
-            assert!(
-                (found - wanted).abs() < allowed,
-                "{name}: torque {found} for {wanted}"
-            );
+            assert!((found - wanted).abs() < allowed, "{name}: torque {found} for {wanted}");
         }
         let motor_Pa = match case.settings.bit.motor {
             Motor::Speed(_) => 0.0,
@@ -183,11 +159,7 @@ fn dynamics_and_soft_string_agree_in_a_mud_that_flows() {
             assert_close(&name, mud.pump_pressure_Pa, losses, 1e-12);
             assert_close(&name, found.pump_pressure_Pa, mud.pump_pressure_Pa, 1e-3);
         }
-        assert!(
-            dynamic.numerics.energy_residual.abs() < 1e-5,
-            "{name}: {:?}",
-            dynamic.numerics
-        );
+        assert!(dynamic.numerics.energy_residual.abs() < 1e-5, "{name}: {:?}", dynamic.numerics);
     }
 }
 
@@ -231,9 +203,7 @@ fn the_metal_feels_the_pressures_of_a_mud_that_flows() {
     let (viscosity, flow, bit_loss) = (0.6, 0.03, 8e6);
     let mut case = case(
         OperationKind::RotateOffBottom,
-        heavy(Rheology::Newtonian {
-            viscosity_Pa_s: viscosity,
-        }),
+        heavy(Rheology::Newtonian { viscosity_Pa_s: viscosity }),
     );
     let pumps = |at_s, ramp_s, flow| ScheduleStep {
         at_s,
@@ -242,13 +212,8 @@ fn the_metal_feels_the_pressures_of_a_mud_that_flows() {
         ..ScheduleStep::default()
     };
     case.settings.schedule.steps = vec![pumps(0.0, 0.0, 0.0), pumps(2.0, 8.0, flow)];
-    let from_top_m: Vec<f64> = case
-        .start()
-        .mesh()
-        .nodes
-        .iter()
-        .map(|node| LENGTH_M - node.from_bit_m)
-        .collect();
+    let from_top_m: Vec<f64> =
+        case.start().mesh().nodes.iter().map(|node| LENGTH_M - node.from_bit_m).collect();
     let outcome = case.run();
     let nodes = &outcome.nodes;
 
@@ -292,10 +257,7 @@ fn the_metal_feels_the_pressures_of_a_mud_that_flows() {
             continue;
         }
         let (found, expected) = (nodes.true_tension_N[i], metal(*md_m));
-        assert!(
-            (found - expected).abs() < 9.0,
-            "true tension at {md_m}: {found} for {expected} N"
-        );
+        assert!((found - expected).abs() < 9.0, "true tension at {md_m}: {found} for {expected} N");
     }
 
     let series = &outcome.series;

@@ -14,17 +14,10 @@ use crate::{
 fn assert_agree(what: &str, a: &Scalars, b: &Scalars, tolerance: f64) {
     for (quantity, a, b) in [
         ("hook load", a.hook_load_N, b.hook_load_N),
-        (
-            "friction torque",
-            a.friction_torque_N_m,
-            b.friction_torque_N_m,
-        ),
+        ("friction torque", a.friction_torque_N_m, b.friction_torque_N_m),
     ] {
         let apart = relative_error(a, b);
-        assert!(
-            apart < tolerance,
-            "{what}: {quantity} {a} for {b}, {apart:.2e} apart"
-        );
+        assert!(apart < tolerance, "{what}: {quantity} {a} for {b}, {apart:.2e} apart");
     }
 }
 
@@ -54,19 +47,12 @@ fn wall_stiffness_does_not_matter() {
     let stiffnesses = [2e9, 2e7, 2e11];
     let found = each(&stiffnesses, |stiffness_N_per_m| {
         let mut case = np13(0.3);
-        case.settings.contact_law = ContactLaw::Linear {
-            stiffness_N_per_m: *stiffness_N_per_m,
-            damping_ratio: 0.05,
-        };
+        case.settings.contact_law =
+            ContactLaw::Linear { stiffness_N_per_m: *stiffness_N_per_m, damping_ratio: 0.05 };
         case.run().scalars
     });
     for (stiffness, scalars) in stiffnesses.iter().zip(&found).skip(1) {
-        assert_agree(
-            &format!("a wall of {stiffness:e} N/m"),
-            scalars,
-            &found[0],
-            2e-4,
-        );
+        assert_agree(&format!("a wall of {stiffness:e} N/m"), scalars, &found[0], 2e-4);
     }
 }
 
@@ -91,11 +77,7 @@ fn quiet_rotation_agrees_with_the_soft_string() {
         let hook = relative_error(scalars.hook_load_N, soft.hook_load_N);
         let climbed = soft.friction_torque_N_m / (1.0 + mu * mu).sqrt();
         let torque = relative_error(scalars.friction_torque_N_m, climbed);
-        assert!(
-            hook < 1e-3,
-            "friction {mu}: hook load {} N, {hook:.2e} off",
-            scalars.hook_load_N
-        );
+        assert!(hook < 1e-3, "friction {mu}: hook load {} N, {hook:.2e} off", scalars.hook_load_N);
         assert!(
             torque < 6e-3,
             "friction {mu}: friction torque {} N·m for {climbed}, {torque:.2e} off",
@@ -115,31 +97,19 @@ fn it_touches_where_it_must() {
     let cutoff = outcome.scalars.cutoff_depth_m.expect("a cut-off");
     let soft = case.soft().scalars.cutoff_depth_m.expect("a cut-off");
     // One spacing of tool joints: the string touches nowhere between.
-    assert!(
-        (cutoff - soft).abs() < 10.0,
-        "cut-off at {cutoff} m, soft string {soft} m"
-    );
+    assert!((cutoff - soft).abs() < 10.0, "cut-off at {cutoff} m, soft string {soft} m");
     for (i, md) in nodes.md_m.iter().enumerate() {
         if *md < kick_off - 30.0 {
-            assert_eq!(
-                nodes.contact_fraction[i], 0.0,
-                "contact at {md} m, above the kick-off"
-            );
+            assert_eq!(nodes.contact_fraction[i], 0.0, "contact at {md} m, above the kick-off");
         }
         // The side flips where the load across the pipe vanishes: half a joint's spacing to either
         // side belongs to both.
         let force = nodes.side_force_N_per_m[i];
         if (kick_off..cutoff - 10.0).contains(md) {
-            assert!(
-                force >= 0.0,
-                "low side at {md} m, above the cut-off: {force} N/m"
-            );
+            assert!(force >= 0.0, "low side at {md} m, above the cut-off: {force} N/m");
         }
         if (cutoff + 10.0..build_end + 100.0).contains(md) {
-            assert!(
-                force <= 0.0,
-                "high side at {md} m, below the cut-off: {force} N/m"
-            );
+            assert!(force <= 0.0, "high side at {md} m, below the cut-off: {force} N/m");
         }
     }
     let touched = |from: f64, to: f64| {
@@ -160,10 +130,8 @@ fn it_touches_where_it_must() {
 #[test]
 fn hook_load_spreads_with_friction_only_in_the_independent_law() {
     let laws = [FrictionLaw::Vector, FrictionLaw::Independent];
-    let cases: Vec<(FrictionLaw, f64)> = laws
-        .iter()
-        .flat_map(|law| [0.1, 0.3].map(|mu| (*law, mu)))
-        .collect();
+    let cases: Vec<(FrictionLaw, f64)> =
+        laws.iter().flat_map(|law| [0.1, 0.3].map(|mu| (*law, mu))).collect();
     let found: Vec<DynamicOutcome> = each(&cases, |(law, mu)| {
         let mut case: Case = np13(*mu);
         case.settings.friction_law = *law;
@@ -171,16 +139,6 @@ fn hook_load_spreads_with_friction_only_in_the_independent_law() {
     });
     let hook = |i: usize| found[i].scalars.hook_load_N;
     let spread = |a: usize, b: usize| (hook(b) - hook(a)) / hook(a);
-    assert!(
-        spread(0, 1).abs() < 5e-3,
-        "vector law: {} to {} N",
-        hook(0),
-        hook(1)
-    );
-    assert!(
-        spread(2, 3) < -0.3,
-        "independent law: {} to {} N",
-        hook(2),
-        hook(3)
-    );
+    assert!(spread(0, 1).abs() < 5e-3, "vector law: {} to {} N", hook(0), hook(1));
+    assert!(spread(2, 3) < -0.3, "independent law: {} to {} N", hook(2), hook(3));
 }

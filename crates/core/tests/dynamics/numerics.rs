@@ -51,38 +51,16 @@ fn numbers(outcome: &DynamicOutcome) -> Vec<(&'static str, Vec<f64>)> {
         ("energy residual", vec![n.energy_residual]),
         ("climb", p.climb_rad.iter().copied().flatten().collect()),
         ("stick-slip", stick_slip.unwrap_or_default()),
-        (
-            "whirl",
-            whirl
-                .flat_map(|of| [of.rate_rad_per_s, of.ratio, of.length_fraction])
-                .collect(),
-        ),
-        (
-            "force of a joint",
-            p.side_force_per_joint_N.iter().copied().flatten().collect(),
-        ),
-        (
-            "use of the yield",
-            p.yield_use.iter().copied().flatten().collect(),
-        ),
-        (
-            "neutral point in time",
-            t.neutral_point_m.iter().copied().flatten().collect(),
-        ),
-        (
-            "cut-off in time",
-            t.cutoff_depth_m.iter().copied().flatten().collect(),
-        ),
+        ("whirl", whirl.flat_map(|of| [of.rate_rad_per_s, of.ratio, of.length_fraction]).collect()),
+        ("force of a joint", p.side_force_per_joint_N.iter().copied().flatten().collect()),
+        ("use of the yield", p.yield_use.iter().copied().flatten().collect()),
+        ("neutral point in time", t.neutral_point_m.iter().copied().flatten().collect()),
+        ("cut-off in time", t.cutoff_depth_m.iter().copied().flatten().collect()),
     ];
     if let Some(h) = h {
         all.push((
             "hydraulics",
-            vec![
-                h.mud_drag_N,
-                h.mud_torque_N_m,
-                h.jet_thrust_N,
-                h.pump_pressure_Pa,
-            ],
+            vec![h.mud_drag_N, h.mud_torque_N_m, h.jet_thrust_N, h.pump_pressure_Pa],
         ));
     }
     if let Some(e) = n.energy {
@@ -167,10 +145,7 @@ fn a_run_is_sound() {
     let cases = cases();
     for (case, outcome) in cases.iter().zip(each(&cases, Case::run)) {
         for (name, values) in numbers(&outcome) {
-            assert!(
-                values.iter().all(|x| x.is_finite()),
-                "{name} has {values:?}"
-            );
+            assert!(values.iter().all(|x| x.is_finite()), "{name} has {values:?}");
         }
         let columns = outcome.nodes.unlike_declared(ModelKind::Dynamic);
         assert!(columns.is_empty(), "not as declared: {columns:?}");
@@ -182,17 +157,11 @@ fn a_run_is_sound() {
         // A bit that fills its hole goes into it as far as its lateral spring lets it; its forces
         // are averages over a sample, of half a swing 2/π of the largest.
         let series = &outcome.series;
-        let forces = series
-            .bit_force_high_N
-            .iter()
-            .zip(&series.bit_force_right_N);
+        let forces = series.bit_force_high_N.iter().zip(&series.bit_force_right_N);
         let largest_N = forces.fold(0.0, |most: f64, (a, b)| most.max(a.hypot(*b)));
         let give_m = largest_N / case.settings.bit.lateral_stiffness_N_per_m;
         let deepest_m = numerics.max_penetration_m;
-        assert!(
-            deepest_m < 2e-4_f64.max(FRAC_PI_2 * give_m),
-            "{give_m} {numerics:?}"
-        );
+        assert!(deepest_m < 2e-4_f64.max(FRAC_PI_2 * give_m), "{give_m} {numerics:?}");
     }
 }
 
@@ -243,10 +212,7 @@ fn what_diverges_is_named_and_leaves_numbers() {
         let late_s = error.time_s - last_s;
         let interval_s = case.settings.sample_interval_s;
         assert!((0.0..1.1 * interval_s).contains(&late_s), "{late_s} s late");
-        assert_eq!(
-            (outcome.numerics.energy_residual, outcome.numerics.energy),
-            (1.0, None)
-        );
+        assert_eq!((outcome.numerics.energy_residual, outcome.numerics.energy), (1.0, None));
         for (name, values) in numbers(&outcome) {
             assert!(values.iter().all(|x| x.is_finite()), "{name}");
         }

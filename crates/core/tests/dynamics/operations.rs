@@ -37,10 +37,7 @@ const HOOK_TOLERANCE: f64 = 0.004;
 fn contact_laws() -> [ContactLaw; 2] {
     [
         DynamicsSettings::default().contact_law,
-        ContactLaw::Linear {
-            stiffness_N_per_m: 2e8,
-            damping_ratio: 0.05,
-        },
+        ContactLaw::Linear { stiffness_N_per_m: 2e8, damping_ratio: 0.05 },
     ]
 }
 
@@ -67,20 +64,13 @@ fn climbed_soft_string(case: &Case, kind: OperationKind, tan_psi: f64) -> Scalar
     model.well.hole = model.well.hole.with_friction(mu).expect("a coefficient");
     let mut operation = case.operation;
     operation.kind = kind;
-    soft::solve(&model, &operation, &soft::SoftSettings::default())
-        .expect("a sound case")
-        .scalars
+    soft::solve(&model, &operation, &soft::SoftSettings::default()).expect("a sound case").scalars
 }
 
 #[track_caller]
 fn assert_drag_agrees(case: &Case, found: &Scalars, expected: &Scalars) {
     let what = |quantity| format!("{quantity} of {}", case.operation.kind.name());
-    assert_close(
-        &what("hook load"),
-        found.hook_load_N,
-        expected.hook_load_N,
-        HOOK_TOLERANCE,
-    );
+    assert_close(&what("hook load"), found.hook_load_N, expected.hook_load_N, HOOK_TOLERANCE);
     if expected.axial_friction_N == 0.0 {
         assert!(found.axial_friction_N.abs() < 1e-3 * found.hook_load_N);
     } else {
@@ -114,19 +104,11 @@ fn vector_friction_agrees_with_the_soft_string_in_every_operation() {
         } else {
             // Axial sliding takes all friction: none is left around.
             let most = 0.005 * MU * RADIUS_M * found.side_force_total_N;
-            assert!(
-                found.friction_torque_N_m.abs() < most,
-                "{}: {found:?}",
-                kind.name()
-            );
+            assert!(found.friction_torque_N_m.abs() < most, "{}: {found:?}", kind.name());
         }
         if kind.on_bottom() {
             let (bit, target) = (found.weight_on_bit_N, case.operation.weight_on_bit_N);
-            assert!(
-                relative_error(bit, target) < 0.03,
-                "{}: {bit} N",
-                kind.name()
-            );
+            assert!(relative_error(bit, target) < 0.03, "{}: {bit} N", kind.name());
         }
     }
 }
@@ -153,10 +135,7 @@ fn independent_friction_drags_as_a_sliding_string() {
             let torque = found.friction_torque_N_m;
             // All contacts rub around in full; those of the collars with a smaller radius.
             let most = MU * RADIUS_M * side;
-            assert!(
-                torque < most && torque > 0.98 * most,
-                "{torque} for {most} N·m"
-            );
+            assert!(torque < most && torque > 0.98 * most, "{torque} for {most} N·m");
         }
     }
 }
@@ -167,15 +146,7 @@ fn independent_friction_drags_as_a_sliding_string() {
 /// so far that the hole is found anew.
 #[test]
 fn twist_and_stretch_of_the_nodes_end_in_the_scalars() {
-    let kinds = [
-        TripOut,
-        TripIn,
-        RotateOffBottom,
-        Drill,
-        Slide,
-        Ream,
-        BackReam,
-    ];
+    let kinds = [TripOut, TripIn, RotateOffBottom, Drill, Slide, Ream, BackReam];
     let case = |kind: OperationKind, precision: Precision| {
         let operation = Operation {
             trip_speed_m_per_s: 5.0,
@@ -202,40 +173,18 @@ fn twist_and_stretch_of_the_nodes_end_in_the_scalars() {
         assert_eq!([nodes.twist_rad[last], nodes.stretch_m[last]], [0.0; 2]);
         let close = |what: &str, found: f64, expected: f64, scale: f64| {
             let error = (found - expected).abs();
-            assert!(
-                error <= 1e-9 * scale,
-                "{name}: {what} {found} for {expected}"
-            );
+            assert!(error <= 1e-9 * scale, "{name}: {what} {found} for {expected}");
         };
         let size = |of: &[f64]| of.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-        close(
-            "twist",
-            nodes.twist_rad[0],
-            scalars.twist_rad,
-            size(&nodes.twist_rad),
-        );
-        close(
-            "stretch",
-            nodes.stretch_m[0],
-            scalars.stretch_m,
-            size(&nodes.stretch_m),
-        );
+        close("twist", nodes.twist_rad[0], scalars.twist_rad, size(&nodes.twist_rad));
+        close("stretch", nodes.stretch_m[0], scalars.stretch_m, size(&nodes.stretch_m));
         assert!(size(&nodes.stretch_m) > 1e-4, "{name}");
         assert!(size(&nodes.wear_work_J_per_m) > 0.0, "{name}");
         let times_s = &outcome.series.time_s;
         let first = times_s.partition_point(|time| *time < case.settings.settle_s);
         let window_s = times_s[times_s.len() - 1] - times_s[first - 1];
-        for (work, power) in nodes
-            .wear_work_J_per_m
-            .iter()
-            .zip(&nodes.wear_power_W_per_m)
-        {
-            close(
-                "power",
-                window_s * power,
-                *work,
-                size(&nodes.wear_work_J_per_m),
-            );
+        for (work, power) in nodes.wear_work_J_per_m.iter().zip(&nodes.wear_power_W_per_m) {
+            close("power", window_s * power, *work, size(&nodes.wear_work_J_per_m));
         }
     }
 }

@@ -26,14 +26,7 @@ fn both(case: &Case) -> [DynamicOutcome; 2] {
 /// Holds single precision against double precision.
 #[track_caller]
 fn assert_same(quantity: &str, [expected, computed]: [f64; 2], tolerance: Tolerance, reason: &str) {
-    report(&Row {
-        case: "precision",
-        quantity,
-        expected,
-        computed,
-        tolerance,
-        reason,
-    });
+    report(&Row { case: "precision", quantity, expected, computed, tolerance, reason });
 }
 
 /// A string that turns quietly for `duration_s`: torque within 0.05 % and hook load within 0.3 kN

@@ -28,11 +28,9 @@ fn turning(probes: Vec<Probe>) -> Case {
 #[test]
 fn probes_see_what_frames_see() {
     let depths_m = [0.0, 151.0, LENGTH_M];
-    let probes = depths_m.iter().flat_map(|&md_m| {
-        NodeSignal::ALL
-            .iter()
-            .map(move |&signal| Probe { md_m, signal })
-    });
+    let probes = depths_m
+        .iter()
+        .flat_map(|&md_m| NodeSignal::ALL.iter().map(move |&signal| Probe { md_m, signal }));
     let case = turning(probes.collect());
     let mut simulation = case.start();
     let nodes = simulation.mesh().nodes.clone();

@@ -39,10 +39,7 @@ fn law() -> RockLaw {
 /// what the bit feels is felt above.
 fn case() -> Case {
     let mut vertical = model(
-        path(
-            &[[0.0, 0.0, 0.0], [DEPTH_M + 20.0, 0.0, 0.0]],
-            Interpolation::Spline,
-        ),
+        path(&[[0.0, 0.0, 0.0], [DEPTH_M + 20.0, 0.0, 0.0]], Interpolation::Spline),
         vec![section(HoleKind::Open, 0.0, DEPTH_M + 20.0, 0.06, 0.0)],
         vec![
             tool("bit", ComponentLength::Metres(0.3), 0.06, 0.0),
@@ -52,10 +49,7 @@ fn case() -> Case {
         DEPTH_M,
     );
     vertical.mud = mud(0.0);
-    let bit = BitSettings {
-        law: BitLaw::Rock(Box::new(law())),
-        ..BitSettings::default()
-    };
+    let bit = BitSettings { law: BitLaw::Rock(Box::new(law())), ..BitSettings::default() };
     let drill = Operation {
         rotary_speed_rad_per_s: rpm(240.0),
         weight_on_bit_N: 1500.0,
@@ -90,9 +84,7 @@ fn what_the_rock_takes_the_top_gives() {
         .sum();
     let [mass_kg, polar_kg_m2] = [weight_N / 9.806_65, {
         let elements = simulation.mesh().elements.iter();
-        elements
-            .map(|e| e.length_m * e.section.polar_inertia_kg_m)
-            .sum()
+        elements.map(|e| e.length_m * e.section.polar_inertia_kg_m).sum()
     }];
     go(&mut simulation, 2.0);
     let outcome = simulation.outcome();
@@ -292,10 +284,8 @@ impl Executor for Impatient {
 #[test]
 fn a_run_in_stops_within_a_step() {
     let case = case();
-    let impatient = Arc::new(Impatient {
-        answers: AtomicUsize::new(0),
-        works: AtomicUsize::new(0),
-    });
+    let impatient =
+        Arc::new(Impatient { answers: AtomicUsize::new(0), works: AtomicUsize::new(0) });
     let settings = &case.settings;
     let initial =
         Simulation::with_executor(&case.model, &case.operation, settings, impatient.clone());

@@ -16,17 +16,9 @@ const LENGTH_M: f64 = 300.0;
 /// Reaming at 0.1 m/s in a wall of this roughness.
 fn reaming(radius_rms_m: f64, tortuosity_rms_m: f64, seed: u64) -> Case {
     let mut model = straight(LENGTH_M, 0.25);
-    change_hole(&mut model, |s| HoleSection {
-        to_md_m: s.to_md_m + 10.0,
-        ..*s
-    });
-    let roughness = Roughness {
-        radius_rms_m,
-        tortuosity_rms_m,
-        shortest_m: 2.0,
-        longest_m: 20.0,
-        seed,
-    };
+    change_hole(&mut model, |s| HoleSection { to_md_m: s.to_md_m + 10.0, ..*s });
+    let roughness =
+        Roughness { radius_rms_m, tortuosity_rms_m, shortest_m: 2.0, longest_m: 20.0, seed };
     let hole = model.well.hole.with_roughness(Some(roughness));
     model.well.hole = hole.expect("a sound hole");
     let mut operation = operation(OperationKind::Ream, LENGTH_M);
@@ -45,9 +37,8 @@ fn std(outcome: &DynamicOutcome, name: &str) -> f64 {
 /// m.
 fn swing(outcome: &DynamicOutcome) -> f64 {
     let nodes = &outcome.nodes;
-    let inside: Vec<usize> = (0..nodes.md_m.len())
-        .filter(|i| (50.0..250.0).contains(&nodes.md_m[*i]))
-        .collect();
+    let inside: Vec<usize> =
+        (0..nodes.md_m.len()).filter(|i| (50.0..250.0).contains(&nodes.md_m[*i])).collect();
     let sum = |of: &[f64]| inside.iter().map(|i| of[*i]).sum::<f64>();
     sum(&nodes.contact_force_std_N) / sum(&nodes.contact_force_N)
 }
@@ -73,9 +64,8 @@ fn a_rough_wall_makes_a_quiet_run_noisy() {
         (0.0, 0.003, 1),
         (0.002, 0.005, 3),
     ];
-    let found = each(&cases, |(radius, tortuosity, seed)| {
-        reaming(*radius, *tortuosity, *seed).run()
-    });
+    let found =
+        each(&cases, |(radius, tortuosity, seed)| reaming(*radius, *tortuosity, *seed).run());
     let torque = |i: usize| std(&found[i], "friction_torque_N_m");
     let mean = |i: usize| found[i].scalars.friction_torque_N_m;
     for (case, outcome) in cases.iter().zip(&found) {

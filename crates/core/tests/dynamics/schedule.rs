@@ -16,25 +16,15 @@ use crate::{
 const MU: f64 = 0.25;
 
 fn at(at_s: f64, ramp_s: f64) -> ScheduleStep {
-    ScheduleStep {
-        at_s,
-        ramp_s,
-        ..ScheduleStep::default()
-    }
+    ScheduleStep { at_s, ramp_s, ..ScheduleStep::default() }
 }
 
 fn turning(at_s: f64, ramp_s: f64, revolutions_per_minute: f64) -> ScheduleStep {
-    ScheduleStep {
-        rotary_speed_rad_per_s: Some(rpm(revolutions_per_minute)),
-        ..at(at_s, ramp_s)
-    }
+    ScheduleStep { rotary_speed_rad_per_s: Some(rpm(revolutions_per_minute)), ..at(at_s, ramp_s) }
 }
 
 fn moving(at_s: f64, ramp_s: f64, hoist: HoistSetPoint) -> ScheduleStep {
-    ScheduleStep {
-        hoist: Some(hoist),
-        ..at(at_s, ramp_s)
-    }
+    ScheduleStep { hoist: Some(hoist), ..at(at_s, ramp_s) }
 }
 
 /// 300 m off bottom in a slant hole, at rest for two seconds, then brought to 60 rev/min in three
@@ -45,10 +35,7 @@ fn start_up() -> Case {
     case.operation.rotary_speed_rad_per_s = rpm(60.0);
     case.settings.top_drive = TopDriveSettings::Driven {
         inertia_kg_m2: 2900.0,
-        controller: SpeedController::Pi {
-            proportional_N_m_s: 38e3,
-            integral_N_m: 100e3,
-        },
+        controller: SpeedController::Pi { proportional_N_m_s: 38e3, integral_N_m: 100e3 },
         torque_limit_N_m: None,
     };
     case.settings.schedule.steps = vec![turning(0.0, 0.0, 0.0), turning(2.0, 3.0, 60.0)];
@@ -80,12 +67,7 @@ fn a_string_starts_to_turn_by_the_plan() {
     always.settings.schedule = Schedule::default();
     let steady = always.run().scalars;
     let torque = outcome.scalars.surface_torque_N_m;
-    assert_close(
-        "torque when started",
-        torque,
-        steady.surface_torque_N_m,
-        5e-3,
-    );
+    assert_close("torque when started", torque, steady.surface_torque_N_m, 5e-3);
     assert!(outcome.numerics.energy_residual.abs() < 1e-3);
 }
 
@@ -136,21 +118,10 @@ fn the_block_stops_and_the_autodriller_takes_over_by_the_plan() {
     let line_N_per_m = case.settings.hoist_line.stiffness_N_per_m;
     let compliance = length / pipe.axial_stiffness_N() + 1.0 / line_N_per_m + 1.0 / 1e8;
     let expected = rate / weight / compliance;
-    assert_close(
-        "rate of the drill-off",
-        -line(&time, &logarithm).0,
-        expected,
-        2e-3,
-    );
+    assert_close("rate of the drill-off", -line(&time, &logarithm).0, expected, 2e-3);
     let end = mean_between(&series.time_s, &series.weight_on_bit_N, 100.0, 110.0);
     assert_close("weight on bit in the end", end, 15e3, 5e-3);
-    let row = |time_s: f64| {
-        series
-            .time_s
-            .iter()
-            .position(|t| *t >= time_s)
-            .expect("a row")
-    };
+    let row = |time_s: f64| series.time_s.iter().position(|t| *t >= time_s).expect("a row");
     assert_eq!(series.block_velocity_set_m_per_s[row(20.0)], Some(0.0));
     assert_eq!(series.weight_on_bit_set_N[row(20.0)], None);
     assert_eq!(series.weight_on_bit_set_N[row(60.0)], Some(15e3));
@@ -171,21 +142,11 @@ fn plans_that_cannot_be_followed_are_refused() {
         Some((1, ScheduleFault::Ramping("rpm")))
     );
     assert_eq!(
-        fault(vec![
-            moving(5.0, 0.0, stop),
-            moving(5.0, 0.0, HoistSetPoint::WeightOnBit(1e4))
-        ]),
+        fault(vec![moving(5.0, 0.0, stop), moving(5.0, 0.0, HoistSetPoint::WeightOnBit(1e4))]),
         Some((1, ScheduleFault::Ramping("the hoist")))
     );
-    assert_eq!(
-        fault(vec![turning(f64::NAN, 0.0, 10.0)]),
-        Some((0, ScheduleFault::Range))
-    );
+    assert_eq!(fault(vec![turning(f64::NAN, 0.0, 10.0)]), Some((0, ScheduleFault::Range)));
     // Ramps of different set points may overlap, and one may follow the other at once.
-    let valid = vec![
-        turning(5.0, 3.0, 10.0),
-        moving(6.0, 1.0, stop),
-        turning(8.0, 0.0, 20.0),
-    ];
+    let valid = vec![turning(5.0, 3.0, 10.0), moving(6.0, 1.0, stop), turning(8.0, 0.0, 20.0)];
     assert_eq!(fault(valid), None);
 }

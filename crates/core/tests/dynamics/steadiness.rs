@@ -22,27 +22,15 @@ fn a_prepared_start_is_settled_in_ten_seconds() {
     case.settings.duration_s = 20.0;
     let outcome = case.run();
     let of = |name: &str| {
-        outcome
-            .statistics
-            .iter()
-            .find(|(n, _)| *n == name)
-            .map(|(_, s)| *s)
-            .expect("a statistic")
+        outcome.statistics.iter().find(|(n, _)| *n == name).map(|(_, s)| *s).expect("a statistic")
     };
     let (torque, hook) = (of("surface_torque_N_m"), of("hook_load_N"));
     let weight = of("weight_on_bit_N");
     assert!(torque.std < 100.0, "torque varies by {} N·m", torque.std);
     assert!(hook.std < 100.0, "hook load varies by {} N", hook.std);
-    for (what, found) in [
-        ("least", weight.min),
-        ("mean", weight.mean),
-        ("most", weight.max),
-    ] {
+    for (what, found) in [("least", weight.min), ("mean", weight.mean), ("most", weight.max)] {
         let off = relative_error(found, case.operation.weight_on_bit_N);
-        assert!(
-            off < 0.03,
-            "{what} weight on bit is {found} N, off by {off:.3}"
-        );
+        assert!(off < 0.03, "{what} weight on bit is {found} N, off by {off:.3}");
     }
 }
 
@@ -136,35 +124,18 @@ fn settling_goes_on_until_the_weight_stands() {
         let drifts = outcome.statistics.iter().filter(|(_, of)| of.drifts);
         drifts.map(|(name, _)| *name).collect::<Vec<_>>()
     };
-    let [
-        (fixed, _),
-        (steady, longest_s),
-        (planned, planned_longest_s),
-    ] = &outcomes[..]
-    else {
+    let [(fixed, _), (steady, longest_s), (planned, planned_longest_s)] = &outcomes[..] else {
         panic!("three runs");
     };
-    assert!(
-        drifting(fixed).contains(&"bit_torque_N_m"),
-        "{:?}",
-        drifting(fixed)
-    );
-    assert_eq!(
-        (fixed.numerics.settle_s, fixed.numerics.settled),
-        (3.0, None)
-    );
+    assert!(drifting(fixed).contains(&"bit_torque_N_m"), "{:?}", drifting(fixed));
+    assert_eq!((fixed.numerics.settle_s, fixed.numerics.settled), (3.0, None));
     assert_eq!((*longest_s, *planned_longest_s), (125.0, 145.0));
-    for (outcome, min_s, longest_s) in [
-        (steady, 10.0, longest_s),
-        (planned, 25.0, planned_longest_s),
-    ] {
+    for (outcome, min_s, longest_s) in
+        [(steady, 10.0, longest_s), (planned, 25.0, planned_longest_s)]
+    {
         let numerics = &outcome.numerics;
         for name in ["hook_load_N", "weight_on_bit_N", "bit_torque_N_m"] {
-            assert!(
-                !drifting(outcome).contains(&name),
-                "{:?}",
-                drifting(outcome)
-            );
+            assert!(!drifting(outcome).contains(&name), "{:?}", drifting(outcome));
         }
         // The torque of a string that sticks to its wall around may creep for long: then the bound
         // ends it, and it says so.

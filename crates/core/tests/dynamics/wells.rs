@@ -27,16 +27,9 @@ pub struct Case {
 impl Case {
     /// A case with default settings, 10 s to settle and a window of 10 s.
     pub fn new(model: Model, operation: Operation) -> Self {
-        let settings = DynamicsSettings {
-            settle_s: 10.0,
-            duration_s: 10.0,
-            ..DynamicsSettings::default()
-        };
-        Self {
-            model,
-            operation,
-            settings,
-        }
+        let settings =
+            DynamicsSettings { settle_s: 10.0, duration_s: 10.0, ..DynamicsSettings::default() };
+        Self { model, operation, settings }
     }
 
     pub fn start(&self) -> Simulation {
@@ -45,10 +38,7 @@ impl Case {
 
     pub fn run(&self) -> DynamicOutcome {
         let mut simulation = self.start();
-        go(
-            &mut simulation,
-            self.settings.settle_s + self.settings.duration_s,
-        );
+        go(&mut simulation, self.settings.settle_s + self.settings.duration_s);
         simulation.outcome()
     }
 
@@ -70,10 +60,7 @@ pub fn go(simulation: &mut Simulation, seconds: f64) {
 pub fn each<I: Sync, T: Send>(items: &[I], work: impl Fn(&I) -> T + Sync) -> Vec<T> {
     std::thread::scope(|scope| {
         let work = &work;
-        let threads: Vec<_> = items
-            .iter()
-            .map(|item| scope.spawn(move || work(item)))
-            .collect();
+        let threads: Vec<_> = items.iter().map(|item| scope.spawn(move || work(item))).collect();
         threads
             .into_iter()
             .map(|thread| match thread.join() {
@@ -117,11 +104,8 @@ pub fn section(
     diameter_m: f64,
     mu: f64,
 ) -> HoleSection {
-    let (youngs_modulus_Pa, poisson_ratio) = if kind == HoleKind::Casing {
-        (210e9, 0.3)
-    } else {
-        (51.5e9, 0.33)
-    };
+    let (youngs_modulus_Pa, poisson_ratio) =
+        if kind == HoleKind::Casing { (210e9, 0.3) } else { (51.5e9, 0.33) };
     HoleSection {
         kind,
         from_md_m,

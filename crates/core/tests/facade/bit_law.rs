@@ -19,11 +19,7 @@ struct OwnRate {
     exponent: f64,
 }
 
-const OWN: OwnRate = OwnRate {
-    name: "own",
-    blunting: 0.0,
-    exponent: 1.0,
-};
+const OWN: OwnRate = OwnRate { name: "own", blunting: 0.0, exponent: 1.0 };
 
 impl BitRockLaw for OwnRate {
     fn name(&self) -> &str {
@@ -50,10 +46,7 @@ impl BitRockLaw for OwnRate {
 
     fn shake(&self, state: &[f64], bit_angle_rad: f64, time_s: f64) -> Shake {
         let amplitude = self.blunting * (state[0] + time_s);
-        Shake {
-            front_m: 1e-4 * amplitude * bit_angle_rad.sin(),
-            torque: 0.0,
-        }
+        Shake { front_m: 1e-4 * amplitude * bit_angle_rad.sin(), torque: 0.0 }
     }
 
     fn advance(&self, state: &mut [f64], step: &BitRockStep) {
@@ -62,13 +55,7 @@ impl BitRockLaw for OwnRate {
 }
 
 fn with(law: BitLaw) -> DynamicsSettings {
-    DynamicsSettings {
-        bit: BitSettings {
-            law,
-            ..BitSettings::default()
-        },
-        ..settings()
-    }
+    DynamicsSettings { bit: BitSettings { law, ..BitSettings::default() }, ..settings() }
 }
 
 fn custom(law: OwnRate) -> DynamicsSettings {
@@ -86,16 +73,8 @@ fn the_rate_law_as_ones_own_is_the_rate_law() {
         excitation: None,
     })));
     for (what, own, built_in) in [
-        (
-            "weight on bit",
-            &own.series.weight_on_bit_N,
-            &built_in.series.weight_on_bit_N,
-        ),
-        (
-            "torque",
-            &own.series.bit_torque_N_m,
-            &built_in.series.bit_torque_N_m,
-        ),
+        ("weight on bit", &own.series.weight_on_bit_N, &built_in.series.weight_on_bit_N),
+        ("torque", &own.series.bit_torque_N_m, &built_in.series.bit_torque_N_m),
         (
             "rate",
             &own.series.rate_of_penetration_m_per_s,
@@ -113,10 +92,7 @@ fn the_rate_law_as_ones_own_is_the_rate_law() {
 /// Means over a sample differ from the law's by what the weight varies within it, 1e-4 here.
 #[test]
 fn a_curved_law_drills_at_its_rate() {
-    let law = OwnRate {
-        exponent: 1.6,
-        ..OWN
-    };
+    let law = OwnRate { exponent: 1.6, ..OWN };
     let outcome = run(&custom(law));
     let from = outcome.series.time_s.len() / 2;
     let nominal = drill();
@@ -125,10 +101,7 @@ fn a_curved_law_drills_at_its_rate() {
         let speed = outcome.series.bit_rotary_speed_rad_per_s[row] / nominal.rotary_speed_rad_per_s;
         let expected = nominal.rate_of_penetration_m_per_s * part.powf(1.6) * speed;
         let rate = outcome.series.rate_of_penetration_m_per_s[row];
-        assert!(
-            (rate / expected - 1.0).abs() < 1e-3,
-            "sample {row}: {rate} {expected}"
-        );
+        assert!((rate / expected - 1.0).abs() < 1e-3, "sample {row}: {rate} {expected}");
     }
 }
 
@@ -136,10 +109,7 @@ fn a_curved_law_drills_at_its_rate() {
 #[test]
 fn excitation_shakes_a_law_of_ones_own() {
     let shaken = |excitation| {
-        let law = CustomLaw {
-            excitation,
-            ..CustomLaw::new(OWN, STIFFNESS_N_PER_M)
-        };
+        let law = CustomLaw { excitation, ..CustomLaw::new(OWN, STIFFNESS_N_PER_M) };
         let outcome = run(&with(BitLaw::Custom(law)));
         let (_, weight) = *outcome
             .statistics
@@ -162,12 +132,7 @@ fn excitation_shakes_a_law_of_ones_own() {
 /// What the law keeps comes back from a checkpoint, to the bit.
 #[test]
 fn a_law_of_ones_own_resumes_with_the_same_bits() {
-    let blunting = || {
-        custom(OwnRate {
-            blunting: 0.5,
-            ..OWN
-        })
-    };
+    let blunting = || custom(OwnRate { blunting: 0.5, ..OWN });
     let whole = run(&blunting());
     // A new program: settings that are equal, and not the same.
     let again = resumed(&blunting(), &checkpoint(&blunting())).expect("the same law");
@@ -180,10 +145,7 @@ fn a_law_of_ones_own_resumes_with_the_same_bits() {
 #[test]
 fn a_checkpoint_of_another_law_is_refused() {
     let bytes = checkpoint(&custom(OWN));
-    let other = custom(OwnRate {
-        name: "other",
-        ..OWN
-    });
+    let other = custom(OwnRate { name: "other", ..OWN });
     let error = resumed(&other, &bytes).expect_err("another law");
     assert_eq!(
         error.to_string(),

@@ -11,10 +11,7 @@ fn operations_have_their_kind_and_nothing_else() {
     for (operation, kind) in [
         (Operation::trip_out(900.0), OperationKind::TripOut),
         (Operation::trip_in(900.0), OperationKind::TripIn),
-        (
-            Operation::rotate_off_bottom(900.0),
-            OperationKind::RotateOffBottom,
-        ),
+        (Operation::rotate_off_bottom(900.0), OperationKind::RotateOffBottom),
         (Operation::drill(900.0), OperationKind::Drill),
         (Operation::slide(900.0), OperationKind::Slide),
         (Operation::ream(900.0), OperationKind::Ream),
@@ -61,22 +58,12 @@ fn an_operation_without_its_set_points_is_refused() {
 #[test]
 fn strings_from_the_catalogue() {
     let string = StringSpec::from_bit(ComponentSpec::bit(0.2159, 0.3))
-        .component(ComponentSpec::uniform(
-            "motor",
-            0.17,
-            0.08,
-            Metres(9.0),
-            Material::STEEL,
-        ))
+        .component(ComponentSpec::uniform("motor", 0.17, 0.08, Metres(9.0), Material::STEEL))
         .catalogue("5 in 19.50 lb/ft S-135", ToSurface)
         .expect("it is in the catalogue")
         .assemble(1000.0)
         .expect("a sound string");
-    let names: Vec<&str> = string
-        .components()
-        .iter()
-        .map(|one| one.name.as_str())
-        .collect();
+    let names: Vec<&str> = string.components().iter().map(|one| one.name.as_str()).collect();
     assert_eq!(names, ["bit", "motor", "5 in 19.50 lb/ft S-135"]);
     assert!(string.components()[0].is_bit());
     assert_eq!(string.length_m(), 1000.0);

@@ -34,11 +34,7 @@ pub fn drill() -> Operation {
 }
 
 pub fn settings() -> DynamicsSettings {
-    DynamicsSettings {
-        settle_s: 2.0,
-        duration_s: 2.0,
-        ..DynamicsSettings::default()
-    }
+    DynamicsSettings { settle_s: 2.0, duration_s: 2.0, ..DynamicsSettings::default() }
 }
 
 pub fn run(settings: &DynamicsSettings) -> DynamicOutcome {

@@ -37,10 +37,7 @@ impl TopDriveController for OwnPi {
 }
 
 fn with(top_drive: TopDriveSettings) -> DynamicsSettings {
-    DynamicsSettings {
-        top_drive,
-        ..settings()
-    }
+    DynamicsSettings { top_drive, ..settings() }
 }
 
 fn custom(name: &'static str, torque_limit_N_m: Option<f64>) -> DynamicsSettings {
@@ -68,19 +65,11 @@ fn built_in(torque_limit_N_m: Option<f64>) -> DynamicsSettings {
 #[test]
 fn a_pi_controller_of_ones_own_is_the_engines() {
     let (own, engines) = (run(&custom("own", None)), run(&built_in(None)));
-    let (own, engines) = (
-        &own.series.rotary_speed_rad_per_s,
-        &engines.series.rotary_speed_rad_per_s,
-    );
-    let moved = engines
-        .iter()
-        .map(|speed| (speed - 12.0).abs())
-        .fold(0.0, f64::max);
-    let apart = own
-        .iter()
-        .zip(engines)
-        .map(|(own, engines)| (own - engines).abs())
-        .fold(0.0, f64::max);
+    let (own, engines) =
+        (&own.series.rotary_speed_rad_per_s, &engines.series.rotary_speed_rad_per_s);
+    let moved = engines.iter().map(|speed| (speed - 12.0).abs()).fold(0.0, f64::max);
+    let apart =
+        own.iter().zip(engines).map(|(own, engines)| (own - engines).abs()).fold(0.0, f64::max);
     assert!(apart < 0.01 * moved, "{apart} {moved}");
 }
 
@@ -88,18 +77,11 @@ fn a_pi_controller_of_ones_own_is_the_engines() {
 #[test]
 fn the_limit_holds() {
     let limit_N_m = 1500.0;
-    let own = run(&custom("own", Some(limit_N_m)))
-        .series
-        .rotary_speed_rad_per_s;
-    let engines = run(&built_in(Some(limit_N_m)))
-        .series
-        .rotary_speed_rad_per_s;
+    let own = run(&custom("own", Some(limit_N_m))).series.rotary_speed_rad_per_s;
+    let engines = run(&built_in(Some(limit_N_m))).series.rotary_speed_rad_per_s;
     let (own, engines) = (own[own.len() - 1], engines[engines.len() - 1]);
     assert!(own < 11.5, "{own}");
-    assert!(
-        (own - engines).abs() < 0.02 * (12.0 - engines),
-        "{own} {engines}"
-    );
+    assert!((own - engines).abs() < 0.02 * (12.0 - engines), "{own} {engines}");
 }
 
 #[test]

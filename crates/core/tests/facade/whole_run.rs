@@ -22,10 +22,7 @@ fn to_end_is_the_whole_window() {
 /// Where settling ends by itself the end is not known at the beginning.
 #[test]
 fn to_end_waits_until_the_string_is_steady() {
-    let settings = DynamicsSettings {
-        steady: Some(UntilSteady { max_s: 30.0 }),
-        ..settings()
-    };
+    let settings = DynamicsSettings { steady: Some(UntilSteady { max_s: 30.0 }), ..settings() };
     let outcome = run(&settings);
     let last_s = outcome.series.time_s[outcome.series.time_s.len() - 1];
     let expected_s = outcome.numerics.settle_s + settings.duration_s;
@@ -54,10 +51,7 @@ impl Observer for Count {
 #[test]
 fn an_observer_sees_every_sample_and_can_stop() {
     let mut simulation = Simulation::new(&model(), &drill(), &settings()).expect("a sound case");
-    let mut count = Count {
-        stop_at: 30,
-        ..Count::default()
-    };
+    let mut count = Count { stop_at: 30, ..Count::default() };
     let stopped = simulation.to_end_with(&mut count);
     assert_eq!(stopped.expect("finite").series.time_s.len(), 30);
     count.stop_at = 0;

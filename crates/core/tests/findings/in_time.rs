@@ -23,34 +23,19 @@ struct Ran {
 impl Ran {
     fn new(kind: OperationKind) -> Self {
         let model = five_inch(&[[0.0, 60.0, 0.0], [100.0, 60.0, 0.0]], 0.2159, 0.3, 260.0);
-        let operation = Operation {
-            rate_of_penetration_m_per_s: 1e-3,
-            ..at_full_depth(kind, &model, 2e3)
-        };
-        let settings = DynamicsSettings {
-            settle_s: 5.0,
-            duration_s: 0.2,
-            ..DynamicsSettings::default()
-        };
+        let operation =
+            Operation { rate_of_penetration_m_per_s: 1e-3, ..at_full_depth(kind, &model, 2e3) };
+        let settings =
+            DynamicsSettings { settle_s: 5.0, duration_s: 0.2, ..DynamicsSettings::default() };
         let mut simulation =
             wholestring::dynamics::Simulation::new(&model, &operation, &settings).unwrap();
         simulation.advance(5.2).unwrap();
         let outcome = simulation.outcome();
-        Self {
-            model,
-            operation,
-            settings,
-            outcome,
-        }
+        Self { model, operation, settings, outcome }
     }
 
     fn found(&self) -> Vec<Finding> {
-        let Self {
-            model,
-            operation,
-            settings,
-            outcome,
-        } = self;
+        let Self { model, operation, settings, outcome } = self;
         of_dynamic(model, operation, settings, outcome)
     }
 
@@ -193,10 +178,7 @@ fn stress_near_and_beyond_yield() {
 fn driven(torque_limit_N_m: Option<f64>) -> TopDriveSettings {
     TopDriveSettings::Driven {
         inertia_kg_m2: 1000.0,
-        controller: SpeedController::Pi {
-            proportional_N_m_s: 1e4,
-            integral_N_m: 1e4,
-        },
+        controller: SpeedController::Pi { proportional_N_m_s: 1e4, integral_N_m: 1e4 },
         torque_limit_N_m,
     }
 }
@@ -255,12 +237,7 @@ fn stick_slip_and_whirl() {
         assert_eq!(ran.level(Kind::StickSlip), level, "{of:?}");
     }
     assert_eq!(ran.has(Kind::BackwardWhirl), None);
-    let whirl = Whirl {
-        md_m: 90.0,
-        rate_rad_per_s: -20.0,
-        ratio: -2.7,
-        length_fraction: 0.1,
-    };
+    let whirl = Whirl { md_m: 90.0, rate_rad_per_s: -20.0, ratio: -2.7, length_fraction: 0.1 };
     ran.outcome.indicators.backward_whirl = Some(whirl);
     let of = ran.has(Kind::BackwardWhirl).expect("a finding");
     assert_eq!((of.level, of.from_md_m), (Level::Warning, Some(90.0)));
@@ -309,10 +286,7 @@ fn a_node_that_never_settled() {
     let mut ran = Ran::new(RotateOffBottom);
     let nodes = &mut ran.outcome.nodes;
     nodes.tension_std_N.fill(10.0);
-    let largest_N = nodes
-        .tension_N
-        .iter()
-        .fold(0.0, |of: f64, t| of.max(t.abs()));
+    let largest_N = nodes.tension_N.iter().fold(0.0, |of: f64, t| of.max(t.abs()));
     let place = nodes.md_m.len() / 2;
     let md_m = nodes.md_m[place];
     nodes.tension_std_N[place] = 0.019 * largest_N;

@@ -12,12 +12,7 @@ use crate::common::*;
 
 /// A horizontal well: vertical to 500 m, a quarter circle to 1400 m, and on to `to_m`.
 pub fn lateral(to_m: f64, mu: f64) -> Model {
-    let stations = [
-        [0.0, 0.0, 0.0],
-        [500.0, 0.0, 0.0],
-        [1400.0, 90.0, 0.0],
-        [to_m, 90.0, 0.0],
-    ];
+    let stations = [[0.0, 0.0, 0.0], [500.0, 0.0, 0.0], [1400.0, 90.0, 0.0], [to_m, 90.0, 0.0]];
     five_inch(&stations, 0.2159, mu, 260.0)
 }
 

@@ -14,10 +14,7 @@ fn words_of_kinds_are_their_own() {
     words.sort_unstable();
     words.dedup();
     assert_eq!(words.len(), Kind::ALL.len());
-    let plain = |word: &str| {
-        word.bytes()
-            .all(|byte| byte == b'_' || byte.is_ascii_lowercase())
-    };
+    let plain = |word: &str| word.bytes().all(|byte| byte == b'_' || byte.is_ascii_lowercase());
     assert!(words.iter().all(|word| plain(word)), "{words:?}");
     assert!(Level::Error > Level::Warning && Level::Warning > Level::Note);
 }

@@ -20,10 +20,7 @@ fn a_hook_load_below_zero_is_told() {
     let slant = |mu| five_inch(&[[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]], 0.2159, mu, 260.0);
     let critical = 1.0 / 60.0_f64.to_radians().tan();
     let goes = slant(0.99 * critical);
-    none(
-        &soft_findings(&goes, &operation(TripIn, 1000.0)),
-        Kind::HookLoadNegative,
-    );
+    none(&soft_findings(&goes, &operation(TripIn, 1000.0)), Kind::HookLoadNegative);
     let mut stands = slant(1.01 * critical);
     let found = soft_findings(&stands, &operation(TripIn, 1000.0));
     let of = only(&found, Kind::HookLoadNegative).expect("a finding");
@@ -99,9 +96,7 @@ fn s2a_buckled_stretches() {
         let model = five_inch(&stations, 0.2159, mu, weight);
         let found = soft_findings(&model, &at_full_depth(Slide, &model, weight_on_bit_N));
         none(&found, Kind::HelicalBuckling);
-        let changes = row["expected"]["state_changes_0none_1sin_2hel"]
-            .as_array()
-            .unwrap();
+        let changes = row["expected"]["state_changes_0none_1sin_2hel"].as_array().unwrap();
         let Some(change) = changes.first() else {
             none(&found, Kind::SinusoidalBuckling);
             continue;
@@ -154,16 +149,10 @@ fn a_lateral_that_cannot_be_drilled() {
     let model = lateral(4500.0, 0.35);
     let found = soft_findings(&model, &at_full_depth(Slide, &model, 49e3));
     let kinds: Vec<Kind> = found.iter().map(|of| of.kind).collect();
-    assert_eq!(
-        kinds[..2],
-        [Kind::HookLoadNegative, Kind::LockUp],
-        "{found:?}"
-    );
+    assert_eq!(kinds[..2], [Kind::HookLoadNegative, Kind::LockUp], "{found:?}");
     assert!(found.windows(2).all(|pair| pair[0].level >= pair[1].level));
-    let helical: Vec<&Finding> = found
-        .iter()
-        .filter(|of| of.kind == Kind::HelicalBuckling)
-        .collect();
+    let helical: Vec<&Finding> =
+        found.iter().filter(|of| of.kind == Kind::HelicalBuckling).collect();
     assert!(!helical.is_empty());
     for of in helical {
         assert!(of.value > of.limit && of.from_md_m < of.to_md_m, "{of:?}");
@@ -175,10 +164,7 @@ fn rig_limits() {
     let mut model = five_inch(&[[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]], 0.2159, 0.3, 260.0);
     let turning = operation(RotateOffBottom, 1000.0);
     let profile = soft::solve(&model, &turning, &SoftSettings::default()).unwrap();
-    let (hook_N, torque_N_m) = (
-        profile.scalars.hook_load_N,
-        profile.scalars.surface_torque_N_m,
-    );
+    let (hook_N, torque_N_m) = (profile.scalars.hook_load_N, profile.scalars.surface_torque_N_m);
     let block_N = 200e3;
     let mut levels = |part: f64, block: Option<f64>| {
         model.rig = Rig {

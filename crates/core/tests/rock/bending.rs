@@ -11,10 +11,7 @@ use crate::{
 /// over the theory's, and the part of the energy that is in hourglasses.
 fn cantilever(deep: usize) -> [f64; 2] {
     use Edge::{Free, Guided, Held};
-    let rock = Rock {
-        poisson_ratio: 0.0,
-        ..elastic()
-    };
+    let rock = Rock { poisson_ratio: 0.0, ..elastic() };
     let size_m = 8e-3 / deep as f64;
     let (long, load_N) = (8 * deep, 10.0);
     let spec = BlockSpec {
@@ -51,10 +48,7 @@ fn cantilever(deep: usize) -> [f64; 2] {
     let deflection =
         tip.iter().map(|&i| block.displacement_m(i)[2]).sum::<f64>() / tip.len() as f64;
     let energies = block.energies();
-    [
-        deflection / theory_m,
-        energies.hourglass_J / (energies.elastic_J + energies.hourglass_J),
-    ]
+    [deflection / theory_m, energies.hourglass_J / (energies.elastic_J + energies.hourglass_J)]
 }
 
 #[test]

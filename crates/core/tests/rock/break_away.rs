@@ -92,9 +92,7 @@ impl Standing {
                     ..Inertia::PRESCRIBED
                 },
             };
-            let advance = self
-                .drilling
-                .advance(STEP_S, &motion, &self.stepper, &Alone);
+            let advance = self.drilling.advance(STEP_S, &motion, &self.stepper, &Alone);
             turned_rad += advance.turned_rad;
             if advance.angular_velocity_rad_per_s.z < STANDS_RAD_PER_S {
                 stood_N_m = torque_N_m;
@@ -174,21 +172,15 @@ fn what_holds_a_bit_that_stands_falls_with_the_elements() {
         [6e-3, 4e-3, 3e-3].map(|element_m| over_the_mean(element_m, WEIGHT_N, 4.0, 6));
     held_less(6e-3, &coarse, 4e-3, &middle);
     held_less(4e-3, &middle, 3e-3, &fine);
-    assert!(
-        fine.elements > 1.5,
-        "{} elements in a revolution",
-        fine.elements
-    );
+    assert!(fine.elements > 1.5, "{} elements in a revolution", fine.elements);
     let shown = (Tolerance::Any, "what so coarse elements add, shown");
     let held = (
         Tolerance::Absolute(0.4),
         "elements of half the depth of cut of a revolution: twice the standard error of six stops, 0.18",
     );
-    for (name, over, (tolerance, reason)) in [
-        ("6", coarse, shown),
-        ("4", middle, shown),
-        ("3", fine, held),
-    ] {
+    for (name, over, (tolerance, reason)) in
+        [("6", coarse, shown), ("4", middle, shown), ("3", fine, held)]
+    {
         report(&Row {
             case: "rock",
             quantity: &format!(

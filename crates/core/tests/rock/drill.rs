@@ -9,10 +9,7 @@ pub fn block() -> Block {
         confinement_Pa: 8e6,
         layers_per_slab: 2,
         ..BlockSpec::new(
-            Rock {
-                compressive_fracture_energy_J_per_m2: 2000.0,
-                ..Rock::of_strength(30e6)
-            },
+            Rock { compressive_fracture_energy_J_per_m2: 2000.0, ..Rock::of_strength(30e6) },
             [21, 12, 8],
             1e-3,
         )
@@ -28,10 +25,7 @@ pub struct Ball {
 
 impl Ball {
     pub fn new() -> Self {
-        Self {
-            centre_m: [5e-3, 6e-3, -6e-3],
-            velocity_m_per_s: [8.0, 0.0, 4.0],
-        }
+        Self { centre_m: [5e-3, 6e-3, -6e-3], velocity_m_per_s: [8.0, 0.0, 4.0] }
     }
 
     /// A step of the block, and the ball's pushes after it; how many elements went.

@@ -37,11 +37,7 @@ fn small(rock: Rock) -> DrillingSpec {
 }
 
 fn weight(weight_N: f64) -> Driver {
-    Driver::Weight {
-        weight_N,
-        mass_kg: MASS_KG,
-        rotary_rad_per_s: ROTARY_RAD_PER_S,
-    }
+    Driver::Weight { weight_N, mass_kg: MASS_KG, rotary_rad_per_s: ROTARY_RAD_PER_S }
 }
 
 /// Drills on for some revolutions.
@@ -144,20 +140,10 @@ fn a_blunt_insert_meets_the_stiffness_of_a_column() {
         cutter.tip_m + (Vector3::z() - cutter.normal) * radius_m
     };
     let cutters = drilling.bit().face().cutters();
-    let tip = cutters
-        .iter()
-        .map(lowest)
-        .max_by(|a, b| a.z.total_cmp(&b.z))
-        .unwrap();
-    let pose = Pose {
-        position_m: Vector3::new(2e-3, 2e-3, 0.0) - tip,
-        ..*drilling.pose()
-    };
+    let tip = cutters.iter().map(lowest).max_by(|a, b| a.z.total_cmp(&b.z)).unwrap();
+    let pose = Pose { position_m: Vector3::new(2e-3, 2e-3, 0.0) - tip, ..*drilling.pose() };
     drilling.place(pose);
-    let driver = Driver::Rate {
-        rate_m_per_s: 0.1,
-        rotary_rad_per_s: 0.0,
-    };
+    let driver = Driver::Rate { rate_m_per_s: 0.1, rotary_rad_per_s: 0.0 };
     let stepper = Stepper::default();
     let press = |drilling: &mut Drilling, steps: usize| {
         let mut force_N = 0.0;
@@ -175,11 +161,7 @@ fn a_blunt_insert_meets_the_stiffness_of_a_column() {
                 / 16.0
         };
         let mean_m: f64 = (0..25).map(|n| down(n % 5, n / 5)).sum();
-        (
-            force_N,
-            mean_m,
-            drilling.pose().position_m.z - pose.position_m.z,
-        )
+        (force_N, mean_m, drilling.pose().position_m.z - pose.position_m.z)
     };
     let (first_N, first_m, first_way_m) = press(&mut drilling, 150);
     let (second_N, second_m, second_way_m) = press(&mut drilling, 100);
@@ -189,11 +171,7 @@ fn a_blunt_insert_meets_the_stiffness_of_a_column() {
         -16e-6 * rock.youngs_modulus_Pa * stretch.ln() / stretch
     };
     for (quantity, expected, computed) in [
-        (
-            "force of a blunt insert on a column, N",
-            force_N(second_m),
-            second_N,
-        ),
+        ("force of a blunt insert on a column, N", force_N(second_m), second_N),
         (
             "stiffness of a column under a blunt insert, N/m",
             (force_N(second_m) - force_N(first_m)) / (second_m - first_m),
@@ -320,11 +298,7 @@ fn a_bit_drills_steadily_faster_with_more_weight_whatever_the_step() {
         });
     }
     for (quantity, of_fine, of_heavy) in [
-        (
-            "rate of a drilling bit with half the caller's step, m/s",
-            rate(&fine),
-            rate(&heavy),
-        ),
+        ("rate of a drilling bit with half the caller's step, m/s", rate(&fine), rate(&heavy)),
         (
             "torque of a drilling bit with half the caller's step, N·m",
             torque(&fine),
@@ -420,10 +394,7 @@ fn what_cannot_be_drilled_is_refused_before_it_is_built() {
         reason
     };
     let shallow = altered(&|spec| spec.wall_m = spec.block.cells[2] as f64 * SIZE_M);
-    assert!(
-        matches!(shallow, DrillingError::Shallow { .. }),
-        "{shallow}"
-    );
+    assert!(matches!(shallow, DrillingError::Shallow { .. }), "{shallow}");
     let empty = altered(&|spec| spec.block.cells[1] = 0);
     assert!(matches!(empty, DrillingError::Rock(_)), "{empty}");
     let light = altered(&|spec| spec.block.rock.density_kg_per_m3 = 0.0);

@@ -82,17 +82,10 @@ fn an_elastic_cycle_leaves_no_stress() {
     let (cycles, steps) = (200, 100);
     for n in 1..=cycles * steps {
         let phase = f64::from(n) / f64::from(steps) * std::f64::consts::TAU;
-        lead(
-            &mut block,
-            &stepper,
-            Matrix3::identity() + 1e-3 * phase.sin() * path,
-        );
+        lead(&mut block, &stepper, Matrix3::identity() + 1e-3 * phase.sin() * path);
         peak = peak.max(block.stress_Pa([0, 0, 0])[0].abs());
     }
-    let left = block
-        .stress_Pa([0, 0, 0])
-        .iter()
-        .fold(0.0_f64, |a, s| a.max(s.abs()));
+    let left = block.stress_Pa([0, 0, 0]).iter().fold(0.0_f64, |a, s| a.max(s.abs()));
     report(&Row {
         case: "rock",
         quantity: "stress after 200 elastic cycles, part of the peak",
@@ -105,10 +98,7 @@ fn an_elastic_cycle_leaves_no_stress() {
 
 #[test]
 fn plastic_cycles_close() {
-    let (rock, stepper) = (
-        ductile(wholestring::rock::Rock::of_strength(50e6)),
-        Stepper::default(),
-    );
+    let (rock, stepper) = (ductile(wholestring::rock::Rock::of_strength(50e6)), Stepper::default());
     let mut block = led(rock);
     // Shear at constant volume under a mean pressure: the loop is that of an ideally plastic rock.
     let squeezed = Matrix3::identity() * (1.0 - 1e-3);
@@ -128,14 +118,9 @@ fn plastic_cycles_close() {
     }
     // Dilation makes the pressure grow from loop to loop where it is kept in; without it, loops
     // repeat.
-    let grows = peaks
-        .windows(2)
-        .all(|pair| pair[1] >= pair[0] * (1.0 - 1e-9));
+    let grows = peaks.windows(2).all(|pair| pair[1] >= pair[0] * (1.0 - 1e-9));
     assert!(grows, "{peaks:?}");
-    let rock = wholestring::rock::Rock {
-        dilation_angle_rad: 0.0,
-        ..rock
-    };
+    let rock = wholestring::rock::Rock { dilation_angle_rad: 0.0, ..rock };
     let mut block = led(rock);
     let mut peaks = Vec::new();
     for _ in 0..cycles {
@@ -168,10 +153,7 @@ fn a_turned_element_feels_nothing() {
         let rotation = Rotation3::new(axis * angle(n));
         lead(&mut block, &stepper, rotation.into_inner());
     }
-    let stress = block
-        .stress_Pa([0, 0, 0])
-        .iter()
-        .fold(0.0_f64, |a, s| a.max(s.abs()));
+    let stress = block.stress_Pa([0, 0, 0]).iter().fold(0.0_f64, |a, s| a.max(s.abs()));
     report(&Row {
         case: "rock",
         quantity: "stress after a whole turn, part of Young's modulus",
@@ -222,9 +204,6 @@ fn what_holds_a_node_bears_a_push() {
     let after = block.energies();
     let given = after.edges_J - before.edges_J;
     let dt = 1e3 * block.dt_s();
-    assert!(
-        (given + dt * told[0]).abs() < 1e-12 * dt,
-        "{given} J by the holder"
-    );
+    assert!((given + dt * told[0]).abs() < 1e-12 * dt, "{given} J by the holder");
     assert!((after.pushed_J - before.pushed_J - work).abs() < 1e-12 * work.abs());
 }

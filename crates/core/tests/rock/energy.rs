@@ -40,10 +40,8 @@ fn a_block_under_pressure_rests() {
     for _ in 0..500 {
         block.step(&stepper, &Alone);
     }
-    let fastest = block
-        .exposed()
-        .flat_map(|node| node.velocity_m_per_s)
-        .fold(0.0_f64, |a, v| a.max(v.abs()));
+    let fastest =
+        block.exposed().flat_map(|node| node.velocity_m_per_s).fold(0.0_f64, |a, v| a.max(v.abs()));
     // The initial stress over the impedance of the rock would be 1 m/s.
     assert!(fastest < 1e-10, "{fastest} m/s");
 }
@@ -55,11 +53,7 @@ fn a_block_follows_what_drills_it() {
     for _ in 0..100 {
         block.step(&stepper, &Alone);
     }
-    let layer: Vec<_> = block
-        .grid()
-        .each_element()
-        .filter(|element| element[2] < 2)
-        .collect();
+    let layer: Vec<_> = block.grid().each_element().filter(|element| element[2] < 2).collect();
     for element in layer {
         block.remove(element);
     }
@@ -83,9 +77,7 @@ fn a_block_follows_what_drills_it() {
     assert!(energies.residual_J().abs() < 1e-3 * scale, "{energies:?}");
     // The pressure of the filling still is what the rock bears: nothing moves but what the
     // confinement lets go.
-    let fastest = block
-        .exposed()
-        .flat_map(|node| node.velocity_m_per_s)
-        .fold(0.0_f64, |a, v| a.max(v.abs()));
+    let fastest =
+        block.exposed().flat_map(|node| node.velocity_m_per_s).fold(0.0_f64, |a, v| a.max(v.abs()));
     assert!(fastest < 0.05, "{fastest} m/s");
 }

@@ -18,10 +18,8 @@ const WEAK: f64 = 0.99;
 fn tear(rock: Rock, wide: usize) -> f64 {
     let size_m = WIDE_M / wide as f64;
     let deep = (LONG_M / size_m).round() as usize;
-    let spec = BlockSpec {
-        edges: [Edge::Guided; 6],
-        ..BlockSpec::new(rock, [wide, wide, deep], size_m)
-    };
+    let spec =
+        BlockSpec { edges: [Edge::Guided; 6], ..BlockSpec::new(rock, [wide, wide, deep], size_m) };
     let mut block = Block::new(&spec).expect("a sound block");
     let stepper = Stepper::default();
     let layer = deep / 2;

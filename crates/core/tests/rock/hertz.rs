@@ -87,11 +87,7 @@ fn a_sphere_is_borne_as_hertz_has_it() {
             ),
             expected: 1.0,
             computed,
-            tolerance: if elements < 4.0 {
-                Tolerance::Any
-            } else {
-                Tolerance::Relative(0.05)
-            },
+            tolerance: if elements < 4.0 { Tolerance::Any } else { Tolerance::Relative(0.05) },
             reason: "what is asked; the bed of springs that the sphere rests on yields by a fourteenth of an element's part of the contact",
         });
     }

@@ -37,11 +37,7 @@ pub fn one_element(rock: Rock, edges: [Edge; 6], pressure_Pa: f64) -> Block {
 /// One element, guided at three faces and at the lower one, free at the others.
 pub fn press(rock: Rock, pressure_Pa: f64) -> Block {
     use Edge::{Free, Guided};
-    one_element(
-        rock,
-        [Guided, Free, Guided, Free, Guided, Guided],
-        pressure_Pa,
-    )
+    one_element(rock, [Guided, Free, Guided, Free, Guided, Guided], pressure_Pa)
 }
 
 /// A step with the best instructions, on this thread.

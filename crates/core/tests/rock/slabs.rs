@@ -54,10 +54,7 @@ fn the_rock_is_the_same_whoever_works_on_it() {
     let alone = drilled(&stepper, &Alone, STEPS);
     assert!(alone.removed().0 > 0);
     assert_eq!(bits(&alone), bits(&drilled(&stepper, &Backwards, STEPS)));
-    assert_eq!(
-        bits(&drilled(&stepper, &Alone, 300)),
-        bits(&drilled(&stepper, &Threads, 300))
-    );
+    assert_eq!(bits(&drilled(&stepper, &Alone, 300)), bits(&drilled(&stepper, &Threads, 300)));
 }
 
 #[test]
@@ -79,10 +76,8 @@ fn a_block_goes_on_from_its_bytes() {
 
 #[test]
 fn all_instructions_give_the_same_rock() {
-    let all: Vec<_> = Stepper::all()
-        .iter()
-        .map(|stepper| drilled(stepper, &Alone, 400).energies())
-        .collect();
+    let all: Vec<_> =
+        Stepper::all().iter().map(|stepper| drilled(stepper, &Alone, 400).energies()).collect();
     for other in &all {
         let apart = (other.pushed_J - all[0].pushed_J).abs();
         assert!(apart < 1e-6 * all[0].pushed_J, "{all:?}");

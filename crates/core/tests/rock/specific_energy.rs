@@ -91,15 +91,12 @@ impl Case {
         let mut drilling = Drilling::new(&spec).expect("a intact rock");
         let rotary_rad_per_s = self.rotary_rad_per_s;
         let driver = match self.drive {
-            Drive::Cut(depth_m) => Driver::Rate {
-                rate_m_per_s: depth_m * rotary_rad_per_s / TAU,
-                rotary_rad_per_s,
-            },
-            Drive::Weight(weight_N, mass_kg) => Driver::Weight {
-                weight_N,
-                mass_kg,
-                rotary_rad_per_s,
-            },
+            Drive::Cut(depth_m) => {
+                Driver::Rate { rate_m_per_s: depth_m * rotary_rad_per_s / TAU, rotary_rad_per_s }
+            }
+            Drive::Weight(weight_N, mass_kg) => {
+                Driver::Weight { weight_N, mass_kg, rotary_rad_per_s }
+            }
         };
         let stepper = Stepper::default();
         let steps = (TAU / rotary_rad_per_s / self.step_s).round() as usize;
@@ -153,12 +150,7 @@ impl std::fmt::Display for Case {
 
 impl std::fmt::Display for Drilled {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self {
-            depth_of_cut_m: d,
-            weight_N: w,
-            torque_N_m: t,
-            ..
-        } = self;
+        let Self { depth_of_cut_m: d, weight_N: w, torque_N_m: t, .. } = self;
         write!(
             f,
             "{:.2} ± {:.2} mm/rev, {:.3} ± {:.3} kN, {:.4} ± {:.4} kN·m, slope {:.2}, work over strength {:.3} (hole {:.3}), kinetic {:.0e}",
@@ -202,13 +194,7 @@ fn as_published(name: &str, case: &Case, drilled: &Drilled) {
             Tolerance::Absolute(0.25),
             "0.8 to 1.3: about one for sharp cutters (Richard and others 2012)",
         ),
-        (
-            "torque over half of weight and radius",
-            1.625,
-            drilled.slope,
-            slope.0,
-            slope.1,
-        ),
+        ("torque over half of weight and radius", 1.625, drilled.slope, slope.0, slope.1),
     ] {
         report(&Row {
             case: "rock",
@@ -270,16 +256,9 @@ fn a_bit_takes_about_the_strength_per_volume() {
 
 #[test]
 fn what_a_bit_takes_depends_little_on_the_elements() {
-    let coarse = Case {
-        ucs_Pa: 10e6,
-        ..SMALL
-    };
+    let coarse = Case { ucs_Pa: 10e6, ..SMALL };
     let from = coarse.drill();
-    let fine = Case {
-        element_m: 4e-3,
-        revolutions: [1, 2],
-        ..coarse
-    };
+    let fine = Case { element_m: 4e-3, revolutions: [1, 2], ..coarse };
     moved(
         "on elements of 4 over that on 6 mm",
         &from,
@@ -292,12 +271,7 @@ fn what_a_bit_takes_depends_little_on_the_elements() {
 #[test]
 fn what_a_bit_takes_depends_little_on_the_scaled_density() {
     let at = |density_factor: f64| {
-        let case = Case {
-            ucs_Pa: 10e6,
-            density_factor,
-            revolutions: [1, 2],
-            ..SMALL
-        };
+        let case = Case { ucs_Pa: 10e6, density_factor, revolutions: [1, 2], ..SMALL };
         case.drill()
     };
     moved(
@@ -313,44 +287,20 @@ fn what_a_bit_takes_depends_little_on_the_scaled_density() {
 #[ignore = "minutes: run by cargo xtask verify"]
 fn bits_of_two_sizes_take_about_the_strength_whatever_the_rock_and_the_cut() {
     for ucs_Pa in [30e6, 100e6] {
-        for (drive, name) in [
-            (Drive::Cut(6e-3), "60 mm bit, 6 mm/rev"),
-            (Drive::Cut(12e-3), "60 mm bit, 12 mm/rev"),
-        ] {
-            let case = Case {
-                ucs_Pa,
-                drive,
-                revolutions: [1, 8],
-                ..SMALL
-            };
-            as_published(
-                &format!("{name}, {:.0} MPa", 1e-6 * ucs_Pa),
-                &case,
-                &case.drill(),
-            );
+        for (drive, name) in
+            [(Drive::Cut(6e-3), "60 mm bit, 6 mm/rev"), (Drive::Cut(12e-3), "60 mm bit, 12 mm/rev")]
+        {
+            let case = Case { ucs_Pa, drive, revolutions: [1, 8], ..SMALL };
+            as_published(&format!("{name}, {:.0} MPa", 1e-6 * ucs_Pa), &case, &case.drill());
         }
         for (drive, element_m, name) in [
             (Drive::Cut(8e-3), 12e-3, "216 mm bit, 8 mm/rev"),
             (Drive::Cut(8e-3), 9e-3, "216 mm bit on 9 mm, 8 mm/rev"),
             (Drive::Cut(20e-3), 12e-3, "216 mm bit, 20 mm/rev"),
-            (
-                Drive::Weight(2e-3 * ucs_Pa, 2000.0),
-                12e-3,
-                "216 mm bit, constant weight",
-            ),
+            (Drive::Weight(2e-3 * ucs_Pa, 2000.0), 12e-3, "216 mm bit, constant weight"),
         ] {
-            let case = Case {
-                ucs_Pa,
-                element_m,
-                drive,
-                revolutions: [1, 3],
-                ..LARGE
-            };
-            as_published(
-                &format!("{name}, {:.0} MPa", 1e-6 * ucs_Pa),
-                &case,
-                &case.drill(),
-            );
+            let case = Case { ucs_Pa, element_m, drive, revolutions: [1, 3], ..LARGE };
+            as_published(&format!("{name}, {:.0} MPa", 1e-6 * ucs_Pa), &case, &case.drill());
         }
     }
 }
@@ -359,13 +309,7 @@ fn bits_of_two_sizes_take_about_the_strength_whatever_the_rock_and_the_cut() {
 #[ignore = "minutes: run by cargo xtask verify"]
 fn elements_of_three_sizes_take_about_the_same() {
     let on = |element_m: f64, drive: Drive, counted: usize| {
-        let case = Case {
-            ucs_Pa: 10e6,
-            element_m,
-            drive,
-            revolutions: [1, counted],
-            ..SMALL
-        };
+        let case = Case { ucs_Pa: 10e6, element_m, drive, revolutions: [1, counted], ..SMALL };
         case.drill()
     };
     let (cut, weight) = (Drive::Cut(12e-3), Drive::Weight(2500.0, 200.0));
@@ -402,12 +346,7 @@ fn elements_of_three_sizes_take_about_the_same() {
 #[ignore = "minutes: run by cargo xtask verify"]
 fn forces_settle_as_the_density_falls() {
     let at = |density_factor: f64| {
-        let case = Case {
-            ucs_Pa: 10e6,
-            density_factor,
-            revolutions: [1, 6],
-            ..SMALL
-        };
+        let case = Case { ucs_Pa: 10e6, density_factor, revolutions: [1, 6], ..SMALL };
         case.drill()
     };
     let factors = [25.0, 100.0, 400.0, 1600.0, 6400.0];
@@ -426,15 +365,8 @@ fn forces_settle_as_the_density_falls() {
 #[test]
 #[ignore = "minutes: run by cargo xtask verify"]
 fn pressure_and_steps() {
-    let half = Case {
-        step_s: 0.32e-3,
-        revolutions: [1, 8],
-        ..SMALL
-    };
-    let whole = Case {
-        step_s: 0.64e-3,
-        ..half
-    };
+    let half = Case { step_s: 0.32e-3, revolutions: [1, 8], ..SMALL };
+    let whole = Case { step_s: 0.64e-3, ..half };
     moved(
         "with half the caller's step over that with the whole",
         &whole.drill(),
@@ -444,33 +376,18 @@ fn pressure_and_steps() {
     );
     for weight_N in [10e3, 5e3] {
         for step_s in [0.64e-3, 0.32e-3] {
-            let case = Case {
-                drive: Drive::Weight(weight_N, 200.0),
-                step_s,
-                ..whole
-            };
+            let case = Case { drive: Drive::Weight(weight_N, 200.0), step_s, ..whole };
             let name = format!("under {weight_N} N, steps of {step_s} s");
             as_published(&name, &case, &case.drill());
         }
     }
     for rotary in [1.0, 2.0, 4.0, 8.0] {
-        let case = Case {
-            rotary_rad_per_s: rotary * TAU,
-            ..whole
-        };
-        as_published(
-            &format!("at {} rev/min", 60.0 * rotary),
-            &case,
-            &case.drill(),
-        );
+        let case = Case { rotary_rad_per_s: rotary * TAU, ..whole };
+        as_published(&format!("at {} rev/min", 60.0 * rotary), &case, &case.drill());
     }
     let mut last = 0.0;
     for pressure_Pa in [0.0, 3e6, 10e6, 30e6] {
-        let case = Case {
-            pressure_Pa,
-            revolutions: [1, 4],
-            ..SMALL
-        };
+        let case = Case { pressure_Pa, revolutions: [1, 4], ..SMALL };
         let drilled = case.drill();
         assert!(drilled.per_broken > last, "pressure holds the chips");
         last = drilled.per_broken;

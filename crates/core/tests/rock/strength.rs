@@ -49,11 +49,7 @@ fn the_cone_is_matched_in_compression() {
         for (quantity, expected, computed) in [
             ("alpha", number("alpha_comp"), cone.alpha),
             ("k, MPa", number("k_comp_MPa"), 1e-6 * cone.k_Pa),
-            (
-                "unconfined strength, MPa",
-                number("UCS_MPa"),
-                1e-6 * rock.ucs_Pa(),
-            ),
+            ("unconfined strength, MPa", number("UCS_MPa"), 1e-6 * rock.ucs_Pa()),
             (
                 "slope in the plane of mean and equivalent stress, deg",
                 number("abaqus_beta_deg"),
@@ -104,10 +100,7 @@ fn a_confined_element_bears_the_triaxial_strength() {
 
 #[test]
 fn a_pulled_element_bears_the_tensile_strength() {
-    let rock = Rock {
-        youngs_modulus_Pa: 100e9,
-        ..ductile(Rock::of_strength(50e6))
-    };
+    let rock = Rock { youngs_modulus_Pa: 100e9, ..ductile(Rock::of_strength(50e6)) };
     report(&Row {
         case: "rock",
         quantity: "strength of an element in uniaxial tension, MPa",
@@ -120,10 +113,7 @@ fn a_pulled_element_bears_the_tensile_strength() {
 
 #[test]
 fn a_torn_element_returns_to_the_apex() {
-    let rock = Rock {
-        tensile_strength_Pa: 1e12,
-        ..ductile(Rock::of_strength(50e6))
-    };
+    let rock = Rock { tensile_strength_Pa: 1e12, ..ductile(Rock::of_strength(50e6)) };
     let mut block = one_element(rock, [Edge::Held; 6], 0.0);
     let grid = *block.grid();
     // Swelling with some shear, far beyond the tip.

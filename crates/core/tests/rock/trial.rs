@@ -18,10 +18,7 @@ const SIZE_M: f64 = 8e-3;
 
 /// A rock of 10 MPa, of which a crushed element takes as much per volume.
 fn weak() -> Rock {
-    Rock {
-        compressive_fracture_energy_J_per_m2: 10e6 * SIZE_M,
-        ..Rock::of_strength(10e6)
-    }
+    Rock { compressive_fracture_energy_J_per_m2: 10e6 * SIZE_M, ..Rock::of_strength(10e6) }
 }
 
 /// A bit of 60 mm on a rock.
@@ -48,9 +45,7 @@ fn trial(weight_N: f64) -> TrialSpec {
 fn whole(spec: &TrialSpec, drilling: &DrillingSpec) -> TrialOutcome {
     let mut trial = Trial::new(spec, drilling).expect("a sound trial");
     assert_eq!(trial.outcome(), None, "nothing is counted yet");
-    trial
-        .advance(u64::MAX, &Stepper::default(), &Alone)
-        .expect("finite forces");
+    trial.advance(u64::MAX, &Stepper::default(), &Alone).expect("finite forces");
     assert!(trial.is_finished());
     assert_eq!(trial.revolutions(), 3.5);
     trial.outcome().expect("an outcome")
@@ -104,39 +99,15 @@ fn a_trial_counts_what_a_driven_bit_does() {
     let way_m = 0.6 * moments(&rate)[0];
     let volume_m3 = broken as f64 * SIZE_M.powi(3);
     for (quantity, expected, computed) in [
-        (
-            "rate of penetration",
-            moments(&rate)[0],
-            outcome.rate_of_penetration_m_per_s,
-        ),
-        (
-            "error of the rate",
-            error(&rate),
-            outcome.rate_of_penetration_error_m_per_s.unwrap(),
-        ),
+        ("rate of penetration", moments(&rate)[0], outcome.rate_of_penetration_m_per_s),
+        ("error of the rate", error(&rate), outcome.rate_of_penetration_error_m_per_s.unwrap()),
         ("depth of cut", way_m / 3.0, outcome.depth_of_cut_m),
         ("torque", moments(&torque)[0], outcome.torque_N_m),
-        (
-            "error of the torque",
-            error(&torque),
-            outcome.torque_error_N_m.unwrap(),
-        ),
-        (
-            "standard deviation of the torque",
-            deviation(&torque),
-            outcome.torque_std_N_m,
-        ),
+        ("error of the torque", error(&torque), outcome.torque_error_N_m.unwrap()),
+        ("standard deviation of the torque", deviation(&torque), outcome.torque_std_N_m),
         ("weight", moments(&weight)[0], outcome.weight_borne_N),
-        (
-            "standard deviation of the weight",
-            deviation(&weight),
-            outcome.weight_on_bit_std_N,
-        ),
-        (
-            "specific energy",
-            work_J / volume_m3,
-            outcome.specific_energy_Pa.unwrap(),
-        ),
+        ("standard deviation of the weight", deviation(&weight), outcome.weight_on_bit_std_N),
+        ("specific energy", work_J / volume_m3, outcome.specific_energy_Pa.unwrap()),
         (
             "energy per volume of hole",
             work_J / (PI * 0.03 * 0.03 * way_m),
@@ -223,55 +194,13 @@ fn numbers_that_make_no_trial() {
     let rock = small(weak());
     let valid = trial(1000.0);
     for (spec, named) in [
-        (
-            TrialSpec {
-                weight_N: 0.0,
-                ..valid
-            },
-            "weight",
-        ),
-        (
-            TrialSpec {
-                rotary_rad_per_s: f64::NAN,
-                ..valid
-            },
-            "speed",
-        ),
-        (
-            TrialSpec {
-                mass_kg: -1.0,
-                ..valid
-            },
-            "mass",
-        ),
-        (
-            TrialSpec {
-                step_s: f64::INFINITY,
-                ..valid
-            },
-            "step",
-        ),
-        (
-            TrialSpec {
-                step_s: 1e-14,
-                ..valid
-            },
-            "steps",
-        ),
-        (
-            TrialSpec {
-                revolutions: 0.0,
-                ..valid
-            },
-            "revolutions",
-        ),
-        (
-            TrialSpec {
-                settle_revolutions: -0.5,
-                ..valid
-            },
-            "settling",
-        ),
+        (TrialSpec { weight_N: 0.0, ..valid }, "weight"),
+        (TrialSpec { rotary_rad_per_s: f64::NAN, ..valid }, "speed"),
+        (TrialSpec { mass_kg: -1.0, ..valid }, "mass"),
+        (TrialSpec { step_s: f64::INFINITY, ..valid }, "step"),
+        (TrialSpec { step_s: 1e-14, ..valid }, "steps"),
+        (TrialSpec { revolutions: 0.0, ..valid }, "revolutions"),
+        (TrialSpec { settle_revolutions: -0.5, ..valid }, "settling"),
     ] {
         let error = Trial::new(&spec, &rock).unwrap_err();
         assert!(matches!(error, TrialError::Number { .. }), "{error}");

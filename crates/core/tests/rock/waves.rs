@@ -18,10 +18,7 @@ struct Pulse {
 /// the middle of its width.
 fn send(edges: [Edge; 6], wide: usize, direction: usize, wave_m_per_s: f64) -> Pulse {
     let (deep, size_m, length) = (60, 1e-3, 24.0);
-    let spec = BlockSpec {
-        edges,
-        ..BlockSpec::new(elastic(), [wide, 1, deep], size_m)
-    };
+    let spec = BlockSpec { edges, ..BlockSpec::new(elastic(), [wide, 1, deep], size_m) };
     let mut block = Block::new(&spec).expect("a sound block");
     let (grid, stepper, dt) = (*block.grid(), Stepper::default(), block.dt_s());
     let lasts = length * size_m / wave_m_per_s;

@@ -70,19 +70,13 @@ impl Nodes {
 fn random(seed: u64) -> impl FnMut() -> f64 {
     let mut state = seed;
     move || {
-        state = state
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
     }
 }
 
 fn law() -> ContactLaw {
-    ContactLaw {
-        stiffness_Pa_per_m: 20e9 / 0.004,
-        damping_ratio: 1.0,
-        friction: 0.3,
-    }
+    ContactLaw { stiffness_Pa_per_m: 20e9 / 0.004, damping_ratio: 1.0, friction: 0.3 }
 }
 
 const DT: f64 = 2e-7;
@@ -234,31 +228,19 @@ fn a_turned_world_is_the_same() {
 #[test]
 fn a_symmetric_bit_on_a_flat_bottom() {
     let face = opposed().face().unwrap();
-    let pose = Pose::new(
-        Vector3::new(0.0, 0.0, 2e-3),
-        Vector3::z(),
-        Vector3::x(),
-        0.3,
-    )
-    .moving(Vector3::new(0.0, 0.0, 1e-2), Vector3::new(0.0, 0.0, 10.0));
+    let pose = Pose::new(Vector3::new(0.0, 0.0, 2e-3), Vector3::z(), Vector3::x(), 0.3)
+        .moving(Vector3::new(0.0, 0.0, 1e-2), Vector3::new(0.0, 0.0, 10.0));
     let mut nodes = Nodes::default();
     let mut random = random(11);
     for _ in 0..20_000 {
         let (x, y) = (0.22 * random(), 0.22 * random());
         for side in [1.0, -1.0] {
-            nodes.push(
-                Vector3::new(side * x, side * y, 0.0),
-                Vector3::zeros(),
-                Vector3::zeros(),
-            );
+            nodes.push(Vector3::new(side * x, side * y, 0.0), Vector3::zeros(), Vector3::zeros());
         }
     }
     let load = nodes.touch(&face, &pose, &law(), DT);
     let (up, torque) = (-load.force_N.z, -load.moment_N_m.z);
-    assert!(
-        load.touching > 100 && up > 100.0 && torque > 1.0,
-        "{load:?}"
-    );
+    assert!(load.touching > 100 && up > 100.0 && torque > 1.0, "{load:?}");
     assert!(load.force_N.xy().norm() < 1e-10 * up, "{load:?}");
     assert!(load.moment_N_m.xy().norm() < 1e-10 * up * 0.1, "{load:?}");
 }
@@ -290,11 +272,7 @@ fn a_pressed_node_sticks_or_slides() {
         let (settle, steps) = (4000, 1000);
         let mut start = (point, Vector3::zeros());
         for step in 0..settle + steps {
-            let pull = if step < settle {
-                0.0
-            } else {
-                share * law.friction * press
-            };
+            let pull = if step < settle { 0.0 } else { share * law.friction * press };
             let force = along * pull - out * press;
             (0..3).for_each(|axis| nodes.force[axis][0] = force[axis]);
             if step == settle {
@@ -330,20 +308,14 @@ fn a_node_inside_is_pushed_out_without_gaining() {
     let pose = Pose::new(Vector3::zeros(), Vector3::z(), Vector3::x(), 0.0);
     for stiffness in [1e11, 5e12, 1e15, 1e18] {
         for damping_ratio in [0.0, 0.3, 1.0, 3.0] {
-            let law = ContactLaw {
-                stiffness_Pa_per_m: stiffness,
-                damping_ratio,
-                friction: 0.3,
-            };
+            let law = ContactLaw { stiffness_Pa_per_m: stiffness, damping_ratio, friction: 0.3 };
             let depth = 3e-4;
             let [point, out, _] = on_a_face(&face, depth);
             let mut nodes = Nodes::default();
             nodes.push(point, Vector3::zeros(), Vector3::zeros());
             let k = stiffness * nodes.area[0];
             let energy = |nodes: &Nodes| {
-                let left = face
-                    .holds(at(&nodes.position, 0))
-                    .map_or(0.0, |t| t.depth_m);
+                let left = face.holds(at(&nodes.position, 0)).map_or(0.0, |t| t.depth_m);
                 nodes.kinetic() + 0.5 * k * left * left
             };
             let first = energy(&nodes);
@@ -354,10 +326,7 @@ fn a_node_inside_is_pushed_out_without_gaining() {
                 nodes.go(DT);
                 nodes.force = [vec![0.0], vec![0.0], vec![0.0]];
                 let now = energy(&nodes);
-                assert!(
-                    now <= before * (1.0 + 1e-9) + 1e-15 * first,
-                    "{stiffness} {before} {now}"
-                );
+                assert!(now <= before * (1.0 + 1e-9) + 1e-15 * first, "{stiffness} {before} {now}");
                 before = now;
             }
             let sunk = depth - (at(&nodes.position, 0) - point).dot(&out);
@@ -374,10 +343,7 @@ fn arriving_is_not_bouncing() {
     let face = pdc().face().unwrap();
     let pose = Pose::new(Vector3::zeros(), Vector3::z(), Vector3::x(), 0.0);
     for stiffness in [1e11, 5e12, 1e15, 1e18, 1e22] {
-        let law = ContactLaw {
-            stiffness_Pa_per_m: stiffness,
-            ..law()
-        };
+        let law = ContactLaw { stiffness_Pa_per_m: stiffness, ..law() };
         for approach in [1e-3, 0.1, 10.0] {
             let [point, out, _] = on_a_face(&face, -0.4 * approach * DT);
             let mut nodes = Nodes::default();
@@ -385,10 +351,7 @@ fn arriving_is_not_bouncing() {
             assert_eq!(nodes.touch(&face, &pose, &law, DT).touching, 1);
             nodes.go(DT);
             let left = -at(&nodes.velocity, 0).dot(&out);
-            assert!(
-                (-1e-12..=approach).contains(&left),
-                "{stiffness} {approach}: {left}"
-            );
+            assert!((-1e-12..=approach).contains(&left), "{stiffness} {approach}: {left}");
 
             let mut carried = Nodes::default();
             carried.push(point, Vector3::zeros(), Vector3::zeros());
@@ -410,12 +373,8 @@ fn poses() {
     assert!((pose.to_rock(Vector3::x()) + Vector3::z()).norm() < 1e-15);
     assert!((pose.to_rock(Vector3::y()) - Vector3::y()).norm() < 1e-15);
     // A quarter turn clockwise takes the high side's mark to the right.
-    let quarter = Pose::new(
-        Vector3::zeros(),
-        Vector3::x(),
-        -Vector3::z(),
-        std::f64::consts::FRAC_PI_2,
-    );
+    let quarter =
+        Pose::new(Vector3::zeros(), Vector3::x(), -Vector3::z(), std::f64::consts::FRAC_PI_2);
     assert!((quarter.to_rock(Vector3::x()) - Vector3::y()).norm() < 1e-15);
     let turning = pose.moving(Vector3::new(1.0, 0.0, 0.0), Vector3::x());
     let dt = std::f64::consts::FRAC_PI_2 / 1000.0;

@@ -46,10 +46,7 @@ fn profiles_are_smooth() {
             let across = (dr * point.normal[0] + dz * point.normal[1]) / length * steps as f64;
             assert!(across.abs() < 4e-3, "{name}: {across}");
             if point.radius_m < profile.radius_m() * (1.0 - 1e-9) {
-                assert!(
-                    (profile.z_m(point.radius_m) - point.z_m).abs() < 1e-9,
-                    "{name}"
-                );
+                assert!((profile.z_m(point.radius_m) - point.z_m).abs() < 1e-9, "{name}");
             }
             assert!(point.z_m < 1e-15);
             before = point;
@@ -69,10 +66,7 @@ fn middle(cutter: &Cutter, radius: f64) -> Vector3<f64> {
 /// beside the true foot by 0.07 mm at most; the sign is that of the disc's inequality.
 #[test]
 fn distance_is_that_of_the_nearest_point() {
-    let bit = PdcBit {
-        chamfer_m: 0.0,
-        ..pdc()
-    };
+    let bit = PdcBit { chamfer_m: 0.0, ..pdc() };
     let face = bit.face().unwrap();
     let cutter = &face.cutters()[17];
     let (a, length, pitch) = (0.5 * bit.cutter_diameter_m, bit.cutter_length_m, 1e-4);
@@ -96,9 +90,7 @@ fn distance_is_that_of_the_nearest_point() {
     }
     let mut random = 1u64;
     let mut uniform = || {
-        random = random
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        random = random.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (random >> 11) as f64 / (1u64 << 53) as f64 - 0.5
     };
     for _ in 0..60 {
@@ -111,10 +103,7 @@ fn distance_is_that_of_the_nearest_point() {
         let inside = zeta < 0.0 && zeta > -length && (from - cutter.axis * zeta).norm() < a;
         assert_eq!(distance < 0.0, inside);
         let exact = distance.abs();
-        assert!(
-            exact <= nearest + 1e-12 && nearest <= exact.hypot(0.8e-4),
-            "{exact} {nearest}"
-        );
+        assert!(exact <= nearest + 1e-12 && nearest <= exact.hypot(0.8e-4), "{exact} {nearest}");
     }
 }
 
@@ -126,12 +115,7 @@ fn a_hemisphere_is_a_ball() {
     for insert in face.cutters().iter().step_by(7) {
         let a = 0.5 * bit.insert_diameter_m;
         let centre = insert.tip_m - insert.axis * a;
-        for off in [
-            Vector3::x(),
-            Vector3::y(),
-            Vector3::z(),
-            Vector3::new(0.3, -0.4, 0.2),
-        ] {
+        for off in [Vector3::x(), Vector3::y(), Vector3::z(), Vector3::new(0.3, -0.4, 0.2)] {
             let point = centre + off * 2.0 * a + insert.axis * 2.5 * a;
             let (distance, _) = insert.distance(point);
             assert!((distance - ((point - centre).norm() - a)).abs() < 1e-15);
@@ -197,14 +181,9 @@ fn the_short_way_leads_out() {
         let cutters = face.cutters();
         for cutter in cutters.iter().step_by(5) {
             let point = cutter.tip_m - cutter.normal * 2e-4 - cutter.axis * 1e-4;
-            let touch = face
-                .holds(point)
-                .unwrap_or_else(|| panic!("{name}: outside"));
+            let touch = face.holds(point).unwrap_or_else(|| panic!("{name}: outside"));
             let end = point + touch.out * (touch.depth_m * (1.0 + 1e-9));
-            assert!(
-                face.holds(end).is_none_or(|t| t.part != touch.part),
-                "{name}"
-            );
+            assert!(face.holds(end).is_none_or(|t| t.part != touch.part), "{name}");
         }
     }
 }
@@ -213,45 +192,19 @@ fn the_short_way_leads_out() {
 #[test]
 fn what_makes_no_bit() {
     let refused = |bit: PdcBit| bit.face().expect_err("no bit");
-    let error = refused(PdcBit {
-        back_rake_rad: f64::NAN,
-        ..pdc()
-    });
-    assert!(
-        error
-            .to_string()
-            .contains("back rake is NaN, expected 0 to 0.75 rad")
-    );
-    let error = refused(PdcBit {
-        nose_radius_m: 0.07,
-        shoulder_radius_m: 0.08,
-        ..pdc()
-    });
+    let error = refused(PdcBit { back_rake_rad: f64::NAN, ..pdc() });
+    assert!(error.to_string().contains("back rake is NaN, expected 0 to 0.75 rad"));
+    let error = refused(PdcBit { nose_radius_m: 0.07, shoulder_radius_m: 0.08, ..pdc() });
     assert!(matches!(error, FaceError::Profile { .. }), "{error}");
-    let error = refused(PdcBit {
-        cutters_per_track: 4,
-        ..pdc()
-    });
+    let error = refused(PdcBit { cutters_per_track: 4, ..pdc() });
     assert!(matches!(error, FaceError::Unspread { .. }), "{error}");
-    let error = refused(PdcBit {
-        cutters_per_blade: 8,
-        ..pdc()
-    });
+    let error = refused(PdcBit { cutters_per_blade: 8, ..pdc() });
     assert!(matches!(error, FaceError::Overlap { .. }), "{error}");
     // Blades that are alike leave rings between their cutters, the first beside the axis.
-    let error = refused(PdcBit {
-        cutters_per_track: 6,
-        ..pdc()
-    });
-    let FaceError::UncutRing { from_m, to_m } = error else {
-        panic!("{error}")
-    };
+    let error = refused(PdcBit { cutters_per_track: 6, ..pdc() });
+    let FaceError::UncutRing { from_m, to_m } = error else { panic!("{error}") };
     assert!(to_m > from_m && to_m < 0.1);
     // Rows wider apart than their inserts.
-    let error = InsertBit {
-        rows: 6,
-        ..InsertBit::for_diameter(0.2159)
-    }
-    .face();
+    let error = InsertBit { rows: 6, ..InsertBit::for_diameter(0.2159) }.face();
     assert!(matches!(error, Err(FaceError::UncutRing { .. })));
 }

@@ -17,20 +17,12 @@ fn no_ring_is_left_uncut() {
     for (name, face) in faces() {
         let tracks = face.tracks();
         let ridge = |ring: usize| {
-            assert!(
-                tracks.engaged(ring, 2e-3) > 0,
-                "{name}: {}",
-                tracks.radius_m(ring)
-            );
+            assert!(tracks.engaged(ring, 2e-3) > 0, "{name}: {}", tracks.radius_m(ring));
             let inside = (tracks.radius_m(ring) - face.profile().core_radius_m())
                 .min(face.profile().radius_m() - tracks.radius_m(ring));
             let near_gauge =
                 inside < 0.1 * face.profile().radius_m() && tracks.radius_m(ring) > 0.04;
-            if near_gauge {
-                0.0
-            } else {
-                tracks.ridge_m(ring)
-            }
+            if near_gauge { 0.0 } else { tracks.ridge_m(ring) }
         };
         worst.push((name, (0..tracks.rings()).map(ridge).fold(0.0, f64::max)));
     }
@@ -52,10 +44,7 @@ fn the_cut_is_the_hole() {
             let cut = face.tracks().cut(depth_m);
             let volume: f64 = cut.volume_m3.iter().sum();
             let area: f64 = cut.area_m2.iter().sum();
-            assert!(
-                relative_error(volume, PI * (a * a - b * b) * depth_m) < 1e-10,
-                "{name}"
-            );
+            assert!(relative_error(volume, PI * (a * a - b * b) * depth_m) < 1e-10, "{name}");
             assert!(relative_error(area, (a - b) * depth_m) < 1e-10, "{name}");
             assert!(cut.volume_m3.iter().all(|&v| v >= 0.0));
             if depth_m > 1e-3 {
@@ -76,24 +65,10 @@ fn the_face_obeys_detournay_and_defourny() {
     let face = PdcBit::for_diameter(2.0 * input("a_m")).face().unwrap();
     let cut = face.tracks().cut(expected("depth_of_cut_per_rev_m"));
     let (energy, inclination) = (input("eps_Pa"), input("zeta"));
-    let weight: f64 = cut
-        .area_m2
-        .iter()
-        .map(|area| inclination * energy * area)
-        .sum();
-    let torque: f64 = cut
-        .volume_m3
-        .iter()
-        .map(|volume| energy * volume / TAU)
-        .sum();
-    assert!(
-        relative_error(weight, expected("W_cut_N")) < 1e-10,
-        "{weight}"
-    );
-    assert!(
-        relative_error(torque, expected("T_cut_Nm")) < 1e-10,
-        "{torque}"
-    );
+    let weight: f64 = cut.area_m2.iter().map(|area| inclination * energy * area).sum();
+    let torque: f64 = cut.volume_m3.iter().map(|volume| energy * volume / TAU).sum();
+    assert!(relative_error(weight, expected("W_cut_N")) < 1e-10, "{weight}");
+    assert!(relative_error(torque, expected("T_cut_Nm")) < 1e-10, "{torque}");
 }
 
 /// A track is the lowest point of the turning solid: found there by turning a point on it through
@@ -121,15 +96,11 @@ fn a_track_is_the_lowest_point_swept() {
                 }
                 let distance = |angle: f64| {
                     let (sin, cos) = angle.sin_cos();
-                    cutter
-                        .distance(Vector3::new(radius * cos, radius * sin, z))
-                        .0
+                    cutter.distance(Vector3::new(radius * cos, radius * sin, z)).0
                 };
                 let step = TAU / 600.0;
                 let coarse = (0..600).map(|i| i as f64 * step);
-                let best = coarse
-                    .min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
-                    .unwrap();
+                let best = coarse.min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap();
                 let [mut low, mut high] = [best - step, best + step];
                 for _ in 0..30 {
                     let third = (high - low) / 3.0;
@@ -154,10 +125,7 @@ fn imbalance() {
     let cut = opposed().face().unwrap().tracks().cut(2e-3);
     let balanced = cut.drag_imbalance.iter().chain(&cut.thrust_imbalance);
     // 180° as a floating number turns by 1e-16; tracks by the rounding of their angles.
-    assert!(
-        balanced.into_iter().all(|share| share.abs() < 1e-9),
-        "{cut:?}"
-    );
+    assert!(balanced.into_iter().all(|share| share.abs() < 1e-9), "{cut:?}");
     let cut = pdc().face().unwrap().tracks().cut(2e-3);
     let [x, y] = cut.drag_imbalance;
     assert!((1e-3..0.3).contains(&x.hypot(y)), "{x} {y}");
@@ -205,9 +173,7 @@ fn heights_of_a_bottom() {
     let removed = flat(3e-3).removed_since_m3(&flat(1e-3));
     assert!(relative_error(removed, PI * (0.01 - 0.0004) * 2e-3) < 1e-12);
     assert!(
-        relative_error(
-            flat(0.0).removed_since_m3(&bottom),
-            -0.02 * PI * (0.0009 - 0.0004) / 12.0
-        ) < 1e-12
+        relative_error(flat(0.0).removed_since_m3(&bottom), -0.02 * PI * (0.0009 - 0.0004) / 12.0)
+            < 1e-12
     );
 }

@@ -38,11 +38,7 @@ impl Contact {
         let (mut low, mut high) = (0.0, 2.0 * self.b() + 2.0 * self.damping.cbrt());
         for _ in 0..200 {
             let n = 0.5 * (low + high);
-            if n * n * (n - self.b()) < self.damping {
-                low = n
-            } else {
-                high = n
-            }
+            if n * n * (n - self.b()) < self.damping { low = n } else { high = n }
         }
         low.powi(3)
     }
@@ -82,10 +78,7 @@ fn the_articles_contact_force_needs_three_corrections() {
     let data = verification("F02_seed_paper_eq7_8_check.json");
     let number = |value: &Value| value.as_f64().expect("a number");
     let (r1, r2) = (number(&data["R1"]), number(&data["R2"]));
-    let compliance = PAIR
-        .iter()
-        .map(|(e, nu)| (1.0 - nu * nu) / (PI * e))
-        .sum::<f64>();
+    let compliance = PAIR.iter().map(|(e, nu)| (1.0 - nu * nu) / (PI * e)).sum::<f64>();
     let vectors = data["vectors"].as_array().expect("vectors");
     assert_eq!(vectors.len(), 5);
     let (mut least, mut worst, mut found_a) = (f64::MAX, [0.0f64; 3], f64::NAN);
@@ -97,10 +90,7 @@ fn the_articles_contact_force_needs_three_corrections() {
             damping: number(&vector["c"]) * number(&vector["v_r"]),
         };
         found_a = contact.hertz();
-        let at = format!(
-            "K {:e} N/m and c v {} N",
-            contact.stiffness, contact.damping
-        );
+        let at = format!("K {:e} N/m and c v {} N", contact.stiffness, contact.damping);
         let exact = contact.exact();
         let digits = "digits of the source";
         let cancels = "digits lost where Y1 and Y2 cancel, 8e-7 in the file's own evaluation";
@@ -135,13 +125,7 @@ fn the_articles_contact_force_needs_three_corrections() {
                 Tolerance::Relative(1e-6),
                 cancels,
             ),
-            (
-                "(7) and (8) as printed for",
-                exact,
-                printed,
-                Tolerance::Any,
-                gone,
-            ),
+            ("(7) and (8) as printed for", exact, printed, Tolerance::Any, gone),
         ] {
             report(&Row {
                 case: "F02",
@@ -172,21 +156,9 @@ fn the_articles_contact_force_needs_three_corrections() {
     let misses = "a formula that is printed wrongly misses by far more than the rounding of 1e-6";
     for (what, bound, found) in [
         ("least error of (7) and (8) as printed", 1e3, least),
-        (
-            "largest error without the squared compliance in (7)",
-            0.02,
-            worst[0],
-        ),
-        (
-            "largest error with the first term of (8) cube-rooted",
-            0.02,
-            worst[1],
-        ),
-        (
-            "largest error without c v under the root of (8)",
-            0.02,
-            worst[2],
-        ),
+        ("largest error without the squared compliance in (7)", 0.02, worst[0]),
+        ("largest error with the first term of (8) cube-rooted", 0.02, worst[1]),
+        ("largest error without c v under the root of (8)", 0.02, worst[2]),
     ] {
         report(&Row {
             case: "F02",

@@ -48,10 +48,7 @@ impl Ends {
         let lower = tilted(random);
         let at = random.vector(10.0);
         Self {
-            x: [
-                at,
-                at + chord * LENGTH_M * (1.0 + random.between(-2e-3, 2e-3)),
-            ],
+            x: [at, at + chord * LENGTH_M * (1.0 + random.between(-2e-3, 2e-3))],
             d: [d, lower],
             mark: [normal.cross(&d), random.across(lower, 1.0).normalize()],
             v: [random.vector(3.0), random.vector(3.0)],
@@ -93,10 +90,7 @@ impl Ends {
     /// Power of the element on its ends, W.
     fn power(&self, k: &Stiffness<f64>, beta: f64) -> f64 {
         let r = react(k, &self.pose(), 0.0, beta);
-        let moments = [
-            moment_above(&r, self.below()),
-            moment_below(&r, self.d[1].into()),
-        ];
+        let moments = [moment_above(&r, self.below()), moment_below(&r, self.d[1].into())];
         V::from(r.force).dot(&(self.v[1] - self.v[0]))
             + V::from(moments[0]).dot(&self.omega[0])
             + V::from(moments[1]).dot(&self.omega[1])
@@ -210,10 +204,7 @@ fn bathe(parts: usize, force: f64) -> V {
     let inputs = &data["inputs"];
     let radius = number(&inputs["R_in"]);
     let e = number(&inputs["E_psi"]);
-    let rod = Section {
-        torsional_stiffness_N_m2: 0.5 * e / 6.0,
-        ..section(e, e / 12.0, 0.5 * e)
-    };
+    let rod = Section { torsional_stiffness_N_m2: 0.5 * e / 6.0, ..section(e, e / 12.0, 0.5 * e) };
     let arc = number(&inputs["arc_deg"]).to_radians();
     let corners: Vec<V> = (0..=parts)
         .map(|i| {
@@ -276,22 +267,8 @@ fn a_curved_cantilever_is_pulled_out_of_its_plane() {
             let source = "the source's: 0.5 % of the tip's path";
             let missed = "missed: the distance of the three is 0.6 % of the tip's path, where 0.5 % is asked";
             for (name, mesh, answer, of, tolerance, reason) in [
-                (
-                    "BeamDyn",
-                    "with 8 elements",
-                    a,
-                    beamdyn,
-                    Tolerance::Absolute(half),
-                    source,
-                ),
-                (
-                    "Kynema",
-                    "with 8 elements",
-                    a,
-                    kynema,
-                    Tolerance::Absolute(half),
-                    source,
-                ),
+                ("BeamDyn", "with 8 elements", a, beamdyn, Tolerance::Absolute(half), source),
+                ("Kynema", "with 8 elements", a, kynema, Tolerance::Absolute(half), source),
                 (
                     "Bathe and Bolourchi",
                     "extrapolated",
@@ -300,14 +277,7 @@ fn a_curved_cantilever_is_pulled_out_of_its_plane() {
                     Tolerance::Absolute(half),
                     source,
                 ),
-                (
-                    "Bathe and Bolourchi",
-                    "with 8 elements",
-                    a,
-                    bathe,
-                    Tolerance::Any,
-                    missed,
-                ),
+                ("Bathe and Bolourchi", "with 8 elements", a, bathe, Tolerance::Any, missed),
             ] {
                 let off = (answer.abs() - V::from(of)).norm();
                 assert!(tolerance == Tolerance::Any || off < half, "{name}: {off}");
@@ -327,8 +297,4 @@ fn a_curved_cantilever_is_pulled_out_of_its_plane() {
 }
 
 /// The order of D02's answers.
-const AXES: [&str; 3] = [
-    "along the first tangent",
-    "across it in plane",
-    "along the load",
-];
+const AXES: [&str; 3] = ["along the first tangent", "across it in plane", "along the load"];

@@ -13,11 +13,7 @@ fn hertz_constants_of_pipe_and_hole() {
     let data = verification("F01_hertz_contact.json");
     for row in data["rows"].as_array().expect("rows") {
         let name = row["geom"].as_str().expect("a name");
-        let wall = if name.contains("steel/steel") {
-            steel
-        } else {
-            rock
-        };
+        let wall = if name.contains("steel/steel") { steel } else { rock };
         let modulus = contact_modulus_Pa(steel.0, steel.1, wall.0, wall.1);
         let k = hertz_stiffness(modulus, number(&row["R1"]), number(&row["R2"]));
         for (what, computed, key) in [
@@ -72,11 +68,7 @@ fn hertz_is_within_its_stated_error() {
         let (mut low, mut high) = (0.0f64, 1.0f64);
         for _ in 0..200 {
             let y = 0.5 * (low + high);
-            if y * y + r * y * y * y < 1.0 {
-                low = y
-            } else {
-                high = y
-            }
+            if y * y + r * y * y * y < 1.0 { low = y } else { high = y }
         }
         let exact = r * low.powi(3);
         let found = hertz(1.0, 0.0, r, 0.0, 1.0);
@@ -117,18 +109,10 @@ fn blow(m: f64, speed: f64, k: f64, dissipation: f64, dt: f64, phase: f64) -> Bl
         let after = energy(x, v);
         // The force is right to 3e-6, and so is what it takes.
         let rounding = 3e-6 * force * dt * speed;
-        assert!(
-            after <= before * (1.0 + 1e-12) + rounding,
-            "energy grew: {before} {after}"
-        );
+        assert!(after <= before * (1.0 + 1e-12) + rounding, "energy grew: {before} {after}");
         before = after;
         if x < 0.0 && v <= 0.0 {
-            return Blow {
-                restitution: -v / speed,
-                deepest_m,
-                contact_s,
-                strongest_N,
-            };
+            return Blow { restitution: -v / speed, deepest_m, contact_s, strongest_N };
         }
     }
 }
@@ -174,11 +158,7 @@ fn hunt_crossley(dv: f64) -> f64 {
     let (mut low, mut high) = (0.0f64, 1.0f64.min(1.0 / dv));
     for _ in 0..100 {
         let e = 0.5 * (low + high);
-        if -e * dv - (-e * dv).ln_1p() < lost {
-            low = e
-        } else {
-            high = e
-        }
+        if -e * dv - (-e * dv).ln_1p() < lost { low = e } else { high = e }
     }
     low
 }
@@ -213,11 +193,7 @@ fn implicit_restitution(m: f64, speed: f64, k: f64, dissipation: f64, dt: f64) -
             while high - low > 1e-15 {
                 let end = 0.5 * (low + high);
                 let taken = dt * dt / m * stiffness * end.max(0.0).powf(1.5);
-                if free - taken > end {
-                    low = end
-                } else {
-                    high = end
-                }
+                if free - taken > end { low = end } else { high = end }
             }
             v = (low - x) / dt;
             x = low;
@@ -226,9 +202,7 @@ fn implicit_restitution(m: f64, speed: f64, k: f64, dissipation: f64, dt: f64) -
             }
         }
     };
-    (0..PHASES)
-        .map(|i| one((f64::from(i) + 0.5) / f64::from(PHASES)))
-        .sum::<f64>()
+    (0..PHASES).map(|i| one((f64::from(i) + 0.5) / f64::from(PHASES))).sum::<f64>()
         / f64::from(PHASES)
 }
 

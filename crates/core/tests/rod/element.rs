@@ -33,10 +33,7 @@ const LENGTH_M: f64 = 1.7;
 
 /// Moments across the directors on both ends.
 fn moments(ends: &Ends, r: &Reaction<f64>) -> [V; 2] {
-    [
-        r.moment1(ends.d[0].into()).into(),
-        r.moment2(ends.d[1].into()).into(),
-    ]
+    [r.moment1(ends.d[0].into()).into(), r.moment2(ends.d[1].into()).into()]
 }
 
 /// A place and a motion of both ends, all independent.
@@ -190,11 +187,7 @@ fn energy_changes_by_the_power_of_the_forces() {
 /// for any bend: rate and moments share the series of `1/(1 + c12)`.
 #[test]
 fn torque_does_the_work_of_its_rate() {
-    let nothing = Section {
-        axial_stiffness_N: 0.0,
-        bending_stiffness_N_m2: 0.0,
-        ..pipe()
-    };
+    let nothing = Section { axial_stiffness_N: 0.0, bending_stiffness_N_m2: 0.0, ..pipe() };
     let k = Stiffness::new(&nothing, LENGTH_M);
     let mut random = Random(3);
     for _ in 0..300 {
@@ -276,11 +269,7 @@ fn the_total_moment_is_balanced() {
             + r.torque * (ends.d[0] - ends.d[1]);
         let scale = LENGTH_M * force.norm() + r.torque.abs();
         let tolerance = if case % 2 == 0 { 1e-12 } else { 1e-8 };
-        assert!(
-            total.norm() < tolerance * scale,
-            "{:e}",
-            total.norm() / scale
-        );
+        assert!(total.norm() < tolerance * scale, "{:e}", total.norm() / scale);
     }
 }
 
@@ -296,10 +285,7 @@ fn damping_takes_the_power_that_it_reports() {
         let taken = ends.power(&elastic) - ends.power(&damped);
         let rounding = 1e-13 * (ends.power(&elastic).abs() + 1e6);
         let difference = taken - damped.damping_power;
-        assert!(
-            difference.abs() < rounding.max(1e-12 * taken),
-            "{taken} {difference:e}"
-        );
+        assert!(difference.abs() < rounding.max(1e-12 * taken), "{taken} {difference:e}");
     }
 }
 
@@ -396,17 +382,7 @@ fn fused_arithmetic_gives_the_same_forces() {
 #[test]
 fn shear_factor_has_cowpers_limits() {
     for nu in [0.0, 0.25, 0.3, 0.5] {
-        assert_close(
-            "thin",
-            shear_factor(nu, 1.0),
-            2.0 * (1.0 + nu) / (4.0 + 3.0 * nu),
-            1e-15,
-        );
-        assert_close(
-            "solid",
-            shear_factor(nu, 0.0),
-            6.0 * (1.0 + nu) / (7.0 + 6.0 * nu),
-            1e-15,
-        );
+        assert_close("thin", shear_factor(nu, 1.0), 2.0 * (1.0 + nu) / (4.0 + 3.0 * nu), 1e-15);
+        assert_close("solid", shear_factor(nu, 0.0), 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu), 1e-15);
     }
 }

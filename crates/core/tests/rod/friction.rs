@@ -15,11 +15,7 @@ fn exact(limit: f64, u: [f64; 2], g: [f64; 2]) -> ([f64; 2], f64) {
     let (mut low, mut high) = (0.0, u[0].hypot(u[1]) / limit);
     for _ in 0..200 {
         let middle = 0.5 * (low + high);
-        if length(at(middle)) > limit {
-            low = middle
-        } else {
-            high = middle
-        }
+        if length(at(middle)) > limit { low = middle } else { high = middle }
     }
     (at(high), high)
 }
@@ -77,29 +73,17 @@ fn the_cone_is_exact_but_for_its_direction_near_rest() {
 fn a_contact_that_can_stick_is_stopped() {
     let mut random = Random(12);
     for _ in 0..100_000 {
-        let g = [
-            10f64.powf(random.between(-7.0, -4.0)),
-            10f64.powf(random.between(-7.0, -4.0)),
-        ];
+        let g = [10f64.powf(random.between(-7.0, -4.0)), 10f64.powf(random.between(-7.0, -4.0))];
         let limit = 10f64.powf(random.between(-3.0, 5.0));
         let angle = random.between(0.0, std::f64::consts::TAU);
-        let part = if random.between(0.0, 1.0) < 0.2 {
-            1.0 - 1e-9
-        } else {
-            random.between(0.0, 1.0)
-        };
-        let u = [
-            part * limit * g[0] * angle.cos(),
-            part * limit * g[1] * angle.sin(),
-        ];
+        let part =
+            if random.between(0.0, 1.0) < 0.2 { 1.0 - 1e-9 } else { random.between(0.0, 1.0) };
+        let u = [part * limit * g[0] * angle.cos(), part * limit * g[1] * angle.sin()];
         let f = vector(limit, u[0], u[1], g[0], g[1]);
         let rest = (u[0] - g[0] * f.0).abs() + (u[1] - g[1] * f.1).abs();
         let (stop, lambda) = exact(limit, u, g);
         assert_eq!(lambda, 0.0);
-        assert!(
-            rest <= 1e-12 * (u[0].abs() + u[1].abs()),
-            "{rest:e} of {u:?}: {f:?} {stop:?}"
-        );
+        assert!(rest <= 1e-12 * (u[0].abs() + u[1].abs()), "{rest:e} of {u:?}: {f:?} {stop:?}");
     }
 }
 
@@ -110,30 +94,18 @@ fn friction_only_takes_energy() {
     let mut random = Random(13);
     let mut reversal: f64 = 0.0;
     for _ in 0..300_000 {
-        let g = [
-            10f64.powf(random.between(-8.0, -3.0)),
-            10f64.powf(random.between(-8.0, -3.0)),
-        ];
+        let g = [10f64.powf(random.between(-8.0, -3.0)), 10f64.powf(random.between(-8.0, -3.0))];
         let limit = 10f64.powf(random.between(-6.0, 6.0));
         let scale = 10f64.powf(random.between(-3.0, 4.0));
         let angle = random.between(0.0, std::f64::consts::TAU);
         // Near what stops it, and far beyond.
-        let u = [
-            scale * limit * g[0] * angle.cos(),
-            scale * limit * g[1] * angle.sin(),
-        ];
+        let u = [scale * limit * g[0] * angle.cos(), scale * limit * g[1] * angle.sin()];
         for f in [
             vector(limit, u[0], u[1], g[0], g[1]),
-            (
-                independent(limit, u[0], g[0]),
-                independent(limit, u[1], g[1]),
-            ),
+            (independent(limit, u[0], g[0]), independent(limit, u[1], g[1])),
         ] {
             let work = f.0 * (u[0] - 0.5 * g[0] * f.0) + f.1 * (u[1] - 0.5 * g[1] * f.1);
-            assert!(
-                work >= 0.0,
-                "{work:e}: u {u:?} g {g:?} limit {limit}: {f:?}"
-            );
+            assert!(work >= 0.0, "{work:e}: u {u:?} g {g:?} limit {limit}: {f:?}");
         }
         let f = vector(limit, u[0], u[1], g[0], g[1]);
         assert!(f.0.hypot(f.1) <= limit * (1.0 + 1e-12));
@@ -147,16 +119,10 @@ fn friction_only_takes_energy() {
 
 #[test]
 fn no_speed_and_no_force_are_no_trouble() {
-    for (limit, u) in [
-        (0.0, [1.0, 1.0]),
-        (100.0, [0.0, 0.0]),
-        (0.0, [0.0, 0.0]),
-        (1e-200, [1e-200, 0.0]),
-    ] {
+    for (limit, u) in
+        [(0.0, [1.0, 1.0]), (100.0, [0.0, 0.0]), (0.0, [0.0, 0.0]), (1e-200, [1e-200, 0.0])]
+    {
         let f: (f64, f64) = vector(limit, u[0], u[1], 1e-30, 9e-6);
-        assert!(
-            f.0.is_finite() && f.1.is_finite() && f.0.hypot(f.1) <= limit,
-            "{f:?}"
-        );
+        assert!(f.0.is_finite() && f.1.is_finite() && f.0.hypot(f.1) <= limit, "{f:?}");
     }
 }

@@ -13,9 +13,7 @@ fn tube(od_m: f64, length: ComponentLength) -> ComponentSpec {
 }
 
 fn string(components: Vec<ComponentSpec>, length_m: f64) -> DrillString {
-    StringSpec { components }
-        .assemble(length_m)
-        .expect("a sound string")
+    StringSpec { components }.assemble(length_m).expect("a sound string")
 }
 
 use ComponentLength::{Metres, ToSurface};
@@ -26,10 +24,7 @@ pub fn np13() -> DrillString {
 }
 
 fn node_at(mesh: &Mesh, from_bit_m: f64) -> Option<f64> {
-    mesh.nodes
-        .iter()
-        .find(|n| (n.from_bit_m - from_bit_m).abs() < 1e-6)
-        .map(|n| n.contact_radius_m)
+    mesh.nodes.iter().find(|n| (n.from_bit_m - from_bit_m).abs() < 1e-6).map(|n| n.contact_radius_m)
 }
 
 /// Joints every 9.6 m are every sixth, third or second node at these elements, whatever the
@@ -58,14 +53,8 @@ fn nodes_of_a_bottom_hole_assembly_stand_where_it_touches() {
         let above = jar + 3.57;
         assert_eq!(node_at(&mesh, above), Some(0.0889));
         for joint in 0..9 {
-            assert_eq!(
-                node_at(&mesh, jar - 84.53 + 9.39 * f64::from(joint)),
-                Some(0.0889)
-            );
-            assert_eq!(
-                node_at(&mesh, above + 9.39 * f64::from(joint)),
-                Some(0.0889)
-            );
+            assert_eq!(node_at(&mesh, jar - 84.53 + 9.39 * f64::from(joint)), Some(0.0889));
+            assert_eq!(node_at(&mesh, above + 9.39 * f64::from(joint)), Some(0.0889));
         }
         // The uppermost joint of the heavy-weight, 0.02 m below the first of the drill pipe, shares
         // its node.
@@ -73,11 +62,7 @@ fn nodes_of_a_bottom_hole_assembly_stand_where_it_touches() {
         for joint in 1..420 {
             assert_eq!(node_at(&mesh, pipe + 9.6 * f64::from(joint)), Some(0.0889));
         }
-        let bodies = mesh
-            .nodes
-            .iter()
-            .filter(|n| n.contact_radius_m == 0.06985)
-            .count();
+        let bodies = mesh.nodes.iter().filter(|n| n.contact_radius_m == 0.06985).count();
         assert!(bodies * 3 > mesh.nodes.len());
     }
 }
@@ -89,10 +74,7 @@ fn an_element_of_several_components_is_their_row() {
     // None stands out over both its neighbours: that would be a stabiliser, with a node.
     let parts = [(0.20, 0.3), (0.10, 0.9), (0.12, 0.5), (0.15, 4.5)];
     let length: f64 = 6.2;
-    let components = parts
-        .iter()
-        .map(|&(od, length)| tube(od, Metres(length)))
-        .collect();
+    let components = parts.iter().map(|&(od, length)| tube(od, Metres(length))).collect();
     let string = string(components, length);
     let mesh = Mesh::new(&string, length);
     assert_eq!(mesh.elements.len(), 1);
@@ -102,12 +84,7 @@ fn an_element_of_several_components_is_their_row() {
     let second = |od: f64| std::f64::consts::PI / 64.0 * od.powi(4) * (1.0 - 0.0256);
     let (e, g) = (210e9, 80e9);
     let row = |stiffness: f64| length / stiffness;
-    assert_close(
-        "EA",
-        row(section.axial_stiffness_N),
-        sum(&|od, l| l / (e * area(od))),
-        1e-12,
-    );
+    assert_close("EA", row(section.axial_stiffness_N), sum(&|od, l| l / (e * area(od))), 1e-12);
     assert_close(
         "EI",
         row(section.bending_stiffness_N_m2),
@@ -130,12 +107,7 @@ fn an_element_of_several_components_is_their_row() {
     assert_close("polar", section.polar_inertia_kg_m * length, polar, 1e-12);
     // Archimedes: the buoyed weight is that of the steel less that of the mud in its place.
     let weight = 9.80665 * sum(&|od, l| (7850.0 - 1200.0) * area(od) * l);
-    assert_close(
-        "weight",
-        section.buoyed_weight_N_per_m(1200.0) * length,
-        weight,
-        1e-12,
-    );
+    assert_close("weight", section.buoyed_weight_N_per_m(1200.0) * length, weight, 1e-12);
 }
 
 /// Everything that any string must fulfil.
@@ -151,11 +123,7 @@ fn is_sound(string: &DrillString, element_length: f64) -> Result<(), TestCaseErr
     for (i, e) in mesh.elements.iter().enumerate() {
         prop_assert!(e.length_m > 0.0);
         // A stretch of more than 1.25 elements is cut.
-        prop_assert!(
-            e.length_m <= 1.25 * element_length * (1.0 + 1e-9),
-            "{}",
-            e.length_m
-        );
+        prop_assert!(e.length_m <= 1.25 * element_length * (1.0 + 1e-9), "{}", e.length_m);
         let s = &e.section;
         for value in [
             s.axial_stiffness_N,
@@ -204,17 +172,12 @@ fn is_sound(string: &DrillString, element_length: f64) -> Result<(), TestCaseErr
 }
 
 fn component() -> impl Strategy<Value = ComponentSpec> {
-    let joints = prop_oneof![
-        Just(None),
-        (1.0..1.5, prop_oneof![0.05..1.0, 1.0..50.0]).prop_map(Some),
-    ];
+    let joints =
+        prop_oneof![Just(None), (1.0..1.5, prop_oneof![0.05..1.0, 1.0..50.0]).prop_map(Some),];
     let length = prop_oneof![0.001..0.1, 0.1..5.0, 5.0..400.0];
     (0.05..0.4, 0.0..0.95, length, joints).prop_map(|(od_m, bore, length_m, joints)| {
         ComponentSpec {
-            joints: joints.map(|(part, spacing_m)| ToolJoints {
-                od_m: part * od_m,
-                spacing_m,
-            }),
+            joints: joints.map(|(part, spacing_m)| ToolJoints { od_m: part * od_m, spacing_m }),
             ..ComponentSpec::uniform("any", od_m, bore * od_m, Metres(length_m), steel())
         }
     })
@@ -248,10 +211,7 @@ fn the_shipped_string_is_cut_soundly() {
 #[test]
 fn blades_touch_at_their_edges() {
     let stabiliser = |blade_m: f64, length_m: f64| ComponentSpec {
-        blades: Some(Blades {
-            od_m: 0.2127,
-            length_m: blade_m,
-        }),
+        blades: Some(Blades { od_m: 0.2127, length_m: blade_m }),
         ..tube(0.165, Metres(length_m))
     };
     let string_of = |blade_m: f64| {
@@ -279,10 +239,7 @@ fn blades_touch_at_their_edges() {
     assert_eq!(blades(&Mesh::new(&string_of(1.2), 3.2)), [11.0]);
     assert_eq!(blades(&Mesh::new(&string_of(0.4), 0.5)), [11.0]);
     assert_eq!(blades(&Mesh::new(&string_of(1.2), 1.6)), [10.4, 11.6]);
-    assert_eq!(
-        blades(&Mesh::new(&string_of(1.2), 0.4)),
-        [10.4, 10.8, 11.2, 11.6]
-    );
+    assert_eq!(blades(&Mesh::new(&string_of(1.2), 0.4)), [10.4, 10.8, 11.2, 11.6]);
     // Two stabilisers on each other: their blades' edges are one node.
     let double = string(
         vec![
@@ -315,13 +272,7 @@ fn blades_belong_into_their_component() {
         (blades(0.2127, 2.1), None),
         (blades(0.2127, 0.0), None),
         (blades(f64::NAN, 1.0), None),
-        (
-            blades(0.2127, 1.0),
-            Some(ToolJoints {
-                od_m: 0.18,
-                spacing_m: 1.0,
-            }),
-        ),
+        (blades(0.2127, 1.0), Some(ToolJoints { od_m: 0.18, spacing_m: 1.0 })),
     ] {
         let error = spec(blades, joints).assemble(2.0).unwrap_err();
         assert!(error.to_string().contains("blade_"), "{error}");

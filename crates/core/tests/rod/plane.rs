@@ -160,11 +160,8 @@ impl Plane {
             self.load = &load * (step as f64 / steps as f64);
             let mut last = f64::INFINITY;
             for _ in 0..60 {
-                let change = self
-                    .tangent()
-                    .lu()
-                    .solve(&self.imbalance())
-                    .expect("a stiffness matrix");
+                let change =
+                    self.tangent().lu().solve(&self.imbalance()).expect("a stiffness matrix");
                 self.moved += &change;
                 let size = change.amax();
                 // Converged where the steps no longer shrink.
@@ -173,10 +170,7 @@ impl Plane {
                 }
                 last = size;
             }
-            assert!(
-                last < 1e-8 * self.moved.amax().max(1e-12),
-                "no equilibrium: {last:e}"
-            );
+            assert!(last < 1e-8 * self.moved.amax().max(1e-12), "no equilibrium: {last:e}");
         }
         self.load = load;
     }

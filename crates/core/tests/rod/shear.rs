@@ -23,11 +23,7 @@ fn simo_reissner(rod: &Rod, turn: f64, force: f64, moment: f64) -> [f64; 3] {
     let (sine, cosine) = turn.sin_cos();
     let stretch = 1.0 + force * sine / rod.axial;
     let shear = force * cosine / rod.shear;
-    [
-        stretch * cosine - shear * sine,
-        stretch * sine + shear * cosine,
-        moment / rod.bending,
-    ]
+    [stretch * cosine - shear * sine, stretch * sine + shear * cosine, moment / rod.bending]
 }
 
 /// The rod of the engine, its elements short: the energy is

@@ -74,10 +74,7 @@ impl Space {
             })
             .collect();
         Self {
-            elements: chords
-                .iter()
-                .map(|chord| Stiffness::new(section, chord.norm()))
-                .collect(),
+            elements: chords.iter().map(|chord| Stiffness::new(section, chord.norm())).collect(),
             nodes,
             force: V::zeros(),
         }
@@ -109,9 +106,7 @@ impl Space {
         let r = react(k, &pose_below(&pose, 0.0, below), 0.0, 0.0);
         let (m1, m2) = (moment_above(&r, below), moment_below(&r, d2));
         let f = r.force;
-        [
-            -f.0, -f.1, -f.2, m1.0, m1.1, m1.2, f.0, f.1, f.2, m2.0, m2.1, m2.2,
-        ]
+        [-f.0, -f.1, -f.2, m1.0, m1.1, m1.2, f.0, f.1, f.2, m2.0, m2.1, m2.2]
     }
 
     fn imbalance(&self) -> DVector<f64> {
@@ -159,11 +154,8 @@ impl Space {
             self.force = load * (step as f64 / steps as f64);
             let mut last = f64::INFINITY;
             for _ in 0..60 {
-                let mut change = self
-                    .tangent()
-                    .lu()
-                    .solve(&self.imbalance())
-                    .expect("a stiffness matrix");
+                let mut change =
+                    self.tangent().lu().solve(&self.imbalance()).expect("a stiffness matrix");
                 // No node turns by more than this at once.
                 let most = (0..change.len())
                     .filter(|i| i % FREE >= 3)

@@ -10,11 +10,7 @@ use crate::mesh::np13;
 fn ordinary_pipe_is_lent_nothing() {
     for element_length in [1.6, 3.2, 4.8] {
         let mesh = Mesh::new(&np13(), element_length);
-        let lateral: Vec<f64> = mesh
-            .elements
-            .iter()
-            .map(|e| e.section.steel_kg_per_m)
-            .collect();
+        let lateral: Vec<f64> = mesh.elements.iter().map(|e| e.section.steel_kg_per_m).collect();
         let plan = stability::plan(&mesh, &lateral, 1e-5);
         assert!(plan.added_axial_mass_fraction <= 0.003);
         let (mut steel, mut axial) = (0.0, 0.0);
@@ -33,11 +29,7 @@ fn ordinary_pipe_is_lent_nothing() {
             if mesh.nodes[i + 1].from_bit_m > 300.0 && below_the_rest {
                 let (element, inertia) = (&mesh.elements[i], &plan.inertia[i]);
                 let own = element.section.steel_kg_per_m * element.length_m;
-                assert!(
-                    inertia.axial_kg <= own * (1.0 + 1e-9),
-                    "{}",
-                    inertia.axial_kg / own
-                );
+                assert!(inertia.axial_kg <= own * (1.0 + 1e-9), "{}", inertia.axial_kg / own);
             }
         }
     }

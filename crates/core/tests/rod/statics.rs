@@ -45,11 +45,7 @@ fn converges(
     let error = |a: [f64; 2]| (a[0] - exact[0]).hypot(a[1] - exact[1]) / size;
     let [_, middle, fine] = answers.map(error);
     let limit = [0, 1].map(|i| (4.0 * answers[2][i] - answers[1][i]) / 3.0);
-    assert!(
-        (order(middle, fine) - 2.0).abs() < 0.05,
-        "{what}: order {}",
-        order(middle, fine)
-    );
+    assert!((order(middle, fine) - 2.0).abs() < 0.05, "{what}: order {}", order(middle, fine));
     for (axis, i) in [("x", 0), ("y", 1)] {
         report(&Row {
             case,
@@ -89,14 +85,7 @@ fn an_end_moment_bends_a_cantilever_to_a_circle() {
             [l + along, across]
         };
         let exact = [number(&row["tip_x"]), number(&row["tip_y"])];
-        converges(
-            "D01",
-            &format!("λ {}", row["lam"]),
-            [16, 32, 64].map(answer),
-            exact,
-            l,
-            1e-4,
-        );
+        converges("D01", &format!("λ {}", row["lam"]), [16, 32, 64].map(answer), exact, l, 1e-4);
     }
 }
 
@@ -116,14 +105,7 @@ fn a_tip_force_bends_a_cantilever_as_the_elastica() {
             [1.0 + along, across]
         };
         let exact = [number(&row["x_over_L"]), number(&row["delta_over_L"])];
-        converges(
-            "D05",
-            &format!("PL²/EI {load}"),
-            [16, 32, 64].map(answer),
-            exact,
-            1.0,
-            1e-4,
-        );
+        converges("D05", &format!("PL²/EI {load}"), [16, 32, 64].map(answer), exact, 1.0, 1e-4);
     }
 }
 
@@ -138,11 +120,7 @@ fn a_deep_cantilever_sags_by_bending_and_shear() {
     let input = |key: &str| number(&data["inputs"][key]);
     let (l, h, b, e) = (input("L"), input("h"), input("b"), input("E"));
     let g = e / (2.0 * (1.0 + input("nu")));
-    let (ea, ei, kga) = (
-        e * b * h,
-        e * b * h.powi(3) / 12.0,
-        input("shear_corr") * g * b * h,
-    );
+    let (ea, ei, kga) = (e * b * h, e * b * h.powi(3) / 12.0, input("shear_corr") * g * b * h);
     let force = input("F_small");
     let parts = 32;
     let mut rod = cantilever(ea, ei, kga, l, parts);
@@ -176,11 +154,7 @@ fn a_deep_cantilever_sags_by_bending_and_shear() {
 /// (1-43).
 fn amplification(tension: f64, ei: f64, l: f64) -> f64 {
     let u = 0.5 * l * (tension.abs() / ei).sqrt();
-    if tension > 0.0 {
-        3.0 * (u - u.tanh()) / u.powi(3)
-    } else {
-        3.0 * (u.tan() - u) / u.powi(3)
-    }
+    if tension > 0.0 { 3.0 * (u - u.tanh()) / u.powi(3) } else { 3.0 * (u.tan() - u) / u.powi(3) }
 }
 
 /// The middle of a pinned beam of two elements or more under axial load.
@@ -201,24 +175,16 @@ fn beam_column(tension: f64, shear: f64, parts: usize) -> f64 {
 #[test]
 fn axial_load_stiffens_and_softens_a_beam() {
     let euler = std::f64::consts::PI.powi(2);
-    for (part, tolerance) in [
-        (-0.8, 1.5e-5),
-        (-0.5, 2.5e-6),
-        (0.5, 6e-7),
-        (5.0, 2e-5),
-        (50.0, 5e-4),
-    ] {
+    for (part, tolerance) in
+        [(-0.8, 1.5e-5), (-0.5, 2.5e-6), (0.5, 6e-7), (5.0, 2e-5), (50.0, 5e-4)]
+    {
         let tension = part * euler;
         let exact = 1e-6 / 48.0 * amplification(tension, 1.0, 1.0);
         let error = |parts| relative_error(beam_column(tension, RIGID, parts), exact);
         let [coarse, middle, fine] = [4, 8, 16].map(error);
         assert!(fine < tolerance, "{part}: {fine:e}");
         if part < 10.0 {
-            assert!(
-                (order(coarse, middle) - 4.0).abs() < 0.4,
-                "{}",
-                order(coarse, middle)
-            );
+            assert!((order(coarse, middle) - 4.0).abs() < 0.4, "{}", order(coarse, middle));
         }
     }
 }
@@ -251,11 +217,7 @@ fn a_column_buckles_at_eulers_load() {
     let euler = std::f64::consts::PI.powi(2);
     let error = |parts| buckling_load(RIGID, parts) / euler - 1.0;
     let [one, coarse, middle, fine] = [1, 2, 4, 8].map(error);
-    assert!(
-        (order(coarse, middle) - 4.0).abs() < 0.2,
-        "{}",
-        order(coarse, middle)
-    );
+    assert!((order(coarse, middle) - 4.0).abs() < 0.2, "{}", order(coarse, middle));
     assert!(fine > 0.0 && fine < 5e-5);
     // One cubic over half a sine buckles at 12 EI/L².
     assert_close("one element", 1.0 + one, 12.0 / euler, 1e-6);
@@ -272,10 +234,6 @@ fn a_column_soft_in_shear_buckles_at_engessers_load() {
     let [middle, fine] = [4, 8].map(|parts| buckling_load(shear, parts) / engesser - 1.0);
     // Second order: the element's share of the shear does not know of the tension. 3e-4 of fourth
     // order left.
-    assert!(
-        (order(middle, fine) - 2.0).abs() < 0.15,
-        "{}",
-        order(middle, fine)
-    );
+    assert!((order(middle, fine) - 2.0).abs() < 0.15, "{}", order(middle, fine));
     assert!(((4.0 * fine - middle) / 3.0).abs() < 3e-4);
 }

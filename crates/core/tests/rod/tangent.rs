@@ -25,11 +25,7 @@ struct Ends {
 impl Ends {
     /// Straight along a direction, longer than at rest by a strain.
     fn straight(along: V, strain: f64) -> Self {
-        Self {
-            chord: LENGTH_M * (1.0 + strain) * along,
-            d: [along; 2],
-            twist: 0.0,
-        }
+        Self { chord: LENGTH_M * (1.0 + strain) * along, d: [along; 2], twist: 0.0 }
     }
 
     /// Strained by up to 0.2 %, its directors up to 8° from its chord, twisted.

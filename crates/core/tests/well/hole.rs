@@ -8,11 +8,7 @@ fn section(from_md_m: f64, to_md_m: f64) -> HoleSection {
         from_md_m,
         to_md_m,
         diameter_m: 0.22,
-        friction: Friction {
-            kinetic: 0.2,
-            at_rest: 0.3,
-            around: 1.0,
-        },
+        friction: Friction { kinetic: 0.2, at_rest: 0.3, around: 1.0 },
         youngs_modulus_Pa: 210e9,
         poisson_ratio: 0.3,
         roughness: 1.0,
@@ -23,15 +19,9 @@ fn section(from_md_m: f64, to_md_m: f64) -> HoleSection {
 fn section_by_depth() {
     let hole = Hole::new(vec![section(0.0, 1000.0), section(1000.0, 1500.0)]).unwrap();
     assert_eq!(hole.sections().len(), 2);
-    for (md_m, index) in [
-        (-5.0, 0),
-        (0.0, 0),
-        (999.0, 0),
-        (1000.0, 0),
-        (1000.1, 1),
-        (1500.0, 1),
-        (9999.0, 1),
-    ] {
+    for (md_m, index) in
+        [(-5.0, 0), (0.0, 0), (999.0, 0), (1000.0, 0), (1000.1, 1), (1500.0, 1), (9999.0, 1)]
+    {
         assert_eq!(hole.at(md_m), &hole.sections()[index], "MD {md_m}");
     }
 }

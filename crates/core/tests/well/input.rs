@@ -5,22 +5,14 @@ use wholestring::well::{Interpolation, Path, Station, TieIn};
 use crate::surveys::{spline, station};
 
 fn message(survey: &[Station]) -> String {
-    Path::new(survey, Interpolation::Spline, TieIn::default())
-        .unwrap_err()
-        .to_string()
+    Path::new(survey, Interpolation::Spline, TieIn::default()).unwrap_err().to_string()
 }
 
 #[test]
 fn says_which_station_and_why() {
     let good = station(0.0, 0.0, 0.0);
-    assert_eq!(
-        message(&[]),
-        "a path needs at least two survey stations, got 0"
-    );
-    assert_eq!(
-        message(&[good]),
-        "a path needs at least two survey stations, got 1"
-    );
+    assert_eq!(message(&[]), "a path needs at least two survey stations, got 0");
+    assert_eq!(message(&[good]), "a path needs at least two survey stations, got 1");
     assert_eq!(
         message(&[good, station(30.0, f64::NAN, 0.0)]),
         "station 1 (MD 30 m): inclination is not a finite number"
@@ -49,19 +41,9 @@ fn says_which_station_and_why() {
         message(&[station(0.0, 90.0, 10.0), station(30.0, 90.0, 190.0)]),
         "station 1 (MD 30 m): the hole turns by 180 deg from the station above at 0 m"
     );
-    let tie_in = TieIn {
-        tvd_m: f64::NAN,
-        ..TieIn::default()
-    };
-    let error = Path::new(
-        &[good, station(30.0, 0.0, 0.0)],
-        Interpolation::Spline,
-        tie_in,
-    );
-    assert_eq!(
-        error.unwrap_err().to_string(),
-        "the tie-in position is not finite"
-    );
+    let tie_in = TieIn { tvd_m: f64::NAN, ..TieIn::default() };
+    let error = Path::new(&[good, station(30.0, 0.0, 0.0)], Interpolation::Spline, tie_in);
+    assert_eq!(error.unwrap_err().to_string(), "the tie-in position is not finite");
 }
 
 /// Questions without an answer get NaN or a far point, never a panic.

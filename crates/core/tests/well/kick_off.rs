@@ -71,18 +71,11 @@ fn sparse_plan() {
 
 #[test]
 fn straight_wells_have_none() {
-    assert_eq!(
-        kick_off(&[station(0.0, 0.0, 0.0), station(1500.0, 0.0, 0.0)]),
-        (None, None)
-    );
+    assert_eq!(kick_off(&[station(0.0, 0.0, 0.0), station(1500.0, 0.0, 0.0)]), (None, None));
     let slant: Vec<_> = (0..50)
         .map(|index| {
             let wander = f64::from(index).sin();
-            station(
-                30.0 * f64::from(index),
-                45.0 + 0.5 * wander,
-                90.0 + 0.7 * wander,
-            )
+            station(30.0 * f64::from(index), 45.0 + 0.5 * wander, 90.0 + 0.7 * wander)
         })
         .collect();
     assert_eq!(kick_off(&slant), (None, None));
@@ -115,9 +108,7 @@ fn build_to_the_end() {
 fn scatter_does_not_move_them_far() {
     let mut state = 42_u64;
     let mut random = || {
-        state = state
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     };
     for _ in 0..200 {
@@ -126,11 +117,7 @@ fn scatter_does_not_move_them_far() {
             .map(|smooth| {
                 let inclination = smooth.inclination_rad.to_degrees() + 0.3 * random();
                 // A nearly vertical hole's azimuth is anything.
-                let spread = if smooth.inclination_rad < 0.02 {
-                    180.0
-                } else {
-                    1.0
-                };
+                let spread = if smooth.inclination_rad < 0.02 { 180.0 } else { 1.0 };
                 station(smooth.md_m, inclination.abs(), 45.0 + spread * random())
             })
             .collect();
@@ -171,9 +158,6 @@ fn real_survey() {
     let Some(rows) = extra_data("B02_wellpathpy_deviation.csv") else {
         return;
     };
-    let survey: Vec<_> = rows
-        .iter()
-        .map(|row| station(row[0], row[1], row[2]))
-        .collect();
+    let survey: Vec<_> = rows.iter().map(|row| station(row[0], row[1], row[2])).collect();
     assert_eq!(kick_off(&survey), (Some(188.6), Some(705.7)));
 }

@@ -11,12 +11,8 @@ const FT: f64 = 0.3048;
 #[test]
 fn iscwsa_standard_wellpaths() {
     for (name, well) in iscwsa() {
-        let path = Path::new(
-            &stations(&well),
-            Interpolation::MinimumCurvature,
-            tie_in(&well[0]),
-        )
-        .unwrap();
+        let path =
+            Path::new(&stations(&well), Interpolation::MinimumCurvature, tie_in(&well[0])).unwrap();
         let coordinates = well.iter().flat_map(|row| {
             let found = path.at(row.station.md_m).position_m;
             [0, 1, 2].map(|axis| (row.position_m[axis], found[axis]))
@@ -51,10 +47,7 @@ fn deviated_well_9() {
     let Some(rows) = extra_data("B02_wellpathpy_well9.csv") else {
         return;
     };
-    let survey: Vec<_> = rows
-        .iter()
-        .map(|row| station(row[0] * FT, row[1], row[2]))
-        .collect();
+    let survey: Vec<_> = rows.iter().map(|row| station(row[0] * FT, row[1], row[2])).collect();
     let path = minimum_curvature(&survey);
     for (index, row) in rows.iter().enumerate() {
         let tvd_ft = path.at(survey[index].md_m).position_m.z / FT;
@@ -62,11 +55,7 @@ fn deviated_well_9() {
         if index > 0 {
             let dogleg_deg = survey[index].dogleg_rad(&survey[index - 1]).to_degrees();
             let severity = dogleg_deg * 100.0 / (row[0] - rows[index - 1][0]);
-            assert!(
-                (severity - row[4]).abs() < 1e-6,
-                "MD {} ft: {severity}",
-                row[0]
-            );
+            assert!((severity - row[4]).abs() < 1e-6, "MD {} ft: {severity}", row[0]);
         }
     }
 }
@@ -77,15 +66,9 @@ fn deviation_survey() {
     let Some(rows) = extra_data("B02_wellpathpy_deviation.csv") else {
         return;
     };
-    let survey: Vec<_> = rows
-        .iter()
-        .map(|row| station(row[0], row[1], row[2]))
-        .collect();
-    let tie_in = wholestring::well::TieIn {
-        north_m: rows[0][4],
-        east_m: rows[0][5],
-        tvd_m: rows[0][3],
-    };
+    let survey: Vec<_> = rows.iter().map(|row| station(row[0], row[1], row[2])).collect();
+    let tie_in =
+        wholestring::well::TieIn { north_m: rows[0][4], east_m: rows[0][5], tvd_m: rows[0][3] };
     let path = Path::new(&survey, Interpolation::MinimumCurvature, tie_in).unwrap();
     for row in &rows {
         let at = path.at(row[0]).position_m;
@@ -100,10 +83,7 @@ fn volve_f12() {
     let Some(rows) = extra_data("B03_volve_15_9_F12_survey.csv") else {
         return;
     };
-    let survey: Vec<_> = rows
-        .iter()
-        .map(|row| station(row[0], row[1], row[2]))
-        .collect();
+    let survey: Vec<_> = rows.iter().map(|row| station(row[0], row[1], row[2])).collect();
     let path = minimum_curvature(&survey);
     for row in &rows {
         let at = path.at(row[0]).position_m;

@@ -43,82 +43,42 @@ fn a_seed_gives_the_same_wall_everywhere() {
         (
             1,
             0.0,
-            [
-                -4.587512192505e-03,
-                6.776726770069e-04,
-                -3.745653729345e-03,
-                1.130101639683e-03,
-            ],
+            [-4.587512192505e-03, 6.776726770069e-04, -3.745653729345e-03, 1.130101639683e-03],
         ),
         (
             1,
             137.25,
-            [
-                2.585906347148e-04,
-                -1.597467179211e-03,
-                -7.195304647846e-03,
-                -6.656757884195e-04,
-            ],
+            [2.585906347148e-04, -1.597467179211e-03, -7.195304647846e-03, -6.656757884195e-04],
         ),
         (
             1,
             4305.0,
-            [
-                2.655212934969e-03,
-                7.314644682942e-03,
-                -4.448621102542e-04,
-                -7.409054468142e-03,
-            ],
+            [2.655212934969e-03, 7.314644682942e-03, -4.448621102542e-04, -7.409054468142e-03],
         ),
         (
             1,
             9876.5,
-            [
-                2.122717428407e-03,
-                3.767404304657e-03,
-                -2.963632049404e-03,
-                -2.281889103971e-03,
-            ],
+            [2.122717428407e-03, 3.767404304657e-03, -2.963632049404e-03, -2.281889103971e-03],
         ),
         (
             2026,
             0.0,
-            [
-                -1.681953093963e-03,
-                -7.630396819967e-04,
-                4.272071842053e-03,
-                1.503188960670e-03,
-            ],
+            [-1.681953093963e-03, -7.630396819967e-04, 4.272071842053e-03, 1.503188960670e-03],
         ),
         (
             2026,
             137.25,
-            [
-                1.566668829549e-03,
-                8.487831671092e-04,
-                9.901614808644e-04,
-                -9.009822100038e-03,
-            ],
+            [1.566668829549e-03, 8.487831671092e-04, 9.901614808644e-04, -9.009822100038e-03],
         ),
         (
             2026,
             4305.0,
-            [
-                -2.164637249856e-03,
-                2.040189721870e-03,
-                -3.988569785754e-03,
-                1.832579421534e-03,
-            ],
+            [-2.164637249856e-03, 2.040189721870e-03, -3.988569785754e-03, 1.832579421534e-03],
         ),
         (
             2026,
             9876.5,
-            [
-                -7.247015302703e-04,
-                7.685774606032e-05,
-                4.002511344455e-03,
-                -6.228840343312e-03,
-            ],
+            [-7.247015302703e-04, 7.685774606032e-05, 4.002511344455e-03, -6.228840343312e-03],
         ),
     ];
     for (seed, md, [radius, north, east, down]) in expected {
@@ -156,10 +116,8 @@ fn roughness_has_the_rms_and_the_band_asked_for() {
         let part = 8_000;
         let length = step * part as f64;
         let window = |i: usize| 1.0 - (std::f64::consts::TAU * i as f64 / part as f64).cos();
-        let total: f64 = (0..part)
-            .map(|i| (window(i) * points[i].radius[0]).powi(2))
-            .sum::<f64>()
-            / part as f64;
+        let total: f64 =
+            (0..part).map(|i| (window(i) * points[i].radius[0]).powi(2)).sum::<f64>() / part as f64;
         let power = |from_m: f64, to_m: f64| -> f64 {
             let (first, last) = ((length / to_m) as usize, (length / from_m) as usize);
             (first..last)
@@ -208,11 +166,7 @@ fn the_wall_and_its_derivatives_agree() {
             let (above, below) = (at(md - h), at(md + h));
             let chord = below.axis.position_m - above.axis.position_m;
             let turn = below.axis.tangent - above.axis.tangent;
-            (
-                (below.radius_m - above.radius_m) / (2.0 * h),
-                chord / (2.0 * h),
-                turn / (2.0 * h),
-            )
+            ((below.radius_m - above.radius_m) / (2.0 * h), chord / (2.0 * h), turn / (2.0 * h))
         };
         let (coarse, fine) = (differences(0.01), differences(0.005));
         let slope = (4.0 * fine.0 - coarse.0) / 3.0;
@@ -231,20 +185,14 @@ fn the_wall_and_its_derivatives_agree() {
     }
     println!("worst of slope, tangent, curvature: {worst:?}");
     let [slope, tangent, curvature] = worst;
-    assert!(
-        slope < 1e-7 && tangent < 1e-7 && curvature < 1e-6,
-        "{worst:?}"
-    );
+    assert!(slope < 1e-7 && tangent < 1e-7 && curvature < 1e-6, "{worst:?}");
 }
 
 /// Roughness keeps to its section: nothing in the casing nor above it, and without a step at the
 /// shoe.
 #[test]
 fn a_section_has_its_own_share_of_roughness() {
-    let path = path(
-        &[[0.0, 60.0, 20.0], [5000.0, 60.0, 20.0]],
-        Interpolation::Spline,
-    );
+    let path = path(&[[0.0, 60.0, 20.0], [5000.0, 60.0, 20.0]], Interpolation::Spline);
     let bore = Bore::new(&hole());
     for md in [-10.0, 0.0, 100.0, 499.2] {
         let here = bore.at(&path, md);
@@ -263,9 +211,7 @@ fn a_rough_wall_is_known_less_far_ahead() {
     let reach = |change: fn(&mut Roughness)| {
         let mut roughness = rough(1);
         change(&mut roughness);
-        let hole = hole()
-            .with_roughness(Some(roughness))
-            .expect("a sound hole");
+        let hole = hole().with_roughness(Some(roughness)).expect("a sound hole");
         Bore::new(&hole).reach_m()
     };
     // (k z)²/2 = 1e-4.
@@ -294,10 +240,7 @@ fn refuses_what_makes_no_wall() {
         }
     };
     assert_eq!(refused(|r| r.radius_rms_m = -1e-3), "rms of the radius");
-    assert_eq!(
-        refused(|r| r.tortuosity_rms_m = f64::NAN),
-        "rms of the tortuosity"
-    );
+    assert_eq!(refused(|r| r.tortuosity_rms_m = f64::NAN), "rms of the tortuosity");
     assert_eq!(refused(|r| r.shortest_m = 0.0), "shortest wavelength");
     assert_eq!(refused(|r| r.longest_m = 1.6), "longest wavelength");
 }

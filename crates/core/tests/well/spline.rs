@@ -12,10 +12,8 @@ use crate::surveys::{
 
 /// Every shipped survey and some that are hard on a curve.
 fn surveys() -> Vec<(String, Vec<Station>)> {
-    let mut surveys: Vec<_> = iscwsa()
-        .into_iter()
-        .map(|(name, well)| (name, stations(&well)))
-        .collect();
+    let mut surveys: Vec<_> =
+        iscwsa().into_iter().map(|(name, well)| (name, stations(&well))).collect();
     let mut add = |name: &str, survey: Vec<Station>| surveys.push((name.to_owned(), survey));
     add("kick-off", kick_off_at_300_m());
     add("smooth", smooth_well(40));
@@ -55,11 +53,7 @@ fn surveys() -> Vec<(String, Vec<Station>)> {
         (0..40)
             .map(|index| {
                 let index = f64::from(index);
-                station(
-                    10.0 * index,
-                    45.0 + (index * 1.7).sin(),
-                    100.0 + (index * 2.3).cos(),
-                )
+                station(10.0 * index, 45.0 + (index * 1.7).sin(), 100.0 + (index * 2.3).cos())
             })
             .collect(),
     );
@@ -125,18 +119,9 @@ fn lone_dogleg_has_a_flat_top() {
     ];
     let path = spline(&survey);
     let mean = 3.0_f64.to_radians() / 30.0;
-    for (md_m, share) in [
-        (100.0, 0.0),
-        (102.5, 0.6),
-        (105.0, 1.2),
-        (115.0, 1.2),
-        (127.5, 0.6),
-    ] {
+    for (md_m, share) in [(100.0, 0.0), (102.5, 0.6), (105.0, 1.2), (115.0, 1.2), (127.5, 0.6)] {
         let severity = path.dogleg_severity_rad_per_m(md_m);
-        assert!(
-            (severity / mean - share).abs() < 1e-9,
-            "MD {md_m}: {severity}"
-        );
+        assert!((severity / mean - share).abs() < 1e-9, "MD {md_m}: {severity}");
     }
 }
 
@@ -151,10 +136,7 @@ fn straight_stays_straight() {
         assert!(point.curvature_per_m.norm() < 1e-9);
     }
     // The hole holds 60° from 900 m on.
-    let (from, along) = (
-        path.at(900.0).position_m,
-        station(900.0, 60.0, 45.0).tangent(),
-    );
+    let (from, along) = (path.at(900.0).position_m, station(900.0, 60.0, 45.0).tangent());
     for metre in 900..=2500 {
         let point = path.at(f64::from(metre));
         let straight = from + along * (f64::from(metre) - 900.0);
@@ -183,13 +165,10 @@ fn single_tangent() {
 /// the vector itself.
 fn steepest(survey: &[Station], index: usize) -> f64 {
     let around = index.saturating_sub(2)..(index + 2).min(survey.len() - 1);
-    let severity = around
-        .clone()
-        .map(|near| interval_severity(survey, Some(near)))
-        .fold(0.0, f64::max);
-    let shortest = around
-        .map(|near| survey[near + 1].md_m - survey[near].md_m)
-        .fold(f64::INFINITY, f64::min);
+    let severity =
+        around.clone().map(|near| interval_severity(survey, Some(near))).fold(0.0, f64::max);
+    let shortest =
+        around.map(|near| survey[near + 1].md_m - survey[near].md_m).fold(f64::INFINITY, f64::min);
     2.4 * severity / (shortest / 6.0) + (1.2 * severity).powi(2)
 }
 
@@ -308,11 +287,7 @@ fn through_the_vertical_in_one_interval() {
     let survey = [station(0.0, 2.0, 60.0), station(30.0, 2.0, 240.0)];
     let path = spline(&survey);
     assert!(path.at(15.0).inclination_rad() < 1e-15);
-    let out_of_plane = Vector3::new(
-        -60.0_f64.to_radians().sin(),
-        60.0_f64.to_radians().cos(),
-        0.0,
-    );
+    let out_of_plane = Vector3::new(-60.0_f64.to_radians().sin(), 60.0_f64.to_radians().cos(), 0.0);
     for metre in 0..=30 {
         let point = path.at(f64::from(metre));
         assert!(point.position_m.dot(&out_of_plane).abs() < 1e-13);
@@ -325,20 +300,11 @@ fn through_the_vertical_in_one_interval() {
 fn tie_in_moves_the_hole() {
     let survey: Vec<_> = smooth_well(40)
         .into_iter()
-        .map(|station| Station {
-            md_m: station.md_m + 912.5,
-            ..station
-        })
+        .map(|station| Station { md_m: station.md_m + 912.5, ..station })
         .collect();
-    let tie_in = TieIn {
-        north_m: -1200.25,
-        east_m: 340.5,
-        tvd_m: 905.75,
-    };
-    let (moved, path) = (
-        Path::new(&survey, Interpolation::Spline, tie_in).unwrap(),
-        spline(&survey),
-    );
+    let tie_in = TieIn { north_m: -1200.25, east_m: 340.5, tvd_m: 905.75 };
+    let (moved, path) =
+        (Path::new(&survey, Interpolation::Spline, tie_in).unwrap(), spline(&survey));
     let offset = Vector3::new(tie_in.north_m, tie_in.east_m, tie_in.tvd_m);
     assert_eq!(moved.at(912.5).position_m, offset);
     for md_m in [0.0, 500.0, 912.5, 1000.0, 1777.7, 2500.0] {

@@ -10,16 +10,11 @@ use crate::surveys::{
 };
 
 fn paths() -> Vec<(String, Path)> {
-    let mut paths: Vec<_> = iscwsa()
-        .into_iter()
-        .map(|(name, well)| (name, spline(&stations(&well))))
-        .collect();
+    let mut paths: Vec<_> =
+        iscwsa().into_iter().map(|(name, well)| (name, spline(&stations(&well)))).collect();
     paths.push(("kick-off".into(), spline(&kick_off_at_300_m())));
     paths.push(("smooth, sparse".into(), spline(&smooth_well(4))));
-    paths.push((
-        "circle in one interval".into(),
-        spline(&circle(2, 900.0, 2.0 / 900.0)),
-    ));
+    paths.push(("circle in one interval".into(), spline(&circle(2, 900.0, 2.0 / 900.0))));
     paths
 }
 
@@ -48,13 +43,8 @@ fn positions_are_the_integral_of_directions() {
 #[test]
 fn measured_depth_is_the_arc_length() {
     let length = |path: &Path, from: f64, to: f64, steps: usize| -> f64 {
-        let at = |step: usize| {
-            path.at(from + (to - from) * step as f64 / steps as f64)
-                .position_m
-        };
-        (0..steps)
-            .map(|step| (at(step + 1) - at(step)).norm())
-            .sum()
+        let at = |step: usize| path.at(from + (to - from) * step as f64 / steps as f64).position_m;
+        (0..steps).map(|step| (at(step + 1) - at(step)).norm()).sum()
     };
     for (name, path) in paths() {
         let (mut total, mut last) = (0.0, path.first_md_m());
@@ -127,9 +117,7 @@ fn second_order_on_a_smooth_well() {
         for md_m in [300.0, 600.0, 900.0, 1200.0] {
             let exact = integral(smooth_direction, 0.0, md_m, 2000);
             let (curve, arcs) = (curve.at(md_m).position_m, arcs.at(md_m).position_m);
-            for (worst, error) in worst
-                .iter_mut()
-                .zip([curve - exact, arcs - exact, curve - arcs])
+            for (worst, error) in worst.iter_mut().zip([curve - exact, arcs - exact, curve - arcs])
             {
                 *worst = worst.max(error.norm());
             }

@@ -41,11 +41,7 @@ pub(crate) fn stations(wells: &[Surveyed]) -> Vec<Station> {
 }
 
 pub(crate) fn tie_in(first: &Surveyed) -> TieIn {
-    TieIn {
-        north_m: first.position_m.x,
-        east_m: first.position_m.y,
-        tvd_m: first.position_m.z,
-    }
+    TieIn { north_m: first.position_m.x, east_m: first.position_m.y, tvd_m: first.position_m.z }
 }
 
 /// The twelve ISCWSA standard wellpaths with their published positions, rounded to 0.005 m.
@@ -72,9 +68,7 @@ pub(crate) fn iscwsa() -> Vec<(String, Vec<Surveyed>)> {
 
 /// A survey that is shipped with a case: md, inc, azi in m and deg under one header line.
 pub(crate) fn shipped(name: &str) -> Vec<Station> {
-    let file = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("../../cases")
-        .join(name);
+    let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name);
     let text = fs::read_to_string(file).unwrap();
     let rows = text.lines().skip(1).map(numbers_of);
     rows.map(|row| station(row[0], row[1], row[2])).collect()
@@ -91,9 +85,7 @@ pub(crate) fn extra_data(name: &str) -> Option<Vec<Vec<f64>>> {
 }
 
 fn numbers_of(line: &str) -> Vec<f64> {
-    line.split(',')
-        .map(|number| number.trim().parse().unwrap())
-        .collect()
+    line.split(',').map(|number| number.trim().parse().unwrap()).collect()
 }
 
 /// A well that kicks off at 300 m, builds 3 deg/30 m to 60°, and holds; stations every 30 m.

@@ -70,20 +70,10 @@ const VERTICAL: &[u8] = include_bytes!("../../../../cases/vertical.toml");
 
 fn files() -> InMemory {
     let files: [(&str, &[u8]); 2] = [
-        (
-            "np13-x1042-survey.csv",
-            include_bytes!("../../../../cases/np13-x1042-survey.csv"),
-        ),
-        (
-            "iscwsa-04-survey.csv",
-            include_bytes!("../../../../cases/iscwsa-04-survey.csv"),
-        ),
+        ("np13-x1042-survey.csv", include_bytes!("../../../../cases/np13-x1042-survey.csv")),
+        ("iscwsa-04-survey.csv", include_bytes!("../../../../cases/iscwsa-04-survey.csv")),
     ];
-    InMemory(
-        files
-            .map(|(name, bytes)| (name.to_owned(), bytes.to_vec()))
-            .into(),
-    )
+    InMemory(files.map(|(name, bytes)| (name.to_owned(), bytes.to_vec())).into())
 }
 
 /// What became of a text; a report is printed too, which must cut its lines where letters end.
@@ -126,11 +116,8 @@ pub(super) fn overrides() -> Reader {
     ];
     Reader::text("override", seeds, WORDS, |input| {
         let text = String::from_utf8_lossy(input);
-        let changes: Result<Vec<Override>, _> = text
-            .lines()
-            .filter(|line| !line.trim().is_empty())
-            .map(str::parse)
-            .collect();
+        let changes: Result<Vec<Override>, _> =
+            text.lines().filter(|line| !line.trim().is_empty()).map(str::parse).collect();
         match changes {
             Ok(changes) => printed(parse("case.toml", VERTICAL, &InMemory::default(), &changes)),
             Err(error) => error.to_string().is_empty(),
@@ -151,10 +138,8 @@ pub(super) fn vary() -> Reader {
         let arguments: Vec<String> = text.lines().map(str::to_owned).collect();
         let read = Variation::read_all(&arguments);
         if let Ok(variations) = &read {
-            let first: Vec<Override> = variations
-                .iter()
-                .filter_map(|varied| varied.values.first().cloned())
-                .collect();
+            let first: Vec<Override> =
+                variations.iter().filter_map(|varied| varied.values.first().cloned()).collect();
             printed(parse("case.toml", VERTICAL, &InMemory::default(), &first));
         }
         printed(read)
@@ -163,11 +148,7 @@ pub(super) fn vary() -> Reader {
 
 const COLUMNS: [ColumnName; 6] = {
     const fn column(source: Source, name: &'static str, dimension: Dimension) -> ColumnName {
-        ColumnName {
-            source,
-            name,
-            dimension: Some(dimension),
-        }
+        ColumnName { source, name, dimension: Some(dimension) }
     }
     [
         column(Source::Summary, "hook_load_N", Dimension::Force),
@@ -190,9 +171,7 @@ pub(super) fn study() -> Reader {
     let mut reader = Reader::text("study", seeds, WORDS, |input| {
         printed(study::parse("study.toml", input, &COLUMNS))
     });
-    reader
-        .seeds
-        .retain(|seed| study::parse("study.toml", seed, &COLUMNS).is_ok());
+    reader.seeds.retain(|seed| study::parse("study.toml", seed, &COLUMNS).is_ok());
     reader
 }
 
@@ -208,16 +187,11 @@ pub(super) fn bit_table() -> Reader {
         b"weight_on_bit_N,rotary_speed_rpm,rate_of_penetration_m_per_h,torque_N_m\n20000,60,4,1000\n20000,120,8,1000\n60000,60,12,3000\n60000,120,24,3000\n",
         b"rotary_speed_rpm,weight_on_bit_N,torque_N_m,rate_of_penetration_m_per_h,torque_std_N_m,weight_on_bit_std_N\n90,60000,3000,12,300,2000\n90,20000,1000,4,300,2000\n",
     ];
-    Reader::text(
-        "bit-table",
-        seeds,
-        &[",", "\n", "\"", ";", "torque_N_m"],
-        move |input| {
-            let mut files = InMemory::default();
-            files.0.insert("bit-table.csv".to_owned(), input.to_vec());
-            printed(parse("case.toml", case.as_bytes(), &files, &[]))
-        },
-    )
+    Reader::text("bit-table", seeds, &[",", "\n", "\"", ";", "torque_N_m"], move |input| {
+        let mut files = InMemory::default();
+        files.0.insert("bit-table.csv".to_owned(), input.to_vec());
+        printed(parse("case.toml", case.as_bytes(), &files, &[]))
+    })
 }
 
 /// Numbers with units, and units.

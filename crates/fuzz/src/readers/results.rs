@@ -105,23 +105,17 @@ pub(super) fn summary() -> Reader {
 /// A table with some rows.
 fn table(specs: &[ColumnSpec], rows: usize) -> Table {
     let empty = Table::with_columns(specs);
-    let columns = empty
-        .columns()
-        .iter()
-        .enumerate()
-        .map(|(index, column)| Column {
-            data: match &column.data {
-                Data::Text(_) => {
-                    Data::Text((0..rows).map(|row| format!("word {}", row % 3)).collect())
-                }
-                Data::Number(_) => Data::Number(
-                    (0..rows)
-                        .map(|row| (row % 7 != 3).then_some((index * rows + row) as f64 * 0.1))
-                        .collect(),
-                ),
-            },
-            ..column.clone()
-        });
+    let columns = empty.columns().iter().enumerate().map(|(index, column)| Column {
+        data: match &column.data {
+            Data::Text(_) => Data::Text((0..rows).map(|row| format!("word {}", row % 3)).collect()),
+            Data::Number(_) => Data::Number(
+                (0..rows)
+                    .map(|row| (row % 7 != 3).then_some((index * rows + row) as f64 * 0.1))
+                    .collect(),
+            ),
+        },
+        ..column.clone()
+    });
     Table::new(columns.collect())
 }
 
@@ -129,17 +123,9 @@ fn table(specs: &[ColumnSpec], rows: usize) -> Table {
 pub(super) fn parquet() -> Reader {
     let scratch = Scratch::new("table.parquet");
     let mut seeds = Vec::new();
-    for (specs, rows) in [
-        (NODES, 40),
-        (TIME, 60),
-        (WEAR, 20),
-        (CONTACT, 30),
-        (WEAR, 0),
-    ] {
+    for (specs, rows) in [(NODES, 40), (TIME, 60), (WEAR, 20), (CONTACT, 30), (WEAR, 0)] {
         let path = scratch.put(b"");
-        table(specs, rows)
-            .write_parquet(&path)
-            .expect("a table is written");
+        table(specs, rows).write_parquet(&path).expect("a table is written");
         seeds.push(fs::read(&path).expect("it is there"));
     }
     seeds.push(frames());
@@ -184,17 +170,7 @@ pub(super) fn csv() -> Reader {
         b"friction,model,operation,bit_depth_m,hook_load_N,status,message,folder\n0.1,soft,drill,1500,1e5,complete,,friction=0.1\n0.2,soft,drill,1500,,failed,\"a, b\",friction=0.2\n",
         b"name,model,operation,bit_depth_m\n'=1+2,dynamic,slide,-5\n\"'-x\",soft,drill,3\n",
     ];
-    let words = &[
-        ",",
-        "\n",
-        "\"",
-        "\"\"",
-        "\r\n",
-        "'",
-        "=",
-        "model",
-        "operation",
-    ];
+    let words = &[",", "\n", "\"", "\"\"", "\r\n", "'", "=", "model", "operation"];
     Reader::text("sweep-csv", seeds, words, move |input| {
         let path = scratch.put(input);
         let read = Table::read_csv(&path);

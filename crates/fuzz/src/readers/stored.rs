@@ -120,9 +120,7 @@ pub(super) fn trial() -> Reader {
         step_s: 1e-3,
     };
     let mut trial = Trial::new(&spec, &drilling).expect("a trial begins");
-    trial
-        .advance(3, &Stepper::default(), &Alone)
-        .expect("it continues");
+    trial.advance(3, &Stepper::default(), &Alone).expect("it continues");
     let seeds = vec![postcard::to_allocvec(&trial).expect("plain data")];
     Reader::binary("trial", seeds, move |input| {
         let Ok(mut trial) = postcard::from_bytes::<Trial>(input) else {

@@ -28,12 +28,7 @@ fn valid(read: Result<ImportedSurvey, SurveyError>) -> bool {
     match read {
         Ok(survey) => {
             assert!(survey.stations.len() >= 2);
-            assert!(
-                survey
-                    .stations
-                    .windows(2)
-                    .all(|pair| pair[0].md_m < pair[1].md_m)
-            );
+            assert!(survey.stations.windows(2).all(|pair| pair[0].md_m < pair[1].md_m));
             for station in &survey.stations {
                 assert!(station.md_m >= 0.0 && station.md_m.is_finite());
                 assert!((0.0..=PI).contains(&station.inclination_rad));
@@ -54,9 +49,7 @@ fn valid(read: Result<ImportedSurvey, SurveyError>) -> bool {
 
 /// Reads under a name, with a unit that is said or without.
 fn reads(name: &'static str) -> impl FnMut(&[u8]) -> bool {
-    let said = Said {
-        length_unit: Dimension::Length.find_unit("ft"),
-    };
+    let said = Said { length_unit: Dimension::Length.find_unit("ft") };
     move |input| {
         let plain = valid(read_as(input, name, &Said::default()));
         plain | valid(read_as(input, name, &said))
@@ -168,9 +161,7 @@ fn archive(parts: &[(&str, Vec<u8>)], method: CompressionMethod) -> Vec<u8> {
 }
 
 fn parts() -> Vec<(&'static str, Vec<u8>)> {
-    PARTS
-        .map(|(name, part)| (name, part.as_bytes().to_vec()))
-        .into()
+    PARTS.map(|(name, part)| (name, part.as_bytes().to_vec())).into()
 }
 
 /// New workbooks: their parts damaged and packed again, and the archive damaged.
@@ -202,10 +193,7 @@ pub(super) fn xls() -> Reader {
         cells.push((0, column, Value::Text(heading)));
         cells.extend((1..4).map(|row| (row, column, Value::Number(f64::from(row)))));
     }
-    let seeds = vec![
-        old_excel::workbook(&cells),
-        old_excel::workbook_of(&cells, 3),
-    ];
+    let seeds = vec![old_excel::workbook(&cells), old_excel::workbook_of(&cells, 3)];
     let wholes = seeds.clone();
     let make = move |rng: &mut Rng| {
         let Some(whole) = rng.choice(&wholes) else {

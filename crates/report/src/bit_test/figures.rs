@@ -52,18 +52,12 @@ const ENERGY: Quantity = Quantity {
 /// penetration and torque against weight), `specific-energy` (against depth of cut) and
 /// `bottom-hole`; none where no point is there.
 pub fn bit_test_plots(test: &BitTest, units: &str) -> Vec<Plot> {
-    let drawing = Drawing {
-        test,
-        shown: Shown::new(&test.dimensions, units),
-        points: test.sorted(),
-    };
+    let drawing =
+        Drawing { test, shown: Shown::new(&test.dimensions, units), points: test.sorted() };
     if drawing.points.is_empty() {
         return Vec::new();
     }
-    let plot = |name: &str, figure| Plot {
-        name: name.into(),
-        figure,
-    };
+    let plot = |name: &str, figure| Plot { name: name.into(), figure };
     let mut plots = vec![
         plot("drill-off", drawing.drill_off()),
         plot("specific-energy", drawing.specific_energy()),
@@ -109,10 +103,7 @@ impl Drawing<'_> {
                 let (dx, dy) = (spread(shared, point), spread(own, point));
                 [[(x - dx, y), (x + dx, y)], [(x, y - dy), (x, y + dy)]]
             });
-            marks.push(Mark::Bars {
-                ink: Ink::Line(index),
-                bars: bars.collect(),
-            });
+            marks.push(Mark::Bars { ink: Ink::Line(index), bars: bars.collect() });
         }
         for (index, points) in self.speeds() {
             let points: Vec<(f64, f64)> = points.iter().map(at).collect();
@@ -121,11 +112,7 @@ impl Drawing<'_> {
                 stroke: Stroke::Solid,
                 points: points.clone(),
             });
-            marks.push(Mark::Points {
-                ink: Ink::Line(index),
-                shape: Shape::of(index),
-                points,
-            });
+            marks.push(Mark::Points { ink: Ink::Line(index), shape: Shape::of(index), points });
         }
         marks
     }
@@ -142,11 +129,7 @@ impl Drawing<'_> {
     }
 
     fn panel(&self, shared: &Quantity, own: &Quantity) -> Panel {
-        Panel {
-            axis: self.axis(own),
-            marks: self.marks(shared, own),
-            keys: Vec::new(),
-        }
+        Panel { axis: self.axis(own), marks: self.marks(shared, own), keys: Vec::new() }
     }
 
     fn figure(&self, shared: &Quantity, panels: Vec<Panel>, keys: Vec<Key>) -> Figure {
@@ -201,10 +184,7 @@ impl Drawing<'_> {
                 sample: Sample::Line(Ink::Note, Stroke::Dashed),
             });
         }
-        keys.push(Key {
-            name: "standard deviation".into(),
-            sample: Sample::Spread(Ink::Note),
-        });
+        keys.push(Key { name: "standard deviation".into(), sample: Sample::Spread(Ink::Note) });
         self.figure(&WEIGHT, vec![self.panel(&WEIGHT, &RATE), torque], keys)
     }
 
@@ -231,11 +211,8 @@ impl Drawing<'_> {
             let speed = self.shown.quantity(of.rotary_rad_per_s, "rotary speed");
             format!("{weight} at {speed}")
         };
-        let bottoms: Vec<(String, &BottomPicture)> = self
-            .points
-            .iter()
-            .filter_map(|of| Some((name(of), of.bottom.as_ref()?)))
-            .collect();
+        let bottoms: Vec<(String, &BottomPicture)> =
+            self.points.iter().filter_map(|of| Some((name(of), of.bottom.as_ref()?))).collect();
         // A bit alone knows no high side.
         let sides = ["Across", "Across"];
         let (title, conditions) = (self.test.title.clone(), self.conditions());

@@ -82,13 +82,9 @@ impl BitTest {
             "Specific energy",
         ];
         let mean = |value: f64, std: f64, dimension: &str| match Cell::quantity(value, dimension) {
-            Cell::Quantity {
-                value, dimension, ..
-            } => Cell::Quantity {
-                value,
-                dimension,
-                std: Some(std).filter(|std| std.is_finite()),
-            },
+            Cell::Quantity { value, dimension, .. } => {
+                Cell::Quantity { value, dimension, std: Some(std).filter(|std| std.is_finite()) }
+            }
             other => other,
         };
         let row = |of: &&BitTestPoint| {

@@ -13,32 +13,20 @@ const RADIUS_M: f64 = 0.1;
 
 /// A bottom with a spiral of grooves.
 fn bottom() -> Option<BottomPicture> {
-    let radii: Vec<f64> = (0..20)
-        .map(|ring| 0.005 * (f64::from(ring) + 0.5))
-        .collect();
-    let angles: Vec<f64> = (0..72)
-        .map(|of| TAU * (f64::from(of) + 0.5) / 72.0)
-        .collect();
+    let radii: Vec<f64> = (0..20).map(|ring| 0.005 * (f64::from(ring) + 0.5)).collect();
+    let angles: Vec<f64> = (0..72).map(|of| TAU * (f64::from(of) + 0.5) / 72.0).collect();
     let depth = |radius: f64, angle: f64| 0.03 - 0.2 * radius + 0.002 * (5.0 * angle).sin();
-    let depths: Vec<f64> = radii
-        .iter()
-        .flat_map(|radius| angles.iter().map(|angle| depth(*radius, *angle)))
-        .collect();
+    let depths: Vec<f64> =
+        radii.iter().flat_map(|radius| angles.iter().map(|angle| depth(*radius, *angle))).collect();
     BottomPicture::new(&radii, &angles, &depths)
 }
 
 /// Torque of a slope of 0.6 of the radius with 50 N·m besides, at two speeds and three weights.
 fn test() -> BitTest {
-    let unit = |symbol: &str, factor| DisplayUnit {
-        symbol: symbol.into(),
-        factor,
-    };
+    let unit = |symbol: &str, factor| DisplayUnit { symbol: symbol.into(), factor };
     let alike = |symbol: &str, factor: f64| [(); 3].map(|()| unit(symbol, factor));
     let dimensions = [
-        (
-            "force",
-            [unit("kN", 1e3), unit("t", 9806.65), unit("klbf", 4448.2216)],
-        ),
+        ("force", [unit("kN", 1e3), unit("t", 9806.65), unit("klbf", 4448.2216)]),
         ("torque", alike("kN·m", 1e3)),
         ("diameter", alike("mm", 1e-3)),
         ("rate of penetration", alike("m/h", 1.0 / 3600.0)),
@@ -67,13 +55,8 @@ fn test() -> BitTest {
         program: "wholestring".into(),
         title: "A </script> bit".into(),
         units: "si".into(),
-        dimensions: dimensions
-            .map(|(name, units)| (name.to_owned(), units))
-            .into(),
-        asked: vec![Fact {
-            label: "Rock".into(),
-            value: Cell::quantity(60e6, "specific energy"),
-        }],
+        dimensions: dimensions.map(|(name, units)| (name.to_owned(), units)).into(),
+        asked: vec![Fact { label: "Rock".into(), value: Cell::quantity(60e6, "specific energy") }],
         strength_Pa: 60e6,
         radius_m: RADIUS_M,
         torque_by_weight: Some([0.6 * RADIUS_M, 50.0]),
@@ -149,11 +132,7 @@ fn pictures_are_drawn() {
     for plot in bit_test_plots(&test, "metric") {
         let svg = plot.figure.drawing().svg();
         let text = svg.split("base64,").next().unwrap_or_default();
-        assert!(
-            svg.ends_with("</svg>\n") && !text.contains("NaN"),
-            "{}",
-            plot.name
-        );
+        assert!(svg.ends_with("</svg>\n") && !text.contains("NaN"), "{}", plot.name);
     }
     let bottoms = plot(&test, "bottom-hole", "si").figure;
     assert_eq!(bottoms.panels.len(), 6);

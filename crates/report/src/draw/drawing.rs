@@ -35,12 +35,7 @@ impl Box {
 
     pub(crate) fn corners(&self) -> [(f64, f64); 4] {
         let (right, bottom) = (self.right(), self.bottom());
-        [
-            (self.left, self.top),
-            (right, self.top),
-            (right, bottom),
-            (self.left, bottom),
-        ]
+        [(self.left, self.top), (right, self.top), (right, bottom), (self.left, bottom)]
     }
 }
 
@@ -57,11 +52,7 @@ pub(crate) struct Pen {
 impl Pen {
     /// A full line.
     pub(crate) fn new(ink: Ink, width: f64) -> Self {
-        Self {
-            ink,
-            width,
-            dash: None,
-        }
+        Self { ink, width, dash: None }
     }
 }
 
@@ -118,13 +109,7 @@ pub(super) enum Item {
 impl Drawing {
     /// A blank page.
     pub(crate) fn new(title: &str, width: f64, height: f64) -> Self {
-        Self {
-            title: title.to_owned(),
-            width,
-            height,
-            items: Vec::new(),
-            clip: None,
-        }
+        Self { title: title.to_owned(), width, height, items: Vec::new(), clip: None }
     }
 
     /// Width and height, points.
@@ -160,13 +145,7 @@ impl Drawing {
         pen: Option<Pen>,
     ) {
         let clip = self.clip;
-        self.items.push(Item::Path {
-            lines,
-            closed,
-            fill,
-            pen,
-            clip,
-        });
+        self.items.push(Item::Path { lines, closed, fill, pen, clip });
     }
 
     pub(crate) fn text(&mut self, text: &str, at: (f64, f64), size: f64, ink: Ink, anchor: Anchor) {
@@ -194,10 +173,7 @@ impl Drawing {
 
     /// What is drawn up to [`Self::end`] belongs to these keys of the legend, or is one.
     pub(crate) fn begin(&mut self, keys: &[usize], of_legend: bool) {
-        self.items.push(Item::Begin {
-            keys: keys.to_vec(),
-            of_legend,
-        });
+        self.items.push(Item::Begin { keys: keys.to_vec(), of_legend });
     }
 
     pub(crate) fn end(&mut self) {

@@ -82,11 +82,7 @@ pub(super) fn outline(text: &str, to: &mut impl FnMut(Stroke)) {
     }
     let mut left = 0.0;
     for letter in text.chars() {
-        let mut glyph = Glyph {
-            to: &mut *to,
-            left,
-            em: f64::from(FACE.units_per_em()),
-        };
+        let mut glyph = Glyph { to: &mut *to, left, em: f64::from(FACE.units_per_em()) };
         FACE.outline_glyph(FACE.glyph_index(letter).unwrap_or_default(), &mut glyph);
         left += advance(letter);
     }

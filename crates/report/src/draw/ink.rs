@@ -45,9 +45,10 @@ impl Ink {
     /// Its name among the page's colours.
     pub(crate) fn name(self) -> &'static str {
         match self {
-            Self::Line(index) => [
-                "line-0", "line-1", "line-2", "line-3", "line-4", "line-5", "line-6",
-            ][index % LINES],
+            Self::Line(index) => {
+                ["line-0", "line-1", "line-2", "line-3", "line-4", "line-5", "line-6"]
+                    [index % LINES]
+            }
             Self::Text => "text",
             Self::Note => "muted",
             Self::Frame => "frame",
@@ -84,23 +85,14 @@ pub(crate) struct ColourScale {
 impl ColourScale {
     pub(crate) fn new(hue: Hue) -> Self {
         let stops = match hue {
-            Hue::Amount | Hue::Depth => (0..=9)
-                .map(|place| on_paper(&format!("amount-{place}")))
-                .collect(),
-            Hue::Side => [
-                "low-side-strong",
-                "low-side",
-                "middle",
-                "high-side",
-                "high-side-strong",
-            ]
-            .map(on_paper)
-            .to_vec(),
+            Hue::Amount | Hue::Depth => {
+                (0..=9).map(|place| on_paper(&format!("amount-{place}"))).collect()
+            }
+            Hue::Side => ["low-side-strong", "low-side", "middle", "high-side", "high-side-strong"]
+                .map(on_paper)
+                .to_vec(),
         };
-        Self {
-            stops,
-            backwards: hue == Hue::Depth,
-        }
+        Self { stops, backwards: hue == Hue::Depth }
     }
 
     /// The colour of a part from 0 to 1.
@@ -110,10 +102,7 @@ impl ColourScale {
         let low = (place as usize).min(self.stops.len() - 2);
         let rest = place - low as f64;
         std::array::from_fn(|i| {
-            let (from, to) = (
-                f64::from(self.stops[low][i]),
-                f64::from(self.stops[low + 1][i]),
-            );
+            let (from, to) = (f64::from(self.stops[low][i]), f64::from(self.stops[low + 1][i]));
             (from + rest * (to - from)).round() as u8
         })
     }

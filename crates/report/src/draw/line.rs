@@ -30,8 +30,7 @@ pub(crate) fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
         }
     }
     let kept = points.iter().zip(keep);
-    kept.filter_map(|(point, keep)| keep.then_some(*point))
-        .collect()
+    kept.filter_map(|(point, keep)| keep.then_some(*point)).collect()
 }
 
 /// The curve without the points between the extremes of each stretch of `within` along it: of
@@ -62,10 +61,7 @@ mod tests {
     fn thinning_moves_no_point_of_the_curve_visibly() {
         let point = |i: i32| {
             let y = f64::from(i) * 0.1;
-            (
-                100.0 + 50.0 * (y / 30.0).sin() + if i == 3000 { 20.0 } else { 0.0 },
-                y,
-            )
+            (100.0 + 50.0 * (y / 30.0).sin() + if i == 3000 { 20.0 } else { 0.0 }, y)
         };
         let curve: Vec<_> = (0..7600).map(point).collect();
         let thin = thinned(&curve);
@@ -87,12 +83,8 @@ mod tests {
     /// A peak of one sample among thousands stays.
     #[test]
     fn an_envelope_keeps_every_peak() {
-        let point = |i: i32| {
-            (
-                f64::from(i) * 1e-3,
-                f64::from(i % 7) + if i == 4321 { 50.0 } else { 0.0 },
-            )
-        };
+        let point =
+            |i: i32| (f64::from(i) * 1e-3, f64::from(i % 7) + if i == 4321 { 50.0 } else { 0.0 });
         let curve: Vec<_> = (0..10_000).map(point).collect();
         let kept = envelope(&curve, 0.1, false);
         assert!(kept.len() <= 4 * 101, "{}", kept.len());

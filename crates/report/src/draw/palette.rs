@@ -135,15 +135,11 @@ mod tests {
     type Palette = fn(&Colour) -> u32;
 
     /// Light and dark, each as a way to a colour.
-    const STYLES: [(&str, Palette); 2] = [
-        ("light", |colour| colour.light),
-        ("dark", |colour| colour.dark),
-    ];
+    const STYLES: [(&str, Palette); 2] =
+        [("light", |colour| colour.light), ("dark", |colour| colour.dark)];
 
     fn lines() -> Vec<&'static Colour> {
-        (0..LINES)
-            .map(|place| find(&format!("line-{place}")))
-            .collect()
+        (0..LINES).map(|place| find(&format!("line-{place}"))).collect()
     }
 
     /// All colours that may stand in one chart together, the curves and the areas of the sides of
@@ -158,12 +154,7 @@ mod tests {
             for (i, a) in all.iter().enumerate() {
                 for b in &all[..i] {
                     let apart = min_difference(rgb(of(a)), rgb(of(b)));
-                    assert!(
-                        apart >= 20.0,
-                        "{style}: {} and {}: {apart:.1}",
-                        a.name,
-                        b.name
-                    );
+                    assert!(apart >= 20.0, "{style}: {} and {}: {apart:.1}", a.name, b.name);
                 }
             }
         }

@@ -26,13 +26,7 @@ impl Drawing {
         let mut mask = Clipping::default();
         for item in &self.items {
             match item {
-                Item::Path {
-                    lines,
-                    closed,
-                    fill,
-                    pen,
-                    clip,
-                } => {
+                Item::Path { lines, closed, fill, pen, clip } => {
                     let mut path = PathBuilder::new();
                     for line in lines {
                         for (i, (x, y)) in line.iter().enumerate() {
@@ -58,14 +52,7 @@ impl Drawing {
                         page.stroke_path(&path, &paint, &stroke(pen), transform, clip);
                     }
                 }
-                Item::Text {
-                    text,
-                    at: (x, y),
-                    size,
-                    ink,
-                    anchor,
-                    upright,
-                } => {
+                Item::Text { text, at: (x, y), size, ink, anchor, upright } => {
                     let left = match anchor {
                         Anchor::Start => 0.0,
                         Anchor::Middle => -0.5 * text_width(text, *size),
@@ -91,10 +78,7 @@ impl Drawing {
                         0,
                         PixmapRef::from_bytes(pixels.data(), pixels.width(), pixels.height())
                             .expect("its own bytes"),
-                        &PixmapPaint {
-                            quality: FilterQuality::Nearest,
-                            ..PixmapPaint::default()
-                        },
+                        &PixmapPaint { quality: FilterQuality::Nearest, ..PixmapPaint::default() },
                         transform
                             .pre_translate(place.left as f32, place.top as f32)
                             .pre_scale(across as f32, down as f32),

@@ -55,13 +55,7 @@ impl Drawing {
                 continue;
             }
             let written = match item {
-                Item::Path {
-                    lines,
-                    closed,
-                    fill,
-                    pen,
-                    clip,
-                } => {
+                Item::Path { lines, closed, fill, pen, clip } => {
                     let clip = clip.map(|clip| {
                         let known = clips.iter().position(|other| *other == clip);
                         known.unwrap_or_else(|| {
@@ -79,14 +73,7 @@ impl Drawing {
                         data(lines, *closed)
                     )
                 }
-                Item::Text {
-                    text,
-                    at,
-                    size,
-                    ink,
-                    anchor,
-                    upright,
-                } => {
+                Item::Text { text, at, size, ink, anchor, upright } => {
                     let (x, y) = *at;
                     let drop = HALF_CAPITAL * size;
                     let place = if *upright {
@@ -114,11 +101,7 @@ impl Drawing {
                 Item::Begin { keys, of_legend } => {
                     let class = if *of_legend { "legend-key" } else { "series" };
                     let keys: Vec<String> = keys.iter().map(usize::to_string).collect();
-                    writeln!(
-                        body,
-                        "<g class=\"{class}\" data-keys=\"{}\">",
-                        keys.join(" ")
-                    )
+                    writeln!(body, "<g class=\"{class}\" data-keys=\"{}\">", keys.join(" "))
                 }
                 Item::End => writeln!(body, "</g>"),
                 Item::Spots(spots) => {
@@ -128,11 +111,7 @@ impl Drawing {
                     let spots =
                         spots.map(|((x, y), row)| format!("{} {} {row}", number(*x), number(*y)));
                     let spots: Vec<String> = spots.collect();
-                    writeln!(
-                        body,
-                        "<g class=\"spots\" data-spots=\"{}\"/>",
-                        spots.join(" ")
-                    )
+                    writeln!(body, "<g class=\"spots\" data-spots=\"{}\"/>", spots.join(" "))
                 }
                 Item::Image { image, place } => writeln!(
                     body,
@@ -257,13 +236,9 @@ fn number(value: f64) -> String {
 
 fn escaped(text: &str) -> String {
     // XML has no place for most control characters, escaped or not.
-    let text: String = text
-        .chars()
-        .map(|letter| if letter.is_control() { ' ' } else { letter })
-        .collect();
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
+    let text: String =
+        text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect();
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 #[cfg(test)]

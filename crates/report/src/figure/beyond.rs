@@ -55,11 +55,7 @@ fn tip(place: &Place<'_>, shared: f64, high: bool) -> ((f64, f64), (f64, f64)) {
     let [start, end] = place.shared_line(shared);
     if place.down {
         // The panel's own axis points to the right.
-        if high {
-            (end, (1.0, 0.0))
-        } else {
-            (start, (-1.0, 0.0))
-        }
+        if high { (end, (1.0, 0.0)) } else { (start, (-1.0, 0.0)) }
     } else if high != place.own_down {
         (start, (0.0, -1.0))
     } else {
@@ -88,18 +84,10 @@ fn label(on: &mut Drawing, place: &Place<'_>, shared: f64, high: bool, text: &st
     let width = text_width(text, SIZE);
     let (left, middle) = if dx == 0.0 {
         let right = x + HALF + 2.0;
-        let left = if right + width > frame.right() {
-            x - HALF - 2.0 - width
-        } else {
-            right
-        };
+        let left = if right + width > frame.right() { x - HALF - 2.0 - width } else { right };
         (left, y - dy * 5.0)
     } else {
-        let left = if high {
-            x - ARROW - 2.0 - width
-        } else {
-            x + ARROW + 2.0
-        };
+        let left = if high { x - ARROW - 2.0 - width } else { x + ARROW + 2.0 };
         (left, y.clamp(frame.top + 4.0, frame.bottom() - 4.0))
     };
     if !(left + middle).is_finite() {
@@ -107,12 +95,8 @@ fn label(on: &mut Drawing, place: &Place<'_>, shared: f64, high: bool, text: &st
     }
     let (top, bottom) = (middle - 4.0, middle + 4.0);
     let right = left + width;
-    let ground = vec![
-        (left - 1.0, top),
-        (right + 1.0, top),
-        (right + 1.0, bottom),
-        (left - 1.0, bottom),
-    ];
+    let ground =
+        vec![(left - 1.0, top), (right + 1.0, top), (right + 1.0, bottom), (left - 1.0, bottom)];
     on.fill(ground, Ink::Paper, 0.75);
     on.text(text, (left, middle), SIZE, Ink::Text, Anchor::Start);
 }

@@ -42,11 +42,7 @@ pub(super) fn stretch(on: &mut Drawing, level: Level, (from, to): (f64, f64), pl
         on.fill(vec![a, b, c, d], ink(level), GROUND);
     }
     // Depth points down and the bar stands at the right; what points across has it at the foot.
-    let far = if place.down {
-        [b, c]
-    } else {
-        [(b.0, b.1.max(a.1)), (c.0, c.1.max(d.1))]
-    };
+    let far = if place.down { [b, c] } else { [(b.0, b.1.max(a.1)), (c.0, c.1.max(d.1))] };
     bar(on, level, far, place.down);
 }
 
@@ -67,11 +63,7 @@ fn bar(on: &mut Drawing, level: Level, [from, to]: [(f64, f64); 2], down: bool) 
     while at < last {
         let end = (at + piece).min(last);
         let corners = [(edge - BAR, at), (edge, at), (edge, end), (edge - BAR, end)];
-        outlines.push(
-            corners
-                .map(|(x, y)| if down { (x, y) } else { (y, x) })
-                .to_vec(),
-        );
+        outlines.push(corners.map(|(x, y)| if down { (x, y) } else { (y, x) }).to_vec());
         at = end + GAP;
     }
     on.path(outlines, true, Some((ink(level), 1.0)), None);
@@ -104,14 +96,6 @@ pub(super) fn ring(on: &mut Drawing, level: Level, (x, y): (f64, f64)) {
         Level::Error => None,
         Level::Warning | Level::Note => Some([1.6, 1.4]),
     };
-    let pen = Pen {
-        dash,
-        ..Pen::new(ink(level), 0.9)
-    };
-    on.path(
-        vec![(0..CORNERS).map(corner).collect()],
-        true,
-        None,
-        Some(pen),
-    );
+    let pen = Pen { dash, ..Pen::new(ink(level), 0.9) };
+    on.path(vec![(0..CORNERS).map(corner).collect()], true, None, Some(pen));
 }

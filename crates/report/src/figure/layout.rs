@@ -109,11 +109,7 @@ impl Grid {
         let shared = Ruler::new(&figure.shared, values.iter().copied(), height / 24.0);
         let columns = figure.layout.columns.clamp(1, figure.panels.len().max(1));
         let left = MARGIN + LABEL + 4.0 + widest(&shared) + 4.0;
-        let right = if figure.hole.is_empty() {
-            MARGIN + 3.0
-        } else {
-            MARGIN + HOLE
-        };
+        let right = if figure.hole.is_empty() { MARGIN + 3.0 } else { MARGIN + HOLE };
         let wide = (width - left - right - GAP * (columns - 1) as f64) / columns as f64;
         let line = HEAD + height + FOOT;
         let frames = (0..figure.panels.len()).map(|index| Box {
@@ -124,11 +120,7 @@ impl Grid {
         });
         let frames: Vec<Box> = frames.collect();
         let bottom = frames.last().map_or(top, |last| last.bottom() + FOOT);
-        Self {
-            frames,
-            shared,
-            bottom,
-        }
+        Self { frames, shared, bottom }
     }
 
     fn across(figure: &Figure, width: f64, top: f64, values: &[f64]) -> Self {
@@ -137,19 +129,13 @@ impl Grid {
         // How many ticks there is room for follows from how wide the frame is, and that from the
         // ticks.
         let about = Ruler::new(&figure.shared, values.iter().copied(), 8.0);
-        let probe = Box {
-            left: 0.0,
-            top: 0.0,
-            width: 100.0,
-            height,
-        };
+        let probe = Box { left: 0.0, top: 0.0, width: 100.0, height };
         let panels = || figure.panels.iter();
         let left = panels()
             .map(|panel| Place::new(figure, panel, &about, probe).beside(&panel.axis.label))
             .fold(0.0, f64::max);
-        let has_map = panels()
-            .flat_map(|panel| &panel.marks)
-            .any(|mark| matches!(mark, Mark::Map(_)));
+        let has_map =
+            panels().flat_map(|panel| &panel.marks).any(|mark| matches!(mark, Mark::Map(_)));
         let right = if has_map { COLOURS } else { 7.0 };
         let wide = (width - 2.0 * MARGIN) / columns as f64 - left - right;
         let (wide, height) = match figure.layout.direction {
@@ -176,18 +162,9 @@ impl Grid {
                 width: wide,
                 height,
             }));
-            y += height
-                + if is_last || columns > 1 {
-                    ACROSS
-                } else {
-                    BELOW
-                };
+            y += height + if is_last || columns > 1 { ACROSS } else { BELOW };
         }
-        Self {
-            frames,
-            shared,
-            bottom: y,
-        }
+        Self { frames, shared, bottom: y }
     }
 
     fn draw(&self, on: &mut Drawing, figure: &Figure) {
@@ -252,11 +229,7 @@ fn hole(on: &mut Drawing, figure: &Figure, place: &Place<'_>) {
     let right = left + 5.0;
     for interval in &figure.hole {
         let [from, to] = [interval.from, interval.to].map(|md| place.shared_line(md)[0].1);
-        let ink = if interval.cased {
-            Ink::Casing
-        } else {
-            Ink::Rock
-        };
+        let ink = if interval.cased { Ink::Casing } else { Ink::Rock };
         let strip = vec![(left, from), (right, from), (right, to), (left, to)];
         on.fill(strip, ink, 1.0);
         if interval.shoe {

@@ -38,10 +38,7 @@ impl<'a> Legend<'a> {
 
     /// The same, of the whole figure.
     pub(super) fn of_figure(keys: &'a [Key], room: f64) -> Self {
-        Self {
-            of_figure: true,
-            ..Self::of(keys, room)
-        }
+        Self { of_figure: true, ..Self::of(keys, room) }
     }
 
     pub(super) fn height(&self) -> f64 {
@@ -56,12 +53,7 @@ impl<'a> Legend<'a> {
             let y = top + ROW * (0.5 + (index / self.columns) as f64);
             let across = [(x, y), (x + SAMPLE, y)];
             let block = |half: f64| {
-                vec![
-                    (x, y - half),
-                    (x + SAMPLE, y - half),
-                    (x + SAMPLE, y + half),
-                    (x, y + half),
-                ]
+                vec![(x, y - half), (x + SAMPLE, y - half), (x + SAMPLE, y + half), (x, y + half)]
             };
             match key.sample {
                 Sample::Line(ink, stroke) => on.line(&across, pen(ink, stroke)),

@@ -24,10 +24,7 @@ pub(super) fn pen(ink: Ink, stroke: Stroke) -> Pen {
         Stroke::WideDashed => Some([4.5, 4.5]),
         Stroke::WideDotted => Some([1.1, 3.2]),
     };
-    Pen {
-        dash,
-        ..Pen::new(ink, CURVE)
-    }
+    Pen { dash, ..Pen::new(ink, CURVE) }
 }
 
 /// A single point.
@@ -37,12 +34,7 @@ pub(super) fn shape(on: &mut Drawing, shape: Shape, at: (f64, f64), ink: Ink) {
 
 /// Points of one kind, as one path: a sweep has hundreds.
 fn shapes(on: &mut Drawing, outlines: Vec<Vec<(f64, f64)>>, ink: Ink) {
-    on.path(
-        outlines,
-        true,
-        Some((ink, 1.0)),
-        Some(Pen::new(Ink::Paper, 0.4)),
-    );
+    on.path(outlines, true, Some((ink, 1.0)), Some(Pen::new(Ink::Paper, 0.4)));
 }
 
 fn outline(shape: Shape, (x, y): (f64, f64)) -> Vec<(f64, f64)> {
@@ -67,11 +59,7 @@ fn outline(shape: Shape, (x, y): (f64, f64)) -> Vec<(f64, f64)> {
 /// Draws a mark where it is to be seen, among all those of its panel.
 pub(super) fn draw(on: &mut Drawing, mark: &Mark, all: &[Mark], place: &Place) {
     match mark {
-        Mark::Curve {
-            ink,
-            stroke,
-            points,
-        } => {
+        Mark::Curve { ink, stroke, points } => {
             let pieces = pieces(points, place);
             let pieces = pieces.into_iter().filter(|piece| piece.len() > 1);
             on.path(pieces.collect(), false, None, Some(pen(*ink, *stroke)));
@@ -82,26 +70,18 @@ pub(super) fn draw(on: &mut Drawing, mark: &Mark, all: &[Mark], place: &Place) {
             }
         }
         Mark::Sides { points } => {
-            for (ink, keep) in [
-                (Ink::HighSide, f64::max as fn(f64, f64) -> f64),
-                (Ink::LowSide, f64::min),
-            ] {
-                let area = points
-                    .iter()
-                    .map(|(shared, own)| (*shared, 0.0, keep(*own, 0.0)));
-                for piece in area
-                    .collect::<Vec<_>>()
-                    .split(|(shared, _, own)| !(shared + own).is_finite())
+            for (ink, keep) in
+                [(Ink::HighSide, f64::max as fn(f64, f64) -> f64), (Ink::LowSide, f64::min)]
+            {
+                let area = points.iter().map(|(shared, own)| (*shared, 0.0, keep(*own, 0.0)));
+                for piece in
+                    area.collect::<Vec<_>>().split(|(shared, _, own)| !(shared + own).is_finite())
                 {
                     band(on, piece, (ink, 1.0), place);
                 }
             }
         }
-        Mark::Points {
-            ink,
-            shape: of,
-            points,
-        } => {
+        Mark::Points { ink, shape: of, points } => {
             let places = points.iter().map(|point| place.of(*point));
             let places = places.filter(|(x, y)| (x + y).is_finite());
             let outlines: Vec<_> = places.map(|at| outline(*of, at)).collect();
@@ -168,10 +148,7 @@ pub(super) fn bar(on: &mut Drawing, from: (f64, f64), to: (f64, f64), ink: Ink) 
     if !(length > 0.0 && length.is_finite()) {
         return;
     }
-    let (x, y) = (
-        END * (to.1 - from.1) / length,
-        END * (to.0 - from.0) / length,
-    );
+    let (x, y) = (END * (to.1 - from.1) / length, END * (to.0 - from.0) / length);
     let end = |at: (f64, f64)| vec![(at.0 - x, at.1 + y), (at.0 + x, at.1 - y)];
     let lines = vec![vec![from, to], end(from), end(to)];
     on.path(lines, false, None, Some(Pen::new(ink, 0.5)));
@@ -181,13 +158,7 @@ pub(super) fn bar(on: &mut Drawing, from: (f64, f64), to: (f64, f64), ink: Ink) 
 fn rule(on: &mut Drawing, line: [(f64, f64); 2], label: &str, all: &[Mark], place: &Place) {
     const SIZE: f64 = 6.5;
     on.line(&line, Pen::new(Ink::Paper, 1.4));
-    on.line(
-        &line,
-        Pen {
-            dash: Some([2.0, 1.6]),
-            ..Pen::new(Ink::Note, 0.6)
-        },
-    );
+    on.line(&line, Pen { dash: Some([2.0, 1.6]), ..Pen::new(Ink::Note, 0.6) });
     if label.is_empty() {
         return;
     }
@@ -236,12 +207,7 @@ pub(super) fn names(on: &mut Drawing, all: &[Mark], place: &Place) {
             continue;
         }
         let width = text_width(text, SIZE) + 2.0;
-        let room = |(left, y): (f64, f64)| Box {
-            left,
-            top: y - 4.0,
-            width,
-            height: 8.0,
-        };
+        let room = |(left, y): (f64, f64)| Box { left, top: y - 4.0, width, height: 8.0 };
         let offsets =
             (0..8).flat_map(|step| [-1.0, 1.0].map(|side| side * (6.5 + 4.0 * f64::from(step))));
         let lefts = [at.0 - width - 3.0, at.0 + 3.0, at.0 - 0.5 * width];
@@ -288,9 +254,7 @@ fn crowd(room: &Box, all: &[Mark], place: &Place) -> usize {
         Mark::Curve { points, .. } => Some(points),
         _ => None,
     });
-    curves
-        .map(|points| points.windows(2).filter(|pair| runs_through(pair)).count())
-        .sum()
+    curves.map(|points| points.windows(2).filter(|pair| runs_through(pair)).count()).sum()
 }
 
 /// Colours as pixels: as many as there are values where those are few, and no more than print.
@@ -317,10 +281,7 @@ fn image(map: &Map, place: &Place) -> Image {
             }))
         })
     });
-    Image {
-        columns,
-        pixels: pixels.collect(),
-    }
+    Image { columns, pixels: pixels.collect() }
 }
 
 /// The place of the nearest of some growing values.

@@ -344,13 +344,8 @@ pub enum Shape {
 impl Shape {
     /// The shape that tells the series of this place apart; they come round again.
     pub fn of(place: usize) -> Self {
-        const ALL: [Shape; 5] = [
-            Shape::Circle,
-            Shape::Square,
-            Shape::Triangle,
-            Shape::Diamond,
-            Shape::Tip,
-        ];
+        const ALL: [Shape; 5] =
+            [Shape::Circle, Shape::Square, Shape::Triangle, Shape::Diamond, Shape::Tip];
         ALL[place % ALL.len()]
     }
 }

@@ -14,11 +14,7 @@ pub(crate) struct Outliers {
 }
 
 /// The rule that all axes follow.
-pub(crate) const OUTLIERS: Outliers = Outliers {
-    tail: 0.01,
-    times_as_long: 3.0,
-    fewest: 100,
-};
+pub(crate) const OUTLIERS: Outliers = Outliers { tail: 0.01, times_as_long: 3.0, fewest: 100 };
 
 /// The interval that an axis has to reach, without outliers: the whole one where there are none.
 ///
@@ -27,11 +23,7 @@ pub(crate) const OUTLIERS: Outliers = Outliers {
 /// the inner interval is more than `times_as_long` less one lengths of the inner interval; the axis
 /// reaches the outermost of all others.
 pub(super) fn without(values: &[f64], zero: bool) -> Option<(f64, f64)> {
-    let Outliers {
-        tail,
-        times_as_long,
-        fewest,
-    } = OUTLIERS;
+    let Outliers { tail, times_as_long, fewest } = OUTLIERS;
     let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     let (count, last) = (sorted.len(), sorted.len().checked_sub(1)?);
     sorted.sort_by(f64::total_cmp);

@@ -24,10 +24,7 @@ pub(super) fn draw(on: &mut Drawing, figure: &Figure, panel: &Panel, place: &Pla
     });
     grid(on, figure, place);
     for interval in figure.hole.iter().filter(|interval| interval.shoe) {
-        let pen = Pen {
-            dash: Some([1.0, 1.6]),
-            ..Pen::new(Ink::Note, 0.6)
-        };
+        let pen = Pen { dash: Some([1.0, 1.6]), ..Pen::new(Ink::Note, 0.6) };
         let line = place.shared_line(interval.to);
         if (frame.top + 1.0..frame.bottom() - 1.0).contains(&line[0].1) {
             on.line(&line, pen);
@@ -71,10 +68,7 @@ fn grid(on: &mut Drawing, figure: &Figure, place: &Place<'_>) {
         }
     }
     for (value, _) in &place.own.ticks {
-        on.line(
-            &place.own_line(*value),
-            if *value == 0.0 { zero } else { grid },
-        );
+        on.line(&place.own_line(*value), if *value == 0.0 { zero } else { grid });
     }
 }
 
@@ -93,20 +87,8 @@ fn own_axis(on: &mut Drawing, panel: &Panel, place: &Place<'_>) {
         }
         let middle = frame.left + frame.width / 2.0;
         let (name, unit) = parts(&panel.axis.label);
-        on.text(
-            name,
-            (middle, frame.top - 25.0),
-            LABEL,
-            Ink::Text,
-            Anchor::Middle,
-        );
-        on.text(
-            unit,
-            (middle, frame.top - 15.5),
-            TICK,
-            Ink::Note,
-            Anchor::Middle,
-        );
+        on.text(name, (middle, frame.top - 25.0), LABEL, Ink::Text, Anchor::Middle);
+        on.text(unit, (middle, frame.top - 15.5), TICK, Ink::Note, Anchor::Middle);
         if let Some([low, high]) = &panel.axis.sides {
             let y = frame.bottom() + 6.0;
             on.text(low, (frame.left, y), SIDE, Ink::Note, Anchor::Start);
@@ -134,11 +116,7 @@ fn own_axis(on: &mut Drawing, panel: &Panel, place: &Place<'_>) {
 
 /// What the colours of a map tell, to the right of its frame.
 fn colour_bar(on: &mut Drawing, map: &Map, frame: &Box) {
-    let bar = Box {
-        left: frame.right() + 8.0,
-        width: 7.0,
-        ..*frame
-    };
+    let bar = Box { left: frame.right() + 8.0, width: 7.0, ..*frame };
     const STEPS: usize = 256;
     // Depth grows down the page.
     let at = |part: f64| match map.hue {
@@ -147,10 +125,7 @@ fn colour_bar(on: &mut Drawing, map: &Map, frame: &Box) {
     };
     let scale = ColourScale::new(map.hue);
     let pixels = (0..STEPS).map(|row| Some(scale.at(at((row as f64 + 0.5) / STEPS as f64))));
-    let image = crate::draw::Image {
-        columns: 1,
-        pixels: pixels.collect(),
-    };
+    let image = crate::draw::Image { columns: 1, pixels: pixels.collect() };
     on.image(image, bar);
     on.frame(bar, Pen::new(Ink::Frame, FRAME));
     let from = match map.hue {

@@ -27,22 +27,13 @@ impl<'a> Place<'a> {
         } else {
             Ruler::new(&panel.axis, values(), frame.height / 20.0)
         };
-        Self {
-            frame,
-            down,
-            shared,
-            own,
-            own_down: panel.axis.down,
-        }
+        Self { frame, down, shared, own, own_down: panel.axis.down }
     }
 
     /// The place on the page of a shared value and one of the panel's own.
     pub(super) fn of(&self, (shared, own): (f64, f64)) -> (f64, f64) {
         if self.down {
-            (
-                self.across(self.own.place(own)),
-                self.below(self.shared.place(shared)),
-            )
+            (self.across(self.own.place(own)), self.below(self.shared.place(shared)))
         } else {
             (self.across(self.shared.place(shared)), self.own_y(own))
         }
@@ -64,11 +55,7 @@ impl<'a> Place<'a> {
     /// The line across the frame at a value of the shared axis.
     pub(super) fn shared_line(&self, at: f64) -> [(f64, f64); 2] {
         let place = self.shared.place(at);
-        if self.down {
-            self.level(self.below(place))
-        } else {
-            self.upright(self.across(place))
-        }
+        if self.down { self.level(self.below(place)) } else { self.upright(self.across(place)) }
     }
 
     /// The line along the frame at one of the panel's own values.
@@ -96,8 +83,7 @@ impl<'a> Place<'a> {
     /// The panel's own value at a part of the frame's height from the top; of an axis that points
     /// up or down.
     pub(super) fn own_at(&self, part: f64) -> f64 {
-        self.own
-            .value(if self.own_down { part } else { 1.0 - part })
+        self.own.value(if self.own_down { part } else { 1.0 - part })
     }
 
     /// The widest text at the panel's own axis.
@@ -107,11 +93,7 @@ impl<'a> Place<'a> {
 
     /// The room that ticks and label of its own axis take to the left of the frame.
     pub(super) fn beside(&self, label: &str) -> f64 {
-        let lines = if text_width(label, LABEL) <= self.frame.height {
-            1.0
-        } else {
-            2.0
-        };
+        let lines = if text_width(label, LABEL) <= self.frame.height { 1.0 } else { 2.0 };
         4.0 + self.widest() + 4.0 + 9.5 * lines
     }
 }
@@ -124,9 +106,7 @@ pub(super) fn widest(ruler: &Ruler) -> f64 {
 /// The ruler with as many ticks as stand side by side over the frame.
 fn unhurried<I: Iterator<Item = f64>>(axis: &Axis, values: &dyn Fn() -> I, frame: &Box) -> Ruler {
     let most = (frame.width / 24.0).floor().max(2.0) as usize;
-    let rulers = (1..=most)
-        .rev()
-        .map(|count| Ruler::new(axis, values(), count as f64));
+    let rulers = (1..=most).rev().map(|count| Ruler::new(axis, values(), count as f64));
     let mut last = None;
     for ruler in rulers {
         let places: Vec<(f64, f64)> = ruler

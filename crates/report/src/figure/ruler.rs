@@ -23,10 +23,7 @@ impl Ruler {
                 Self::linear(from, to, count)
             }
             Scale::Logarithmic => {
-                let powers = values
-                    .into_iter()
-                    .filter(|value| *value > 0.0)
-                    .map(f64::log10);
+                let powers = values.into_iter().filter(|value| *value > 0.0).map(f64::log10);
                 let ends = match axis.range {
                     Range::Fixed(from, to) => Some((from.log10(), to.log10())),
                     _ => bounds(powers),
@@ -45,9 +42,7 @@ impl Ruler {
                     from: -0.5,
                     to: words.len().max(1) as f64 - 0.5,
                     logarithmic: false,
-                    ticks: words
-                        .map(|(place, word)| (place as f64, word.clone()))
-                        .collect(),
+                    ticks: words.map(|(place, word)| (place as f64, word.clone())).collect(),
                 }
             }
         }
@@ -62,35 +57,21 @@ impl Ruler {
             .map(|index| index as f64 * step)
             .map(|tick| (tick, tick_text(tick, step)))
             .collect();
-        Self {
-            from,
-            to,
-            logarithmic: false,
-            ticks,
-        }
+        Self { from, to, logarithmic: false, ticks }
     }
 
     fn logarithmic(from: f64, to: f64, count: f64) -> Self {
         let every = ((to - from) / count.max(1.0)).ceil().max(1.0) as i32;
         let (first, last) = (from.floor() as i32, to.ceil() as i32);
         // Of few decades, two steps in each beside them.
-        let steps: &[f64] = if to - from < 2.0 {
-            &[1.0, 2.0, 5.0]
-        } else {
-            &[1.0]
-        };
+        let steps: &[f64] = if to - from < 2.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
         let ticks = (first..=last)
             .filter(|power| power.rem_euclid(every) == 0)
             .flat_map(|power| steps.iter().map(move |step| (*step, power)))
             .map(|(step, power)| (step * 10_f64.powi(power), power_text(step, power)))
             .filter(|(tick, _)| (from - 1e-9..=to + 1e-9).contains(&tick.log10()))
             .collect();
-        Self {
-            from,
-            to,
-            logarithmic: true,
-            ticks,
-        }
+        Self { from, to, logarithmic: true, ticks }
     }
 
     /// Where the value lies in the range: 0 at its start, 1 at its end; not a number where it has
@@ -152,17 +133,9 @@ fn range(axis: &Axis, values: Option<(f64, f64)>) -> (f64, f64) {
     // A force or torque below this, in any unit that people read, is rounding.
     const NOTHING: f64 = 1e-6;
     if low.abs() <= NOTHING && high.abs() <= NOTHING {
-        return if axis.sides.is_some() {
-            (-1.0, 1.0)
-        } else {
-            (0.0, 1.0)
-        };
+        return if axis.sides.is_some() { (-1.0, 1.0) } else { (0.0, 1.0) };
     }
-    let span = if high > low {
-        high - low
-    } else {
-        0.2 * high.abs()
-    };
+    let span = if high > low { high - low } else { 0.2 * high.abs() };
     let air = 0.05 * span;
     let short = axis.min_span - span;
     if short > 0.0 {
@@ -176,28 +149,21 @@ fn range(axis: &Axis, values: Option<(f64, f64)>) -> (f64, f64) {
             (low, high) => (low - 0.5 * short, high + 0.5 * short),
         };
     }
-    (
-        if low == 0.0 { 0.0 } else { low - air },
-        if high == 0.0 { 0.0 } else { high + air },
-    )
+    (if low == 0.0 { 0.0 } else { low - air }, if high == 0.0 { 0.0 } else { high + air })
 }
 
 fn bounds(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
-    values
-        .into_iter()
-        .filter(|value| value.is_finite())
-        .fold(None, |range, value| {
-            let (low, high) = range.unwrap_or((value, value));
-            Some((low.min(value), high.max(value)))
-        })
+    values.into_iter().filter(|value| value.is_finite()).fold(None, |range, value| {
+        let (low, high) = range.unwrap_or((value, value));
+        Some((low.min(value), high.max(value)))
+    })
 }
 
 /// The smallest of 1, 2, 2.5, 5 times a power of ten that is at least `step`.
 fn round_step(step: f64) -> f64 {
     let power = 10_f64.powf(step.log10().floor());
-    let factor = [1.0, 2.0, 2.5, 5.0]
-        .into_iter()
-        .find(|factor| factor * power >= step * (1.0 - 1e-9));
+    let factor =
+        [1.0, 2.0, 2.5, 5.0].into_iter().find(|factor| factor * power >= step * (1.0 - 1e-9));
     factor.unwrap_or(10.0) * power
 }
 
@@ -232,11 +198,7 @@ fn tick_text(tick: f64, step: f64) -> String {
 fn power_text(step: f64, power: i32) -> String {
     match power {
         0..=3 => format!("{}", step * 10_f64.powi(power)),
-        -3..=-1 => format!(
-            "{:.*}",
-            power.unsigned_abs() as usize,
-            step * 10_f64.powi(power)
-        ),
+        -3..=-1 => format!("{:.*}", power.unsigned_abs() as usize, step * 10_f64.powi(power)),
         _ => {
             let marks = power.to_string();
             let raised = marks.chars().map(|mark| match mark {
@@ -244,11 +206,7 @@ fn power_text(step: f64, power: i32) -> String {
                 digit => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹']
                     [digit.to_digit(10).unwrap_or(0) as usize],
             });
-            let times = if step == 1.0 {
-                String::new()
-            } else {
-                format!("{step}·")
-            };
+            let times = if step == 1.0 { String::new() } else { format!("{step}·") };
             format!("{times}10{}", raised.collect::<String>())
         }
     }
@@ -276,10 +234,7 @@ mod tests {
         assert_eq!(labels(&axis).len(), 9);
         assert_eq!(axis.place(4305.0), 1.0);
         let axis = ruler(Range::Near, [8.9e4, 9.6e4], 3.1);
-        assert_eq!(
-            labels(&axis),
-            ["90\u{202f}000", "92\u{202f}500", "95\u{202f}000"]
-        );
+        assert_eq!(labels(&axis), ["90\u{202f}000", "92\u{202f}500", "95\u{202f}000"]);
     }
 
     #[test]
@@ -287,10 +242,7 @@ mod tests {
         let mut axis = Axis::new("", Range::Near);
         axis.scale = Scale::Logarithmic;
         let ruler = Ruler::new(&axis, [0.0, -1.0, 2e-5, 30.0], 10.0);
-        assert_eq!(
-            labels(&ruler),
-            ["10⁻⁵", "10⁻⁴", "0.001", "0.01", "0.1", "1", "10", "100"]
-        );
+        assert_eq!(labels(&ruler), ["10⁻⁵", "10⁻⁴", "0.001", "0.01", "0.1", "1", "10", "100"]);
         assert!((ruler.place(1e-5), ruler.place(100.0)) == (0.0, 1.0));
         axis.range = Range::Tight;
         let short = Ruler::new(&axis, [4.0, 50.0], 10.0);
@@ -302,21 +254,11 @@ mod tests {
 
     #[test]
     fn ranges_exist_without_values() {
-        for values in [
-            vec![],
-            vec![f64::NAN],
-            vec![0.0, 1e-12],
-            vec![7.0],
-            vec![-7.0],
-        ] {
+        for values in [vec![], vec![f64::NAN], vec![0.0, 1e-12], vec![7.0], vec![-7.0]] {
             for scale in [Scale::Linear, Scale::Logarithmic] {
                 for range in [Range::Tight, Range::Near, Range::Zero] {
                     for sides in [None, Some(["low".to_owned(), "high".to_owned()])] {
-                        let axis = Axis {
-                            scale: scale.clone(),
-                            sides,
-                            ..Axis::new("", range)
-                        };
+                        let axis = Axis { scale: scale.clone(), sides, ..Axis::new("", range) };
                         let ruler = Ruler::new(&axis, values.clone(), 5.0);
                         assert!(ruler.to > ruler.from, "{ruler:?}");
                         assert!((1..20).contains(&ruler.ticks.len()), "{ruler:?}");

@@ -38,10 +38,7 @@ pub(super) fn frame(figure: &Figure, (wide, high): (f64, f64)) -> (f64, f64) {
         _ => 1.0,
     };
     let across = span(&figure.shared);
-    let up = figure
-        .panels
-        .first()
-        .map_or(across, |panel| span(&panel.axis));
+    let up = figure.panels.first().map_or(across, |panel| span(&panel.axis));
     let scale = (wide / across).min(high / up);
     (across * scale, up * scale)
 }

@@ -6,9 +6,7 @@ fn curve(ink: usize, stroke: Stroke) -> Mark {
     Mark::Curve {
         ink: Ink::Line(ink),
         stroke,
-        points: (0..100)
-            .map(|i| (f64::from(i) * 40.0, f64::from(i) - 20.0))
-            .collect(),
+        points: (0..100).map(|i| (f64::from(i) * 40.0, f64::from(i) - 20.0)).collect(),
     }
 }
 
@@ -25,14 +23,7 @@ fn figure(direction: Direction, columns: usize) -> Figure {
         name: (*name).into(),
         sample: Sample::Line(Ink::Line(index), Stroke::Solid),
     };
-    let names = [
-        "trip out",
-        "trip in",
-        "rotate off bottom",
-        "drill",
-        "slide",
-        "back-ream",
-    ];
+    let names = ["trip out", "trip in", "rotate off bottom", "drill", "slide", "back-ream"];
     let labels = [
         "Effective tension, klbf",
         "Torque, ft·lbf",
@@ -52,16 +43,8 @@ fn figure(direction: Direction, columns: usize) -> Figure {
         title: "A <well> & its \"string\"".into(),
         subtitle: "friction 0.3 ".repeat(40),
         keys: names.iter().enumerate().map(key).collect(),
-        layout: Layout {
-            direction,
-            columns,
-            width_mm: 180.0,
-            panel_mm: 100.0,
-        },
-        shared: Axis {
-            down,
-            ..Axis::new("Measured depth, ft", Range::Tight)
-        },
+        layout: Layout { direction, columns, width_mm: 180.0, panel_mm: 100.0 },
+        shared: Axis { down, ..Axis::new("Measured depth, ft", Range::Tight) },
         panels: labels.map(panel).to_vec(),
         hole: if down {
             vec![
@@ -115,12 +98,9 @@ fn boxes(svg: &str) -> Vec<([f64; 4], String)> {
 
 #[test]
 fn no_text_overlaps_another_or_leaves_the_page() {
-    for (direction, columns) in [
-        (Direction::Down, 5),
-        (Direction::Down, 3),
-        (Direction::Across, 1),
-        (Direction::Across, 2),
-    ] {
+    for (direction, columns) in
+        [(Direction::Down, 5), (Direction::Down, 3), (Direction::Across, 1), (Direction::Across, 2)]
+    {
         let drawing = figure(direction, columns).drawing();
         let boxes = boxes(&drawing.svg());
         assert!(boxes.len() > 30, "{}", boxes.len());
@@ -150,10 +130,7 @@ fn depth_points_down() {
     let svg = |down: bool| {
         let mut figure = figure(Direction::Across, 1);
         figure.panels.truncate(1);
-        figure.panels[0].axis = Axis {
-            down,
-            ..Axis::new("Depth, m", Range::Fixed(0.0, 100.0))
-        };
+        figure.panels[0].axis = Axis { down, ..Axis::new("Depth, m", Range::Fixed(0.0, 100.0)) };
         figure.drawing().svg()
     };
     let height_of = |svg: &str, tick: &str| {
@@ -211,11 +188,8 @@ fn a_plan_has_one_scale() {
         (vec![(5.0, 0.0), (15.0, 4000.0)], (1000.0, 4000.0)),
     ] {
         let shared: Vec<f64> = points.iter().map(|point| point.0).collect();
-        figure.panels[0].marks = vec![Mark::Curve {
-            ink: Ink::Line(0),
-            stroke: Stroke::Solid,
-            points,
-        }];
+        figure.panels[0].marks =
+            vec![Mark::Curve { ink: Ink::Line(0), stroke: Stroke::Solid, points }];
         let scaled = scale::to_scale(&figure, &shared);
         let span = |axis: &Axis| match axis.range {
             Range::Fixed(from, to) => to - from,
@@ -235,24 +209,17 @@ fn an_outlier_is_marked_at_the_edge() {
     for direction in [Direction::Down, Direction::Across] {
         let mut figure = figure(direction, 1);
         figure.panels.truncate(1);
-        let mut points: Vec<(f64, f64)> = (0..400)
-            .map(|i| (10.0 * f64::from(i), (0.1 * f64::from(i)).sin()))
-            .collect();
+        let mut points: Vec<(f64, f64)> =
+            (0..400).map(|i| (10.0 * f64::from(i), (0.1 * f64::from(i)).sin())).collect();
         points[100].1 = 230.0;
         points[300].1 = -120.0;
-        figure.panels[0].marks = vec![Mark::Curve {
-            ink: Ink::Line(0),
-            stroke: Stroke::Solid,
-            points,
-        }];
+        figure.panels[0].marks =
+            vec![Mark::Curve { ink: Ink::Line(0), stroke: Stroke::Solid, points }];
         let texts = |figure: &Figure| -> Vec<String> {
             let svg = figure.drawing().svg();
             boxes(&svg).into_iter().map(|(_, text)| text).collect()
         };
-        assert!(
-            texts(&figure).contains(&"200".to_owned()),
-            "ticks as before"
-        );
+        assert!(texts(&figure).contains(&"200".to_owned()), "ticks as before");
         figure.panels[0].axis.clips = true;
         let texts = texts(&figure);
         assert!(!texts.contains(&"200".to_owned()), "{texts:?}");
@@ -265,10 +232,7 @@ fn an_outlier_is_marked_at_the_edge() {
 #[test]
 fn a_steady_signal_is_not_blown_up() {
     let span = |low: f64, high: f64| {
-        let axis = Axis {
-            min_span: 20.0,
-            ..Axis::new("Hook load, kN", Range::Near)
-        };
+        let axis = Axis { min_span: 20.0, ..Axis::new("Hook load, kN", Range::Near) };
         let ruler = Ruler::new(&axis, [low, high], 5.0);
         (ruler.value(0.0), ruler.value(1.0))
     };

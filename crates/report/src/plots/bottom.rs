@@ -42,10 +42,7 @@ pub(crate) fn bottoms_figure(
             let cells = &cells;
             (0..FINE).map(move |high| length(cells.depth_m(place_m(high, 0.5), right_m)))
         };
-        let names = (!name.is_empty()).then(|| Key {
-            name: name.clone(),
-            sample: Sample::Words,
-        });
+        let names = (!name.is_empty()).then(|| Key { name: name.clone(), sample: Sample::Words });
         Panel {
             axis: Axis::new(shown.label(sides[0], "diameter"), range),
             marks: vec![Mark::Map(Map {
@@ -54,11 +51,7 @@ pub(crate) fn bottoms_figure(
                 middles: (0..FINE).map(|high| length(place_m(high, 0.5))).collect(),
                 values: (0..FINE).flat_map(column).collect(),
                 hue: Hue::Depth,
-                largest: if deepest_m > 0.0 {
-                    length(deepest_m)
-                } else {
-                    1.0
-                },
+                largest: if deepest_m > 0.0 { length(deepest_m) } else { 1.0 },
                 label: shown.label("Depth below the rim", "diameter"),
                 sides: None,
             })],

@@ -18,12 +18,8 @@ pub(crate) struct Rules {
     pub(crate) outliers: Outliers,
 }
 
-pub(crate) const RULES: Rules = Rules {
-    far_m: 400.0,
-    joint_reach_m: JOINT_REACH_M,
-    min_difference: 0.01,
-    outliers: OUTLIERS,
-};
+pub(crate) const RULES: Rules =
+    Rules { far_m: 400.0, joint_reach_m: JOINT_REACH_M, min_difference: 0.01, outliers: OUTLIERS };
 
 /// A quantity against measured depth.
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -227,10 +223,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         title: "Block velocity, down",
         dimension: "speed",
         min_span: 0.02,
-        columns: &[
-            ["block_velocity_m_per_s", "block"],
-            ["block_velocity_set_m_per_s", "set"],
-        ],
+        columns: &[["block_velocity_m_per_s", "block"], ["block_velocity_set_m_per_s", "set"]],
         ..TIME_PLOT
     },
     TimePlot {
@@ -246,10 +239,7 @@ pub(crate) const TIME_PLOTS: &[TimePlot] = &[
         title: "Neutral point and cut-off depth",
         dimension: "length",
         min_span: 20.0,
-        columns: &[
-            ["neutral_point_m", "neutral point"],
-            ["cutoff_depth_m", "cut-off depth"],
-        ],
+        columns: &[["neutral_point_m", "neutral point"], ["cutoff_depth_m", "cut-off depth"]],
         points: true,
         ..TIME_PLOT
     },
@@ -278,10 +268,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         title: "Weight on bit",
         dimension: "force",
         min_span: 1e4,
-        columns: &[
-            ["weight_on_bit_N", "on bit"],
-            ["weight_on_bit_set_N", "set"],
-        ],
+        columns: &[["weight_on_bit_N", "on bit"], ["weight_on_bit_set_N", "set"]],
         ..TIME_PLOT
     },
     TimePlot {
@@ -297,10 +284,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         title: "Speed at the bit",
         dimension: "rotary speed",
         min_span: 1.0,
-        columns: &[
-            ["bit_rotary_speed_rad_per_s", "string"],
-            ["motor_speed_rad_per_s", "motor"],
-        ],
+        columns: &[["bit_rotary_speed_rad_per_s", "string"], ["motor_speed_rad_per_s", "motor"]],
         ..TIME_PLOT
     },
     TimePlot {
@@ -316,10 +300,7 @@ pub(crate) const BIT_PLOTS: &[TimePlot] = &[
         title: "Force across",
         dimension: "force",
         min_span: 1e3,
-        columns: &[
-            ["bit_force_high_N", "to the high side"],
-            ["bit_force_right_N", "to the right"],
-        ],
+        columns: &[["bit_force_high_N", "to the high side"], ["bit_force_right_N", "to the right"]],
         ..TIME_PLOT
     },
     TimePlot {

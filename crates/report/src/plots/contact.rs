@@ -55,22 +55,13 @@ pub fn contact_figure(
             sides: (hue == Hue::Side).then(|| ["low side".into(), "high side".into()]),
         })];
         if map.window_from > map.from {
-            marks.push(Mark::SharedRule {
-                at: map.window_from,
-                label: "window begins".into(),
-            });
+            marks.push(Mark::SharedRule { at: map.window_from, label: "window begins".into() });
         }
         let shoes = map.shoes.into_iter().filter(|at| *at < deepest);
-        marks.extend(shoes.map(|at| Mark::OwnRule {
-            at,
-            label: "casing shoe".into(),
-        }));
+        marks.extend(shoes.map(|at| Mark::OwnRule { at, label: "casing shoe".into() }));
         marks.extend(map.marks);
         Panel {
-            axis: Axis {
-                down: true,
-                ..Axis::new(map.label, Range::Fixed(0.0, deepest))
-            },
+            axis: Axis { down: true, ..Axis::new(map.label, Range::Fixed(0.0, deepest)) },
             marks,
             keys: Vec::new(),
         }
@@ -79,12 +70,7 @@ pub fn contact_figure(
         title,
         subtitle,
         keys: Vec::new(),
-        layout: Layout {
-            direction: Direction::Across,
-            columns: 1,
-            width_mm: 180.0,
-            panel_mm,
-        },
+        layout: Layout { direction: Direction::Across, columns: 1, width_mm: 180.0, panel_mm },
         shared: Axis::new("Time, s", Range::Tight),
         panels: maps.into_iter().map(panel).collect(),
         hole: Vec::new(),
@@ -119,9 +105,7 @@ pub(super) fn plots(
                 middles: shown.values(&picture.md_m.values(), "length"),
                 values: shown.values(&values(picture), "force per length"),
                 window_from: *window_s,
-                shoes: cased
-                    .map(|section| shown.value(section.to_m, "length"))
-                    .collect(),
+                shoes: cased.map(|section| shown.value(section.to_m, "length")).collect(),
                 marks: Vec::new(),
             }
         };
@@ -139,9 +123,7 @@ pub(super) fn plots(
         },
         Plot {
             name: format!("map-contact-force{suffix}"),
-            figure: figure("Contact force", Hue::Amount, &|of| {
-                of.contact_force.values()
-            }),
+            figure: figure("Contact force", Hue::Amount, &|of| of.contact_force.values()),
         },
     ]
 }

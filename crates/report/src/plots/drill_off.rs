@@ -30,9 +30,7 @@ pub(super) fn plots(
     let panel = |title: &str, dimension: &str, values: &dyn Fn(&DrillOff) -> Vec<f64>| {
         let points = |(place, drilled): &(usize, &DrillOff)| {
             let weights = shown.values(&drilled.weight_N.values(), "force");
-            let points = weights
-                .into_iter()
-                .zip(shown.values(&values(drilled), dimension));
+            let points = weights.into_iter().zip(shown.values(&values(drilled), dimension));
             let step = points.len().div_ceil(MAX).max(1);
             Mark::Points {
                 ink: Ink::Line(*place),
@@ -58,15 +56,10 @@ pub(super) fn plots(
         },
         shared: Axis::new(shown.label("Weight on bit", "force"), Range::Near),
         panels: vec![
-            panel("Rate of penetration", "rate of penetration", &|of| {
-                of.rate_m_per_s.values()
-            }),
+            panel("Rate of penetration", "rate of penetration", &|of| of.rate_m_per_s.values()),
             panel("Torque on bit", "torque", &|of| of.torque_N_m.values()),
         ],
         hole: Vec::new(),
     };
-    vec![Plot {
-        name: format!("drill-off{suffix}"),
-        figure,
-    }]
+    vec![Plot { name: format!("drill-off{suffix}"), figure }]
 }

@@ -36,17 +36,10 @@ impl Found {
                     whose.push(name);
                 }
             }
-            (!stretches.is_empty()).then(|| Places {
-                stretches: joined(stretches),
-                whose,
-            })
+            (!stretches.is_empty()).then(|| Places { stretches: joined(stretches), whose })
         };
         let levels = [Level::Warning, Level::Error].into_iter();
-        Self(
-            levels
-                .filter_map(|level| Some((level, places(level)?)))
-                .collect(),
-        )
+        Self(levels.filter_map(|level| Some((level, places(level)?))).collect())
     }
 
     /// Where they are, for every track.
@@ -74,10 +67,7 @@ impl Found {
                 [] => name.to_owned(),
                 whose => format!("{name}: {}", whose.join(", ")),
             };
-            Key {
-                name,
-                sample: Sample::Found(*level),
-            }
+            Key { name, sample: Sample::Found(*level) }
         };
         self.0.iter().rev().map(key).collect()
     }
@@ -136,11 +126,7 @@ mod tests {
     }
 
     fn tension(report: &Report) -> Figure {
-        let run = Run {
-            name: "",
-            report,
-            spectra: &[],
-        };
+        let run = Run { name: "", report, spectra: &[] };
         let plots = plots(&[run], "si");
         let tension = plots.into_iter().find(|plot| plot.name == "tension");
         tension.unwrap().figure
@@ -161,10 +147,7 @@ mod tests {
                     finding(Level::Note, Some(0.0), Some(1000.0)),
                 ],
             ),
-            (
-                "drill",
-                vec![finding(Level::Warning, Some(100.0), Some(200.0))],
-            ),
+            ("drill", vec![finding(Level::Warning, Some(100.0), Some(200.0))]),
         ]);
         let figure = tension(&report);
         let of = |mark: &Mark| match mark {
@@ -181,10 +164,7 @@ mod tests {
             ]
         );
         let names: Vec<&str> = figure.keys.iter().map(|key| key.name.as_str()).collect();
-        assert!(
-            names.ends_with(&["error here: slide", "warning here: drill"]),
-            "{names:?}"
-        );
+        assert!(names.ends_with(&["error here: slide", "warning here: drill"]), "{names:?}");
         // One ground for each stretch, none of a single place; bars for all three.
         let svg = figure.drawing().svg();
         assert_eq!(svg.matches("fill-opacity=\"0.1\"").count(), 2, "{svg}");

@@ -60,20 +60,12 @@ fn group(
         title: title(runs),
         subtitle: subtitle.to_owned(),
         keys: run_keys(runs),
-        layout: Layout {
-            direction: Direction::Across,
-            columns: 1,
-            width_mm: 180.0,
-            panel_mm,
-        },
+        layout: Layout { direction: Direction::Across, columns: 1, width_mm: 180.0, panel_mm },
         shared: Axis::new("Time, s", Range::Fixed(0.0, end_s)),
         panels: panels.iter().map(|(_, panel)| panel.clone()).collect(),
         hole: Vec::new(),
     };
-    let all = Plot {
-        name: format!("{name}{suffix}"),
-        figure: figure(panels, 26.0),
-    };
+    let all = Plot { name: format!("{name}{suffix}"), figure: figure(panels, 26.0) };
     let single = panels.iter().map(|panel| Plot {
         name: format!("{}{suffix}", panel.0.name),
         figure: figure(std::slice::from_ref(panel), 55.0),
@@ -139,35 +131,20 @@ fn panel(
                 Sample::Line(sample_ink, stroke)
             };
             if !keys.iter().any(|key| key.name == *name) {
-                keys.push(Key {
-                    name: (*name).into(),
-                    sample,
-                });
+                keys.push(Key { name: (*name).into(), sample });
             }
             if let Some([runs, single]) = lasting {
-                curves.push(Mark::Curve {
-                    ink,
-                    stroke,
-                    points: runs,
-                });
-                curves.push(Mark::Points {
-                    ink,
-                    shape,
-                    points: single,
-                });
+                curves.push(Mark::Curve { ink, stroke, points: runs });
+                curves.push(Mark::Points { ink, shape, points: single });
             } else {
-                curves.push(Mark::Curve {
-                    ink,
-                    stroke,
-                    points,
-                });
+                curves.push(Mark::Curve { ink, stroke, points });
             }
         }
     }
     let moves = |mark: &Mark| match mark {
-        Mark::Curve { points, .. } | Mark::Points { points, .. } => points
-            .iter()
-            .any(|point| point.1 != 0.0 && point.1.is_finite()),
+        Mark::Curve { points, .. } | Mark::Points { points, .. } => {
+            points.iter().any(|point| point.1 != 0.0 && point.1.is_finite())
+        }
         _ => false,
     };
     if !curves.iter().any(moves) {
@@ -198,14 +175,8 @@ fn panel(
     if keys.len() == 1 {
         keys.clear();
     }
-    let settling = timed
-        .iter()
-        .map(|(_, run)| run.window_s)
-        .fold(0.0, f64::max);
-    let mut marks = vec![Mark::Shade {
-        from: 0.0,
-        to: settling,
-    }];
+    let settling = timed.iter().map(|(_, run)| run.window_s).fold(0.0, f64::max);
+    let mut marks = vec![Mark::Shade { from: 0.0, to: settling }];
     marks.extend(curves);
     let title = if plot.points { "Depth" } else { plot.title };
     Some(Panel {

@@ -59,13 +59,9 @@ pub fn plots(runs: &[Run<'_>], units: &str) -> Vec<Plot> {
     for operation in &operations {
         let suffix = suffix(operation);
         let subtitle = common_facts(runs, shown, Some(operation));
-        for draw in [
-            histories::plots,
-            drill_off::plots,
-            bottom::plots,
-            contact::plots,
-            spectra::plots,
-        ] {
+        for draw in
+            [histories::plots, drill_off::plots, bottom::plots, contact::plots, spectra::plots]
+        {
             plots.extend(draw(runs, operation, shown, &subtitle, &suffix));
         }
     }
@@ -75,11 +71,7 @@ pub fn plots(runs: &[Run<'_>], units: &str) -> Vec<Plot> {
 /// The profile of one run alone: its tracks against measured depth, all models and operations on
 /// the same; nothing where nothing was solved.
 pub fn profile(report: &Report, units: &str) -> Option<Figure> {
-    let runs = [Run {
-        name: "",
-        report,
-        spectra: &[],
-    }];
+    let runs = [Run { name: "", report, spectra: &[] }];
     let shown = Shown::new(&report.dimensions, units);
     let operations = common_operations(&runs);
     let styles = CurveStyles::new(&runs, &operations);
@@ -100,10 +92,8 @@ fn common_facts(runs: &[Run<'_>], shown: Shown<'_>, operation: Option<&str>) -> 
     };
     let asked = runs[0].report.asked.iter();
     let alike = asked.filter(|fact| runs.iter().all(|run| run.report.asked.contains(fact)));
-    let alike: Vec<Fact> = alike
-        .filter(|fact| !fact.label.starts_with("Operation"))
-        .cloned()
-        .collect();
+    let alike: Vec<Fact> =
+        alike.filter(|fact| !fact.label.starts_with("Operation")).cloned().collect();
     [done, subtitle(&alike, shown)].join("; ")
 }
 
@@ -119,10 +109,8 @@ pub(crate) fn subtitle(asked: &[Fact], shown: Shown<'_>) -> String {
         "Friction factor",
         "Mud density",
     ];
-    let parts = asked
-        .iter()
-        .filter(|fact| SHOWN_FACTS.contains(&fact.label.as_str()))
-        .filter_map(|fact| {
+    let parts =
+        asked.iter().filter(|fact| SHOWN_FACTS.contains(&fact.label.as_str())).filter_map(|fact| {
             let text = shown.fact(fact)?;
             // What is done needs no name.
             let done = fact.label.starts_with("Operation");

@@ -29,25 +29,19 @@ fn intervals(depths: &[f64], reach: f64) -> impl Iterator<Item = Range<usize>> {
 /// Of the rows within `reach` of each depth the one with the largest value: a joint, of what joints
 /// do.
 pub(crate) fn row_of_largest(depths: &[f64], values: &[f64], reach: f64) -> Vec<usize> {
-    let row = |rows: Range<usize>| {
-        rows.max_by(|a, b| values[*a].total_cmp(&values[*b]))
-            .unwrap_or(0)
-    };
+    let row =
+        |rows: Range<usize>| rows.max_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap_or(0);
     intervals(depths, reach).map(row).collect()
 }
 
 /// The largest value within `reach` of each depth.
 pub(crate) fn largest(depths: &[f64], values: &[f64], reach: f64) -> Vec<f64> {
-    near(depths, values, reach, |values| {
-        values.iter().copied().fold(f64::NAN, f64::max)
-    })
+    near(depths, values, reach, |values| values.iter().copied().fold(f64::NAN, f64::max))
 }
 
 /// The smallest.
 pub(crate) fn smallest(depths: &[f64], values: &[f64], reach: f64) -> Vec<f64> {
-    near(depths, values, reach, |values| {
-        values.iter().copied().fold(f64::NAN, f64::min)
-    })
+    near(depths, values, reach, |values| values.iter().copied().fold(f64::NAN, f64::min))
 }
 
 #[cfg(test)]

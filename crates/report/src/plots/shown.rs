@@ -18,10 +18,7 @@ pub(crate) const SETS: [&str; 3] = ["si", "metric", "field"];
 impl<'a> Shown<'a> {
     pub(crate) fn new(dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>, units: &str) -> Self {
         let set = SETS.iter().position(|name| *name == units);
-        Self {
-            dimensions,
-            set: set.unwrap_or(0),
-        }
+        Self { dimensions, set: set.unwrap_or(0) }
     }
 
     fn unit(&self, dimension: &str) -> Option<&'a DisplayUnit> {
@@ -38,9 +35,7 @@ impl<'a> Shown<'a> {
 
     /// Values of a column.
     pub(crate) fn values(&self, si: &[f64], dimension: &str) -> Vec<f64> {
-        si.iter()
-            .map(|value| self.value(*value, dimension))
-            .collect()
+        si.iter().map(|value| self.value(*value, dimension)).collect()
     }
 
     /// What an axis shows, unit included.
@@ -63,9 +58,7 @@ impl<'a> Shown<'a> {
     /// `bit depth 4305 m`; nothing of a fact that says nothing.
     pub(crate) fn fact(&self, fact: &Fact) -> Option<String> {
         let value = match &fact.value {
-            Cell::Quantity {
-                value, dimension, ..
-            } => self.quantity(*value, dimension),
+            Cell::Quantity { value, dimension, .. } => self.quantity(*value, dimension),
             Cell::Quantities { values, dimension } => {
                 let values = values.iter().map(|value| self.quantity(*value, dimension));
                 values.collect::<Vec<_>>().join(", ")

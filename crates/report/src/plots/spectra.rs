@@ -37,9 +37,8 @@ pub(super) fn plots(
     let signals = signals.into_iter();
     signals
         .map(|(signal, of_nodes)| {
-            let mine = all
-                .iter()
-                .filter(|(_, of)| of.signal == signal && of.md_m.is_some() == of_nodes);
+            let mine =
+                all.iter().filter(|(_, of)| of.signal == signal && of.md_m.is_some() == of_nodes);
             let mine: Vec<&(usize, &Spectrum)> = mine.collect();
             let node = if of_nodes { "-nodes" } else { "" };
             Plot {
@@ -103,10 +102,8 @@ fn figure(
         }));
     }
     let name = spoken(signal);
-    let logarithmic = |label: String, range| Axis {
-        scale: Scale::Logarithmic,
-        ..Axis::new(label, range)
-    };
+    let logarithmic =
+        |label: String, range| Axis { scale: Scale::Logarithmic, ..Axis::new(label, range) };
     let at = match depths[..] {
         [md] => format!(" at {}", shown.quantity(md, "length")),
         _ => String::new(),

@@ -26,11 +26,7 @@ impl<'a> CurveStyles<'a> {
                 .flat_map(|run| &run.report.solved)
                 .any(|of| of.model == model && operations.contains(&of.operation.as_str()))
         };
-        Self {
-            runs,
-            operations,
-            models: models(has),
-        }
+        Self { runs, operations, models: models(has) }
     }
 
     /// The place of a model among those that solved.
@@ -56,9 +52,7 @@ impl<'a> CurveStyles<'a> {
             run
         } else {
             let mut operations = self.operations.iter();
-            operations
-                .position(|name| *name == solved.operation)
-                .unwrap_or(0)
+            operations.position(|name| *name == solved.operation).unwrap_or(0)
         };
         let place = self.place(solved);
         match (self.models.len() > 1, self.alone()) {
@@ -84,10 +78,8 @@ impl<'a> CurveStyles<'a> {
 
     /// What colours and strokes mean; nothing where there is one curve alone.
     pub(super) fn keys(&self) -> Vec<Key> {
-        let line = |name: &str, ink, stroke| Key {
-            name: name.into(),
-            sample: Sample::Line(ink, stroke),
-        };
+        let line =
+            |name: &str, ink, stroke| Key { name: name.into(), sample: Sample::Line(ink, stroke) };
         let models = self.models.iter().enumerate();
         let several = self.models.len() > 1;
         let models = models.filter(|_| several);
@@ -105,11 +97,7 @@ impl<'a> CurveStyles<'a> {
             .iter()
             .enumerate()
             .map(|(index, name)| {
-                let stroke = if several {
-                    Stroke::Solid
-                } else {
-                    Stroke::of(index)
-                };
+                let stroke = if several { Stroke::Solid } else { Stroke::of(index) };
                 line(name, Ink::Line(index), stroke)
             })
             .collect();
@@ -119,26 +107,15 @@ impl<'a> CurveStyles<'a> {
 
     /// What a dotted curve is: the least value from one tool joint to the next.
     pub(super) fn between_key(&self) -> Key {
-        let ink = if self.alone() {
-            Ink::Line(0)
-        } else {
-            Ink::Note
-        };
-        Key {
-            name: "between the joints".into(),
-            sample: Sample::Line(ink, Stroke::Dotted),
-        }
+        let ink = if self.alone() { Ink::Line(0) } else { Ink::Note };
+        Key { name: "between the joints".into(), sample: Sample::Line(ink, Stroke::Dotted) }
     }
 
     /// What a band is.
     pub(super) fn band_key(&self) -> Key {
         Key {
             name: "5–95 % of the time".into(),
-            sample: Sample::Band(if self.alone() {
-                Ink::Line(0)
-            } else {
-                Ink::Note
-            }),
+            sample: Sample::Band(if self.alone() { Ink::Line(0) } else { Ink::Note }),
         }
     }
 }

@@ -38,12 +38,7 @@ pub(super) fn plots(
         title: title(runs),
         subtitle: subtitle.to_owned(),
         keys: [keys(tracks, styles), found.keys()].concat(),
-        layout: Layout {
-            direction: Direction::Down,
-            columns,
-            width_mm,
-            panel_mm,
-        },
+        layout: Layout { direction: Direction::Down, columns, width_mm, panel_mm },
         shared: Axis {
             down: true,
             ..Axis::new(shown.label("Measured depth", "length"), Range::Tight)
@@ -57,10 +52,8 @@ pub(super) fn plots(
     let lines = tracks.len().div_ceil(IN_A_LINE);
     let columns = tracks.len().div_ceil(lines);
     let height = if lines > 1 { 92.0 } else { 150.0 };
-    let all = Plot {
-        name: format!("profile{suffix}"),
-        figure: figure(&tracks, columns, 180.0, height),
-    };
+    let all =
+        Plot { name: format!("profile{suffix}"), figure: figure(&tracks, columns, 180.0, height) };
     let single = tracks.iter().map(|track| Plot {
         name: format!("{}{suffix}", track.0.name),
         figure: figure(std::slice::from_ref(track), 1, 85.0, 100.0),
@@ -77,11 +70,9 @@ fn keys(tracks: &[(&Track, Panel)], styles: &CurveStyles<'_>) -> Vec<Key> {
         let is_of = |mark: &Mark, ink: Ink, stroke: Stroke| match mark {
             Mark::Curve { stroke: own, .. } if ink == Ink::Note => *own == stroke,
             Mark::Curve { ink: own, .. } if !styles.alone() => *own == ink,
-            Mark::Curve {
-                ink: own_ink,
-                stroke: own_stroke,
-                ..
-            } => (*own_ink, *own_stroke) == (ink, stroke),
+            Mark::Curve { ink: own_ink, stroke: own_stroke, .. } => {
+                (*own_ink, *own_stroke) == (ink, stroke)
+            }
             _ => false,
         };
         let drawn = |key: &Key| match key.sample {
@@ -90,15 +81,7 @@ fn keys(tracks: &[(&Track, Panel)], styles: &CurveStyles<'_>) -> Vec<Key> {
         };
         styles.keys().into_iter().filter(drawn).collect()
     };
-    let dotted = |mark: &Mark| {
-        matches!(
-            mark,
-            Mark::Curve {
-                stroke: Stroke::Dotted,
-                ..
-            }
-        )
-    };
+    let dotted = |mark: &Mark| matches!(mark, Mark::Curve { stroke: Stroke::Dotted, .. });
     if marks().any(dotted) {
         keys.push(styles.between_key());
     }
@@ -106,14 +89,9 @@ fn keys(tracks: &[(&Track, Panel)], styles: &CurveStyles<'_>) -> Vec<Key> {
         keys.push(styles.band_key());
     }
     if marks().any(|mark| matches!(mark, Mark::Sides { .. })) {
-        for (name, ink) in [
-            ("on the high side", Ink::HighSide),
-            ("on the low side", Ink::LowSide),
-        ] {
-            keys.push(Key {
-                name: name.into(),
-                sample: Sample::Area(ink),
-            });
+        for (name, ink) in [("on the high side", Ink::HighSide), ("on the low side", Ink::LowSide)]
+        {
+            keys.push(Key { name: name.into(), sample: Sample::Area(ink) });
         }
     }
     keys
@@ -144,9 +122,7 @@ fn panel(
         axis: Axis {
             clips: track.from == Source::Profile && track.range.is_none(),
             min_span: shown.value(track.min_span, track.dimension),
-            sides: track
-                .sides
-                .then(|| ["low side".to_owned(), "high side".to_owned()]),
+            sides: track.sides.then(|| ["low side".to_owned(), "high side".to_owned()]),
             ..Axis::new(shown.label(track.title, track.dimension), range)
         },
         marks,
@@ -157,10 +133,7 @@ fn panel(
 /// Points of a column in the reader's units.
 fn points(depths: &[f64], values: &[f64], shown: Shown<'_>, dimension: &str) -> Vec<(f64, f64)> {
     let depths = shown.values(depths, "length");
-    depths
-        .into_iter()
-        .zip(shown.values(values, dimension))
-        .collect()
+    depths.into_iter().zip(shown.values(values, dimension)).collect()
 }
 
 fn solved_marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -> Vec<Mark> {
@@ -174,9 +147,7 @@ fn solved_marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -> Ve
         let (Some(depths), Some(mut values)) = (column("md_m"), column(track.column)) else {
             continue;
         };
-        let mut band = track
-            .band
-            .and_then(|[low, high]| Some((column(low)?, column(high)?)));
+        let mut band = track.band.and_then(|[low, high]| Some((column(low)?, column(high)?)));
         let reach = |far_m: f64| match (depths.first(), depths.last()) {
             (Some(first), Some(last)) => last - first > far_m,
             _ => false,
@@ -205,15 +176,9 @@ fn solved_marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -> Ve
         }
         let points = points(&values);
         if track.sides && styles.is_first(solved) {
-            areas.push(Mark::Sides {
-                points: points.clone(),
-            });
+            areas.push(Mark::Sides { points: points.clone() });
         }
-        curves.push(Mark::Curve {
-            ink,
-            stroke,
-            points,
-        });
+        curves.push(Mark::Curve { ink, stroke, points });
         curves.extend(between.map(|values| Mark::Curve {
             ink,
             stroke: Stroke::Dotted,
@@ -228,9 +193,7 @@ fn solved_marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -> Ve
 
 /// Whether a curve would be seen beside another.
 fn differs(one: &[f64], other: &[f64]) -> bool {
-    let largest = other
-        .iter()
-        .fold(0.0_f64, |most, value| most.max(value.abs()));
+    let largest = other.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     let off = one.iter().zip(other).map(|(a, b)| (a - b).abs());
     off.fold(0.0, f64::max) > RULES.min_difference * largest
 }
@@ -242,20 +205,13 @@ fn well_marks(track: &Track, runs: &[Run<'_>], shown: Shown<'_>) -> Vec<Mark> {
             "inclination_rad" => &well.inclination_rad,
             _ => &well.dogleg_rad_per_m,
         };
-        points(
-            &well.md_m.values(),
-            &values.values(),
-            shown,
-            track.dimension,
-        )
+        points(&well.md_m.values(), &values.values(), shown, track.dimension)
     };
     let mut curves: Vec<Vec<(f64, f64)>> =
         runs.iter().map(|run| column(&run.report.well)).collect();
     // A longer run on the same well shows all that a shorter one does.
     curves.retain(|points| !points.is_empty());
-    let same = runs
-        .iter()
-        .all(|run| run.report.well == runs[0].report.well);
+    let same = runs.iter().all(|run| run.report.well == runs[0].report.well);
     if same {
         curves.truncate(1);
     }
@@ -281,12 +237,7 @@ fn hole(runs: &[Run<'_>], shown: Shown<'_>) -> Vec<Interval> {
     if !runs.iter().all(|run| alike(&run.report.hole)) {
         return Vec::new();
     }
-    let deepest = |run: &Run<'_>| {
-        run.report
-            .string
-            .last()
-            .map_or(f64::INFINITY, |part| part.to_m)
-    };
+    let deepest = |run: &Run<'_>| run.report.string.last().map_or(f64::INFINITY, |part| part.to_m);
     let bit_m = runs.iter().map(deepest).fold(0.0, f64::max);
     let sections = sections.iter();
     sections

@@ -26,17 +26,12 @@ enum Varied {
 pub fn sweep_plots(sweep: &Sweep, units: &str) -> Vec<Plot> {
     let shown = Shown::new(&sweep.dimensions, units);
     let drawing = Drawing::new(sweep, shown);
-    let panels: Vec<(&Quantity, Panel)> = QUANTITIES
-        .iter()
-        .filter_map(|of| Some((of, drawing.panel(of)?)))
-        .collect();
+    let panels: Vec<(&Quantity, Panel)> =
+        QUANTITIES.iter().filter_map(|of| Some((of, drawing.panel(of)?))).collect();
     if panels.is_empty() {
         return Vec::new();
     }
-    let all = Plot {
-        name: "sweep".into(),
-        figure: drawing.figure(&panels, 2, 180.0),
-    };
+    let all = Plot { name: "sweep".into(), figure: drawing.figure(&panels, 2, 180.0) };
     let single = panels.iter().map(|panel| Plot {
         name: panel.0.name.into(),
         figure: drawing.figure(std::slice::from_ref(panel), 1, 85.0),
@@ -77,15 +72,7 @@ impl<'a> Drawing<'a> {
             }
         }
         let has = |model: &str| sweep.rows.iter().any(|row| row.model == model);
-        Self {
-            sweep,
-            shown,
-            varied,
-            others,
-            families,
-            operations,
-            models: models(has),
-        }
+        Self { sweep, shown, varied, others, families, operations, models: models(has) }
     }
 
     /// The place of a case on the axis of what was varied; not a number where it has none.
@@ -118,20 +105,12 @@ impl<'a> Drawing<'a> {
                     "" if self.sweep.keys[*key].ends_with("rpm") => "rev/min",
                     unit => unit,
                 };
-                let label = if unit.is_empty() {
-                    name
-                } else {
-                    format!("{name}, {unit}")
-                };
+                let label = if unit.is_empty() { name } else { format!("{name}, {unit}") };
                 Axis::new(label, Range::Near)
             }
             Varied::Words { key } => Axis {
                 scale: Scale::Words(
-                    self.sweep
-                        .values(*key)
-                        .into_iter()
-                        .map(String::from)
-                        .collect(),
+                    self.sweep.values(*key).into_iter().map(String::from).collect(),
                 ),
                 ..Axis::new(name(&self.sweep.keys[*key]), Range::Tight)
             },
@@ -141,11 +120,7 @@ impl<'a> Drawing<'a> {
     /// Colour by what was varied, and by the operation where that is all that differs; shape by the
     /// operation. Strokes distinguish the models where there are two, else the operations.
     fn style(&self, family: usize, operation: usize) -> (Ink, Shape) {
-        let ink = if self.families.len() > 1 {
-            family
-        } else {
-            operation
-        };
+        let ink = if self.families.len() > 1 { family } else { operation };
         (Ink::Line(ink), Shape::of(operation))
     }
 
@@ -223,9 +198,7 @@ impl<'a> Drawing<'a> {
                     .collect();
                 rows.sort_by(|a, b| a.0.total_cmp(&b.0));
                 let column = |end: &str| -> Vec<(f64, f64)> {
-                    rows.iter()
-                        .map(|(at, _, row)| (*at, value(row, end)))
-                        .collect()
+                    rows.iter().map(|(at, _, row)| (*at, value(row, end))).collect()
                 };
                 let mean = column("");
                 if !mean.iter().any(|(_, value)| value.is_finite()) {
@@ -236,16 +209,10 @@ impl<'a> Drawing<'a> {
                     marks.push(Mark::Of { keys: keys.clone() });
                 }
                 let name = self.name(place, done);
-                let last = mean
-                    .iter()
-                    .rev()
-                    .find(|(at, value)| (at + value).is_finite());
+                let last = mean.iter().rev().find(|(at, value)| (at + value).is_finite());
                 // Where two models are one beside the other, one name is enough.
                 if let (Some(end), false) = (last, name.is_empty() || names.contains(&name)) {
-                    curves.push(Mark::Name {
-                        at: *end,
-                        text: name.clone(),
-                    });
+                    curves.push(Mark::Name { at: *end, text: name.clone() });
                     names.push(name);
                 }
                 let mut of_band = keys;
@@ -256,11 +223,7 @@ impl<'a> Drawing<'a> {
                     ink,
                     points: ends.map(|((at, low), (_, high))| (at, low, high)).collect(),
                 });
-                points.push(Mark::Points {
-                    ink,
-                    shape,
-                    points: mean.clone(),
-                });
+                points.push(Mark::Points { ink, shape, points: mean.clone() });
                 points.push(Mark::Spots {
                     points: mean.clone(),
                     rows: rows.iter().map(|(_, place, _)| *place).collect(),
@@ -273,10 +236,7 @@ impl<'a> Drawing<'a> {
                         let mut of_ring = self.keys_of(place, model, done);
                         of_ring.push(self.first_judged() + key);
                         points.push(Mark::Of { keys: of_ring });
-                        points.push(Mark::Rings {
-                            level,
-                            points: ringed,
-                        });
+                        points.push(Mark::Rings { level, points: ringed });
                     }
                 }
                 curves.push(Mark::Curve {
@@ -302,12 +262,7 @@ impl<'a> Drawing<'a> {
     fn judged(&self) -> Vec<Level> {
         let levels = [Level::Error, Level::Warning].into_iter();
         levels
-            .filter(|level| {
-                self.sweep
-                    .rows
-                    .iter()
-                    .any(|row| judged(row) == Some(*level))
-            })
+            .filter(|level| self.sweep.rows.iter().any(|row| judged(row) == Some(*level)))
             .collect()
     }
 
@@ -349,33 +304,21 @@ impl<'a> Drawing<'a> {
             }
         }
         if self.has_bands() {
-            keys.push(Key {
-                name: "5–95 % of the time".into(),
-                sample: Sample::Band(Ink::Note),
-            });
+            keys.push(Key { name: "5–95 % of the time".into(), sample: Sample::Band(Ink::Note) });
         }
         if self.operations.len() > 1 {
-            keys.extend(
-                self.operations
-                    .iter()
-                    .enumerate()
-                    .map(|(place, operation)| {
-                        let (ink, shape) = self.style(0, place);
-                        let ink = if self.families.len() > 1 {
-                            Ink::Note
-                        } else {
-                            ink
-                        };
-                        Key {
-                            name: spoken(operation),
-                            sample: if self.models.len() > 1 {
-                                Sample::Point(ink, shape)
-                            } else {
-                                Sample::Marked(ink, Stroke::of(place), shape)
-                            },
-                        }
-                    }),
-            );
+            keys.extend(self.operations.iter().enumerate().map(|(place, operation)| {
+                let (ink, shape) = self.style(0, place);
+                let ink = if self.families.len() > 1 { Ink::Note } else { ink };
+                Key {
+                    name: spoken(operation),
+                    sample: if self.models.len() > 1 {
+                        Sample::Point(ink, shape)
+                    } else {
+                        Sample::Marked(ink, Stroke::of(place), shape)
+                    },
+                }
+            }));
         }
         keys.extend(self.judged().into_iter().map(|level| {
             Key {
@@ -398,11 +341,7 @@ impl<'a> Drawing<'a> {
             subtitle: subtitle_text,
             keys: self.keys(),
             layout: Layout {
-                direction: if down {
-                    Direction::Down
-                } else {
-                    Direction::Across
-                },
+                direction: if down { Direction::Down } else { Direction::Across },
                 columns,
                 width_mm,
                 panel_mm: if down { 85.0 } else { 55.0 },
@@ -421,11 +360,7 @@ fn of_family(place: usize) -> Stroke {
 
 /// The level of the gravest finding of a row that is marked.
 fn judged(row: &SweepRow) -> Option<Level> {
-    if row.errors > 0 {
-        Some(Level::Error)
-    } else {
-        (row.warnings > 0).then_some(Level::Warning)
-    }
+    if row.errors > 0 { Some(Level::Error) } else { (row.warnings > 0).then_some(Level::Warning) }
 }
 
 impl Varied {
@@ -440,9 +375,7 @@ impl Varied {
             let values = sweep.values(key);
             let mut units = values.iter().map(|value| Some(split(value)?.1));
             let first = units.next().flatten()?;
-            units
-                .all(|unit| unit == Some(first))
-                .then(|| first.to_owned())
+            units.all(|unit| unit == Some(first)).then(|| first.to_owned())
         };
         let numbers = keys().filter(|key| many(key) > 1);
         let numbers = numbers.filter_map(|key| Some((key, unit(key)?)));
@@ -468,9 +401,7 @@ impl Varied {
 pub(super) fn split(value: &str) -> Option<(f64, &str)> {
     let value = value.trim();
     let is_number = |letter: char| letter.is_ascii_digit() || "+-.".contains(letter);
-    let end = value
-        .find(|letter| !is_number(letter))
-        .unwrap_or(value.len());
+    let end = value.find(|letter| !is_number(letter)).unwrap_or(value.len());
     // An exponent belongs to the number where the whole is one.
     if let Ok(number) = value.parse::<f64>() {
         return number.is_finite().then_some((number, ""));
@@ -493,7 +424,5 @@ fn short(key: &str) -> String {
 fn name(key: &str) -> String {
     let short = short(key);
     let mut letters = short.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -116,11 +116,7 @@ impl Sweep {
         let paged = self.rows.iter().any(|row| row.page.is_some());
         let quantities: Vec<&Quantity> = QUANTITIES
             .iter()
-            .filter(|of| {
-                self.rows
-                    .iter()
-                    .any(|row| row.numbers.contains_key(of.column))
-            })
+            .filter(|of| self.rows.iter().any(|row| row.numbers.contains_key(of.column)))
             .collect();
         let row = |row: &SweepRow| {
             let model = ModelKind::named(&row.model);
@@ -175,10 +171,8 @@ fn judgement(row: &SweepRow) -> String {
         let end = if many == 1 { "" } else { "s" };
         (many > 0).then(|| format!("{mark} {many} {name}{end}"))
     };
-    let parts = [
-        count("\u{2716}", row.errors, "error"),
-        count("\u{25b2}", row.warnings, "warning"),
-    ];
+    let parts =
+        [count("\u{2716}", row.errors, "error"), count("\u{25b2}", row.warnings, "warning")];
     parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 

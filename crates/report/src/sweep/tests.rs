@@ -10,10 +10,7 @@ const MODELS: [&str; 2] = ["soft", "dynamic"];
 
 /// A sweep of two keys by both models, with a number that shows every case.
 fn sweep(keys: [&str; 2], values: [&[&str]; 2]) -> Sweep {
-    let unit = |symbol: &str, factor| DisplayUnit {
-        symbol: symbol.into(),
-        factor,
-    };
+    let unit = |symbol: &str, factor| DisplayUnit { symbol: symbol.into(), factor };
     let mut rows = Vec::new();
     for (i, first) in values[0].iter().enumerate() {
         for (k, second) in values[1].iter().enumerate() {
@@ -47,14 +44,8 @@ fn sweep(keys: [&str; 2], values: [&[&str]; 2]) -> Sweep {
         title: "A well".into(),
         units: "si".into(),
         dimensions: BTreeMap::from([
-            (
-                "force".into(),
-                [unit("kN", 1e3), unit("t", 9806.65), unit("klbf", 4448.2216)],
-            ),
-            (
-                "length".into(),
-                [unit("m", 1.0), unit("m", 1.0), unit("ft", 0.3048)],
-            ),
+            ("force".into(), [unit("kN", 1e3), unit("t", 9806.65), unit("klbf", 4448.2216)]),
+            ("length".into(), [unit("m", 1.0), unit("m", 1.0), unit("ft", 0.3048)]),
         ]),
         asked: Vec::new(),
         keys: keys.map(String::from).to_vec(),
@@ -84,10 +75,7 @@ fn curves(figure: &Figure) -> Vec<(Stroke, Vec<(f64, f64)>)> {
 /// and the band of the dynamics about its mean.
 #[test]
 fn a_broomstick_has_a_curve_for_each_friction() {
-    let sweep = sweep(
-        ["friction", "bit_depth"],
-        [&["0.1", "0.2", "0.3"], &["300m", "600m"]],
-    );
+    let sweep = sweep(["friction", "bit_depth"], [&["0.1", "0.2", "0.3"], &["300m", "600m"]]);
     let figure = figure(&sweep, "field");
     assert_eq!(figure.layout.direction, Direction::Down);
     assert!(figure.shared.down);
@@ -95,9 +83,7 @@ fn a_broomstick_has_a_curve_for_each_friction() {
     assert_eq!(figure.panels[0].axis.label, "Hook load without block, klbf");
     let curves = curves(&figure);
     assert_eq!(curves.len(), 6);
-    let dashed = curves
-        .iter()
-        .filter(|(stroke, _)| *stroke == Stroke::Dashed);
+    let dashed = curves.iter().filter(|(stroke, _)| *stroke == Stroke::Dashed);
     assert_eq!(dashed.count(), 3);
     // Friction 0.2 at 600 m: 100 kN (1 + 1 + 10).
     let (depth, load) = curves[2].1[1];
@@ -125,11 +111,7 @@ fn a_broomstick_has_a_curve_for_each_friction() {
         .map(|(_, low, high)| high - low)
         .collect();
     assert_eq!(widths.len(), 6);
-    assert!(
-        widths
-            .iter()
-            .all(|width| (width - 2e3 / 4448.2216).abs() < 1e-9)
-    );
+    assert!(widths.iter().all(|width| (width - 2e3 / 4448.2216).abs() < 1e-9));
 }
 
 /// Without depth the key with the most values is the axis: as numbers where they are numbers of one
@@ -144,16 +126,11 @@ fn any_key_can_be_the_axis() {
     assert_eq!(at, [2.0, 4.0, 6.0]);
     assert!(matches!(numbers.keys[0].sample, Sample::Line(..)));
     assert_eq!(numbers.keys[0].name, "rotary speed 60");
-    let words = sweep(
-        ["dynamics.friction_law", "dynamics.seed"],
-        [&["vector", "independent"], &["1"]],
-    );
+    let words =
+        sweep(["dynamics.friction_law", "dynamics.seed"], [&["vector", "independent"], &["1"]]);
     let words = figure(&words, "si");
     assert_eq!(words.shared.label, "Friction law");
-    assert_eq!(
-        words.shared.scale,
-        Scale::Words(vec!["vector".into(), "independent".into()])
-    );
+    assert_eq!(words.shared.scale, Scale::Words(vec!["vector".into(), "independent".into()]));
 }
 
 #[test]
@@ -179,22 +156,12 @@ fn the_table_has_every_case() {
     let sheet = sweep.sheet();
     assert_eq!(
         sheet.heads,
-        [
-            "friction",
-            "bit_depth",
-            "Model",
-            "Operation",
-            "Hook load without block"
-        ]
+        ["friction", "bit_depth", "Model", "Operation", "Hook load without block"]
     );
     assert_eq!(sheet.rows.len(), 4);
     assert_eq!(
         sheet.rows[1][4],
-        Cell::Quantity {
-            value: 1e5,
-            dimension: "force".into(),
-            std: Some(5e2)
-        }
+        Cell::Quantity { value: 1e5, dimension: "force".into(), std: Some(5e2) }
     );
     sweep.rows[0] = SweepRow {
         values: sweep.rows[0].values.clone(),
@@ -214,10 +181,7 @@ fn the_table_has_every_case() {
         [
             Cell::Text("failed".into()),
             Cell::Text("\u{25b2} 1 warning".into()),
-            Cell::Link {
-                text: "open".into(),
-                href: "a/report.html".into()
-            },
+            Cell::Link { text: "open".into(), href: "a/report.html".into() },
         ]
     );
     assert_eq!(sheet.rows[1][7], Cell::Nothing);
@@ -227,10 +191,7 @@ fn the_table_has_every_case() {
 #[test]
 fn the_page_of_a_sweep_is_whole() {
     let nasty = "</template><script>alert(1)</script> & \"x\"";
-    let mut sweep = sweep(
-        ["friction", "bit_depth"],
-        [&["0.1", nasty], &["300m", "600m"]],
-    );
+    let mut sweep = sweep(["friction", "bit_depth"], [&["0.1", nasty], &["300m", "600m"]]);
     sweep.title = nasty.into();
     let page = crate::sweep_html(&sweep);
     assert_eq!(page.matches("<svg class=\"figure\"").count(), 3);
@@ -247,10 +208,8 @@ fn more_curves_than_colours_differ_by_stroke() {
     let frictions = ["0.1", "0.15", "0.2", "0.25", "0.3", "0.35", "0.4", "0.45"];
     let mut sweep = sweep(["friction", "bit_depth"], [&frictions, &["300m", "600m"]]);
     sweep.rows.retain(|row| row.model == "soft");
-    let strokes: Vec<Stroke> = curves(&figure(&sweep, "si"))
-        .iter()
-        .map(|(stroke, _)| *stroke)
-        .collect();
+    let strokes: Vec<Stroke> =
+        curves(&figure(&sweep, "si")).iter().map(|(stroke, _)| *stroke).collect();
     assert_eq!(strokes[..7], [Stroke::Solid; 7]);
     assert_eq!(strokes[7..], [Stroke::Dashed]);
 }
@@ -261,10 +220,8 @@ fn more_curves_than_colours_differ_by_stroke() {
 fn operations_differ_by_stroke_and_have_their_names() {
     let mut sweep = sweep(["friction", "bit_depth"], [&["0.1"], &["300m", "600m"]]);
     sweep.rows.retain(|row| row.model == "soft");
-    let slides = sweep.rows.clone().into_iter().map(|row| SweepRow {
-        operation: "slide".into(),
-        ..row
-    });
+    let slides =
+        sweep.rows.clone().into_iter().map(|row| SweepRow { operation: "slide".into(), ..row });
     sweep.rows = sweep.rows.iter().cloned().chain(slides).collect();
     let figure = figure(&sweep, "si");
     let strokes: Vec<Stroke> = curves(&figure).iter().map(|(stroke, _)| *stroke).collect();
@@ -284,8 +241,7 @@ fn operations_differ_by_stroke_and_have_their_names() {
         let group = format!("<g class=\"series\" data-keys=\"{key}\">");
         assert!(page.matches(&group).count() >= 6, "{group}");
         assert_eq!(
-            page.matches(&format!("<g class=\"legend-key\" data-keys=\"{key}\">"))
-                .count(),
+            page.matches(&format!("<g class=\"legend-key\" data-keys=\"{key}\">")).count(),
             3
         );
     }
@@ -297,10 +253,7 @@ fn operations_differ_by_stroke_and_have_their_names() {
         numbers.chunks(3).map(|spot| spot[2].to_owned()).collect()
     };
     for pair in [["0", "1"], ["2", "3"]] {
-        assert_eq!(
-            spots.iter().map(rows).filter(|rows| *rows == pair).count(),
-            3
-        );
+        assert_eq!(spots.iter().map(rows).filter(|rows| *rows == pair).count(), 3);
     }
     // Files for a paper hold none of that.
     let file = figure.drawing().svg();
@@ -340,10 +293,7 @@ fn judged_cases_are_ringed() {
     let judged = figure(&sweep, "si");
     // 100 kN (1 + 10) at 600 m.
     let at = (600.0, 1100.0);
-    assert_eq!(
-        rings(&judged),
-        [(Level::Warning, vec![at]), (Level::Error, vec![at])]
-    );
+    assert_eq!(rings(&judged), [(Level::Warning, vec![at]), (Level::Error, vec![at])]);
     assert_eq!(
         named(&judged),
         [
@@ -355,13 +305,7 @@ fn judged_cases_are_ringed() {
     let place = judged.keys.iter().position(|key| key.name == "with errors");
     let marks = &judged.panels[0].marks;
     let of_ring = marks.windows(2).find_map(|pair| match pair {
-        [
-            Mark::Of { keys },
-            Mark::Rings {
-                level: Level::Error,
-                ..
-            },
-        ] => Some(keys),
+        [Mark::Of { keys }, Mark::Rings { level: Level::Error, .. }] => Some(keys),
         _ => None,
     });
     let of_ring = of_ring.unwrap();
@@ -370,8 +314,5 @@ fn judged_cases_are_ringed() {
     assert!(also.into_iter().any(|name| name == "soft string"));
     // A full ring and a broken one are drawn.
     let svg = judged.drawing().svg();
-    assert!(
-        svg.contains("stroke-over") && svg.contains("stroke-near"),
-        "{svg}"
-    );
+    assert!(svg.contains("stroke-over") && svg.contains("stroke-near"), "{svg}");
 }

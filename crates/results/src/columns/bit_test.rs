@@ -6,15 +6,8 @@ use crate::ColumnSpec;
 
 /// Columns of `bit-test.parquet`: the bit alone on its rock, a row for each weight at each speed.
 pub const BIT_TEST: &[ColumnSpec] = &[
-    ColumnSpec::text(
-        "point",
-        "Name of the point, and of its folder: `wob=60kN,rpm=120`",
-    ),
-    ColumnSpec::number(
-        "weight_on_bit_N",
-        QuantityKind::Force,
-        "Weight that was put on the bit",
-    ),
+    ColumnSpec::text("point", "Name of the point, and of its folder: `wob=60kN,rpm=120`"),
+    ColumnSpec::number("weight_on_bit_N", QuantityKind::Force, "Weight that was put on the bit"),
     ColumnSpec::number(
         "rotary_speed_rad_per_s",
         QuantityKind::RotarySpeed,
@@ -31,16 +24,8 @@ pub const BIT_TEST: &[ColumnSpec] = &[
         "Standard error of that mean, from its revolutions; `null` of less than two",
     )
     .null_where("there are less than two revolutions"),
-    ColumnSpec::number(
-        "depth_of_cut_m",
-        QuantityKind::Length,
-        "Mean depth of cut per revolution",
-    ),
-    ColumnSpec::number(
-        "torque_N_m",
-        QuantityKind::Torque,
-        "Mean torque of the bit on the rock",
-    ),
+    ColumnSpec::number("depth_of_cut_m", QuantityKind::Length, "Mean depth of cut per revolution"),
+    ColumnSpec::number("torque_N_m", QuantityKind::Torque, "Mean torque of the bit on the rock"),
     ColumnSpec::number(
         "torque_error_N_m",
         QuantityKind::Torque,
@@ -74,21 +59,13 @@ pub const BIT_TEST: &[ColumnSpec] = &[
         "Work of the bit per volume of hole, section times way; `null` where it did not get on",
     )
     .null_where("it did not get on"),
-    ColumnSpec::number(
-        "bricks_broken",
-        QuantityKind::Ratio,
-        "Elements of the rock that it broke",
-    ),
+    ColumnSpec::number("bricks_broken", QuantityKind::Ratio, "Elements of the rock that it broke"),
     ColumnSpec::number(
         "kinetic_fraction",
         QuantityKind::Ratio,
         "Largest kinetic energy of the rock over the work of its deformation",
     ),
-    ColumnSpec::number(
-        "revolutions",
-        QuantityKind::Ratio,
-        "Revolutions that were counted",
-    ),
+    ColumnSpec::number("revolutions", QuantityKind::Ratio, "Revolutions that were counted"),
     ColumnSpec::number("time_s", QuantityKind::Time, "Time that was counted"),
     ColumnSpec::number(
         "averaging_time_s",

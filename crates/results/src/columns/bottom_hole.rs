@@ -8,11 +8,7 @@ use crate::ColumnSpec;
 /// cell, ring after ring from the axis outwards, for each operation whose bit stood on solid rock.
 pub const BOTTOM_HOLE: &[ColumnSpec] = &[
     ColumnSpec::text("operation", "`drill`, `slide`, ..."),
-    ColumnSpec::number(
-        "radius_m",
-        QuantityKind::Length,
-        "Radius of the middle of the ring",
-    ),
+    ColumnSpec::number("radius_m", QuantityKind::Length, "Radius of the middle of the ring"),
     ColumnSpec::number(
         "angle_rad",
         QuantityKind::Angle,

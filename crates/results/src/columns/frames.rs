@@ -11,11 +11,8 @@ const TIME_S: ColumnSpec = ColumnSpec::number(
     "Simulated time from the start, settling included",
 );
 
-const NODE: ColumnSpec = ColumnSpec::number(
-    "node",
-    QuantityKind::Ratio,
-    "Number of the node, from 0 at the surface",
-);
+const NODE: ColumnSpec =
+    ColumnSpec::number("node", QuantityKind::Ratio, "Number of the node, from 0 at the surface");
 
 /// Columns of `frames.parquet`: the whole string, a row per node of every frame. Channels that were
 /// not requested have no column.

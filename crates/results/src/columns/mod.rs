@@ -59,16 +59,7 @@ mod tests {
 
     #[test]
     fn names_are_unique_and_end_in_their_unit() {
-        for table in [
-            NODES,
-            TIME,
-            WEAR,
-            CONTACT,
-            BOTTOM_HOLE,
-            FRAMES,
-            SPECTRA,
-            BIT_TEST,
-        ] {
+        for table in [NODES, TIME, WEAR, CONTACT, BOTTOM_HOLE, FRAMES, SPECTRA, BIT_TEST] {
             for (index, column) in table.iter().enumerate() {
                 assert!(
                     table[..index].iter().all(|other| other.name != column.name),
@@ -105,16 +96,7 @@ mod tests {
     /// Whoever reads what a column means learns that it may be `null`.
     #[test]
     fn a_column_that_may_be_null_says_so() {
-        let tables = [
-            NODES,
-            TIME,
-            WEAR,
-            CONTACT,
-            BOTTOM_HOLE,
-            FRAMES,
-            SPECTRA,
-            BIT_TEST,
-        ];
+        let tables = [NODES, TIME, WEAR, CONTACT, BOTTOM_HOLE, FRAMES, SPECTRA, BIT_TEST];
         for column in tables.into_iter().flatten() {
             let says = column.meaning.contains("`null`") || column.meaning.contains("empty");
             assert_eq!(says, column.null_where.is_some(), "{}", column.name);

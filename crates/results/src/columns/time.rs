@@ -6,11 +6,9 @@ use super::{OPERATION, table};
 use crate::ColumnSpec;
 
 /// What the schedule says of a row.
-const NOTE: ColumnSpec = ColumnSpec::text(
-    "note",
-    "Note of the line of the schedule that began last; empty without one",
-)
-.null_where("no line of the schedule with a note has begun");
+const NOTE: ColumnSpec =
+    ColumnSpec::text("note", "Note of the line of the schedule that began last; empty without one")
+        .null_where("no line of the schedule with a note has begun");
 
 /// Columns of `time.parquet`: the scalars against time, one row per sample, for each operation that
 /// was solved by dynamics.

@@ -69,10 +69,7 @@ impl FrameWriter {
         {
             return Err(ResultsError::Write { path, source });
         }
-        let so_far = FramesSoFar {
-            parts: 0,
-            waiting: FrameRows::none(channels),
-        };
+        let so_far = FramesSoFar { parts: 0, waiting: FrameRows::none(channels) };
         Self::resume(folder, channels, so_far)
     }
 
@@ -149,10 +146,8 @@ impl FrameWriter {
     fn write_part(&mut self) -> Result<(), ResultsError> {
         let path = part_path(&self.folder, self.so_far.parts + 1);
         let place = self.folder.join(PARTS);
-        fs::create_dir_all(&place).map_err(|source| ResultsError::Folder {
-            path: place,
-            source,
-        })?;
+        fs::create_dir_all(&place)
+            .map_err(|source| ResultsError::Folder { path: place, source })?;
         self.write_file(&path, |file| self.so_far.waiting.write_group(file))?;
         self.so_far.parts += 1;
         self.so_far.waiting.clear();
@@ -188,9 +183,8 @@ impl Part {
     fn open(folder: &Path, number: usize) -> Result<Self, ResultsError> {
         let path = part_path(folder, number);
         let file = parquet_file::open(&path)?;
-        let metadata = parquet_file::guarded(&path, || {
-            ParquetMetaDataReader::new().parse_and_finish(&file)
-        })?;
+        let metadata =
+            parquet_file::guarded(&path, || ParquetMetaDataReader::new().parse_and_finish(&file))?;
         Ok(Self { file, metadata })
     }
 }
@@ -212,10 +206,9 @@ pub(crate) fn remove_parts(folder: &Path, kept: usize) -> Result<(), ResultsErro
         Ok(())
     };
     match remove() {
-        Err(source) if source.kind() != io::ErrorKind::NotFound => Err(ResultsError::Write {
-            path: place,
-            source,
-        }),
+        Err(source) if source.kind() != io::ErrorKind::NotFound => {
+            Err(ResultsError::Write { path: place, source })
+        }
         _ => Ok(()),
     }
 }

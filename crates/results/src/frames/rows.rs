@@ -47,10 +47,7 @@ impl FrameRows {
             };
             (spec.name.to_owned(), values)
         });
-        Self {
-            columns: columns.collect(),
-            rows: 0,
-        }
+        Self { columns: columns.collect(), rows: 0 }
     }
 
     pub(super) fn len(&self) -> usize {
@@ -70,9 +67,7 @@ impl FrameRows {
             let (kind, rows) = match values {
                 Values::Words(words) => (
                     "operation",
-                    words
-                        .iter()
-                        .try_fold(0_usize, |sum, (_, rows)| sum.checked_add(*rows)),
+                    words.iter().try_fold(0_usize, |sum, (_, rows)| sum.checked_add(*rows)),
                 ),
                 Values::Time(times) => ("time_s", Some(times.len())),
                 Values::Node(nodes) => ("node", Some(nodes.len())),

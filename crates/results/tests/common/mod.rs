@@ -12,9 +12,7 @@ pub fn frame(time_s: f64) -> Frame {
     let mut column = || {
         next += 1.0;
         let from = next;
-        (0..NODES)
-            .map(move |node| 1e3 * (from + 0.37 * node as f64).sin())
-            .collect::<Vec<f64>>()
+        (0..NODES).map(move |node| 1e3 * (from + 0.37 * node as f64).sin()).collect::<Vec<f64>>()
     };
     Frame {
         time_s,

@@ -43,10 +43,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<BitTest, R
     for point in &summary.points {
         if let Some(outcome) = &point.outcome {
             let table = table(&folder.join(&point.point), BOTTOM)?;
-            points.push(BitTestPoint {
-                bottom: bottom(&table, OPERATION),
-                ..test_point(outcome)
-            });
+            points.push(BitTestPoint { bottom: bottom(&table, OPERATION), ..test_point(outcome) });
         }
     }
     let missing = summary.points.len() - points.len();
@@ -110,23 +107,11 @@ fn inputs(settings: &Json) -> Vec<Sheet> {
 fn facts(summary: &BitTestSummary) -> Vec<Fact> {
     let test = &summary.settings["bit_test"];
     let number = |value: &Json| value.as_f64().unwrap_or(f64::NAN);
-    let fact = |label: &str, value: Cell| Fact {
-        label: label.into(),
-        value,
-    };
+    let fact = |label: &str, value: Cell| Fact { label: label.into(), value };
     vec![
-        fact(
-            "Bit diameter",
-            Cell::quantity(2.0 * summary.bit_radius_m, "diameter"),
-        ),
-        fact(
-            "Strength of the rock",
-            Cell::quantity(summary.rock_strength_Pa, "pressure"),
-        ),
-        fact(
-            "Moving mass",
-            Cell::quantity(number(&test["mass_kg"]), "mass"),
-        ),
+        fact("Bit diameter", Cell::quantity(2.0 * summary.bit_radius_m, "diameter")),
+        fact("Strength of the rock", Cell::quantity(summary.rock_strength_Pa, "pressure")),
+        fact("Moving mass", Cell::quantity(number(&test["mass_kg"]), "mass")),
         fact(
             "Revolutions",
             Cell::Text(format!(

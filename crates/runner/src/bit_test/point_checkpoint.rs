@@ -50,9 +50,7 @@ impl PointCheckpoint<'static> {
         let settings: Value = serde_json::from_str(&stored.settings).map_err(|e| e.to_string())?;
         let place = folder.path().display();
         if let Some(difference) = difference(&settings, &point.settings) {
-            return Err(format!(
-                "the checkpoint in {place} is of another test: {difference}"
-            ));
+            return Err(format!("the checkpoint in {place} is of another test: {difference}"));
         }
         let valid = stored.trial.check(&point.spec, drilling);
         valid.map_err(|error| format!("the checkpoint in {place} cannot be continued: {error}"))?;
@@ -64,9 +62,7 @@ impl PointCheckpoint<'static> {
 /// another test.
 pub(super) fn finished(folder: &Path, point: &Point) -> Option<TrialOutcome> {
     let there = BitTestOutcome::read(&folder.join(FILE)).ok()?;
-    difference(&there.settings, &point.settings)
-        .is_none()
-        .then_some(there.outcome)
+    difference(&there.settings, &point.settings).is_none().then_some(there.outcome)
 }
 
 /// Writes that the point is finished.

@@ -86,15 +86,7 @@ pub fn run(
     }
     .folder()?;
     let folder = &claimed.folder;
-    let trials = Trials::new(
-        options,
-        case,
-        test,
-        points,
-        folder.clone(),
-        observer,
-        cancellation,
-    )?;
+    let trials = Trials::new(options, case, test, points, folder.clone(), observer, cancellation)?;
     trials.solve_all()?;
     let units = request.units.unwrap_or(case.units);
     let summary = trials.summary();

@@ -23,12 +23,8 @@ type Number = (&'static str, fn(&TrialOutcome) -> f64);
 
 /// The numbers of a finished point, as its columns are called.
 const NUMBERS: [Number; 15] = [
-    ("rate_of_penetration_m_per_s", |of| {
-        of.rate_of_penetration_m_per_s
-    }),
-    ("rate_of_penetration_error_m_per_s", |of| {
-        or_nan(of.rate_of_penetration_error_m_per_s)
-    }),
+    ("rate_of_penetration_m_per_s", |of| of.rate_of_penetration_m_per_s),
+    ("rate_of_penetration_error_m_per_s", |of| or_nan(of.rate_of_penetration_error_m_per_s)),
     ("depth_of_cut_m", |of| of.depth_of_cut_m),
     ("torque_N_m", |of| of.torque_N_m),
     ("torque_error_N_m", |of| or_nan(of.torque_error_N_m)),
@@ -36,9 +32,7 @@ const NUMBERS: [Number; 15] = [
     ("weight_borne_N", |of| of.weight_borne_N),
     ("weight_on_bit_std_N", |of| of.weight_on_bit_std_N),
     ("specific_energy_Pa", |of| or_nan(of.specific_energy_Pa)),
-    ("mechanical_specific_energy_Pa", |of| {
-        or_nan(of.mechanical_specific_energy_Pa)
-    }),
+    ("mechanical_specific_energy_Pa", |of| or_nan(of.mechanical_specific_energy_Pa)),
     ("bricks_broken", |of| of.bricks_broken as f64),
     ("kinetic_fraction", |of| of.kinetic_fraction),
     ("revolutions", |of| of.revolutions),
@@ -65,16 +59,10 @@ pub(super) fn points(points: &[BitTestPoint]) -> Table {
             ("rotary_speed_rad_per_s", [point.rotary_speed_rad_per_s]),
         ];
         numbers.extend(NUMBERS.map(|(name, of)| (name, [number(of)])));
-        let numbers: Vec<(&str, &[f64])> = numbers
-            .iter()
-            .map(|(name, number)| (*name, &number[..]))
-            .collect();
+        let numbers: Vec<(&str, &[f64])> =
+            numbers.iter().map(|(name, number)| (*name, &number[..])).collect();
         table.append(
-            &[
-                ("point", &[&point.point]),
-                ("status", &[status]),
-                ("message", &[message]),
-            ],
+            &[("point", &[&point.point]), ("status", &[status]), ("message", &[message])],
             &numbers,
         );
     }
@@ -101,9 +89,7 @@ fn law(outcomes: &[TrialOutcome]) -> Table {
     let columns: [Number; 6] = [
         ("weight_on_bit_N", |of| of.weight_on_bit_N),
         ("rotary_speed_rpm", |of| rpm(of.rotary_speed_rad_per_s)),
-        ("rate_of_penetration_m_per_h", |of| {
-            3600.0 * of.rate_of_penetration_m_per_s.max(0.0)
-        }),
+        ("rate_of_penetration_m_per_h", |of| 3600.0 * of.rate_of_penetration_m_per_s.max(0.0)),
         ("torque_N_m", |of| of.torque_N_m.max(0.0)),
         ("torque_std_N_m", |of| of.torque_std_N_m),
         ("weight_on_bit_std_N", |of| of.weight_on_bit_std_N),
@@ -123,11 +109,7 @@ pub(super) fn bottom(bottom: &BottomHole) -> Table {
     let [radius_m, angle_rad, depth_m] = &bottom_rows(bottom);
     table.append(
         &[("operation", &[OPERATION])],
-        &[
-            ("radius_m", radius_m),
-            ("angle_rad", angle_rad),
-            ("depth_m", depth_m),
-        ],
+        &[("radius_m", radius_m), ("angle_rad", angle_rad), ("depth_m", depth_m)],
     );
     table
 }

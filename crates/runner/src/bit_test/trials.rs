@@ -57,9 +57,7 @@ impl<'a> Trials<'a> {
         cancellation: &'a CancellationToken,
     ) -> Result<Self, ResultsError> {
         let shard = options.shard;
-        let mine: Vec<usize> = (0..points.len())
-            .filter(|point| shard.has(*point))
-            .collect();
+        let mine: Vec<usize> = (0..points.len()).filter(|point| shard.has(*point)).collect();
         let trials = Self {
             options,
             case,
@@ -149,10 +147,7 @@ impl<'a> Trials<'a> {
         let every = self.options.checkpoint_every;
         let every = every.unwrap_or_else(|| checkpoint_every(self.case));
         let mut keeper = Keeper::new(&folder, every);
-        let watch = Watch {
-            observer: self.observer,
-            case: index,
-        };
+        let watch = Watch { observer: self.observer, case: index };
         let duration_s = point.spec.duration_s();
         let progress = watch.simulation(&point.name, None, [trial.time_s(), duration_s]);
         while !trial.is_finished() {
@@ -212,11 +207,7 @@ impl<'a> Trials<'a> {
 
     /// Shows that a point has ended, of which so much was not drilled now.
     fn report_end(&self, reused_s: f64) {
-        self.observer.case_ended(&CaseEnded {
-            ended: self.ended(),
-            of: self.mine.len(),
-            reused_s,
-        });
+        self.observer.case_ended(&CaseEnded { ended: self.ended(), of: self.mine.len(), reused_s });
     }
 
     /// How far the test has come.
@@ -259,8 +250,7 @@ impl<'a> Trials<'a> {
         let _alone = lock(&self.writing);
         let summary = self.summary();
         let points = &summary.points;
-        self.folder
-            .write_table(tables::POINTS, &tables::points(points), self.options.csv)?;
+        self.folder.write_table(tables::POINTS, &tables::points(points), self.options.csv)?;
         tables::write_law(&self.folder, points)?;
         summary.write(&self.folder.path().join("summary.json"))
     }

@@ -28,22 +28,13 @@ pub(crate) fn is_of(summary: &Summary, case: &Case) -> Result<(), String> {
 }
 
 /// Settings that leave the answer as it is.
-const WITHOUT_EFFECT: &[&str] = &[
-    "name",
-    "units",
-    "well.survey",
-    "dynamics.checkpoint_interval_s",
-];
+const WITHOUT_EFFECT: &[&str] = &["name", "units", "well.survey", "dynamics.checkpoint_interval_s"];
 
 /// The first difference between the settings of the run in a folder and those of the case.
 pub(crate) fn difference(there: &Value, here: &Value) -> Option<String> {
     let (path, there, here) = first_difference(String::new(), Some(there), Some(here))?;
     let text = |value: Option<&Value>| value.map_or("not given".to_owned(), Value::to_string);
-    Some(format!(
-        "`{path}` is {} there and {} here",
-        text(there),
-        text(here)
-    ))
+    Some(format!("`{path}` is {} there and {} here", text(there), text(here)))
 }
 
 type Difference<'a> = (String, Option<&'a Value>, Option<&'a Value>);
@@ -97,27 +88,18 @@ mod tests {
         assert_eq!(difference(&there, &null), None);
         assert_eq!(difference(&null, &there), None);
         let text = |here: Value| difference(&there, &here).unwrap();
-        assert_eq!(
-            text(json!({"a": {"b": [1, 3]}})),
-            "`a.b.1` is 2.5 there and 3 here"
-        );
+        assert_eq!(text(json!({"a": {"b": [1, 3]}})), "`a.b.1` is 2.5 there and 3 here");
         assert_eq!(
             text(json!({"a": {"b": [1, 2.5, "x"]}})),
             "`a.b.2` is not given there and \"x\" here"
         );
-        assert_eq!(
-            text(json!({"a": {}})),
-            "`a.b` is [1,2.5] there and not given here"
-        );
+        assert_eq!(text(json!({"a": {}})), "`a.b` is [1,2.5] there and not given here");
     }
 
     #[test]
     fn another_processor_is_told() {
         assert_eq!(other_processor("AVX2", "AVX2"), None);
         let note = other_processor("AVX-512", "baseline").unwrap();
-        assert!(
-            note.contains("AVX-512") && note.contains("baseline"),
-            "{note}"
-        );
+        assert!(note.contains("AVX-512") && note.contains("baseline"), "{note}");
     }
 }

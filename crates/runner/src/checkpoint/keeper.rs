@@ -15,11 +15,7 @@ pub(crate) struct Keeper<'a> {
 impl<'a> Keeper<'a> {
     /// A keeper that writes to the folder after each such while.
     pub(crate) fn new(folder: &'a ResultsFolder, every: Duration) -> Self {
-        Self {
-            folder,
-            every,
-            last: Instant::now(),
-        }
+        Self { folder, every, last: Instant::now() }
     }
 
     /// Whether the time for a checkpoint has come.

@@ -84,9 +84,7 @@ impl Claim<'_> {
             };
         }
         let ours = |there: &Option<Occupant>| {
-            there
-                .as_ref()
-                .is_none_or(|there| self.occupant.is_same(there))
+            there.as_ref().is_none_or(|there| self.occupant.is_same(there))
         };
         // The same work has the first say, wherever it lies.
         let mut part = None;
@@ -114,11 +112,7 @@ impl Claim<'_> {
                 FolderState::Other(_) | FolderState::Busy(_) => {}
             }
         }
-        Err(FolderRefused::AllOccupied {
-            path: self.default.clone(),
-            count: MAX_FOLDERS,
-        }
-        .into())
+        Err(FolderRefused::AllOccupied { path: self.default.clone(), count: MAX_FOLDERS }.into())
     }
 
     fn inspect(&self, path: &Path) -> Result<FolderState, Error> {
@@ -130,9 +124,7 @@ impl Claim<'_> {
                 Holding::Alone(hold) => break hold,
                 // Nobody shares what is not the same.
                 Holding::Shared(hold)
-                    if hold
-                        .occupant()
-                        .is_some_and(|there| self.occupant.is_same(there)) =>
+                    if hold.occupant().is_some_and(|there| self.occupant.is_same(there)) =>
                 {
                     break hold;
                 }
@@ -147,11 +139,8 @@ impl Claim<'_> {
                 }
             }
         };
-        let there = if folder.is_used() {
-            leftovers::occupant(&folder, hold.occupant())
-        } else {
-            None
-        };
+        let there =
+            if folder.is_used() { leftovers::occupant(&folder, hold.occupant()) } else { None };
         Ok(match there {
             None => FolderState::Free(folder, hold),
             Some(Some(there)) if self.occupant.is_same(&there) => {
@@ -168,9 +157,7 @@ impl Claim<'_> {
             // Which of its cases are finished is found one by one.
             Some(there)
                 if self.output.existing == Existing::Resume
-                    && there
-                        .as_ref()
-                        .is_none_or(|one| one.kind == self.occupant.kind)
+                    && there.as_ref().is_none_or(|one| one.kind == self.occupant.kind)
                     && (self.is_part)(path) =>
             {
                 FolderState::Part(folder, hold)
@@ -208,10 +195,7 @@ impl Claim<'_> {
 /// Another program that writes there.
 pub(crate) fn hold(folder: &ResultsFolder) -> Result<Claimed, Error> {
     match folder.hold(false)? {
-        Holding::Alone(hold) => Ok(Claimed {
-            folder: folder.clone(),
-            hold,
-        }),
+        Holding::Alone(hold) => Ok(Claimed { folder: folder.clone(), hold }),
         Holding::Shared(_) | Holding::Busy(_) => Err(busy(folder.path())),
     }
 }
@@ -235,8 +219,5 @@ fn numbered(path: &Path, number: usize) -> PathBuf {
 }
 
 fn busy(path: &Path) -> Error {
-    FolderRefused::Busy {
-        path: path.to_owned(),
-    }
-    .into()
+    FolderRefused::Busy { path: path.to_owned() }.into()
 }

@@ -11,24 +11,11 @@ use wholestring_results::{Occupant, ResultsError, ResultsFolder, Summary};
 const KNOWN: [&str; 4] = ["summary.json", "checkpoint.bin", "sweep.csv", "point.json"];
 
 /// Other files that commands write beside them.
-const OTHERS: [&str; 4] = [
-    "profile.svg",
-    "report.html",
-    "bit-table.csv",
-    "checkpoint.bin.partial",
-];
+const OTHERS: [&str; 4] = ["profile.svg", "report.html", "bit-table.csv", "checkpoint.bin.partial"];
 
 /// Tables, written as Parquet and as CSV.
-const TABLES: [&str; 8] = [
-    "nodes",
-    "time",
-    "wear",
-    "contact",
-    "spectra",
-    "bottom_hole",
-    "frames",
-    "bit-test",
-];
+const TABLES: [&str; 8] =
+    ["nodes", "time", "wear", "contact", "spectra", "bottom_hole", "frames", "bit-test"];
 
 /// Folders that commands make in the folder of their results, and the endings of what they put
 /// there.
@@ -37,9 +24,7 @@ const PUT_THERE: [&str; 5] = [".svg", ".png", ".csv", ".md", ".parquet"];
 
 /// Whether a command wrote a file of that name into the folder of its results.
 fn is_written(name: &str) -> bool {
-    let table = name
-        .strip_suffix(".parquet")
-        .or_else(|| name.strip_suffix(".csv"));
+    let table = name.strip_suffix(".parquet").or_else(|| name.strip_suffix(".csv"));
     KNOWN.contains(&name)
         || OTHERS.contains(&name)
         || table.is_some_and(|table| TABLES.contains(&table))
@@ -67,11 +52,7 @@ pub(super) fn occupant(
     }
     let summary = Summary::read(&path.join("summary.json")).ok();
     let run = summary.and_then(|summary| {
-        Some(Occupant {
-            kind: "run".into(),
-            name: summary.case,
-            identity: summary.identity?,
-        })
+        Some(Occupant { kind: "run".into(), name: summary.case, identity: summary.identity? })
     });
     Some(run)
 }
@@ -92,10 +73,7 @@ fn remove_within(path: &Path, depth: usize) -> Result<(), ResultsError> {
         if is_folder {
             let known = holds_results(&path) || MADE.contains(&&*name);
             // A sweep of a study that was killed early has nothing but the folders of its cases.
-            let known = known
-                || entries(&path)?
-                    .iter()
-                    .any(|(_, path, _)| holds_results(path));
+            let known = known || entries(&path)?.iter().any(|(_, path, _)| holds_results(path));
             if known && depth < DEEPEST {
                 remove_within(&path, depth + 1)?;
                 // It stays where something that is not ours is in it.
@@ -118,10 +96,7 @@ fn entries(path: &Path) -> Result<Vec<(String, PathBuf, bool)>, ResultsError> {
         });
         all.collect()
     };
-    read().map_err(|source| ResultsError::Read {
-        path: path.to_owned(),
-        source,
-    })
+    read().map_err(|source| ResultsError::Read { path: path.to_owned(), source })
 }
 
 #[cfg(test)]

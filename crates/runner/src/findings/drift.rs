@@ -17,11 +17,7 @@ pub(super) fn sentence(solved: &OperationSummary, units: UnitSet) -> Option<Stri
         .filter_map(|scalar| {
             let quantity = scalar.quantity;
             let statistic = statistics.get(quantity.name).filter(|of| of.drifts)?;
-            let verb = if statistic.drift < 0.0 {
-                "falls"
-            } else {
-                "rises"
-            };
+            let verb = if statistic.drift < 0.0 { "falls" } else { "rises" };
             let shown = deviation(shown(quantity.kind, statistic.drift.abs(), units));
             let symbol = symbol(quantity.kind, units);
             let label = scalar.label.to_lowercase();
@@ -70,9 +66,8 @@ mod tests {
             all
         };
         let statistics = statistics.as_object().unwrap().iter();
-        let statistics: serde_json::Map<String, Value> = statistics
-            .map(|(name, of)| (name.clone(), statistic(of)))
-            .collect();
+        let statistics: serde_json::Map<String, Value> =
+            statistics.map(|(name, of)| (name.clone(), statistic(of))).collect();
         let mut all = json!({
             "elements": 100, "time_step_s": 1e-3, "steps": 1000, "added_axial_mass_fraction": 0.0,
             "max_penetration_m": 0.0, "energy_residual": 0.0, "instructions": "avx2", "wall_time_s": 1.0,
@@ -126,10 +121,7 @@ mod tests {
     #[test]
     fn a_string_that_travels_is_not_told_to_settle() {
         let travels = json!({"bit_travel_m": 18.0});
-        let drifts = summary(
-            json!({"hook_load_N": {"drift": 2600.0, "drifts": true}}),
-            travels,
-        );
+        let drifts = summary(json!({"hook_load_N": {"drift": 2600.0, "drifts": true}}), travels);
         let drift_sentence = drift_sentence(&drifts).expect("a sentence");
         assert!(
             drift_sentence.contains("the string goes 18 m through the hole meanwhile"),

@@ -23,12 +23,7 @@ pub(super) fn sentence(
     rig: &Rig,
     units: UnitSet,
 ) -> String {
-    let words = Words {
-        found,
-        of,
-        rig,
-        units,
-    };
+    let words = Words { found, of, rig, units };
     match found.kind {
         Kind::HookLoadNegative => words.hook_load(),
         Kind::LockUp => words.lock_up(),
@@ -70,11 +65,7 @@ pub(super) fn sentence(
         ),
         Kind::EnergyResidual => format!(
             "The integration {} {} of the energy that went through it",
-            if words.value() < 0.0 {
-                "gained"
-            } else {
-                "lost"
-            },
+            if words.value() < 0.0 { "gained" } else { "lost" },
             percent(words.value().abs()),
         ),
         Kind::BitTableLeft => match of.bit_table {
@@ -109,11 +100,7 @@ struct Words<'a> {
 /// `12.5 %`, below one per cent to two digits.
 fn percent(part: f64) -> String {
     let percent = part * 100.0;
-    if percent.abs() < 10.0 {
-        format!("{percent:.1} %")
-    } else {
-        format!("{percent:.0} %")
-    }
+    if percent.abs() < 10.0 { format!("{percent:.1} %") } else { format!("{percent:.0} %") }
 }
 
 impl Words<'_> {
@@ -259,10 +246,7 @@ impl Words<'_> {
                 self.force(value_N),
                 self.force(value_N - block_N)
             ),
-            None => format!(
-                "Hook load of {}, the block not counted,",
-                self.force(value_N)
-            ),
+            None => format!("Hook load of {}, the block not counted,", self.force(value_N)),
         };
         if value_N > self.limit() {
             format!("{load} exceeds the hoist's capacity of {capacity}")

@@ -13,46 +13,12 @@ const OTHERS: &[(&str, [(&str, f64); 3])] = &[
     ("ratio", [("", 1.0); 3]),
     ("percent", [("%", 0.01); 3]),
     ("turns", [("rev", TAU); 3]),
-    (
-        "work per length",
-        [
-            ("kJ/m", 1e3),
-            ("kJ/m", 1e3),
-            ("ft·lbf/ft", 4.448_221_615_260_5),
-        ],
-    ),
-    (
-        "work per volume",
-        [
-            ("MJ/m³", 1e6),
-            ("MJ/m³", 1e6),
-            ("psi", 6_894.757_293_168_361),
-        ],
-    ),
-    (
-        "lateral speed",
-        [("m/s", 1.0), ("m/s", 1.0), ("ft/s", 0.3048)],
-    ),
-    (
-        "modulus",
-        [
-            ("GPa", 1e9),
-            ("GPa", 1e9),
-            ("Mpsi", 6.894_757_293_168_361e9),
-        ],
-    ),
-    (
-        "specific energy",
-        [("MPa", 1e6), ("MPa", 1e6), ("psi", 6_894.757_293_168_361)],
-    ),
-    (
-        "energy",
-        [
-            ("kJ", 1e3),
-            ("kJ", 1e3),
-            ("ft·lbf", 1.355_817_948_331_400_4),
-        ],
-    ),
+    ("work per length", [("kJ/m", 1e3), ("kJ/m", 1e3), ("ft·lbf/ft", 4.448_221_615_260_5)]),
+    ("work per volume", [("MJ/m³", 1e6), ("MJ/m³", 1e6), ("psi", 6_894.757_293_168_361)]),
+    ("lateral speed", [("m/s", 1.0), ("m/s", 1.0), ("ft/s", 0.3048)]),
+    ("modulus", [("GPa", 1e9), ("GPa", 1e9), ("Mpsi", 6.894_757_293_168_361e9)]),
+    ("specific energy", [("MPa", 1e6), ("MPa", 1e6), ("psi", 6_894.757_293_168_361)]),
+    ("energy", [("kJ", 1e3), ("kJ", 1e3), ("ft·lbf", 1.355_817_948_331_400_4)]),
     ("time step", [("ms", 1e-3); 3]),
 ];
 
@@ -61,18 +27,12 @@ pub(crate) fn all() -> BTreeMap<String, [DisplayUnit; 3]> {
     let known = Dimension::ALL.iter().map(|dimension| {
         let units = [UnitSet::Si, UnitSet::Metric, UnitSet::Field].map(|set| {
             let unit = dimension.unit_in(set);
-            DisplayUnit {
-                symbol: pretty(unit.symbol),
-                factor: unit.factor,
-            }
+            DisplayUnit { symbol: pretty(unit.symbol), factor: unit.factor }
         });
         (dimension.name().to_owned(), units)
     });
     let others = OTHERS.iter().map(|(name, units)| {
-        let units = units.map(|(symbol, factor)| DisplayUnit {
-            symbol: symbol.into(),
-            factor,
-        });
+        let units = units.map(|(symbol, factor)| DisplayUnit { symbol: symbol.into(), factor });
         ((*name).to_owned(), units)
     });
     known.chain(others).collect()

@@ -9,26 +9,15 @@ use wholestring_results::{Friction, Summary};
 pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
     let settings = &summary.settings;
     let operation = &settings["operation"];
-    let kinds: Vec<OperationKind> = texts(&operation["kind"])
-        .filter_map(OperationKind::from_name)
-        .collect();
+    let kinds: Vec<OperationKind> =
+        texts(&operation["kind"]).filter_map(OperationKind::from_name).collect();
     let any = |is: fn(OperationKind) -> bool| kinds.iter().any(|kind| is(*kind));
     let mut found = Vec::new();
     let mut add = |label: &str, value: Cell| {
-        found.push(Fact {
-            label: label.into(),
-            value,
-        });
+        found.push(Fact { label: label.into(), value });
     };
     let names: Vec<String> = kinds.iter().map(|kind| spoken(kind.name())).collect();
-    add(
-        if names.len() > 1 {
-            "Operations"
-        } else {
-            "Operation"
-        },
-        Cell::Text(names.join(", ")),
-    );
+    add(if names.len() > 1 { "Operations" } else { "Operation" }, Cell::Text(names.join(", ")));
     let models: Vec<&str> = texts(&settings["model"])
         .map(|name| ModelKind::named(name).map_or(name, |of| of.method().long_name))
         .collect();
@@ -70,10 +59,7 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
     add("Mud density", quantity(density, "density"));
     let block = &settings["rig"]["block_weight_N"];
     add("Weight of the block", quantity(block, "force"));
-    if operation["flow_rate_m3_per_s"]
-        .as_f64()
-        .is_some_and(|flow| flow > 0.0)
-    {
+    if operation["flow_rate_m3_per_s"].as_f64().is_some_and(|flow| flow > 0.0) {
         let flow = &operation["flow_rate_m3_per_s"];
         add("Flow rate", quantity(flow, "flow rate"));
     }
@@ -99,9 +85,7 @@ pub(super) fn spoken(name: &str) -> String {
 }
 
 fn quantity(value: &Json, dimension: &str) -> Cell {
-    value
-        .as_f64()
-        .map_or(Cell::Nothing, |value| Cell::quantity(value, dimension))
+    value.as_f64().map_or(Cell::Nothing, |value| Cell::quantity(value, dimension))
 }
 
 /// The words of a list, or the only one.

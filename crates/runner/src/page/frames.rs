@@ -159,9 +159,8 @@ impl Taken {
             self.nodes = nodes;
             let every = nodes.div_ceil(MAX_NODES).max(1);
             // The bit is always among them.
-            self.chosen = (0..nodes)
-                .filter(|node| (nodes - 1 - node).is_multiple_of(every))
-                .collect();
+            self.chosen =
+                (0..nodes).filter(|node| (nodes - 1 - node).is_multiple_of(every)).collect();
             self.md_m = self.chosen.iter().map(|node| moment.md_m[*node]).collect();
             self.channels = vec![Vec::new(); CHANNELS.len()];
         } else if nodes != self.nodes {
@@ -201,15 +200,13 @@ impl Taken {
             .map(|(name, values)| ((*name).to_owned(), Packed::short(values)))
             .collect();
         let lies = ["offset_high_m", "offset_right_m"];
-        lies.iter()
-            .all(|name| channels.contains_key(*name))
-            .then(|| Frames {
-                time_s: Packed::single(self.time_s),
-                md_m: Packed::single(self.md_m),
-                moved_m: Packed::single(self.bit_md_m.iter().map(|md| md - first)),
-                channels,
-                kept,
-                nodes: self.nodes,
-            })
+        lies.iter().all(|name| channels.contains_key(*name)).then(|| Frames {
+            time_s: Packed::single(self.time_s),
+            md_m: Packed::single(self.md_m),
+            moved_m: Packed::single(self.bit_md_m.iter().map(|md| md - first)),
+            channels,
+            kept,
+            nodes: self.nodes,
+        })
     }
 }

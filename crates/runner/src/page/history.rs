@@ -40,14 +40,7 @@ pub(super) fn history(time: &Table, operation: &str, many: usize) -> History {
         .iter()
         .map(|column| column.name.as_str())
         .filter(|name| *name != "time_s" && !numbers(time, name).is_empty())
-        .map(|name| {
-            (
-                name,
-                rows.iter()
-                    .map(|row| number(name, row))
-                    .collect::<Vec<f64>>(),
-            )
-        })
+        .map(|name| (name, rows.iter().map(|row| number(name, row)).collect::<Vec<f64>>()))
         .filter(|(_, values)| values.iter().any(|value| value.is_finite()))
         .unzip();
     let slices: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
@@ -56,9 +49,7 @@ pub(super) fn history(time: &Table, operation: &str, many: usize) -> History {
     let columns = names.zip(columns.into_iter().map(Packed::single));
     History {
         samples: rows.len(),
-        columns: columns
-            .chain([("time_s".into(), Packed::single(times))])
-            .collect(),
+        columns: columns.chain([("time_s".into(), Packed::single(times))]).collect(),
         notes: notes(time, &rows),
     }
 }
@@ -82,9 +73,7 @@ pub(super) fn drill_off(
     let step = window.len().div_ceil((MAX_DRILLED / many.max(1)).max(1));
     let column = |name: &str| -> Vec<f64> {
         let chosen = window.iter().step_by(step.max(1));
-        chosen
-            .map(|row| number(name, row).unwrap_or(f64::NAN))
-            .collect()
+        chosen.map(|row| number(name, row).unwrap_or(f64::NAN)).collect()
     };
     let weight_N = column("weight_on_bit_N");
     let drills = weight_N.iter().any(|weight| *weight > 0.0);
@@ -101,9 +90,7 @@ pub(crate) fn bottom(table: &Table, operation: &str) -> Option<BottomPicture> {
     let column = |name: &str| -> Vec<f64> {
         let values = numbers(table, name);
         let number = |row: &usize| values.get(*row).copied().flatten();
-        rows.iter()
-            .map(|row| number(row).unwrap_or(f64::NAN))
-            .collect()
+        rows.iter().map(|row| number(row).unwrap_or(f64::NAN)).collect()
     };
     let mut radius_m = column("radius_m");
     let mut angle_rad = column("angle_rad");
@@ -145,10 +132,8 @@ pub(super) fn contact(table: &Table, operation: &str, many: usize) -> Option<Con
     let count = times.len().checked_div(stretches)?;
     // Neighbouring times become one where there are too many.
     let many = count.div_ceil((MAX_TIMES / many.max(1)).max(1));
-    let groups: Vec<std::ops::Range<usize>> = (0..count)
-        .step_by(many)
-        .map(|first| first..(first + many).min(count))
-        .collect();
+    let groups: Vec<std::ops::Range<usize>> =
+        (0..count).step_by(many).map(|first| first..(first + many).min(count)).collect();
     let mean = |name: &str| -> Vec<f64> {
         groups
             .iter()
@@ -164,18 +149,13 @@ pub(super) fn contact(table: &Table, operation: &str, many: usize) -> Option<Con
             .collect()
     };
     let depths = |stretch: usize| {
-        let sum: f64 = (0..count)
-            .map(|time| number("md_m", &rows[time * stretches + stretch]))
-            .sum();
+        let sum: f64 =
+            (0..count).map(|time| number("md_m", &rows[time * stretches + stretch])).sum();
         sum / count as f64
     };
     Some(ContactPicture {
         from_s: 0.0,
-        time_s: Packed::single(
-            groups
-                .iter()
-                .map(|group| times[(group.end - 1) * stretches]),
-        ),
+        time_s: Packed::single(groups.iter().map(|group| times[(group.end - 1) * stretches])),
         md_m: Packed::single((0..stretches).map(depths)),
         side_force: Packed::short(&mean("side_force_N_per_m")),
         contact_force: Packed::short(&mean("contact_force_N_per_m")),

@@ -76,12 +76,7 @@ fn columns_sheet(title: &str, table: &Map<String, Json>) -> Sheet {
     names.sort_by_key(|name| (name.as_str() != "md_m", name.as_str() == "azimuth_rad"));
     let rows = table.values().filter_map(Json::as_array).map(Vec::len);
     let rows = (0..rows.max().unwrap_or(0))
-        .map(|row| {
-            names
-                .iter()
-                .map(|name| cell(name, &table[*name][row]))
-                .collect()
-        })
+        .map(|row| names.iter().map(|name| cell(name, &table[*name][row])).collect())
         .collect();
     sheet(title, names.iter().map(|name| label(name)).collect(), rows)
 }
@@ -113,10 +108,8 @@ fn list_sheet(title: &str, list: &[Json]) -> Sheet {
         let first = ["Component", "Kind", "At"].contains(&name.as_str());
         (!first, name.to_lowercase())
     });
-    let rows = flat
-        .iter()
-        .map(|cells| names.iter().map(|name| value(cells, name)).collect())
-        .collect();
+    let rows =
+        flat.iter().map(|cells| names.iter().map(|name| value(cells, name)).collect()).collect();
     sheet(title, names, rows)
 }
 
@@ -131,12 +124,7 @@ fn flatten(prefix: &str, item: &Json, cells: &mut Vec<(String, Cell)>) {
 }
 
 fn sheet(title: &str, heads: Vec<String>, rows: Vec<Vec<Cell>>) -> Sheet {
-    Sheet {
-        place: Place::Inputs,
-        title: title.into(),
-        heads,
-        rows,
-    }
+    Sheet { place: Place::Inputs, title: title.into(), heads, rows }
 }
 
 /// A value of the settings.
@@ -158,10 +146,7 @@ fn cell(key: &str, value: &Json) -> Cell {
                 && !items.is_empty()
                 && values.len() == items.len()
             {
-                return Cell::Quantities {
-                    values,
-                    dimension: dimension.into(),
-                };
+                return Cell::Quantities { values, dimension: dimension.into() };
             }
             let text = |item: &Json| match item {
                 Json::String(text) => text.replace('_', " "),
@@ -191,9 +176,7 @@ fn label(key: &str) -> String {
         .replace("poisson", "Poisson's")
         .replace(" od", " OD");
     let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// A key of a table within a table: `damping.mass_per_s` is "Damping, mass".
@@ -209,9 +192,7 @@ fn under(above: &str, key: &str) -> String {
 
 fn lower(text: &str) -> String {
     let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_lowercase().chain(letters).collect()
-    })
+    letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
 }
 
 #[cfg(test)]
@@ -237,30 +218,17 @@ mod tests {
         let titles: Vec<&str> = sheets.iter().map(|sheet| sheet.title.as_str()).collect();
         assert_eq!(
             titles,
-            [
-                "Case",
-                "Bit test",
-                "Dynamics",
-                "Well",
-                "Well: hole",
-                "Well: stations"
-            ]
+            ["Case", "Bit test", "Dynamics", "Well", "Well: hole", "Well: stations"]
         );
         let find = |title: &str| sheets.iter().find(|sheet| sheet.title == title).unwrap();
         assert_eq!(
             find("Dynamics").rows,
             [
-                vec![
-                    Cell::Text("Damping, mass".into()),
-                    Cell::quantity(0.5, "frequency")
-                ],
+                vec![Cell::Text("Damping, mass".into()), Cell::quantity(0.5, "frequency")],
                 vec![Cell::Text("Seed".into()), Cell::Number(1.0)],
             ]
         );
-        let weights = Cell::Quantities {
-            values: vec![1e4, 2e4],
-            dimension: "force".into(),
-        };
+        let weights = Cell::Quantities { values: vec![1e4, 2e4], dimension: "force".into() };
         assert_eq!(
             find("Bit test").rows,
             [

@@ -8,21 +8,13 @@ use wholestring_units::Dimension;
 use super::{dimensions::of_kind, facts::spoken};
 
 /// A row: what it is, its dimension, and how it is read.
-type Row<'a> = (
-    &'a str,
-    &'a str,
-    &'a dyn Fn(&OperationSummary) -> Option<f64>,
-);
+type Row<'a> = (&'a str, &'a str, &'a dyn Fn(&OperationSummary) -> Option<f64>);
 
 /// Results of all models and operations side by side.
 pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
     let block_N = summary.settings["rig"]["block_weight_N"].as_f64();
     let block_N = block_N.filter(|weight| *weight > 0.0);
-    let mut sheet = side_by_side(
-        Place::Results,
-        "All models and operations",
-        &summary.operations,
-    );
+    let mut sheet = side_by_side(Place::Results, "All models and operations", &summary.operations);
     let mut row = |label: &str, scalar: &Scalar, more: f64| {
         let quantity = scalar.quantity;
         let cells = summary.operations.iter().map(|of| {
@@ -32,9 +24,7 @@ pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
                 Some(value) => Cell::Quantity {
                     value: value + more,
                     dimension: scalar_dimension(quantity.kind).into(),
-                    std: spread
-                        .map(|spread| spread.std)
-                        .filter(|std| std.is_finite()),
+                    std: spread.map(|spread| spread.std).filter(|std| std.is_finite()),
                 },
                 None => Cell::Nothing,
             }
@@ -50,31 +40,17 @@ pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
     let stick = |of: &OperationSummary| of.indicators.and_then(|all| all.stick_slip);
     let more: &[Row<'_>] = &[
         ("Stick-slip severity", "ratio", &|of| stick(of)?.severity),
-        ("Bit stuck", "percent", &|of| {
-            Some(stick(of)?.stuck_fraction)
-        }),
-        ("Fastest turn of the bit", "rotary speed", &|of| {
-            Some(stick(of)?.bit_speed_max_rad_per_s)
-        }),
+        ("Bit stuck", "percent", &|of| Some(stick(of)?.stuck_fraction)),
+        ("Fastest turn of the bit", "rotary speed", &|of| Some(stick(of)?.bit_speed_max_rad_per_s)),
         ("Stick-slip period", "time", &|of| stick(of)?.period_s),
         ("Backward whirl", "rotary speed", &|of| {
             Some(of.indicators?.backward_whirl?.rate_rad_per_s)
         }),
-        ("Forward whirl", "rotary speed", &|of| {
-            Some(of.indicators?.forward_whirl?.rate_rad_per_s)
-        }),
-        ("Use of the top drive, largest", "percent", &|of| {
-            Some(of.indicators?.top_drive?.max)
-        }),
-        ("Drag of the mud", "force", &|of| {
-            Some(of.hydraulics?.mud_drag_N)
-        }),
-        ("Torque of the mud", "torque", &|of| {
-            Some(of.hydraulics?.mud_torque_N_m)
-        }),
-        ("Pump pressure", "pressure", &|of| {
-            Some(of.hydraulics?.pump_pressure_Pa)
-        }),
+        ("Forward whirl", "rotary speed", &|of| Some(of.indicators?.forward_whirl?.rate_rad_per_s)),
+        ("Use of the top drive, largest", "percent", &|of| Some(of.indicators?.top_drive?.max)),
+        ("Drag of the mud", "force", &|of| Some(of.hydraulics?.mud_drag_N)),
+        ("Torque of the mud", "torque", &|of| Some(of.hydraulics?.mud_torque_N_m)),
+        ("Pump pressure", "pressure", &|of| Some(of.hydraulics?.pump_pressure_Pa)),
     ];
     add(&mut sheet, more, &summary.operations);
     vec![sheet]
@@ -90,12 +66,8 @@ fn scalar_dimension(kind: QuantityKind) -> &'static str {
 
 /// How the dynamic solutions were computed.
 pub(super) fn numerics(summary: &Summary) -> Vec<Sheet> {
-    let solved: Vec<OperationSummary> = summary
-        .operations
-        .iter()
-        .filter(|of| of.numerics.is_some())
-        .cloned()
-        .collect();
+    let solved: Vec<OperationSummary> =
+        summary.operations.iter().filter(|of| of.numerics.is_some()).cloned().collect();
     if solved.is_empty() {
         return Vec::new();
     }
@@ -110,31 +82,15 @@ pub(super) fn numerics(summary: &Summary) -> Vec<Sheet> {
         ("Settled before the window", "time", &|of| {
             Some(run(of)?.settle_s).filter(|of| of.is_finite())
         }),
-        ("Axial mass added", "percent", &|of| {
-            Some(run(of)?.added_axial_mass_fraction)
-        }),
-        ("Deepest penetration of the wall", "diameter", &|of| {
-            Some(run(of)?.max_penetration_m)
-        }),
-        ("Energy residual", "percent", &|of| {
-            Some(run(of)?.energy_residual)
-        }),
-        ("Work of top drive, hoist, bit, mud", "energy", &|of| {
-            Some(energy(of)?.work_J())
-        }),
+        ("Axial mass added", "percent", &|of| Some(run(of)?.added_axial_mass_fraction)),
+        ("Deepest penetration of the wall", "diameter", &|of| Some(run(of)?.max_penetration_m)),
+        ("Energy residual", "percent", &|of| Some(run(of)?.energy_residual)),
+        ("Work of top drive, hoist, bit, mud", "energy", &|of| Some(energy(of)?.work_J())),
         ("Losses", "energy", &|of| Some(energy(of)?.loss_J())),
-        ("Lost to friction on the wall", "energy", &|of| {
-            Some(energy(of)?.friction_loss_J)
-        }),
-        ("Change of energy", "energy", &|of| {
-            Some(energy(of)?.change_J())
-        }),
-        ("Time that it took", "time", &|of| {
-            Some(numerics(of)?.wall_time_s)
-        }),
-        ("Simulated time over that", "ratio", &|of| {
-            Some(numerics(of)?.real_time_factor)
-        }),
+        ("Lost to friction on the wall", "energy", &|of| Some(energy(of)?.friction_loss_J)),
+        ("Change of energy", "energy", &|of| Some(energy(of)?.change_J())),
+        ("Time that it took", "time", &|of| Some(numerics(of)?.wall_time_s)),
+        ("Simulated time over that", "ratio", &|of| Some(numerics(of)?.real_time_factor)),
     ];
     add(&mut sheet, rows, &solved);
     let instructions = solved
@@ -152,9 +108,7 @@ fn side_by_side(place: Place, title: &str, solved: &[OperationSummary]) -> Sheet
     Sheet {
         place,
         title: title.into(),
-        heads: std::iter::once(String::new())
-            .chain(solved.iter().map(head))
-            .collect(),
+        heads: std::iter::once(String::new()).chain(solved.iter().map(head)).collect(),
         rows: Vec::new(),
     }
 }
@@ -173,7 +127,5 @@ fn add(sheet: &mut Sheet, rows: &[Row<'_>], solved: &[OperationSummary]) {
 }
 
 fn named(label: &str, cells: impl IntoIterator<Item = Cell>) -> Vec<Cell> {
-    std::iter::once(Cell::Text(label.into()))
-        .chain(cells)
-        .collect()
+    std::iter::once(Cell::Text(label.into())).chain(cells).collect()
 }

@@ -23,10 +23,8 @@ pub(super) fn key_results(
     let scalars = &solved.scalars;
     let block_N = rig("block_weight_N").filter(|weight| *weight > 0.0);
     let with_block = |load_N: f64| Cell::quantity(load_N + block_N.unwrap_or(0.0), "force");
-    let more = block_N.map(|_| Fact {
-        label: "with block".into(),
-        value: with_block(scalars.hook_load_N),
-    });
+    let more = block_N
+        .map(|_| Fact { label: "with block".into(), value: with_block(scalars.hook_load_N) });
     let whose = match block_N {
         Some(_) => "hoist's capacity, for the load with block",
         None => "hoist's capacity",
@@ -97,10 +95,7 @@ fn limited(limit: Option<f64>, whose: &str) -> Answer {
 }
 
 fn unlimited(note: &str) -> Answer {
-    Answer {
-        limit_label: note.into(),
-        ..limited(None, "")
-    }
+    Answer { limit_label: note.into(), ..limited(None, "") }
 }
 
 fn drag(solved: &OperationSummary) -> Answer {
@@ -156,9 +151,7 @@ fn side_force(solved: &OperationSummary, nodes: &Table) -> Answer {
         None => Answer {
             label: "Largest side force".into(),
             value: largest_of(solved, nodes, "side_force_N_per_m", f64::abs)
-                .map_or(Cell::Nothing, |force| {
-                    Cell::quantity(force, "force per length")
-                }),
+                .map_or(Cell::Nothing, |force| Cell::quantity(force, "force per length")),
             ..unlimited("no limit in the case")
         },
     }

@@ -84,11 +84,8 @@ pub(crate) fn gather(
     summary: &Summary,
     units: Option<UnitSet>,
 ) -> Result<Report, ResultsError> {
-    let runs: Vec<&OperationSummary> = summary
-        .operations
-        .iter()
-        .filter(|solved| solved.statistics.is_some())
-        .collect();
+    let runs: Vec<&OperationSummary> =
+        summary.operations.iter().filter(|solved| solved.statistics.is_some()).collect();
     let many = runs.len();
     let timed = |solved: &&OperationSummary| {
         let time = tables.of("time", &solved.operation)?;
@@ -111,10 +108,7 @@ pub(crate) fn gather(
         })
     };
     Ok(Report {
-        runs: runs
-            .iter()
-            .map(timed)
-            .collect::<Result<_, ResultsError>>()?,
+        runs: runs.iter().map(timed).collect::<Result<_, ResultsError>>()?,
         ..along_the_hole(tables, summary, units)?
     })
 }
@@ -157,11 +151,7 @@ pub(crate) fn along_the_hole(
         told_in: settings["units"].as_str().unwrap_or("si").into(),
         dimensions: dimensions::all(),
         asked: facts::facts(summary),
-        solved: summary
-            .operations
-            .iter()
-            .map(along)
-            .collect::<Result<_, ResultsError>>()?,
+        solved: summary.operations.iter().map(along).collect::<Result<_, ResultsError>>()?,
         well: well.path(),
         hole: well.hole(),
         string: well.string(),

@@ -26,8 +26,7 @@ pub(crate) fn spectra(table: &Table) -> Vec<Spectrum> {
             });
         }
         if let Some(of) = spectra.last_mut() {
-            of.frequency_Hz
-                .push(number("frequency_Hz", row).unwrap_or(f64::NAN));
+            of.frequency_Hz.push(number("frequency_Hz", row).unwrap_or(f64::NAN));
             of.density.push(number("density", row).unwrap_or(f64::NAN));
         }
     }
@@ -39,9 +38,7 @@ pub(super) fn pictures(table: &Table, operation: &str) -> Vec<SpectrumPicture> {
     let mine = spectra(table).into_iter();
     mine.filter(|of| of.operation == operation)
         .map(|of| SpectrumPicture {
-            dimension: spectrum_dimension(&of.unit, &of.signal)
-                .unwrap_or_default()
-                .into(),
+            dimension: spectrum_dimension(&of.unit, &of.signal).unwrap_or_default().into(),
             frequency_Hz: Packed::single(of.frequency_Hz),
             density: Packed::single(of.density),
             signal: of.signal,

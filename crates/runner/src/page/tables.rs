@@ -12,9 +12,7 @@ pub(crate) struct Tables {
 impl Tables {
     /// Those in a folder.
     pub(crate) fn of_folder(folder: &Path) -> Self {
-        Self {
-            folder: folder.to_owned(),
-        }
+        Self { folder: folder.to_owned() }
     }
 
     /// A table as far as it is about an operation; without rows where there is none.
@@ -32,9 +30,5 @@ impl Tables {
 /// A whole table of the folder, without rows where there is none.
 pub(crate) fn table(folder: &Path, name: &str) -> Result<Table, ResultsError> {
     let path = folder.join(format!("{name}.parquet"));
-    if path.is_file() {
-        Table::read_parquet(&path)
-    } else {
-        Ok(Table::new(Vec::new()))
-    }
+    if path.is_file() { Table::read_parquet(&path) } else { Ok(Table::new(Vec::new())) }
 }

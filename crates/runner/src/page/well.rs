@@ -51,9 +51,8 @@ impl<'a> WellBore<'a> {
         let to = self.bit_md_m.max(from);
         let even = (0..=POINTS).map(|i| from + (to - from) * i as f64 / POINTS as f64);
         let stations = path.stations().iter().map(|station| station.md_m);
-        let mut depths: Vec<f64> = even
-            .chain(stations.filter(|md| (from..=to).contains(md)))
-            .collect();
+        let mut depths: Vec<f64> =
+            even.chain(stations.filter(|md| (from..=to).contains(md))).collect();
         depths.sort_by(f64::total_cmp);
         depths.dedup_by(|a, b| (*a - *b).abs() < 1e-3);
         depths
@@ -62,51 +61,33 @@ impl<'a> WellBore<'a> {
     /// A quantity at these depths; nothing without a path.
     fn column(&self, depths: &[f64], of: &dyn Fn(&Path, f64) -> f64) -> Vec<f64> {
         let path = self.path.iter();
-        path.flat_map(|path| depths.iter().map(|md| of(path, *md)))
-            .collect()
+        path.flat_map(|path| depths.iter().map(|md| of(path, *md))).collect()
     }
 
     /// A column of [`Self::COLUMNS`], from the surface to the bit.
     pub(crate) fn column_named(&self, name: &str) -> Vec<f64> {
         let depths = self.path.as_ref().map(|path| self.depths(path));
         let column = Self::COLUMNS.iter().find(|(column, _)| column.name == name);
-        column.map_or_else(Vec::new, |(_, of)| {
-            self.column(&depths.unwrap_or_default(), of)
-        })
+        column.map_or_else(Vec::new, |(_, of)| self.column(&depths.unwrap_or_default(), of))
     }
 
     /// What is known of the path at a measured depth.
     pub(crate) const COLUMNS: &'static [PathColumn] = &[
         (of_path("md_m", Depth, "Measured depth"), |_, md| md),
-        (of_path("north_m", Length, "North"), |path, md| {
-            path.at(md).position_m.x
-        }),
-        (of_path("east_m", Length, "East"), |path, md| {
-            path.at(md).position_m.y
-        }),
+        (of_path("north_m", Length, "North"), |path, md| path.at(md).position_m.x),
+        (of_path("east_m", Length, "East"), |path, md| path.at(md).position_m.y),
+        (of_path("tvd_m", Depth, "True vertical depth"), |path, md| path.at(md).position_m.z),
         (
-            of_path("tvd_m", Depth, "True vertical depth"),
-            |path, md| path.at(md).position_m.z,
-        ),
-        (
-            of_path(
-                "vertical_section_m",
-                Length,
-                "Distance along the closure's direction",
-            ),
+            of_path("vertical_section_m", Length, "Distance along the closure's direction"),
             vertical_section_m,
         ),
-        (
-            of_path("inclination_rad", Angle, "Inclination"),
-            |path, md| path.at(md).inclination_rad(),
-        ),
-        (of_path("azimuth_rad", Angle, "Azimuth"), |path, md| {
-            path.at(md).azimuth_rad()
+        (of_path("inclination_rad", Angle, "Inclination"), |path, md| {
+            path.at(md).inclination_rad()
         }),
-        (
-            of_path("dogleg_severity_rad_per_m", Curvature, "Dogleg severity"),
-            |path, md| path.dogleg_severity_rad_per_m(md),
-        ),
+        (of_path("azimuth_rad", Angle, "Azimuth"), |path, md| path.at(md).azimuth_rad()),
+        (of_path("dogleg_severity_rad_per_m", Curvature, "Dogleg severity"), |path, md| {
+            path.dogleg_severity_rad_per_m(md)
+        }),
     ];
 
     /// The path down to the bit.
@@ -175,11 +156,8 @@ impl<'a> WellBore<'a> {
 /// The path that a run was solved on; none where the settings do not hold it.
 fn path(well: &Json) -> Option<Path> {
     let column = |name: &str| well["stations"][name].as_array();
-    let (md, inclination, azimuth) = (
-        column("md_m")?,
-        column("inclination_rad")?,
-        column("azimuth_rad")?,
-    );
+    let (md, inclination, azimuth) =
+        (column("md_m")?, column("inclination_rad")?, column("azimuth_rad")?);
     let stations: Vec<Station> = md
         .iter()
         .zip(inclination)

@@ -192,12 +192,8 @@ impl Record {
         } else {
             remove_table(folder, "bottom_hole")?;
         }
-        let [nodes, time, wear, contact] = [
-            &mut self.nodes,
-            &mut self.time,
-            &mut self.wear,
-            &mut self.contact,
-        ];
+        let [nodes, time, wear, contact] =
+            [&mut self.nodes, &mut self.time, &mut self.wear, &mut self.contact];
         for table in [nodes, time, wear, contact] {
             match keep {
                 Keep::Summary => table.leave_out(folder)?,
@@ -254,8 +250,5 @@ fn remove_table(folder: &ResultsFolder, name: &str) -> Result<(), ResultsError> 
 }
 
 fn friction(hole: &Hole) -> Vec<f64> {
-    hole.sections()
-        .iter()
-        .map(|section| section.friction.kinetic)
-        .collect()
+    hole.sections().iter().map(|section| section.friction.kinetic).collect()
 }

@@ -39,10 +39,7 @@ impl CarriedOut<'_> {
         status: Status::Complete,
         lift: None,
         bottom: None,
-        effort: Effort {
-            took: Duration::ZERO,
-            runs: 1,
-        },
+        effort: Effort { took: Duration::ZERO, runs: 1 },
     };
 }
 
@@ -54,20 +51,8 @@ impl Record {
         solution: &Solution<'_>,
         carried_out: CarriedOut<'_>,
     ) {
-        let Solution {
-            model,
-            scalars,
-            hydraulics,
-            profile,
-            wear,
-            in_time,
-        } = *solution;
-        let CarriedOut {
-            status,
-            lift,
-            bottom,
-            effort,
-        } = carried_out;
+        let Solution { model, scalars, hydraulics, profile, wear, in_time } = *solution;
+        let CarriedOut { status, lift, bottom, effort } = carried_out;
         let statistics = |of: InTime<'_>| {
             let named = of.statistics.iter();
             named.map(|(name, of)| ((*name).to_owned(), *of)).collect()
@@ -95,23 +80,14 @@ impl Record {
             let [radius_m, angle_rad, depth_m] = bottom_rows(bottom);
             self.bottom_hole.append(
                 &[("operation", &[name])],
-                &[
-                    ("radius_m", &radius_m),
-                    ("angle_rad", &angle_rad),
-                    ("depth_m", &depth_m),
-                ],
+                &[("radius_m", &radius_m), ("angle_rad", &angle_rad), ("depth_m", &depth_m)],
             );
         }
-        if let Some(InTime {
-            contact, series, ..
-        }) = in_time
-        {
+        if let Some(InTime { contact, series, .. }) = in_time {
             let whose: (&str, &[&str]) = ("operation", &[name]);
-            self.contact
-                .append_declared(&[whose], CONTACT_MAP, contact, model);
+            self.contact.append_declared(&[whose], CONTACT_MAP, contact, model);
             let notes = notes(&self.schedule, &series.schedule_line);
-            self.time
-                .append_declared(&[whose, ("note", &notes)], TIME_SERIES, series, model);
+            self.time.append_declared(&[whose, ("note", &notes)], TIME_SERIES, series, model);
         }
         if let Some(in_time) = in_time {
             self.add_spectra(operation, &in_time, profile);
@@ -163,11 +139,7 @@ fn numerics(of: &InTime<'_>, effort: Effort) -> Numerics {
     let last_s = of.series.time_s.last().copied().unwrap_or(0.0);
     let simulated_s = last_s * effort.runs as f64;
     let wall_time_s = effort.took.as_secs_f64();
-    Numerics {
-        run: of.numerics.clone(),
-        wall_time_s,
-        real_time_factor: simulated_s / wall_time_s,
-    }
+    Numerics { run: of.numerics.clone(), wall_time_s, real_time_factor: simulated_s / wall_time_s }
 }
 
 /// Radius, angle and depth of every cell of a bottom, ring after ring.
@@ -175,10 +147,7 @@ pub(crate) fn bottom_rows(bottom: &BottomHole) -> [Vec<f64>; 3] {
     let cells = (0..bottom.rings())
         .flat_map(|ring| (0..bottom.sectors()).map(move |sector| (ring, sector)));
     let column = |of: &dyn Fn(usize, usize) -> f64| -> Vec<f64> {
-        cells
-            .clone()
-            .map(|(ring, sector)| of(ring, sector))
-            .collect()
+        cells.clone().map(|(ring, sector)| of(ring, sector)).collect()
     };
     [
         column(&|ring, _| bottom.radius_m(ring)),

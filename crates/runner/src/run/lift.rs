@@ -17,28 +17,19 @@ pub(super) fn tune(
 ) -> Result<(TunedHookLoad, Simulation), TuningError> {
     let mut shown: Option<(usize, Simulating<'_>)> = None;
     let (model, settings) = (&case.model, &case.dynamics);
-    tune_hook_load(
-        model,
-        operation,
-        settings,
-        &way.executor,
-        |run, simulation| {
-            if shown.as_ref().is_none_or(|(of, _)| *of != run) {
-                let trial = Trial {
-                    number: run,
-                    most: MAX_TUNING_RUNS,
-                };
-                let times = [0.0, simulation.end_time_s()];
-                // The one before has ended.
-                shown = None;
-                let name = operation.kind.name();
-                shown = Some((run, way.watch.simulation(name, Some(trial), times)));
-            }
-            if let Some((_, shown)) = &shown {
-                let settling = settings.steady.is_some() && simulation.is_settling();
-                shown.reach(simulation.time_s(), simulation.end_time_s(), settling);
-            }
-            !way.cancellation.is_cancelled()
-        },
-    )
+    tune_hook_load(model, operation, settings, &way.executor, |run, simulation| {
+        if shown.as_ref().is_none_or(|(of, _)| *of != run) {
+            let trial = Trial { number: run, most: MAX_TUNING_RUNS };
+            let times = [0.0, simulation.end_time_s()];
+            // The one before has ended.
+            shown = None;
+            let name = operation.kind.name();
+            shown = Some((run, way.watch.simulation(name, Some(trial), times)));
+        }
+        if let Some((_, shown)) = &shown {
+            let settling = settings.steady.is_some() && simulation.is_settling();
+            shown.reach(simulation.time_s(), simulation.end_time_s(), settling);
+        }
+        !way.cancellation.is_cancelled()
+    })
 }

@@ -204,9 +204,7 @@ fn read_checkpoint(folder: &ResultsFolder, case: &Case) -> Result<RunCheckpoint<
     let complete = complete.filter(|of| of.status == Status::Complete).count();
     let all = case.operations.len() * case.models.len();
     Err(if complete == all {
-        Error::BadInput(format!(
-            "the run in {place} is finished: nothing is left to do"
-        ))
+        Error::BadInput(format!("the run in {place} is finished: nothing is left to do"))
     } else {
         anew(format!(
             "there is no checkpoint in {place}: the run ended before its first one, with \

@@ -61,10 +61,7 @@ pub(crate) fn solve(
                 Status::Failed(reason) => {
                     keeper.finish()?;
                     record.finish(folder, way.keep)?;
-                    return Err(Stop::Unsolved(format!(
-                        "{}: {reason}",
-                        operation.kind.name()
-                    )));
+                    return Err(Stop::Unsolved(format!("{}: {reason}", operation.kind.name())));
                 }
             }
             if keeper.is_due() {
@@ -192,10 +189,7 @@ fn solve_dynamic(
     let progress = way.watch.simulation(name, None, times);
     // The run continues by whole samples.
     let sample_s = simulation.sample_interval_s();
-    let frame_samples = record
-        .frames
-        .as_ref()
-        .map(|frames| frames.samples(sample_s));
+    let frame_samples = record.frames.as_ref().map(|frames| frames.samples(sample_s));
     let poll_samples = ((POLL_INTERVAL_S / sample_s).round() as u64).max(1);
     // Frames and looks fall on the same samples wherever the run was taken up.
     let mut samples = (simulation.time_s() / sample_s).round() as u64;
@@ -228,18 +222,11 @@ fn solve_dynamic(
         }
     };
     drop(progress);
-    let effort = Effort {
-        took: took(),
-        runs: lift.map_or(1, |lift| lift.runs + usize::from(run_again)),
-    };
+    let effort =
+        Effort { took: took(), runs: lift.map_or(1, |lift| lift.runs + usize::from(run_again)) };
     let outcome = simulation.outcome();
     let bottom = simulation.bottom_hole();
-    let carried_out = CarriedOut {
-        status: status.clone(),
-        lift,
-        bottom: bottom.as_ref(),
-        effort,
-    };
+    let carried_out = CarriedOut { status: status.clone(), lift, bottom: bottom.as_ref(), effort };
     record.add(operation, &Solution::from(&outcome), carried_out);
     // What was not computed to its end has said so already.
     if status == Status::Complete {
@@ -341,10 +328,7 @@ mod tests {
             keep: Keep::All,
             csv: false,
             checkpoint_every: Duration::MAX,
-            watch: Watch {
-                observer: &Silent,
-                case: 0,
-            },
+            watch: Watch { observer: &Silent, case: 0 },
             cancellation,
             executor: cores::alone(cancellation),
         }

@@ -45,20 +45,13 @@ fn declared() -> impl Iterator<Item = (Source, outcome::Quantity)> {
         numbers.map(move |spec| (source, *spec))
     });
     let path = WellBore::COLUMNS.iter().map(|(of, _)| *of);
-    summary
-        .map(|of| (Source::Summary, of))
-        .chain(numbers)
-        .chain(path.map(|of| (Source::Path, of)))
+    summary.map(|of| (Source::Summary, of)).chain(numbers).chain(path.map(|of| (Source::Path, of)))
 }
 
 /// Every column that a study may show.
 pub(super) fn all() -> Vec<ColumnName> {
     declared()
-        .map(|(source, of)| ColumnName {
-            source,
-            name: of.name,
-            dimension: of_kind(of.kind),
-        })
+        .map(|(source, of)| ColumnName { source, name: of.name, dimension: of_kind(of.kind) })
         .collect()
 }
 
@@ -124,58 +117,25 @@ mod tests {
             found.unwrap_or_else(|| panic!("{name}"))
         };
         for (source, name, expected, called) in [
-            (
-                Source::Summary,
-                "hook_load_N",
-                Some(Dimension::Force),
-                "hook load",
-            ),
-            (
-                Source::Summary,
-                "twist_rad",
-                Some(Dimension::Angle),
-                "twist",
-            ),
-            (
-                Source::Nodes,
-                "side_force_N_per_m",
-                Some(Dimension::ForcePerLength),
-                "side force",
-            ),
-            (
-                Source::Nodes,
-                "friction_torque_N_m_per_m",
-                None,
-                "friction torque",
-            ),
+            (Source::Summary, "hook_load_N", Some(Dimension::Force), "hook load"),
+            (Source::Summary, "twist_rad", Some(Dimension::Angle), "twist"),
+            (Source::Nodes, "side_force_N_per_m", Some(Dimension::ForcePerLength), "side force"),
+            (Source::Nodes, "friction_torque_N_m_per_m", None, "friction torque"),
             (Source::Wear, "wear_work_J_per_m", None, "wear work"),
             (Source::Time, "time_s", Some(Dimension::Time), "time"),
-            (
-                Source::Frames,
-                "contact_force_N",
-                Some(Dimension::Force),
-                "contact force",
-            ),
+            (Source::Frames, "contact_force_N", Some(Dimension::Force), "contact force"),
             (
                 Source::Path,
                 "dogleg_severity_rad_per_m",
                 Some(Dimension::DoglegSeverity),
                 "dogleg severity",
             ),
-            (
-                Source::Path,
-                "md_m",
-                Some(Dimension::Length),
-                "measured depth",
-            ),
+            (Source::Path, "md_m", Some(Dimension::Length), "measured depth"),
         ] {
             assert_eq!(column(source, name).dimension, expected, "{name}");
             assert_eq!(words(name), called);
         }
         assert_eq!(label("hook load", "kN"), "Hook load, kN");
-        assert_eq!(
-            unit(None, "wear_work_J_per_m", UnitSet::Field),
-            ("J/m".into(), 1.0)
-        );
+        assert_eq!(unit(None, "wear_work_J_per_m", UnitSet::Field), ("J/m".into(), 1.0));
     }
 }

@@ -36,11 +36,7 @@ pub(super) struct MapData {
 
 /// A value as the quantity has it: without its sign where that is requested.
 pub(super) fn signed(quantity: &Quantity, value: f64) -> f64 {
-    if quantity.magnitude {
-        value.abs()
-    } else {
-        value
-    }
+    if quantity.magnitude { value.abs() } else { value }
 }
 
 /// Whether a time is in the window, where there is one.

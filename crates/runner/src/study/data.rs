@@ -43,24 +43,13 @@ pub(super) fn table(
         }
         FigureData::Map { .. } => "time_s",
     };
-    for key in keys_of(results.chosen(&figure.chosen))
-        .iter()
-        .filter(|key| *key != axis)
-    {
+    for key in keys_of(results.chosen(&figure.chosen)).iter().filter(|key| *key != axis) {
         columns.push(text(key, &|curve| {
             let found = curve.values.iter().find(|(name, _)| name == key);
             found.map_or_else(String::new, |(_, value)| value.clone())
         }));
     }
-    let at = |name| {
-        number(
-            name,
-            points
-                .iter()
-                .map(|of| of.0.at.unwrap_or(f64::NAN))
-                .collect(),
-        )
-    };
+    let at = |name| number(name, points.iter().map(|of| of.0.at.unwrap_or(f64::NAN)).collect());
     match figure.data {
         FigureData::Times { .. } => columns.push(at("frame_s")),
         FigureData::Depths { .. } => columns.push(at("depth_m")),
@@ -70,18 +59,11 @@ pub(super) fn table(
     columns.push(x);
     if let FigureData::Map { .. } = figure.data {
         let maps = curves.iter().filter_map(|curve| curve.map.as_ref());
-        columns.push(number(
-            "md_m",
-            maps.flat_map(|map| map.depths_m.iter().copied()).collect(),
-        ));
+        columns.push(number("md_m", maps.flat_map(|map| map.depths_m.iter().copied()).collect()));
     }
     columns.push(text("quantity", &|curve| {
         let name = curve.quantity.column.name;
-        let name = if curve.quantity.magnitude {
-            format!("|{name}|")
-        } else {
-            name.to_owned()
-        };
+        let name = if curve.quantity.magnitude { format!("|{name}|") } else { name.to_owned() };
         match curve.statistic {
             Some(statistic) => format!("{name} {}", statistic.name()),
             None => name,

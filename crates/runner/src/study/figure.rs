@@ -62,11 +62,7 @@ pub(super) fn curves(figure: &Figure, results: &CaseResults) -> Result<Vec<Curve
                     curves.push(curve);
                 }
             }
-            FigureData::Depths {
-                x,
-                depths_m,
-                window_s,
-            } => {
+            FigureData::Depths { x, depths_m, window_s } => {
                 for answer in &chosen {
                     for depth_m in depths_m {
                         let mut curve = blank(answer, None, quantity, None);
@@ -93,9 +89,7 @@ fn blank(
     let others = all.filter(|(key, _)| axis != Some(key.as_str()));
     Curve {
         series: answer.series(),
-        values: others
-            .map(|(key, value)| (key.clone(), value.clone()))
-            .collect(),
+        values: others.map(|(key, value)| (key.clone(), value.clone())).collect(),
         quantity: *quantity,
         statistic,
         at: None,
@@ -131,16 +125,9 @@ fn rows(
     let (source, columns) = (y.column.source, [x.column.name, y.column.name]);
     if source == Source::Time {
         let rows = answer.rows(source, [columns[0], columns[1], "time_s"])?;
-        let kept = rows
-            .iter()
-            .filter(|[_, _, time_s]| within(window_s, *time_s));
-        return Ok(kept
-            .map(|[a, b, _]| (signed(x, *a), signed(y, *b)))
-            .collect());
+        let kept = rows.iter().filter(|[_, _, time_s]| within(window_s, *time_s));
+        return Ok(kept.map(|[a, b, _]| (signed(x, *a), signed(y, *b))).collect());
     }
     let rows = answer.rows(source, columns)?;
-    Ok(rows
-        .iter()
-        .map(|[a, b]| (signed(x, *a), signed(y, *b)))
-        .collect())
+    Ok(rows.iter().map(|[a, b]| (signed(x, *a), signed(y, *b))).collect())
 }

@@ -29,32 +29,11 @@ pub(super) fn data(computed: &Computed<'_>, sweeps: &[String]) -> Table {
         None => String::new(),
     };
     Table::new(vec![
-        text(
-            "label",
-            cells.iter().map(|(row, ..)| row.label.clone()).collect(),
-        ),
-        text(
-            "source",
-            cells.iter().map(|(row, ..)| row.source.clone()).collect(),
-        ),
-        text(
-            "sweep",
-            cells
-                .iter()
-                .map(|(_, of, _)| sweeps[of.0].clone())
-                .collect(),
-        ),
-        text(
-            "model",
-            cells
-                .iter()
-                .map(|(_, of, _)| of.1.name().to_owned())
-                .collect(),
-        ),
-        text(
-            "operation",
-            cells.iter().map(|(_, of, _)| of.2.clone()).collect(),
-        ),
+        text("label", cells.iter().map(|(row, ..)| row.label.clone()).collect()),
+        text("source", cells.iter().map(|(row, ..)| row.source.clone()).collect()),
+        text("sweep", cells.iter().map(|(_, of, _)| sweeps[of.0].clone()).collect()),
+        text("model", cells.iter().map(|(_, of, _)| of.1.name().to_owned()).collect()),
+        text("operation", cells.iter().map(|(_, of, _)| of.2.clone()).collect()),
         text(
             "unit",
             cells
@@ -65,32 +44,21 @@ pub(super) fn data(computed: &Computed<'_>, sweeps: &[String]) -> Table {
         number("expected", each(&|row| row.wanted.expected)),
         number("least", each(&|row| row.wanted.least)),
         number("most", each(&|row| row.wanted.most)),
-        number(
-            "computed",
-            cells.iter().map(|(.., value)| Some(*value)).collect(),
-        ),
+        number("computed", cells.iter().map(|(.., value)| Some(*value)).collect()),
         text("agrees", cells.iter().map(agrees).collect()),
     ])
 }
 
 fn column(name: &str, data: Data) -> Column {
-    Column {
-        name: name.to_owned(),
-        unit: String::new(),
-        meaning: String::new(),
-        data,
-    }
+    Column { name: name.to_owned(), unit: String::new(), meaning: String::new(), data }
 }
 
 /// The table for people.
 pub(super) fn grid(computed: &Computed<'_>, sweeps: &[String], units: UnitSet) -> Grid {
     let sources = computed.table.rows.iter().any(|row| !row.source.is_empty());
     let head = |words: bool| move |text: String| Head { text, words };
-    let mut heads = vec![
-        head(true)(String::new()),
-        head(true)("unit".into()),
-        head(false)("given".into()),
-    ];
+    let mut heads =
+        vec![head(true)(String::new()), head(true)("unit".into()), head(false)("given".into())];
     let series = names(&computed.series, sweeps).into_iter();
     heads.extend(series.map(head(false)));
     if sources {
@@ -167,9 +135,7 @@ fn against(row: &Row, number: f64, worth: f64) -> String {
         Some(expected) => {
             let off = 100.0 * (number - expected) / expected.abs();
             let off = if off.abs() < 0.05 { 0.0 } else { off };
-            format!("{value} ({off:+.1} %)")
-                .replace('-', "\u{2212}")
-                .replace("+0.0 %", "0.0 %")
+            format!("{value} ({off:+.1} %)").replace('-', "\u{2212}").replace("+0.0 %", "0.0 %")
         }
         None => value.replace('-', "\u{2212}"),
     }
@@ -269,11 +235,7 @@ mod tests {
     #[test]
     fn what_is_given_is_shown_as_it_was_written() {
         let row = |expected: f64, least: f64, most: f64| {
-            let wanted = Wanted {
-                expected: Some(expected),
-                least: Some(least),
-                most: Some(most),
-            };
+            let wanted = Wanted { expected: Some(expected), least: Some(least), most: Some(most) };
             given(&wanted, 1e3)
         };
         assert_eq!(row(13.61e3, 0.92 * 13.61e3, 1.08 * 13.61e3), "13.61 ± 8 %");

@@ -26,10 +26,7 @@ pub(super) fn at_times(
             }
         }
     })?;
-    let mut curves: Vec<AtTime> = nearest
-        .into_iter()
-        .map(|time_s| (time_s, Vec::new()))
-        .collect();
+    let mut curves: Vec<AtTime> = nearest.into_iter().map(|time_s| (time_s, Vec::new())).collect();
     let columns = ["time_s", x.column.name, y.column.name];
     answer.each_row(Source::Frames, columns, |[time_s, a, b]| {
         for (_, points) in curves.iter_mut().filter(|(of, _)| *of == time_s) {
@@ -45,10 +42,7 @@ const REACH_M: f64 = 5.0;
 
 /// What the wall does to a node.
 fn is_of_wall(name: &str) -> bool {
-    matches!(
-        name,
-        "contact_force_N" | "axial_friction_N" | "friction_torque_N_m"
-    )
+    matches!(name, "contact_force_N" | "axial_friction_N" | "friction_torque_N_m")
 }
 
 /// The node that frames at a depth are about: the nearest in the first frame, and for what the wall

@@ -21,11 +21,7 @@ pub(super) struct Computed<'a> {
 impl<'a> Computed<'a> {
     pub(super) fn of(table: &'a NumberTable, results: &CaseResults) -> Result<Self, ResultsError> {
         let mut series = Vec::new();
-        for of in table
-            .rows
-            .iter()
-            .flat_map(|row| results.series(&row.chosen))
-        {
+        for of in table.rows.iter().flat_map(|row| results.series(&row.chosen)) {
             if !series.contains(&of) {
                 series.push(of);
             }
@@ -40,11 +36,7 @@ impl<'a> Computed<'a> {
             series.iter().map(number).collect()
         });
         let numbers = numbers.collect::<Result<_, _>>()?;
-        Ok(Self {
-            table,
-            series,
-            numbers,
-        })
+        Ok(Self { table, series, numbers })
     }
 }
 
@@ -105,9 +97,7 @@ fn of_cases(
 
 /// The number that a value of a key begins with: the values of one key have one unit.
 fn quantity(value: &str) -> Option<f64> {
-    let ends = value
-        .char_indices()
-        .map(|(at, letter)| at + letter.len_utf8());
+    let ends = value.char_indices().map(|(at, letter)| at + letter.len_utf8());
     let number = |end: usize| value[..end].trim().parse::<f64>().ok();
     ends.rev().find_map(number)
 }
@@ -128,10 +118,7 @@ fn shape_of(shape: Shape, points: &[(f64, f64)]) -> Option<f64> {
             let mean = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / n;
             let (x, y) = (mean(&|of| of.0), mean(&|of| of.1));
             let xy = mean(&|of| (of.0 - x) * (of.1 - y));
-            let (xx, yy) = (
-                mean(&|of| (of.0 - x).powi(2)),
-                mean(&|of| (of.1 - y).powi(2)),
-            );
+            let (xx, yy) = (mean(&|of| (of.0 - x).powi(2)), mean(&|of| (of.1 - y).powi(2)));
             (points.len() > 2 && xx * yy > 0.0).then(|| xy * xy / (xx * yy))
         }
     }
@@ -253,9 +240,8 @@ mod tests {
 
     #[test]
     fn shapes_of_numbers_along_a_key() {
-        let points: Vec<(f64, f64)> = (0..10)
-            .map(|i| (f64::from(i), 3.0 + 2.0 * f64::from(i)))
-            .collect();
+        let points: Vec<(f64, f64)> =
+            (0..10).map(|i| (f64::from(i), 3.0 + 2.0 * f64::from(i))).collect();
         assert!((shape_of(Shape::Linearity, &points).unwrap() - 1.0).abs() < 1e-12);
         assert_eq!(shape_of(Shape::Growth, &points), Some(1.0));
         let bent = [(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)];

@@ -16,11 +16,7 @@ pub(super) fn show(
     folder: &ResultsFolder,
     png: bool,
 ) -> Result<(), ResultsError> {
-    let sweeps: Vec<String> = study
-        .sweeps
-        .iter()
-        .map(|sweep| sweep.name.clone())
-        .collect();
+    let sweeps: Vec<String> = study.sweeps.iter().map(|sweep| sweep.name.clone()).collect();
     let figures = within(folder, "figures")?;
     let tables = within(folder, "tables")?;
     let mut parts = Vec::new();

@@ -40,11 +40,9 @@ pub(super) fn picture(
     let y = &figure.y[0];
     let (y_unit, y_worth) = unit(y.column.dimension, y.column.name, units);
     let (x_name, x_range, (x_unit, x_worth)) = match &figure.data {
-        FigureData::Summary { x, .. } => (
-            x.key.replace(['_', '.'], " "),
-            Range::Tight,
-            unit(x.dimension, "", units),
-        ),
+        FigureData::Summary { x, .. } => {
+            (x.key.replace(['_', '.'], " "), Range::Tight, unit(x.dimension, "", units))
+        }
         FigureData::Rows { x, .. } | FigureData::Times { x, .. } | FigureData::Depths { x, .. } => {
             (
                 title(x),
@@ -61,11 +59,8 @@ pub(super) fn picture(
     let mut marks = levels(figure, y_worth);
     for curve in curves {
         let (colour, stroke) = styles.of_curve(curve);
-        let points: Vec<(f64, f64)> = curve
-            .points
-            .iter()
-            .map(|(x, y)| (x / x_worth, y / y_worth))
-            .collect();
+        let points: Vec<(f64, f64)> =
+            curve.points.iter().map(|(x, y)| (x / x_worth, y / y_worth)).collect();
         let (ink, shape) = (Ink::Line(colour), Shape::Circle);
         // Nodes between the joints of a string touch nothing: a line would fill the picture.
         let single = matches!(figure.data, FigureData::Times { .. });
@@ -74,25 +69,15 @@ pub(super) fn picture(
             marks.push(Mark::Points { ink, shape, points });
         }
         if !single {
-            marks.push(Mark::Curve {
-                ink,
-                stroke,
-                points,
-            });
+            marks.push(Mark::Curve { ink, stroke, points });
         }
     }
     let mut keys = styles.keys();
     let errors = curves.iter().flat_map(|curve| &curve.errors);
     let errors: Vec<_> = errors.map(|(x, y)| (x / x_worth, y / y_worth)).collect();
     if !errors.is_empty() {
-        keys.push(Key {
-            name: "with errors".into(),
-            sample: Sample::Ring(Grave::Error),
-        });
-        marks.push(Mark::Rings {
-            level: Grave::Error,
-            points: errors,
-        });
+        keys.push(Key { name: "with errors".into(), sample: Sample::Ring(Grave::Error) });
+        marks.push(Mark::Rings { level: Grave::Error, points: errors });
     }
     let upright = figure.x_axis == Pointing::Down;
     let x = match &figure.data {
@@ -105,17 +90,10 @@ pub(super) fn picture(
     let own = Axis {
         down,
         // One node may bear what would flatten all others.
-        clips: matches!(
-            y.column.source,
-            Source::Nodes | Source::Frames | Source::Wear
-        ),
+        clips: matches!(y.column.source, Source::Nodes | Source::Frames | Source::Wear),
         ..Axis::new(
             label(&y_names.join(", "), &y_unit),
-            if down || plan {
-                Range::Tight
-            } else {
-                Range::Zero
-            },
+            if down || plan { Range::Tight } else { Range::Zero },
         )
     };
     Picture {
@@ -138,16 +116,9 @@ pub(super) fn picture(
         },
         shared: Axis {
             down: upright,
-            ..Axis::new(
-                label(&x_name, &x_unit),
-                if plan { Range::Tight } else { x_range },
-            )
+            ..Axis::new(label(&x_name, &x_unit), if plan { Range::Tight } else { x_range })
         },
-        panels: vec![Panel {
-            axis: own,
-            marks,
-            keys: Vec::new(),
-        }],
+        panels: vec![Panel { axis: own, marks, keys: Vec::new() }],
         hole: Vec::new(),
     }
 }

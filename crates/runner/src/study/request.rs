@@ -66,11 +66,7 @@ pub fn run(
             folder: ResultsFolder::create(of_set(folder.path(), i))?,
             keys: sweep.keys().map(str::to_owned).collect(),
             keep: request.keep,
-            needs: if study.reads_tables_of(i) {
-                Keep::Tables
-            } else {
-                Keep::Summary
-            },
+            needs: if study.reads_tables_of(i) { Keep::Tables } else { Keep::Summary },
         })
     });
     let sets = sets.collect::<Result<_, Error>>()?;
@@ -80,12 +76,7 @@ pub fn run(
     for (set, point, ending) in batch.cases() {
         if let Some(Ending { solved, .. }) = ending {
             let values = (&set.keys[..], &point.values[..]);
-            results.add(
-                point.set,
-                values,
-                solved,
-                &set.folder.path().join(&point.name),
-            );
+            results.add(point.set, values, solved, &set.folder.path().join(&point.name));
         }
     }
     show(study, &results, folder, request.png)?;

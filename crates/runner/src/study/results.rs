@@ -41,9 +41,7 @@ impl CaseResult {
         chosen.sweeps.contains(&self.sweep)
             && (models.is_empty() || models.contains(&self.solved.model))
             && (operations.is_empty()
-                || operations
-                    .iter()
-                    .any(|kind| kind.name() == self.solved.operation))
+                || operations.iter().any(|kind| kind.name() == self.solved.operation))
     }
 
     /// Whether an error was found in it.
@@ -75,11 +73,7 @@ impl CaseResult {
             }),
         };
         let value = value.filter(|value| value.is_finite())?;
-        Some(if quantity.magnitude {
-            value.abs()
-        } else {
-            value
-        })
+        Some(if quantity.magnitude { value.abs() } else { value })
     }
 
     fn scalar(&self, name: &str) -> Option<f64> {
@@ -147,9 +141,7 @@ impl CaseResult {
             // A table that does not distinguish models is that of the one in time.
             let model = models
                 .get(row)
-                .map_or(self.solved.model.in_time(), |model| {
-                    model == self.solved.model.name()
-                });
+                .map_or(self.solved.model.in_time(), |model| model == self.solved.model.name());
             if model && *operation == self.solved.operation {
                 visit(columns.map(|of| of.get(row).copied().flatten().unwrap_or(f64::NAN)));
             }
@@ -243,13 +235,7 @@ pub(super) fn names(series: &[Series], sweeps: &[String]) -> Vec<String> {
     if differing.is_empty() {
         differing.push(&parts[1]);
     }
-    let name = |of: &Series| {
-        differing
-            .iter()
-            .map(|part| part(of))
-            .collect::<Vec<_>>()
-            .join(", ")
-    };
+    let name = |of: &Series| differing.iter().map(|part| part(of)).collect::<Vec<_>>().join(", ");
     series.iter().map(name).collect()
 }
 
@@ -257,8 +243,7 @@ pub(super) fn names(series: &[Series], sweeps: &[String]) -> Vec<String> {
 pub(super) fn keys_of<'a>(results: impl Iterator<Item = &'a CaseResult>) -> Vec<String> {
     let mut keys: BTreeMap<usize, Vec<String>> = BTreeMap::new();
     for answer in results {
-        keys.entry(answer.sweep)
-            .or_insert_with(|| answer.keys.clone());
+        keys.entry(answer.sweep).or_insert_with(|| answer.keys.clone());
     }
     let mut all: Vec<String> = Vec::new();
     for key in keys.into_values().flatten() {

@@ -106,11 +106,7 @@ impl CurveStyles {
     pub(super) fn of_curve(&self, curve: &Curve) -> (usize, Stroke) {
         let (series, shown) = self.place(curve);
         let stroke = |second: bool| {
-            if second {
-                Stroke::Dashed
-            } else {
-                Stroke::Solid
-            }
+            if second { Stroke::Dashed } else { Stroke::Solid }
         };
         match self.by_stroke() {
             true => (shown, stroke(series == 1)),
@@ -119,10 +115,7 @@ impl CurveStyles {
     }
 
     pub(super) fn keys(&self) -> Vec<Key> {
-        let key = |name: String, ink, stroke| Key {
-            name,
-            sample: Sample::Line(ink, stroke),
-        };
+        let key = |name: String, ink, stroke| Key { name, sample: Sample::Line(ink, stroke) };
         if self.by_stroke() {
             let shown = self.shown.iter().enumerate();
             let shown = shown.map(|(i, name)| key(name.clone(), Ink::Line(i), Stroke::Solid));
@@ -156,18 +149,14 @@ fn stroke_of(series: &Series) -> Stroke {
 /// Lines at the levels of the vertical axis, in a unit worth so much.
 pub(super) fn levels(figure: &Figure, worth: f64) -> Vec<Mark> {
     let levels = figure.levels.iter();
-    let rule = |level: &Level| Mark::OwnRule {
-        at: level.value / worth,
-        label: level.label.clone(),
-    };
+    let rule =
+        |level: &Level| Mark::OwnRule { at: level.value / worth, label: level.label.clone() };
     levels.map(rule).collect()
 }
 
 /// A value with a blank before its unit: `300m` as `300 m`.
 fn apart(value: &str) -> String {
-    let ends = value
-        .char_indices()
-        .map(|(at, letter)| at + letter.len_utf8());
+    let ends = value.char_indices().map(|(at, letter)| at + letter.len_utf8());
     let number = ends.rev().find(|end| value[..*end].parse::<f64>().is_ok());
     match number.map(|end| value.split_at(end)) {
         Some((number, unit)) if unit.starts_with(char::is_alphabetic) => format!("{number} {unit}"),
@@ -177,17 +166,13 @@ fn apart(value: &str) -> String {
 
 /// Keys whose value is the same for all curves.
 fn constant(curves: &[Curve]) -> Vec<String> {
-    let keys = curves
-        .iter()
-        .flat_map(|curve| curve.values.iter().map(|(key, _)| key));
+    let keys = curves.iter().flat_map(|curve| curve.values.iter().map(|(key, _)| key));
     let mut all: Vec<String> = keys.cloned().collect();
     all.sort();
     all.dedup();
     all.retain(|key| {
         let values = curves.iter().flat_map(|curve| &curve.values);
-        let mut values = values
-            .filter(|(name, _)| name == key)
-            .map(|(_, value)| value);
+        let mut values = values.filter(|(name, _)| name == key).map(|(_, value)| value);
         let first = values.next();
         values.all(|value| Some(value) == first)
     });

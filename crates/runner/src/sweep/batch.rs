@@ -139,11 +139,7 @@ impl<'a> Batch<'a> {
                     "a mistake of the program, please report it: {mistake}"
                 )))
             })
-            .unwrap_or_else(|why| Ending {
-                solved: Vec::new(),
-                why: Some(why),
-                reused_s: 0.0,
-            });
+            .unwrap_or_else(|why| Ending { solved: Vec::new(), why: Some(why), reused_s: 0.0 });
         let reused_s = ending.reused_s;
         let mut reached = lock(&self.progress);
         reached.endings[case] = Some(ending);
@@ -180,11 +176,7 @@ impl<'a> Batch<'a> {
                     if keep == Keep::All {
                         page::complete(&folder, case.units)?;
                     }
-                    return Ok(Ending {
-                        solved,
-                        why: None,
-                        reused_s: checked.simulated_s,
-                    });
+                    return Ok(Ending { solved, why: None, reused_s: checked.simulated_s });
                 }
                 Ok(None) => begun = self.begun(point, &case, &folder),
                 Err(reason) => self.warn_of(point, &reason),
@@ -201,10 +193,7 @@ impl<'a> Batch<'a> {
                 .options
                 .checkpoint_every
                 .unwrap_or_else(|| checkpoint_every(&case)),
-            watch: Watch {
-                observer: self.observer,
-                case: number,
-            },
+            watch: Watch { observer: self.observer, case: number },
             cancellation: self.cancellation,
             // Cases are what the cores share.
             executor: cores::alone(self.cancellation),
@@ -213,11 +202,7 @@ impl<'a> Batch<'a> {
         if keep == Keep::All {
             page::write(&folder, case.units)?;
         }
-        Ok(Ending {
-            solved: record.into_summary().operations,
-            why,
-            reused_s: 0.0,
-        })
+        Ok(Ending { solved: record.into_summary().operations, why, reused_s: 0.0 })
     }
 
     /// What an earlier sweep began of the case; nothing where it left none to continue with, or
@@ -294,18 +279,14 @@ impl<'a> Batch<'a> {
             };
             match why.as_ref().map(Stop::reason) {
                 None => outcome.finished += 1,
-                Some(reason) => outcome.failed.extend(reason.map(|reason| FailedCase {
-                    name: self.label(point),
-                    reason,
-                })),
+                Some(reason) => outcome
+                    .failed
+                    .extend(reason.map(|reason| FailedCase { name: self.label(point), reason })),
             }
             let wrong = solved.iter().filter(|of| findings::is_wrong(of));
             let operations: Vec<String> = wrong.map(findings::name).collect();
             if !operations.is_empty() {
-                outcome.with_errors.push(CaseWithErrors {
-                    name: self.label(point),
-                    operations,
-                });
+                outcome.with_errors.push(CaseWithErrors { name: self.label(point), operations });
             }
         }
         outcome
@@ -328,9 +309,6 @@ fn finished(
     is_of(&summary, case)?;
     let all = case.operations.len() * case.models.len();
     let complete = summary.operations.len() == all
-        && summary
-            .operations
-            .iter()
-            .all(|of| of.status == Status::Complete);
+        && summary.operations.iter().all(|of| of.status == Status::Complete);
     Ok((complete && keep.has_tables(folder)).then_some(summary.operations))
 }

@@ -45,9 +45,7 @@ impl Checked {
             .iter()
             .filter_map(|operation| Effort::of(&case.model, operation, &case.dynamics).ok())
             .collect();
-        let cost = efforts
-            .iter()
-            .map(|effort| effort.elements as f64 * effort.steps);
+        let cost = efforts.iter().map(|effort| effort.elements as f64 * effort.steps);
         Self {
             name: case.name.clone(),
             identity: digest(&case.identity()),
@@ -107,10 +105,9 @@ pub(super) fn check(
     if let Some((first, _)) = unsound.first() {
         let summary = match (unsound.len(), points.len()) {
             (_, 1) => None,
-            (1, all) => Some(format!(
-                "1 of {all} cases is not sound, {}: nothing was run",
-                first.name
-            )),
+            (1, all) => {
+                Some(format!("1 of {all} cases is not sound, {}: nothing was run", first.name))
+            }
             (some, all) => Some(format!(
                 "{some} of {all} cases are not sound, the first is {}: nothing was run",
                 first.name

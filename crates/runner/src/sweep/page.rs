@@ -60,11 +60,8 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
         others.iter().filter_map(number).collect()
     };
     // A sweep of before findings has no such columns.
-    let count = |name: &str, row: usize| {
-        word(name, row)
-            .parse::<f64>()
-            .map_or(0, |many| many as usize)
-    };
+    let count =
+        |name: &str, row: usize| word(name, row).parse::<f64>().map_or(0, |many| many as usize);
     // Cases that keep no page of their own have none to lead to.
     let page = |case: &str| {
         let there = !case.is_empty() && folder.join(case).join(page::FILE).is_file();
@@ -100,15 +97,10 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
     let settings = first.as_ref().map(|first| &first.settings);
     Ok(Sweep {
         program: page::PROGRAM.into(),
-        title: first
-            .as_ref()
-            .map_or_else(|| "Sweep".into(), |first| first.case.clone()),
+        title: first.as_ref().map_or_else(|| "Sweep".into(), |first| first.case.clone()),
         units: match units {
             Some(units) => units.name().into(),
-            None => settings
-                .and_then(|settings| settings["units"].as_str())
-                .unwrap_or("si")
-                .into(),
+            None => settings.and_then(|settings| settings["units"].as_str()).unwrap_or("si").into(),
         },
         dimensions: dimensions::all(),
         asked,

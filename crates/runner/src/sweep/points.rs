@@ -48,9 +48,7 @@ pub(crate) fn points<'a>(
             let own: Vec<Override> = own.collect();
             let values: Vec<String> = own.iter().map(|of| of.bare().to_owned()).collect();
             let parts = own.iter().zip(&values);
-            let parts: Vec<_> = parts
-                .map(|(of, value)| format!("{}={value}", of.key))
-                .collect();
+            let parts: Vec<_> = parts.map(|(of, value)| format!("{}={value}", of.key)).collect();
             Point {
                 set: 0,
                 template,
@@ -79,10 +77,6 @@ fn name_folders(points: &mut [Point<'_>]) {
     let digits = points.len().to_string().len();
     let speaking = whole && unique.len() == names.len();
     for (i, (point, name)) in points.iter_mut().zip(names).enumerate() {
-        point.name = if speaking {
-            name
-        } else {
-            format!("case-{:0digits$}", i + 1)
-        };
+        point.name = if speaking { name } else { format!("case-{:0digits$}", i + 1) };
     }
 }

@@ -21,16 +21,7 @@ pub const SCALARS: [&str; outcome::SCALARS.len() + 1] = {
 /// What is reported of a tuned lift, as `summary.json` names it.
 const LIFT: [&str; 3] = ["hook_load_N", "weight_on_bit_N", "runs"];
 
-const STATISTICS: [&str; 8] = [
-    "mean",
-    "std",
-    "min",
-    "max",
-    "p05",
-    "p95",
-    "std_error",
-    "drift",
-];
+const STATISTICS: [&str; 8] = ["mean", "std", "min", "max", "p05", "p95", "std_error", "drift"];
 
 /// The rows of a sweep. Which columns they have is settled by what is swept and solved, so that the
 /// tables of its shards can be put one below the other.
@@ -78,13 +69,7 @@ impl SweepTable {
             // The mean of a scalar is the scalar.
             .filter(|[quantity, statistic]| *statistic != "mean" || !SCALARS.contains(quantity))
             .collect();
-        Self {
-            keys,
-            statistics,
-            dynamic,
-            lift,
-            rows: Vec::new(),
-        }
+        Self { keys, statistics, dynamic, lift, rows: Vec::new() }
     }
 
     /// Adds what was solved of a case, and why it failed if that says more.
@@ -96,18 +81,12 @@ impl SweepTable {
         failure: Option<&str>,
     ) {
         let mut row = |solved: Map<String, Value>| {
-            self.rows.push(Row {
-                values: values.to_vec(),
-                solved,
-                folder: folder.to_owned(),
-            });
+            self.rows.push(Row { values: values.to_vec(), solved, folder: folder.to_owned() });
         };
         let mut explained = false;
         for operation in solved {
             if let Ok(Value::Object(operation)) = serde_json::to_value(operation) {
-                explained |= operation
-                    .get("status")
-                    .is_some_and(|status| status == "failed");
+                explained |= operation.get("status").is_some_and(|status| status == "failed");
                 row(operation);
             }
         }
@@ -146,9 +125,7 @@ impl SweepTable {
         }
         columns.extend(["model", "operation"].map(word));
         for name in SCALARS {
-            columns.push(number(name.to_owned(), &|row| {
-                row.solved.get(name)?.as_f64()
-            }));
+            columns.push(number(name.to_owned(), &|row| row.solved.get(name)?.as_f64()));
         }
         for [quantity, statistic] in &self.statistics {
             let name = format!("{quantity}_{statistic}");
@@ -171,10 +148,7 @@ impl SweepTable {
         for (name, level) in [("errors", Level::Error), ("warnings", Level::Warning)] {
             columns.push(number(name.to_owned(), &|row| row.findings(level)));
         }
-        for (name, key) in [
-            ("worst_finding", "kind"),
-            ("worst_finding_message", "message"),
-        ] {
+        for (name, key) in [("worst_finding", "kind"), ("worst_finding_message", "message")] {
             columns.push(text(name, &|row| row.worst(key)));
         }
         columns.extend(["status", "message"].map(word));

@@ -40,11 +40,7 @@ pub(crate) fn workbook_of(cells: &[(u16, u16, Value)], times: usize) -> Vec<u8> 
     let mut stream = record(0x0809, &[&[0, 6, 5, 0], &[0; 12][..]].concat());
     let name = b"Survey";
     let sheet_at = (stream.len() + times * (4 + 8 + name.len()) + 4) as u32;
-    let bound = [
-        &sheet_at.to_le_bytes()[..],
-        &[0, 0, name.len() as u8, 0],
-        name,
-    ];
+    let bound = [&sheet_at.to_le_bytes()[..], &[0, 0, name.len() as u8, 0], name];
     for _ in 0..times {
         stream.extend(record(0x0085, &bound.concat()));
     }
@@ -55,12 +51,7 @@ pub(crate) fn workbook_of(cells: &[(u16, u16, Value)], times: usize) -> Vec<u8> 
 }
 
 fn record(kind: u16, data: &[u8]) -> Vec<u8> {
-    [
-        &kind.to_le_bytes()[..],
-        &(data.len() as u16).to_le_bytes(),
-        data,
-    ]
-    .concat()
+    [&kind.to_le_bytes()[..], &(data.len() as u16).to_le_bytes(), data].concat()
 }
 
 /// A compound file with the stream "Workbook": header, table of sectors, directory, stream.
@@ -71,10 +62,7 @@ fn compound(mut stream: Vec<u8>) -> Vec<u8> {
     // Shorter streams would stand elsewhere.
     stream.resize(stream.len().max(4096).next_multiple_of(SECTOR), 0);
     let sectors = stream.len() / SECTOR;
-    assert!(
-        sectors + 2 <= SECTOR / 4,
-        "one sector of the table holds 128 entries"
-    );
+    assert!(sectors + 2 <= SECTOR / 4, "one sector of the table holds 128 entries");
 
     let mut header = vec![0; SECTOR];
     header[..8].copy_from_slice(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1");

@@ -14,12 +14,9 @@ impl FaceTable {
     /// Finer ones than any bit has are looked for as long as they are found.
     pub(super) fn check_width(&self, diameter_m: f64, reader: &mut Reader) -> Option<()> {
         let min_m = FINEST * diameter_m;
-        let fine = [
-            (&self.cutter_diameter, "cutters"),
-            (&self.insert_diameter, "inserts"),
-        ]
-        .into_iter()
-        .find_map(|(field, what)| Some((field.given().filter(|at| at.value < min_m)?, what)));
+        let fine = [(&self.cutter_diameter, "cutters"), (&self.insert_diameter, "inserts")]
+            .into_iter()
+            .find_map(|(field, what)| Some((field.given().filter(|at| at.value < min_m)?, what)));
         let Some((given, what)) = fine else {
             return Some(());
         };

@@ -106,10 +106,7 @@ impl FaceTable {
                 (HALF_ANGLE_RAD, TIP * bit.insert_diameter_m);
             set(&mut half_angle_rad, &self.half_angle)?;
             set(&mut tip_radius_m, &self.tip_radius)?;
-            bit.shape = InsertShape::Cone {
-                half_angle_rad,
-                tip_radius_m,
-            };
+            bit.shape = InsertShape::Cone { half_angle_rad, tip_radius_m };
         }
         let counted = set_count(&mut bit.rows, &self.rows)?;
         Some(if counted { bit } else { bit.filled() })

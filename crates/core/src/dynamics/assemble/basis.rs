@@ -30,28 +30,16 @@ pub(in crate::dynamics) fn check(settings: &DynamicsSettings) -> Result<(), Setu
         ("duration_s", settings.duration_s),
         ("sample_interval_s", settings.sample_interval_s),
         ("stribeck_speed_m_per_s", settings.stribeck_speed_m_per_s),
-        (
-            "hoist_line.stiffness_N_per_m",
-            settings.hoist_line.stiffness_N_per_m,
-        ),
+        ("hoist_line.stiffness_N_per_m", settings.hoist_line.stiffness_N_per_m),
     ];
     let not_negative = [
-        (
-            "hoist_line.block_mass_kg",
-            settings.hoist_line.block_mass_kg,
-        ),
+        ("hoist_line.block_mass_kg", settings.hoist_line.block_mass_kg),
         ("settle_s", settings.settle_s),
         ("centred.ramp_s", settings.centred.ramp_s),
         ("damping.mass_per_s", settings.damping.mass_per_s),
         ("damping.stiffness_s", settings.damping.stiffness_s),
-        (
-            "hoist_line.damping_N_s_per_m",
-            settings.hoist_line.damping_N_s_per_m,
-        ),
-        (
-            "bit.lateral_stiffness_N_per_m",
-            settings.bit.lateral_stiffness_N_per_m,
-        ),
+        ("hoist_line.damping_N_s_per_m", settings.hoist_line.damping_N_s_per_m),
+        ("bit.lateral_stiffness_N_per_m", settings.bit.lateral_stiffness_N_per_m),
         ("bit.steerability", settings.bit.steerability),
     ];
     check_numbers(&positive, &not_negative)?;
@@ -61,10 +49,7 @@ pub(in crate::dynamics) fn check(settings: &DynamicsSettings) -> Result<(), Setu
     check_numbers(&drive_numbers(&settings.top_drive), &[])?;
     check_bit(&settings.bit)?;
     match settings.schedule.fault() {
-        Some((index, fault)) => Err(SetupError::Schedule {
-            line: index + 1,
-            fault,
-        }),
+        Some((index, fault)) => Err(SetupError::Schedule { line: index + 1, fault }),
         None => Ok(()),
     }
 }
@@ -84,9 +69,8 @@ fn check_bit(bit: &BitSettings) -> Result<(), SetupError> {
             check_cutters(&law.cutters)?;
             let full_m = law.full_contact_depth_m;
             check_numbers(&[], &[("bit.full_contact_depth_m", full_m)])?;
-            if let Some(limit) = law
-                .cleaning_limit_m
-                .filter(|limit| limit.is_nan() || *limit <= full_m)
+            if let Some(limit) =
+                law.cleaning_limit_m.filter(|limit| limit.is_nan() || *limit <= full_m)
             {
                 return Err(SetupError::Setting {
                     name: "bit.cleaning_limit_m",
@@ -114,10 +98,7 @@ fn check_excitation(shaken: Excitation) -> Result<(), SetupError> {
         &[
             ("bit.excitation.amplitude_m", shaken.amplitude_m),
             ("bit.excitation.roughness_m", shaken.roughness_m),
-            (
-                "bit.excitation.torque_fluctuation",
-                shaken.torque_fluctuation,
-            ),
+            ("bit.excitation.torque_fluctuation", shaken.torque_fluctuation),
         ],
     )
 }
@@ -128,10 +109,7 @@ fn check_cutters(cutters: &Cutters) -> Result<(), SetupError> {
         &[
             ("bit.radius_m", cutters.radius_m),
             ("bit.radius_m less bit.core_radius_m", width_m),
-            (
-                "bit.intrinsic_specific_energy_Pa",
-                cutters.intrinsic_specific_energy_Pa,
-            ),
+            ("bit.intrinsic_specific_energy_Pa", cutters.intrinsic_specific_energy_Pa),
             ("bit.cutter_inclination", cutters.cutter_inclination),
         ],
         &[
@@ -167,20 +145,12 @@ fn check_numbers(
     let wrong = |value: f64, enough: bool| !(value.is_finite() && enough);
     for &(name, value) in positive {
         if wrong(value, value > 0.0) {
-            return Err(SetupError::Setting {
-                name,
-                value,
-                expected: "a positive number",
-            });
+            return Err(SetupError::Setting { name, value, expected: "a positive number" });
         }
     }
     for &(name, value) in not_negative {
         if wrong(value, value >= 0.0) {
-            return Err(SetupError::Setting {
-                name,
-                value,
-                expected: "zero or a positive number",
-            });
+            return Err(SetupError::Setting { name, value, expected: "zero or a positive number" });
         }
     }
     Ok(())
@@ -190,11 +160,9 @@ fn check_numbers(
 fn drive_numbers(drive: &TopDriveSettings) -> Vec<(&'static str, f64)> {
     let (inertia_kg_m2, torque_limit_N_m, controller) = match *drive {
         TopDriveSettings::Constant => return Vec::new(),
-        TopDriveSettings::Driven {
-            inertia_kg_m2,
-            controller,
-            torque_limit_N_m,
-        } => (inertia_kg_m2, torque_limit_N_m, Some(controller)),
+        TopDriveSettings::Driven { inertia_kg_m2, controller, torque_limit_N_m } => {
+            (inertia_kg_m2, torque_limit_N_m, Some(controller))
+        }
         TopDriveSettings::Custom(ref custom) => {
             (custom.inertia_kg_m2, custom.torque_limit_N_m, None)
         }
@@ -205,22 +173,14 @@ fn drive_numbers(drive: &TopDriveSettings) -> Vec<(&'static str, f64)> {
         return numbers;
     };
     match controller {
-        SpeedController::Pi {
-            proportional_N_m_s, ..
-        } => numbers.push(("top_drive.proportional_N_m_s", proportional_N_m_s)),
-        SpeedController::SoftTorque {
-            impedance_ratio,
-            frequency_Hz,
-        } => {
+        SpeedController::Pi { proportional_N_m_s, .. } => {
+            numbers.push(("top_drive.proportional_N_m_s", proportional_N_m_s))
+        }
+        SpeedController::SoftTorque { impedance_ratio, frequency_Hz } => {
             numbers.push(("top_drive.impedance_ratio", impedance_ratio));
             numbers.extend(frequency_Hz.map(|hz| ("top_drive.frequency_Hz", hz)));
         }
-        SpeedController::ZTorque {
-            impedance_ratio,
-            frequency_Hz,
-            proportional_N_m_s,
-            ..
-        } => {
+        SpeedController::ZTorque { impedance_ratio, frequency_Hz, proportional_N_m_s, .. } => {
             numbers.push(("top_drive.impedance_ratio", impedance_ratio));
             numbers.push(("top_drive.proportional_N_m_s", proportional_N_m_s));
             numbers.extend(frequency_Hz.map(|hz| ("top_drive.frequency_Hz", hz)));
@@ -314,12 +274,7 @@ fn check_weight_of_bit(settings: &DynamicsSettings, plan: &StepPlan) -> Result<(
         // The lowest node has half of the lowest element.
         let bit = 0.5 * bit;
         if bit <= rock {
-            return Err(SetupError::LightBit {
-                direction,
-                unit,
-                bit,
-                rock,
-            });
+            return Err(SetupError::LightBit { direction, unit, bit, rock });
         }
     }
     Ok(())

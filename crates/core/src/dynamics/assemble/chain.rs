@@ -64,11 +64,7 @@ pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
     }
     for index in 0..=last {
         let rotary = node!(chain, index, inv_rotary);
-        node!(
-            chain,
-            index,
-            gyroscopic = node!(chain, index, polar) / rotary
-        );
+        node!(chain, index, gyroscopic = node!(chain, index, polar) / rotary);
         node!(chain, index, inv_rotary = 1.0 / rotary);
     }
     release(&mut chain);
@@ -79,16 +75,8 @@ pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
 /// drive prescribes. The top is clamped laterally: it neither leaves the axis nor tilts.
 pub fn release(chain: &mut Chain) {
     for index in 0..chain.nodes() {
-        node!(
-            chain,
-            index,
-            inv_mass_axial = 1.0 / node!(chain, index, mass_axial)
-        );
-        node!(
-            chain,
-            index,
-            inv_mass_lateral = 1.0 / node!(chain, index, mass_lateral)
-        );
+        node!(chain, index, inv_mass_axial = 1.0 / node!(chain, index, mass_axial));
+        node!(chain, index, inv_mass_lateral = 1.0 / node!(chain, index, mass_lateral));
         node!(chain, index, inv_polar = 1.0 / node!(chain, index, polar));
     }
     node!(chain, 0, inv_mass_lateral = 0.0);

@@ -49,14 +49,7 @@ pub struct BendStep {
 impl Bend {
     /// A bend at node `index` that has not grown yet.
     pub fn new(index: usize, angle_rad: f64, toward: Vector<f64>) -> Self {
-        Self {
-            index,
-            angle_rad,
-            toward,
-            part: 0.0,
-            director: Vector::zero(),
-            element: [0.0; 3],
-        }
+        Self { index, angle_rad, toward, part: 0.0, director: Vector::zero(), element: [0.0; 3] }
     }
 
     /// The pose of the element below, as the bend shows it.
@@ -65,20 +58,12 @@ impl Bend {
     }
 
     fn below(&self, chain: &Chain<impl Real>, part: f64) -> Vector<f64> {
-        director_below(
-            chain.director(self.index),
-            self.toward,
-            part * self.angle_rad,
-        )
+        director_below(chain.director(self.index), self.toward, part * self.angle_rad)
     }
 
     fn pose_with(&self, chain: &Chain<impl Real>, part: f64) -> Pose<f64> {
         let below = self.below(chain, part);
-        pose_below(
-            &chain.pose(self.index),
-            node!(chain, self.index, spin),
-            below,
-        )
+        pose_below(&chain.pose(self.index), node!(chain, self.index, spin), below)
     }
 
     /// Adds what the bend changes in the forces of the step to come, `part` of its angle being
@@ -103,10 +88,7 @@ impl Bend {
         // The twist is carried on with the directors of half a step ago, where its rate is: with
         // those of now, two ends that turn about different axes would gain energy of first order in
         // the step.
-        let halfway = Pose {
-            twist: pose.twist,
-            ..half_a_step_before(pose, input.dt)
-        };
+        let halfway = Pose { twist: pose.twist, ..half_a_step_before(pose, input.dt) };
         pose.twist = react(&k, &halfway, input.dt, 0.0).twist;
         let bent = react(&k, &pose, 0.0, input.stiffness_damping);
         // What the step itself will do, which knows of no bend.

@@ -50,9 +50,7 @@ fn unit(v: Vector<f64>) -> Vector<f64> {
 
 /// Whole angular velocity of a node, rad/s.
 fn whole_turning(chain: &Chain<impl Real>, index: usize) -> Vector<f64> {
-    chain
-        .turning(index)
-        .plus(chain.director(index), node!(chain, index, spin))
+    chain.turning(index).plus(chain.director(index), node!(chain, index, spin))
 }
 
 impl Imbalance {
@@ -82,9 +80,7 @@ impl Imbalance {
         self.before = [chain.director(i), chain.velocity(i), omega];
         // −U Δ(ω × q)/dt between the middles of the last step and of this one.
         let ahead = unit(q.plus(omega.cross(q), 0.5 * dt));
-        let behind = self
-            .half
-            .unwrap_or_else(|| unit(q.minus(omega.cross(q), 0.5 * dt)));
+        let behind = self.half.unwrap_or_else(|| unit(q.minus(omega.cross(q), 0.5 * dt)));
         self.led = omega.cross(ahead);
         let outwards = (self.led - omega.cross(behind)).scaled(-self.moment_kg_m / dt);
         // U q × g, gravity straight down.
@@ -107,10 +103,7 @@ impl Imbalance {
         // Velocity of an impulse: less mass moves along the hole than across it.
         let moved = |impulse: Vector<f64>| {
             let along = impulse.dot(tangent);
-            impulse
-                .minus(tangent, along)
-                .scaled(lateral)
-                .plus(tangent, along * axial)
+            impulse.minus(tangent, along).scaled(lateral).plus(tangent, along * axial)
         };
         let (mut dv, mut dw, mut ds) = (Vector::zero(), Vector::zero(), 0.0);
         for _ in 0..PASSES {

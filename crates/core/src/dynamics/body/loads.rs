@@ -132,9 +132,7 @@ impl Loads {
             let (sine, cosine) = (2.0 * p.atan()).sin_cos();
             let w = chain.turning(index) + kick + kick.scaled(cosine).minus(kick.cross(d), sine);
             let q = 0.25 * dt * dt * w.dot(w);
-            let turned = d
-                .scaled((1.0 - q) / (1.0 + q))
-                .plus(w.cross(d), dt / (1.0 + q));
+            let turned = d.scaled((1.0 - q) / (1.0 + q)).plus(w.cross(d), dt / (1.0 + q));
             chain.set_turning(index, w);
             chain.set_director(index, turned);
         }

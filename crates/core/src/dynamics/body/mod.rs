@@ -45,12 +45,7 @@ impl Body {
     /// Whether stored bends and masses stand where those of the model do.
     pub(super) fn check(&self, fresh: &Self) -> Result<(), Damaged> {
         let bends = |of: &Self| of.bends.iter().map(|bend| bend.index).collect::<Vec<_>>();
-        let masses = |of: &Self| {
-            of.imbalances
-                .iter()
-                .map(|one| one.index)
-                .collect::<Vec<_>>()
-        };
+        let masses = |of: &Self| of.imbalances.iter().map(|one| one.index).collect::<Vec<_>>();
         // Loads are of one step: they are made anew in the next.
         let fits = bends(self) == bends(fresh)
             && masses(self) == masses(fresh)
@@ -94,11 +89,7 @@ impl Body {
                 Imbalance::new(index, size, GRAVITY_M_PER_S2, toward)
             })
             .collect();
-        Self {
-            bends,
-            imbalances,
-            loads: Loads::default(),
-        }
+        Self { bends, imbalances, loads: Loads::default() }
     }
 
     /// Whether there is nothing to do.

@@ -47,9 +47,6 @@ pub struct RockExecutor {
 impl RockExecutor {
     /// An executor, with the best instructions that there are.
     pub fn of(executor: Arc<dyn Executor + Send + Sync>) -> Self {
-        Self {
-            shared: SharedExecutor::new(executor),
-            ..Self::default()
-        }
+        Self { shared: SharedExecutor::new(executor), ..Self::default() }
     }
 }

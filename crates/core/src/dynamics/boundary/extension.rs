@@ -31,21 +31,13 @@ pub(in crate::dynamics) struct Extension<L: ?Sized> {
 
 impl<L: ?Sized> Clone for Extension<L> {
     fn clone(&self) -> Self {
-        Self {
-            name: self.name.clone(),
-            state: self.state.clone(),
-            law: self.law.clone(),
-        }
+        Self { name: self.name.clone(), state: self.state.clone(), law: self.law.clone() }
     }
 }
 
 impl<L: ?Sized> Extension<L> {
     pub(in crate::dynamics) fn new(law: &Arc<L>, name: &str, state: Vec<f64>) -> Self {
-        Self {
-            name: name.to_owned(),
-            state,
-            law: Some(Arc::clone(law)),
-        }
+        Self { name: name.to_owned(), state, law: Some(Arc::clone(law)) }
     }
 
     /// Gives one that has been read back its law; refuses a law of another name, or one that keeps

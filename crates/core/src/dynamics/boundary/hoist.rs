@@ -149,11 +149,7 @@ impl Hoist {
             HoistControl::HookLoad(force) => force,
             _ => {
                 self.block_m += dt * self.velocity_m_per_s;
-                let HoistLine {
-                    stiffness_N_per_m: k,
-                    damping_N_s_per_m: c,
-                    ..
-                } = self.line;
+                let HoistLine { stiffness_N_per_m: k, damping_N_s_per_m: c, .. } = self.line;
                 // F = k x + c v with the x and v that F itself leaves at the step's end.
                 let stretch = k * (end - self.block_m) + c * (free - self.velocity_m_per_s);
                 // A line does not push.
@@ -171,16 +167,10 @@ impl Hoist {
             self.block_m = end - dt * taken - force / self.line.stiffness_N_per_m;
         }
         // F_hook = F_line − M g + M v': `force` is the line's beyond the block's weight already.
-        let hook_load_N = if block_kg > 0.0 {
-            force + block_kg * (after - before_m_per_s) / dt
-        } else {
-            force
-        };
+        let hook_load_N =
+            if block_kg > 0.0 { force + block_kg * (after - before_m_per_s) / dt } else { force };
         let mean = 0.5 * (before_m_per_s + after);
-        HoistStep {
-            hook_load_N,
-            work_J: -hook_load_N * mean * dt,
-        }
+        HoistStep { hook_load_N, work_J: -hook_load_N * mean * dt }
     }
 
     /// Sets the speed by the weight that is missing.

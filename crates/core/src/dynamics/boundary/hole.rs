@@ -54,11 +54,7 @@ fn held_length_m(model: &Model) -> f64 {
     if drilled - 0.5 * lowest.od_m >= SNUG_M {
         return f64::MIN_POSITIVE;
     }
-    if lowest.is_bit() {
-        lowest.length_m
-    } else {
-        lowest.length_m.min(BIT_DIAMETERS * lowest.od_m)
-    }
+    if lowest.is_bit() { lowest.length_m } else { lowest.length_m.min(BIT_DIAMETERS * lowest.od_m) }
 }
 
 impl Borehole {
@@ -69,10 +65,7 @@ impl Borehole {
             .iter()
             .map(|n| {
                 let (_, component) = model.string.component_at(n.from_bit_m);
-                (
-                    component.material.youngs_modulus_Pa,
-                    component.material.poisson_ratio(),
-                )
+                (component.material.youngs_modulus_Pa, component.material.poisson_ratio())
             })
             .collect();
         // The top is clamped in the rotary; the bit is held by the hole that it cuts.
@@ -119,21 +112,15 @@ impl Borehole {
         cut: Vector<f64>,
     ) -> f64 {
         let first = chain.nodes() - self.held_radii_m.len();
-        let depths = self
-            .held_radii_m
-            .iter()
-            .zip(first..)
-            .map(|(radius, index)| {
-                let (tangent, u) = (chain.tangent(index), chain.displacement(index));
-                let z = u.dot(tangent);
-                let offset = u
-                    .minus(tangent, z)
-                    .minus(chain.curvature(index), 0.5 * z * z)
-                    .minus(cut, 1.0);
-                let wall = self.bore.at(&self.path, anchors[index].md_m + z);
-                // A hole that is tighter than the tool just holds it.
-                offset.dot(offset).sqrt() - (wall.radius_m - radius).max(0.0)
-            });
+        let depths = self.held_radii_m.iter().zip(first..).map(|(radius, index)| {
+            let (tangent, u) = (chain.tangent(index), chain.displacement(index));
+            let z = u.dot(tangent);
+            let offset =
+                u.minus(tangent, z).minus(chain.curvature(index), 0.5 * z * z).minus(cut, 1.0);
+            let wall = self.bore.at(&self.path, anchors[index].md_m + z);
+            // A hole that is tighter than the tool just holds it.
+            offset.dot(offset).sqrt() - (wall.radius_m - radius).max(0.0)
+        });
         depths.fold(f64::NEG_INFINITY, f64::max)
     }
 
@@ -166,11 +153,8 @@ impl Borehole {
     ) {
         let wall = self.bore.at(&self.path, md_m);
         let axis = &wall.axis;
-        anchors[index] = Anchor {
-            md_m,
-            position_m: axis.position_m,
-            high_side: self.path.high_side_at(md_m),
-        };
+        anchors[index] =
+            Anchor { md_m, position_m: axis.position_m, high_side: self.path.high_side_at(md_m) };
         chain.set_tangent(index, axis.tangent.into());
         chain.set_curvature(index, axis.curvature_per_m.into());
         self.meet_wall(chain, index, md_m, &wall);
@@ -189,22 +173,14 @@ impl Borehole {
         node!(
             chain,
             index,
-            clearance_slope = if closed || !self.intricate {
-                0.0
-            } else {
-                wall.slope
-            }
+            clearance_slope = if closed || !self.intricate { 0.0 } else { wall.slope }
         );
         // Roughness moves the wall but does not change its stiffness.
         let hole = self.bore.smooth_radius_m(md_m);
         let section = self.bore.section(md_m);
         node!(chain, index, radius = radius);
         node!(chain, index, friction = section.friction.kinetic);
-        node!(
-            chain,
-            index,
-            friction_rise = section.friction.at_rest - section.friction.kinetic
-        );
+        node!(chain, index, friction_rise = section.friction.at_rest - section.friction.kinetic);
         node!(chain, index, friction_around = section.friction.around);
         match self.law {
             ContactLaw::Hertz { .. } => {
@@ -215,16 +191,9 @@ impl Borehole {
                     section.youngs_modulus_Pa,
                     section.poisson_ratio,
                 );
-                node!(
-                    chain,
-                    index,
-                    stiffness = contact::hertz_stiffness(modulus, hole, radius)
-                );
+                node!(chain, index, stiffness = contact::hertz_stiffness(modulus, hole, radius));
             }
-            ContactLaw::Linear {
-                stiffness_N_per_m,
-                damping_ratio,
-            } => {
+            ContactLaw::Linear { stiffness_N_per_m, damping_ratio } => {
                 let mass = node!(chain, index, mass_lateral);
                 node!(chain, index, stiffness = stiffness_N_per_m);
                 node!(

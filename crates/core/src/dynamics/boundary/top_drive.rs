@@ -59,18 +59,10 @@ impl Gains {
     /// The gains of `controller` for a drive of `inertia_kg_m2` on `string`.
     pub fn of(controller: SpeedController, inertia_kg_m2: f64, string: StringSeen) -> Self {
         match controller {
-            SpeedController::Pi {
-                proportional_N_m_s,
-                integral_N_m,
-            } => Self {
-                proportional_N_m_s,
-                integral_N_m,
-                shown: None,
-            },
-            SpeedController::SoftTorque {
-                impedance_ratio,
-                frequency_Hz,
-            } => {
+            SpeedController::Pi { proportional_N_m_s, integral_N_m } => {
+                Self { proportional_N_m_s, integral_N_m, shown: None }
+            }
+            SpeedController::SoftTorque { impedance_ratio, frequency_Hz } => {
                 let omega = TAU * frequency_Hz.unwrap_or(string.frequency_Hz);
                 Self {
                     proportional_N_m_s: impedance_ratio * string.impedance_N_m_s,
@@ -147,11 +139,7 @@ impl TopDrive {
         let torque = -element!(chain, 0, torsion) * element!(chain, 0, twist);
         let drive = match *settings {
             TopDriveSettings::Constant => Kind::Constant,
-            TopDriveSettings::Driven {
-                inertia_kg_m2,
-                controller,
-                torque_limit_N_m,
-            } => {
+            TopDriveSettings::Driven { inertia_kg_m2, controller, torque_limit_N_m } => {
                 node!(chain, 0, polar += inertia_kg_m2);
                 let limit_N_m = torque_limit_N_m.unwrap_or(f64::INFINITY);
                 Kind::Tuned(Drive {
@@ -167,10 +155,7 @@ impl TopDrive {
                 Kind::Custom(CustomDrive::new(custom, torque))
             }
         };
-        Self {
-            drive,
-            stalled: false,
-        }
+        Self { drive, stalled: false }
     }
 
     /// Gives a drive that has been read back the controller of these settings, where that is the
@@ -199,11 +184,7 @@ impl TopDrive {
     /// Spin of the rigid motion that the string is to have at this set point, rad/s: a drive at its
     /// limit does not reach it.
     pub fn rigid_spin(&self, chain: &Chain<impl Real>, set_rad_per_s: f64) -> f64 {
-        if self.stalled {
-            node!(chain, 0, spin)
-        } else {
-            set_rad_per_s
-        }
+        if self.stalled { node!(chain, 0, spin) } else { set_rad_per_s }
     }
 
     /// Before the step: a prescribed spin.
@@ -226,10 +207,7 @@ impl TopDrive {
         let inertia = node!(chain, 0, polar);
         let drive = match &mut self.drive {
             Kind::Constant => {
-                return TopDriveStep {
-                    string_torque_N_m: string,
-                    work_J: string * before * dt,
-                };
+                return TopDriveStep { string_torque_N_m: string, work_J: string * before * dt };
             }
             Kind::Custom(drive) => {
                 let (torque, stalled) = drive.torque_N_m(set_rad_per_s, before, string, dt);
@@ -243,11 +221,7 @@ impl TopDrive {
             }
             Kind::Tuned(drive) => drive,
         };
-        let Gains {
-            proportional_N_m_s,
-            integral_N_m,
-            shown,
-        } = drive.gains;
+        let Gains { proportional_N_m_s, integral_N_m, shown } = drive.gains;
         // K_p + K_i dt: the integral of the step counts at its end.
         let gain = integral_N_m.mul_add(dt, proportional_N_m_s);
         // The string's torque at the step's end, `M = string + k (Ω − Ω_below) dt + J_½ Ω'`, is
@@ -280,9 +254,6 @@ impl TopDrive {
         }
         drive.slow_N_m += slow * (stiff.mul_add(after, fixed) - drive.slow_N_m);
         node!(chain, 0, spin = after);
-        TopDriveStep {
-            string_torque_N_m: string,
-            work_J: torque * 0.5 * (before + after) * dt,
-        }
+        TopDriveStep { string_torque_N_m: string, work_J: torque * 0.5 * (before + after) * dt }
     }
 }

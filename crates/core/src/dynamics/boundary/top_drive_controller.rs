@@ -89,8 +89,7 @@ impl CustomDrive {
         let controller = &custom.controller;
         let numbers = controller.initial_state(0.0).len();
         let role = "the controller of the top drive";
-        self.controller
-            .attach(role, controller, controller.name(), numbers)
+        self.controller.attach(role, controller, controller.name(), numbers)
     }
 
     /// Torque of the drive over a step, N·m, and whether it is at its limit.

@@ -26,24 +26,13 @@ pub(super) struct Guide {
 
 impl Guide {
     pub(super) fn new(scene: &Scene<'_>) -> Result<Self, SoftError> {
-        let Scene {
-            settings,
-            mesh,
-            viscous,
-            ..
-        } = *scene;
+        let Scene { settings, mesh, viscous, .. } = *scene;
         let (model, operation) = as_soft_string(scene);
         let profile = soft::solve(&model, &operation, &SoftSettings::default())?;
         let depth = |from_bit_m: f64| operation.bit_depth_m - from_bit_m;
         let middle = |i: usize| depth(mesh.nodes[i].from_bit_m - 0.5 * mesh.elements[i].length_m);
         let tension_N = (0..mesh.elements.len())
-            .map(|i| {
-                if settings.starts_cold() {
-                    0.0
-                } else {
-                    profile.tension_at_N(middle(i))
-                }
-            })
+            .map(|i| if settings.starts_cold() { 0.0 } else { profile.tension_at_N(middle(i)) })
             .collect();
         let turning = settings.start == Start::Prepared && operation_turns(&operation, settings);
         // Torque from the bit up: what each node rubs off.
@@ -57,11 +46,7 @@ impl Guide {
             let friction = model.well.hole.at(md).friction;
             let friction = friction.kinetic * friction.around;
             // Wherever the nodes stand, the component touches with its joints.
-            let radius = model
-                .string
-                .component_at(mesh.nodes[i].from_bit_m)
-                .1
-                .contact_radius_m();
+            let radius = model.string.component_at(mesh.nodes[i].from_bit_m).1.contact_radius_m();
             let mu = if turning {
                 around(friction, radius, &operation, settings.friction_law)
             } else {
@@ -83,11 +68,7 @@ impl Guide {
                 torque += mud;
             }
         }
-        Ok(Self {
-            tension_N,
-            torque_N_m,
-            lean,
-        })
+        Ok(Self { tension_N, torque_N_m, lean })
     }
 }
 
@@ -101,9 +82,7 @@ fn operation_turns(operation: &Operation, settings: &DynamicsSettings) -> bool {
 /// string at rest, as if it had been turned before; with the full axial friction of a sliding
 /// string for the independent law.
 fn as_soft_string(scene: &Scene<'_>) -> (Model, Operation) {
-    let Scene {
-        settings, at_rest, ..
-    } = *scene;
+    let Scene { settings, at_rest, .. } = *scene;
     let (mut model, mut operation) = (scene.model.clone(), *scene.operation);
     if !operation.kind.rotates() {
         operation.rotary_speed_rad_per_s = 0.0;

@@ -70,20 +70,11 @@ pub fn initialise(
     body: Body,
     bit_md_m: f64,
 ) -> Result<Initial, SoftError> {
-    let Scene {
-        operation,
-        settings,
-        mesh,
-        ..
-    } = *scene;
+    let Scene { operation, settings, mesh, .. } = *scene;
     let guide = Guide::new(scene)?;
     let mut string = InitialString {
         anchors: vec![
-            Anchor {
-                md_m: 0.0,
-                position_m: Vector3::zeros(),
-                high_side: Vector3::x()
-            };
+            Anchor { md_m: 0.0, position_m: Vector3::zeros(), high_side: Vector3::x() };
             mesh.nodes.len()
         ],
         chain,
@@ -111,12 +102,7 @@ pub fn initialise(
     string.chain.clear_sums();
     // The uppermost half element hangs on the top node.
     let hook_load_N = guide.tension_N[0] + chain::top_weight_N(&string.chain);
-    Ok(Initial {
-        chain: string.chain,
-        anchors: string.anchors,
-        body: string.body,
-        hook_load_N,
-    })
+    Ok(Initial { chain: string.chain, anchors: string.anchors, body: string.body, hook_load_N })
 }
 
 /// A string being initialised.
@@ -140,8 +126,7 @@ impl InitialString<'_> {
         }
         for _ in 0..PASSES {
             for (i, depth) in md.iter().enumerate() {
-                self.borehole
-                    .place(&mut self.chain, &mut self.anchors, i, *depth);
+                self.borehole.place(&mut self.chain, &mut self.anchors, i, *depth);
                 let clearance = node!(self.chain, i, clearance);
                 let off = if lean && clearance < NO_WALL_M {
                     self.guide.lean[i] * clearance
@@ -234,11 +219,7 @@ impl InitialString<'_> {
             }
         }
         // No wall holds the bit: its own hole does, whatever weighs on it or bends there.
-        node!(
-            self.chain,
-            self.mesh.nodes.len() - 1,
-            inv_mass_lateral = 0.0
-        );
+        node!(self.chain, self.mesh.nodes.len() - 1, inv_mass_lateral = 0.0);
         let steps = (SETTLING_S / input.dt).ceil() as usize;
         for step in 0..steps {
             // Bends grow in the first part, so that the rest damps what that stirs up.
@@ -254,8 +235,7 @@ impl InitialString<'_> {
         chain::release(&mut self.chain);
         for i in 0..self.mesh.nodes.len() {
             let md = self.anchors[i].md_m;
-            self.borehole
-                .anchor(&mut self.chain, &mut self.anchors, i, md);
+            self.borehole.anchor(&mut self.chain, &mut self.anchors, i, md);
         }
     }
 
@@ -265,10 +245,7 @@ impl InitialString<'_> {
             // The node below has moved already: each shortfall knows of it.
             for i in (0..self.mesh.elements.len()).rev() {
                 let shift = self.shortfall_m(i);
-                let moved = self
-                    .chain
-                    .displacement(i)
-                    .minus(self.chain.tangent(i), shift);
+                let moved = self.chain.displacement(i).minus(self.chain.tangent(i), shift);
                 self.chain.set_displacement(i, moved);
             }
         }

@@ -59,10 +59,6 @@ pub fn motion(
         (false, false) if axial_m_per_s < 0.0 => OperationKind::TripOut,
         (false, false) => OperationKind::TripIn,
     };
-    let operation = Operation {
-        kind,
-        trip_speed_m_per_s: axial_m_per_s.abs(),
-        ..*operation
-    };
+    let operation = Operation { kind, trip_speed_m_per_s: axial_m_per_s.abs(), ..*operation };
     (operation, !turns && axial_m_per_s == 0.0)
 }

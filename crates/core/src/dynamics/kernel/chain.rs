@@ -108,11 +108,7 @@ impl<R: Real> Chain<R> {
     /// The same chain in pieces of so many rows.
     #[cfg(test)]
     pub fn in_rows(&self, rows: usize) -> Self {
-        self.moved_into(Self::in_lanes(
-            self.nodes,
-            self.pattern,
-            LaneLayout::of(rows),
-        ))
+        self.moved_into(Self::in_lanes(self.nodes, self.pattern, LaneLayout::of(rows)))
     }
 
     fn moved_into<S: Real>(&self, mut chain: Chain<S>) -> Chain<S> {

@@ -33,11 +33,7 @@ impl LaneLayout {
         let rows = nodes.div_ceil(lanes);
         let fitting = rows.next_multiple_of(pattern);
         let spare = (fitting - rows) as f64;
-        let rows = if spare <= Self::SPARE * rows as f64 {
-            fitting
-        } else {
-            rows
-        };
+        let rows = if spare <= Self::SPARE * rows as f64 { fitting } else { rows };
         Self::of(rows)
     }
 
@@ -71,10 +67,7 @@ impl TryFrom<usize> for LaneLayout {
         if rows > Self::LONGEST {
             return Err(format!("pieces of {rows} nodes"));
         }
-        Ok(Self {
-            rows,
-            inverse: (1 << Self::PLACES) / rows.max(1) as u64 + 1,
-        })
+        Ok(Self { rows, inverse: (1 << Self::PLACES) / rows.max(1) as u64 + 1 })
     }
 }
 
@@ -95,10 +88,7 @@ pub struct Layout {
 impl Layout {
     /// Beside a chain in numbers of kind `R` with such pieces.
     pub fn beside<R: Real>(lane_layout: LaneLayout) -> Self {
-        Self {
-            lane_layout,
-            parts: R::LANES / DOUBLES,
-        }
+        Self { lane_layout, parts: R::LANES / DOUBLES }
     }
 
     /// Row of the chain that a block stands beside, and which part of it.

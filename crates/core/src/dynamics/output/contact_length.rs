@@ -17,9 +17,7 @@ pub struct ContactLength {
 /// surface down: each carries half the way to the next contact on either side, at most
 /// [`LONGEST_REACH_M`].
 pub fn contact_lengths(from_bit_m: &[f64], touches: impl Fn(usize) -> bool) -> Vec<ContactLength> {
-    let touching: Vec<usize> = (0..from_bit_m.len())
-        .filter(|index| touches(*index))
-        .collect();
+    let touching: Vec<usize> = (0..from_bit_m.len()).filter(|index| touches(*index)).collect();
     let half = |contact: usize, other: Option<&usize>| {
         other.map_or(LONGEST_REACH_M, |other| {
             (0.5 * (from_bit_m[*other] - from_bit_m[contact]).abs()).min(LONGEST_REACH_M)
@@ -57,17 +55,9 @@ pub fn contact_spans(mesh: &Mesh, touches: impl Fn(usize) -> bool) -> Vec<Contac
         while last + 1 < from_bit_m.len() && at(last + 1) <= high {
             last += 1;
         }
-        ContactSpan {
-            contact,
-            first,
-            last,
-            length_m: reach.above_m + reach.below_m,
-        }
+        ContactSpan { contact, first, last, length_m: reach.above_m + reach.below_m }
     };
-    contact_lengths(&from_bit_m, touches)
-        .iter()
-        .map(contact_spans)
-        .collect()
+    contact_lengths(&from_bit_m, touches).iter().map(contact_spans).collect()
 }
 
 /// Spreads what contacts carry over the stretches that they carry it for, per metre; a node on the
@@ -85,8 +75,5 @@ pub fn spread(
             count[i] += 1;
         }
     }
-    sum.iter()
-        .zip(&count)
-        .map(|(s, c)| if *c > 1 { s / f64::from(*c) } else { *s })
-        .collect()
+    sum.iter().zip(&count).map(|(s, c)| if *c > 1 { s / f64::from(*c) } else { *s }).collect()
 }

@@ -59,38 +59,25 @@ impl Drift {
         let half = n / 2;
         let middle = 0.5 * n.saturating_sub(1) as f64;
         let mean_all = mean(samples);
-        let moment: f64 = (0..n)
-            .map(|i| (i as f64 - middle) * (samples[i] - mean_all))
-            .sum();
+        let moment: f64 = (0..n).map(|i| (i as f64 - middle) * (samples[i] - mean_all)).sum();
         // `Σ (i − (n − 1)/2)²`.
         let square = n as f64 * ((n * n) as f64 - 1.0) / 12.0;
         let slope = if n < 2 { 0.0 } else { moment / square };
         let change = slope * n as f64;
         if half < MIN_BLOCKS {
-            return Self {
-                change,
-                errors: 0.0,
-            };
+            return Self { change, errors: 0.0 };
         }
-        let about_line: Vec<f64> = (0..n)
-            .map(|i| samples[i] - slope * (i as f64 - middle))
-            .collect();
+        let about_line: Vec<f64> =
+            (0..n).map(|i| samples[i] - slope * (i as f64 - middle)).collect();
         let line_error = 12_f64.sqrt() * standard_error(&about_line);
         let (first, second) = (&samples[..half], &samples[n - half..]);
         let min_error = standard_error(first).min(standard_error(second));
         let halves_error = 2_f64.sqrt() * min_error;
         let over = |change: f64, error: f64| {
-            if change == 0.0 {
-                0.0
-            } else {
-                (change / error).abs()
-            }
+            if change == 0.0 { 0.0 } else { (change / error).abs() }
         };
         let between = mean(second) - mean(first);
-        Self {
-            change,
-            errors: over(change, line_error).max(over(between, halves_error)),
-        }
+        Self { change, errors: over(change, line_error).max(over(between, halves_error)) }
     }
 
     /// Whether it is more than so many standard errors and more than `least`.

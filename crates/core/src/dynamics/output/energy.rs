@@ -65,11 +65,7 @@ pub fn kinetic_J(chain: &Chain<impl Real>) -> f64 {
         let spin = node!(chain, i, spin);
         let w = chain.turning(i);
         let inverse = node!(chain, i, inv_rotary);
-        let rotary = if inverse > 0.0 {
-            w.dot(w) / inverse
-        } else {
-            0.0
-        };
+        let rotary = if inverse > 0.0 { w.dot(w) / inverse } else { 0.0 };
         sum += ml * v.dot(v)
             + (ma - ml) * along * along
             + node!(chain, i, polar) * spin * spin
@@ -98,11 +94,7 @@ const MIN_RISE_M: f64 = 1e-3;
 
 /// What lifts the string of `mesh` in air by a millimetre, J.
 pub fn min_J(mesh: &Mesh) -> f64 {
-    let steel_kg: f64 = mesh
-        .elements
-        .iter()
-        .map(|e| e.section.steel_kg_per_m * e.length_m)
-        .sum();
+    let steel_kg: f64 = mesh.elements.iter().map(|e| e.section.steel_kg_per_m * e.length_m).sum();
     steel_kg * GRAVITY_M_PER_S2 * MIN_RISE_M
 }
 
@@ -191,11 +183,7 @@ pub struct Ledger {
 impl Ledger {
     /// Opens the books with the string's energies and the work that the mud's pull has done so far.
     pub fn open(start: Energies, flow_J: f64) -> Self {
-        Self {
-            start,
-            flow_at_start_J: flow_J,
-            booked: EnergyBalance::default(),
-        }
+        Self { start, flow_at_start_J: flow_J, booked: EnergyBalance::default() }
     }
 
     /// Books a step.
@@ -253,27 +241,15 @@ mod tests {
     #[test]
     fn a_residual_of_rounding_is_small() {
         let min_J = 1000.0;
-        let hung = Energies {
-            gravity: -4e9,
-            ..Energies::default()
-        };
-        let rounded = Energies {
-            gravity: hung.gravity + 1e-6,
-            ..hung
-        };
+        let hung = Energies { gravity: -4e9, ..Energies::default() };
+        let rounded = Energies { gravity: hung.gravity + 1e-6, ..hung };
         let ledger = Ledger::open(hung, 0.0);
         let (balance, relative) = ledger.balance(&rounded, 0.0, min_J).unwrap();
         assert!(balance.residual_J != 0.0);
         assert_eq!(relative, balance.residual_J / min_J);
-        let moving = Energies {
-            kinetic: 5000.0,
-            ..hung
-        };
+        let moving = Energies { kinetic: 5000.0, ..hung };
         assert_eq!(ledger.balance(&moving, 0.0, min_J).unwrap().1, -1.0);
-        let lost = Energies {
-            kinetic: f64::NAN,
-            ..hung
-        };
+        let lost = Energies { kinetic: f64::NAN, ..hung };
         assert!(ledger.balance(&lost, 0.0, min_J).is_none());
     }
 }

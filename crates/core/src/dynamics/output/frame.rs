@@ -54,13 +54,8 @@ impl Channel {
     ];
 
     /// Those that are kept where nobody chooses.
-    pub const USUAL: [Self; 5] = [
-        Self::Position,
-        Self::Velocity,
-        Self::Rotation,
-        Self::Contact,
-        Self::Force,
-    ];
+    pub const USUAL: [Self; 5] =
+        [Self::Position, Self::Velocity, Self::Rotation, Self::Contact, Self::Force];
 
     /// Name in case files.
     pub const fn name(self) -> &'static str {
@@ -134,11 +129,9 @@ impl Frame {
                 ("offset_high_m", &self.offset_high_m),
                 ("offset_right_m", &self.offset_right_m),
             ],
-            Channel::Coordinates => vec![
-                ("north_m", &self.north_m),
-                ("east_m", &self.east_m),
-                ("tvd_m", &self.tvd_m),
-            ],
+            Channel::Coordinates => {
+                vec![("north_m", &self.north_m), ("east_m", &self.east_m), ("tvd_m", &self.tvd_m)]
+            }
             Channel::Velocity => vec![
                 ("velocity_high_m_per_s", &self.velocity_high_m_per_s),
                 ("velocity_right_m_per_s", &self.velocity_right_m_per_s),
@@ -157,10 +150,9 @@ impl Frame {
                 ("axial_friction_N", &self.axial_friction_N),
                 ("friction_torque_N_m", &self.friction_torque_N_m),
             ],
-            Channel::Force => vec![
-                ("tension_N", &self.tension_N),
-                ("torque_N_m", &self.torque_N_m),
-            ],
+            Channel::Force => {
+                vec![("tension_N", &self.tension_N), ("torque_N_m", &self.torque_N_m)]
+            }
             Channel::Stress => vec![
                 ("bending_moment_N_m", &self.bending_moment_N_m),
                 ("von_mises_stress_Pa", &self.von_mises_stress_Pa),
@@ -194,21 +186,12 @@ impl<R: Real> Scene<'_, R> {
     pub(in crate::dynamics) fn frame(&self) -> Frame {
         let chain = self.chain;
         let last = chain.nodes() - 1;
-        let mut frame = Frame {
-            time_s: self.time_s,
-            ..Frame::default()
-        };
-        let samples: Vec<BlockSample> = (0..chain.layout().blocks())
-            .map(|block| self.sample(block))
-            .collect();
+        let mut frame = Frame { time_s: self.time_s, ..Frame::default() };
+        let samples: Vec<BlockSample> =
+            (0..chain.layout().blocks()).map(|block| self.sample(block)).collect();
         for i in 0..=last {
             let (block, lane) = chain.layout().place(i);
-            let view = View {
-                scene: self,
-                node: i,
-                sample: &samples[block],
-                lane,
-            };
+            let view = View { scene: self, node: i, sample: &samples[block], lane };
             let anchor = &self.anchors[i];
             let (tangent, high, right) = view.directions();
             let moved = chain.displacement(i);
@@ -222,9 +205,7 @@ impl<R: Real> Scene<'_, R> {
             frame.tilt_high_rad.push(tilt.dot(high));
             frame.tilt_right_rad.push(tilt.dot(right));
             frame.axial_friction_N.push(-view.sample.axial[lane]);
-            frame
-                .friction_torque_N_m
-                .push(view.sample.friction_torque[lane]);
+            frame.friction_torque_N_m.push(view.sample.friction_torque[lane]);
             for (signal, values) in [
                 (NodeSignal::OffsetHigh, &mut frame.offset_high_m),
                 (NodeSignal::OffsetRight, &mut frame.offset_right_m),
@@ -257,25 +238,13 @@ impl<R: Real> Scene<'_, R> {
             _ => node,
         };
         let (block, lane) = self.chain.layout().place(node);
-        let view = View {
-            scene: self,
-            node,
-            sample: &self.sample(block),
-            lane,
-        };
+        let view = View { scene: self, node, sample: &self.sample(block), lane };
         view.signal(signal)
     }
 
     fn sample(&self, block: usize) -> BlockSample {
         let per_step = 1.0 / self.summed_steps as f64;
-        BlockSample::at(
-            self.chain,
-            self.high,
-            self.body,
-            self.strength,
-            block,
-            per_step,
-        )
+        BlockSample::at(self.chain, self.high, self.body, self.strength, block, per_step)
     }
 }
 
@@ -288,12 +257,7 @@ impl<R: Real> View<'_, R> {
     }
 
     fn signal(&self, signal: NodeSignal) -> f64 {
-        let Self {
-            scene,
-            node,
-            sample,
-            lane,
-        } = *self;
+        let Self { scene, node, sample, lane } = *self;
         let chain = scene.chain;
         let (tangent, high, right) = self.directions();
         let velocity = chain.velocity(node);

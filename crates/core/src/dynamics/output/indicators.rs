@@ -154,25 +154,16 @@ impl Indicators {
         };
         let mean_speed = Statistic::of(speed).map_or(0.0, |of| of.mean);
         let whirl = |sign: f64| {
-            (m.rotates && mean_speed > 0.0)
-                .then(|| whirl(m, mean_speed, sign))
-                .flatten()
+            (m.rotates && mean_speed > 0.0).then(|| whirl(m, mean_speed, sign)).flatten()
         };
         Self {
-            stick_slip: if m.rotates {
-                StickSlip::of(speed, torque, interval_s)
-            } else {
-                None
-            },
+            stick_slip: if m.rotates { StickSlip::of(speed, torque, interval_s) } else { None },
             backward_whirl: whirl(-1.0),
             forward_whirl: whirl(1.0),
             top_drive: m
                 .rated_torque_N_m
                 .zip(Statistic::of(torque))
-                .map(|(rated, of)| TorqueUse {
-                    p95: of.p95 / rated,
-                    max: of.max / rated,
-                }),
+                .map(|(rated, of)| TorqueUse { p95: of.p95 / rated, max: of.max / rated }),
         }
     }
 }
@@ -185,9 +176,7 @@ fn whirl(m: &Motion<'_>, rotary_speed: f64, sign: f64) -> Option<Whirl> {
             && sign * rates[*i] >= SLOWEST_WHIRL * rotary_speed
     };
     let whirling: Vec<usize> = (0..rates.len()).filter(whirls).collect();
-    let fastest = *whirling
-        .iter()
-        .max_by(|a, b| rates[**a].abs().total_cmp(&rates[**b].abs()))?;
+    let fastest = *whirling.iter().max_by(|a, b| rates[**a].abs().total_cmp(&rates[**b].abs()))?;
     let length_m: f64 = whirling.iter().map(|i| m.mesh.tributary_length_m(*i)).sum();
     Some(Whirl {
         md_m: m.nodes.md_m[fastest],
@@ -205,9 +194,7 @@ mod tests {
     const INTERVAL_S: f64 = 0.01;
 
     fn speeds(of: impl Fn(f64) -> f64) -> Vec<f64> {
-        (0..6000)
-            .map(|row| of(f64::from(row) * INTERVAL_S))
-            .collect()
+        (0..6000).map(|row| of(f64::from(row) * INTERVAL_S)).collect()
     }
 
     /// `Ω (1 + a sin ωt)` has severity `a` and the period `2π/ω`. Sampled, its extremes are met to
@@ -219,14 +206,8 @@ mod tests {
         let torque = vec![3.0; 6000];
         let found = StickSlip::of(&swing(0.6), &torque, INTERVAL_S).unwrap();
         // The window of 60 s holds 11.3 periods: its mean is off by up to 1/(2π·11.3).
-        assert!(
-            (found.severity.unwrap() - 0.6).abs() < 0.6 * 0.015,
-            "{found:?}"
-        );
-        assert!(
-            (found.period_s.unwrap() / 5.3 - 1.0).abs() < 3e-4,
-            "{found:?}"
-        );
+        assert!((found.severity.unwrap() - 0.6).abs() < 0.6 * 0.015, "{found:?}");
+        assert!((found.period_s.unwrap() / 5.3 - 1.0).abs() < 3e-4, "{found:?}");
         assert_eq!(found.torque_severity, Some(0.0));
         assert_eq!(found.stuck_fraction, 0.0);
         let steady = StickSlip::of(&swing(0.01), &torque, INTERVAL_S).unwrap();
@@ -240,10 +221,7 @@ mod tests {
         let speed = speeds(|t| if t.rem_euclid(5.0) < 2.0 { 0.0 } else { 10.0 });
         let found = StickSlip::of(&speed, &speed, INTERVAL_S).unwrap();
         assert!((found.stuck_fraction - 0.4).abs() < 1e-3, "{found:?}");
-        assert!(
-            (found.severity.unwrap() - 10.0 / 12.0).abs() < 2e-3,
-            "{found:?}"
-        );
+        assert!((found.severity.unwrap() - 10.0 / 12.0).abs() < 2e-3, "{found:?}");
         assert!((found.period_s.unwrap() - 5.0).abs() < 1e-3, "{found:?}");
         assert_eq!(found.bit_speed_max_rad_per_s, 10.0);
         // One that never turns has no severity, and one that is not sampled nothing at all.

@@ -70,9 +70,7 @@ pub struct Numerics {
 impl DynamicOutcome {
     /// The scalars that [`Self::statistics`] reports, in its order.
     pub fn quantities() -> impl Iterator<Item = &'static str> {
-        super::varying::varying(&TimeSeries::default())
-            .map(|scalar| scalar.name)
-            .into_iter()
+        super::varying::varying(&TimeSeries::default()).map(|scalar| scalar.name).into_iter()
     }
 }
 

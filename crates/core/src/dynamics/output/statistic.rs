@@ -28,17 +28,11 @@ pub struct Statistic {
     /// Standard error of the mean, by block averages: the samples depend on their neighbours.
     /// Flyvbjerg and Petersen, *Error estimates on averages of correlated data*, J. Chem. Phys. 91
     /// (1989). Not a number in files that do not have it.
-    #[serde(
-        with = "crate::finite::unsigned_zero",
-        default = "crate::finite::unknown"
-    )]
+    #[serde(with = "crate::finite::unsigned_zero", default = "crate::finite::unknown")]
     pub std_error: f64,
     /// Change over the window by the straight line of least squares; not a number in files that do
     /// not have it.
-    #[serde(
-        with = "crate::finite::unsigned_zero",
-        default = "crate::finite::unknown"
-    )]
+    #[serde(with = "crate::finite::unsigned_zero", default = "crate::finite::unknown")]
     pub drift: f64,
     /// Whether that is no chance and matters: more than four of its standard errors, or the means
     /// of the halves are as far apart, and more than half a percent of the quantity's scale. The

@@ -50,22 +50,14 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
     let series = &s.record.series;
     let from = s.record.window_row;
     let scalars = varying(series);
-    let scales = scales(
-        scalars
-            .each_ref()
-            .map(|of| (of.gauge, mean(&of.samples[from..]))),
-    );
+    let scales = scales(scalars.each_ref().map(|of| (of.gauge, mean(&of.samples[from..]))));
     let statistics: Vec<(&'static str, Statistic)> = scalars
         .iter()
         .zip(scales)
         .filter_map(|(of, scale)| Some((of.name, Statistic::on_scale(&of.samples[from..], scale)?)))
         .collect();
-    let mean_of = |name: &str| {
-        statistics
-            .iter()
-            .find(|(n, _)| *n == name)
-            .map_or(0.0, |(_, s)| s.mean)
-    };
+    let mean_of =
+        |name: &str| statistics.iter().find(|(n, _)| *n == name).map_or(0.0, |(_, s)| s.mean);
     let nodes = profile(s, from);
     let bit_depths_m = &series.bit_depth_m[from..];
     let mean_bit_depth_m = mean(bit_depths_m);
@@ -140,23 +132,18 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
     let n = s.mesh.nodes.len();
     // The anchors stand where the run ended; the string was there, on average, where its bit was.
     let bit_depths_m = &s.record.series.bit_depth_m[from..];
-    let back_m = bit_depths_m.last().map_or(0.0, |last| {
-        last - bit_depths_m.iter().sum::<f64>() / bit_depths_m.len() as f64
-    });
+    let back_m = bit_depths_m
+        .last()
+        .map_or(0.0, |last| last - bit_depths_m.iter().sum::<f64>() / bit_depths_m.len() as f64);
     let record = s.record;
     // Tension and torque live in elements, everything else at nodes.
     let ends = |i: usize| [i.saturating_sub(1), i.min(n - 2)];
     let at_node = |i: usize, of: &dyn Fn(usize) -> Spread| {
         let [above, below] = ends(i).map(of);
-        (
-            0.5 * (above.mean + below.mean),
-            0.5 * (above.std + below.std),
-        )
+        (0.5 * (above.mean + below.mean), 0.5 * (above.std + below.std))
     };
     let of_elements = |quantity: Quantity| -> Vec<[f64; 3]> {
-        (0..n - 1)
-            .map(|e| record.percentiles(quantity, e))
-            .collect()
+        (0..n - 1).map(|e| record.percentiles(quantity, e)).collect()
     };
     let percentiles = |of_elements: &[[f64; 3]], i: usize| {
         let [above, below] = ends(i).map(|e| of_elements[e]);
@@ -208,14 +195,9 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
     (p.tension_N[n - 1], p.tension_std_N[n - 1]) = (-weight - jet, weight_std);
     let contact_spans = contact_length::contact_spans(s.mesh, |i| record.normal(i).mean > 0.0);
     p.side_force_N_per_m = contact_length::spread(&contact_spans, n, |i| record.signed(i));
-    let sides: Vec<[f64; 3]> = (0..n)
-        .map(|i| record.percentiles(Quantity::Side, i))
-        .collect();
-    [
-        p.side_force_p05_N_per_m,
-        p.side_force_p50_N_per_m,
-        p.side_force_p95_N_per_m,
-    ] = [0, 1, 2].map(|k| contact_length::spread(&contact_spans, n, |i| sides[i][k]));
+    let sides: Vec<[f64; 3]> = (0..n).map(|i| record.percentiles(Quantity::Side, i)).collect();
+    [p.side_force_p05_N_per_m, p.side_force_p50_N_per_m, p.side_force_p95_N_per_m] =
+        [0, 1, 2].map(|k| contact_length::spread(&contact_spans, n, |i| sides[i][k]));
     p.axial_friction_N_per_m = contact_length::spread(&contact_spans, n, |i| -record.axial(i));
     p.friction_torque_N_m_per_m =
         contact_length::spread(&contact_spans, n, |i| record.friction_torque(i));
@@ -286,11 +268,8 @@ fn load(s: &Sources<'_>, p: &mut Profile) {
             inside_Pa,
             stream_N_m2,
         ));
-        p.side_force_per_joint_N.push(
-            component
-                .joints
-                .map(|joints| p.side_force_N_per_m[i] * joints.spacing_m),
-        );
+        p.side_force_per_joint_N
+            .push(component.joints.map(|joints| p.side_force_N_per_m[i] * joints.spacing_m));
         let bending = record.bending(i);
         p.bending_moment_N_m.push(bending);
         p.bending_moment_max_N_m.push(record.bending_max(i));
@@ -298,14 +277,12 @@ fn load(s: &Sources<'_>, p: &mut Profile) {
         p.bending_moment_p05_N_m.push(low);
         p.bending_moment_p50_N_m.push(middle);
         p.bending_moment_p95_N_m.push(high);
-        p.bending_stress_Pa
-            .push(bending * strength.per_modulus_m3(i));
+        p.bending_stress_Pa.push(bending * strength.per_modulus_m3(i));
         // Below the bit there is no element: it bears what the node above it does.
         let bearing = i.min(last - 1);
         let stress_max = record.stress_max(bearing);
         p.von_mises_stress_Pa.push(record.stress(bearing));
         p.von_mises_stress_max_Pa.push(stress_max);
-        p.yield_use
-            .push(strength.yield_Pa(bearing).map(|yields| stress_max / yields));
+        p.yield_use.push(strength.yield_Pa(bearing).map(|yields| stress_max / yields));
     }
 }

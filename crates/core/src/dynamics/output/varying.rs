@@ -22,11 +22,7 @@ pub struct Varying<'a> {
 
 /// The scalars that vary, with their samples.
 pub fn varying(series: &TimeSeries) -> [Varying<'_>; 11] {
-    let of = |name, samples, gauge| Varying {
-        name,
-        samples,
-        gauge,
-    };
+    let of = |name, samples, gauge| Varying { name, samples, gauge };
     let s = series;
     [
         of("hook_load_N", &s.hook_load_N, Gauge::Force),
@@ -36,18 +32,10 @@ pub fn varying(series: &TimeSeries) -> [Varying<'_>; 11] {
         of("side_force_total_N", &s.side_force_total_N, Gauge::Own(1e4)),
         of("weight_on_bit_N", &s.weight_on_bit_N, Gauge::Force),
         of("bit_torque_N_m", &s.bit_torque_N_m, Gauge::Torque),
-        of(
-            "rate_of_penetration_m_per_s",
-            &s.rate_of_penetration_m_per_s,
-            Gauge::Own(1.0 / 3600.0),
-        ),
+        of("rate_of_penetration_m_per_s", &s.rate_of_penetration_m_per_s, Gauge::Own(1.0 / 3600.0)),
         of("twist_rad", &s.twist_rad, Gauge::Own(1.0)),
         of("stretch_m", &s.stretch_m, Gauge::Own(0.1)),
-        of(
-            "bit_rotary_speed_rad_per_s",
-            &s.bit_rotary_speed_rad_per_s,
-            Gauge::Own(1.0),
-        ),
+        of("bit_rotary_speed_rad_per_s", &s.bit_rotary_speed_rad_per_s, Gauge::Own(1.0)),
     ]
 }
 

@@ -28,9 +28,7 @@ impl Wear {
     /// Whether stored wear is that of a string of so many nodes in a hole down to `hole_end_m`.
     pub(in crate::dynamics) fn check(&self, nodes: usize, hole_end_m: f64) -> Result<(), Damaged> {
         let intervals = Self::new(0, hole_end_m, 0.0).hole_J.len();
-        let fits = [&self.string_J, &self.laid_J]
-            .iter()
-            .all(|each| each.len() == nodes);
+        let fits = [&self.string_J, &self.laid_J].iter().all(|each| each.len() == nodes);
         ensure(fits && self.hole_J.len() == intervals, "the wear")
     }
 

@@ -39,10 +39,7 @@ pub struct CentredStart {
 impl Default for CentredStart {
     /// The static tension, and a ramp of 1 s.
     fn default() -> Self {
-        Self {
-            tension: StartTension::Static,
-            ramp_s: 1.0,
-        }
+        Self { tension: StartTension::Static, ramp_s: 1.0 }
     }
 }
 
@@ -192,9 +189,7 @@ impl TopDriveSettings {
     pub fn torque_limit_N_m(&self) -> Option<f64> {
         match self {
             Self::Constant => None,
-            Self::Driven {
-                torque_limit_N_m, ..
-            } => *torque_limit_N_m,
+            Self::Driven { torque_limit_N_m, .. } => *torque_limit_N_m,
             Self::Custom(custom) => custom.torque_limit_N_m,
         }
     }
@@ -291,11 +286,7 @@ impl DynamicsSettings {
     /// Part of its rotary speed that the top is given at `time_s` by its start.
     pub(super) fn start_ramp(&self, time_s: f64) -> f64 {
         let ramp_s = self.centred.ramp_s;
-        if self.start == Start::Centred && time_s < ramp_s {
-            time_s / ramp_s
-        } else {
-            1.0
-        }
+        if self.start == Start::Centred && time_s < ramp_s { time_s / ramp_s } else { 1.0 }
     }
 
     /// The longest time from the start to the end of the window, s, but for strings so slow that
@@ -330,14 +321,9 @@ impl Default for DynamicsSettings {
             start: Start::Prepared,
             centred: CentredStart::default(),
             friction_law: FrictionLaw::Vector,
-            contact_law: ContactLaw::Hertz {
-                dissipation_s_per_m: 0.5,
-            },
+            contact_law: ContactLaw::Hertz { dissipation_s_per_m: 0.5 },
             stribeck_speed_m_per_s: STRIBECK_SPEED_M_PER_S,
-            damping: RodDamping {
-                mass_per_s: 0.1,
-                stiffness_s: 1e-5,
-            },
+            damping: RodDamping { mass_per_s: 0.1, stiffness_s: 1e-5 },
             hoist_control: None,
             lift_tolerance: WEIGHT_TOLERANCE,
             autodriller: Autodriller::default(),

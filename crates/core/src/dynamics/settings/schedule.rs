@@ -137,10 +137,7 @@ impl Schedule {
 
     /// Time of the first change of a set point after time zero, s; none without one.
     pub fn first_change_s(&self) -> Option<f64> {
-        self.steps
-            .iter()
-            .find(|step| step.end_s() > 0.0 && step.moves())
-            .map(|step| step.at_s)
+        self.steps.iter().find(|step| step.end_s() > 0.0 && step.moves()).map(|step| step.at_s)
     }
 
     /// The operation's set points as they are at time zero: what the first lines set there at once
@@ -183,21 +180,11 @@ struct Ramp {
 
 impl Ramp {
     fn resting(value: f64) -> Self {
-        Self {
-            from: value,
-            to: value,
-            at_s: 0.0,
-            end_s: 0.0,
-        }
+        Self { from: value, to: value, at_s: 0.0, end_s: 0.0 }
     }
 
     fn begin(from: f64, to: f64, step: &ScheduleStep) -> Self {
-        Self {
-            from,
-            to,
-            at_s: step.at_s,
-            end_s: step.end_s(),
-        }
+        Self { from, to, at_s: step.at_s, end_s: step.end_s() }
     }
 
     fn at(&self, time_s: f64) -> f64 {

@@ -22,13 +22,7 @@ impl<R: Real> Run<R> {
 
     pub(super) fn energies(&self) -> Energies {
         let viscous = self.state.viscous.as_ref();
-        Energies::of(
-            &self.chain,
-            &self.state.anchors,
-            &self.state.body,
-            viscous,
-            self.plan.dt_s,
-        )
+        Energies::of(&self.chain, &self.state.anchors, &self.state.body, viscous, self.plan.dt_s)
     }
 
     pub(super) fn flow_work_J(&self) -> f64 {
@@ -44,9 +38,7 @@ impl<R: Real> Run<R> {
             .window_open
             .then(|| {
                 let min_J = energy::min_J(&self.mesh);
-                self.state
-                    .ledger
-                    .balance(&self.energies(), self.flow_work_J(), min_J)
+                self.state.ledger.balance(&self.energies(), self.flow_work_J(), min_J)
             })
             .flatten()
     }

@@ -62,22 +62,14 @@ impl<R: Registers> Run<R> {
             dissipation: settings.contact_law.dissipation_s_per_m(),
             stribeck_speed: settings.stribeck_speed_m_per_s,
         };
-        let pressed_N = if settings.starts_cold() {
-            0.0
-        } else {
-            first.weight_on_bit_now_N()
-        };
+        let pressed_N = if settings.starts_cold() { 0.0 } else { first.weight_on_bit_now_N() };
         let last = mesh.nodes.len() - 1;
         // A string that starts centred is at rest.
         let turns = settings.start == Start::Prepared;
         let standing = Standing {
             weight_N: pressed_N,
             rate_m_per_s: if pressed_N > 0.0 { velocity } else { 0.0 },
-            string_rad_per_s: if turns {
-                first.rotation_rad_per_s()
-            } else {
-                0.0
-            },
+            string_rad_per_s: if turns { first.rotation_rad_per_s() } else { 0.0 },
             mass_kg: node!(chain, last, mass_axial),
         };
         let run_in = if operation.weight_on_bit_now_N() > 0.0 {
@@ -116,10 +108,7 @@ impl<R: Registers> Run<R> {
             settings.hoist_line,
             control,
             settings.autodriller,
-            Target {
-                weight_N: first.weight_on_bit_now_N(),
-                velocity_m_per_s: velocity,
-            },
+            Target { weight_N: first.weight_on_bit_now_N(), velocity_m_per_s: velocity },
             top,
             initial.hook_load_N,
         );
@@ -177,9 +166,6 @@ impl<R: Registers> Run<R> {
             window_open: false,
             settled: None,
         };
-        Ok(Self {
-            executor,
-            ..Self::of(model, operation, settings, basis, chain, state)
-        })
+        Ok(Self { executor, ..Self::of(model, operation, settings, basis, chain, state) })
     }
 }

@@ -10,11 +10,7 @@ use crate::{
 impl Simulation {
     /// Names of the instruction sets that this processor can run, the fastest first.
     pub fn instruction_sets() -> Vec<&'static str> {
-        let any = Abilities {
-            hertz: true,
-            vector: true,
-            full: false,
-        };
+        let any = Abilities { hertz: true, vector: true, full: false };
         let all: Vec<Stepper> = Stepper::all(any);
         all.iter().map(|stepper| stepper.instructions).collect()
     }

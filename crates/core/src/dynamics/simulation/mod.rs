@@ -160,12 +160,12 @@ impl Simulation {
         checkpoint: Checkpoint<'_>,
     ) -> Result<Self, ResumeError> {
         Ok(Self(match settings.precision {
-            Precision::Double => Either::Double(Box::new(Run::resume(
-                model, operation, settings, checkpoint,
-            )?)),
-            Precision::Single => Either::Single(Box::new(Run::resume(
-                model, operation, settings, checkpoint,
-            )?)),
+            Precision::Double => {
+                Either::Double(Box::new(Run::resume(model, operation, settings, checkpoint)?))
+            }
+            Precision::Single => {
+                Either::Single(Box::new(Run::resume(model, operation, settings, checkpoint)?))
+            }
         }))
     }
 

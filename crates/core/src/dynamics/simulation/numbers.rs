@@ -38,9 +38,7 @@ impl<R: Real> Run<R> {
                 !speed(*i).is_finite() || fast(node!(self.chain, *i, spin), DIVERGED_RAD_PER_S)
             })
             .unwrap_or_else(|| {
-                (0..self.chain.nodes())
-                    .max_by(|a, b| speed(*a).total_cmp(&speed(*b)))
-                    .unwrap_or(0)
+                (0..self.chain.nodes()).max_by(|a, b| speed(*a).total_cmp(&speed(*b))).unwrap_or(0)
             });
         let spin = node!(self.chain, worst, spin);
         let (quantity, value) = if !fast(spin, DIVERGED_RAD_PER_S) {

@@ -82,15 +82,7 @@ impl<R: Real> Run<R> {
         chain: Chain<R>,
         state: State,
     ) -> Self {
-        let Basis {
-            mesh,
-            settling,
-            plan,
-            borehole,
-            abilities,
-            stepper,
-            steps_per_sample,
-        } = basis;
+        let Basis { mesh, settling, plan, borehole, abilities, stepper, steps_per_sample } = basis;
         Self {
             model: model.clone(),
             mud: model.mud_column(),
@@ -239,10 +231,8 @@ impl<R: Real> Run<R> {
         self.state.top_drive.prescribe(&mut self.chain, rotation);
         let last = self.chain.nodes() - 1;
         let top_before = self.chain.velocity(0).dot(self.chain.tangent(0));
-        let step_start = StepStart {
-            velocity: self.chain.velocity(last),
-            spin: node!(self.chain, last, spin),
-        };
+        let step_start =
+            StepStart { velocity: self.chain.velocity(last), spin: node!(self.chain, last, spin) };
 
         let before = self.state.body.push(&mut self.chain, &input, ramp);
         let mut losses = self.stepper.step(&mut self.chain, &input);
@@ -312,10 +302,7 @@ impl<R: Real> Run<R> {
                 let velocity_m_per_s =
                     bit.axial_velocity_m_per_s(&self.operation, weight_N, rotation);
                 self.state.rigid_velocity_m_per_s = velocity_m_per_s;
-                self.state.hoist.set_target(Target {
-                    weight_N,
-                    velocity_m_per_s,
-                });
+                self.state.hoist.set_target(Target { weight_N, velocity_m_per_s });
                 self.state.hoist.set_control(HoistControl::Autodriller);
             }
         }

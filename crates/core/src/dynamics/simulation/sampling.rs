@@ -67,9 +67,7 @@ impl<R: Real> Run<R> {
         series.bit_force_right_N.push(sums.bit_right / n);
         series.bit_moment_N_m.push(sums.bit_moment / n);
         series.depth_of_cut_m.push(sums.depth_of_cut / n);
-        series
-            .rate_of_penetration_m_per_s
-            .push(sums.rate_of_penetration / n);
+        series.rate_of_penetration_m_per_s.push(sums.rate_of_penetration / n);
         let motor = state.bit.has_motor().then_some(sums.motor_speed / n);
         series.motor_speed_rad_per_s.push(motor);
         series.motor_pressure_Pa.push(motor_pressure_Pa);
@@ -124,9 +122,7 @@ impl<R: Real> Run<R> {
         state.record.close_contact_row(&state.anchors, before_s);
         state.record.open_window();
         state.bit.open_window();
-        state
-            .wear
-            .restart(state.anchors[state.anchors.len() - 1].md_m);
+        state.wear.restart(state.anchors[state.anchors.len() - 1].md_m);
         state.ledger = Ledger::open(energies, flow_work_J);
         if let Some(mud) = &mut state.viscous {
             mud.open_window();

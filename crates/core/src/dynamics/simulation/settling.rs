@@ -110,16 +110,8 @@ impl Settling {
         let travel_m = hoisting::hoisting(operation, settings).1.abs() * until.max_s;
         let travels = travel_m > TRAVELS_M && !settings.schedule.moves_the_hoist();
         let min_s = settings.settle_s.max(start_s).max(planned_s) + stretch_s;
-        let min_s = if travels {
-            min_s.max(TRAVELS_MIN_S)
-        } else {
-            min_s
-        };
-        Self::UntilSteady {
-            stretch_s,
-            min_s,
-            max_s: (planned_s + until.max_s).max(min_s),
-        }
+        let min_s = if travels { min_s.max(TRAVELS_MIN_S) } else { min_s };
+        Self::UntilSteady { stretch_s, min_s, max_s: (planned_s + until.max_s).max(min_s) }
     }
 
     /// The shortest time before the window, s.
@@ -148,12 +140,7 @@ impl Settling {
         duration_s: f64,
         length_m: f64,
     ) -> Option<Settled> {
-        let Self::UntilSteady {
-            stretch_s,
-            min_s,
-            max_s,
-        } = *self
-        else {
+        let Self::UntilSteady { stretch_s, min_s, max_s } = *self else {
             return None;
         };
         let samples = |time_s: f64| (time_s / interval_s).round().max(1.0) as usize;
@@ -177,11 +164,7 @@ impl Settling {
 /// part of its length that it travels, of each scale.
 fn is_steady(series: &TimeSeries, from: usize, of_window: f64, length_m: f64) -> bool {
     let scalars = varying(series).map(|scalar| (scalar.samples.get(from..).unwrap_or(&[]), scalar));
-    let scales = scales(
-        scalars
-            .each_ref()
-            .map(|(samples, scalar)| (scalar.gauge, mean(samples))),
-    );
+    let scales = scales(scalars.each_ref().map(|(samples, scalar)| (scalar.gauge, mean(samples))));
     let bit_m = series.bit_depth_m.get(from..).unwrap_or(&[]);
     let travel_m = match bit_m {
         [first, .., last] => (last - first).abs(),

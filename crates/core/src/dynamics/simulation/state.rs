@@ -77,10 +77,7 @@ impl State {
             "the pressure of the mud at rest",
         )?;
         ensure(self.high.len() == layout.blocks(), "the high side")?;
-        ensure(
-            self.viscous.is_some() == model.mud.rheology.is_some(),
-            "the mud",
-        )?;
+        ensure(self.viscous.is_some() == model.mud.rheology.is_some(), "the mud")?;
         self.set_points.check(&settings.schedule)?;
         self.body.check(&Body::new(model, mesh))?;
         self.top_drive.check(&settings.top_drive)?;

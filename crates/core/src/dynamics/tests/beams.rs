@@ -15,12 +15,8 @@ pub fn beam(length_m: f64, parts: usize) -> Bench {
     let mut rod = Bench::new(&[(PIPE_M, length_m)], length_m / parts as f64, 0.0);
     assert_eq!(rod.chain.elements(), parts);
     for i in 0..parts {
-        let section = Section {
-            shear_stiffness_N: 1e30,
-            ..rod.mesh.elements[i].section
-        };
-        rod.chain
-            .set_stiffness(i, &Stiffness::new(&section, rod.mesh.elements[i].length_m));
+        let section = Section { shear_stiffness_N: 1e30, ..rod.mesh.elements[i].section };
+        rod.chain.set_stiffness(i, &Stiffness::new(&section, rod.mesh.elements[i].length_m));
     }
     // The step was planned for a beam that shears and is the softer for it.
     rod.input.dt *= 0.5;
@@ -44,8 +40,7 @@ pub fn swing(rod: &mut Bench, periods: usize, mode: impl Fn(f64) -> (f64, f64)) 
         .collect();
     rod.frequency_Hz(periods, |rod| {
         let each = weights.iter().enumerate();
-        each.map(|(i, weight)| weight * rod.chain.displacement(i).0)
-            .sum()
+        each.map(|(i, weight)| weight * rod.chain.displacement(i).0).sum()
     })
 }
 
@@ -57,8 +52,7 @@ fn pinned(axial_N: f64, mode: usize, parts: usize) -> f64 {
     rod.chain.set_weight(parts, Vector(0.0, 0.0, axial_N));
     let strain = axial_N / rod.mesh.elements[0].section.axial_stiffness_N;
     for i in 0..=parts {
-        rod.chain
-            .set_displacement(i, Vector(0.0, 0.0, strain * rod.z_m(i)));
+        rod.chain.set_displacement(i, Vector(0.0, 0.0, strain * rod.z_m(i)));
     }
     let k = mode as f64 * std::f64::consts::PI / length;
     swing(&mut rod, 2, |z| ((k * z).sin(), k * (k * z).cos()))
@@ -77,18 +71,10 @@ fn a_pinned_pipe_has_its_frequencies() {
     let cases = data["pinned_pinned_DP"]["cases"].as_array().expect("cases");
     for case in cases {
         let axial = case["axial_N"].as_f64().expect("a force");
-        for (i, exact) in case["freq_Hz"]
-            .as_array()
-            .expect("modes")
-            .iter()
-            .enumerate()
-        {
+        for (i, exact) in case["freq_Hz"].as_array().expect("modes").iter().enumerate() {
             let exact = exact.as_f64().expect("a frequency");
             let k = (i + 1) as f64 * std::f64::consts::PI / 30.0;
-            let bending = cases[0]["freq_Hz"][i]
-                .as_f64()
-                .expect("a frequency")
-                .powi(2);
+            let bending = cases[0]["freq_Hz"][i].as_f64().expect("a frequency").powi(2);
             let stretched = 1.0 + axial / (STEEL.youngs_modulus_Pa * area);
             let square = bending / stretched.powi(2) + (exact * exact - bending) / stretched;
             let exact = (square / (1.0 + gyration2 * k * k)).sqrt();
@@ -119,11 +105,7 @@ fn a_pinned_pipe_has_its_frequencies() {
 #[test]
 fn a_clamped_pipe_has_its_frequencies() {
     let length = 60.0;
-    for (root, name) in [
-        (1.87510407f64, "first"),
-        (4.69409113, "second"),
-        (7.85475744, "third"),
-    ] {
+    for (root, name) in [(1.87510407f64, "first"), (4.69409113, "second"), (7.85475744, "third")] {
         let frequency = |parts: usize| {
             let mut rod = beam(length, parts);
             rod.support(0, Support::CLAMPED);

@@ -23,11 +23,8 @@ use crate::{
 };
 
 /// The steel of D09 and D10.
-pub const STEEL: Material = Material {
-    density_kg_per_m3: 7850.0,
-    youngs_modulus_Pa: 206.84e9,
-    shear_modulus_Pa: 79.3e9,
-};
+pub const STEEL: Material =
+    Material { density_kg_per_m3: 7850.0, youngs_modulus_Pa: 206.84e9, shear_modulus_Pa: 79.3e9 };
 
 const AIR: Mud = mud(0.0);
 
@@ -47,28 +44,10 @@ pub struct Support {
 }
 
 impl Support {
-    pub const FREE: Self = Self {
-        axial: true,
-        lateral: true,
-        tilt: true,
-        spin: true,
-    };
-    pub const PINNED: Self = Self {
-        axial: false,
-        lateral: false,
-        tilt: true,
-        spin: false,
-    };
-    pub const ROLLER: Self = Self {
-        axial: true,
-        ..Self::PINNED
-    };
-    pub const CLAMPED: Self = Self {
-        axial: false,
-        lateral: false,
-        tilt: false,
-        spin: false,
-    };
+    pub const FREE: Self = Self { axial: true, lateral: true, tilt: true, spin: true };
+    pub const PINNED: Self = Self { axial: false, lateral: false, tilt: true, spin: false };
+    pub const ROLLER: Self = Self { axial: true, ..Self::PINNED };
+    pub const CLAMPED: Self = Self { axial: false, lateral: false, tilt: false, spin: false };
 }
 
 /// The rod.
@@ -101,10 +80,7 @@ impl Bench {
         mud: Mud,
         hole_m: f64,
     ) -> Self {
-        let parts: Vec<_> = parts
-            .iter()
-            .map(|&(pipe, length)| (pipe, length, STEEL))
-            .collect();
+        let parts: Vec<_> = parts.iter().map(|&(pipe, length)| (pipe, length, STEEL)).collect();
         Self::made_of(&parts, element_length_m, stiffness_damping_s, mud, hole_m)
     }
 
@@ -155,11 +131,7 @@ impl Bench {
             input,
             mass_damping_per_s: 0.0,
             body: Body::default(),
-            stepper: Stepper::new(Abilities {
-                hertz: true,
-                vector: true,
-                full,
-            }),
+            stepper: Stepper::new(Abilities { hertz: true, vector: true, full }),
         };
         bench.support(0, Support::FREE);
         bench
@@ -229,20 +201,12 @@ impl Bench {
             index,
             inv_mass_lateral = inverse(support.lateral, node!(chain, index, mass_lateral))
         );
-        node!(
-            chain,
-            index,
-            inv_polar = inverse(support.spin, node!(chain, index, polar))
-        );
+        node!(chain, index, inv_polar = inverse(support.spin, node!(chain, index, polar)));
         node!(chain, index, inv_rotary = inverse(support.tilt, rotary));
         node!(
             chain,
             index,
-            gyroscopic = if support.tilt {
-                node!(chain, index, polar) / rotary
-            } else {
-                0.0
-            }
+            gyroscopic = if support.tilt { node!(chain, index, polar) / rotary } else { 0.0 }
         );
     }
 

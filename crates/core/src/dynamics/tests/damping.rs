@@ -16,10 +16,7 @@ const MESHES_M: [f64; 3] = [1.6, 3.2, 4.8];
 /// 6e-4 for the longest.
 #[test]
 fn a_viscous_spin_down_knows_no_mesh() {
-    let mud = Mud {
-        linear_drag_Pa_s: 20.0,
-        ..crate::common::mud(1200.0)
-    };
+    let mud = Mud { linear_drag_Pa_s: 20.0, ..crate::common::mud(1200.0) };
     let hole_m = 2.0f64;
     let [outer, inner] = PIPE_M.map(|diameter| std::f64::consts::FRAC_PI_4 * diameter.powi(2));
     let (hole2, pipe2) = (hole_m.powi(2), PIPE_M[0].powi(2));
@@ -75,8 +72,7 @@ fn taken(element_length_m: f64) -> [f64; 3] {
                 1 => node!(rod.chain, i, spin = 1e-3 * cosine),
                 _ => {
                     rod.chain.set_velocity(i, Vector(1e-3 * sine, 0.0, 0.0));
-                    rod.chain
-                        .set_turning(i, Vector(0.0, 1e-3 * k * cosine, 0.0));
+                    rod.chain.set_turning(i, Vector(0.0, 1e-3 * k * cosine, 0.0));
                 }
             }
         }

@@ -29,11 +29,9 @@ fn a_spinning_pipe_precesses() {
             let z = rod.z_m(i);
             node!(rod.chain, i, spin = spin);
             if node!(rod.chain, i, inv_mass_lateral) > 0.0 {
-                rod.chain
-                    .set_velocity(i, Vector(1e-6 * (k * z).sin(), 0.0, 0.0));
+                rod.chain.set_velocity(i, Vector(1e-6 * (k * z).sin(), 0.0, 0.0));
             }
-            rod.chain
-                .set_turning(i, Vector(0.0, 1e-6 * k * (k * z).cos(), 0.0));
+            rod.chain.set_turning(i, Vector(0.0, 1e-6 * k * (k * z).cos(), 0.0));
         }
         let section = rod.mesh.elements[0].section;
         let mass = section.steel_kg_per_m;

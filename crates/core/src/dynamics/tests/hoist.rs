@@ -11,16 +11,10 @@ use crate::{
 };
 
 const MASS_KG: f64 = 5e3;
-const LINE: HoistLine = HoistLine {
-    stiffness_N_per_m: 1e7,
-    damping_N_s_per_m: 1e5,
-    block_mass_kg: 0.0,
-};
+const LINE: HoistLine =
+    HoistLine { stiffness_N_per_m: 1e7, damping_N_s_per_m: 1e5, block_mass_kg: 0.0 };
 
-const TARGET: Target = Target {
-    weight_N: 60e3,
-    velocity_m_per_s: 0.003,
-};
+const TARGET: Target = Target { weight_N: 60e3, velocity_m_per_s: 0.003 };
 
 /// A mass that hangs on the hoist.
 struct Load {
@@ -45,11 +39,7 @@ impl Load {
         node!(chain, 0, inv_mass_axial = 1.0 / MASS_KG);
         let weight = MASS_KG * gravity;
         let hoist = Hoist::new(line, control, autodriller, TARGET, 100.0, weight);
-        Self {
-            chain,
-            hoist,
-            gravity,
-        }
+        Self { chain, hoist, gravity }
     }
 
     fn down(&self) -> f64 {
@@ -64,10 +54,8 @@ impl Load {
         let before = self.velocity();
         let v = before + dt * self.gravity;
         self.chain.set_velocity(0, Vector(0.0, 0.0, v));
-        self.chain
-            .set_displacement(0, Vector(0.0, 0.0, self.down() + dt * v));
-        self.hoist
-            .act(&mut self.chain, 100.0, before, weight_on_bit_N, dt)
+        self.chain.set_displacement(0, Vector(0.0, 0.0, self.down() + dt * v));
+        self.hoist.act(&mut self.chain, 100.0, before, weight_on_bit_N, dt)
     }
 }
 
@@ -96,16 +84,10 @@ fn oscillation_error(line: HoistLine, steps_per_period: f64) -> f64 {
 #[test]
 fn a_mass_on_the_line_swings_and_settles() {
     for damping_N_s_per_m in [0.0, 3e4, 1e5, 3e5] {
-        let line = HoistLine {
-            damping_N_s_per_m,
-            ..LINE
-        };
+        let line = HoistLine { damping_N_s_per_m, ..LINE };
         let [coarse, fine] = [2e4, 4e4].map(|steps| oscillation_error(line, steps));
         println!("{damping_N_s_per_m}: {coarse:.1e} {fine:.1e}");
-        assert!(
-            ((coarse / fine).log2() - 1.0).abs() < 0.1,
-            "{coarse:e} {fine:e}"
-        );
+        assert!(((coarse / fine).log2() - 1.0).abs() < 0.1, "{coarse:e} {fine:e}");
         assert!(fine < 4.0 * std::f64::consts::TAU / 4e4 * 3.0);
     }
 }
@@ -141,10 +123,7 @@ fn a_mass_follows_the_block() {
 /// force on a falling mass is negative work.
 #[test]
 fn work_is_the_change_of_kinetic_energy() {
-    for control in [
-        HoistControl::BlockVelocity(0.2),
-        HoistControl::HookLoad(7e4),
-    ] {
+    for control in [HoistControl::BlockVelocity(0.2), HoistControl::HookLoad(7e4)] {
         let mut load = Load::new(LINE, control, 0.0);
         load.chain.set_velocity(0, Vector(0.0, 0.0, 0.5));
         let energy = |load: &Load| 0.5 * MASS_KG * load.velocity().powi(2);
@@ -184,14 +163,9 @@ fn a_hook_load_lifts_as_newton_says() {
     assert!((load.velocity() - expected).abs() < 1e-11);
     assert!((load.hoist.velocity_m_per_s() - load.velocity()).abs() < 1e-12);
     let velocity = load.velocity();
-    load.hoist
-        .set_control(HoistControl::BlockVelocity(velocity));
+    load.hoist.set_control(HoistControl::BlockVelocity(velocity));
     let step = load.step(0.0, 1e-3);
-    assert!(
-        (step.hook_load_N / force - 1.0).abs() < 0.05,
-        "{}",
-        step.hook_load_N
-    );
+    assert!((step.hook_load_N / force - 1.0).abs() < 0.05, "{}", step.hook_load_N);
 }
 
 /// The block's speed answers the weight that is missing through a filter of first order:
@@ -248,10 +222,7 @@ fn an_autodriller_integrates_and_keeps_to_its_limits() {
     // The minute at each limit would have moved an integral that runs on by 0.02 m/s; what is left
     // of the way there and back moves it by less than a filter's time at each side.
     let after = load.hoist.velocity_m_per_s();
-    assert!(
-        (after - before).abs() < 1e-7 * 300e3 / 20.0,
-        "{before} {after}"
-    );
+    assert!((after - before).abs() < 1e-7 * 300e3 / 20.0, "{before} {after}");
 }
 
 /// A block of its own mass swings with the load on the line: `ω² = k/(m + M)`, and the hook feels
@@ -260,11 +231,7 @@ fn an_autodriller_integrates_and_keeps_to_its_limits() {
 #[test]
 fn a_block_swings_with_its_load() {
     let block = 20e3;
-    let line = HoistLine {
-        damping_N_s_per_m: 0.0,
-        block_mass_kg: block,
-        ..LINE
-    };
+    let line = HoistLine { damping_N_s_per_m: 0.0, block_mass_kg: block, ..LINE };
     let mut load = Load::new(line, HoistControl::BlockVelocity(0.0), GRAVITY_M_PER_S2);
     let omega = (line.stiffness_N_per_m / (MASS_KG + block)).sqrt();
     let steps = 40_000;
@@ -286,14 +253,8 @@ fn a_block_swings_with_its_load() {
 /// With a block or without, work is the change of the load's kinetic energy.
 #[test]
 fn work_does_not_count_the_block() {
-    let line = HoistLine {
-        block_mass_kg: 20e3,
-        ..LINE
-    };
-    for control in [
-        HoistControl::BlockVelocity(0.2),
-        HoistControl::HookLoad(7e4),
-    ] {
+    let line = HoistLine { block_mass_kg: 20e3, ..LINE };
+    for control in [HoistControl::BlockVelocity(0.2), HoistControl::HookLoad(7e4)] {
         let mut load = Load::new(line, control, 0.0);
         load.chain.set_velocity(0, Vector(0.0, 0.0, 0.5));
         let energy = |load: &Load| 0.5 * MASS_KG * load.velocity().powi(2);

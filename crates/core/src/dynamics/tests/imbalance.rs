@@ -26,13 +26,7 @@ fn jeffcott(ratio: f64, zeta: f64, part: f64) -> [f64; 2] {
     rod.support(0, Support::PINNED);
     rod.support(2, Support::ROLLER);
     // Its middle alone has mass, and its spin is given.
-    rod.support(
-        1,
-        Support {
-            spin: false,
-            ..Support::FREE
-        },
-    );
+    rod.support(1, Support { spin: false, ..Support::FREE });
     // The ends tilt by three times the deflection over the length: what little inertia they are
     // left swings along.
     let mut mass = node!(rod.chain, 1, mass_lateral);
@@ -52,9 +46,7 @@ fn jeffcott(ratio: f64, zeta: f64, part: f64) -> [f64; 2] {
     }
     // Small, so that the deflection does not stretch the shaft.
     let e = 1e-7;
-    rod.body
-        .imbalances
-        .push(Imbalance::new(1, mass * e, 0.0, EAST));
+    rod.body.imbalances.push(Imbalance::new(1, mass * e, 0.0, EAST));
     // A swing of its own dies away as exp(-2π ζ n) in n periods.
     let seconds = 50.0 * TAU / critical;
     for _ in 0..(seconds / rod.input.dt) as usize {
@@ -93,12 +85,7 @@ fn an_unbalanced_shaft_whirls_as_jeffcotts() {
                     found[0],
                     Tolerance::Relative(within[0]),
                 ),
-                (
-                    format!("{at}: phase {step}, °"),
-                    phase,
-                    found[1],
-                    Tolerance::Absolute(within[1]),
-                ),
+                (format!("{at}: phase {step}, °"), phase, found[1], Tolerance::Absolute(within[1])),
             ] {
                 report(&Row {
                     case: "D09",
@@ -121,15 +108,12 @@ fn free(part: f64, size: f64) -> [f64; 3] {
     let nodes = rod.chain.nodes();
     for (i, toward) in [(1, EAST), (3, Vector(0.0, 1.0, 0.0))] {
         let moment = size * node!(rod.chain, i, mass_lateral);
-        rod.body
-            .imbalances
-            .push(Imbalance::new(i, moment, 0.0, toward));
+        rod.body.imbalances.push(Imbalance::new(i, moment, 0.0, toward));
     }
     for i in 0..nodes {
         node!(rod.chain, i, spin = 40.0);
         let z = rod.z_m(i) - 6.0;
-        rod.chain
-            .set_velocity(i, Vector(0.5 * (z / 3.0).cos(), 0.2 * z, 0.1));
+        rod.chain.set_velocity(i, Vector(0.5 * (z / 3.0).cos(), 0.2 * z, 0.1));
     }
     let totals = |rod: &Bench| {
         let dt = rod.input.dt;
@@ -137,17 +121,14 @@ fn free(part: f64, size: f64) -> [f64; 3] {
         for i in 0..nodes {
             let v = rod.chain.velocity(i);
             let at = (rod.chain.displacement(i) + Vector(0.0, 0.0, rod.z_m(i))).minus(v, 0.5 * dt);
-            let (across, along) = (
-                node!(rod.chain, i, mass_lateral),
-                node!(rod.chain, i, mass_axial),
-            );
+            let (across, along) =
+                (node!(rod.chain, i, mass_lateral), node!(rod.chain, i, mass_axial));
             let mut p = Vector(v.0 * across, v.1 * across, v.2 * along);
             let (d, w) = (rod.chain.director(i), rod.chain.turning(i));
             let spin = node!(rod.chain, i, spin);
-            let mut own = w.scaled(1.0 / node!(rod.chain, i, inv_rotary)).plus(
-                d.minus(w.cross(d), 0.5 * dt),
-                spin * node!(rod.chain, i, polar),
-            );
+            let mut own = w
+                .scaled(1.0 / node!(rod.chain, i, inv_rotary))
+                .plus(d.minus(w.cross(d), 0.5 * dt), spin * node!(rod.chain, i, polar));
             for x in rod.body.imbalances.iter().filter(|x| x.index == i) {
                 let turned = w.plus(d, spin).cross(x.halfway());
                 p = p.plus(turned, x.moment_kg_m);
@@ -205,18 +186,10 @@ fn an_unbalanced_pipe_swings_by_its_weight() {
             rod.chain.set_anchor_chord(i, level.scaled(3.0));
         }
         rod.chain.set_director(i, level);
-        rod.support(
-            i,
-            Support {
-                spin: true,
-                ..Support::CLAMPED
-            },
-        );
+        rod.support(i, Support { spin: true, ..Support::CLAMPED });
         let moment = offset * node!(rod.chain, i, mass_lateral);
         let heavy = Vector(0.01f64.sin(), 0.0, 0.01f64.cos());
-        rod.body
-            .imbalances
-            .push(Imbalance::new(i, moment, g, heavy));
+        rod.body.imbalances.push(Imbalance::new(i, moment, g, heavy));
     }
     let radius2 = (PIPE_M[0].powi(2) + PIPE_M[1].powi(2)) / 8.0;
     let exact = (offset * g / radius2).sqrt() / TAU;

@@ -51,11 +51,7 @@ impl Swing {
     }
 
     fn lowest(&self) -> [f64; 2] {
-        *self
-            .tip
-            .iter()
-            .min_by(|a, b| a[1].total_cmp(&b[1]))
-            .expect("a swing")
+        *self.tip.iter().min_by(|a, b| a[1].total_cmp(&b[1])).expect("a swing")
     }
 }
 
@@ -74,26 +70,17 @@ fn right_angle(parts: usize) -> Swing {
     for i in 0..=2 * parts {
         if i < 2 * parts {
             let along = if i < parts { out } else { back };
-            rod.chain
-                .set_anchor_chord(i, along.scaled(leg / parts as f64));
+            rod.chain.set_anchor_chord(i, along.scaled(leg / parts as f64));
         }
         // The elbow's director is that of the leg before it.
         let (director, toward) = if i <= parts { (out, back) } else { (back, out) };
         rod.chain.set_director(i, director);
         if i < 2 * parts {
-            let angle = if i == parts {
-                std::f64::consts::FRAC_PI_2
-            } else {
-                0.0
-            };
+            let angle = if i == parts { std::f64::consts::FRAC_PI_2 } else { 0.0 };
             rod.body.bends.push(Bend::new(i, angle, toward));
         }
     }
-    let mut swing = Swing {
-        tip: Vec::new(),
-        elbow: 0.0,
-        drift: 0.0,
-    };
+    let mut swing = Swing { tip: Vec::new(), elbow: 0.0, drift: 0.0 };
     let (mut time, mut given) = (0.0, None);
     while time < 31.0 {
         let force = 50.0 * (1.0 - (time - 1.0f64).abs()).max(0.0);
@@ -138,27 +125,9 @@ fn a_right_angled_cantilever_swings_out_of_its_plane() {
         "missed: the digitised curve runs ahead, by about as much as fits it best; 0.2 s is asked";
     let elbow = "missed: the source names the curve the elbow's, but the tip follows it";
     for (quantity, expected, computed, tolerance, reason) in [
-        (
-            "first peak of the tip, m",
-            8.3,
-            peak[1],
-            Tolerance::Absolute(0.3),
-            SOURCE,
-        ),
-        (
-            "first peak of the elbow, m",
-            8.3,
-            swing.elbow,
-            Tolerance::Any,
-            elbow,
-        ),
-        (
-            "time of the first peak, s",
-            6.6,
-            peak[0],
-            Tolerance::Any,
-            shift,
-        ),
+        ("first peak of the tip, m", 8.3, peak[1], Tolerance::Absolute(0.3), SOURCE),
+        ("first peak of the elbow, m", 8.3, swing.elbow, Tolerance::Any, elbow),
+        ("time of the first peak, s", 6.6, peak[0], Tolerance::Any, shift),
         (
             "trough of the tip with 8 elements to a leg, m",
             -9.2,
@@ -173,13 +142,7 @@ fn a_right_angled_cantilever_swings_out_of_its_plane() {
             Tolerance::Any,
             "missed by 0.01 m, by 0.02 m with more: 0.5 m is the tolerance of the source",
         ),
-        (
-            "time of the trough, s",
-            14.8,
-            trough[0],
-            Tolerance::Any,
-            shift,
-        ),
+        ("time of the trough, s", 14.8, trough[0], Tolerance::Any, shift),
         (
             "time from peak to trough, s",
             14.8 - 6.6,
@@ -188,23 +151,13 @@ fn a_right_angled_cantilever_swings_out_of_its_plane() {
             "the source's 0.2 s for either",
         ),
     ] {
-        report(&Row {
-            case: "D07",
-            quantity,
-            expected,
-            computed,
-            tolerance,
-            reason,
-        });
+        report(&Row { case: "D07", quantity, expected, computed, tolerance, reason });
     }
     let data = verification("D07_simo_vuquoc_right_angle_cantilever.json");
-    let curve = data["digitised_elbow_out_of_plane_displacement_t_u"]
-        .as_array()
-        .expect("a curve");
+    let curve = data["digitised_elbow_out_of_plane_displacement_t_u"].as_array().expect("a curve");
     let off = |later: f64| {
-        let squares = curve
-            .iter()
-            .map(|row| (swing.at(number(&row[0]) + later) - number(&row[1])).powi(2));
+        let squares =
+            curve.iter().map(|row| (swing.at(number(&row[0]) + later) - number(&row[1])).powi(2));
         (squares.sum::<f64>() / curve.len() as f64).sqrt()
     };
     let (later, off) = (0..20)
@@ -233,11 +186,7 @@ fn arm(parts: usize) -> [f64; 2] {
     rod.support(0, Support::CLAMPED);
     let omega = std::f64::consts::TAU / 15.0;
     let rate = |t: f64| {
-        if t < 15.0 {
-            0.4 * (t - (omega * t).sin() / omega)
-        } else {
-            6.0
-        }
+        if t < 15.0 { 0.4 * (t - (omega * t).sin() / omega) } else { 6.0 }
     };
     let angle = |t: f64| {
         if t < 15.0 {
@@ -250,8 +199,7 @@ fn arm(parts: usize) -> [f64; 2] {
     let dt = rod.input.dt;
     for step in 0..(20.0 / dt) as usize {
         let time = step as f64 * dt;
-        rod.chain
-            .set_turning(0, Vector(0.0, rate(time + 0.5 * dt), 0.0));
+        rod.chain.set_turning(0, Vector(0.0, rate(time + 0.5 * dt), 0.0));
         rod.step();
         let moved = rod.chain.displacement(parts);
         let at = Vector(moved.0, 0.0, moved.2 + length);
@@ -302,13 +250,6 @@ fn an_arm_is_stretched_by_its_spin() {
             "its last digit: from memory",
         ),
     ] {
-        report(&Row {
-            case: "D08",
-            quantity,
-            expected,
-            computed,
-            tolerance,
-            reason,
-        });
+        report(&Row { case: "D08", quantity, expected, computed, tolerance, reason });
     }
 }

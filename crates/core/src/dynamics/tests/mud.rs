@@ -58,20 +58,12 @@ fn left_of(mud: Mud, v0: Vector<f64>, time_s: f64, steps: f64) -> Vector<f64> {
 fn mud_drags_on_lateral_motion() {
     let (speed, time) = (2.0f64, 2.0);
     for (linear, coefficient) in [(60.0, 0.0), (0.0, 1.0), (60.0, 1.0)] {
-        let mud = Mud {
-            linear_drag_Pa_s: linear,
-            drag_coefficient: coefficient,
-            ..STILL
-        };
+        let mud = Mud { linear_drag_Pa_s: linear, drag_coefficient: coefficient, ..STILL };
         let (_, mass) = masses_kg_per_m(&rod(STILL), STILL.density_kg_per_m3);
         let lambda = linear / mass;
         let k = 0.5 * STILL.density_kg_per_m3 * coefficient * PIPE_M[0] / mass;
         let decay = (-lambda * time).exp();
-        let rest = if lambda > 0.0 {
-            (1.0 - decay) / lambda
-        } else {
-            time
-        };
+        let rest = if lambda > 0.0 { (1.0 - decay) / lambda } else { time };
         let expected = speed * decay / (1.0 + k * speed * rest);
         let steps = 8000.0;
         let error = |steps| {
@@ -93,10 +85,7 @@ fn mud_drags_on_lateral_motion() {
 /// steps, to rounding. 0.2 % leaves room for the rounding of deflections of a micrometre.
 #[test]
 fn a_swinging_pipe_decays_at_half_the_rate_of_drag() {
-    let mud = Mud {
-        linear_drag_Pa_s: 5.0,
-        ..STILL
-    };
+    let mud = Mud { linear_drag_Pa_s: 5.0, ..STILL };
     let mut bench = rod(mud);
     let last = bench.chain.nodes() - 1;
     bench.support(0, Support::PINNED);
@@ -105,13 +94,9 @@ fn a_swinging_pipe_decays_at_half_the_rate_of_drag() {
     for i in 0..=last {
         let z = bench.z_m(i);
         if node!(bench.chain, i, inv_mass_lateral) > 0.0 {
-            bench
-                .chain
-                .set_velocity(i, Vector(1e-6 * (k * z).sin(), 0.0, 0.0));
+            bench.chain.set_velocity(i, Vector(1e-6 * (k * z).sin(), 0.0, 0.0));
         }
-        bench
-            .chain
-            .set_turning(i, Vector(0.0, 1e-6 * k * (k * z).cos(), 0.0));
+        bench.chain.set_turning(i, Vector(0.0, 1e-6 * k * (k * z).cos(), 0.0));
     }
     // Swings by their largest deflection, a parabola through the highest three.
     let (mut u, mut peaks) = ([0.0f64; 3], Vec::new());
@@ -125,19 +110,13 @@ fn a_swinging_pipe_decays_at_half_the_rate_of_drag() {
             let curve = u[0] - 2.0 * u[1] + u[2];
             let shift = 0.5 * (u[0] - u[2]) / curve;
             let peak = u[1] - 0.25 * (u[0] - u[2]) * shift;
-            peaks.push((
-                (f64::from(step) - 1.0 + shift) * bench.input.dt,
-                peak.abs().ln(),
-            ));
+            peaks.push(((f64::from(step) - 1.0 + shift) * bench.input.dt, peak.abs().ln()));
         }
     }
     let rate = (peaks[0].1 - peaks[20].1) / (peaks[20].0 - peaks[0].0);
     let (_, mass) = masses_kg_per_m(&bench, STILL.density_kg_per_m3);
     let expected = 0.5 * mud.linear_drag_Pa_s / mass;
-    assert!(
-        (rate / expected - 1.0).abs() < 2e-3,
-        "{rate} for {expected} 1/s"
-    );
+    assert!((rate / expected - 1.0).abs() < 2e-3, "{rate} for {expected} 1/s");
 }
 
 /// Mud inside and around slows a swinging pipe by `√(m/(m + m_in + m_out))`, and leaves its axial
@@ -170,10 +149,7 @@ fn mud_takes_part_in_lateral_motion_only() {
         let (steel, mass) = masses_kg_per_m(&rod(mud), density_kg_per_m3);
         let expected = (steel / mass).sqrt();
         let found = lateral(mud) / lateral(air);
-        assert!(
-            (found / expected - 1.0).abs() < 1.5e-4,
-            "{found} for {expected}"
-        );
+        assert!((found / expected - 1.0).abs() < 1.5e-4, "{found} for {expected}");
         let (wet, dry) = (axial(mud), axial(air));
         assert!((wet / dry - 1.0).abs() < 1e-4, "{wet} for {dry} Hz");
     }
@@ -191,19 +167,13 @@ fn added_mass_is_confined_up_to_a_cap() {
         mass - section.steel_kg_per_m - STILL.density_kg_per_m3 * section.bore_m2
     };
     for (od, expected) in [
-        (
-            0.08,
-            (0.2159f64.powi(2) + 0.0064) / (0.2159f64.powi(2) - 0.0064),
-        ),
+        (0.08, (0.2159f64.powi(2) + 0.0064) / (0.2159f64.powi(2) - 0.0064)),
         (0.80 * HOLE_M, 1.64 / 0.36),
         (0.83 * HOLE_M, 5.0),
         (HOLE_M, 5.0),
     ] {
         let displaced = STILL.density_kg_per_m3 * std::f64::consts::FRAC_PI_4 * od * od;
         let found = outside_kg_per_m(od) / displaced;
-        assert!(
-            (found / expected - 1.0).abs() < 1e-9,
-            "{od}: {found} for {expected}"
-        );
+        assert!((found / expected - 1.0).abs() < 1e-9, "{od}: {found} for {expected}");
     }
 }

@@ -14,13 +14,7 @@ fn struck(parts: usize, part: f64) -> [f64; 4] {
     let steps = (0.5 / (2e-4 * part)).round();
     rod.input.dt = 0.5 / steps;
     rod.support(0, Support::PINNED);
-    rod.support(
-        parts,
-        Support {
-            spin: true,
-            ..Support::ROLLER
-        },
-    );
+    rod.support(parts, Support { spin: true, ..Support::ROLLER });
     let k = std::f64::consts::PI / length;
     for i in 0..=parts {
         let z = rod.z_m(i);
@@ -40,16 +34,8 @@ fn struck(parts: usize, part: f64) -> [f64; 4] {
     for _ in 0..steps as usize {
         rod.step();
     }
-    let (middle, end) = (
-        rod.chain.displacement(parts / 2),
-        rod.chain.displacement(parts),
-    );
-    [
-        middle.0,
-        middle.1,
-        end.2,
-        rod.chain.displacement(parts / 4).1,
-    ]
+    let (middle, end) = (rod.chain.displacement(parts / 2), rod.chain.displacement(parts));
+    [middle.0, middle.1, end.2, rod.chain.displacement(parts / 4).1]
 }
 
 fn distance(a: [f64; 4], b: [f64; 4]) -> f64 {

@@ -44,15 +44,9 @@ fn hanging(mode: usize, parts: usize, stiff: bool) -> f64 {
     // Stretched by what hangs below, from the top down.
     let mut down = 0.0;
     for i in 0..parts {
-        let section = Section {
-            shear_stiffness_N: 1e30,
-            ..rod.mesh.elements[i].section
-        };
+        let section = Section { shear_stiffness_N: 1e30, ..rod.mesh.elements[i].section };
         let bending = if stiff { 1.0 } else { 1e-9 } * section.bending_stiffness_N_m2;
-        let section = Section {
-            bending_stiffness_N_m2: bending,
-            ..section
-        };
+        let section = Section { bending_stiffness_N_m2: bending, ..section };
         let h = rod.mesh.elements[i].length_m;
         rod.chain.set_stiffness(i, &Stiffness::new(&section, h));
         if i == 0 {
@@ -90,9 +84,7 @@ fn swings_as(what: &str, modes: impl IntoIterator<Item = usize>) {
             report(&Row {
                 case: "D09",
                 quantity: &format!("sideways mode {} of a {what} {mesh}, Hz", mode + 1),
-                expected: data["hanging_chain_1000m_Hz"][key][mode]
-                    .as_f64()
-                    .expect("a frequency"),
+                expected: data["hanging_chain_1000m_Hz"][key][mode].as_f64().expect("a frequency"),
                 computed,
                 tolerance,
                 reason,

@@ -33,12 +33,8 @@ fn pushed(along_N: f64) -> Chain {
     chain
 }
 
-const STEP: StepInput = StepInput {
-    dt: 1e-5,
-    stiffness_damping: 0.0,
-    dissipation: 0.5,
-    stribeck_speed: 0.1,
-};
+const STEP: StepInput =
+    StepInput { dt: 1e-5, stiffness_damping: 0.0, dissipation: 0.5, stribeck_speed: 0.1 };
 
 /// Pushed with less than `μ_s N`, it stays for ever, though `μ_k N` is far exceeded; with more, it
 /// goes and gains speed by `m v' = F − N (μ_k + (μ_s − μ_k)/(1 + (v/v_s)²))`. With
@@ -50,11 +46,7 @@ const STEP: StepInput = StepInput {
 #[test]
 fn a_contact_breaks_away() {
     for law in [true, false] {
-        let stepper = Stepper::new(Abilities {
-            hertz: true,
-            vector: law,
-            full: true,
-        });
+        let stepper = Stepper::new(Abilities { hertz: true, vector: law, full: true });
         // A tenth of a second for the contact to find its force.
         let mut chain = pushed(0.999 * AT_REST * NORMAL_N);
         for _ in 0..10_000 {
@@ -83,10 +75,7 @@ fn a_contact_breaks_away() {
             let expected = STRIBECK_SPEED_M_PER_S
                 * (x / a + b / (a * slow) * (x * (a / (a - b)).sqrt()).atan());
             let found = f64::from(steps) * STEP.dt;
-            assert!(
-                (found / expected - 1.0).abs() < 2e-3,
-                "{found} for {expected} s to {x}"
-            );
+            assert!((found / expected - 1.0).abs() < 2e-3, "{found} for {expected} s to {x}");
         }
     }
 }

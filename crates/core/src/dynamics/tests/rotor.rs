@@ -34,21 +34,17 @@ fn whirling(spin: f64, mode: usize, whirl: f64, parts: usize) -> f64 {
         let (shape, slope) = (size * (k * z).sin(), size * k * (k * z).cos());
         let round = Vector(sine, cosine, 0.0).scaled(whirl);
         node!(rod.chain, i, spin = spin);
-        rod.chain
-            .set_director(i, Vector(slope, 0.0, (1.0 - slope * slope).sqrt()));
+        rod.chain.set_director(i, Vector(slope, 0.0, (1.0 - slope * slope).sqrt()));
         let ends = i == 0 || i == parts;
         if !ends {
             rod.chain.set_displacement(i, Vector(shape, 0.0, 0.0));
             rod.chain.set_velocity(i, round.scaled(shape));
         }
-        rod.chain
-            .set_turning(i, Vector(-round.1 * slope, round.0 * slope, 0.0));
+        rod.chain.set_turning(i, Vector(-round.1 * slope, round.0 * slope, 0.0));
     }
     std::f64::consts::TAU
         * rod.frequency_Hz(5, |rod| {
-            (0..=parts)
-                .map(|i| (k * rod.z_m(i)).sin() * rod.chain.displacement(i).0)
-                .sum()
+            (0..=parts).map(|i| (k * rod.z_m(i)).sin() * rod.chain.displacement(i).0).sum()
         })
 }
 
@@ -58,10 +54,7 @@ fn whirling(spin: f64, mode: usize, whirl: f64, parts: usize) -> f64 {
 #[test]
 fn a_spinning_shaft_whirls_at_its_frequencies() {
     let data = verification("D09_linear_frequencies.json");
-    for case in data["spinning_rayleigh_shaft"]["cases"]
-        .as_array()
-        .expect("cases")
-    {
+    for case in data["spinning_rayleigh_shaft"]["cases"].as_array().expect("cases") {
         let number = |key: &str| case[key].as_f64().expect("a number");
         let (spin, mode) = (number("Omega_rad_s"), number("mode") as usize);
         let exact = ["forward_rad_s", "backward_rad_s"].map(number);

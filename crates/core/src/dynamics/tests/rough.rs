@@ -36,10 +36,7 @@ fn model() -> Model {
         ComponentLength::ToSurface,
         super::bench::STEEL,
     );
-    let mud = Mud {
-        drag_coefficient: 1.0,
-        ..mud(1200.0)
-    };
+    let mud = Mud { drag_coefficient: 1.0, ..mud(1200.0) };
     common::model(
         path_in_rad(&stations, Interpolation::Spline),
         hole.with_roughness(Some(roughness)).expect("a sound hole"),
@@ -76,9 +73,7 @@ fn met(model: &Model, element_length_m: f64, md_m: f64, along_m: f64) -> [f64; 8
     let axis = anchors[10].position_m + nalgebra::Vector3::from(place - offset);
     let slope = node!(chain, 10, clearance_slope);
     let radius = clearance + 0.06985;
-    [
-        radius, slope, axis.x, axis.y, axis.z, tangent.0, tangent.1, tangent.2,
-    ]
+    [radius, slope, axis.x, axis.y, axis.z, tangent.0, tangent.1, tangent.2]
 }
 
 /// The same seed gives the same wall to nodes of any mesh, to the last digit.

@@ -60,12 +60,7 @@ fn highest(rod: &Bench) -> f64 {
                 k[(3 * e + i, 3 * e + j)] -= (plus[i] - minus[i]) / (2.0 * h);
             }
         }
-        for (i, j, sign) in [
-            (e, e, 1.0),
-            (e + 1, e + 1, 1.0),
-            (e, e + 1, -1.0),
-            (e + 1, e, -1.0),
-        ] {
+        for (i, j, sign) in [(e, e, 1.0), (e + 1, e + 1, 1.0), (e, e + 1, -1.0), (e + 1, e, -1.0)] {
             torsion[(i, j)] += sign * stiffness.twist;
         }
     }
@@ -89,14 +84,12 @@ fn growth(rod: &mut Bench, dt: f64, steps: usize) -> f64 {
     rod.input.dt = dt;
     let mut state = 7u64;
     let mut random = || {
-        state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         1e-6 * ((state >> 11) as f64 / (1u64 << 52) as f64 - 1.0)
     };
     for i in 0..rod.chain.nodes() {
-        rod.chain
-            .set_velocity(i, Vector(random(), random(), random()));
+        rod.chain.set_velocity(i, Vector(random(), random(), random()));
         rod.chain.set_turning(i, Vector(random(), random(), 0.0));
         node!(rod.chain, i, spin = random());
     }
@@ -148,11 +141,9 @@ fn swing() -> f64 {
 /// limit of the assembled chain it explodes.
 #[test]
 fn the_planned_step_is_stable_and_a_tenth_beyond_the_limit_is_not() {
-    for (parts, element_length) in [
-        (&[(PIPE_M, 100.0)][..], 3.2),
-        (&ASSEMBLY[..], 3.2),
-        (&ASSEMBLY[..], 0.8),
-    ] {
+    for (parts, element_length) in
+        [(&[(PIPE_M, 100.0)][..], 3.2), (&ASSEMBLY[..], 3.2), (&ASSEMBLY[..], 0.8)]
+    {
         let rod = || Bench::new(parts, element_length, 0.0);
         let planned = rod().plan.dt_s;
         let kept = growth(&mut rod(), planned, 20_000);
@@ -176,10 +167,7 @@ fn damping_shortens_the_step_as_its_formula_says() {
         let xi = 0.5 * beta * omega;
         let shorter = ((1.0 + xi * xi).sqrt() - xi) * undamped;
         let planned = rod().plan.dt_s;
-        assert!(
-            (planned / shorter - 1.0).abs() < 1e-9,
-            "{planned} {shorter}"
-        );
+        assert!((planned / shorter - 1.0).abs() < 1e-9, "{planned} {shorter}");
         assert!(growth(&mut rod(), planned, 20_000) < swing());
         assert!(growth(&mut rod(), 1.1 / SAFETY * planned, 20_000).is_infinite());
     }
@@ -198,21 +186,13 @@ fn added_mass_is_small_and_reported() {
     assert!(mixed.plan.added_axial_mass_fraction < 1e-9);
     for element_length in [0.8, 1.6, 3.2, 4.8] {
         let rod = Bench::new(&ASSEMBLY, element_length, 1e-5);
-        let steel: f64 = rod
-            .mesh
-            .elements
-            .iter()
-            .map(|e| e.section.steel_kg_per_m * e.length_m)
-            .sum();
-        let nodes: f64 = (0..rod.chain.nodes())
-            .map(|i| node!(rod.chain, i, mass_axial))
-            .sum();
+        let steel: f64 =
+            rod.mesh.elements.iter().map(|e| e.section.steel_kg_per_m * e.length_m).sum();
+        let nodes: f64 = (0..rod.chain.nodes()).map(|i| node!(rod.chain, i, mass_axial)).sum();
         let added = nodes / steel - 1.0;
         assert!((added - rod.plan.added_axial_mass_fraction).abs() < 1e-9);
         assert!(added <= 0.003 * (1.0 + 1e-9), "{added}");
-        let lateral: f64 = (0..rod.chain.nodes())
-            .map(|i| node!(rod.chain, i, mass_lateral))
-            .sum();
+        let lateral: f64 = (0..rod.chain.nodes()).map(|i| node!(rod.chain, i, mass_lateral)).sum();
         assert!(lateral >= nodes * (1.0 - 1e-12));
     }
 }
@@ -220,21 +200,11 @@ fn added_mass_is_small_and_reported() {
 /// The plan does not need a bar of any particular shape: a needle and a stub get a step.
 #[test]
 fn odd_rods_get_a_step() {
-    for parts in [
-        [([0.5, 0.0], 0.01), ([0.05, 0.049], 500.0)],
-        [([0.05, 0.049], 0.001), ([0.5, 0.0], 20.0)],
-    ] {
+    for parts in
+        [[([0.5, 0.0], 0.01), ([0.05, 0.049], 500.0)], [([0.05, 0.049], 0.001), ([0.5, 0.0], 20.0)]]
+    {
         let rod = Bench::new(&parts, 3.2, 1e-5);
-        assert!(
-            rod.plan.dt_s > 1e-9 && rod.plan.dt_s < 1e-2,
-            "{}",
-            rod.plan.dt_s
-        );
-        assert!(
-            rod.plan
-                .inertia
-                .iter()
-                .all(|i: &stability::ElementInertia| i.rotary_kg_m2 > 0.0)
-        );
+        assert!(rod.plan.dt_s > 1e-9 && rod.plan.dt_s < 1e-2, "{}", rod.plan.dt_s);
+        assert!(rod.plan.inertia.iter().all(|i: &stability::ElementInertia| i.rotary_kg_m2 > 0.0));
     }
 }

@@ -16,9 +16,7 @@ use crate::{
 };
 
 fn number(of: &Value, key: &str) -> f64 {
-    of[key]
-        .as_f64()
-        .unwrap_or_else(|| panic!("`{key}` is a number"))
+    of[key].as_f64().unwrap_or_else(|| panic!("`{key}` is a number"))
 }
 
 #[track_caller]
@@ -62,25 +60,14 @@ impl Disc {
         rod.support(0, Support::CLAMPED);
         node!(rod.chain, 0, spin = speed);
         node!(rod.chain, DISC, polar = inertia);
-        rod.support(
-            DISC,
-            Support {
-                spin: true,
-                ..Support::CLAMPED
-            },
-        );
+        rod.support(DISC, Support { spin: true, ..Support::CLAMPED });
         element!(rod.chain, 0, torsion = stiffness);
         let (clearance, deep, radius, mu) = (0.05, 1e-3, 0.1, 0.3);
-        rod.chain
-            .set_displacement(DISC, Vector(clearance + deep, 0.0, 0.0));
+        rod.chain.set_displacement(DISC, Vector(clearance + deep, 0.0, 0.0));
         node!(rod.chain, DISC, clearance = clearance);
         node!(rod.chain, DISC, radius = radius);
         node!(rod.chain, DISC, friction = mu);
-        node!(
-            rod.chain,
-            DISC,
-            friction_rise = mu * (at_rest / sliding - 1.0)
-        );
+        node!(rod.chain, DISC, friction_rise = mu * (at_rest / sliding - 1.0));
         node!(rod.chain, DISC, friction_around = 1.0);
         node!(rod.chain, DISC, mud_spin = viscous_N_m_s);
         // The law of Hertz, so that the friction is the disc's.
@@ -91,18 +78,8 @@ impl Disc {
         // stays well below while the disc sticks.
         rod.input.dt = dt;
         rod.input.stribeck_speed = DROP_RAD_PER_S * radius;
-        let stepper = Stepper::new(Abilities {
-            hertz: true,
-            vector: true,
-            full: true,
-        });
-        Self {
-            rod,
-            stepper,
-            speed,
-            stiffness,
-            limit: at_rest,
-        }
+        let stepper = Stepper::new(Abilities { hertz: true, vector: true, full: true });
+        Self { rod, stepper, speed, stiffness, limit: at_rest }
     }
 
     fn step(&mut self) {
@@ -238,11 +215,7 @@ impl Well {
             shear_modulus_Pa: shear,
         };
         let parts = [
-            (
-                tube(number(bha, "Ac"), number(bha, "Jc")),
-                length,
-                steel(number(bha, "Gc")),
-            ),
+            (tube(number(bha, "Ac"), number(bha, "Jc")), length, steel(number(bha, "Gc"))),
             (
                 tube(number(pipe, "Ap"), number(pipe, "Jp")),
                 depth_m - length,
@@ -330,16 +303,9 @@ fn a_string_breaks_off_at_its_friction() {
                 force += weight * inclination.sin();
                 torque += weight * inclination.sin() * radius;
             }
-            rod.support(
-                i,
-                Support {
-                    spin: i > 0,
-                    ..Support::CLAMPED
-                },
-            );
+            rod.support(i, Support { spin: i > 0, ..Support::CLAMPED });
             if force > 0.0 {
-                rod.chain
-                    .set_displacement(i, Vector(clearance + deep, 0.0, 0.0));
+                rod.chain.set_displacement(i, Vector(clearance + deep, 0.0, 0.0));
                 node!(rod.chain, i, clearance = clearance);
                 node!(rod.chain, i, stiffness = force / deep.powf(1.5));
                 node!(rod.chain, i, mass_lateral = UNMOVED_KG);
@@ -352,9 +318,7 @@ fn a_string_breaks_off_at_its_friction() {
         let speed = 0.02;
         node!(rod.chain, 0, spin = speed);
         let twist = |rod: &Bench| {
-            -(0..rod.chain.elements())
-                .map(|i| element!(rod.chain, i, twist))
-                .sum::<f64>()
+            -(0..rod.chain.elements()).map(|i| element!(rod.chain, i, twist)).sum::<f64>()
         };
         // Until the bit has turned by a tenth of a radian.
         let (mut turned, mut steps) = (0.0, 0u32);
@@ -362,10 +326,7 @@ fn a_string_breaks_off_at_its_friction() {
             rod.step();
             turned += rod.input.dt * node!(rod.chain, last, spin);
             steps += 1;
-            assert!(
-                f64::from(steps) * rod.input.dt * speed < 40.0,
-                "it does not turn"
-            );
+            assert!(f64::from(steps) * rod.input.dt * speed < 40.0, "it does not turn");
         }
         let (mut torque, mut wound, mut samples) = (0.0, 0.0, 0.0);
         for _ in 0..(10.0 / rod.input.dt) as usize {
@@ -380,14 +341,7 @@ fn a_string_breaks_off_at_its_friction() {
             ("twist at break-off, rad", wound, "total_twist_rad"),
         ] {
             let quantity = format!("{quantity}, at friction {mu}");
-            close(
-                "E02",
-                &quantity,
-                found / samples,
-                number(expected, key),
-                5e-3,
-                SOURCE,
-            );
+            close("E02", &quantity, found / samples, number(expected, key), 5e-3, SOURCE);
         }
     }
 }

@@ -25,46 +25,29 @@ fn loaded(turning: bool, element_length_m: f64) -> [f64; 2] {
     let mut rod = Bench::new(&[(PIPE_M, parts * element_length_m)], element_length_m, 0.0);
     for i in 0..rod.chain.nodes() {
         let load = f / mu * rod.mesh.tributary_length_m(i);
-        rod.chain
-            .set_displacement(i, Vector(clearance + depth, 0.0, 0.0));
+        rod.chain.set_displacement(i, Vector(clearance + depth, 0.0, 0.0));
         node!(rod.chain, i, clearance = clearance);
         node!(rod.chain, i, friction = mu);
         node!(rod.chain, i, stiffness = load / depth.powf(1.5));
         node!(rod.chain, i, radius = about / f);
-        rod.support(
-            i,
-            Support {
-                axial: !turning,
-                lateral: false,
-                spin: turning,
-                ..Support::FREE
-            },
-        );
+        rod.support(i, Support { axial: !turning, lateral: false, spin: turning, ..Support::FREE });
     }
     let (dt, weight) = (rod.input.dt, rod.chain.weight(0));
     let (mut moved, mut peak) = (0.0, 0.0);
     let steps = (RAMP_S / dt) as usize;
     for step in 0..2 * steps {
         // It comes to rest at its peak and at its end.
-        let part = (std::f64::consts::FRAC_PI_2 * step as f64 / steps as f64)
-            .sin()
-            .powi(2);
+        let part = (std::f64::consts::FRAC_PI_2 * step as f64 / steps as f64).sin().powi(2);
         if turning {
             let kick = part * torque * dt * node!(rod.chain, 0, inv_polar);
             node!(rod.chain, 0, spin += kick);
             // The twist is carried on by the spin without it.
             element!(rod.chain, 0, twist += dt * kick);
         } else {
-            rod.chain
-                .set_weight(0, weight.minus(Vector(0.0, 0.0, 1.0), part * force));
+            rod.chain.set_weight(0, weight.minus(Vector(0.0, 0.0, 1.0), part * force));
         }
         rod.step();
-        moved += dt
-            * if turning {
-                node!(rod.chain, 0, spin)
-            } else {
-                -rod.chain.velocity(0).2
-            };
+        moved += dt * if turning { node!(rod.chain, 0, spin) } else { -rod.chain.velocity(0).2 };
         if step == steps {
             peak = moved;
         }
@@ -80,10 +63,9 @@ fn loaded(turning: bool, element_length_m: f64) -> [f64; 2] {
 fn friction_keeps_half_of_what_a_load_has_moved() {
     let data = verification("D10_axial_torsional_waves.json");
     let expected = &data["quasi_static_stiction"]["expected"];
-    for (turning, key, what, unit) in [
-        (false, "u_m", "a force", "m"),
-        (true, "phi_rad", "a torque", "rad"),
-    ] {
+    for (turning, key, what, unit) in
+        [(false, "u_m", "a force", "m"), (true, "phi_rad", "a torque", "rad")]
+    {
         let exact = number(&expected[key]);
         let found = [10.0, 5.0].map(|h| loaded(turning, h));
         for (i, when, part) in [(0, "moves its end by", 1.0), (1, "leaves of it", 0.5)] {

@@ -16,15 +16,11 @@ use crate::{
 const INERTIA_KG_M2: f64 = 400.0;
 
 /// The gains of the drive of E02 and E08.
-const STIFF: SpeedController = SpeedController::Pi {
-    proportional_N_m_s: 38e3,
-    integral_N_m: 100e3,
-};
+const STIFF: SpeedController =
+    SpeedController::Pi { proportional_N_m_s: 38e3, integral_N_m: 100e3 };
 
-const SOFT: SpeedController = SpeedController::SoftTorque {
-    impedance_ratio: 1.0,
-    frequency_Hz: Some(0.25),
-};
+const SOFT: SpeedController =
+    SpeedController::SoftTorque { impedance_ratio: 1.0, frequency_Hz: Some(0.25) };
 
 const MATCHED: SpeedController = SpeedController::ZTorque {
     impedance_ratio: 1.0,
@@ -34,11 +30,7 @@ const MATCHED: SpeedController = SpeedController::ZTorque {
 };
 
 fn driven(controller: SpeedController, torque_limit_N_m: Option<f64>) -> TopDriveSettings {
-    TopDriveSettings::Driven {
-        inertia_kg_m2: INERTIA_KG_M2,
-        controller,
-        torque_limit_N_m,
-    }
+    TopDriveSettings::Driven { inertia_kg_m2: INERTIA_KG_M2, controller, torque_limit_N_m }
 }
 
 /// A complex number: real and imaginary part.
@@ -94,10 +86,7 @@ fn measured(
     let mut rod = Bench::new(&[(PIPE_M, 36_000.0)], ELEMENT_M, 0.0);
     rod.input.dt = dt;
     let pipe = torsion::impedance_N_m_s(&rod.mesh.elements[0].section);
-    let string = StringSeen {
-        impedance_N_m_s: pipe,
-        frequency_Hz: 0.25,
-    };
+    let string = StringSeen { impedance_N_m_s: pipe, frequency_Hz: 0.25 };
     rod.support(0, Support::CLAMPED);
     let shape = |z: f64| 1e-3 * (-((z - from_m) / wide_m).powi(2)).exp();
     for i in 0..rod.chain.nodes() {
@@ -149,10 +138,7 @@ fn waves_are_thrown_back_as_the_impedances_say() {
     for (name, controller) in [("pi", STIFF), ("soft-torque", SOFT), ("z-torque", MATCHED)] {
         let (gains, pipe, coarse) = measured(controller, &hz, 1e-3);
         let (.., fine) = measured(controller, &hz, 0.5e-3);
-        let exact: Vec<f64> = hz
-            .iter()
-            .map(|f| reflection(&gains, pipe, TAU * f))
-            .collect();
+        let exact: Vec<f64> = hz.iter().map(|f| reflection(&gains, pipe, TAU * f)).collect();
         println!("{name} {exact:.4?}\n{coarse:.4?}\n{fine:.4?}");
         let worst = |found: &[f64]| {
             let errors = found.iter().zip(&exact).map(|(f, e)| (f - e).abs());
@@ -173,16 +159,10 @@ fn waves_are_thrown_back_as_the_impedances_say() {
 /// A drive with boundless gains follows its set point exactly: it is the constant speed.
 #[test]
 fn boundless_gains_are_a_constant_speed() {
-    let controller = SpeedController::Pi {
-        proportional_N_m_s: 1e15,
-        integral_N_m: 1e15,
-    };
+    let controller = SpeedController::Pi { proportional_N_m_s: 1e15, integral_N_m: 1e15 };
     let mut rod = Bench::new(&[(PIPE_M, 500.0)], ELEMENT_M, 0.0);
     rod.support(0, Support::CLAMPED);
-    let string = StringSeen {
-        impedance_N_m_s: 340.0,
-        frequency_Hz: 1.6,
-    };
+    let string = StringSeen { impedance_N_m_s: 340.0, frequency_Hz: 1.6 };
     let mut drive = TopDrive::new(&driven(controller, None), string, &mut rod.chain);
     let dt = rod.input.dt;
     for i in 0..2000 {
@@ -207,28 +187,20 @@ fn held(stiffness: f64) -> Chain {
 #[test]
 fn a_stuck_string_stalls_the_drive() {
     let (limit, stiffness, dt) = (20e3, 500.0, 1e-3);
-    let string = StringSeen {
-        impedance_N_m_s: 340.0,
-        frequency_Hz: 0.2,
-    };
+    let string = StringSeen { impedance_N_m_s: 340.0, frequency_Hz: 0.2 };
     let swing_s = TAU * (INERTIA_KG_M2 / stiffness).sqrt();
     let overshoot = |swings: f64| {
         let mut chain = held(stiffness);
         let mut drive = TopDrive::new(&driven(STIFF, Some(limit)), string, &mut chain);
         let turn = |chain: &mut Chain, drive: &mut TopDrive, stuck: bool| {
-            let spring = if stuck {
-                element!(chain, 0, twist) - dt * node!(chain, 0, spin)
-            } else {
-                0.0
-            };
+            let spring =
+                if stuck { element!(chain, 0, twist) - dt * node!(chain, 0, spin) } else { 0.0 };
             element!(chain, 0, twist = spring);
             element!(chain, 0, torque = stiffness * spring);
             drive.act(chain, 12.0, dt).string_torque_N_m
         };
         let steps = (swings * swing_s / dt).round() as usize;
-        let torques: Vec<f64> = (0..steps)
-            .map(|_| turn(&mut chain, &mut drive, true))
-            .collect();
+        let torques: Vec<f64> = (0..steps).map(|_| turn(&mut chain, &mut drive, true)).collect();
         let end = &torques[steps - (4.0 * swing_s / dt).round() as usize..];
         let mean = end.iter().sum::<f64>() / end.len() as f64;
         assert!((mean / limit - 1.0).abs() < 2e-3, "{mean}");
@@ -253,11 +225,7 @@ fn the_lowest_frequency_is_the_closed_form() {
     let rod = Bench::new(&[(PIPE_M, 1000.0)], 10.0, 0.0);
     let found = torsion::lowest_frequency_Hz(&rod.mesh);
     assert!((found / (3178.35 / 4000.0) - 1.0).abs() < 1e-5, "{found}");
-    let rod = Bench::new(
-        &[(super::bench::COLLAR_M, 250.0), (PIPE_M, 2000.0)],
-        10.0,
-        0.0,
-    );
+    let rod = Bench::new(&[(super::bench::COLLAR_M, 250.0), (PIPE_M, 2000.0)], 10.0, 0.0);
     let omega = TAU * torsion::lowest_frequency_Hz(&rod.mesh);
     let [collar, pipe] = [rod.mesh.elements.len() - 1, 0]
         .map(|i| torsion::impedance_N_m_s(&rod.mesh.elements[i].section));

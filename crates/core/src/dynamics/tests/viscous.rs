@@ -23,13 +23,8 @@ fn weightless(rheology: Rheology) -> Mud {
     viscous_mud(0.0, rheology)
 }
 
-const NEWTONIAN: Rheology = Rheology::Newtonian {
-    viscosity_Pa_s: 1.0,
-};
-const BINGHAM: Rheology = Rheology::Bingham {
-    plastic_viscosity_Pa_s: 0.5,
-    yield_point_Pa: 20.0,
-};
+const NEWTONIAN: Rheology = Rheology::Newtonian { viscosity_Pa_s: 1.0 };
+const BINGHAM: Rheology = Rheology::Bingham { plastic_viscosity_Pa_s: 0.5, yield_point_Pa: 20.0 };
 
 /// A free vertical rod in mud.
 struct Wet {
@@ -63,21 +58,12 @@ impl Wet {
             trip_speed_m_per_s: 0.0,
             ..operation(OperationKind::RotateOffBottom, LENGTH_M)
         };
-        let law = ContactLaw::Linear {
-            stiffness_N_per_m: 1e7,
-            damping_ratio: 0.0,
-        };
+        let law = ContactLaw::Linear { stiffness_N_per_m: 1e7, damping_ratio: 0.0 };
         let borehole = Borehole::new(&bench.model, &bench.mesh, law);
         let viscous = Viscous::new(&bench.model, &bench.mesh, &operation, velocity, LENGTH_M);
         let mut viscous = viscous.expect("the mud has a rheology");
         viscous.attach(&mut bench.chain, &anchors, bench.input.dt);
-        Self {
-            bench,
-            viscous,
-            anchors,
-            borehole,
-            steps: 0,
-        }
+        Self { bench, viscous, anchors, borehole, steps: 0 }
     }
 
     fn go(&mut self, seconds: f64) {
@@ -87,8 +73,7 @@ impl Wet {
             self.steps += 1;
             if self.steps.is_multiple_of(16) {
                 let chain = &mut self.bench.chain;
-                self.viscous
-                    .update(chain, &self.anchors, &self.borehole, dt);
+                self.viscous.update(chain, &self.anchors, &self.borehole, dt);
             }
         }
     }
@@ -142,9 +127,7 @@ fn spin_down_follows_the_closed_form_on_every_mesh() {
         );
         left.push(spin);
     }
-    let (low, high) = left
-        .iter()
-        .fold((f64::MAX, 0.0f64), |(l, h), s| (l.min(*s), h.max(*s)));
+    let (low, high) = left.iter().fold((f64::MAX, 0.0f64), |(l, h), s| (l.min(*s), h.max(*s)));
     assert!(high / low - 1.0 < 0.01, "{left:?}");
 }
 
@@ -161,10 +144,7 @@ fn a_yield_point_brings_a_string_to_rest() {
     let annulus = Annulus::new(PIPE_M[0], HOLE_M);
     let mud = weightless(BINGHAM);
     let slowing = |spin: f64| {
-        let motion = Motion {
-            spin_rad_per_s: spin,
-            ..Motion::default()
-        };
+        let motion = Motion { spin_rad_per_s: spin, ..Motion::default() };
         annulus.drag(&mud, &motion).torque_N(spin) / inertia
     };
     let (mut spin, mut time) = (10.0, 0.0);
@@ -180,10 +160,7 @@ fn a_yield_point_brings_a_string_to_rest() {
         }
         wet.go(wanted - wet.time_s());
         let found = node!(wet.bench.chain, wet.middle(), spin);
-        assert!(
-            (found - spin).abs() < 0.02 * 10.0,
-            "{wanted} s: {found} for {spin} rad/s"
-        );
+        assert!((found - spin).abs() < 0.02 * 10.0, "{wanted} s: {found} for {spin} rad/s");
     }
     // It is held by the yield point, not braked for ever: at rest within the time that the yield
     // torque alone takes.
@@ -218,8 +195,5 @@ fn a_falling_string_reaches_its_terminal_velocity() {
     wet.go(20.0 / rate);
     let found = wet.bench.chain.velocity(wet.middle()).2;
     let expected = weight / drag;
-    assert!(
-        (found / expected - 1.0).abs() < 1e-8,
-        "{found} for {expected} m/s"
-    );
+    assert!((found / expected - 1.0).abs() < 1e-8, "{found} for {expected} m/s");
 }

@@ -70,24 +70,11 @@ impl Pipe {
         node!(chain, 0, clearance = clearance_m);
         node!(chain, 0, radius = radius_m);
         node!(chain, 0, friction = friction);
-        node!(
-            chain,
-            0,
-            stiffness = hertz_stiffness(modulus, hole_radius_m, radius_m)
-        );
+        node!(chain, 0, stiffness = hertz_stiffness(modulus, hole_radius_m, radius_m));
         Self {
             chain,
-            stepper: Stepper::new(Abilities {
-                hertz: true,
-                vector: true,
-                full: false,
-            }),
-            input: StepInput {
-                dt,
-                stiffness_damping: 0.0,
-                dissipation: 0.5,
-                stribeck_speed: 0.1,
-            },
+            stepper: Stepper::new(Abilities { hertz: true, vector: true, full: false }),
+            input: StepInput { dt, stiffness_damping: 0.0, dissipation: 0.5, stribeck_speed: 0.1 },
             clearance_m,
             steps: 0,
         }
@@ -98,10 +85,8 @@ impl Pipe {
         let sunk = (force_N / node!(self.chain, 0, stiffness)).powf(2.0 / 3.0);
         let (sin, cos) = angle.sin_cos();
         let offset = self.clearance_m + sunk;
-        self.chain
-            .set_displacement(0, Vector(offset * cos, offset * sin, 0.0));
-        self.chain
-            .set_velocity(0, Vector(-speed_m_per_s * sin, speed_m_per_s * cos, 0.0));
+        self.chain.set_displacement(0, Vector(offset * cos, offset * sin, 0.0));
+        self.chain.set_velocity(0, Vector(-speed_m_per_s * sin, speed_m_per_s * cos, 0.0));
     }
 
     fn step(&mut self) {
@@ -153,11 +138,7 @@ fn a_pipe_that_rolls_whirls_backwards() {
             let transient = 3.0 * pipe.clearance_m / (0.3 * surface);
             pipe.round(2.0 * transient, |_, _| ());
             let (rate, force) = pipe.round(2.0, |_, _| ());
-            [
-                rate,
-                (omega - rate) / std::f64::consts::TAU,
-                force / MASS_KG,
-            ]
+            [rate, (omega - rate) / std::f64::consts::TAU, force / MASS_KG]
         });
         for (i, (what, key, within)) in [
             ("backward whirl, rad/s", "backward_whirl_rad_s", 1e-3),
@@ -215,10 +196,7 @@ fn backward_whirl_needs_its_friction() {
             };
             report(&Row {
                 case: "E03",
-                quantity: &format!(
-                    "{}: whirl under {quantity} over the rolling one",
-                    named(&row)
-                ),
+                quantity: &format!("{}: whirl under {quantity} over the rolling one", named(&row)),
                 expected,
                 computed: rate / rolling,
                 tolerance: Tolerance::Absolute(within),
@@ -355,8 +333,7 @@ fn impulse(
     node!(chain, 0, inv_mass_lateral = 1.0 / mass_kg);
     node!(chain, 0, stiffness = stiffness);
     let clearance = pipe.clearance_m;
-    pipe.chain
-        .set_displacement(0, Vector(clearance - phase * speed * dt, 0.0, 0.0));
+    pipe.chain.set_displacement(0, Vector(clearance - phase * speed * dt, 0.0, 0.0));
     pipe.chain.set_velocity(0, Vector(speed, 0.0, 0.0));
     let (mut deepest, mut touched, mut strongest) = (0.0f64, 0.0, 0.0f64);
     loop {
@@ -437,21 +414,14 @@ fn friction_of(
     node!(chain, 0, friction_around = coefficients[2]);
     chain.set_weight(0, Vector(2000.0, 0.0, 0.0));
     pipe.input.stribeck_speed = stribeck_speed;
-    pipe.stepper = Stepper::new(Abilities {
-        hertz: true,
-        vector,
-        full: true,
-    });
+    pipe.stepper = Stepper::new(Abilities { hertz: true, vector, full: true });
     pipe.place(0.0, 2000.0, 0.0);
     // Of the spin alone: a node that slides sideways would climb.
     node!(pipe.chain, 0, spin = around / 0.07);
     pipe.chain.set_velocity(0, Vector(0.0, 0.0, along));
     pipe.step();
     let normal = node!(pipe.chain, 0, sum_normal);
-    [
-        node!(pipe.chain, 0, sum_axial) / normal,
-        node!(pipe.chain, 0, sum_torque) / 0.07 / normal,
-    ]
+    [node!(pipe.chain, 0, sum_axial) / normal, node!(pipe.chain, 0, sum_torque) / 0.07 / normal]
 }
 
 /// Friction by direction and by speed: on the cone `f = N (μ_a u_a, μ_t u_t)/|u|`, or each in full,

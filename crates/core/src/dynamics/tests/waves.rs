@@ -42,24 +42,16 @@ fn a_hanging_pipe_rings_at_its_frequencies() {
     let data = verification("D09_linear_frequencies.json");
     for (kind, key) in [(Kind::Axial, "axial_Hz"), (Kind::Torsional, "torsional_Hz")] {
         for mode in 0..3 {
-            let exact = data["fixed_free_1000m"][key][mode]
-                .as_f64()
-                .expect("a frequency");
+            let exact = data["fixed_free_1000m"][key][mode].as_f64().expect("a frequency");
             let mut rod = Bench::new(&[(PIPE_M, 1000.0)], 10.0, 0.0);
             rod.support(0, Support::CLAMPED);
             let k = (mode as f64 + 0.5) * std::f64::consts::PI / 1000.0;
             set_speed(&mut rod, kind, |z| 1e-3 * (k * z).sin());
             let found = rod.frequency_Hz(3, |rod| {
-                (0..rod.chain.nodes())
-                    .map(|i| (k * rod.z_m(i)).sin() * speed(rod, kind, i))
-                    .sum()
+                (0..rod.chain.nodes()).map(|i| (k * rod.z_m(i)).sin() * speed(rod, kind, i)).sum()
             });
             println!("{key} {mode}: {:.1e}", found / exact - 1.0);
-            let wave = if kind == Kind::Axial {
-                5133.13
-            } else {
-                3178.35
-            };
+            let wave = if kind == Kind::Axial { 5133.13 } else { 3178.35 };
             let courant = wave * rod.input.dt / 10.0;
             let dispersion = (k * 10.0).powi(2) / 24.0 * (1.0 - courant * courant);
             let error = found / exact - 1.0;
@@ -68,10 +60,7 @@ fn a_hanging_pipe_rings_at_its_frequencies() {
             let dt = rod.input.dt;
             let zeros = 0.032 * (std::f64::consts::TAU * exact * dt).powi(2) * dt * exact / 3.0;
             let within = 0.02 * dispersion + zeros;
-            assert!(
-                (error + dispersion).abs() < within,
-                "{key} {mode}: {found} for {exact}"
-            );
+            assert!((error + dispersion).abs() < within, "{key} {mode}: {found} for {exact}");
             report(&Row {
                 case: "D09",
                 quantity: &format!("{kind:?} mode {} of a hanging pipe, Hz", mode + 1),
@@ -99,10 +88,7 @@ fn pulse(rod: &Bench, kind: Kind, from_m: f64, to_m: f64) -> Pulse {
             first += z * speed(rod, kind, i);
         }
     }
-    Pulse {
-        sum,
-        middle_m: first / sum,
-    }
+    Pulse { sum, middle_m: first / sum }
 }
 
 const PULSE_M: f64 = 60.0;
@@ -192,12 +178,7 @@ fn pulses_run_and_are_thrown_back_as_their_impedances_say() {
         run(&mut rod, 800.0 / c);
         let returned = pulse(&rod, kind, 0.0, 1000.0).sum / start.sum;
         let passed = pulse(&rod, kind, 1000.0, 2000.0).sum / start.sum;
-        holds(
-            "reflection from pipe to collar",
-            returned,
-            number(back),
-            1e-4,
-        );
+        holds("reflection from pipe to collar", returned, number(back), 1e-4);
         holds("transmission from pipe to collar", passed, number(on), 1e-4);
     }
 }
@@ -207,11 +188,7 @@ fn pulses_run_and_are_thrown_back_as_their_impedances_say() {
 fn ends_throw_pulses_back() {
     for kind in [Kind::Axial, Kind::Torsional] {
         for (held, sign) in [(true, -1.0), (false, 1.0)] {
-            let c = if kind == Kind::Axial {
-                5133.13
-            } else {
-                3178.35
-            };
+            let c = if kind == Kind::Axial { 5133.13 } else { 3178.35 };
             let mut rod = struck(kind, PIPE_M, c);
             let last = rod.chain.nodes() - 1;
             if held {
@@ -231,11 +208,7 @@ fn ends_throw_pulses_back() {
             });
             // 1600 m to the end, and back.
             let expected = 3600.0 - c * time;
-            assert!(
-                (back.middle_m - expected).abs() < 0.1,
-                "{} {expected}",
-                back.middle_m
-            );
+            assert!((back.middle_m - expected).abs() < 0.1, "{} {expected}", back.middle_m);
         }
     }
 }
@@ -269,14 +242,7 @@ fn slip_front(element_length_m: f64) -> (f64, f64) {
         let off = clearance + (load / k).powf(2.0 / 3.0);
         rod.chain.set_displacement(i, Vector(off, 0.0, 0.0));
         let axial = i > 0;
-        rod.support(
-            i,
-            Support {
-                axial,
-                spin: false,
-                ..Support::FREE
-            },
-        );
+        rod.support(i, Support { axial, spin: false, ..Support::FREE });
     }
     rod.chain.set_velocity(0, Vector(0.0, 0.0, -v0));
     let (mut force, mut speed, mut samples, mut time) = (0.0, 0.0, 0.0, 0.0);
@@ -310,10 +276,7 @@ fn slip_front(element_length_m: f64) -> (f64, f64) {
 #[test]
 fn a_front_of_slip_runs_into_a_rod_that_lies_on_the_wall() {
     let [coarse, fine] = [10.0, 5.0].map(slip_front);
-    println!(
-        "force {:.1e} {:.1e}, speed {:.1e} {:.1e}",
-        coarse.0, fine.0, coarse.1, fine.1
-    );
+    println!("force {:.1e} {:.1e}, speed {:.1e} {:.1e}", coarse.0, fine.0, coarse.1, fine.1);
     for (what, error) in [("force on the end", fine.0), ("speed behind it", fine.1)] {
         report(&Row {
             case: "D10",
@@ -324,10 +287,6 @@ fn a_front_of_slip_runs_into_a_rod_that_lies_on_the_wall() {
             reason: "the source's; elements of 5 m and first order in their length",
         });
     }
-    assert!(
-        (coarse.0 / fine.0 - 2.0).abs() < 0.5,
-        "{}",
-        coarse.0 / fine.0
-    );
+    assert!((coarse.0 / fine.0 - 2.0).abs() < 0.5, "{}", coarse.0 / fine.0);
     assert!(coarse.1.abs() > fine.1.abs());
 }

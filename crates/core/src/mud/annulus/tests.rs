@@ -5,23 +5,11 @@ use crate::common::viscous_mud;
 
 const PIPE_M: f64 = 0.0635;
 const HOLE_M: f64 = 0.10795;
-const GAP: Annulus = Annulus {
-    pipe_m: PIPE_M,
-    hole_m: HOLE_M,
-};
+const GAP: Annulus = Annulus { pipe_m: PIPE_M, hole_m: HOLE_M };
 /// So narrow that a slot's closed form is right to the square of gap over radius.
-const SLOT: Annulus = Annulus {
-    pipe_m: 0.0990,
-    hole_m: 0.1000,
-};
-const BINGHAM: Rheology = Rheology::Bingham {
-    plastic_viscosity_Pa_s: 0.025,
-    yield_point_Pa: 7.2,
-};
-const POWER_LAW: Rheology = Rheology::PowerLaw {
-    consistency_Pa_s_n: 0.9,
-    flow_index: 0.55,
-};
+const SLOT: Annulus = Annulus { pipe_m: 0.0990, hole_m: 0.1000 };
+const BINGHAM: Rheology = Rheology::Bingham { plastic_viscosity_Pa_s: 0.025, yield_point_Pa: 7.2 };
+const POWER_LAW: Rheology = Rheology::PowerLaw { consistency_Pa_s_n: 0.9, flow_index: 0.55 };
 
 /// A mud without weight never becomes turbulent.
 fn weightless(rheology: Rheology) -> Mud {
@@ -31,18 +19,11 @@ fn weightless(rheology: Rheology) -> Mud {
 #[track_caller]
 fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
     let error = (found / expected - 1.0).abs();
-    assert!(
-        error <= tolerance,
-        "{what}: {found} for {expected}, {error:.1e}"
-    );
+    assert!(error <= tolerance, "{what}: {found} for {expected}, {error:.1e}");
 }
 
 fn moving(axial: f64, spin: f64, flow: f64) -> Motion {
-    Motion {
-        axial_m_per_s: axial,
-        spin_rad_per_s: spin,
-        flow_m3_per_s: flow,
-    }
+    Motion { axial_m_per_s: axial, spin_rad_per_s: spin, flow_m3_per_s: flow }
 }
 
 /// Newtonian: the pressure of a concentric annulus (Lamb 1932, Bird, Stewart and Lightfoot), the
@@ -51,9 +32,7 @@ fn moving(axial: f64, spin: f64, flow: f64) -> Motion {
 #[test]
 fn newtonian_mud_is_exact() {
     let viscosity = 0.03;
-    let mud = weightless(Rheology::Newtonian {
-        viscosity_Pa_s: viscosity,
-    });
+    let mud = weightless(Rheology::Newtonian { viscosity_Pa_s: viscosity });
     let (a2, r2) = (PIPE_M * PIPE_M, HOLE_M * HOLE_M);
     let log = (HOLE_M / PIPE_M).ln();
     let flow = 0.02;
@@ -89,18 +68,9 @@ fn newtonian_mud_is_exact() {
 /// quadrature's rounding.
 #[test]
 fn a_power_law_of_index_one_is_newtonian() {
-    let newton = weightless(Rheology::Newtonian {
-        viscosity_Pa_s: 0.03,
-    });
-    let power = weightless(Rheology::PowerLaw {
-        consistency_Pa_s_n: 0.03,
-        flow_index: 1.0,
-    });
-    for motion in [
-        moving(0.3, 7.0, 0.03),
-        moving(-1.0, 0.0, 0.0),
-        moving(0.0, 12.0, 0.0),
-    ] {
+    let newton = weightless(Rheology::Newtonian { viscosity_Pa_s: 0.03 });
+    let power = weightless(Rheology::PowerLaw { consistency_Pa_s_n: 0.03, flow_index: 1.0 });
+    for motion in [moving(0.3, 7.0, 0.03), moving(-1.0, 0.0, 0.0), moving(0.0, 12.0, 0.0)] {
         let (exact, found) = (GAP.drag(&newton, &motion), GAP.drag(&power, &motion));
         let v = motion.axial_m_per_s;
         let scale = exact.axial_N_per_m(v).abs().max(1e-6);
@@ -157,12 +127,7 @@ fn slots_meet_their_closed_forms() {
         let y = 7.2 / wall;
         let flow = width * gap * gap * wall / (6.0 * 0.025) * (1.0 - 1.5 * y + 0.5 * y * y * y);
         let drag = SLOT.drag(&weightless(BINGHAM), &moving(0.0, 0.0, flow));
-        close(
-            "Bingham",
-            drag.gradient_Pa_per_m,
-            2.0 * wall / gap,
-            tolerance,
-        );
+        close("Bingham", drag.gradient_Pa_per_m, 2.0 * wall / gap, tolerance);
     }
 }
 
@@ -194,11 +159,8 @@ fn helical_flow_meets_its_three_conditions() {
                 spin -= fluidity * around / r * h;
             }
             let area = PI * (HOLE_M * HOLE_M - PIPE_M * PIPE_M);
-            let wanted = [
-                motion.flow_m3_per_s / area,
-                motion.axial_m_per_s,
-                motion.spin_rad_per_s * PIPE_M,
-            ];
+            let wanted =
+                [motion.flow_m3_per_s / area, motion.axial_m_per_s, motion.spin_rad_per_s * PIPE_M];
             let found = [flow / area, velocity, spin * PIPE_M];
             let largest = wanted.iter().fold(0.0f64, |m, w| m.max(w.abs()));
             for (found, wanted) in found.iter().zip(wanted) {
@@ -215,18 +177,13 @@ fn helical_flow_meets_its_three_conditions() {
 /// and the mud always takes energy.
 #[test]
 fn the_slope_is_the_forces_own() {
-    let newtonian = Rheology::Newtonian {
-        viscosity_Pa_s: 0.03,
-    };
+    let newtonian = Rheology::Newtonian { viscosity_Pa_s: 0.03 };
     for rheology in [newtonian, BINGHAM, POWER_LAW] {
         let mud = weightless(rheology);
         for motion in [moving(0.3, 7.0, 0.033), moving(-0.5, 2.0, 0.01)] {
             let drag = GAP.drag(&mud, &motion);
             let at = |v: f64| {
-                let motion = Motion {
-                    axial_m_per_s: v,
-                    ..motion
-                };
+                let motion = Motion { axial_m_per_s: v, ..motion };
                 let drag = GAP.drag(&mud, &motion);
                 (drag.axial_N_per_m(v), drag.gradient_Pa_per_m)
             };
@@ -270,10 +227,7 @@ fn turbulent_flow_takes_the_friction_factors_gradient() {
     close("gradient", found, 2.0 * friction * 1000.0 / hydraulic, 0.04);
     // At rest and rotating, Wendt's torque.
     let spin = 7.0;
-    let (eta, re) = (
-        PIPE_M / HOLE_M,
-        1000.0 * spin * PIPE_M * (HOLE_M - PIPE_M) / 1e-3,
-    );
+    let (eta, re) = (PIPE_M / HOLE_M, 1000.0 * spin * PIPE_M * (HOLE_M - PIPE_M) / 1e-3);
     let wendt = 0.23 * eta.powf(1.5) / (1.0 - eta).powf(1.75) * re.powf(1.7) * 1e-6 / 1000.0;
     let found = -GAP.drag(&water, &moving(0.0, spin, 0.0)).torque_N(spin);
     close("torque", found, wendt, 1e-9);
@@ -285,12 +239,8 @@ fn turbulent_flow_takes_the_friction_factors_gradient() {
 /// that finds the laminar gradient.
 #[test]
 fn the_transition_is_that_of_api_rp_13d() {
-    let newtonian = Rheology::Newtonian {
-        viscosity_Pa_s: 0.03,
-    };
-    let unit = weightless(Rheology::Newtonian {
-        viscosity_Pa_s: 1.0,
-    });
+    let newtonian = Rheology::Newtonian { viscosity_Pa_s: 0.03 };
+    let unit = weightless(Rheology::Newtonian { viscosity_Pa_s: 1.0 });
     let area = PI * (HOLE_M * HOLE_M - PIPE_M * PIPE_M);
     let motion = moving(0.0, 0.0, area);
     for rheology in [newtonian, BINGHAM, POWER_LAW] {
@@ -313,12 +263,7 @@ fn the_transition_is_that_of_api_rp_13d() {
             let found = GAP.drag(&mud, &motion).gradient_Pa_per_m / laminar;
             // Of the thinner muds the turbulent law may stay below the laminar one.
             let expected = (friction * reynolds / 24.0).max(1.0);
-            close(
-                &format!("{rheology:?} at {reynolds}"),
-                found,
-                expected,
-                1e-6,
-            );
+            close(&format!("{rheology:?} at {reynolds}"), found, expected, 1e-6);
         }
     }
 }

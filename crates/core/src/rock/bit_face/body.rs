@@ -70,11 +70,7 @@ impl Body {
         let (distance, normal) = profile.distance(radius_m, z_m);
         let face = (distance + self.offset_m, normal);
         let (wall, floor) = (radius_m - self.pad_radius_m, z_m - profile.gauge_z_m());
-        let pad = if wall > floor {
-            (wall, [1.0, 0.0])
-        } else {
-            (floor, [0.0, 1.0])
-        };
+        let pad = if wall > floor { (wall, [1.0, 0.0]) } else { (floor, [0.0, 1.0]) };
         if face.0 <= pad.0 { face } else { pad }
     }
 

@@ -22,12 +22,7 @@ impl BottomHole {
     /// If there is no ring or no sector.
     pub fn new(radii_m: [f64; 2], rings: usize, sectors: usize) -> Self {
         assert!(rings > 0 && sectors > 0, "a bottom needs rings and sectors");
-        Self {
-            radii_m,
-            rings,
-            sectors,
-            sums: vec![(0.0, 0); rings * sectors],
-        }
+        Self { radii_m, rings, sectors, sums: vec![(0.0, 0); rings * sectors] }
     }
 
     /// Number of rings.

@@ -25,11 +25,7 @@ impl ContactLaw {
     /// is the strength at a 25th of an element. Stiffer, an element breaks as soon as a cutter
     /// meets it, however little of it is in the way, and bears less weight.
     pub fn for_rock(ucs_Pa: f64, element_m: f64) -> Self {
-        Self {
-            stiffness_Pa_per_m: 25.0 * ucs_Pa / element_m,
-            damping_ratio: 0.0,
-            friction: 0.3,
-        }
+        Self { stiffness_Pa_per_m: 25.0 * ucs_Pa / element_m, damping_ratio: 0.0, friction: 0.3 }
     }
 }
 

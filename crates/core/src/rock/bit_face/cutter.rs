@@ -89,11 +89,7 @@ impl Cutter {
         let facing = ahead * side_rake_rad.cos() + outwards * side_rake_rad.sin();
         let axis = facing * cos + normal * sin;
         let across = normal * cos - facing * sin;
-        let Disc {
-            radius_m: a,
-            length_m,
-            chamfer_m: ch,
-        } = disc;
+        let Disc { radius_m: a, length_m, chamfer_m: ch } = disc;
         let origin = tip_m - across * a + axis * ch;
         let side = axis.cross(&across);
         let circle = |height: f64| {
@@ -107,13 +103,7 @@ impl Cutter {
             .map(|share| circle(-ch - (length_m - ch) * share))
             .collect();
         let solid = Revolved::new(
-            &[
-                [0.0, 0.0],
-                [a - ch, 0.0],
-                [a, -ch],
-                [a, -length_m],
-                [0.0, -length_m],
-            ],
+            &[[0.0, 0.0], [a - ch, 0.0], [a, -ch], [a, -length_m], [0.0, -length_m]],
             0.0,
         );
         Self {

@@ -74,11 +74,7 @@ pub(super) fn within(
     if range.contains(&value) && value.is_finite() {
         Ok(())
     } else {
-        Err(FaceError::OutOfRange {
-            quantity,
-            value,
-            expected,
-        })
+        Err(FaceError::OutOfRange { quantity, value, expected })
     }
 }
 

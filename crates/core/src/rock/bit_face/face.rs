@@ -60,17 +60,9 @@ impl BitFace {
             return Err(FaceError::UncutRing { from_m, to_m });
         }
         // Their tracks are known; the lines are thousands of points.
-        cutters
-            .iter_mut()
-            .for_each(|cutter| cutter.lines = Vec::new());
+        cutters.iter_mut().for_each(|cutter| cutter.lines = Vec::new());
         let grid = Grid::new(&cutters, &body, &profile, CELL * cutter_diameter_m);
-        Ok(Self {
-            profile,
-            cutters,
-            body,
-            tracks,
-            grid,
-        })
+        Ok(Self { profile, cutters, body, tracks, grid })
     }
 
     /// The line that the tips stand on.

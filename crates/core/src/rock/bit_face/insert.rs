@@ -136,12 +136,7 @@ impl InsertBit {
             "no less than the insert's diameter",
         )?;
         let relief = 0.0..=0.5 * self.insert_diameter_m;
-        within(
-            "gauge relief",
-            self.gauge_relief_m,
-            relief,
-            "none, or up to an insert's radius",
-        )?;
+        within("gauge relief", self.gauge_relief_m, relief, "none, or up to an insert's radius")?;
         let (solid, tip_radius, outline) = self.tip()?;
         let spacing = profile.length_m() / (self.rows as f64 - 1.0 + OFF_AXIS);
         let mut cutters = Vec::new();
@@ -151,9 +146,7 @@ impl InsertBit {
             let stagger = (STAGGER * row as f64).fract();
             for insert in 0..count as usize {
                 let angle = TAU * (insert as f64 + stagger) / count;
-                cutters.push(Cutter::upright(
-                    row, point, angle, solid, tip_radius, &outline,
-                ));
+                cutters.push(Cutter::upright(row, point, angle, solid, tip_radius, &outline));
             }
         }
         let body = Body {
@@ -170,10 +163,7 @@ impl InsertBit {
         let foot = -2.0 * self.insert_diameter_m;
         let (tip, half_angle) = match self.shape {
             InsertShape::Hemisphere => (a, 0.0),
-            InsertShape::Cone {
-                half_angle_rad,
-                tip_radius_m,
-            } => {
+            InsertShape::Cone { half_angle_rad, tip_radius_m } => {
                 within(
                     "half angle of the inserts",
                     half_angle_rad,

@@ -207,12 +207,7 @@ impl PdcBit {
     fn check(&self) -> Result<(), FaceError> {
         for (quantity, count, most, expected) in [
             ("number of blades", self.blades, 24.0, "1 to 24"),
-            (
-                "cutters per blade",
-                self.cutters_per_blade,
-                200.0,
-                "1 to 200",
-            ),
+            ("cutters per blade", self.cutters_per_blade, 200.0, "1 to 200"),
             ("cutters per track", self.cutters_per_track, 24.0, "1 to 24"),
         ] {
             within(quantity, count as f64, 1.0..=most, expected)?;
@@ -233,36 +228,11 @@ impl PdcBit {
             chamfer,
             "none, or up to half of the cutter's radius and length",
         )?;
-        within(
-            "back rake",
-            self.back_rake_rad,
-            0.0..=0.75,
-            "0 to 0.75 rad (43 deg)",
-        )?;
-        within(
-            "side rake",
-            self.side_rake_rad,
-            -0.75..=0.75,
-            "-0.75 to 0.75 rad (43 deg)",
-        )?;
-        within(
-            "gauge relief",
-            self.gauge_relief_m,
-            0.0..=a,
-            "none, or up to a cutter's radius",
-        )?;
-        within(
-            "spiral of the blades",
-            self.spiral_rad,
-            -3.2..=3.2,
-            "at most half a turn",
-        )?;
-        within(
-            "exposure",
-            self.exposure_m,
-            1e-4..=2.0 * a,
-            "0.1 mm up to a cutter's diameter",
-        )?;
+        within("back rake", self.back_rake_rad, 0.0..=0.75, "0 to 0.75 rad (43 deg)")?;
+        within("side rake", self.side_rake_rad, -0.75..=0.75, "-0.75 to 0.75 rad (43 deg)")?;
+        within("gauge relief", self.gauge_relief_m, 0.0..=a, "none, or up to a cutter's radius")?;
+        within("spiral of the blades", self.spiral_rad, -3.2..=3.2, "at most half a turn")?;
+        within("exposure", self.exposure_m, 1e-4..=2.0 * a, "0.1 mm up to a cutter's diameter")?;
         positive("blade width", self.blade_width_m)?;
         within("centre spacing", self.centre_spacing, 0.2..=5.0, "0.2 to 5")
     }
@@ -275,11 +245,7 @@ impl PdcBit {
             let outwards = gap as f64 / gaps.saturating_sub(1).max(1) as f64;
             self.centre_spacing + (1.0 - self.centre_spacing) * outwards
         };
-        let first = if self.core_diameter_m > 0.0 {
-            0.0
-        } else {
-            OFF_AXIS * weight(0)
-        };
+        let first = if self.core_diameter_m > 0.0 { 0.0 } else { OFF_AXIS * weight(0) };
         let sum: f64 = (0..gaps).map(weight).sum();
         let unit = length_m / (first + sum);
         let before: Vec<f64> = (0..gaps)

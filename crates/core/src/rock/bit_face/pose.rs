@@ -52,11 +52,7 @@ impl Pose {
         velocity_m_per_s: Vector3<f64>,
         angular_velocity_rad_per_s: Vector3<f64>,
     ) -> Self {
-        Self {
-            velocity_m_per_s,
-            angular_velocity_rad_per_s,
-            ..self
-        }
+        Self { velocity_m_per_s, angular_velocity_rad_per_s, ..self }
     }
 
     /// Where its motion takes it in a time.

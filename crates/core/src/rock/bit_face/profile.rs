@@ -85,12 +85,7 @@ impl Profile {
         )?;
         positive("nose radius", nose_radius_m)?;
         positive("shoulder radius", shoulder_radius_m)?;
-        within(
-            "gauge length",
-            gauge_length_m,
-            0.0..=f64::MAX,
-            "not negative",
-        )?;
+        within("gauge length", gauge_length_m, 0.0..=f64::MAX, "not negative")?;
         let cone_angle_rad = if is_core {
             within(
                 "nose radius of a core bit",
@@ -100,12 +95,7 @@ impl Profile {
             )?;
             FRAC_PI_2
         } else {
-            within(
-                "cone angle",
-                outline.cone_angle_rad,
-                0.0..=1.3,
-                "0 to 1.3 rad (75 deg)",
-            )?;
+            within("cone angle", outline.cone_angle_rad, 0.0..=1.3, "0 to 1.3 rad (75 deg)")?;
             outline.cone_angle_rad
         };
         let (sin, cos) = cone_angle_rad.sin_cos();
@@ -126,11 +116,7 @@ impl Profile {
             f64::NAN
         };
         if !(-1e-6..=1.0 + 1e-6).contains(&sine) {
-            return Err(FaceError::Profile {
-                nose_radius_m,
-                shoulder_radius_m,
-                reach_m,
-            });
+            return Err(FaceError::Profile { nose_radius_m, shoulder_radius_m, reach_m });
         }
         let shoulder_angle_rad = sine.clamp(0.0, 1.0).asin();
         let (sin_s, cos_s) = shoulder_angle_rad.sin_cos();
@@ -146,10 +132,7 @@ impl Profile {
             tangents: [[cos, sin], [cos_s, -sin_s]],
             cone_end,
             cone_length_m: if is_core { 0.0 } else { cone_end[0] / cos },
-            shoulder_centre: [
-                radius_m - shoulder_radius_m,
-                -nose_radius_m + difference * cos_s,
-            ],
+            shoulder_centre: [radius_m - shoulder_radius_m, -nose_radius_m + difference * cos_s],
         })
     }
 
@@ -193,19 +176,11 @@ impl Profile {
         }
         let angle = on_nose / self.nose_radius_m - self.cone_angle_rad;
         let (centre, radius, angle) = if angle <= self.shoulder_angle_rad {
-            (
-                [self.nose_m, -self.nose_radius_m],
-                self.nose_radius_m,
-                angle,
-            )
+            ([self.nose_m, -self.nose_radius_m], self.nose_radius_m, angle)
         } else {
             let past = (angle - self.shoulder_angle_rad) * self.nose_radius_m;
             let angle = self.shoulder_angle_rad + past / self.shoulder_radius_m;
-            (
-                self.shoulder_centre,
-                self.shoulder_radius_m,
-                angle.min(FRAC_PI_2),
-            )
+            (self.shoulder_centre, self.shoulder_radius_m, angle.min(FRAC_PI_2))
         };
         let (sin, cos) = angle.sin_cos();
         ProfilePoint {
@@ -251,10 +226,7 @@ impl Profile {
         // Far inside, above the nose's centre, a point lies beside both: the nearer one counts.
         let cone = before.then(|| self.cone_distance(radius_m, z_m));
         let shoulder = beyond.then(|| {
-            let from = [
-                radius_m - self.shoulder_centre[0],
-                z_m - self.shoulder_centre[1],
-            ];
+            let from = [radius_m - self.shoulder_centre[0], z_m - self.shoulder_centre[1]];
             if from[1] < 0.0 {
                 (radius_m - self.radius_m, [1.0, 0.0])
             } else {

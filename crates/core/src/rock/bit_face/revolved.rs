@@ -38,12 +38,7 @@ impl Revolved {
         for at in edges + 1..CORNERS {
             corners[at] = corners[edges];
         }
-        Self {
-            corners,
-            normals,
-            edges,
-            rounding_m,
-        }
+        Self { corners, normals, edges, rounding_m }
     }
 
     /// Distance of a point from the surface, negative inside, m, and the direction in which it

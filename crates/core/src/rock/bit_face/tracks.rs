@@ -61,10 +61,7 @@ impl Tracks {
     pub(super) fn new(profile: &Profile, cutters: &[Cutter]) -> Self {
         let core_radius_m = profile.core_radius_m();
         let width_m = (profile.radius_m() - core_radius_m) / RINGS as f64;
-        let none = Pass {
-            z_m: f64::NEG_INFINITY,
-            angle_rad: 0.0,
-        };
+        let none = Pass { z_m: f64::NEG_INFINITY, angle_rad: 0.0 };
         let mut tracks = Self {
             core_radius_m,
             width_m,
@@ -73,9 +70,7 @@ impl Tracks {
             profile_m: Vec::new(),
             sideways: cutters.iter().map(|c| [c.normal.x, c.normal.y]).collect(),
         };
-        tracks.profile_m = (0..RINGS)
-            .map(|ring| profile.z_m(tracks.radius_m(ring)))
-            .collect();
+        tracks.profile_m = (0..RINGS).map(|ring| profile.z_m(tracks.radius_m(ring))).collect();
         for (index, cutter) in cutters.iter().enumerate() {
             tracks.sweep(index, cutter);
         }
@@ -131,10 +126,7 @@ impl Tracks {
     fn pass(&mut self, cutter: usize, ring: usize, point: Vector3<f64>) {
         let pass = &mut self.passes[ring * self.cutters + cutter];
         if point.z > pass.z_m {
-            *pass = Pass {
-                z_m: point.z,
-                angle_rad: point.y.atan2(point.x),
-            };
+            *pass = Pass { z_m: point.z, angle_rad: point.y.atan2(point.x) };
         }
     }
 
@@ -205,11 +197,7 @@ impl Tracks {
             let ahead = (pass.angle_rad - own.angle_rad).rem_euclid(TAU) / TAU;
             // Of two that pass together the first counts as ahead by nothing, the other by a whole
             // turn.
-            let turns = if ahead == 0.0 && other >= cutter {
-                1.0
-            } else {
-                ahead
-            };
+            let turns = if ahead == 0.0 && other >= cutter { 1.0 } else { ahead };
             pass.z_m - depth_of_cut_m * turns
         });
         (own.z_m - left.fold(f64::NEG_INFINITY, f64::max)).max(0.0)
@@ -241,10 +229,7 @@ impl Tracks {
             }
         }
         if total > 0.0 {
-            let sums = cut
-                .drag_imbalance
-                .iter_mut()
-                .chain(&mut cut.thrust_imbalance);
+            let sums = cut.drag_imbalance.iter_mut().chain(&mut cut.thrust_imbalance);
             sums.for_each(|sum| *sum /= total);
         }
         cut

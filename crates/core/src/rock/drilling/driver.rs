@@ -32,28 +32,20 @@ impl Driver {
     /// What the bit comes with.
     pub fn motion(&self, drilling: &Drilling) -> BitMotion {
         let (rate, weight_N, mass_kg, rotary) = match *self {
-            Self::Weight {
-                weight_N,
-                mass_kg,
-                rotary_rad_per_s,
-            } => {
+            Self::Weight { weight_N, mass_kg, rotary_rad_per_s } => {
                 let rate = drilling.pose().velocity_m_per_s.z;
                 (rate, weight_N, mass_kg, rotary_rad_per_s)
             }
-            Self::Rate {
-                rate_m_per_s,
-                rotary_rad_per_s,
-            } => (rate_m_per_s, 0.0, f64::INFINITY, rotary_rad_per_s),
+            Self::Rate { rate_m_per_s, rotary_rad_per_s } => {
+                (rate_m_per_s, 0.0, f64::INFINITY, rotary_rad_per_s)
+            }
         };
         BitMotion {
             velocity_m_per_s: Vector3::z() * rate,
             angular_velocity_rad_per_s: Vector3::z() * rotary,
             force_N: Vector3::z() * weight_N,
             moment_N_m: Vector3::zeros(),
-            inertia: Inertia {
-                mass_kg,
-                ..Inertia::PRESCRIBED
-            },
+            inertia: Inertia { mass_kg, ..Inertia::PRESCRIBED },
         }
     }
 

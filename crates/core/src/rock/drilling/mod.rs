@@ -106,10 +106,7 @@ impl Drilling {
             && self.wall_m == spec.wall_m;
         ensure(fits, "the bit")?;
         self.block.check(&spec.block)?;
-        ensure(
-            self.dropped <= self.block.removed().0,
-            "the number of elements that have gone",
-        )
+        ensure(self.dropped <= self.block.removed().0, "the number of elements that have gone")
     }
 
     /// Moves bit and rock through a time, in equal steps that the rock bears.
@@ -128,23 +125,16 @@ impl Drilling {
         let steps = self.block.share(time_s);
         let dt = self.block.dt_s();
         let inertia = &motion.inertia;
-        self.pose = self
-            .pose
-            .moving(motion.velocity_m_per_s, motion.angular_velocity_rad_per_s);
+        self.pose = self.pose.moving(motion.velocity_m_per_s, motion.angular_velocity_rad_per_s);
         let from_m = self.pose.position_m;
         let eroded = self.block.removed().0 - self.dropped;
-        let mut advance = Advance {
-            time_s,
-            ..Advance::default()
-        };
+        let mut advance = Advance { time_s, ..Advance::default() };
         for _ in 0..steps {
             self.block.step(stepper, executor);
             advance.turned_rad += self.go(dt) * dt;
             let axis = self.pose.axis();
-            let [velocity_before, spun] = [
-                self.pose.velocity_m_per_s,
-                self.pose.angular_velocity_rad_per_s,
-            ];
+            let [velocity_before, spun] =
+                [self.pose.velocity_m_per_s, self.pose.angular_velocity_rad_per_s];
             self.pose.velocity_m_per_s += inertia.moved(motion.force_N * dt);
             self.pose.angular_velocity_rad_per_s += inertia.turned(motion.moment_N_m * dt, &axis);
             let met = self.block.press(self.bit.face(), &self.pose, &self.contact);
@@ -153,12 +143,8 @@ impl Drilling {
             self.pose.angular_velocity_rad_per_s += inertia.turned(load.moment_N_m * dt, &axis);
             let work_J = 0.5
                 * dt
-                * (load
-                    .force_N
-                    .dot(&(velocity_before + self.pose.velocity_m_per_s))
-                    + load
-                        .moment_N_m
-                        .dot(&(spun + self.pose.angular_velocity_rad_per_s)));
+                * (load.force_N.dot(&(velocity_before + self.pose.velocity_m_per_s))
+                    + load.moment_N_m.dot(&(spun + self.pose.angular_velocity_rad_per_s)));
             self.energies.on_bit_J += work_J;
             self.energies.on_rock_J += met.pushed_J;
             self.energies.friction_J += load.friction_loss_J;

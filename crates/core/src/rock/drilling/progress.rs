@@ -60,9 +60,7 @@ impl Progress {
 
     /// Standard deviation of the weight, means over the steps of the caller, N.
     pub fn weight_deviation_N(&self) -> f64 {
-        (self.squares[0] / self.time_s - self.weight_N().powi(2))
-            .max(0.0)
-            .sqrt()
+        (self.squares[0] / self.time_s - self.weight_N().powi(2)).max(0.0).sqrt()
     }
 
     /// Mean torque of the bit on the rock, N·m.
@@ -72,9 +70,7 @@ impl Progress {
 
     /// Standard deviation of the torque, means over the steps of the caller, N·m.
     pub fn torque_deviation_N_m(&self) -> f64 {
-        (self.squares[1] / self.time_s - self.torque_N_m().powi(2))
-            .max(0.0)
-            .sqrt()
+        (self.squares[1] / self.time_s - self.torque_N_m().powi(2)).max(0.0).sqrt()
     }
 
     /// Work per broken volume, Pa.

@@ -103,10 +103,7 @@ impl DrillingSpec {
         let (layers, height_m) = (self.block.cells[2] as f64, self.block.size_m[2]);
         let depth_m = layers * height_m;
         if !(self.wall_m >= 0.0 && depth_m - self.wall_m > 2.5 * height_m) {
-            return Err(DrillingError::Shallow {
-                depth_m,
-                wall_m: self.wall_m,
-            });
+            return Err(DrillingError::Shallow { depth_m, wall_m: self.wall_m });
         }
         Ok(bit)
     }

@@ -33,9 +33,7 @@ pub struct Stepper {
 
 impl std::fmt::Debug for Stepper {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Stepper")
-            .field("instructions", &self.instructions)
-            .finish()
+        f.debug_struct("Stepper").field("instructions", &self.instructions).finish()
     }
 }
 
@@ -90,12 +88,7 @@ impl Stepper {
     pub fn all() -> Vec<Self> {
         macro_rules! choose {
             ($set:ident, $name:literal) => {
-                Self {
-                    begin: $set::begin,
-                    work: $set::work,
-                    end: $set::end,
-                    instructions: $name,
-                }
+                Self { begin: $set::begin, work: $set::work, end: $set::end, instructions: $name }
             };
         }
         available_instruction_sets!(choose)

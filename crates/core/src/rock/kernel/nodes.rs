@@ -15,11 +15,7 @@ pub unsafe fn drift<N: Number<Real = f64>>(fields: &Fields, grid: &Grid, dt: f64
     for (u, v) in fields.displacement.iter().zip(fields.velocity) {
         for at in (from..from + grid.node_layer()).step_by(N::WIDTH) {
             // SAFETY: the places of a layer are a multiple of the lanes.
-            unsafe {
-                N::load(v.add(at))
-                    .mul_add(dt, N::load(u.add(at)))
-                    .store(u.add(at))
-            }
+            unsafe { N::load(v.add(at)).mul_add(dt, N::load(u.add(at))).store(u.add(at)) }
         }
     }
 }

@@ -25,10 +25,7 @@ const STREAMS: usize = 4 * 2 * 3;
 impl Pulls {
     pub fn new(grid: &Grid) -> Self {
         let length = grid.element_row() + 2 * GROUP;
-        Self {
-            of: vec![0.0; STREAMS * length],
-            length,
-        }
+        Self { of: vec![0.0; STREAMS * length], length }
     }
 
     /// Where those of an element stand: corner and component.
@@ -97,11 +94,7 @@ pub unsafe fn work<N: Number<Real = f64>>(
     if left.iter().all(|&left| left == 0) {
         return false;
     }
-    let mut books = Books {
-        plastic: N::zero(),
-        viscous: N::zero(),
-        least: N::splat(1.0),
-    };
+    let mut books = Books { plastic: N::zero(), viscous: N::zero(), least: N::splat(1.0) };
     let nodes = grid.node([0, j, k]);
     for (group, &left) in left.iter().enumerate() {
         for lane in lanes::<N>() {
@@ -129,11 +122,8 @@ pub unsafe fn work<N: Number<Real = f64>>(
             }
         }
     }
-    let (plastic, viscous, least) = (
-        in_lanes(books.plastic),
-        in_lanes(books.viscous),
-        in_lanes(books.least),
-    );
+    let (plastic, viscous, least) =
+        (in_lanes(books.plastic), in_lanes(books.viscous), in_lanes(books.least));
     // SAFETY: the book of this row.
     let book: &mut RowBook = unsafe { &mut *fields.books.add(k * grid.element_rows() + j) };
     book.plastic_J += constants.volume_m3 * plastic.iter().sum::<f64>();
@@ -218,9 +208,7 @@ unsafe fn elements<N: Number<Real = f64>>(
         N::load(fields.intact.add(element))
     };
     // Jaumann's rate: the stress turns with the element, then takes the strain of the step.
-    let update = constants
-        .law
-        .return_map(turned(motion.turn, stress), motion.strain, intact);
+    let update = constants.law.return_map(turned(motion.turn, stress), motion.strain, intact);
     // One squeezed beyond what the step bears fails; one that is gone (negative) stays as it is.
     let fit = N::splat(MAX_SQUEEZED) - square(motion.inverse);
     let new_intact = intact.if_positive(fit.if_positive(update.intact, zero), intact);
@@ -233,27 +221,16 @@ unsafe fn elements<N: Number<Real = f64>>(
         new_intact.store(fields.intact.add(element));
     }
     books.plastic = books.plastic + intact.if_positive(update.plastic, zero);
-    books.least = books
-        .least
-        .min(intact.if_positive(new_intact, N::splat(1.0)));
+    books.least = books.least.min(intact.if_positive(new_intact, N::splat(1.0)));
 
     // Bulk viscosity, and the pressure of the hole: elements pull by τ + p J, so free faces bear p.
     let swelling = motion.strain[0] + motion.strain[1] + motion.strain[2];
     let viscous = N::splat(constants.viscosity) * swelling;
-    let held = motion
-        .volume
-        .mul_add(N::splat(constants.pressure_Pa), viscous);
+    let held = motion.volume.mul_add(N::splat(constants.pressure_Pa), viscous);
     let [xx, yy, zz, xy, yz, zx] = stress;
     // V₀ (τ + p J) F⁻ᵀ, as coefficients of the gradients.
-    let gradients = pulls(
-        [xx + held, yy + held, zz + held, xy, yz, zx],
-        motion.inverse,
-        constants,
-    );
-    let (stiff, damping) = (
-        N::splat(constants.hourglass),
-        N::splat(constants.hourglass_damping),
-    );
+    let gradients = pulls([xx + held, yy + held, zz + held, xy, yz, zx], motion.inverse, constants);
+    let (stiff, damping) = (N::splat(constants.hourglass), N::splat(constants.hourglass_damping));
     // Hourglasses are held by a spring and a dashpot; one point of integration does not feel them.
     let mut damped = zero;
     for axis in 0..3 {

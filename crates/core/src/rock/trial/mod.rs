@@ -82,9 +82,7 @@ impl Trial {
             self.steps += 1;
             let force = went.force_N + went.moment_N_m + went.velocity_m_per_s;
             if !force.iter().all(|x| x.is_finite()) {
-                return Err(TrialError::Diverged {
-                    revolutions: self.revolutions(),
-                });
+                return Err(TrialError::Diverged { revolutions: self.revolutions() });
             }
             let Some(counted) = self.steps.checked_sub(settle).filter(|steps| *steps > 0) else {
                 continue;

@@ -57,9 +57,8 @@ impl DrillingResponse {
             [one.weight_borne_N * cut_m, cut_m * cut_m]
         };
         let cuts = outcomes.iter().filter(|one| one.depth_of_cut_m > 0.0);
-        let [pressed, squares] = cuts
-            .map(blade_cut)
-            .fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
+        let [pressed, squares] =
+            cuts.map(blade_cut).fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
         let specific_energy_Pa = (broken > 0.0).then(|| work / broken);
         Self {
             torque_over_weight_m: slope,
@@ -113,19 +112,13 @@ mod tests {
         let of = DrillingResponse::of(&outcomes, &BitShape::Pdc(bit), 50e6);
         let near = |value: Option<f64>, expected: f64| {
             let value = value.expect("a value");
-            assert!(
-                (value / expected - 1.0).abs() < 1e-12,
-                "{value} for {expected}"
-            );
+            assert!((value / expected - 1.0).abs() < 1e-12, "{value} for {expected}");
         };
         near(of.torque_over_weight_m, 0.08);
         near(of.torque_over_weight_and_radius, 0.8);
         near(of.torque_at_no_weight_N_m, 40.0);
         // All of them cut 1 mm: the mean of the weights over a blade's.
-        near(
-            of.bottom_stiffness_N_per_m,
-            2e4 / (1e-3 / bit.blades as f64),
-        );
+        near(of.bottom_stiffness_N_per_m, 2e4 / (1e-3 / bit.blades as f64));
         near(of.specific_energy_Pa, 29e6);
         near(of.specific_energy_over_strength, 0.58);
     }
@@ -133,11 +126,8 @@ mod tests {
     #[test]
     fn one_weight_has_no_slope_and_nothing_broken_no_energy() {
         let bit = BitShape::Insert(InsertBit::for_diameter(0.2));
-        let of = DrillingResponse::of(
-            &[outcome(1e4, 9.0, None), outcome(1e4, 8.0, None)],
-            &bit,
-            50e6,
-        );
+        let of =
+            DrillingResponse::of(&[outcome(1e4, 9.0, None), outcome(1e4, 8.0, None)], &bit, 50e6);
         assert_eq!(
             of,
             DrillingResponse {
@@ -160,11 +150,7 @@ mod tests {
             weight_on_bit_N: 6e4,
             ..outcome(weight_borne_N, torque_N_m, None)
         };
-        let outcomes = [
-            trial(59_990.0, 3100.0),
-            trial(60_004.0, 2900.0),
-            trial(59_998.0, 3050.0),
-        ];
+        let outcomes = [trial(59_990.0, 3100.0), trial(60_004.0, 2900.0), trial(59_998.0, 3050.0)];
         let bit = BitShape::Pdc(PdcBit::for_diameter(0.2));
         let of = DrillingResponse::of(&outcomes, &bit, 50e6);
         assert_eq!(of.torque_over_weight_m, None);

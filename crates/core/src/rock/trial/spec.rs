@@ -63,11 +63,7 @@ impl TrialSpec {
     pub(super) fn check(&self) -> Result<(), TrialError> {
         let positive = |name, value: f64| match value > 0.0 && value.is_finite() {
             true => Ok(()),
-            false => Err(TrialError::Number {
-                name,
-                value,
-                expected: "more than zero",
-            }),
+            false => Err(TrialError::Number { name, value, expected: "more than zero" }),
         };
         positive("weight on bit (N)", self.weight_N)?;
         positive("rotary speed (rad/s)", self.rotary_rad_per_s)?;

@@ -68,11 +68,7 @@ impl Place {
     /// where it may be buckled, pressed straight to the high side and buckled again, none where
     /// nothing presses the pipe against the wall.
     pub fn critical_loads_N(&self, criterion: Criterion) -> Vec<f64> {
-        let (a, b, c) = (
-            self.weight_across_N_per_m,
-            self.build_rad_per_m,
-            self.turn_rad_per_m,
-        );
+        let (a, b, c) = (self.weight_across_N_per_m, self.build_rad_per_m, self.turn_rad_per_m);
         let stiff = criterion.beta() * self.bending_stiffness_N_m2 / self.clearance_m;
         let curved = b.hypot(c);
         if a <= 0.0 {

@@ -101,9 +101,7 @@ impl<'a> Carrier<'a> {
             bending_moment_N_m: bending_N_m,
             bending_stress_Pa: bending_N_m * self.section.per_modulus_m3,
             von_mises_stress_Pa: stress_Pa,
-            yield_use: component
-                .yield_strength_Pa
-                .map(|yields_Pa| stress_Pa / yields_Pa),
+            yield_use: component.yield_strength_Pa.map(|yields_Pa| stress_Pa / yields_Pa),
             wear_power_W_per_m: self.rotation_rad_per_s * load.friction_torque_N_m_per_m
                 - self.axial_m_per_s * load.axial_friction_N_per_m,
         }
@@ -132,10 +130,6 @@ impl<'a> Carrier<'a> {
 fn climb_rad(point: &Point, high_side: &Vector3<f64>, load: &Load) -> Option<f64> {
     let up = load.q_N_per_m.dot(high_side);
     let right = load.q_N_per_m.dot(&point.tangent.cross(high_side));
-    let right = if right.abs() > NO_SIDE * load.side_force_N_per_m {
-        right
-    } else {
-        0.0
-    };
+    let right = if right.abs() > NO_SIDE * load.side_force_N_per_m { right } else { 0.0 };
     (load.side_force_N_per_m > 0.0).then(|| right.atan2(-up))
 }

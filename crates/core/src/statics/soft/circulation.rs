@@ -57,11 +57,8 @@ pub(super) fn along(
         .iter()
         .map(|s| Annulus::new(s.od_m, s.hole_diameter_m).drag(&model.mud, &motion))
         .collect();
-    let annulus_loss_Pa: f64 = segments
-        .iter()
-        .zip(&drags)
-        .map(|(s, drag)| s.length_m * drag.gradient_Pa_per_m)
-        .sum();
+    let annulus_loss_Pa: f64 =
+        segments.iter().zip(&drags).map(|(s, drag)| s.length_m * drag.gradient_Pa_per_m).sum();
     let bit_loss_Pa = operation.bit_loss_Pa(flow_m3_per_s);
     let motor_loss_Pa = operation.motor_loss_Pa();
     let below_Pa = bit_loss_Pa + motor_loss_Pa;

@@ -61,10 +61,7 @@ pub(super) fn check(
     }
     let string_m = model.string.length_m();
     if (string_m - bit_depth_m).abs() > LENGTH_TOLERANCE_M {
-        return Err(SoftError::StringLength {
-            string_m,
-            bit_depth_m,
-        });
+        return Err(SoftError::StringLength { string_m, bit_depth_m });
     }
     let rotation = operation.rotation_rad_per_s();
     let axial = operation.axial_velocity_m_per_s();
@@ -78,37 +75,13 @@ pub(super) fn check(
             rotation,
             rotation.is_finite() && (rotation > 0.0 || !operation.kind.rotates()),
         ),
-        (
-            "axial speed",
-            "a finite number (m/s)",
-            axial,
-            axial.is_finite(),
-        ),
-        (
-            "mud density",
-            "zero or more (kg/m³)",
-            density,
-            density.is_finite() && density >= 0.0,
-        ),
-        (
-            "weight on bit",
-            "a finite number (N)",
-            weight_on_bit,
-            weight_on_bit.is_finite(),
-        ),
-        (
-            "bit torque",
-            "a finite number (N·m)",
-            bit_torque,
-            bit_torque.is_finite(),
-        ),
+        ("axial speed", "a finite number (m/s)", axial, axial.is_finite()),
+        ("mud density", "zero or more (kg/m³)", density, density.is_finite() && density >= 0.0),
+        ("weight on bit", "a finite number (N)", weight_on_bit, weight_on_bit.is_finite()),
+        ("bit torque", "a finite number (N·m)", bit_torque, bit_torque.is_finite()),
     ] {
         if !valid {
-            return Err(SoftError::SetPoint {
-                quantity,
-                expected,
-                value,
-            });
+            return Err(SoftError::SetPoint { quantity, expected, value });
         }
     }
     Ok(())

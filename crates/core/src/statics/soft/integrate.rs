@@ -96,45 +96,22 @@ impl Segment<'_> {
         let at_rest_Pa = self.mud.pressure_Pa(point.tvd_m);
         // The losses of the flow change linearly along the stretch.
         let up_m = self.to_md_m - md_m;
-        let Circulating {
-            outer_Pa,
-            outer_fall_Pa_per_m,
-            inner_Pa,
-            inner_rise_Pa_per_m,
-            ..
-        } = self.circulating;
+        let Circulating { outer_Pa, outer_fall_Pa_per_m, inner_Pa, inner_rise_Pa_per_m, .. } =
+            self.circulating;
         let pressures_Pa = [
             at_rest_Pa + outer_Pa - outer_fall_Pa_per_m * up_m,
             at_rest_Pa + inner_Pa + inner_rise_Pa_per_m * up_m,
         ];
-        let bearing = self
-            .carrier
-            .bears(point, &high_side, &load, totals, pressures_Pa);
-        Row {
-            md_m,
-            totals: *totals,
-            load,
-            high_side,
-            bearing,
-        }
+        let bearing = self.carrier.bears(point, &high_side, &load, totals, pressures_Pa);
+        Row { md_m, totals: *totals, load, high_side, bearing }
     }
 }
 
 /// Ends of the stretches, from the bit up: where the path's curvature, the component or the hole
 /// section may change.
 fn ends(model: &Model, bit_depth_m: f64) -> Vec<f64> {
-    let stations = model
-        .well
-        .path
-        .stations()
-        .iter()
-        .map(|station| station.md_m);
-    let sections = model
-        .well
-        .hole
-        .sections()
-        .iter()
-        .map(|section| section.to_md_m);
+    let stations = model.well.path.stations().iter().map(|station| station.md_m);
+    let sections = model.well.hole.sections().iter().map(|section| section.to_md_m);
     let components = model.string.spans().map(|span| bit_depth_m - span.to_bit_m);
     let mut ends: Vec<f64> = stations
         .chain(sections)
@@ -256,10 +233,8 @@ pub(super) fn from_bit(
         let step_m = length_m / count;
         // The curvature may jump at the stretch's lower end: this is its value just above.
         let mut lower_md_m = segment.to_md_m;
-        let mut lower = Point::new(
-            path.heading_at(lower_md_m.next_down()),
-            path.at(lower_md_m).position_m.z,
-        );
+        let mut lower =
+            Point::new(path.heading_at(lower_md_m.next_down()), path.at(lower_md_m).position_m.z);
         for index in 1..=count as usize {
             let upper_md_m = if index == count as usize {
                 segment.from_md_m
@@ -298,10 +273,5 @@ pub(super) fn from_bit(
             rows.push(segment.row(path, 0.0, &lower, &totals));
         }
     }
-    Ok(Integral {
-        rows,
-        totals,
-        hole_W,
-        hydraulics,
-    })
+    Ok(Integral { rows, totals, hole_W, hydraulics })
 }

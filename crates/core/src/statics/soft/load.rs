@@ -62,10 +62,6 @@ pub(super) struct Point {
 
 impl Point {
     pub(super) fn new(heading: Heading, tvd_m: f64) -> Self {
-        Self {
-            tangent: heading.tangent,
-            curvature_per_m: heading.curvature_per_m,
-            tvd_m,
-        }
+        Self { tangent: heading.tangent, curvature_per_m: heading.curvature_per_m, tvd_m }
     }
 }

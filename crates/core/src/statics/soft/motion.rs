@@ -8,10 +8,7 @@ pub(super) enum Sliding {
     /// Along the hole alone: 1 towards the bit, -1 towards the surface.
     Axial(f64),
     /// Rotating, with an axial velocity (positive towards the bit) or without.
-    Rotating {
-        rotation_rad_per_s: f64,
-        axial_m_per_s: f64,
-    },
+    Rotating { rotation_rad_per_s: f64, axial_m_per_s: f64 },
 }
 
 impl Sliding {
@@ -36,10 +33,7 @@ impl Sliding {
     pub(super) fn direction(self, radius_m: f64) -> (f64, f64) {
         match self {
             Self::Axial(along) => (along, 0.0),
-            Self::Rotating {
-                rotation_rad_per_s,
-                axial_m_per_s,
-            } => {
+            Self::Rotating { rotation_rad_per_s, axial_m_per_s } => {
                 let around = rotation_rad_per_s * radius_m;
                 let speed = axial_m_per_s.hypot(around);
                 (axial_m_per_s / speed, around / speed)

@@ -35,19 +35,12 @@ const NEAREST: usize = 4;
 pub fn find(designation: &str) -> Result<CatalogueEntry, CatalogueError> {
     let entries = entries();
     // Text longer than any spelling of a tubular is not read.
-    let requested = (designation.len() <= 120)
-        .then(|| Reading::of(designation))
-        .flatten();
+    let requested = (designation.len() <= 120).then(|| Reading::of(designation)).flatten();
     let found = entries.iter().find(|entry| {
         let own = Reading::of(&entry.designation);
-        requested
-            .as_ref()
-            .zip(own)
-            .is_some_and(|(requested, own)| own.same(requested))
+        requested.as_ref().zip(own).is_some_and(|(requested, own)| own.same(requested))
     });
-    found
-        .cloned()
-        .ok_or_else(|| unknown(designation, requested.as_ref(), &entries))
+    found.cloned().ok_or_else(|| unknown(designation, requested.as_ref(), &entries))
 }
 
 /// Ranks by numbers where the designation was understood, by spelling otherwise.
@@ -78,11 +71,7 @@ fn unknown(
     ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
     CatalogueError::Unknown {
         designation: designation.to_owned(),
-        nearest: ranked
-            .into_iter()
-            .take(NEAREST)
-            .map(|(_, name)| name.clone())
-            .collect(),
+        nearest: ranked.into_iter().take(NEAREST).map(|(_, name)| name.clone()).collect(),
     }
 }
 
@@ -133,10 +122,7 @@ impl Reading {
         let differs = |differs: bool, by: f64| if differs { by } else { 0.0 };
         differs(self.kind != other.kind, 100.0)
             + 10.0 * (self.od_in - other.od_in).abs()
-            + self
-                .second
-                .zip(other.second)
-                .map_or(0.0, |(own, requested)| (own - requested).abs())
+            + self.second.zip(other.second).map_or(0.0, |(own, requested)| (own - requested).abs())
             + differs(self.grade != other.grade, 0.1)
     }
 
@@ -173,18 +159,10 @@ impl Reading {
             }
         }
         match numbers[..] {
-            [od_in, second] => Some(Self {
-                kind,
-                od_in,
-                second: Some(second),
-                grade,
-            }),
-            [od_in] if kind == TubularKind::HeavyWeight => Some(Self {
-                kind,
-                od_in,
-                second: None,
-                grade,
-            }),
+            [od_in, second] => Some(Self { kind, od_in, second: Some(second), grade }),
+            [od_in] if kind == TubularKind::HeavyWeight => {
+                Some(Self { kind, od_in, second: None, grade })
+            }
             _ => None,
         }
     }
@@ -200,10 +178,7 @@ mod tests {
             ("5-1/2 in 21.90 lb/ft S-135", "5-1/2 in 21.90 lb/ft S-135"),
             ("5 1/2\" 21.9 ppf S135", "5-1/2 in 21.90 lb/ft S-135"),
             ("5.5 in 21.90 lb/ft S-135", "5-1/2 in 21.90 lb/ft S-135"),
-            (
-                "5-1/2\" 21.90# s-135 drill pipe",
-                "5-1/2 in 21.90 lb/ft S-135",
-            ),
+            ("5-1/2\" 21.90# s-135 drill pipe", "5-1/2 in 21.90 lb/ft S-135"),
             ("5 in 19.5 lb/ft G 105", "5 in 19.50 lb/ft G-105"),
             ("5in. 19.50 lbs/ft E75", "5 in 19.50 lb/ft E-75"),
             ("4 in 14 lb/ft X-95", "4 in 14.00 lb/ft X-95"),
@@ -215,10 +190,7 @@ mod tests {
             ("DP 5 in 19.5 lb/ft G105", "5 in 19.50 lb/ft G-105"),
             ("drillpipe 5\" 19.5# S135", "5 in 19.50 lb/ft S-135"),
             ("6-1/2 in DC 2-13/16 in", "6-1/2 in x 2-13/16 in collar"),
-            (
-                "heavy-weight drill pipe 5-1/2 in 57 lb/ft",
-                "HWDP 5-1/2 in 57.0 lb/ft",
-            ),
+            ("heavy-weight drill pipe 5-1/2 in 57 lb/ft", "HWDP 5-1/2 in 57.0 lb/ft"),
             ("8 in x 2-13/16 in collar", "8 in x 2-13/16 in collar"),
             ("drill collar 8\" × 2 13/16\"", "8 in x 2-13/16 in collar"),
             ("DC 6.5 x 2.8125", "6-1/2 in x 2-13/16 in collar"),
@@ -241,32 +213,15 @@ mod tests {
             Err(CatalogueError::Unknown { nearest, .. }) => nearest,
             Ok(entry) => panic!("{designation} is {}", entry.designation),
         };
-        assert_eq!(
-            nearest("5-1/2 in 21.90 lb/ft")[0],
-            "5-1/2 in 21.90 lb/ft E-75"
-        );
-        assert_eq!(
-            nearest("5 in 19.50 lb/ft S-140")[0],
-            "5 in 19.50 lb/ft S-135"
-        );
+        assert_eq!(nearest("5-1/2 in 21.90 lb/ft")[0], "5-1/2 in 21.90 lb/ft E-75");
+        assert_eq!(nearest("5 in 19.50 lb/ft S-140")[0], "5 in 19.50 lb/ft S-135");
         assert_eq!(nearest("HWDP 5 in 44 lb/ft")[0], "HWDP 5 in 49.3 lb/ft");
-        assert_eq!(
-            nearest("8 in x 2-7/8 in collar")[0],
-            "8 in x 2-13/16 in collar"
-        );
+        assert_eq!(nearest("8 in x 2-7/8 in collar")[0], "8 in x 2-13/16 in collar");
         // The light weights are made in E-75 alone.
         assert_eq!(nearest("5 in 16.25 lb/ft S-135").len(), NEAREST);
-        for nonsense in [
-            "",
-            " ",
-            "pipe",
-            "5//0 in 3",
-            "1/0 in 2",
-            "1.2.3 in",
-            "½",
-            "\u{130}",
-            "139.7 mm S-135",
-        ] {
+        for nonsense in
+            ["", " ", "pipe", "5//0 in 3", "1/0 in 2", "1.2.3 in", "½", "\u{130}", "139.7 mm S-135"]
+        {
             assert_eq!(nearest(nonsense).len(), NEAREST, "{nonsense}");
         }
         assert_eq!(nearest(&"5 ".repeat(100_000)).len(), NEAREST);

@@ -86,9 +86,8 @@ impl CatalogueEntry {
         };
         let joint_m2 = ring_area_m2(joint.od_m, joint.id_m);
         let (taper_m3, taper_m) = tapers(joint);
-        let pad_m3 = joint.pad_m.map_or(0.0, |(od_m, length_m)| {
-            ring_area_m2(od_m, self.od_m) * length_m
-        });
+        let pad_m3 =
+            joint.pad_m.map_or(0.0, |(od_m, length_m)| ring_area_m2(od_m, self.od_m) * length_m);
         let volume_m3 = body_m2 * (joint.spacing_m - joint.length_m - taper_m)
             + joint_m2 * joint.length_m
             + taper_m3
@@ -110,10 +109,9 @@ impl CatalogueEntry {
             id_m: self.id_m,
             mass_per_length_kg_per_m: self.mass_per_length_kg_per_m(material.density_kg_per_m3),
             blades: None,
-            joints: self.joints.map(|joint| ToolJoints {
-                od_m: joint.od_m,
-                spacing_m: joint.spacing_m,
-            }),
+            joints: self
+                .joints
+                .map(|joint| ToolJoints { od_m: joint.od_m, spacing_m: joint.spacing_m }),
             material,
             bend: None,
             eccentricity: None,

@@ -6,9 +6,7 @@ use super::parts::{Part, parts};
 const NUMBER_TOLERANCE: f64 = 0.006;
 
 /// Words that say what a number is, which a description need not repeat.
-const UNITS: [&str; 10] = [
-    "in", "inch", "inches", "lb", "lbs", "ft", "ppf", "per", "x", "by",
-];
+const UNITS: [&str; 10] = ["in", "inch", "inches", "lb", "lbs", "ft", "ppf", "per", "x", "by"];
 
 /// Whether a description has every word and every number that is requested.
 ///

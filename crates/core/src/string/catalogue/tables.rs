@@ -6,12 +6,8 @@ const INCH_M: f64 = 0.0254;
 const PSI_PA: f64 = 6894.757293168361;
 
 /// Grades of drill pipe and their minimum yield strength, psi (API Spec 5DP).
-const GRADES: [(&str, f64); 4] = [
-    ("E-75", 75_000.0),
-    ("X-95", 95_000.0),
-    ("G-105", 105_000.0),
-    ("S-135", 135_000.0),
-];
+const GRADES: [(&str, f64); 4] =
+    [("E-75", 75_000.0), ("X-95", 95_000.0), ("G-105", 105_000.0), ("S-135", 135_000.0)];
 
 const PIPE_SOURCE: &str =
     "API Spec 5DP (body, grades), API RP 7G (tool joints), range 2 pipe in stands of 28.8 m";
@@ -189,11 +185,7 @@ pub(super) fn entries() -> Vec<CatalogueEntry> {
                     pad_m: None,
                 }),
                 yield_strength_Pa: yield_psi * PSI_PA,
-                source: if connection == "XT57" {
-                    PROPRIETARY_SOURCE
-                } else {
-                    PIPE_SOURCE
-                },
+                source: if connection == "XT57" { PROPRIETARY_SOURCE } else { PIPE_SOURCE },
             });
         }
     }
@@ -214,18 +206,14 @@ pub(super) fn entries() -> Vec<CatalogueEntry> {
         yield_strength_Pa: HEAVY_WEIGHT_YIELD_PSI * PSI_PA,
         source: HEAVY_WEIGHT_SOURCE,
     }));
-    entries.extend(
-        COLLARS
-            .iter()
-            .map(|&(od_name, od, bore_name, bore)| CatalogueEntry {
-                designation: format!("{od_name} in x {bore_name} in collar"),
-                kind: TubularKind::Collar,
-                od_m: od * INCH_M,
-                id_m: bore * INCH_M,
-                joints: None,
-                yield_strength_Pa: collar_yield_psi(od) * PSI_PA,
-                source: COLLAR_SOURCE,
-            }),
-    );
+    entries.extend(COLLARS.iter().map(|&(od_name, od, bore_name, bore)| CatalogueEntry {
+        designation: format!("{od_name} in x {bore_name} in collar"),
+        kind: TubularKind::Collar,
+        od_m: od * INCH_M,
+        id_m: bore * INCH_M,
+        joints: None,
+        yield_strength_Pa: collar_yield_psi(od) * PSI_PA,
+        source: COLLAR_SOURCE,
+    }));
     entries
 }

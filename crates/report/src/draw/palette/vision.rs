@@ -42,11 +42,7 @@ fn times(matrix: &Matrix, vector: Vector) -> Vector {
 fn linear(rgb: [u8; 3]) -> Vector {
     rgb.map(|channel| {
         let value = f64::from(channel) / 255.0;
-        if value <= 0.040_45 {
-            value / 12.92
-        } else {
-            ((value + 0.055) / 1.055).powf(2.4)
-        }
+        if value <= 0.040_45 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
     })
 }
 
@@ -56,11 +52,7 @@ fn lab(linear: Vector) -> Vector {
     let xyz = times(&XYZ, linear.map(|value| value.clamp(0.0, 1.0)));
     let [x, y, z] = std::array::from_fn(|i| {
         let part: f64 = xyz[i] / white[i];
-        if part > 216.0 / 24_389.0 {
-            part.cbrt()
-        } else {
-            (24_389.0 / 27.0 * part + 16.0) / 116.0
-        }
+        if part > 216.0 / 24_389.0 { part.cbrt() } else { (24_389.0 / 27.0 * part + 16.0) / 116.0 }
     });
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
@@ -132,11 +124,7 @@ fn the_difference_is_that_of_its_authors() {
         ([50.0, 0.0, 0.0], [50.0, -1.0, 2.0], 2.3669),
         ([50.0, 2.5, 0.0], [73.0, 25.0, -18.0], 27.1492),
         ([50.0, 2.5, 0.0], [58.0, 24.0, 15.0], 19.4535),
-        (
-            [22.7233, 20.0904, -46.694],
-            [23.0331, 14.9730, -42.5619],
-            2.0373,
-        ),
+        ([22.7233, 20.0904, -46.694], [23.0331, 14.9730, -42.5619], 2.0373),
     ] {
         let found = ciede2000(a, b);
         assert!((found - expected).abs() < 5.1e-5, "{found} for {expected}");

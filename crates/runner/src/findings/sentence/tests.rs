@@ -38,14 +38,7 @@ fn solved(model: ModelKind) -> OperationSummary {
 }
 
 fn found(kind: Kind, level: Level, value: f64, limit: f64) -> Finding {
-    Finding {
-        kind,
-        level,
-        from_md_m: None,
-        to_md_m: None,
-        value: Some(value),
-        limit: Some(limit),
-    }
+    Finding { kind, level, from_md_m: None, to_md_m: None, value: Some(value), limit: Some(limit) }
 }
 
 #[test]
@@ -75,10 +68,7 @@ fn the_hook_load_is_told_with_and_without_the_block() {
         said(&Rig::default(), Level::Error),
         "The string does not go down by its weight: hook load -257.9 kN"
     );
-    let rig = Rig {
-        block_weight_N: Some(300e3),
-        ..Rig::default()
-    };
+    let rig = Rig { block_weight_N: Some(300e3), ..Rig::default() };
     assert_eq!(
         said(&rig, Level::Warning),
         "The string does not go down by its weight, the block pushes it: hook load -257.9 kN, 42.1 kN with the block"

@@ -39,9 +39,7 @@ impl Bottom {
         let ramp = |i: usize| depth_m - depth_of_cut_m * (1.0 - i as f64 / POINTS as f64);
         Self {
             // Point 0 lies under the blade, and a sector ahead.
-            surface_m: (0..POINTS)
-                .map(|i| if i == 0 { depth_m } else { ramp(i) })
-                .collect(),
+            surface_m: (0..POINTS).map(|i| if i == 0 { depth_m } else { ramp(i) }).collect(),
             spacing_rad: std::f64::consts::TAU / (f64::from(blades) * POINTS as f64),
             passed: 0,
             stood_m: ramp(0),
@@ -55,11 +53,7 @@ impl Bottom {
         let points = (place as usize).min(POINTS - 1);
         let point = |i: usize| self.surface_m[(self.passed + i) % POINTS];
         // What the blade passed last it has cut itself.
-        let here = if points == 0 {
-            self.stood_m
-        } else {
-            point(points)
-        };
+        let here = if points == 0 { self.stood_m } else { point(points) };
         let next = point(points + 1);
         here + (place - points as f64).min(1.0) * (next - here)
     }

@@ -85,18 +85,13 @@ impl PartialEq for CustomLaw {
 impl CustomLaw {
     /// A law on rock of a stiffness, N/m, without noise.
     pub fn new(law: impl BitRockLaw + 'static, rock_stiffness_N_per_m: f64) -> Self {
-        Self {
-            law: Arc::new(law),
-            rock_stiffness_N_per_m,
-            excitation: None,
-        }
+        Self { law: Arc::new(law), rock_stiffness_N_per_m, excitation: None }
     }
 
     /// How it drills from its initial state under a weight on bit, turning at a speed.
     pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
         let state = self.law.initial_state();
-        self.law
-            .cut(&state, weight_on_bit_N, rotary_speed_rad_per_s)
+        self.law.cut(&state, weight_on_bit_N, rotary_speed_rad_per_s)
     }
 }
 
@@ -122,8 +117,7 @@ impl CustomCut {
     pub(super) fn attach(&mut self, custom: &CustomLaw) -> Result<(), AnotherExtension> {
         let law = &custom.law;
         let numbers = law.initial_state().len();
-        self.law
-            .attach("the law of the bit", law, law.name(), numbers)
+        self.law.attach("the law of the bit", law, law.name(), numbers)
     }
 
     pub(super) fn is_attached(&self) -> bool {

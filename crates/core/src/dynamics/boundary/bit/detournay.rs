@@ -70,18 +70,12 @@ impl DetournayDefournyLaw {
         let revolutions_per_s = speed_rad_per_s.max(0.0) / TAU;
         let full = self.full_contact_depth_m;
         let full_N = self.weight_on_bit_N(full);
-        let limit_N = self
-            .cleaning_limit_m
-            .map(|limit| self.weight_on_bit_N(limit));
+        let limit_N = self.cleaning_limit_m.map(|limit| self.weight_on_bit_N(limit));
         let contact = RateSegment {
             from_N: 0.0,
             to_N: full_N,
             from_m_per_s: 0.0,
-            slope_m_per_s_per_N: if full_N > 0.0 {
-                revolutions_per_s * full / full_N
-            } else {
-                0.0
-            },
+            slope_m_per_s_per_N: if full_N > 0.0 { revolutions_per_s * full / full_N } else { 0.0 },
         };
         let cutting = RateSegment {
             from_N: full_N,
@@ -89,15 +83,12 @@ impl DetournayDefournyLaw {
             from_m_per_s: revolutions_per_s * full,
             slope_m_per_s_per_N: revolutions_per_s / self.cutters.cutting_N_per_m(),
         };
-        let choked = self
-            .cleaning_limit_m
-            .zip(limit_N)
-            .map(|(limit, limit_N)| RateSegment {
-                from_N: limit_N,
-                to_N: f64::INFINITY,
-                from_m_per_s: revolutions_per_s * limit,
-                slope_m_per_s_per_N: 0.0,
-            });
+        let choked = self.cleaning_limit_m.zip(limit_N).map(|(limit, limit_N)| RateSegment {
+            from_N: limit_N,
+            to_N: f64::INFINITY,
+            from_m_per_s: revolutions_per_s * limit,
+            slope_m_per_s_per_N: 0.0,
+        });
         [Some(contact), Some(cutting), choked].into_iter().flatten()
     }
 }

@@ -56,10 +56,7 @@ pub(super) struct Spread {
 
 impl Excitation {
     pub(super) fn spread(&self) -> Spread {
-        Spread {
-            roughness_m: self.roughness_m,
-            torque_fluctuation: self.torque_fluctuation,
-        }
+        Spread { roughness_m: self.roughness_m, torque_fluctuation: self.torque_fluctuation }
     }
 }
 
@@ -97,11 +94,7 @@ impl Shaker {
             Band::PerSecond(frequency) => frequency * (self.time_s + dt),
         } / KNOT_SPACING;
         let noise = |rms: f64, noise: &Noise| {
-            if rms > 0.0 {
-                rms * noise.at(knots)
-            } else {
-                0.0
-            }
+            if rms > 0.0 { rms * noise.at(knots) } else { 0.0 }
         };
         Shake {
             front_m: e.amplitude_m * (f64::from(e.lobes) * angle).sin()
@@ -129,9 +122,7 @@ struct Noise {
 
 impl Noise {
     fn new(seed: u64, stream: u64) -> Self {
-        Self {
-            key: scramble(seed ^ scramble(stream)),
-        }
+        Self { key: scramble(seed ^ scramble(stream)) }
     }
 
     fn at(self, place: f64) -> f64 {
@@ -146,10 +137,7 @@ impl Noise {
             2.0 / 3.0 - y * y * (1.0 - 0.5 * y),
             x * x * x / 6.0,
         ];
-        let sum: f64 = (-1..3)
-            .zip(blend)
-            .map(|(k, b)| b * self.knot(knot.wrapping_add(k)))
-            .sum();
+        let sum: f64 = (-1..3).zip(blend).map(|(k, b)| b * self.knot(knot.wrapping_add(k))).sum();
         // The blend leaves 151/315 of the variance on average.
         sum * (315.0f64 / 151.0).sqrt()
     }

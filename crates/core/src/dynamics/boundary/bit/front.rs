@@ -207,10 +207,7 @@ impl FrontCut {
         match &self.law {
             FrontLaw::Custom(_) => {
                 let noise = shaker.next(turn_rad, dt);
-                Shake {
-                    front_m: own.front_m + noise.front_m,
-                    torque: own.torque + noise.torque,
-                }
+                Shake { front_m: own.front_m + noise.front_m, torque: own.torque + noise.torque }
             }
             FrontLaw::Table(law, _) => {
                 shaker.next_of(law.spread(self.weight_N, turning), turn_rad, dt)

@@ -105,11 +105,7 @@ impl Bit {
             let weight_N = operation.weight_on_bit_now_N();
             let turning = operation.rotation_rad_per_s() + drive.speed_rad_per_s();
             let shaker = excitation.map(|e| Shaker::new(e, seed));
-            let pressed = Pressed {
-                depth_m,
-                weight_N,
-                turning_rad_per_s: turning,
-            };
+            let pressed = Pressed { depth_m, weight_N, turning_rad_per_s: turning };
             let cut = FrontCut::new(law, stiffness_N_per_m, shaker, pressed);
             Some(Cut::Front(Box::new(cut)))
         };
@@ -125,11 +121,9 @@ impl Bit {
                 law.rock_stiffness_N_per_m,
                 law.excitation,
             ),
-            BitLaw::DetournayDefourny(law) => front(
-                FrontLaw::DetournayDefourny(*law),
-                law.rock_stiffness_N_per_m,
-                law.excitation,
-            ),
+            BitLaw::DetournayDefourny(law) => {
+                front(FrontLaw::DetournayDefourny(*law), law.rock_stiffness_N_per_m, law.excitation)
+            }
             BitLaw::Table(law) => front(
                 FrontLaw::Table(law.clone(), Counter::new()),
                 law.rock_stiffness_N_per_m,
@@ -141,11 +135,7 @@ impl Bit {
                 law.excitation,
             ),
         };
-        let side_cut_m_per_N = if drills {
-            settings.side_cut_m_per_N(operation)
-        } else {
-            0.0
-        };
+        let side_cut_m_per_N = if drills { settings.side_cut_m_per_N(operation) } else { 0.0 };
         Self {
             side: Side::new(settings.lateral_stiffness_N_per_m, side_cut_m_per_N),
             motor,
@@ -236,14 +226,9 @@ impl Bit {
             return step;
         }
         let (mut velocity, mut displacement) = (held.velocity, held.displacement);
-        let mut work = held
-            .force_N
-            .dot((step_start.velocity + velocity).scaled(0.5));
+        let mut work = held.force_N.dot((step_start.velocity + velocity).scaled(0.5));
 
-        let mut step = BitStep {
-            force_N: held.force_N,
-            ..BitStep::default()
-        };
+        let mut step = BitStep { force_N: held.force_N, ..BitStep::default() };
         let approach = Approach {
             depth_m: anchor.md_m + displacement.dot(tangent),
             velocity_m_per_s: velocity.dot(tangent),

@@ -219,10 +219,9 @@ impl Drive {
             // Turned back by the string: the rock resists the other way.
             _ if free < 0.0 => (-back_N_m, free / mobility),
             Motor::Speed(_) => (forward_N_m, free / mobility),
-            Motor::Displacement(motor) => (
-                forward_N_m,
-                motor.holding_N_m(self.flow_m3_per_s, spin_rad_per_s, mobility),
-            ),
+            Motor::Displacement(motor) => {
+                (forward_N_m, motor.holding_N_m(self.flow_m3_per_s, spin_rad_per_s, mobility))
+            }
         };
         let holds = stops.abs() <= most.abs();
         let torque_N_m = if holds { stops } else { most };
@@ -237,11 +236,7 @@ impl Drive {
                 Motor::Speed(speed) => speed,
                 Motor::Displacement(_) => -string_rad_per_s,
             };
-            return Turned {
-                torque_N_m,
-                string_rad_per_s,
-                bit_rad_per_s: 0.0,
-            };
+            return Turned { torque_N_m, string_rad_per_s, bit_rad_per_s: 0.0 };
         }
         self.speed_rad_per_s = self.motor.speed_rad_per_s(self.flow_m3_per_s, torque_N_m);
         Turned {

@@ -21,9 +21,5 @@ impl RateSegment {
 
 /// Depth of cut per revolution at a rate of penetration, m.
 pub(super) fn depth_of_cut_m(rate_m_per_s: f64, speed_rad_per_s: f64) -> f64 {
-    if speed_rad_per_s > 0.0 {
-        rate_m_per_s * TAU / speed_rad_per_s
-    } else {
-        0.0
-    }
+    if speed_rad_per_s > 0.0 { rate_m_per_s * TAU / speed_rad_per_s } else { 0.0 }
 }

@@ -90,10 +90,7 @@ impl RegenerativeCut {
             // Between the two the wear flats bear what stops the bit; nothing pulls it into the
             // rock.
             let stops = at.velocity_m_per_s / mobility;
-            weight = stops
-                .max(going_up)
-                .min(going_down)
-                .min(over / (at.dt * mobility));
+            weight = stops.max(going_up).min(going_down).min(over / (at.dt * mobility));
             depth_of_cut = (over - at.dt * mobility * weight).max(0.0);
         }
         let cutting = (law.stiffness_N_per_m() * depth_of_cut).min(weight);
@@ -101,11 +98,8 @@ impl RegenerativeCut {
 
         // A bit that has been turned back cuts nothing until it is where it was.
         let rubbing = law.cutters.torque_N_m(0.0, bearing);
-        let forward = if self.back_rad == 0.0 {
-            law.cutters.torque_N_m(cutting, bearing)
-        } else {
-            rubbing
-        };
+        let forward =
+            if self.back_rad == 0.0 { law.cutters.torque_N_m(cutting, bearing) } else { rubbing };
         let turned = drive.turn(at.spin_rad_per_s, at.turning_mobility, forward, rubbing);
 
         let depth_m = at.depth_m - at.dt * mobility * weight;

@@ -27,10 +27,7 @@ impl Default for BitSettings {
     /// motor.
     fn default() -> Self {
         Self {
-            law: BitLaw::Rate(RateLaw {
-                rock_stiffness_N_per_m: 1e8,
-                excitation: None,
-            }),
+            law: BitLaw::Rate(RateLaw { rock_stiffness_N_per_m: 1e8, excitation: None }),
             lateral_stiffness_N_per_m: 1e7,
             steerability: 0.0,
             motor: Motor::Speed(0.0),
@@ -85,11 +82,7 @@ impl BitSettings {
         weight_on_bit_N: f64,
         rotary_speed_rad_per_s: f64,
     ) -> f64 {
-        let other = Operation {
-            weight_on_bit_N,
-            rotary_speed_rad_per_s,
-            ..*operation
-        };
+        let other = Operation { weight_on_bit_N, rotary_speed_rad_per_s, ..*operation };
         let knows = !matches!(self.law, BitLaw::Rate(_)) && operation.kind.on_bottom();
         if knows && other != *operation {
             self.drilling_steadily(other).rate_of_penetration_m_per_s
@@ -102,11 +95,7 @@ impl BitSettings {
     pub(super) fn side_cut_m_per_N(&self, operation: &Operation) -> f64 {
         let speed = self.drilling_speed_rad_per_s(operation);
         let along = operation.rate_of_penetration_m_per_s / operation.weight_on_bit_N;
-        if self.steerability > 0.0 && speed > 0.0 {
-            self.steerability * along / speed
-        } else {
-            0.0
-        }
+        if self.steerability > 0.0 && speed > 0.0 { self.steerability * along / speed } else { 0.0 }
     }
 }
 

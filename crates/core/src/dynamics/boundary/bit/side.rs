@@ -27,11 +27,7 @@ pub(super) struct Held {
 
 impl Side {
     pub(super) fn new(stiffness_N_per_m: f64, cut_m_per_N: f64) -> Self {
-        Self {
-            stiffness_N_per_m,
-            cut_m_per_N,
-            axis_m: Vector::zero(),
-        }
+        Self { stiffness_N_per_m, cut_m_per_N, axis_m: Vector::zero() }
     }
 
     /// How far the bit has cut its hole off the axis, m.

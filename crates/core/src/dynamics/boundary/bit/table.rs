@@ -27,13 +27,8 @@ impl TableLaw {
     /// deviation.
     pub(super) fn spread(&self, weight_N: f64, speed_rad_per_s: f64) -> Spread {
         let excitation = self.excitation.as_ref();
-        let mut spread = excitation.map_or(
-            Spread {
-                roughness_m: 0.0,
-                torque_fluctuation: 0.0,
-            },
-            Excitation::spread,
-        );
+        let mut spread = excitation
+            .map_or(Spread { roughness_m: 0.0, torque_fluctuation: 0.0 }, Excitation::spread);
         let table = &self.table;
         if let Some(std) = &table.weight_std_N {
             let std_N = table.at(std, weight_N, speed_rad_per_s);
@@ -144,20 +139,14 @@ impl BitTable {
             let others = [p.rate_of_penetration_m_per_s, p.torque_N_m];
             let spread = p.torque_std_N_m.iter().chain(&p.weight_on_bit_std_N);
             positive.iter().all(|x| x.is_finite() && *x > 0.0)
-                && others
-                    .iter()
-                    .chain(spread)
-                    .all(|x| x.is_finite() && *x >= 0.0)
+                && others.iter().chain(spread).all(|x| x.is_finite() && *x >= 0.0)
         };
         if let Some(at) = points.iter().position(|p| !valid(p)) {
             return Err(TableFault::Number { line: at + 1 });
         }
         let spreads =
             |p: &TablePoint| (p.torque_std_N_m.is_some(), p.weight_on_bit_std_N.is_some());
-        if let Some(at) = points
-            .iter()
-            .position(|p| spreads(p) != spreads(&points[0]))
-        {
+        if let Some(at) = points.iter().position(|p| spreads(p) != spreads(&points[0])) {
             return Err(TableFault::Spread { line: at + 1 });
         }
         let axis = |of: fn(&TablePoint) -> f64| {
@@ -175,24 +164,17 @@ impl BitTable {
                     p.weight_on_bit_N == weight_on_bit_N
                         && p.rotary_speed_rad_per_s == rotary_speed_rad_per_s
                 });
-                let (first, point) = here.next().ok_or(TableFault::Missing {
-                    weight_on_bit_N,
-                    rotary_speed_rad_per_s,
-                })?;
+                let (first, point) = here
+                    .next()
+                    .ok_or(TableFault::Missing { weight_on_bit_N, rotary_speed_rad_per_s })?;
                 if let Some((second, _)) = here.next() {
-                    return Err(TableFault::Twice {
-                        first: first + 1,
-                        second: second + 1,
-                    });
+                    return Err(TableFault::Twice { first: first + 1, second: second + 1 });
                 }
                 lines.push(point);
             }
         }
         Ok(Self {
-            rate_m_per_s: lines
-                .iter()
-                .map(|p| p.rate_of_penetration_m_per_s)
-                .collect(),
+            rate_m_per_s: lines.iter().map(|p| p.rate_of_penetration_m_per_s).collect(),
             torque_N_m: lines.iter().map(|p| p.torque_N_m).collect(),
             torque_std_N_m: lines.iter().map(|p| p.torque_std_N_m).collect(),
             weight_std_N: lines.iter().map(|p| p.weight_on_bit_std_N).collect(),
@@ -290,12 +272,8 @@ impl BitTable {
     fn column(&self, speed_rad_per_s: f64) -> Column {
         let speeds = &self.speeds_rad_per_s;
         let above = speeds.partition_point(|s| *s < speed_rad_per_s);
-        let edge = |at: usize, rate_factor: f64| Column {
-            below: at,
-            above: at,
-            part: 0.0,
-            rate_factor,
-        };
+        let edge =
+            |at: usize, rate_factor: f64| Column { below: at, above: at, part: 0.0, rate_factor };
         // Below the least speed the rate goes to zero with the speed; above the largest it stays.
         if above == 0 {
             edge(0, (speed_rad_per_s / speeds[0]).max(0.0))
@@ -366,12 +344,7 @@ pub(super) struct Counter {
 impl Counter {
     pub(super) fn new() -> Self {
         const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
-        Self {
-            steps: 0,
-            outside: 0,
-            weights_N: NONE,
-            speeds_rad_per_s: NONE,
-        }
+        Self { steps: 0, outside: 0, weights_N: NONE, speeds_rad_per_s: NONE }
     }
 
     /// Notes a weight and a speed; a bit off the rock is nowhere.

@@ -17,11 +17,7 @@ pub struct FlowPressures {
 impl FlowPressures {
     /// A mud at rest around so many nodes.
     pub fn none(nodes: usize) -> Self {
-        Self {
-            outside_Pa: vec![0.0; nodes],
-            inside_Pa: vec![0.0; nodes],
-            stream_N_m2: 0.0,
-        }
+        Self { outside_Pa: vec![0.0; nodes], inside_Pa: vec![0.0; nodes], stream_N_m2: 0.0 }
     }
 
     /// Back to a mud at rest.
@@ -58,10 +54,8 @@ impl FlowPressures {
 
     /// Adds another.
     pub fn add(&mut self, other: &Self) {
-        let sums = [
-            (&mut self.outside_Pa, &other.outside_Pa),
-            (&mut self.inside_Pa, &other.inside_Pa),
-        ];
+        let sums =
+            [(&mut self.outside_Pa, &other.outside_Pa), (&mut self.inside_Pa, &other.inside_Pa)];
         for (sum, more) in sums {
             for (sum, more) in sum.iter_mut().zip(more) {
                 *sum += more;

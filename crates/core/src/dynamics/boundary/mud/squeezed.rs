@@ -26,9 +26,6 @@ impl Squeezed {
             e.length_m * e.section.pressure_strain_per_Pa * mud.pressure_Pa(tvd)
         };
         let each_m: Vec<f64> = mesh.elements.iter().enumerate().map(squeeze).collect();
-        Self {
-            total_m: each_m.iter().sum(),
-            each_m,
-        }
+        Self { total_m: each_m.iter().sum(), each_m }
     }
 }

@@ -97,9 +97,7 @@ impl Viscous {
     pub(in crate::dynamics) fn check(&self, mesh: &Mesh) -> Result<(), Damaged> {
         let nodes = mesh.nodes.len();
         let fits = self.passages.len() == mesh.elements.len()
-            && [&self.weight_N, &self.pull_N]
-                .iter()
-                .all(|each| each.len() == nodes)
+            && [&self.weight_N, &self.pull_N].iter().all(|each| each.len() == nodes)
             && [&self.pressures, &self.sum_pressures]
                 .iter()
                 .all(|of| of.outside_Pa.len() == nodes && of.inside_Pa.len() == nodes);
@@ -117,11 +115,8 @@ impl Viscous {
     ) -> Option<Self> {
         model.mud.rheology?;
         let flow_m3_per_s = operation.flow_now_m3_per_s();
-        let motion = Motion {
-            axial_m_per_s,
-            spin_rad_per_s: operation.rotation_rad_per_s(),
-            flow_m3_per_s,
-        };
+        let motion =
+            Motion { axial_m_per_s, spin_rad_per_s: operation.rotation_rad_per_s(), flow_m3_per_s };
         let passages = mesh.elements.iter().zip(&mesh.nodes).map(|(element, top)| {
             let md_m = bit_md_m - top.from_bit_m + 0.5 * element.length_m;
             let section = &element.section;
@@ -166,10 +161,7 @@ impl Viscous {
     /// Takes hold of a chain that has been initialised.
     pub fn attach(&mut self, chain: &mut Chain<impl Real>, anchors: &[Anchor], dt: f64) {
         let nodes = 0..chain.nodes();
-        self.weight_N = nodes
-            .clone()
-            .map(|i| Vector3::from(chain.weight(i)).into())
-            .collect();
+        self.weight_N = nodes.clone().map(|i| Vector3::from(chain.weight(i)).into()).collect();
         self.pull_N = vec![[0.0; 3]; chain.nodes()];
         for index in nodes {
             self.load(chain, anchors, index, dt);
@@ -193,10 +185,7 @@ impl Viscous {
         let mut above = (axial_m_per_s(chain, 0), node!(chain, 0, spin));
         let mut changed_above = false;
         for index in 0..self.passages.len() {
-            let below = (
-                axial_m_per_s(chain, index + 1),
-                node!(chain, index + 1, spin),
-            );
+            let below = (axial_m_per_s(chain, index + 1), node!(chain, index + 1, spin));
             let motion = Motion {
                 axial_m_per_s: 0.5 * (above.0 + below.0),
                 spin_rad_per_s: 0.5 * (above.1 + below.1),
@@ -227,12 +216,8 @@ impl Viscous {
     fn load(&mut self, chain: &mut Chain<impl Real>, anchors: &[Anchor], index: usize, dt: f64) {
         let (mut pull, mut drag, mut spin_drag) = (0.0, 0.0, 0.0);
         let last = self.passages.len();
-        for (above, passage) in self
-            .passages
-            .iter()
-            .enumerate()
-            .take(index + 2)
-            .skip(index.saturating_sub(2))
+        for (above, passage) in
+            self.passages.iter().enumerate().take(index + 2).skip(index.saturating_sub(2))
         {
             let half = 0.5 * passage.length_m;
             for end in [above, above + 1] {
@@ -270,9 +255,7 @@ impl Viscous {
     /// of the potential that they add to that of the weights.
     pub fn pull_potential_J(&self, chain: &Chain<impl Real>, anchors: &[Anchor], dt: f64) -> f64 {
         let nodes = self.pull_N.iter().enumerate();
-        nodes
-            .map(|(i, pull)| Vector3::from(*pull).dot(&middle_m(chain, anchors, i, dt)))
-            .sum()
+        nodes.map(|(i, pull)| Vector3::from(*pull).dot(&middle_m(chain, anchors, i, dt))).sum()
     }
 
     /// Work that the pulls have done since some time, J: only its differences mean something.
@@ -309,8 +292,7 @@ impl Viscous {
         self.sum = self.sum + now;
         let losses = |p: &Passage| (p.annulus_loss_Pa, p.length_m * p.bore_gradient_Pa_per_m);
         let stream_N_m2 = self.mud.density_kg_per_m3 * self.flow_m3_per_s * self.flow_m3_per_s;
-        self.pressures
-            .find(below_Pa, stream_N_m2, self.passages.iter().map(losses));
+        self.pressures.find(below_Pa, stream_N_m2, self.passages.iter().map(losses));
         self.sum_pressures.add(&self.pressures);
         self.samples += 1;
     }
@@ -327,8 +309,7 @@ impl Viscous {
 
     /// Means of what it added.
     pub fn mean_pressures(&self) -> FlowPressures {
-        self.sum_pressures
-            .scaled(1.0 / f64::from(self.samples.max(1)))
+        self.sum_pressures.scaled(1.0 / f64::from(self.samples.max(1)))
     }
 
     /// What the pressures that the flow added at the last sample lengthen the string by, m.
@@ -342,20 +323,13 @@ impl Viscous {
     }
 
     fn stretches_m<'a>(&'a self, pressures: &'a FlowPressures) -> impl Iterator<Item = f64> + 'a {
-        let FlowPressures {
-            outside_Pa,
-            inside_Pa,
-            ..
-        } = pressures;
+        let FlowPressures { outside_Pa, inside_Pa, .. } = pressures;
         let middle = |of: &[f64], i: usize| 0.5 * (of[i] + of[i + 1]);
         self.passages.iter().enumerate().map(move |(i, passage)| {
             passage.length_m
                 * pressure_strain(
                     passage.pressure_strain_per_Pa,
-                    (
-                        middle(outside_Pa, i),
-                        FRAC_PI_4 * passage.od_m * passage.od_m,
-                    ),
+                    (middle(outside_Pa, i), FRAC_PI_4 * passage.od_m * passage.od_m),
                     (middle(inside_Pa, i), passage.bore_m2),
                 )
         })

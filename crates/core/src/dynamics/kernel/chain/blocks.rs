@@ -51,31 +51,17 @@ block! {
 impl<R: Real> StateBlock<R> {
     pub(super) fn at_rest() -> Self {
         let (zero, one) = (Row::filled(0.0), Row::filled(1.0));
-        Self {
-            u: [zero; 3],
-            v: [zero; 3],
-            d: [zero, zero, one],
-            w: [zero; 3],
-            spin: zero,
-        }
+        Self { u: [zero; 3], v: [zero; 3], d: [zero, zero, one], w: [zero; 3], spin: zero }
     }
 
     pub(super) fn rows(&self) -> impl Iterator<Item = &Row<R>> {
         let Self { u, v, d, w, spin } = self;
-        u.iter()
-            .chain(v)
-            .chain(d)
-            .chain(w)
-            .chain(std::iter::once(spin))
+        u.iter().chain(v).chain(d).chain(w).chain(std::iter::once(spin))
     }
 
     pub(super) fn rows_mut(&mut self) -> impl Iterator<Item = &mut Row<R>> {
         let Self { u, v, d, w, spin } = self;
-        u.iter_mut()
-            .chain(v)
-            .chain(d)
-            .chain(w)
-            .chain(std::iter::once(spin))
+        u.iter_mut().chain(v).chain(d).chain(w).chain(std::iter::once(spin))
     }
 }
 

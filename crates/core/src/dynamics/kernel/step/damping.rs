@@ -30,10 +30,7 @@ pub(super) fn damp<N: Number>(chain: &mut Chain<N::Real>, mass_damping: &MassDam
     let (zero, one, left) = (N::zero(), splat(1.0), splat(mass_damping.left));
     let lengthening = splat(0.5 * mass_damping.dt * mass_damping.time_s);
     let damped = splat(1.0 - mass_damping.left);
-    let (rigid_v, rigid_s) = (
-        splat(mass_damping.rigid_velocity),
-        splat(mass_damping.rigid_spin),
-    );
+    let (rigid_v, rigid_s) = (splat(mass_damping.rigid_velocity), splat(mass_damping.rigid_spin));
     let mut taken: Row<N::Real> = Row::filled(0.0);
     for (n, state) in chain.node_blocks.iter().zip(&mut chain.states) {
         for lane in lanes::<N>() {

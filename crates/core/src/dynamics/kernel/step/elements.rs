@@ -36,13 +36,7 @@ impl<R: Real> Pull<R> {
     /// What the last row does to the first, where one piece ends and the next begins: each goes to
     /// the lane above.
     pub(super) fn shift_lanes(&mut self) {
-        let Self {
-            force,
-            bend1: _,
-            bend2,
-            couple,
-            torque,
-        } = self;
+        let Self { force, bend1: _, bend2, couple, torque } = self;
         for row in force.iter_mut().chain(bend2).chain(couple) {
             row.shift_lanes();
         }

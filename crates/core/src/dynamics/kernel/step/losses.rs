@@ -25,10 +25,6 @@ pub(super) struct Losses<R: Real> {
 impl<R: Real> Losses<R> {
     pub(super) fn none() -> Self {
         let zero = Row::filled(0.0);
-        Self {
-            contact: zero,
-            mud: zero,
-            damping: zero,
-        }
+        Self { contact: zero, mud: zero, damping: zero }
     }
 }

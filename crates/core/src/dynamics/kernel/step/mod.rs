@@ -65,9 +65,7 @@ pub struct Stepper<R: Real = f64> {
 
 impl<R: Real> std::fmt::Debug for Stepper<R> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Stepper")
-            .field("instructions", &self.instructions)
-            .finish()
+        f.debug_struct("Stepper").field("instructions", &self.instructions).finish()
     }
 }
 
@@ -184,20 +182,13 @@ pub fn met(chain: &Chain, index: usize) -> (crate::simd::vector::Vector<f64>, f6
     use crate::simd::vector::Vector;
 
     let (row, lane) = chain.place(index);
-    let input = StepInput {
-        dt: 0.0,
-        stiffness_damping: 0.0,
-        dissipation: 0.0,
-        stribeck_speed: 1.0,
-    };
+    let input =
+        StepInput { dt: 0.0, stiffness_damping: 0.0, dissipation: 0.0, stribeck_speed: 1.0 };
     let mut prediction = Prediction::none();
     let (n, state) = (&chain.node_blocks[row], &chain.states[row]);
     gap::<f64, true>(&mut prediction, n, state, &input, lane);
     let [x, y, z] = &prediction.offset;
-    (
-        Vector(x.0[lane], y.0[lane], z.0[lane]),
-        prediction.clearance.0[lane],
-    )
+    (Vector(x.0[lane], y.0[lane], z.0[lane]), prediction.clearance.0[lane])
 }
 
 #[inline(always)]
@@ -206,12 +197,7 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
     input: &StepInput,
 ) -> StepLosses {
     chain.close();
-    let Chain {
-        states,
-        node_blocks,
-        element_blocks,
-        ..
-    } = chain;
+    let Chain { states, node_blocks, element_blocks, .. } = chain;
     let rows = node_blocks.len();
     let mut losses = Losses::none();
     let (mut strains, mut prediction) = (Strains::none(), Prediction::none());
@@ -329,7 +315,5 @@ fn pull<N: Number>(
 /// The states of the two ends of a row of elements.
 #[inline(always)]
 fn ends<R: Real>(states: &[StateBlock<R>], row: usize) -> &[StateBlock<R>; 2] {
-    states[row..]
-        .first_chunk()
-        .expect("the states close with a row more")
+    states[row..].first_chunk().expect("the states close with a row more")
 }

@@ -138,9 +138,7 @@ pub(super) fn gap<N: Number, const FULL: bool>(
     let u = at3::<N>(&state.u, lane).plus(v, dt);
     let z = th.dot(u);
     // offset = u − z T − ½ z² κ: from the curved axis, not from its tangent.
-    let offset = u
-        .minus(th, z)
-        .minus(at3(&n.curvature, lane), half * (z * z));
+    let offset = u.minus(th, z).minus(at3(&n.curvature, lane), half * (z * z));
     let clearance = if FULL {
         at::<N>(&n.clearance_slope, lane).mul_add(z, at(&n.clearance, lane))
     } else {
@@ -150,9 +148,7 @@ pub(super) fn gap<N: Number, const FULL: bool>(
     put(&mut prediction.clearance, lane, clearance);
     put(&mut prediction.inward, lane, v.dot(offset));
     // |offset|² > clearance²: no root where nothing touches.
-    clearance
-        .neg_mul_add(clearance, offset.dot(offset))
-        .any_positive()
+    clearance.neg_mul_add(clearance, offset.dot(offset)).any_positive()
 }
 
 /// Rubs a row of nodes that are pushed on the wall.
@@ -166,10 +162,7 @@ pub(super) fn friction<N: Number, const VECTOR: bool, const FULL: bool>(
     let splat = N::splat;
     let per_stribeck2 = splat(1.0 / (input.stribeck_speed * input.stribeck_speed));
     let v = at3::<N>(&prediction.v, lane);
-    let (axial, spin) = (
-        at::<N>(&prediction.axial, lane),
-        at::<N>(&prediction.spin, lane),
-    );
+    let (axial, spin) = (at::<N>(&prediction.axial, lane), at::<N>(&prediction.spin, lane));
     let force = at::<N>(&prediction.normal_force, lane);
     let radius = at::<N>(&n.radius, lane);
     let around = at3::<N>(&n.tangent, lane).cross(at3(&prediction.normal, lane));
@@ -190,11 +183,7 @@ pub(super) fn friction<N: Number, const VECTOR: bool, const FULL: bool>(
     let g_around = (radius * at(&prediction.mobility_spin, lane))
         .mul_add(radius, at(&prediction.mobility, lane))
         .max(least);
-    let limit_around = if FULL {
-        limit * at(&n.friction_around, lane)
-    } else {
-        limit
-    };
+    let limit_around = if FULL { limit * at(&n.friction_around, lane) } else { limit };
     // Vector: Coulomb's cone. Independent: the whole limit along and the whole limit around.
     let (friction_along, friction_around) = match (VECTOR, FULL) {
         (true, false) => friction::vector(limit, axial, slip, g_axial, g_around),
@@ -232,10 +221,7 @@ pub(super) fn correct<N: Number, const FULL: bool, const TOUCHES: bool>(
     let th = at3::<N>(&n.tangent, lane);
     let mobility = at::<N>(&prediction.mobility, lane);
     let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));
-    let (mut v3, mut s3) = (
-        at3::<N>(&prediction.v, lane),
-        at::<N>(&prediction.spin, lane),
-    );
+    let (mut v3, mut s3) = (at3::<N>(&prediction.v, lane), at::<N>(&prediction.spin, lane));
     let mut axial3 = at::<N>(&prediction.axial, lane);
     let axial0 = at::<N>(&prediction.axial0, lane);
     let mut both = v0 + v3;
@@ -244,20 +230,15 @@ pub(super) fn correct<N: Number, const FULL: bool, const TOUCHES: bool>(
     // the velocities before and after the step.
     if TOUCHES {
         let radius = at::<N>(&n.radius, lane);
-        let (normal, around) = (
-            at3::<N>(&prediction.normal, lane),
-            at3::<N>(&prediction.around, lane),
-        );
+        let (normal, around) =
+            (at3::<N>(&prediction.normal, lane), at3::<N>(&prediction.around, lane));
         let force = at::<N>(&prediction.normal_force, lane);
         let along = at::<N>(&prediction.friction_along, lane);
         let across = at::<N>(&prediction.friction_around, lane);
         let torque = across * radius;
         let stopped = at::<N>(&prediction.mobility_axial, lane) * along;
         axial3 = axial3 - stopped;
-        v3 = v3
-            .minus(normal, mobility * force)
-            .minus(around, mobility * across)
-            .minus(th, stopped);
+        v3 = v3.minus(normal, mobility * force).minus(around, mobility * across).minus(th, stopped);
         s3 = at::<N>(&prediction.mobility_spin, lane).neg_mul_add(torque, s3);
         both = v0 + v3;
         let contact = force * normal.dot(both);
@@ -317,9 +298,7 @@ pub(super) fn rotate_directors<N: Number>(
     // 1/(1 + q), but for q⁴: q is the square of half the turn in a step. (1 − q)/(1 + q) is twice
     // that less one.
     let shrink = (one - q) * q.mul_add(q, one);
-    let turned = d0
-        .scaled(shrink + shrink - one)
-        .plus(turning.cross(d0), dt * shrink);
+    let turned = d0.scaled(shrink + shrink - one).plus(turning.cross(d0), dt * shrink);
     put3(&mut state.d, lane, turned);
     put3(&mut state.w, lane, turning);
 }

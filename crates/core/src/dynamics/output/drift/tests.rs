@@ -102,10 +102,7 @@ fn a_start_that_fades_is_found() {
         let expected =
             12.0 * tau * tau * (1.0 - (1.0 + 1.0 / tau) * left) - 6.0 * tau * (1.0 - left);
         // Noise: 4 √(12/n) 1e-3; sums for the integral: (h/τ)²/24 of it, at most 1e-4.
-        assert!(
-            (drift.change - expected).abs() < 1e-3,
-            "{tau}: {drift:?}, {expected}"
-        );
+        assert!((drift.change - expected).abs() < 1e-3, "{tau}: {drift:?}, {expected}");
         assert!(drift.errors > SIGNIFICANT, "{tau}: {drift:?}");
     }
 }
@@ -124,10 +121,7 @@ fn a_swing_stands_still() {
             };
             let samples: Vec<f64> = (0..SAMPLES).map(|i| swing(i) + 0.05 * noise[i]).collect();
             let drift = Drift::of(&samples);
-            assert!(
-                drift.errors < 2.0,
-                "{periods} periods, phase {phase}: {drift:?}"
-            );
+            assert!(drift.errors < 2.0, "{periods} periods, phase {phase}: {drift:?}");
             assert!(standard_error(&samples) < 1.0 / (2.0 * periods).sqrt());
         }
     }

@@ -218,11 +218,7 @@ impl BlockSample {
         self.torque[lane] = torque;
         // Below the bit there is no element, whatever its rows hold.
         let compliance = element.metal.compliance[lane];
-        self.twist[lane] = if compliance > 0.0 {
-            number(element.twist)
-        } else {
-            0.0
-        };
+        self.twist[lane] = if compliance > 0.0 { number(element.twist) } else { 0.0 };
         self.longer[lane] = tension * compliance;
         self.bending[lane] = bending;
         self.stress[lane] = element.metal.stress_Pa(lane, tension, bending, torque);

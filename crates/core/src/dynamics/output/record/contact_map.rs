@@ -44,20 +44,12 @@ pub(super) struct MapKeeper {
 impl MapKeeper {
     /// Whether a stored map is one of so many nodes.
     pub(super) fn check(&self, nodes: usize) -> Result<(), Damaged> {
-        let ContactMap {
-            time_s,
-            md_m,
-            side_force_N_per_m,
-            contact_force_N_per_m,
-        } = &self.map;
+        let ContactMap { time_s, md_m, side_force_N_per_m, contact_force_N_per_m } = &self.map;
         let rows = time_s.len();
         let fits = self.from_bit_m.len() == nodes
             && self.before.len() == nodes
             && self.intervals.len() <= nodes
-            && self
-                .intervals
-                .iter()
-                .all(|of| of.first < nodes && of.last < nodes)
+            && self.intervals.iter().all(|of| of.first < nodes && of.last < nodes)
             && [md_m, side_force_N_per_m, contact_force_N_per_m]
                 .iter()
                 .all(|column| column.len() == rows);
@@ -141,11 +133,7 @@ impl MapKeeper {
         let top_m = self.from_bit_m.first().copied().unwrap_or(0.0);
         let mut shares = vec![[0.0; 2]; self.intervals.len()];
         for reach in contact_lengths(&self.from_bit_m, |i| forces[i][1] > 0.0) {
-            let ContactLength {
-                contact,
-                above_m,
-                below_m,
-            } = reach;
+            let ContactLength { contact, above_m, below_m } = reach;
             let at_m = self.from_bit_m[contact];
             let (high_m, low_m) = ((at_m + above_m).min(top_m), (at_m - below_m).max(0.0));
             // Stretches follow each other from the surface down.

@@ -29,10 +29,7 @@ impl Sides {
     }
 
     pub(super) fn new(nodes: usize) -> Self {
-        Self {
-            before: vec![0.0; nodes],
-            samples: 0,
-        }
+        Self { before: vec![0.0; nodes], samples: 0 }
     }
 
     /// The sums begin anew.

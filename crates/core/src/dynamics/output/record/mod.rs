@@ -242,10 +242,7 @@ impl Record {
         let [first, second] = pick(&self.sums[block]);
         let n = self.samples.max(1) as f64;
         let (m1, m2) = (first[lane] / n, second[lane] / n);
-        Spread {
-            mean: about + m1,
-            std: (m2 - m1 * m1).max(0.0).sqrt(),
-        }
+        Spread { mean: about + m1, std: (m2 - m1 * m1).max(0.0).sqrt() }
     }
 
     /// Tension of an element, N.
@@ -287,10 +284,7 @@ impl Record {
     /// Angle of a node's mean contact force from the low side, rad, positive to the right of it
     /// looking down the hole; none if it never touched.
     pub fn climb_rad(&self, index: usize) -> Option<f64> {
-        let (up, right) = (
-            self.mean_of(index, |s| &s.up),
-            self.mean_of(index, |s| &s.right),
-        );
+        let (up, right) = (self.mean_of(index, |s| &s.up), self.mean_of(index, |s| &s.right));
         (up != 0.0 || right != 0.0).then(|| right.atan2(-up))
     }
     /// Mean axial friction of a node on the wall, N, along the hole.
@@ -338,7 +332,6 @@ impl Record {
     }
     /// 5th, 50th and 95th percentile of a quantity at a node, or of its element below.
     pub fn percentiles(&self, quantity: Quantity, index: usize) -> [f64; 3] {
-        self.reservoir
-            .percentiles(quantity, self.layout.place(index))
+        self.reservoir.percentiles(quantity, self.layout.place(index))
     }
 }

@@ -66,11 +66,7 @@ impl ReservoirRow<'_> {
         // By the side on which the node lies, as the sums count it; what does not touch is +0.
         let side: Lane = std::array::from_fn(|lane| {
             let normal = sample.normal[lane];
-            if sample.up[lane] < 0.0 {
-                0.0 - normal
-            } else {
-                normal
-            }
+            if sample.up[lane] < 0.0 { 0.0 - normal } else { normal }
         });
         let values = [&sample.tension, &sample.torque, &side, &sample.bending];
         for (row, values) in self.0.iter_mut().zip(values) {
@@ -90,10 +86,7 @@ impl Reservoir {
             && self.rows <= self.max_rows
             && self.stride > 0
             && self.place < self.stride
-            && self
-                .values
-                .iter()
-                .all(|all| all.len() == self.rows * self.width);
+            && self.values.iter().all(|all| all.len() == self.rows * self.width);
         ensure(fits, "the samples that are kept")
     }
 
@@ -156,9 +149,7 @@ impl Reservoir {
         self.rows /= 2;
         self.stride *= 2;
         let length = self.rows * self.width;
-        self.values
-            .iter_mut()
-            .for_each(|values| values.truncate(length));
+        self.values.iter_mut().for_each(|values| values.truncate(length));
     }
 
     /// Knuth's linear congruential generator (MMIX), its upper half.
@@ -190,10 +181,7 @@ impl Reservoir {
 
 /// The smallest power of two of which so many samples fill no more rows than there are.
 fn first_stride(expected: u64, max_rows: usize) -> u64 {
-    expected
-        .div_ceil(max_rows as u64)
-        .max(1)
-        .next_power_of_two()
+    expected.div_ceil(max_rows as u64).max(1).next_power_of_two()
 }
 
 #[cfg(test)]

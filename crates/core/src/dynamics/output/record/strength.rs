@@ -89,9 +89,8 @@ impl Strength {
             let (first, _) = model.string.component_at(below);
             let (last, _) = model.string.component_at(above);
             let modulus = |c: usize| components[c].section_modulus_m3();
-            let weakest = (first..=last)
-                .min_by(|a, b| modulus(*a).total_cmp(&modulus(*b)))
-                .unwrap_or(first);
+            let weakest =
+                (first..=last).min_by(|a, b| modulus(*a).total_cmp(&modulus(*b))).unwrap_or(first);
             let (block, lane) = layout.place(index);
             let metal = &mut blocks[block];
             let component = &components[weakest];
@@ -106,11 +105,7 @@ impl Strength {
             }
             yield_Pa.push(component.yield_strength_Pa);
         }
-        Self {
-            layout,
-            blocks,
-            yield_Pa,
-        }
+        Self { layout, blocks, yield_Pa }
     }
 
     /// Presses the bodies by what the pressure inside has over that outside at each node, Pa.

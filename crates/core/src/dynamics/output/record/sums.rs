@@ -82,11 +82,7 @@ impl SumBlock {
             self.normal[1][lane] += normal * normal;
             self.normal_max[lane] = larger(self.normal_max[lane], normal);
             self.touched[lane] += if normal > 0.0 { 1.0 } else { 0.0 };
-            self.signed[lane] += if sample.up[lane] < 0.0 {
-                -normal
-            } else {
-                normal
-            };
+            self.signed[lane] += if sample.up[lane] < 0.0 { -normal } else { normal };
             self.up[lane] += normal * sample.up[lane];
             self.right[lane] += normal * sample.right[lane];
             self.axial[lane] += sample.axial[lane];

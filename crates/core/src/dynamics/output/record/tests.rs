@@ -22,13 +22,7 @@ fn model() -> Model {
     };
     let parts = vec![part(0.165, 0.0714), part(0.127, 0.1086)];
     let path = arcs(&[[0.0; 3], [120.0, 0.0, 0.0]]);
-    common::model(
-        path,
-        open_hole(0.2159, 0.2, 120.0),
-        parts,
-        mud(1200.0),
-        120.0,
-    )
+    common::model(path, open_hole(0.2159, 0.2, 120.0), parts, mud(1200.0), 120.0)
 }
 
 /// The string at rest on the hole's axis, and the high side of a vertical hole: north.
@@ -86,10 +80,7 @@ fn whirl_goes_round_at_its_rate() {
         }
         let [rolls, turns, swings] = [1, 2, 3].map(|i| record.circling(i));
         for (found, rate) in [(rolls, backward), (turns, spin)] {
-            assert!(
-                (found.rate_rad_per_s / rate - 1.0).abs() < 1e-12,
-                "{found:?}"
-            );
+            assert!((found.rate_rad_per_s / rate - 1.0).abs() < 1e-12, "{found:?}");
             assert!((found.coherence - 1.0).abs() < 1e-12, "{found:?}");
         }
         assert!(swings.coherence < 1e-20, "{swings:?}");
@@ -125,9 +116,7 @@ fn moment_and_stress_of_a_circle() {
     record.sample(&chain, &high, &Body::default(), 1);
     let middle = |from_bit_m: f64| {
         let off = |i: &usize| (mesh.nodes[*i].from_bit_m - from_bit_m).abs();
-        (0..mesh.nodes.len())
-            .min_by(|a, b| off(a).total_cmp(&off(b)))
-            .unwrap()
+        (0..mesh.nodes.len()).min_by(|a, b| off(a).total_cmp(&off(b))).unwrap()
     };
     for (from_bit_m, od, id) in [(30.0, 0.165_f64, 0.0714_f64), (90.0, 0.127, 0.1086)] {
         let index = middle(from_bit_m);
@@ -139,17 +128,11 @@ fn moment_and_stress_of_a_circle() {
         let shear = TORQUE_N_M * od / (4.0 * second_moment);
         let stress = (TENSION_N / area + bending_stress).hypot(3.0_f64.sqrt() * shear);
         let close = |found: f64, expected: f64| {
-            assert!(
-                (found / expected - 1.0).abs() < 5e-5,
-                "{found} for {expected}"
-            );
+            assert!((found / expected - 1.0).abs() < 5e-5, "{found} for {expected}");
         };
         close(record.bending(index), moment);
         close(record.bending_max(index), moment);
-        close(
-            record.bending(index) * record.strength().per_modulus_m3(index),
-            bending_stress,
-        );
+        close(record.bending(index) * record.strength().per_modulus_m3(index), bending_stress);
         close(record.stress(index), stress);
         close(record.stress_max(index), stress);
     }
@@ -190,9 +173,7 @@ fn pressures_stress_the_tube_as_lame_has_it() {
         worst_inside += u8::from(within > out);
         strength.press(|_| p_i - p_o);
         let (block, lane) = chain.layout().place(index);
-        let found = strength
-            .block(block)
-            .stress_Pa(lane, tension, bending, torque);
+        let found = strength.block(block).stress_Pa(lane, tension, bending, torque);
         let error = found / out.max(within) - 1.0;
         assert!(error.abs() < 1e-12, "{p_o} {p_i}: {found}, {error:e} off");
     }
@@ -214,10 +195,7 @@ fn contact_is_averaged_and_signed() {
         }
         chain.close();
         let totals = record.sample(&chain, &high, &Body::default(), 20);
-        assert!(
-            (totals.normal_N - 2.0 * normal / 20.0).abs() < 1e-12,
-            "{sample}"
-        );
+        assert!((totals.normal_N - 2.0 * normal / 20.0).abs() < 1e-12, "{sample}");
     }
     for (index, sign) in [(1, 1.0), (2, -1.0)] {
         let close =
@@ -227,21 +205,10 @@ fn contact_is_averaged_and_signed() {
         close(record.touched(index), 2.0 / 3.0);
         close(record.signed(index), sign * 40.0 / 3.0);
         close(record.friction_torque(index), 4.0 / 3.0);
-        assert_eq!(
-            record.percentiles(Quantity::Contact, index)[1],
-            10.0,
-            "the median"
-        );
+        assert_eq!(record.percentiles(Quantity::Contact, index)[1], 10.0, "the median");
         // Between nothing, 10 and 30 N a tenth of the way from either end.
-        let expected = if sign > 0.0 {
-            [1.0, 10.0, 28.0]
-        } else {
-            [-28.0, -10.0, -1.0]
-        };
-        for (found, expected) in record
-            .percentiles(Quantity::Side, index)
-            .into_iter()
-            .zip(expected)
+        let expected = if sign > 0.0 { [1.0, 10.0, 28.0] } else { [-28.0, -10.0, -1.0] };
+        for (found, expected) in record.percentiles(Quantity::Side, index).into_iter().zip(expected)
         {
             // Kept in single precision.
             assert!((found - expected).abs() < 1e-5, "{found} for {expected}");
@@ -265,10 +232,7 @@ fn percentiles_of_few_samples_are_exact() {
     let reservoir = filled(4001, |sample| f64::from((sample * 1234) % 4001));
     let found = reservoir.percentiles(Quantity::Bending, (0, 5));
     assert_eq!(found, [200.0, 2000.0, 3800.0]);
-    assert_eq!(
-        Reservoir::new(1, 0).percentiles(Quantity::Torque, (0, 0)),
-        [0.0; 3]
-    );
+    assert_eq!(Reservoir::new(1, 0).percentiles(Quantity::Torque, (0, 0)), [0.0; 3]);
 }
 
 /// Whatever the length of a run, 2048 to 4096 samples of each node of a short string are kept. A
@@ -280,11 +244,9 @@ fn percentiles_of_many_samples_do_not_beat_with_a_period() {
     const SAMPLES: u32 = 100_000;
     let sine = |sample: u32| (TAU * f64::from(sample) / 64.0 + 0.3).sin();
     let found = filled(SAMPLES, sine).percentiles(Quantity::Tension, (0, 0));
-    for (value, part, error) in [
-        (found[0], 0.05, 0.005),
-        (found[1], 0.5, 0.011),
-        (found[2], 0.95, 0.005),
-    ] {
+    for (value, part, error) in
+        [(found[0], 0.05, 0.005), (found[1], 0.5, 0.011), (found[2], 0.95, 0.005)]
+    {
         // Single precision may have moved it by a ten-millionth.
         let below = |value: f64| {
             let count = (0..SAMPLES).filter(|sample| sine(*sample) < value).count();

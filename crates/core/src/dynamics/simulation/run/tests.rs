@@ -28,11 +28,7 @@ const REAM: Operation = Operation {
 fn model(at_rest: f64) -> Model {
     let stations =
         [0.0, 0.5, 1.0].map(|part: f64| [DEPTH_M * part, (50.0 * part).to_radians(), 0.4 * part]);
-    let friction = Friction {
-        kinetic: 0.25,
-        at_rest,
-        around: 1.0,
-    };
+    let friction = Friction { kinetic: 0.25, at_rest, around: 1.0 };
     common::model(
         path_in_rad(&stations, Interpolation::Spline),
         article_hole(0.2159, friction, DEPTH_M + 10.0),
@@ -60,35 +56,22 @@ fn every_instruction_set_moves_the_string_alike() {
         (false, FrictionLaw::Independent, 0.25),
     ] {
         let model = model(at_rest);
-        let mut settings = DynamicsSettings {
-            settle_s: 3.0,
-            duration_s: 2.0,
-            friction_law,
-            ..Default::default()
-        };
+        let mut settings =
+            DynamicsSettings { settle_s: 3.0, duration_s: 2.0, friction_law, ..Default::default() };
         if !hertz {
-            settings.contact_law = ContactLaw::Linear {
-                stiffness_N_per_m: 1e8,
-                damping_ratio: 0.05,
-            };
+            settings.contact_law =
+                ContactLaw::Linear { stiffness_N_per_m: 1e8, damping_ratio: 0.05 };
         }
         let initial = new_run(&model, &REAM, &settings);
         let vector = friction_law == FrictionLaw::Vector;
-        let outcomes: Vec<_> = Stepper::all(Abilities {
-            hertz,
-            vector,
-            full: at_rest > 0.25,
-        })
-        .into_iter()
-        .map(|stepper| {
-            let mut simulation = Run {
-                stepper,
-                ..initial.clone()
-            };
-            simulation.advance(5.0).unwrap();
-            (stepper.instructions, simulation.outcome())
-        })
-        .collect();
+        let outcomes: Vec<_> = Stepper::all(Abilities { hertz, vector, full: at_rest > 0.25 })
+            .into_iter()
+            .map(|stepper| {
+                let mut simulation = Run { stepper, ..initial.clone() };
+                simulation.advance(5.0).unwrap();
+                (stepper.instructions, simulation.outcome())
+            })
+            .collect();
         let (_, first) = &outcomes[0];
         assert_eq!(first.numerics.instructions, initial.stepper.instructions);
         for (name, outcome) in &outcomes[1..] {
@@ -96,10 +79,7 @@ fn every_instruction_set_moves_the_string_alike() {
             let hook = gap(|o| o.scalars.hook_load_N);
             let torque = gap(|o| o.scalars.friction_torque_N_m);
             let tolerance = if *name == "baseline" { 1e-6 } else { 0.0 };
-            assert!(
-                hook <= tolerance && torque <= tolerance,
-                "{name}: {hook:e}, {torque:e}"
-            );
+            assert!(hook <= tolerance && torque <= tolerance, "{name}: {hook:e}, {torque:e}");
         }
     }
 }
@@ -149,29 +129,16 @@ fn no_node_knows_who_shares_its_row() {
 #[test]
 fn wear_is_laid_on_the_hole() {
     for friction_law in [FrictionLaw::Vector, FrictionLaw::Independent] {
-        let settings = DynamicsSettings {
-            friction_law,
-            ..Default::default()
-        };
+        let settings = DynamicsSettings { friction_law, ..Default::default() };
         let mut run = new_run(&model(0.3), &REAM, &settings);
         let input = run.step_input();
         run.chain.clear_sums();
         for _ in 0..2000 {
             run.stepper.step(&mut run.chain, &input);
         }
-        let lost = run
-            .state
-            .wear
-            .sample(&run.chain, |i| run.state.anchors[i].md_m);
-        let nodes: f64 = (0..run.chain.nodes())
-            .map(|i| run.state.wear.string_J(i))
-            .sum();
-        let hole: f64 = run
-            .state
-            .wear
-            .hole_J_per_m(|i| run.state.anchors[i].md_m)
-            .iter()
-            .sum();
+        let lost = run.state.wear.sample(&run.chain, |i| run.state.anchors[i].md_m);
+        let nodes: f64 = (0..run.chain.nodes()).map(|i| run.state.wear.string_J(i)).sum();
+        let hole: f64 = run.state.wear.hole_J_per_m(|i| run.state.anchors[i].md_m).iter().sum();
         assert!(lost > 1000.0, "{lost}");
         assert!((nodes / lost - 1.0).abs() < 1e-12, "{nodes} {lost}");
         let hole = hole * crate::outcome::HOLE_STEP_M;

@@ -7,11 +7,7 @@ const INTERVAL_S: f64 = 0.01;
 const LENGTH_M: f64 = 3000.0;
 const HOOK_LOAD_N: f64 = 300e3;
 
-const SETTLING: Settling = Settling::UntilSteady {
-    stretch_s: 5.0,
-    min_s: 10.0,
-    max_s: 120.0,
-};
+const SETTLING: Settling = Settling::UntilSteady { stretch_s: 5.0, min_s: 10.0, max_s: 120.0 };
 
 /// How the settling of a string ends whose hook load is that against time, on a noise of 100 N; the
 /// bit goes down at a speed, m/s.
@@ -24,9 +20,7 @@ fn ends(hook_load_N: impl Fn(f64) -> f64, speed_m_per_s: f64, duration_s: f64) -
         }
         let time_s = f64::from(sample) * INTERVAL_S;
         series.time_s.push(time_s);
-        series
-            .hook_load_N
-            .push(hook_load_N(time_s) + 100.0 * random.signed());
+        series.hook_load_N.push(hook_load_N(time_s) + 100.0 * random.signed());
         series.bit_depth_m.push(speed_m_per_s * time_s);
     }
     None
@@ -64,10 +58,7 @@ fn a_longer_window_waits_longer() {
     let later_s = long.settle_s - short.settle_s;
     // The noise hides the very last of it: 25 N of the line of a stretch of 500 samples of ±100 N,
     // `4 √(12/500) 100 N/√3` is 36 N.
-    assert!(
-        long.steady && later_s > 13.0 && later_s < 8.0 * 12_f64.ln() + 2.0,
-        "{later_s}"
-    );
+    assert!(long.steady && later_s > 13.0 && later_s < 8.0 * 12_f64.ln() + 2.0, "{later_s}");
 }
 
 /// Stick-slip and whirl are steady states: a swing of a fifth of the hook load ends settling with
@@ -75,16 +66,9 @@ fn a_longer_window_waits_longer() {
 #[test]
 fn a_limit_cycle_is_steady() {
     for period_s in [0.4, 1.0, 2.3] {
-        let settled = ends(
-            |t| HOOK_LOAD_N + 60e3 * (TAU * t / period_s).sin(),
-            0.0,
-            60.0,
-        );
+        let settled = ends(|t| HOOK_LOAD_N + 60e3 * (TAU * t / period_s).sin(), 0.0, 60.0);
         let settled = settled.expect("it ends");
-        assert!(
-            settled.steady && (settled.settle_s - 10.01).abs() < 1e-9,
-            "{settled:?}"
-        );
+        assert!(settled.steady && (settled.settle_s - 10.01).abs() < 1e-9, "{settled:?}");
     }
 }
 
@@ -109,10 +93,7 @@ fn a_vibration_that_builds_up_is_waited_for() {
 #[test]
 fn the_bound_ends_what_never_is_steady() {
     let settled = ends(|t| HOOK_LOAD_N + 200.0 * t, 0.0, 5.0).expect("it ends");
-    assert!(
-        !settled.steady && (settled.settle_s - 120.01).abs() < 1e-9,
-        "{settled:?}"
-    );
+    assert!(!settled.steady && (settled.settle_s - 120.01).abs() < 1e-9, "{settled:?}");
 }
 
 /// A string of 3000 m that trips at 0.3 m/s may change by twice 1.5 m of 3000 m in a stretch, 0.1 %
@@ -120,22 +101,11 @@ fn the_bound_ends_what_never_is_steady() {
 /// 90 N/s is steady, and is not where the string stays. 150 N/s is not.
 #[test]
 fn a_string_that_travels_may_change() {
-    for (rate_N_per_s, speed_m_per_s, steady) in [
-        (90.0, 0.3, true),
-        (90.0, -0.3, true),
-        (90.0, 0.0, false),
-        (150.0, 0.3, false),
-    ] {
-        let settled = ends(
-            |t| HOOK_LOAD_N + rate_N_per_s * (t - 60.0),
-            speed_m_per_s,
-            5.0,
-        );
-        assert_eq!(
-            settled.expect("it ends").steady,
-            steady,
-            "{rate_N_per_s} {speed_m_per_s}"
-        );
+    for (rate_N_per_s, speed_m_per_s, steady) in
+        [(90.0, 0.3, true), (90.0, -0.3, true), (90.0, 0.0, false), (150.0, 0.3, false)]
+    {
+        let settled = ends(|t| HOOK_LOAD_N + rate_N_per_s * (t - 60.0), speed_m_per_s, 5.0);
+        assert_eq!(settled.expect("it ends").steady, steady, "{rate_N_per_s} {speed_m_per_s}");
     }
 }
 
@@ -150,11 +120,7 @@ fn small_scalars_have_a_least_scale() {
         (Gauge::Force, 2e3),
     ]);
     assert_eq!([force, torque, own, same], [1e4, 1e3, 0.1, 1e4]);
-    let large = scales([
-        (Gauge::Force, -3e5),
-        (Gauge::Force, 1.0),
-        (Gauge::Own(0.1), -4.0),
-    ]);
+    let large = scales([(Gauge::Force, -3e5), (Gauge::Force, 1.0), (Gauge::Own(0.1), -4.0)]);
     assert_eq!(large, [3e5, 3e5, 4.0]);
 }
 
@@ -162,8 +128,5 @@ fn small_scalars_have_a_least_scale() {
 fn a_fixed_time_ends_by_no_test() {
     let fixed = Settling::Fixed(3.0);
     assert_eq!([fixed.min_s(), fixed.max_s()], [3.0; 2]);
-    assert_eq!(
-        fixed.ends(&TimeSeries::default(), INTERVAL_S, 5.0, LENGTH_M),
-        None
-    );
+    assert_eq!(fixed.ends(&TimeSeries::default(), INTERVAL_S, 5.0, LENGTH_M), None);
 }

@@ -71,9 +71,7 @@ impl System {
     pub(super) fn run(self, until: f64, disturbed: f64) -> Seen {
         let sector = std::f64::consts::TAU / self.blades;
         let cut = (self.weight - self.bearing) / self.blades;
-        let angles: Vec<f64> = (0..=40)
-            .map(|i| sector * (f64::from(i) / 20.0 - 2.0))
-            .collect();
+        let angles: Vec<f64> = (0..=40).map(|i| sector * (f64::from(i) / 20.0 - 2.0)).collect();
         let run = Run {
             system: self,
             time: 0.0,
@@ -83,11 +81,7 @@ impl System {
                 angle: 0.0,
                 spin: self.speed * (1.0 + disturbed),
             },
-            mode: Mode {
-                axial: Axial::Down,
-                touches: true,
-                turns: true,
-            },
+            mode: Mode { axial: Axial::Down, touches: true, turns: true },
             surface: angles.iter().map(|a| a * cut / sector).collect(),
             angles,
         };
@@ -136,11 +130,7 @@ impl Run {
             depth: s.velocity,
             velocity: self.system.psi * (self.system.weight - cutting - bearing),
             angle: s.spin,
-            spin: if mode.turns {
-                self.spring(s, time, lead) - self.torque(s, mode)
-            } else {
-                0.0
-            },
+            spin: if mode.turns { self.spring(s, time, lead) - self.torque(s, mode) } else { 0.0 },
         }
     }
 
@@ -191,11 +181,7 @@ impl Run {
     }
 
     fn go(mut self, until: f64, lead: f64) -> Seen {
-        let mut seen = Seen {
-            sticks: Vec::new(),
-            fastest: 0.0,
-            off: 0.0,
-        };
+        let mut seen = Seen { sticks: Vec::new(), fastest: 0.0, off: 0.0 };
         while self.time < until {
             let mut h = STEP;
             let mut end = self.step(h, lead);
@@ -225,8 +211,7 @@ impl Run {
             let s = self.state;
             if self.mode.turns {
                 let sector = std::f64::consts::TAU / self.system.blades;
-                self.surface
-                    .push(s.depth.max(self.surface_at(s.angle - sector)));
+                self.surface.push(s.depth.max(self.surface_at(s.angle - sector)));
                 self.angles.push(s.angle);
             }
             seen.fastest = seen.fastest.max(s.spin);

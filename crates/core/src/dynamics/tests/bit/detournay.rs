@@ -22,10 +22,7 @@ fn law() -> DetournayDefournyLaw {
 }
 
 fn settings(law: DetournayDefournyLaw) -> BitSettings {
-    BitSettings {
-        law: BitLaw::DetournayDefourny(law),
-        ..BitSettings::default()
-    }
+    BitSettings { law: BitLaw::DetournayDefourny(law), ..BitSettings::default() }
 }
 
 /// Turned at a speed that no torque changes.
@@ -72,22 +69,10 @@ fn the_identities_hold_in_full_contact() {
     assert!((rig.step(5e-4).weight_on_bit_N / of("WOB_N") - 1.0).abs() > 0.1);
     let step = (0..20_000).map(|_| rig.step(5e-4)).last().expect("a step");
     for (quantity, expected, computed) in [
-        (
-            "three regimes: weight on bit, N",
-            of("WOB_N"),
-            step.weight_on_bit_N,
-        ),
-        (
-            "three regimes: torque on bit, N·m",
-            of("TOB_Nm"),
-            step.torque_N_m,
-        ),
+        ("three regimes: weight on bit, N", of("WOB_N"), step.weight_on_bit_N),
+        ("three regimes: torque on bit, N·m", of("TOB_Nm"), step.torque_N_m),
         ("three regimes: depth of cut, m", depth, step.depth_of_cut_m),
-        (
-            "three regimes: rate of penetration, m/s",
-            rate,
-            step.rate_of_penetration_m_per_s,
-        ),
+        ("three regimes: rate of penetration, m/s", rate, step.rate_of_penetration_m_per_s),
     ] {
         check(quantity, expected, computed);
     }
@@ -136,26 +121,17 @@ fn each_regime_drills_by_its_closed_form() {
 #[test]
 fn weight_and_depth_are_each_others_inverse() {
     for full_contact_depth_m in [0.0, 0.3e-3, 2e-3] {
-        let law = DetournayDefournyLaw {
-            full_contact_depth_m,
-            ..law()
-        };
+        let law = DetournayDefournyLaw { full_contact_depth_m, ..law() };
         for i in 1..=200 {
             let depth = 1e-4 * f64::from(i);
             let found = law.depth_of_cut_m(law.weight_on_bit_N(depth));
             assert!((found / depth - 1.0).abs() < 1e-12, "{found} {depth}");
         }
         let limit = law.weight_on_bit_N(20e-3);
-        assert_eq!(
-            law.depth_of_cut_m(1.5 * limit),
-            law.depth_of_cut_m(limit * 1.01)
-        );
+        assert_eq!(law.depth_of_cut_m(1.5 * limit), law.depth_of_cut_m(limit * 1.01));
     }
     // Where there is no limit, there is none.
-    let endless = DetournayDefournyLaw {
-        cleaning_limit_m: None,
-        ..law()
-    };
+    let endless = DetournayDefournyLaw { cleaning_limit_m: None, ..law() };
     assert!((endless.depth_of_cut_m(71.28e3 + 3.888e6) - 1.0).abs() < 1e-12);
 }
 
@@ -168,10 +144,7 @@ fn a_core_bit_drills_on_the_same_friction_line() {
     for ratio in [0.0, 0.3, 0.6] {
         let a = whole.cutters.radius_m;
         let law = DetournayDefournyLaw {
-            cutters: Cutters {
-                core_radius_m: ratio * a,
-                ..whole.cutters
-            },
+            cutters: Cutters { core_radius_m: ratio * a, ..whole.cutters },
             ..whole
         };
         for weight in [20e3, 60e3, 120e3, 300e3] {
@@ -179,10 +152,7 @@ fn a_core_bit_drills_on_the_same_friction_line() {
             let w = weight / (a * (1.0 - ratio));
             let t = 2.0 * cut.torque_N_m / (a * a * (1.0 - ratio * ratio));
             let line = (1.0 - 0.36) * 60e6 * cut.depth_of_cut_m + 0.6 * w;
-            assert!(
-                (t / line - 1.0).abs() < 1e-12,
-                "{ratio} {weight}: {t} {line}"
-            );
+            assert!((t / line - 1.0).abs() < 1e-12, "{ratio} {weight}: {t} {line}");
         }
         // In full contact the ring that is left takes its share of the weight.
         let (some, all) = (law.weight_on_bit_N(9e-3), whole.weight_on_bit_N(9e-3));

@@ -17,10 +17,7 @@ const SMOOTH: Excitation = Excitation {
 
 fn settings(excitation: Option<Excitation>) -> BitSettings {
     BitSettings {
-        law: BitLaw::Rate(RateLaw {
-            rock_stiffness_N_per_m: 1e8,
-            excitation,
-        }),
+        law: BitLaw::Rate(RateLaw { rock_stiffness_N_per_m: 1e8, excitation }),
         ..BitSettings::default()
     }
 }
@@ -51,11 +48,7 @@ fn line(values: &[f64], waves_per_sample: f64) -> f64 {
 #[test]
 fn lobes_show_at_their_multiple_of_the_speed() {
     let amplitude = 0.1e-3;
-    let mut rig = led(Excitation {
-        lobes: 3,
-        amplitude_m: amplitude,
-        ..SMOOTH
-    });
+    let mut rig = led(Excitation { lobes: 3, amplitude_m: amplitude, ..SMOOTH });
     let dt = TAU / SPIN / 4000.0;
     for _ in 0..12_000 {
         rig.step(dt);
@@ -80,15 +73,8 @@ fn lobes_show_at_their_multiple_of_the_speed() {
 /// and the torque fluctuates by the fraction that was requested.
 #[test]
 fn roughness_shows_in_weight_and_torque() {
-    let operation = Operation {
-        rate_of_penetration_m_per_s: 1e-6,
-        ..OPERATION
-    };
-    let rough = Excitation {
-        roughness_m: 0.1e-3,
-        torque_fluctuation: 0.2,
-        ..SMOOTH
-    };
+    let operation = Operation { rate_of_penetration_m_per_s: 1e-6, ..OPERATION };
+    let rough = Excitation { roughness_m: 0.1e-3, torque_fluctuation: 0.2, ..SMOOTH };
     let mut rig = Rig::with(operation, settings(Some(rough)));
     node!(rig.chain, 0, inv_mass_axial = 0.0);
     node!(rig.chain, 0, inv_polar = 0.0);

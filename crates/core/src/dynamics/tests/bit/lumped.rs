@@ -36,8 +36,7 @@ impl Lumped {
         node!(rig.chain, 0, inv_mass_axial = 1.0 / MASS);
         node!(rig.chain, 0, inv_polar = 1.0 / POLAR);
         let steady = law.steady(weight_N, speed);
-        rig.chain
-            .set_velocity(0, Vector(0.0, 0.0, steady.rate_of_penetration_m_per_s));
+        rig.chain.set_velocity(0, Vector(0.0, 0.0, steady.rate_of_penetration_m_per_s));
         rig.set_spin(speed);
         Self {
             rig,
@@ -79,10 +78,7 @@ fn psi(law: RegenerativeLaw) -> f64 {
 fn growth_per_s(law: RegenerativeLaw, weight: f64, speed: f64, damping: f64, dt: f64) -> f64 {
     let mut string = Lumped::new(law, weight, speed, damping, dt);
     let steady = law.steady(weight, speed).rate_of_penetration_m_per_s;
-    string
-        .rig
-        .chain
-        .set_velocity(0, Vector(0.0, 0.0, steady + 1e-6));
+    string.rig.chain.set_velocity(0, Vector(0.0, 0.0, steady + 1e-6));
     let mut largest = |seconds: f64| {
         let mut largest = 0.0f64;
         for _ in 0..(seconds / dt) as usize {
@@ -146,10 +142,7 @@ fn steady_drilling_is_stable_where_the_characteristic_roots_say() {
             tolerance: Tolerance::Relative(5e-3),
             reason: "twice the shift 2 dt/τ of a step of 0.1 ms, and the bisection",
         });
-        assert!(
-            (1.7..2.3).contains(&(coarse / fine)),
-            "{coarse:.2e} {fine:.2e}"
-        );
+        assert!((1.7..2.3).contains(&(coarse / fine)), "{coarse:.2e} {fine:.2e}");
     }
 }
 
@@ -199,14 +192,8 @@ impl StickSlip {
             speed: self.speed_rad_per_s() * time,
         }
         .run(self.time, 0.1);
-        assert_eq!(
-            seen.off, 0.0,
-            "the bit does not leave the rock in these cases"
-        );
-        (
-            period(&seen.sticks, self.skipped) * time,
-            seen.fastest / time,
-        )
+        assert_eq!(seen.off, 0.0, "the bit does not leave the rock in these cases");
+        (period(&seen.sticks, self.skipped) * time, seen.fastest / time)
     }
 
     /// The same by the bit.
@@ -244,14 +231,8 @@ fn period(sticks: &[f64], after: f64) -> f64 {
 #[test]
 fn a_regular_stick_slip_has_the_period_of_an_independent_integration() {
     for (cutting_N, friction, rpm) in [(30e3, 0.6, 90.0), (30e3, 0.6, 60.0), (15e3, 0.3, 90.0)] {
-        let case = StickSlip {
-            wear_flat_m: 5e-3,
-            cutting_N,
-            friction,
-            rpm,
-            time: 200.0,
-            skipped: 100.0,
-        };
+        let case =
+            StickSlip { wear_flat_m: 5e-3, cutting_N, friction, rpm, time: 200.0, skipped: 100.0 };
         let (period, fastest) = case.expected();
         let (found, found_fastest) = case.found(1e-4);
         let what = format!("stick-slip at {rpm} rev/min and {cutting_N:e} N");

@@ -79,11 +79,7 @@ impl Rig {
     fn step(&mut self, dt: f64) -> BitStep {
         let (before, spin) = (self.chain.velocity(0), self.spin());
         let mass = [0.5 / MASS_KG, 0.5 / MASS_KG, 1.0 / MASS_KG];
-        let kick = Vector(
-            self.push.0 * mass[0],
-            self.push.1 * mass[1],
-            self.push.2 * mass[2],
-        );
+        let kick = Vector(self.push.0 * mass[0], self.push.1 * mass[1], self.push.2 * mass[2]);
         let v = before.plus(kick, dt);
         let u = self.chain.displacement(0).plus(v, dt);
         self.chain.set_velocity(0, v);
@@ -95,17 +91,8 @@ impl Rig {
             position_m: Vector3::new(0.0, 0.0, DEPTH_M),
             high_side: Vector3::x(),
         };
-        let step_start = StepStart {
-            velocity: before,
-            spin,
-        };
-        self.bit.act(
-            &mut self.chain,
-            &anchor,
-            step_start,
-            &RockExecutor::default(),
-            dt,
-        )
+        let step_start = StepStart { velocity: before, spin };
+        self.bit.act(&mut self.chain, &anchor, step_start, &RockExecutor::default(), dt)
     }
 }
 
@@ -124,16 +111,9 @@ fn the_bit_drills_at_the_laws_rate() {
             step = rig.step(5e-4);
         }
         let rate = 0.003 * weight * speed;
-        assert!(
-            (step.weight_on_bit_N / (60e3 * weight) - 1.0).abs() < 1e-9,
-            "{step:?}"
-        );
+        assert!((step.weight_on_bit_N / (60e3 * weight) - 1.0).abs() < 1e-9, "{step:?}");
         assert!((step.torque_N_m / (3e3 * weight) - 1.0).abs() < 1e-9);
-        assert!(
-            (rig.chain.velocity(0).2 / rate - 1.0).abs() < 1e-6,
-            "{}",
-            rig.chain.velocity(0).2
-        );
+        assert!((rig.chain.velocity(0).2 / rate - 1.0).abs() < 1e-6, "{}", rig.chain.velocity(0).2);
     }
 }
 
@@ -174,10 +154,7 @@ fn the_bit_leaves_the_rock_freely() {
     assert!(free > 90);
     let lifted = rig.chain.displacement(0).2;
     let velocity = rig.chain.velocity(0).2;
-    assert_eq!(
-        (rig.step(5e-4).work_J, rig.chain.velocity(0).2),
-        (0.0, velocity)
-    );
+    assert_eq!((rig.step(5e-4).work_J, rig.chain.velocity(0).2), (0.0, velocity));
     assert!(lifted < -0.09);
     // The front lies where its 60 kN compressed the rock from: 0.6 mm above the start.
     rig.chain.set_velocity(0, Vector::zero());
@@ -215,10 +192,7 @@ fn the_rock_holds_a_stopped_bit() {
 /// back.
 #[test]
 fn a_motor_drills_and_turns_the_string_back() {
-    let mut rig = Rig::new(Operation {
-        kind: OperationKind::Slide,
-        ..OPERATION
-    });
+    let mut rig = Rig::new(Operation { kind: OperationKind::Slide, ..OPERATION });
     rig.push = Vector(0.0, 0.0, 60e3);
     let first = rig.step(5e-4);
     assert!((first.torque_N_m / (0.05 * first.weight_on_bit_N) - 1.0).abs() < 1e-12);
@@ -231,17 +205,11 @@ fn a_motor_drills_and_turns_the_string_back() {
 
 #[test]
 fn off_bottom_there_is_no_rock() {
-    let mut rig = Rig::new(Operation {
-        kind: OperationKind::RotateOffBottom,
-        ..OPERATION
-    });
+    let mut rig = Rig::new(Operation { kind: OperationKind::RotateOffBottom, ..OPERATION });
     rig.chain.set_velocity(0, Vector(0.0, 0.0, 1.0));
     for _ in 0..100 {
         let step = rig.step(1e-3);
-        assert_eq!(
-            (step.weight_on_bit_N, step.torque_N_m, step.work_J),
-            (0.0, 0.0, 0.0)
-        );
+        assert_eq!((step.weight_on_bit_N, step.torque_N_m, step.work_J), (0.0, 0.0, 0.0));
     }
     assert_eq!(rig.chain.velocity(0).2, 1.0);
 }
@@ -249,10 +217,7 @@ fn off_bottom_there_is_no_rock() {
 /// Off its axis, the bit swings with `√(k/m)`; the implicit step damps by `ω dt/2`.
 #[test]
 fn the_hole_holds_the_bit_to_its_axis() {
-    let mut rig = Rig::new(Operation {
-        kind: OperationKind::RotateOffBottom,
-        ..OPERATION
-    });
+    let mut rig = Rig::new(Operation { kind: OperationKind::RotateOffBottom, ..OPERATION });
     let omega = (1e7 / (2.0 * MASS_KG)).sqrt();
     let dt = 1e-3 / omega;
     rig.chain.set_displacement(0, Vector(3e-3, -4e-3, 0.7));
@@ -261,10 +226,7 @@ fn the_hole_holds_the_bit_to_its_axis() {
         let t = f64::from(i) * dt;
         let exact = (-0.5 * omega * omega * dt * t).exp() * (omega * t).cos();
         let u = rig.chain.displacement(0);
-        assert!(
-            (u.0 / 3e-3 - exact).abs() < 2e-3 && (u.1 / -4e-3 - exact).abs() < 2e-3,
-            "{i}"
-        );
+        assert!((u.0 / 3e-3 - exact).abs() < 2e-3 && (u.1 / -4e-3 - exact).abs() < 2e-3, "{i}");
         assert_eq!(u.2, 0.7);
     }
 }

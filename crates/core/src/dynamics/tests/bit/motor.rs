@@ -24,10 +24,7 @@ const MOTOR: MudMotor = MudMotor {
 
 /// Cuts with 3.888 MN/m, rubs with 6.48 kN: 1 kN of weight takes 90 N·m of torque.
 const BIT: DetournayDefournyLaw = DetournayDefournyLaw {
-    cutters: Cutters {
-        wear_flat_m: 1e-3,
-        ..LAW.cutters
-    },
+    cutters: Cutters { wear_flat_m: 1e-3, ..LAW.cutters },
     full_contact_depth_m: 0.0,
     cleaning_limit_m: None,
     rock_stiffness_N_per_m: 1e8,
@@ -35,16 +32,9 @@ const BIT: DetournayDefournyLaw = DetournayDefournyLaw {
 };
 
 fn with(law: BitLaw, weight_N: f64) -> Rig {
-    let operation = Operation {
-        kind: OperationKind::Slide,
-        flow_rate_m3_per_s: 30e-3,
-        ..pressed(weight_N)
-    };
-    let settings = BitSettings {
-        law,
-        motor: Motor::Displacement(MOTOR),
-        ..BitSettings::default()
-    };
+    let operation =
+        Operation { kind: OperationKind::Slide, flow_rate_m3_per_s: 30e-3, ..pressed(weight_N) };
+    let settings = BitSettings { law, motor: Motor::Displacement(MOTOR), ..BitSettings::default() };
     let operation = settings.drilling_steadily(operation);
     Rig::with(operation, settings)
 }
@@ -76,10 +66,7 @@ fn the_curve_goes_through_its_corners() {
         (15e-3, rated, 0.38 * free),
     ] {
         let found = MOTOR.speed_rad_per_s(flow, torque);
-        assert!(
-            (found / expected - 1.0).abs() < 1e-12,
-            "{flow} {torque}: {found}"
-        );
+        assert!((found / expected - 1.0).abs() < 1e-12, "{flow} {torque}: {found}");
     }
     assert!(MOTOR.speed_rad_per_s(30e-3, 18e3).abs() < 1e-12);
     assert!((MOTOR.max_torque_N_m() / rated - 1.0).abs() < 1e-12);
@@ -100,11 +87,7 @@ fn the_bit_turns_on_the_curve() {
         for (quantity, expected, computed) in [
             ("torque, N·m", torque, step.torque_N_m),
             ("speed, rad/s", speed, step.motor_speed_rad_per_s),
-            (
-                "rate of penetration, m/s",
-                rate,
-                step.rate_of_penetration_m_per_s,
-            ),
+            ("rate of penetration, m/s", rate, step.rate_of_penetration_m_per_s),
         ] {
             report(&Row {
                 case: "E07",
@@ -131,20 +114,14 @@ fn the_motor_stalls_and_recovers() {
     let stalled = settled(&mut rig, 40_000);
     assert_eq!(stalled.rate_of_penetration_m_per_s, 0.0);
     assert!(stalled.motor_speed_rad_per_s.abs() < 1e-9);
-    assert!(
-        (stalled.torque_N_m / 18e3 - 1.0).abs() < 1e-12,
-        "{stalled:?}"
-    );
+    assert!((stalled.torque_N_m / 18e3 - 1.0).abs() < 1e-12, "{stalled:?}");
     assert!((stalled.weight_on_bit_N / 230e3 - 1.0).abs() < 1e-6);
     rig.push = Vector(0.0, 0.0, 150e3);
     let again = settled(&mut rig, 40_000);
     for (a, b) in [
         (running.torque_N_m, again.torque_N_m),
         (running.motor_speed_rad_per_s, again.motor_speed_rad_per_s),
-        (
-            running.rate_of_penetration_m_per_s,
-            again.rate_of_penetration_m_per_s,
-        ),
+        (running.rate_of_penetration_m_per_s, again.rate_of_penetration_m_per_s),
     ] {
         assert!((a / b - 1.0).abs() < 1e-5, "{a} {b}");
     }
@@ -157,10 +134,7 @@ fn without_flow_there_is_no_torque() {
     let mut rig = sliding(150e3);
     rig.bit.set_flow(0.0);
     let step = settled(&mut rig, 100);
-    assert_eq!(
-        (step.torque_N_m, step.rate_of_penetration_m_per_s),
-        (0.0, 0.0)
-    );
+    assert_eq!((step.torque_N_m, step.rate_of_penetration_m_per_s), (0.0, 0.0));
     rig.set_spin(1.0);
     let step = settled(&mut rig, 100);
     // 12 L/rev at 1 rad/s are 1.91 L/s, 53 % of what leaks at 12.2 kN·m.
@@ -184,10 +158,7 @@ fn a_turning_string_slips_around_a_stalled_motor() {
 /// under less torque turns and drills faster by its curve.
 #[test]
 fn the_rate_law_takes_the_motors_speed() {
-    let rate = BitLaw::Rate(RateLaw {
-        rock_stiffness_N_per_m: 1e8,
-        excitation: None,
-    });
+    let rate = BitLaw::Rate(RateLaw { rock_stiffness_N_per_m: 1e8, excitation: None });
     let mut rig = with(rate, 60e3);
     node!(rig.chain, 0, inv_polar = 0.0);
     for weight in [60e3, 30e3] {
@@ -204,10 +175,7 @@ fn the_rate_law_takes_the_motors_speed() {
 /// The regenerative law cuts with the motor's speed, too.
 #[test]
 fn the_regenerative_law_takes_the_motors_speed() {
-    let law = RegenerativeLaw {
-        cutters: BIT.cutters,
-        blades: 4,
-    };
+    let law = RegenerativeLaw { cutters: BIT.cutters, blades: 4 };
     let mut rig = with(BitLaw::Regenerative(law), 80e3);
     node!(rig.chain, 0, inv_polar = 0.0);
     node!(rig.chain, 0, inv_mass_axial = 0.0);

@@ -27,17 +27,11 @@ pub(super) const LAW: RegenerativeLaw = RegenerativeLaw {
 };
 
 pub(super) fn settings(law: RegenerativeLaw) -> BitSettings {
-    BitSettings {
-        law: BitLaw::Regenerative(law),
-        ..BitSettings::default()
-    }
+    BitSettings { law: BitLaw::Regenerative(law), ..BitSettings::default() }
 }
 
 pub(super) fn pressed(weight_on_bit_N: f64) -> Operation {
-    Operation {
-        weight_on_bit_N,
-        ..OPERATION
-    }
+    Operation { weight_on_bit_N, ..OPERATION }
 }
 
 pub(super) fn identities() -> (RegenerativeLaw, Value) {
@@ -69,11 +63,7 @@ fn steady_drilling_takes_the_weight_and_torque_of_the_identities() {
     let rate = file["inputs"]["ROP_m_per_h"].as_f64().expect("a number") / 3600.0;
     let steady = law.steady(of("WOB_N"), speed);
     let close = |a: f64, b: f64, tolerance: f64| (a / b - 1.0).abs() < tolerance;
-    assert!(close(
-        steady.depth_of_cut_m,
-        of("depth_of_cut_per_rev_m"),
-        1e-12
-    ));
+    assert!(close(steady.depth_of_cut_m, of("depth_of_cut_per_rev_m"), 1e-12));
     assert!(close(steady.torque_N_m, of("TOB_Nm"), 1e-12));
     assert!(close(steady.rate_of_penetration_m_per_s, rate, 1e-12));
 
@@ -91,11 +81,7 @@ fn steady_drilling_takes_the_weight_and_torque_of_the_identities() {
     for (quantity, expected, computed) in [
         ("weight on bit, N", "WOB_N", step.weight_on_bit_N),
         ("torque on bit, N·m", "TOB_Nm", step.torque_N_m),
-        (
-            "depth of cut, m",
-            "depth_of_cut_per_rev_m",
-            step.depth_of_cut_m,
-        ),
+        ("depth of cut, m", "depth_of_cut_per_rev_m", step.depth_of_cut_m),
     ] {
         report(&Row {
             case: "E07",
@@ -193,10 +179,7 @@ fn wear_flats_bear_on_the_way_down() {
         let mut rig = Rig::with(pressed(80e3), settings(LAW));
         rig.push = Vector(0.0, 0.0, push);
         let step = (0..2000).map(|_| rig.step(1e-4)).last().expect("a step");
-        assert!(
-            (step.weight_on_bit_N - push).abs() < 1e-6 * push,
-            "{step:?}"
-        );
+        assert!((step.weight_on_bit_N - push).abs() < 1e-6 * push, "{step:?}");
         assert!(rig.chain.velocity(0).2.abs() < 1e-12);
         // At the steady depth of cut, the flats give way by what is missing.
         let needed = push - (80e3 - bearing);
@@ -246,22 +229,12 @@ fn work_is_the_change_of_kinetic_energy() {
 /// carries the reaction.
 #[test]
 fn a_motor_cuts_while_the_string_stands() {
-    let operation = Operation {
-        kind: OperationKind::Slide,
-        ..pressed(80e3)
-    };
-    let mut rig = Rig::with(
-        operation,
-        BitSettings {
-            motor: Motor::Speed(12.0),
-            ..settings(LAW)
-        },
-    );
+    let operation = Operation { kind: OperationKind::Slide, ..pressed(80e3) };
+    let mut rig = Rig::with(operation, BitSettings { motor: Motor::Speed(12.0), ..settings(LAW) });
     node!(rig.chain, 0, inv_mass_axial = 0.0);
     node!(rig.chain, 0, inv_polar = 0.0);
     let steady = LAW.steady(80e3, 12.0);
-    rig.chain
-        .set_velocity(0, Vector(0.0, 0.0, steady.rate_of_penetration_m_per_s));
+    rig.chain.set_velocity(0, Vector(0.0, 0.0, steady.rate_of_penetration_m_per_s));
     for _ in 0..4000 {
         rig.step(5e-4);
     }

@@ -76,20 +76,13 @@ impl Slant {
             motor,
             ..BitSettings::default()
         };
-        let anchor = Anchor {
-            md_m: 100.0,
-            position_m: Vector3::new(100.0, 200.0, 300.0),
-            high_side,
-        };
+        let anchor =
+            Anchor { md_m: 100.0, position_m: Vector3::new(100.0, 200.0, 300.0), high_side };
         let executor = RockExecutor::default();
         let mut bit = Bit::new(&settings, &OPERATION, 100.0, 1);
         bit.set_flow(30e-3);
-        let standing = Standing {
-            weight_N: 0.0,
-            rate_m_per_s: 0.0,
-            string_rad_per_s: 0.0,
-            mass_kg: MASS_KG,
-        };
+        let standing =
+            Standing { weight_N: 0.0, rate_m_per_s: 0.0, string_rad_per_s: 0.0, mass_kg: MASS_KG };
         let run_in = RunIn::new(&settings, &OPERATION, standing, &executor).expect("a sound bit");
         bit.stand(run_in.expect("rock"), &chain, &anchor);
         Self {
@@ -103,19 +96,11 @@ impl Slant {
 
     /// A step in which a force along the hole pushes the node.
     fn step(&mut self, push_N: f64) -> BitStep {
-        let step_start = StepStart {
-            velocity: self.chain.velocity(0),
-            spin: node!(self.chain, 0, spin),
-        };
+        let step_start =
+            StepStart { velocity: self.chain.velocity(0), spin: node!(self.chain, 0, spin) };
         let along = self.chain.tangent(0).scaled(DT_S * push_N / MASS_KG);
         self.chain.set_velocity(0, step_start.velocity + along);
-        self.bit.act(
-            &mut self.chain,
-            &self.anchor,
-            step_start,
-            &self.executor,
-            DT_S,
-        )
+        self.bit.act(&mut self.chain, &self.anchor, step_start, &self.executor, DT_S)
     }
 
     /// Momentum of the bit and of the rock, N·s.
@@ -125,13 +110,9 @@ impl Slant {
         let block = self.bit.drilling().expect("rock").block();
         let grid = block.grid();
         let nodes = grid.each_node().map(|node| grid.node(node));
-        let rock: Vector3<f64> = nodes
-            .map(|n| Vector3::from(block.velocity_m_per_s(n)) * block.mass_kg(n))
-            .sum();
-        [
-            (velocity * 2.0 - along * along.dot(&velocity)) * MASS_KG,
-            self.frame * rock,
-        ]
+        let rock: Vector3<f64> =
+            nodes.map(|n| Vector3::from(block.velocity_m_per_s(n)) * block.mass_kg(n)).sum();
+        [(velocity * 2.0 - along * along.dot(&velocity)) * MASS_KG, self.frame * rock]
     }
 }
 
@@ -173,17 +154,11 @@ fn momentum_and_energy_pass_exactly() {
             let turning = Vector3::from(slant.chain.turning(0));
             let step = slant.step(0.0);
             let change_J = kinetic_J(&slant.chain) - before_J;
-            assert!(
-                (change_J - step.work_J).abs() < 1e-11 * start_J,
-                "{change_J} {step:?}"
-            );
+            assert!((change_J - step.work_J).abs() < 1e-11 * start_J, "{change_J} {step:?}");
             let turned = (Vector3::from(slant.chain.turning(0)) - turning).norm() * ROTARY_KG_M2;
             let moment = step.moment_N_m * DT_S;
             // The spin carries the moment round by a hundredth within the step, the director moves.
-            assert!(
-                (turned - moment).abs() < 0.02 * moment + 1e-5,
-                "{turned} {moment}"
-            );
+            assert!((turned - moment).abs() < 0.02 * moment + 1e-5, "{turned} {moment}");
             bent = bent.max(step.moment_N_m);
             let [bit, rock] = slant.momentum();
             passed = passed.max(rock.norm() / all);

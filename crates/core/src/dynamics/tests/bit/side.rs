@@ -7,10 +7,7 @@ use super::*;
 #[test]
 fn the_bit_cuts_sideways_with_force_and_speed() {
     for (steerability, speed, side) in [(0.05, 7.0, 4e3), (0.05, 3.5, 4e3), (0.01, 7.0, -9e3)] {
-        let settings = BitSettings {
-            steerability,
-            ..BitSettings::default()
-        };
+        let settings = BitSettings { steerability, ..BitSettings::default() };
         let mut rig = Rig::with(OPERATION, settings);
         node!(rig.chain, 0, inv_polar = 0.0);
         rig.set_spin(speed);
@@ -20,10 +17,7 @@ fn the_bit_cuts_sideways_with_force_and_speed() {
         }
         let rate = steerability * 0.003 / 60e3 * speed / 7.0;
         let velocity = rig.chain.velocity(0);
-        assert!(
-            (velocity.0 / (rate * side) - 1.0).abs() < 1e-6,
-            "{velocity:?}"
-        );
+        assert!((velocity.0 / (rate * side) - 1.0).abs() < 1e-6, "{velocity:?}");
         assert!((velocity.1 / (rate * 0.5 * side) - 1.0).abs() < 1e-6);
     }
 }
@@ -32,18 +26,10 @@ fn the_bit_cuts_sideways_with_force_and_speed() {
 /// and comes back.
 #[test]
 fn a_bit_that_stands_or_hangs_does_not_cut() {
-    let settings = BitSettings {
-        steerability: 0.05,
-        ..BitSettings::default()
-    };
+    let settings = BitSettings { steerability: 0.05, ..BitSettings::default() };
     let stands = Rig::with(OPERATION, settings.clone());
-    let mut hangs = Rig::with(
-        Operation {
-            kind: OperationKind::RotateOffBottom,
-            ..OPERATION
-        },
-        settings,
-    );
+    let mut hangs =
+        Rig::with(Operation { kind: OperationKind::RotateOffBottom, ..OPERATION }, settings);
     hangs.set_spin(7.0);
     for mut rig in [stands, hangs] {
         rig.push = Vector(4e3, 0.0, 0.0);
@@ -61,9 +47,6 @@ fn a_bit_that_stands_or_hangs_does_not_cut() {
 
 #[test]
 fn work_is_the_change_of_kinetic_energy() {
-    let settings = BitSettings {
-        steerability: 0.5,
-        ..BitSettings::default()
-    };
+    let settings = BitSettings { steerability: 0.5, ..BitSettings::default() };
     assert_work_is_the_change_of_energy(&mut Rig::with(OPERATION, settings));
 }

@@ -39,10 +39,7 @@ fn law(points: &[TablePoint], excitation: Option<Excitation>) -> BitLaw {
 }
 
 fn rig(law: BitLaw, weight_N: f64) -> Rig {
-    let settings = BitSettings {
-        law,
-        ..BitSettings::default()
-    };
+    let settings = BitSettings { law, ..BitSettings::default() };
     Rig::with(pressed(weight_N), settings)
 }
 
@@ -51,13 +48,7 @@ fn rig(law: BitLaw, weight_N: f64) -> Rig {
 #[test]
 fn between_its_points_the_table_is_bilinear() {
     let table = BitTable::new(&points()).expect("a table");
-    for (weight, speed) in [
-        (20e3, 4.0),
-        (33e3, 6.1),
-        (50e3, 7.0),
-        (80e3, 9.0),
-        (110e3, 13.0),
-    ] {
+    for (weight, speed) in [(20e3, 4.0), (33e3, 6.1), (50e3, 7.0), (80e3, 9.0), (110e3, 13.0)] {
         let (found, made) = (table.steady(weight, speed), bilinear(weight, speed));
         let rate = made.rate_of_penetration_m_per_s;
         assert!((found.rate_of_penetration_m_per_s / rate - 1.0).abs() < 1e-12);
@@ -83,11 +74,9 @@ fn between_its_points_the_table_is_bilinear() {
 /// outside, and shows how often and how far that was.
 #[test]
 fn the_bit_drills_as_the_table_says() {
-    for (weight, speed, at) in [
-        (80e3, 9.0, (80e3, 9.0)),
-        (150e3, 9.0, (110e3, 9.0)),
-        (80e3, 15.0, (80e3, 13.0)),
-    ] {
+    for (weight, speed, at) in
+        [(80e3, 9.0, (80e3, 9.0)), (150e3, 9.0, (110e3, 9.0)), (80e3, 15.0, (80e3, 13.0))]
+    {
         let mut rig = rig(law(&points(), None), 60e3);
         node!(rig.chain, 0, inv_polar = 0.0);
         rig.set_spin(speed);
@@ -125,10 +114,7 @@ fn a_table_of_one_point_is_the_rate_law_below_it() {
     // The rate law's operation is 60 kN at 7 rad/s; the point lies on its line, above all that
     // happens.
     let one = [point(300e3, 28.0, 0.003 * 20.0, 15e3)];
-    let rate = BitLaw::Rate(RateLaw {
-        rock_stiffness_N_per_m: 1e8,
-        excitation,
-    });
+    let rate = BitLaw::Rate(RateLaw { rock_stiffness_N_per_m: 1e8, excitation });
     for turn in [0.0, 3.0e3] {
         let mut rigs = [rig(law(&one, excitation), 60e3), rig(rate.clone(), 60e3)];
         for rig in &mut rigs {
@@ -142,10 +128,7 @@ fn a_table_of_one_point_is_the_rate_law_below_it() {
         }
         for _ in 0..4000 {
             let [a, b] = [rigs[0].step(5e-4), rigs[1].step(5e-4)];
-            assert!(
-                (a.weight_on_bit_N - b.weight_on_bit_N).abs() < 1e-4,
-                "{a:?} {b:?}"
-            );
+            assert!((a.weight_on_bit_N - b.weight_on_bit_N).abs() < 1e-4, "{a:?} {b:?}");
             assert!((a.torque_N_m - b.torque_N_m).abs() < 1e-5);
         }
         assert!((rigs[0].spin() - rigs[1].spin()).abs() < 1e-6);
@@ -193,10 +176,7 @@ fn the_spread_is_the_tables() {
     // the bit at the start shifts, and by its spread.
     let torque = rms(q, qq);
     let expected = (0.01 * w / n - 300.0).hypot(0.01 * 8e3);
-    assert!(
-        (torque / expected - 1.0).abs() < 0.02,
-        "{torque} {expected}"
-    );
+    assert!((torque / expected - 1.0).abs() < 0.02, "{torque} {expected}");
     assert!((q / n).abs() < 3.0, "{}", q / n);
 }
 
@@ -208,20 +188,11 @@ fn what_makes_no_table_is_refused() {
     missing.remove(4);
     assert_eq!(
         fault(&missing),
-        TableFault::Missing {
-            weight_on_bit_N: 50e3,
-            rotary_speed_rad_per_s: 7.0
-        }
+        TableFault::Missing { weight_on_bit_N: 50e3, rotary_speed_rad_per_s: 7.0 }
     );
     let mut twice = points();
     twice.push(twice[2]);
-    assert_eq!(
-        fault(&twice),
-        TableFault::Twice {
-            first: 3,
-            second: 10
-        }
-    );
+    assert_eq!(fault(&twice), TableFault::Twice { first: 3, second: 10 });
     let mut negative = points();
     negative[3].torque_N_m = -1.0;
     assert_eq!(fault(&negative), TableFault::Number { line: 4 });

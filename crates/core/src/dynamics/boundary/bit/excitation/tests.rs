@@ -12,9 +12,7 @@ const ROUGH: Excitation = Excitation {
 
 /// The front at `count` angles, evenly spaced by `step_rad`.
 fn fronts(shaker: &Shaker, count: usize, step_rad: f64) -> Vec<f64> {
-    (0..count)
-        .map(|i| shaker.next(step_rad * i as f64, 0.0).front_m)
-        .collect()
+    (0..count).map(|i| shaker.next(step_rad * i as f64, 0.0).front_m).collect()
 }
 
 fn rms(values: &[f64]) -> f64 {
@@ -28,11 +26,7 @@ fn rms(values: &[f64]) -> f64 {
 fn roughness_has_the_rms_that_was_asked_for() {
     for seed in [1, 2, 77] {
         let shaker = Shaker::new(ROUGH, seed);
-        let front = fronts(
-            &shaker,
-            500_000,
-            10_000.0 * std::f64::consts::TAU / 500_000.0,
-        );
+        let front = fronts(&shaker, 500_000, 10_000.0 * std::f64::consts::TAU / 500_000.0);
         let found = rms(&front) / 2e-3;
         assert!((found - 1.0).abs() < 5e-3, "{found}");
         let mean = front.iter().sum::<f64>() / front.len() as f64;
@@ -133,17 +127,10 @@ fn a_seed_is_a_bottom() {
 /// In time, the noise continues while the bit stands, and turning does not matter.
 #[test]
 fn noise_in_time_needs_no_rotation() {
-    let shaker = Shaker::new(
-        Excitation {
-            band: Band::PerSecond(5.0),
-            ..ROUGH
-        },
-        1,
-    );
+    let shaker = Shaker::new(Excitation { band: Band::PerSecond(5.0), ..ROUGH }, 1);
     assert_eq!(shaker.next(0.0, 0.3).front_m, shaker.next(7.0, 0.3).front_m);
-    let front: Vec<f64> = (0..400_000)
-        .map(|i| shaker.next(0.0, 0.01 * f64::from(i)).front_m)
-        .collect();
+    let front: Vec<f64> =
+        (0..400_000).map(|i| shaker.next(0.0, 0.01 * f64::from(i)).front_m).collect();
     // 88 000 knots: the rms scatters by 0.3 %.
     let found = rms(&front) / 2e-3;
     assert!((found - 1.0).abs() < 1e-2, "{found}");

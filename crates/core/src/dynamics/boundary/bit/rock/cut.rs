@@ -99,12 +99,8 @@ impl RockCut {
             about_axis_kg_m2: 1.0 / node!(chain, index, inv_polar),
             across_axis_kg_m2: 1.0 / node!(chain, index, inv_rotary),
         };
-        let [before, velocity, tilting] = [
-            step_start.velocity,
-            chain.velocity(index),
-            chain.turning(index),
-        ]
-        .map(into);
+        let [before, velocity, tilting] =
+            [step_start.velocity, chain.velocity(index), chain.turning(index)].map(into);
         let part = dt / (EVEN_S + dt);
         // What the string gave in this step, and its running average.
         let push_N = inertia.impulse_N_s(velocity - before) / dt;
@@ -126,9 +122,7 @@ impl RockCut {
             moment_N_m: axis * self.even_N_m,
             inertia,
         };
-        let advance = self
-            .drilling
-            .advance(dt, &motion, &executor.stepper, &executor.shared);
+        let advance = self.drilling.advance(dt, &motion, &executor.stepper, &executor.shared);
         let axis = self.drilling.pose().axis();
         let omega = advance.angular_velocity_rad_per_s;
         let turned = omega.dot(&axis);

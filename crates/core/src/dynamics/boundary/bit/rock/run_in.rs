@@ -136,12 +136,7 @@ fn turn(
         last = Advance::default();
         for _ in 0..steps as usize {
             check_running(executor)?;
-            last.join(&driver.drive(
-                drilling,
-                turn_s / steps,
-                &executor.stepper,
-                &executor.shared,
-            ));
+            last.join(&driver.drive(drilling, turn_s / steps, &executor.stepper, &executor.shared));
         }
     }
     Ok(last)
@@ -171,10 +166,7 @@ fn press(
             angular_velocity_rad_per_s: Vector3::zeros(),
             force_N: Vector3::z() * weight_N,
             moment_N_m: Vector3::zeros(),
-            inertia: Inertia {
-                mass_kg: standing.mass_kg,
-                ..Inertia::PRESCRIBED
-            },
+            inertia: Inertia { mass_kg: standing.mass_kg, ..Inertia::PRESCRIBED },
         };
         let advance = drilling.advance(STEP_S, &motion, &executor.stepper, &executor.shared);
         if (-advance.force_N.z / standing.weight_N - 1.0).abs() < RESTS {

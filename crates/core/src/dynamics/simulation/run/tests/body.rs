@@ -44,11 +44,8 @@ fn start(kind: OperationKind, rpm: f64) -> Run<f64> {
         trip_speed_m_per_s: 0.0,
         ..REAM
     };
-    let settings = DynamicsSettings {
-        settle_s: 5.0,
-        duration_s: 10.0,
-        ..DynamicsSettings::default()
-    };
+    let settings =
+        DynamicsSettings { settle_s: 5.0, duration_s: 10.0, ..DynamicsSettings::default() };
     new_run(&bent_model(), &operation, &settings)
 }
 
@@ -60,9 +57,7 @@ fn start(kind: OperationKind, rpm: f64) -> Run<f64> {
 /// time constants of a strong damping is below 1e-9 W.
 #[test]
 fn a_bent_string_at_rest_loses_nothing() {
-    let rheology = Rheology::Newtonian {
-        viscosity_Pa_s: 0.03,
-    };
+    let rheology = Rheology::Newtonian { viscosity_Pa_s: 0.03 };
     for rheology in [None, Some(rheology)] {
         let mut model = bent_model();
         model.mud.rheology = rheology;
@@ -72,11 +67,8 @@ fn a_bent_string_at_rest_loses_nothing() {
             trip_speed_m_per_s: 0.0,
             ..REAM
         };
-        let mut settings = DynamicsSettings {
-            settle_s: 8.0,
-            duration_s: 2.0,
-            ..DynamicsSettings::default()
-        };
+        let mut settings =
+            DynamicsSettings { settle_s: 8.0, duration_s: 2.0, ..DynamicsSettings::default() };
         settings.damping.mass_per_s = 10.0;
         let mut simulation = new_run(&model, &operation, &settings);
         simulation.advance(10.0).unwrap();
@@ -109,13 +101,7 @@ fn bends_and_eccentric_masses_find_their_nodes() {
     let simulation = start(OperationKind::RotateOffBottom, 60.0);
     let bend = &simulation.state.body.bends[0];
     assert!((simulation.mesh.nodes[bend.index].from_bit_m - 2.2).abs() < 1e-9);
-    let sum: f64 = simulation
-        .state
-        .body
-        .imbalances
-        .iter()
-        .map(|x| x.moment_kg_m)
-        .sum();
+    let sum: f64 = simulation.state.body.imbalances.iter().map(|x| x.moment_kg_m).sum();
     let collar = &simulation.model.string.components()[2];
     let expected = collar.mass_per_length_kg_per_m * 27.0 * 3e-3 * (1.0 - 1200.0 / 7860.0);
     assert!((sum / expected - 1.0).abs() < 1e-12, "{sum} {expected}");
@@ -154,9 +140,7 @@ fn a_bend_bears_no_stress_of_its_own() {
         element!(simulation.chain, i, torque = 0.0);
         element!(simulation.chain, i, tension = TENSION_N);
     }
-    place_along(&mut simulation, |axis, toward| {
-        axis.scaled(angle.cos()).plus(toward, angle.sin())
-    });
+    place_along(&mut simulation, |axis, toward| axis.scaled(angle.cos()).plus(toward, angle.sin()));
     let free = simulation.frame();
     let area = std::f64::consts::FRAC_PI_4 * (0.172f64.powi(2) - 0.057f64.powi(2));
     for (i, moment) in free.bending_moment_N_m.iter().enumerate() {
@@ -212,9 +196,7 @@ fn a_bent_string_turns() {
         if step % 16 == 0 {
             simulation.damp(16);
             let (chain, anchors) = (&mut simulation.chain, &mut simulation.state.anchors);
-            simulation
-                .borehole
-                .follow(chain, anchors, &mut simulation.state.high);
+            simulation.borehole.follow(chain, anchors, &mut simulation.state.high);
         }
         if (step as u64).is_multiple_of(simulation.steps_per_sample) {
             simulation.sample();

@@ -36,11 +36,7 @@ fn rows_of_the_map_hold_what_the_samples_hold() {
     assert!((150..=201).contains(&rows), "{rows} rows");
     let mut begin_s = 0.0;
     let mut parts = 0;
-    for (row, intervals) in map
-        .contact_force_N_per_m
-        .chunks(lengths_m.len())
-        .enumerate()
-    {
+    for (row, intervals) in map.contact_force_N_per_m.chunks(lengths_m.len()).enumerate() {
         let end_s = map.time_s[row * lengths_m.len()];
         let within = |time: &f64| *time > begin_s + 1e-9 && *time <= end_s + 1e-9;
         let samples: Vec<f64> = series
@@ -50,30 +46,17 @@ fn rows_of_the_map_hold_what_the_samples_hold() {
             .filter(|(time, _)| within(time))
             .map(|(_, force)| *force)
             .collect();
-        assert!(
-            (1..=4).contains(&samples.len()),
-            "{} samples",
-            samples.len()
-        );
+        assert!((1..=4).contains(&samples.len()), "{} samples", samples.len());
         parts += usize::from(samples.len() < 4);
         let expected = samples.iter().sum::<f64>() / samples.len() as f64;
         let found: f64 = intervals.iter().zip(&lengths_m).map(|(f, l)| f * l).sum();
         // Each row is a difference of sums over the window: their rounding grows with it.
-        assert!(
-            (found / expected - 1.0).abs() < 1e-9,
-            "{found} N for {expected} N at {end_s} s"
-        );
+        assert!((found / expected - 1.0).abs() < 1e-9, "{found} N for {expected} N at {end_s} s");
         begin_s = end_s;
     }
     assert_eq!(parts, 1, "the row before the window is cut short");
-    let sides = map
-        .side_force_N_per_m
-        .iter()
-        .zip(&map.contact_force_N_per_m);
+    let sides = map.side_force_N_per_m.iter().zip(&map.contact_force_N_per_m);
     for (side, contact) in sides {
-        assert!(
-            side.abs() <= contact * (1.0 + 1e-9) + 1e-6,
-            "{side} of {contact}"
-        );
+        assert!(side.abs() <= contact * (1.0 + 1e-9) + 1e-6, "{side} of {contact}");
     }
 }

@@ -91,16 +91,12 @@ fn the_rock_winds_the_string_up() {
 /// its weight and takes no torque.
 #[test]
 fn a_bit_that_does_not_turn_rests_on_its_rock() {
-    for (start, kind) in [
-        (Start::Prepared, OperationKind::Slide),
-        (Start::Centred, OperationKind::Drill),
-    ] {
+    for (start, kind) in
+        [(Start::Prepared, OperationKind::Slide), (Start::Centred, OperationKind::Drill)]
+    {
         let settings = DynamicsSettings { start, ..on_rock() };
         // The block stands still.
-        let still = Operation {
-            rate_of_penetration_m_per_s: 0.0,
-            ..drill(kind)
-        };
+        let still = Operation { rate_of_penetration_m_per_s: 0.0, ..drill(kind) };
         let mut run = new_run(&model(0.25), &still, &settings);
         assert!(element!(run.chain, run.chain.nodes() - 2, twist) == 0.0);
         run.advance(0.02).unwrap();

@@ -13,8 +13,7 @@ use super::*;
 fn the_top_is_clamped_to_a_curved_axis() {
     let mut run = new_run(&model(0.25), &REAM, &DynamicsSettings::default());
     let path = run.model.well.path.clone();
-    run.borehole
-        .place(&mut run.chain, &mut run.state.anchors, 0, 150.0);
+    run.borehole.place(&mut run.chain, &mut run.state.anchors, 0, 150.0);
     let anchor = run.state.anchors[0];
     let tangent = run.chain.tangent(0);
     let bend_per_m = path.at(150.0).curvature_per_m.norm();
