@@ -9,7 +9,7 @@ use crate::{
             hole::Borehole,
         },
         initial_state,
-        kernel::step::{Abilities, Stepper},
+        kernel::step::{Abilities, Laws, Stepper},
         settings::{DynamicsSettings, FrictionLaw, SpeedController, Start, TopDriveSettings},
         simulation::settling::Settling,
     },
@@ -242,8 +242,10 @@ impl<R: Registers> Basis<R> {
         check_weight_of_bit(settings, &plan)?;
         let borehole = Borehole::new(model, &mesh, settings.contact_law);
         let abilities = Abilities {
-            hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
-            vector: settings.friction_law == FrictionLaw::Vector,
+            laws: Laws {
+                hertz: matches!(settings.contact_law, ContactLaw::Hertz { .. }),
+                vector: settings.friction_law == FrictionLaw::Vector,
+            },
             full: borehole.intricate || model.mud.rheology.is_some(),
         };
         let steps_per_sample = (settings.sample_interval_s / plan.dt_s).round().max(1.0) as u64;

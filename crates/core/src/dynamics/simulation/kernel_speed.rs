@@ -2,7 +2,7 @@
 
 use super::{Either, Simulation, either};
 use crate::{
-    dynamics::kernel::step::{Abilities, Stepper},
+    dynamics::kernel::step::{Abilities, Laws, Stepper},
     simd::counted::Flops,
 };
 
@@ -10,7 +10,7 @@ use crate::{
 impl Simulation {
     /// Names of the instruction sets that this processor can run, the fastest first.
     pub fn instruction_sets() -> Vec<&'static str> {
-        let any = Abilities { hertz: true, vector: true, full: false };
+        let any = Abilities { laws: Laws { hertz: true, vector: true }, full: false };
         let all: Vec<Stepper> = Stepper::all(any);
         all.iter().map(|stepper| stepper.instructions).collect()
     }

@@ -7,7 +7,7 @@ use crate::{
         body::Body,
         kernel::{
             chain::{Chain, node},
-            step::{Abilities, MassDamping, StepInput, StepLosses, Stepper},
+            step::{Abilities, Laws, MassDamping, StepInput, StepLosses, Stepper},
         },
     },
     model::Model,
@@ -131,7 +131,7 @@ impl Bench {
             input,
             mass_damping_per_s: 0.0,
             body: Body::default(),
-            stepper: Stepper::new(Abilities { hertz: true, vector: true, full }),
+            stepper: Stepper::new(Abilities { laws: Laws { hertz: true, vector: true }, full }),
         };
         bench.support(0, Support::FREE);
         bench

@@ -3,7 +3,7 @@
 use crate::{
     dynamics::kernel::{
         chain::{Chain, node},
-        step::{Abilities, StepInput, Stepper},
+        step::{Abilities, Laws, StepInput, Stepper},
     },
     simd::vector::Vector,
     wall::friction::STRIBECK_SPEED_M_PER_S,
@@ -46,7 +46,8 @@ const STEP: StepInput =
 #[test]
 fn a_contact_breaks_away() {
     for law in [true, false] {
-        let stepper = Stepper::new(Abilities { hertz: true, vector: law, full: true });
+        let stepper =
+            Stepper::new(Abilities { laws: Laws { hertz: true, vector: law }, full: true });
         // A tenth of a second for the contact to find its force.
         let mut chain = pushed(0.999 * AT_REST * NORMAL_N);
         for _ in 0..10_000 {

@@ -8,7 +8,7 @@ use crate::{
     common::verification,
     dynamics::kernel::{
         chain::{element, node},
-        step::{Abilities, Stepper},
+        step::{Abilities, Laws, Stepper},
     },
     rod::torsion,
     simd::vector::Vector,
@@ -78,7 +78,8 @@ impl Disc {
         // stays well below while the disc sticks.
         rod.input.dt = dt;
         rod.input.stribeck_speed = DROP_RAD_PER_S * radius;
-        let stepper = Stepper::new(Abilities { hertz: true, vector: true, full: true });
+        let stepper =
+            Stepper::new(Abilities { laws: Laws { hertz: true, vector: true }, full: true });
         Self { rod, stepper, speed, stiffness, limit: at_rest }
     }
 

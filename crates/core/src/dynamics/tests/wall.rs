@@ -7,7 +7,7 @@ use crate::{
     common::{number, verification},
     dynamics::kernel::{
         chain::{Chain, node},
-        step::{Abilities, StepInput, Stepper},
+        step::{Abilities, Laws, StepInput, Stepper},
     },
     simd::vector::Vector,
     wall::contact::{contact_modulus_Pa, hertz_stiffness},
@@ -73,7 +73,10 @@ impl Pipe {
         node!(chain, 0, stiffness = hertz_stiffness(modulus, hole_radius_m, radius_m));
         Self {
             chain,
-            stepper: Stepper::new(Abilities { hertz: true, vector: true, full: false }),
+            stepper: Stepper::new(Abilities {
+                laws: Laws { hertz: true, vector: true },
+                full: false,
+            }),
             input: StepInput { dt, stiffness_damping: 0.0, dissipation: 0.5, stribeck_speed: 0.1 },
             clearance_m,
             steps: 0,
@@ -414,7 +417,7 @@ fn friction_of(
     node!(chain, 0, friction_around = coefficients[2]);
     chain.set_weight(0, Vector(2000.0, 0.0, 0.0));
     pipe.input.stribeck_speed = stribeck_speed;
-    pipe.stepper = Stepper::new(Abilities { hertz: true, vector, full: true });
+    pipe.stepper = Stepper::new(Abilities { laws: Laws { hertz: true, vector }, full: true });
     pipe.place(0.0, 2000.0, 0.0);
     // Of the spin alone: a node that slides sideways would climb.
     node!(pipe.chain, 0, spin = around / 0.07);

@@ -40,23 +40,32 @@ use losses::Losses;
 pub use losses::StepLosses;
 use nodes::{Prediction, correct, friction, gap, predict, rotate_directors};
 
-/// What the stepper must be able to do; less is faster.
+/// Laws of contact. A row of nodes is asked once which they are: code for each would make the
+/// compiler's work four times as much, and the step no faster.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Abilities {
+pub struct Laws {
     /// Hertz contact, not the linear one.
     pub hertz: bool,
     /// Vector friction, not the independent one.
     pub vector: bool,
+}
+
+/// What the stepper must be able to do; less is faster.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Abilities {
+    /// Laws of contact.
+    pub laws: Laws,
     /// Any of: friction at rest above the kinetic one, friction around the hole other than along
     /// it, viscous drag of the mud along the hole and about the axis, a clearance that changes
     /// along the hole.
     pub full: bool,
 }
 
-/// Which code does the step: the processor's best instructions, and the two laws.
+/// Which code does the step: the processor's best instructions, and the laws of contact.
 #[derive(Clone, Copy)]
 pub struct Stepper<R: Real = f64> {
-    step: unsafe fn(&mut Chain<R>, &StepInput) -> StepLosses,
+    step: unsafe fn(&mut Chain<R>, &StepInput, Laws) -> StepLosses,
+    laws: Laws,
     damp: unsafe fn(&mut Chain<R>, &MassDamping) -> f64,
     peak: unsafe fn(usize) -> u64,
     /// Name of the instruction set in use.
@@ -76,11 +85,12 @@ macro_rules! compiled_for {
             use crate::simd::dispatch::$number;
 
             $(#[target_feature(enable = $features)])?
-            pub(super) fn step<R: Registers, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
+            pub(super) fn step<R: Registers, const FULL: bool>(
                 chain: &mut Chain<R>,
                 input: &StepInput,
+                laws: Laws,
             ) -> StepLosses {
-                sweep::<$number<R>, HERTZ, VECTOR, FULL>(chain, input)
+                sweep::<$number<R>, FULL>(chain, input, laws)
             }
 
             $(#[target_feature(enable = $features)])?
@@ -101,27 +111,12 @@ macro_rules! compiled_for {
 }
 for_each_instruction_set!(compiled_for);
 
-fn counting<R: Real, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
+fn counting<R: Real, const FULL: bool>(
     chain: &mut Chain<R>,
     input: &StepInput,
+    laws: Laws,
 ) -> StepLosses {
-    sweep::<Counted<R>, HERTZ, VECTOR, FULL>(chain, input)
-}
-
-/// A function of the step, compiled for the laws that are requested.
-macro_rules! with_laws {
-    ($($function:ident)::+, $abilities:expr) => {
-        match ($abilities.hertz, $abilities.vector, $abilities.full) {
-            (true, true, false) => $($function)::+::<R, true, true, false>,
-            (true, false, false) => $($function)::+::<R, true, false, false>,
-            (false, true, false) => $($function)::+::<R, false, true, false>,
-            (false, false, false) => $($function)::+::<R, false, false, false>,
-            (true, true, true) => $($function)::+::<R, true, true, true>,
-            (true, false, true) => $($function)::+::<R, true, false, true>,
-            (false, true, true) => $($function)::+::<R, false, true, true>,
-            (false, false, true) => $($function)::+::<R, false, false, true>,
-        }
-    };
+    sweep::<Counted<R>, FULL>(chain, input, laws)
 }
 
 impl<R: Registers> Stepper<R> {
@@ -135,7 +130,12 @@ impl<R: Registers> Stepper<R> {
         macro_rules! choose {
             ($set:ident, $name:literal) => {
                 Self {
-                    step: with_laws!($set::step, abilities),
+                    step: if abilities.full {
+                        $set::step::<R, true>
+                    } else {
+                        $set::step::<R, false>
+                    },
+                    laws: abilities.laws,
                     damp: $set::damp::<R>,
                     peak: $set::peak::<R>,
                     instructions: $name,
@@ -149,9 +149,9 @@ impl<R: Registers> Stepper<R> {
 impl<R: Real> Stepper<R> {
     /// Advances the chain by one step of such code, and counts what that takes.
     pub fn count(abilities: Abilities, chain: &mut Chain<R>, input: &StepInput) -> Flops {
-        let step: fn(&mut Chain<R>, &StepInput) -> StepLosses = with_laws!(counting, abilities);
+        let step = if abilities.full { counting::<R, true> } else { counting::<R, false> };
         counted::count(|| {
-            step(chain, input);
+            step(chain, input, abilities.laws);
         })
     }
 
@@ -171,7 +171,7 @@ impl<R: Real> Stepper<R> {
     /// Advances the chain by one step.
     pub fn step(&self, chain: &mut Chain<R>, input: &StepInput) -> StepLosses {
         // SAFETY: `all` lists only code whose instructions the processor was found to have.
-        unsafe { (self.step)(chain, input) }
+        unsafe { (self.step)(chain, input, self.laws) }
     }
 }
 
@@ -192,9 +192,10 @@ pub fn met(chain: &Chain, index: usize) -> (crate::simd::vector::Vector<f64>, f6
 }
 
 #[inline(always)]
-fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
+fn sweep<N: Number, const FULL: bool>(
     chain: &mut Chain<N::Real>,
     input: &StepInput,
+    laws: Laws,
 ) -> StepLosses {
     chain.close();
     let Chain { states, node_blocks, element_blocks, .. } = chain;
@@ -241,8 +242,14 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
             touches |= gap::<N, FULL>(&mut prediction, n, state, input, lane);
         }
         if touches {
-            for lane in lanes::<Pair<N>>() {
-                normal_contact::<Pair<N>, HERTZ>(&mut prediction, n, input, lane);
+            if laws.hertz {
+                for lane in lanes::<Pair<N>>() {
+                    normal_contact::<Pair<N>, true>(&mut prediction, n, input, lane);
+                }
+            } else {
+                for lane in lanes::<Pair<N>>() {
+                    normal_contact::<Pair<N>, false>(&mut prediction, n, input, lane);
+                }
             }
         }
         if let Some((e, ends)) = &mut elements {
@@ -254,8 +261,14 @@ fn sweep<N: Number, const HERTZ: bool, const VECTOR: bool, const FULL: bool>(
             }
         }
         if touches {
-            for lane in lanes::<Pair<N>>() {
-                friction::<Pair<N>, VECTOR, FULL>(&mut prediction, n, input, lane);
+            if laws.vector {
+                for lane in lanes::<Pair<N>>() {
+                    friction::<Pair<N>, true, FULL>(&mut prediction, n, input, lane);
+                }
+            } else {
+                for lane in lanes::<Pair<N>>() {
+                    friction::<Pair<N>, false, FULL>(&mut prediction, n, input, lane);
+                }
             }
         }
         if let Some((e, ends)) = &mut elements {

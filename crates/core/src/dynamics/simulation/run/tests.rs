@@ -8,7 +8,7 @@ mod top;
 use super::*;
 use crate::{
     common::{self, article_hole, mud_with_drag, np13::tool, operation, path_in_rad},
-    dynamics::{boundary::executor::RockExecutor, settings::FrictionLaw},
+    dynamics::{boundary::executor::RockExecutor, kernel::step::Laws, settings::FrictionLaw},
     operation::OperationKind,
     string::ComponentLength,
     wall::contact::ContactLaw,
@@ -64,14 +64,15 @@ fn every_instruction_set_moves_the_string_alike() {
         }
         let initial = new_run(&model, &REAM, &settings);
         let vector = friction_law == FrictionLaw::Vector;
-        let outcomes: Vec<_> = Stepper::all(Abilities { hertz, vector, full: at_rest > 0.25 })
-            .into_iter()
-            .map(|stepper| {
-                let mut simulation = Run { stepper, ..initial.clone() };
-                simulation.advance(5.0).unwrap();
-                (stepper.instructions, simulation.outcome())
-            })
-            .collect();
+        let outcomes: Vec<_> =
+            Stepper::all(Abilities { laws: Laws { hertz, vector }, full: at_rest > 0.25 })
+                .into_iter()
+                .map(|stepper| {
+                    let mut simulation = Run { stepper, ..initial.clone() };
+                    simulation.advance(5.0).unwrap();
+                    (stepper.instructions, simulation.outcome())
+                })
+                .collect();
         let (_, first) = &outcomes[0];
         assert_eq!(first.numerics.instructions, initial.stepper.instructions);
         for (name, outcome) in &outcomes[1..] {
