@@ -68,7 +68,7 @@ impl BitTestSummary {
 
     /// Reads back a summary, and refuses one of another [`BIT_TEST_VERSION`].
     pub fn read(path: &Path) -> Result<Self, ResultsError> {
-        read_versioned(path, BIT_TEST_VERSION)
+        read_versioned(path, BIT_TEST_VERSION..=BIT_TEST_VERSION)
     }
 }
 
@@ -80,6 +80,6 @@ impl BitTestOutcome {
 
     /// Reads back a point, and refuses one of another [`BIT_TEST_VERSION`].
     pub fn read(path: &Path) -> Result<Self, ResultsError> {
-        read_versioned(path, BIT_TEST_VERSION)
+        read_versioned(path, BIT_TEST_VERSION..=BIT_TEST_VERSION)
     }
 }

@@ -1,6 +1,6 @@
 //! JSON files with a version of their layout.
 
-use std::{io::Write, path::Path};
+use std::{io::Write, ops::RangeInclusive, path::Path};
 
 use serde::{Serialize, de::DeserializeOwned};
 
@@ -28,24 +28,32 @@ pub(crate) fn write_json_compact(value: &impl Serialize, path: &Path) -> Result<
     })
 }
 
-/// Reads back a value, and refuses one whose `schema_version` is another.
+/// Reads back a value, and refuses one whose `schema_version` is none of those known.
 pub(crate) fn read_versioned<T: DeserializeOwned>(
     path: &Path,
-    expected: u32,
+    known: RangeInclusive<u32>,
 ) -> Result<T, ResultsError> {
     let bytes = read_at_most(path, LARGEST)?;
     let value: serde_json::Value =
         serde_json::from_slice(&bytes).map_err(|error| ResultsError::format(path, error))?;
     // Before anything else, so that a newer file is not called malformed.
     match value.get("schema_version").and_then(|v| v.as_u64()) {
-        Some(version) if version == u64::from(expected) => {}
+        Some(version) if u32::try_from(version).is_ok_and(|version| known.contains(&version)) => {}
         Some(version) => {
             return Err(ResultsError::format(
                 path,
-                format_args!("its schema_version is {version}, expected {expected}"),
+                format_args!("its schema_version is {version}, expected {}", in_words(&known)),
             ));
         }
         None => return Err(ResultsError::format(path, "it has no schema_version")),
     }
     serde_json::from_value(value).map_err(|error| ResultsError::format(path, error))
+}
+
+/// `1`, or `1 to 3`.
+fn in_words(known: &RangeInclusive<u32>) -> String {
+    match (known.start(), known.end()) {
+        (first, last) if first == last => first.to_string(),
+        (first, last) => format!("{first} to {last}"),
+    }
 }

@@ -14,8 +14,10 @@ use crate::{
     json::{read_versioned, write_json, write_json_compact},
 };
 
-/// Version of the layout of `summary.json`; raised when a key changes or goes.
-pub const SCHEMA_VERSION: u32 = 1;
+/// Version of the layout of `summary.json`; raised when a key changes or goes. 2: keys that a
+/// component does not have are left out of `settings`, where 1 had them as `null`. All versions
+/// are read.
+pub const SCHEMA_VERSION: u32 = 2;
 
 /// The whole of `summary.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -190,8 +192,8 @@ impl Summary {
         write_json_compact(self, path)
     }
 
-    /// Reads back a summary, and refuses one of another [`SCHEMA_VERSION`].
+    /// Reads back a summary, and refuses one of a later [`SCHEMA_VERSION`].
     pub fn read(path: &Path) -> Result<Self, ResultsError> {
-        read_versioned(path, SCHEMA_VERSION)
+        read_versioned(path, 1..=SCHEMA_VERSION)
     }
 }

@@ -1,6 +1,6 @@
 //! `summary.json` against its contract.
 
-use std::{collections::BTreeMap, fs};
+use std::{collections::BTreeMap, fs, path::Path};
 
 use serde_json::{Value, json};
 use wholestring::{
@@ -159,7 +159,7 @@ fn written(summary: &Summary) -> Value {
 fn the_keys_are_the_contract() {
     let file = written(&summary(vec![soft(), dynamic()]));
     let mut expected = json!({
-        "schema_version": 1,
+        "schema_version": 2,
         "engine_version": env!("CARGO_PKG_VERSION"),
         "case": "NP13-X1042 at total depth",
         "identity": digest(&json!({"mesh": 3.2})),
@@ -267,7 +267,8 @@ fn another_version_is_refused_by_number() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("summary.json");
     for (text, reason) in [
-        (r#"{"schema_version": 2}"#, "its schema_version is 2, expected 1"),
+        (r#"{"schema_version": 3}"#, "its schema_version is 3, expected 1 to 2"),
+        (r#"{"schema_version": 0}"#, "its schema_version is 0, expected 1 to 2"),
         (r#"{"case": "x"}"#, "it has no schema_version"),
         ("[]", "it has no schema_version"),
     ] {
@@ -306,4 +307,18 @@ fn a_summary_without_drift_is_read() {
     assert_eq!(solved.numerics.as_ref().unwrap().run.settled, None);
     assert_eq!(solved.window_from_s(&read.settings), 7.5);
     assert_eq!(dynamic().window_from_s(&read.settings), 12.5);
+}
+
+/// The slant well by the soft string, as version 1 wrote it: keys that a component does not have
+/// are `null`.
+#[test]
+fn a_summary_of_version_1_is_read() {
+    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/summary-version-1.json"));
+    let read = Summary::read(path).unwrap();
+    assert_eq!((read.schema_version, read.case.as_str()), (1, "Slant well"));
+    assert!(read.settings["string"][0]["joint_od_m"].is_null());
+    let drill = &read.operations[0];
+    assert_eq!((drill.model, drill.status.clone()), (ModelKind::Soft, Status::Complete));
+    let stored: Value = serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
+    assert_eq!(stored["operations"][0]["hook_load_N"], drill.scalars.hook_load_N);
 }

@@ -77,7 +77,7 @@ fn keys_of_the_summary() {
     let summary: Value = serde_json::from_slice(&text).unwrap();
     let top = ["schema_version", "engine_version", "case", "identity", "settings", "operations"];
     assert_eq!(keys(&summary), top.into());
-    assert_eq!(summary["schema_version"], 1);
+    assert_eq!(summary["schema_version"], 2);
     assert_eq!(summary["case"], "Straight slant");
     // A default that the case does not give.
     assert_eq!(summary["settings"]["dynamics"]["seed"], 1);
