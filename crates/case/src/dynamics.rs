@@ -159,7 +159,7 @@ table! {
             Quantity::si(Dimension::Time, Range::from_to(1e-4, 10.0), "10 ms"),
             DynamicsSettings::default().sample_interval_s,
         );
-        /// Time on the clock between checkpoints, from which `--resume` continues with a run that
+        /// Time on the clock between checkpoints, from which `--resume` continues a run that
         /// was stopped or killed. Lowering it loses less then; each costs some hundredths of a
         /// second. It leaves the answer as it is.
         checkpoint_interval: f64 = default(

@@ -93,7 +93,7 @@ table! {
             Quantity::si(Dimension::Pressure, Range::from_to(0.0, 1e8).usual(1e5, 4e7), "80 bar"),
             0.0,
         );
-        /// What the driller changes while a dynamic run continues, line by line in the order of
+        /// What the driller changes during a dynamic run, line by line in the order of
         /// time. One operation alone can have a schedule.
         schedule: Vec<Spanned<StepTable>> = optional(List {
             item: Section::<StepTable>::RULE,

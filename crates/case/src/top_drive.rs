@@ -79,7 +79,7 @@ table! {
             Range::from_to(1e-3, 100.0).usual(0.01, 5.0),
             "0.2 Hz",
         )).used_with(&[SOFT_TORQUE, Z_TORQUE]);
-        /// Largest torque that the drive gives: it stalls where the string requires more. Default:
+        /// Largest torque that the drive gives: it stalls where the string takes more. Default:
         /// none. Used by every control but "constant".
         torque_limit: f64 = optional(Quantity::si(
             Dimension::Torque,

@@ -46,7 +46,7 @@ impl ResultsFolder {
     }
 
     /// Writes `<name>.parquet`, and `<name>.csv` where `csv` requires it. Where it does not, the
-    /// CSV that an earlier run left goes, so that the folder never mixes two runs.
+    /// CSV that an earlier run left is removed, so that the folder never mixes two runs.
     pub fn write_table(&self, name: &str, table: &Table, csv: bool) -> Result<(), ResultsError> {
         table.write_parquet(&self.path.join(format!("{name}.parquet")))?;
         let csv_name = format!("{name}.csv");
@@ -72,8 +72,8 @@ impl ResultsFolder {
         FrameWriter::create(&self.path, channels)
     }
 
-    /// Continues with the frames of the same channels that a checkpoint kept; what has come since
-    /// goes.
+    /// Resumes the frames of the same channels that a checkpoint kept; what was written since is
+    /// removed.
     ///
     /// # Errors
     /// Frames of other channels, and parts on the disk that are missing or damaged.

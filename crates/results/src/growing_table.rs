@@ -49,8 +49,8 @@ impl GrowingTable {
         self.name
     }
 
-    /// Continues with what a checkpoint kept of the table and what the folder holds of it; rows
-    /// that have come since go.
+    /// Resumes a table from a checkpoint and from what the folder holds of it; rows written since
+    /// are removed.
     ///
     /// # Errors
     /// A checkpoint with other columns, and a file that is missing, damaged, has other columns, or

@@ -77,9 +77,9 @@ pub enum TuningError {
 ///
 /// Each try is the whole run, from its start to the end of its window. The first is the hook load
 /// of the soft string (for [`FrictionLaw::Independent`] that of a string which slides, as that law
-/// drags). From there the lift continues by the weight that is missing or too much, in growing
-/// steps, until it has tried too much and too little; between those it continues by the secant, the
-/// side that stays halved each time (the Illinois rule). Where several lifts give the weight, it is
+/// drags). From there the hook load changes by the error of the weight, in growing
+/// steps, until the root is bracketed; between the two ends it follows the secant, the end that
+/// stays halved each time (the Illinois rule). Where several lifts give the weight, it is
 /// the one that this finds: the same on every run.
 ///
 /// `watch` is shown the number of the try, from one, and its run a few times each simulated second;

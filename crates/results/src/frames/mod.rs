@@ -73,7 +73,7 @@ impl FrameWriter {
         Self::resume(folder, channels, so_far)
     }
 
-    /// Continues with frames; the parts that have come since go.
+    /// Resumes frames; parts written since the checkpoint are removed.
     ///
     /// # Errors
     /// Parts that are missing or damaged, and frames of other channels.

@@ -61,7 +61,7 @@ fn first_difference<'a>(
     }
 }
 
-/// What to tell whoever continues with a run on a processor of another kind.
+/// What to tell whoever resumes a run on a processor of another kind.
 pub(crate) fn other_processor(then: &str, now: &str) -> Option<String> {
     (then != now).then(|| {
         format!(

@@ -1,4 +1,4 @@
-//! What the driller changes while a run continues: set points against time.
+//! What the driller changes during a run: set points against time.
 
 use serde::{Deserialize, Serialize};
 

@@ -18,7 +18,7 @@ use crate::{
     simd::wide::Registers,
 };
 
-/// Everything of a run that changes while it continues, as plain data; what the model, the
+/// Everything of a run that changes in time, as plain data; what the model, the
 /// operation and the settings determine is found anew.
 ///
 /// [`Simulation::resume`](crate::dynamics::Simulation::resume) continues from it and ends, on a

@@ -15,7 +15,7 @@ impl Simulation {
         all.iter().map(|stepper| stepper.instructions).collect()
     }
 
-    /// Continues with one of [`Self::instruction_sets`]; with what it has if there is none of that
+    /// Switches to one of [`Self::instruction_sets`]; with what it has if there is none of that
     /// name.
     pub fn use_instructions(&mut self, name: &str) {
         either!(&mut self.0, run => run.use_instructions(name));

@@ -169,7 +169,7 @@ impl Simulation {
         }))
     }
 
-    /// Continues for `seconds`, to the nearest sample.
+    /// Advances by `seconds`, to the nearest sample.
     ///
     /// # Errors
     /// A run that diverged; what it had sampled before stays available.

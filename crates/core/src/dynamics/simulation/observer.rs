@@ -1,4 +1,4 @@
-//! Who looks at a run while it continues, and a run to its end.
+//! Observers of a run, and a run to its end.
 
 use std::ops::ControlFlow;
 
@@ -34,7 +34,7 @@ impl<F: FnMut(&Simulation) -> ControlFlow<()>> Observer for F {
 }
 
 impl Simulation {
-    /// Continues for `seconds`, to the nearest sample, or until the observer breaks off. The answer
+    /// Advances by `seconds`, to the nearest sample, or until the observer breaks off. The answer
     /// does not depend on who looks.
     ///
     /// # Errors
@@ -54,7 +54,7 @@ impl Simulation {
         Ok(ControlFlow::Continue(()))
     }
 
-    /// Continues to the end of the window; the answer over it. [`Simulation::frame`] and
+    /// Advances to the end of the window, and returns the solution over it. [`Simulation::frame`] and
     /// [`Simulation::series`] stay available.
     ///
     /// # Errors

@@ -181,7 +181,7 @@ impl<R: Real> Run<R> {
         }
     }
 
-    /// Continues for `seconds`, to the nearest sample.
+    /// Advances by `seconds`, to the nearest sample.
     ///
     /// # Errors
     /// A run that diverged; what it had sampled before stays available.

@@ -215,7 +215,7 @@ impl Bench {
         self.mesh.length_m() - self.mesh.nodes[index].from_bit_m
     }
 
-    /// Continues by a step; what the rod lost in it.
+    /// Takes a step; what the rod lost in it.
     pub fn step(&mut self) -> StepLosses {
         self.chain.find_drag(self.input.dt);
         let before = self.body.push(&mut self.chain, &self.input, 1.0);

@@ -88,8 +88,8 @@ pub struct Advance {
 }
 
 impl Advance {
-    /// Continues with what became of the bit next: forces and moments are those of both times on
-    /// average.
+    /// Joins what became of the bit in the time that follows: forces and moments are means over
+    /// both.
     pub fn join(&mut self, next: &Self) {
         let time_s = self.time_s + next.time_s;
         let mean = |before: Vector3<f64>, after: Vector3<f64>| {

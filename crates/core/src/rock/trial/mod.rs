@@ -63,7 +63,7 @@ impl Trial {
         self.drilling.check(drilling)
     }
 
-    /// Continues by at most so many steps, as far as there are any left. The pieces do not matter:
+    /// Takes at most so many steps, as far as there are any left. The pieces do not matter:
     /// the same steps come to the same bits.
     ///
     /// # Errors

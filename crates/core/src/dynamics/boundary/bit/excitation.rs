@@ -103,7 +103,7 @@ impl Shaker {
         }
     }
 
-    /// Continues by a turn and a time.
+    /// Advances by an angle and a time.
     pub(super) fn advance(&mut self, turn_rad: f64, dt: f64) {
         self.angle_rad += turn_rad;
         self.time_s += dt;
