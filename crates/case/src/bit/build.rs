@@ -229,7 +229,7 @@ impl BitTable {
             }
             let name = key.name;
             let mut diagnostic = Diagnostic::warning(format!("`{name}` has no effect here"))
-                .at(key.place, format!("used with law = {}", any_of(key.used_with)));
+                .at(key.place, format!("used with law = {}", any_of(&key.used_with)));
             diagnostic = match self.law.given() {
                 Some(law) => diagnostic.at(law.place, "the law of the bit"),
                 None => diagnostic.help("the law of the bit is \"rate\" where none is given"),
