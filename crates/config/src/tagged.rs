@@ -196,6 +196,14 @@ macro_rules! __tagged {
                 $crate::table_schema::users_of(&Self::used(), name)
             }
 
+            /// The word that was chosen, or is the default.
+            #[allow(dead_code)]
+            pub(crate) fn word(&self) -> Option<&'static str> {
+                Some(match self.$tag.get()? {
+                    $( $words::$variant => <$keys as $crate::tagged::Variant>::WORD, )+
+                })
+            }
+
             /// The keys of the word that was chosen, or is the default.
             pub(crate) fn chosen(&self) -> Option<&(dyn $trait + 'static)> {
                 Some(match self.$tag.get()? {

@@ -92,11 +92,7 @@ fn read(text: &str) -> (Option<f64>, Vec<&'static str>, String) {
     let (root, mut reader) = file::tree("file.toml", text.as_bytes(), &KIND).expect("TOML");
     let file = File::read(&root, Span::default(), &mut reader);
     let sum = file.choices.chosen().and_then(Law::sum);
-    let chosen = file
-        .choices
-        .law
-        .get()
-        .map(|law| Word::WORDS.iter().find(|(_, word)| word == law).expect("one of them").0);
+    let chosen = file.choices.word();
     let idle = file.written().into_iter().filter(|key| !key.is_used_with(chosen.unwrap_or("")));
     (sum, idle.map(|key| key.name).collect(), reader.into_report().render(false))
 }
