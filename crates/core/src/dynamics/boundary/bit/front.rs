@@ -3,10 +3,12 @@
 
 use super::{
     CustomLaw, DetournayDefournyLaw, TableLaw,
-    custom::{BitRockStep, CustomCut},
     excitation::{Shake, Shaker},
+    law::{
+        custom::{BitRockStep, CustomCut},
+        rate::Rate,
+    },
     motor::{Drive, Turned},
-    rate::Rate,
     rate_segment::RateSegment,
     settings::BitLaw,
     step::{Approach, RockReaction},

@@ -1,15 +1,12 @@
 //! The bit on the rock: what every law shares, and the choice of the law.
 
 mod bottom;
-mod custom;
 mod cutters;
-mod detournay;
 mod excitation;
 mod front;
+mod law;
 mod motor;
-mod rate;
 mod rate_segment;
-mod regenerative;
 mod rock;
 mod settings;
 mod side;
@@ -18,30 +15,30 @@ mod table;
 
 use serde::{Deserialize, Serialize};
 
-use self::{
-    custom::CustomCut,
-    excitation::Shaker,
-    front::{FrontCut, FrontLaw, Pressed},
-    motor::Drive,
-    rate::Rate,
-    regenerative::RegenerativeCut,
-    rock::RockCut,
-    side::Side,
-    step::{Approach, RockReaction},
-    table::Counter,
-};
 pub use self::{
-    custom::{BitRockLaw, BitRockStep, CustomLaw},
     cutters::{Cutters, SteadyCut},
-    detournay::DetournayDefournyLaw,
     excitation::{Band, Excitation, Shake},
+    law::{
+        custom::{BitRockLaw, BitRockStep, CustomLaw},
+        detournay::DetournayDefournyLaw,
+        rate::RateLaw,
+        regenerative::RegenerativeLaw,
+    },
     motor::{Motor, MudMotor},
-    rate::RateLaw,
-    regenerative::RegenerativeLaw,
     rock::{RockLaw, RunIn, Standing},
     settings::{BitLaw, BitSettings},
     step::{BitStep, StepStart},
     table::{BitTable, TableFault, TableLaw, TablePoint, TableUse},
+};
+use self::{
+    excitation::Shaker,
+    front::{FrontCut, FrontLaw, Pressed},
+    law::{custom::CustomCut, rate::Rate, regenerative::RegenerativeCut},
+    motor::Drive,
+    rock::RockCut,
+    side::Side,
+    step::{Approach, RockReaction},
+    table::Counter,
 };
 use super::{anchor::Anchor, executor::RockExecutor, extension::AnotherExtension};
 use crate::{

@@ -2,8 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Excitation, motor::Drive, rate_segment::RateSegment};
-use crate::operation::{Operation, OperationKind};
+use crate::{
+    dynamics::boundary::bit::{excitation::Excitation, motor::Drive, rate_segment::RateSegment},
+    operation::{Operation, OperationKind},
+};
 
 /// The rate law: on rock that lies where the bit has cut to, pressed with the force `W`, the bit
 /// advances at the rate `v = v₀ (W/W₀)(Ω/Ω₀)`, its torque is `T₀ W/W₀`; `v₀`, `W₀`, `Ω₀`, `T₀` are
@@ -21,10 +23,10 @@ pub struct RateLaw {
 /// The torque holds the bit when the string no longer turns it. A sliding string's bit is turned by
 /// its motor: the front advances at the motor's pace and the string carries the reaction.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct Rate {
+pub(in crate::dynamics::boundary::bit) struct Rate {
     /// Whether the string stands and a motor of which no more is known than its speed does all the
     /// turning.
-    pub(super) slides: bool,
+    pub(in crate::dynamics::boundary::bit) slides: bool,
     /// Advance of the front per force and second at nominal speed, m/s/N.
     rate_m_per_s_per_N: f64,
     /// Torque per weight, m.
@@ -34,7 +36,7 @@ pub(super) struct Rate {
 }
 
 impl Rate {
-    pub(super) fn new(operation: &Operation, drive: &Drive) -> Self {
+    pub(in crate::dynamics::boundary::bit) fn new(operation: &Operation, drive: &Drive) -> Self {
         let weight = operation.weight_on_bit_now_N();
         Self {
             slides: operation.kind == OperationKind::Slide && drive.is_ideal(),
@@ -44,7 +46,7 @@ impl Rate {
         }
     }
 
-    pub(super) fn segment(&self, speed_rad_per_s: f64) -> RateSegment {
+    pub(in crate::dynamics::boundary::bit) fn segment(&self, speed_rad_per_s: f64) -> RateSegment {
         let speed_ratio = if self.slides || self.nominal_rad_per_s == 0.0 {
             1.0
         } else {
@@ -58,12 +60,12 @@ impl Rate {
         }
     }
 
-    pub(super) fn torque_N_m(&self, weight_N: f64) -> f64 {
+    pub(in crate::dynamics::boundary::bit) fn torque_N_m(&self, weight_N: f64) -> f64 {
         self.torque_per_weight_m * weight_N
     }
 
     /// Depth of cut under a weight; of a motor whose speed nobody gave it is not known, and zero.
-    pub(super) fn depth_of_cut_m(&self, weight_N: f64) -> f64 {
+    pub(in crate::dynamics::boundary::bit) fn depth_of_cut_m(&self, weight_N: f64) -> f64 {
         if self.nominal_rad_per_s > 0.0 {
             self.rate_m_per_s_per_N * weight_N * std::f64::consts::TAU / self.nominal_rad_per_s
         } else {

@@ -4,10 +4,15 @@ use std::{fmt, sync::Arc};
 
 use serde::{Deserialize, Serialize, Serializer};
 
-use super::{Excitation, SteadyCut, excitation::Shake};
-use crate::dynamics::boundary::extension::{AnotherExtension, Extension};
+use crate::dynamics::boundary::{
+    bit::{
+        cutters::SteadyCut,
+        excitation::{Excitation, Shake},
+    },
+    extension::{AnotherExtension, Extension},
+};
 
-/// How rock answers a bit: a law of the caller's own, for [`BitLaw::Custom`](super::BitLaw).
+/// How rock answers a bit: a law of the caller's own, for [`BitLaw::Custom`](crate::dynamics::BitLaw).
 ///
 /// The rock front lies where the bit has cut to and is as stiff as [`CustomLaw`] says. In each step
 /// the engine finds the weight at which the front's compression and its advance agree, asks
@@ -97,14 +102,14 @@ impl CustomLaw {
 
 /// The law in a run.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct CustomCut {
+pub(in crate::dynamics::boundary::bit) struct CustomCut {
     law: Extension<dyn BitRockLaw>,
     angle_rad: f64,
     time_s: f64,
 }
 
 impl CustomCut {
-    pub(super) fn new(custom: &CustomLaw) -> Self {
+    pub(in crate::dynamics::boundary::bit) fn new(custom: &CustomLaw) -> Self {
         let law = &custom.law;
         Self {
             law: Extension::new(law, law.name(), law.initial_state()),
@@ -114,31 +119,38 @@ impl CustomCut {
     }
 
     /// Gives a law that has been read back its own.
-    pub(super) fn attach(&mut self, custom: &CustomLaw) -> Result<(), AnotherExtension> {
+    pub(in crate::dynamics::boundary::bit) fn attach(
+        &mut self,
+        custom: &CustomLaw,
+    ) -> Result<(), AnotherExtension> {
         let law = &custom.law;
         let numbers = law.initial_state().len();
         self.law.attach("the law of the bit", law, law.name(), numbers)
     }
 
-    pub(super) fn is_attached(&self) -> bool {
+    pub(in crate::dynamics::boundary::bit) fn is_attached(&self) -> bool {
         self.law.is_attached()
     }
 
-    pub(super) fn cut(&self, weight_N: f64, speed_rad_per_s: f64) -> SteadyCut {
+    pub(in crate::dynamics::boundary::bit) fn cut(
+        &self,
+        weight_N: f64,
+        speed_rad_per_s: f64,
+    ) -> SteadyCut {
         match self.law.get() {
             Some((law, state)) => law.cut(state, weight_N, speed_rad_per_s),
             None => SteadyCut::default(),
         }
     }
 
-    pub(super) fn shake(&self, turn_rad: f64, dt: f64) -> Shake {
+    pub(in crate::dynamics::boundary::bit) fn shake(&self, turn_rad: f64, dt: f64) -> Shake {
         match self.law.get() {
             Some((law, state)) => law.shake(state, self.angle_rad + turn_rad, self.time_s + dt),
             None => Shake::default(),
         }
     }
 
-    pub(super) fn advance(&mut self, step: &BitRockStep) {
+    pub(in crate::dynamics::boundary::bit) fn advance(&mut self, step: &BitRockStep) {
         self.angle_rad += step.bit_speed_rad_per_s * step.dt_s;
         self.time_s += step.dt_s;
         if let Some((law, state)) = self.law.get_mut() {

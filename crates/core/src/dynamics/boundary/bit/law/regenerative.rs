@@ -2,13 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{
-    Cutters, SteadyCut,
-    bottom::Bottom,
-    motor::Drive,
-    step::{Approach, RockReaction},
+use crate::{
+    damage::Damaged,
+    dynamics::boundary::bit::{
+        bottom::Bottom,
+        cutters::{Cutters, SteadyCut},
+        motor::Drive,
+        step::{Approach, RockReaction},
+    },
+    operation::Operation,
 };
-use crate::{damage::Damaged, operation::Operation};
 
 /// The law of Richard, Germay and Detournay for drag bits (*Journal of Sound and Vibration* 305,
 /// 2007), on the cutting law of Detournay and Defourny (1992).
@@ -47,7 +50,7 @@ impl RegenerativeLaw {
 
 /// The rock under a bit that follows the law.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct RegenerativeCut {
+pub(in crate::dynamics::boundary::bit) struct RegenerativeCut {
     law: RegenerativeLaw,
     bottom: Bottom,
     /// Depth of the bit at the end of the step before, m.
@@ -58,11 +61,15 @@ pub(super) struct RegenerativeCut {
 
 impl RegenerativeCut {
     /// Whether a stored bottom is whole.
-    pub(super) fn check(&self) -> Result<(), Damaged> {
+    pub(in crate::dynamics::boundary::bit) fn check(&self) -> Result<(), Damaged> {
         self.bottom.check()
     }
 
-    pub(super) fn new(law: RegenerativeLaw, operation: &Operation, depth_m: f64) -> Self {
+    pub(in crate::dynamics::boundary::bit) fn new(
+        law: RegenerativeLaw,
+        operation: &Operation,
+        depth_m: f64,
+    ) -> Self {
         let weight = operation.weight_on_bit_now_N();
         let depth_of_cut = law.steady(weight, 0.0).depth_of_cut_m;
         Self {
@@ -73,7 +80,11 @@ impl RegenerativeCut {
         }
     }
 
-    pub(super) fn meet(&mut self, at: &Approach, drive: &mut Drive) -> RockReaction {
+    pub(in crate::dynamics::boundary::bit) fn meet(
+        &mut self,
+        at: &Approach,
+        drive: &mut Drive,
+    ) -> RockReaction {
         let law = &self.law;
         let mobility = at.axial_mobility_s_per_kg;
         // A torque bends the angle by dt², and the rock ahead slopes by a thousandth: the turn can

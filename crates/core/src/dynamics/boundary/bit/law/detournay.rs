@@ -4,7 +4,11 @@ use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Cutters, Excitation, SteadyCut, rate_segment::RateSegment};
+use crate::dynamics::boundary::bit::{
+    cutters::{Cutters, SteadyCut},
+    excitation::Excitation,
+    rate_segment::RateSegment,
+};
 
 /// The law of Detournay and Defourny for drag bits, with the three regimes that Detournay, Richard
 /// and Shepherd measured (*International Journal of Rock Mechanics and Mining Sciences* 45, 2008).
@@ -66,7 +70,10 @@ impl DetournayDefournyLaw {
     }
 
     /// The rate of penetration against the weight at a speed, regime by regime.
-    pub(super) fn segments(&self, speed_rad_per_s: f64) -> impl Iterator<Item = RateSegment> {
+    pub(in crate::dynamics::boundary::bit) fn segments(
+        &self,
+        speed_rad_per_s: f64,
+    ) -> impl Iterator<Item = RateSegment> {
         let revolutions_per_s = speed_rad_per_s.max(0.0) / TAU;
         let full = self.full_contact_depth_m;
         let full_N = self.weight_on_bit_N(full);
