@@ -103,7 +103,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         let required_by = match tested {
             Some(place) => Some((place, "a bit test")),
             None => {
-                let law = bit.law.at().filter(|law| law.value == Law::Rock);
+                let law = bit.laws.law.at().filter(|law| law.value == Law::Rock);
                 law.map(|law| (law.place, "the law \"rock\""))
             }
         };
@@ -210,7 +210,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     dynamics.probes.clone_from(&records.probes);
     if let (Some(drilling), Some(rock)) = (&drilling, case.rock.given()) {
         let drills = ModelKind::any_in_time(&models)
-            && case.bit.get().and_then(|bit| bit.law.get()) == Some(&Law::Rock)
+            && case.bit.get().and_then(|bit| bit.laws.law.get()) == Some(&Law::Rock)
             && operations.iter().any(|one| one.kind.on_bottom());
         let speeds = operations
             .iter()

@@ -114,7 +114,7 @@ impl MudTable {
         let chosen = self.rheology.optional()?;
         for key in self.written() {
             // Density and drag belong to every mud.
-            let [owner] = key.used_with else { continue };
+            let [owner] = key.used_with[..] else { continue };
             let diagnostic = Diagnostic::warning(format!("`{}` has no effect here", key.name))
                 .at(key.place, format!("used with rheology = \"{owner}\""));
             match chosen {

@@ -21,7 +21,7 @@ use wholestring_config::{
 };
 
 use crate::{
-    bit::{BitTable, Given, Law},
+    bit::{BitTable, Given},
     operation_kind::KindRule,
     schedule::{self, Around, StepTable},
 };
@@ -196,7 +196,8 @@ impl OperationTable {
     ) -> Option<Vec<Operation>> {
         let kinds = self.kind.get()?;
         let (table, bit) = bit;
-        let by_rate = table.law.get() == Some(&Law::Rate);
+        let law = table.law_keys();
+        let by_rate = law.is_some_and(|law| law.finds_rate().is_none());
         once_each(kinds, OperationKind::name, reader)?;
         let find = |wanted: fn(OperationKind) -> bool| kinds.iter().find(|at| wanted(at.value));
         let rotating = find(OperationKind::rotates);
@@ -224,8 +225,8 @@ impl OperationTable {
             );
             return None;
         }
-        let torque = table.torque.optional()?;
-        if let (Some(kind), None, Some(Law::Rate)) = (on_bottom, torque, table.law.get()) {
+        let torque_N_m = law.map_or(Some(None), |law| law.torque_N_m())?;
+        if let (Some(kind), None, true) = (on_bottom, torque_N_m, by_rate) {
             reader.report(
                 Diagnostic::warning("no bit torque is given: the bit is taken to turn freely")
                     .at(kind.place, "puts the bit on bottom")
@@ -248,7 +249,7 @@ impl OperationTable {
             return None;
         }
         let given = Given { rpm: self.rpm.given(), wob: self.wob.given(), rop: self.rop.given() };
-        given.warn_of_law(&bit.law, reader);
+        law?.warn_of_set_points(&bit.law, &given, reader);
         let bit_depth_m = bit_depth_m?;
         let operation = |at: &Spanned<OperationKind>| {
             bit.drilling_steadily(Operation {
@@ -256,7 +257,7 @@ impl OperationTable {
                 bit_depth_m,
                 rotary_speed_rad_per_s: rpm.unwrap_or(0.0),
                 weight_on_bit_N: wob.unwrap_or(0.0),
-                bit_torque_N_m: torque.map_or(0.0, |torque| torque.value),
+                bit_torque_N_m: torque_N_m.unwrap_or(0.0),
                 rate_of_penetration_m_per_s: rop.unwrap_or(SLIDE_ROP_M_PER_S),
                 trip_speed_m_per_s: trip_speed,
                 flow_rate_m3_per_s: flow_rate,
@@ -266,7 +267,7 @@ impl OperationTable {
         };
         let operations: Vec<Operation> = kinds.iter().map(operation).collect();
         for operation in operations.iter().filter(|o| o.kind.on_bottom()) {
-            given.check_table(bit, operation, reader)?;
+            law?.check_operation(bit, operation, &given, reader)?;
             given.warn_of_motor(bit, operation, reader);
         }
         Some(operations)

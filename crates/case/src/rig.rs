@@ -239,8 +239,8 @@ impl HoistTable {
         let later = schedule.holds_a_weight().then_some(AUTODRILLER);
         for key in self.written() {
             // The line that carries the string belongs to every control.
-            let [word] = key.used_with else { continue };
-            if control == Some(*word) || later == Some(*word) {
+            let [word] = key.used_with[..] else { continue };
+            if control == Some(word) || later == Some(word) {
                 continue;
             }
             let mut diagnostic = Diagnostic::warning(format!("`{}` has no effect here", key.name))

@@ -1,6 +1,8 @@
 //! Files of settings in TOML, declared once: [`table!`](table::table) makes of one declaration the
 //! struct, its reader, the names that misspellings are compared with, and the JSON schema.
 //!
+//! [`tagged!`](tagged::tagged) does so for keys that a word of the table chooses among.
+//!
 //! All mistakes of a file are found in one pass and reported together, each with its place
 //! underlined, what was expected and the nearest right name. The language knows no table of its
 //! own: cases and studies declare theirs.
@@ -62,6 +64,8 @@ pub mod rule;
 pub mod schema;
 pub mod source;
 pub mod table;
+pub mod table_schema;
+pub mod tagged;
 pub mod usual;
 
 /// A JSON schema, or a part of one.

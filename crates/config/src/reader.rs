@@ -27,6 +27,8 @@ pub struct Reader {
     /// Where a number without a unit is refused.
     asking: Vec<Span>,
     diagnostics: Vec<Diagnostic>,
+    /// Whether nothing is kept of what is found.
+    is_muted: bool,
     /// What is read; nothing for arguments.
     kind: Option<&'static Kind>,
 }
@@ -83,8 +85,26 @@ impl Reader {
         source.is_some_and(|source| source.name == COMMAND_LINE)
     }
 
+    /// Reads what has been read before, so that all that is wrong with it is reported already.
+    pub(crate) fn muted<T>(&mut self, read: impl FnOnce(&mut Self) -> T) -> T {
+        let before = std::mem::replace(&mut self.is_muted, true);
+        let value = read(self);
+        self.is_muted = before;
+        value
+    }
+
+    /// Remembers a number without a unit that may have been meant in another one.
+    pub(crate) fn note_bare(&mut self, bare: Bare) {
+        if !self.is_muted {
+            self.bare.push(bare);
+        }
+    }
+
     /// Keeps a diagnostic, if there are not too many already.
     pub fn report(&mut self, diagnostic: Diagnostic) {
+        if self.is_muted {
+            return;
+        }
         if self.diagnostics.len() >= MAX {
             if diagnostic.severity == Severity::Warning || self.has_errors() {
                 return;

@@ -253,17 +253,26 @@ impl<R: Rule> Rule for List<R> {
 }
 
 /// A key that stands in the file.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Written {
     /// What it is called.
     pub name: &'static str,
     /// Where its value stands.
     pub place: Span,
     /// The words of the table's choice with which it has an effect; all, where none is listed.
-    pub used_with: &'static [&'static str],
+    pub used_with: Vec<&'static str>,
 }
 
 impl Written {
+    /// A key with the place of its value, if it stands in the file.
+    pub fn key(
+        name: &'static str,
+        place: Option<Span>,
+        used_with: &'static [&'static str],
+    ) -> Option<Self> {
+        Some(Self { name, place: place?, used_with: used_with.to_vec() })
+    }
+
     /// Whether it has an effect where this word is chosen.
     pub fn is_used_with(&self, word: &str) -> bool {
         self.used_with.is_empty() || self.used_with.contains(&word)

@@ -1,14 +1,30 @@
 //! Declares a table of the case file once: the struct, its reader, its names and its schema.
 
-use serde_json::{Map, Value as Json, json};
+use serde_json::json;
 
 use crate::{
     diagnostic::Diagnostic,
+    names::any_of,
     node::Entries,
     reader::Reader,
-    rule::{Rule, Spanned},
+    rule::{Rule, Spanned, Written},
     source::Span,
+    table_schema::TableSchema,
 };
+
+/// Keys of a table: all that it has, or a group of them that is declared by itself.
+/// [`keys!`](crate::table::keys) declares such a group, and `..group: Group;` puts it into a table
+/// or another group.
+pub trait Keys: Sized {
+    /// What they are called, in the order of the declaration.
+    fn names() -> Vec<&'static str>;
+    /// Reads them; what is wrong with them goes to the reader.
+    fn read_keys(here: &Here<'_>, reader: &mut Reader) -> Self;
+    /// Those that stand in the file.
+    fn written_keys(&self) -> Vec<Written>;
+    /// Adds them to the schema of their table.
+    fn describe_keys(table: &mut TableSchema);
+}
 
 /// What became of a key.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,6 +126,7 @@ pub fn default<R: Rule>(rule: R, value: R::Value) -> Key<R> {
 }
 
 /// The table that is being read.
+#[derive(Debug, Clone, Copy)]
 pub struct Here<'a> {
     /// Its keys and values.
     pub entries: &'a Entries,
@@ -119,6 +136,10 @@ pub struct Here<'a> {
     pub heading: &'static str,
     /// The keys that misspelt ones were probably meant to be: they are not missed as well.
     pub meant: &'a [&'static str],
+    /// Keys that another group of the table has read: what is wrong with them is reported.
+    pub reported: &'a [&'static str],
+    /// Whether a key that must stand here is missed: not in a group that nothing uses.
+    pub is_used: bool,
 }
 
 impl<R: Rule> Key<R> {
@@ -130,6 +151,19 @@ impl<R: Rule> Key<R> {
 
     /// Reads the key, or takes what there is in its place.
     pub fn read(self, name: &'static str, here: &Here<'_>, reader: &mut Reader) -> Field<R::Value> {
+        if here.reported.contains(&name) && here.entries.get(name).is_some() {
+            reader.muted(|reader| self.read_or_default(name, here, reader))
+        } else {
+            self.read_or_default(name, here, reader)
+        }
+    }
+
+    fn read_or_default(
+        self,
+        name: &'static str,
+        here: &Here<'_>,
+        reader: &mut Reader,
+    ) -> Field<R::Value> {
         let place = here.place;
         reader.key = name;
         if let Some(node) = here.entries.get(name) {
@@ -141,6 +175,7 @@ impl<R: Rule> Key<R> {
         match self.need {
             Need::Default(value) => Field::Default(Spanned { value, place }),
             Need::RequiredUnless(other) if here.entries.get(other).is_some() => Field::Absent,
+            Need::Required | Need::RequiredUnless(_) if !here.is_used => Field::Absent,
             Need::Required | Need::RequiredUnless(_) => {
                 let unless = match self.need {
                     Need::RequiredUnless(other) => other,
@@ -181,41 +216,19 @@ impl<R: Rule> Key<R> {
     pub fn describe(self, name: &str, doc: &str, table: &mut TableSchema) {
         let mut schema = self.rule.schema();
         let mut doc = doc.trim().to_owned();
-        match &self.need {
-            Need::Required => table.required.push(name.to_owned()),
-            Need::Default(value) => {
-                let default = self.rule.json(value);
-                doc.push_str(&format!(" Default: {}.", self.rule.written(&default)));
-                schema["default"] = default;
-            }
-            Need::Optional | Need::RequiredUnless(_) => {}
+        let users = table.users_of(name);
+        let is_required = matches!(self.need, Need::Required);
+        if let Some((tag, words)) = &users {
+            let how = if is_required { "Required" } else { "Used" };
+            doc.push_str(&format!(" {how} with {tag} = {}.", any_of(words)));
+        }
+        if let Need::Default(value) = &self.need {
+            let default = self.rule.json(value);
+            doc.push_str(&format!(" Default: {}.", self.rule.written(&default)));
+            schema["default"] = default;
         }
         schema["description"] = json!(doc);
-        table.properties.insert(name.to_owned(), schema);
-    }
-}
-
-/// The schema of a table as it is being made.
-#[derive(Default)]
-pub struct TableSchema {
-    properties: Map<String, Json>,
-    required: Vec<String>,
-}
-
-impl TableSchema {
-    /// The schema of the whole table.
-    pub fn finish(self, heading: &str, doc: &str) -> Json {
-        let mut schema = json!({
-            "type": "object",
-            "title": heading,
-            "description": doc.trim(),
-            "properties": self.properties,
-            "additionalProperties": false,
-        });
-        if !self.required.is_empty() {
-            schema["required"] = json!(self.required);
-        }
-        schema
+        table.add(name, schema, is_required && users.is_none());
     }
 }
 
@@ -224,21 +237,104 @@ pub fn name(field: &'static str) -> &'static str {
     field.trim_start_matches("r#")
 }
 
-/// Declares a table of the case file. The doc comments become the descriptions of the schema.
+/// Declares a group of keys that stands in a table, or in several: its struct and its
+/// [`Keys`]. The doc comments become the descriptions of the schema. `..group: Group;` puts another
+/// group in its place.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! __table {
+macro_rules! __keys {
     (
         $(#[doc = $about:literal])+
-        $name:ident in $heading:literal {
-            $( $(#[doc = $doc:literal])+ $field:ident: $type:ty = $key:expr; )+
+        $name:ident {
+            $( $(#[doc = $doc:literal])+ $field:ident: $type:ty = $key:expr; )*
+            $(
+                ..$group:ident: $keys:ty;
+                $( $(#[doc = $more_doc:literal])+ $more:ident: $more_type:ty = $more_key:expr; )*
+            )*
         }
     ) => {
         $(#[doc = $about])+
         #[derive(Debug)]
         pub(crate) struct $name {
-            $( $(#[doc = $doc])+ pub(crate) $field: $crate::table::Field<$type>, )+
+            $( $(#[doc = $doc])+ pub(crate) $field: $crate::table::Field<$type>, )*
+            $(
+                pub(crate) $group: $keys,
+                $( $(#[doc = $more_doc])+ pub(crate) $more: $crate::table::Field<$more_type>, )*
+            )*
         }
+
+        impl $crate::table::Keys for $name {
+            fn names() -> Vec<&'static str> {
+                let own: &[&'static str] = &[$( $crate::table::name(stringify!($field)), )*];
+                #[allow(unused_mut)]
+                let mut names = own.to_vec();
+                $(
+                    names.extend(<$keys as $crate::table::Keys>::names());
+                    $( names.push($crate::table::name(stringify!($more))); )*
+                )*
+                names
+            }
+
+            fn read_keys(
+                here: &$crate::table::Here<'_>,
+                reader: &mut $crate::reader::Reader,
+            ) -> Self {
+                let _ = (&here, &reader);
+                Self {
+                    $( $field: $key.read($crate::table::name(stringify!($field)), here, reader), )*
+                    $(
+                        $group: <$keys as $crate::table::Keys>::read_keys(here, reader),
+                        $( $more: $more_key.read(
+                            $crate::table::name(stringify!($more)), here, reader,
+                        ), )*
+                    )*
+                }
+            }
+
+            fn written_keys(&self) -> Vec<$crate::rule::Written> {
+                #[allow(unused_mut)]
+                let mut written = Vec::new();
+                $( written.extend($crate::rule::Written::key(
+                    $crate::table::name(stringify!($field)), self.$field.place(), $key.used_with,
+                )); )*
+                $(
+                    written.extend($crate::table::Keys::written_keys(&self.$group));
+                    $( written.extend($crate::rule::Written::key(
+                        $crate::table::name(stringify!($more)),
+                        self.$more.place(),
+                        $more_key.used_with,
+                    )); )*
+                )*
+                written
+            }
+
+            fn describe_keys(table: &mut $crate::table_schema::TableSchema) {
+                let _ = &table;
+                $( $key.describe(
+                    $crate::table::name(stringify!($field)), concat!($($doc),+), table,
+                ); )*
+                $(
+                    <$keys as $crate::table::Keys>::describe_keys(table);
+                    $( $more_key.describe(
+                        $crate::table::name(stringify!($more)), concat!($($more_doc),+), table,
+                    ); )*
+                )*
+            }
+        }
+    };
+}
+pub use __keys as keys;
+
+/// Declares a table of the case file: its keys as [`keys!`](crate::table::keys) does, and the
+/// heading under which they stand.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __table {
+    (
+        $(#[doc = $about:literal])+
+        $name:ident in $heading:literal { $($keys:tt)+ }
+    ) => {
+        $crate::table::keys! { $(#[doc = $about])+ $name { $($keys)+ } }
 
         impl $crate::rule::Table for $name {
             const HEADING: &'static str = $heading;
@@ -248,29 +344,26 @@ macro_rules! __table {
                 place: $crate::source::Span,
                 reader: &mut $crate::reader::Reader,
             ) -> Self {
-                let names = [$($crate::table::name(stringify!($field))),+];
+                let names = <Self as $crate::table::Keys>::names();
                 let meant = reader.check_names(entries, &names, $heading);
-                let here = $crate::table::Here { entries, place, heading: $heading, meant: &meant };
-                Self {
-                    $( $field: $key.read($crate::table::name(stringify!($field)), &here, reader), )+
-                }
+                let here = $crate::table::Here {
+                    entries,
+                    place,
+                    heading: $heading,
+                    meant: &meant,
+                    reported: &[],
+                    is_used: true,
+                };
+                <Self as $crate::table::Keys>::read_keys(&here, reader)
             }
 
             fn written(&self) -> Vec<$crate::rule::Written> {
-                let mut written = Vec::new();
-                $( if let Some(place) = self.$field.place() {
-                    written.push($crate::rule::Written {
-                        name: $crate::table::name(stringify!($field)),
-                        place,
-                        used_with: $key.used_with,
-                    });
-                } )+
-                written
+                $crate::table::Keys::written_keys(self)
             }
 
             fn schema() -> $crate::Json {
-                let mut table = $crate::table::TableSchema::default();
-                $( $key.describe($crate::table::name(stringify!($field)), concat!($($doc),+), &mut table); )+
+                let mut table = $crate::table_schema::TableSchema::default();
+                <Self as $crate::table::Keys>::describe_keys(&mut table);
                 table.finish($heading, concat!($($about),+))
             }
         }

@@ -111,7 +111,7 @@ impl Entry<'_> {
         }
         let number = number_text(self.number);
         let key = reader.key;
-        reader.bare.push(Bare {
+        reader.note_bare(Bare {
             key,
             place: self.node.place,
             text: format!("taken as {number} {own}, {}", self.dimension.format(self.si, set)),

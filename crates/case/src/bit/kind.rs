@@ -1,5 +1,16 @@
 //! Kinds of bits by name.
 
+use wholestring_units::{Dimension, number_text};
+
+use wholestring_config::{
+    diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::Range,
+    reader::Reader,
+    rule::Choice,
+    table::{default, keys, optional},
+};
+
 /// How a bit breaks rock.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
@@ -43,5 +54,51 @@ impl Kind {
     pub(crate) fn word(self) -> &'static str {
         let found = Self::WORDS.iter().find(|(_, kind)| *kind == self);
         found.map_or("", |(word, _)| word)
+    }
+}
+
+keys! {
+    /// How the bit breaks rock, for the laws that ask and for a bit test.
+    KindKeys {
+        /// "pdc", "roller cone", "core" or "inserts" (fixed ones that crush and scrape). The laws
+        /// of cutters take other numbers for a roller cone where none are given, cut a ring with a
+        /// core bit and know no inserts; against solid rock the bit has the shape of `[bit.face]`,
+        /// and cones that roll are not modelled.
+        kind: Kind = default(
+            Choice { noun: "a kind of bit", words: Kind::WORDS },
+            Kind::Pdc,
+        );
+        /// Core bit: diameter of the core that it leaves. Raising it leaves less to cut.
+        core_diameter: f64 = optional(Quantity::si(
+            Dimension::Diameter,
+            Range::positive_to(1.0).usual(0.01, 0.3),
+            "4 in",
+        ));
+    }
+}
+
+impl KindKeys {
+    /// Radius of the core that a bit `radius_m` wide leaves, m; zero of one that leaves none.
+    pub(crate) fn core_radius_m(&self, radius_m: f64, reader: &mut Reader) -> Option<f64> {
+        let kind = self.kind.at()?;
+        match (kind.value, self.core_diameter.optional()?) {
+            (Kind::Core, None) => {
+                reader.report(
+                    Diagnostic::error("a core bit needs the diameter of its core")
+                        .at(kind.place, "`core_diameter` is missing in [bit]")
+                        .help("such as core_diameter = \"4 in\""),
+                );
+                None
+            }
+            (Kind::Core, Some(core)) if core.value >= 2.0 * radius_m => {
+                reader.report(Diagnostic::error("the core is as wide as the bit, or wider").at(
+                    core.place,
+                    format!("expected less than {} m", number_text(2.0 * radius_m)),
+                ));
+                None
+            }
+            (Kind::Core, Some(core)) => Some(0.5 * core.value),
+            _ => Some(0.0),
+        }
     }
 }

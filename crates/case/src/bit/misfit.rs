@@ -41,9 +41,9 @@ fn millimetres(m: f64) -> String {
 
 /// The mistake, at those of its numbers that stand in the case; `od` is the diameter's place.
 pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span) -> Diagnostic {
-    let whole = bit.face.at().map_or(od, |at| at.place);
+    let whole = bit.laws.rock.face.at().map_or(od, |at| at.place);
     let given = |key: &str| {
-        let keys = bit.face.get()?.written();
+        let keys = bit.laws.rock.face.get()?.written();
         keys.iter().find(|at| at.name == key).map(|at| at.place)
     };
     // The first of these keys that stands in the case.
@@ -52,7 +52,7 @@ pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span) -> Diagnostic 
         FaceError::OutOfRange { quantity, value, expected } => {
             let (key, place) = match *quantity {
                 "diameter" => ("od", Some(od)),
-                "core diameter" => ("core_diameter", bit.core_diameter.place()),
+                "core diameter" => ("core_diameter", bit.laws.kind.core_diameter.place()),
                 "tip radius of the inserts" => ("tip_radius", given("tip_radius")),
                 other => {
                     let known = KEYS.iter().find(|(name, _)| *name == other);

@@ -1,5 +1,6 @@
 //! `[bit]`.
 
+mod around;
 mod build;
 mod excitation;
 mod face;
@@ -12,4 +13,4 @@ mod motor;
 mod points;
 mod table;
 
-pub(crate) use self::{build::Around, given::Given, law::Law, misfit::misfit, table::BitTable};
+pub(crate) use self::{around::Around, given::Given, law::Law, misfit::misfit, table::BitTable};

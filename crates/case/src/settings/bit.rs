@@ -2,7 +2,7 @@
 
 use serde_json::{Value as Json, json};
 use wholestring::{
-    dynamics::{Band, BitLaw, BitSettings, BitTable, Excitation, Motor, TablePoint},
+    dynamics::{BitLaw, BitSettings, BitTable, Motor, TablePoint},
     operation::Operation,
 };
 
@@ -29,32 +29,23 @@ fn motor(motor: &Motor) -> Fields {
 }
 
 fn law(law: &BitLaw) -> Fields {
-    let fields = Fields::tagged("law", law).spread("cutters", "");
-    let shaken = match law {
-        BitLaw::Rate(law) => law.excitation,
-        BitLaw::DetournayDefourny(law) => law.excitation,
-        BitLaw::Table(law) => law.excitation,
-        BitLaw::Custom(law) => law.excitation,
-        BitLaw::Regenerative(_) => return fields,
-        // Rock and face stand in tables of their own, those of a bit test too.
-        BitLaw::Rock(_) => return fields.without(["drilling"]),
-    };
-    let fields = fields.with("excitation", shaken.as_ref().map(excitation));
+    // Rock and face stand in tables of their own, those of a bit test too.
+    let fields = Fields::tagged("law", law)
+        .spread("cutters", "")
+        .without(["drilling"])
+        .mapped("excitation", excitation);
     match law {
         BitLaw::Table(law) => fields.with("table", points(&law.table)),
         _ => fields,
     }
 }
 
-fn excitation(shaken: &Excitation) -> Json {
-    let (waves, frequency) = match shaken.band {
-        Band::PerRevolution(waves) => (Some(waves), None),
-        Band::PerSecond(frequency) => (None, Some(frequency)),
-    };
+fn excitation(shaken: &Json) -> Json {
+    let band = |by: &str| shaken["band"][by].clone();
     Fields::of(shaken)
         .without(["band"])
-        .with("waves", waves)
-        .with("frequency_per_s", frequency)
+        .with("waves", band("PerRevolution"))
+        .with("frequency_per_s", band("PerSecond"))
         .into()
 }
 

@@ -91,6 +91,16 @@ impl Fields {
         self
     }
 
+    /// Writes the value under `key` in another way; `null` stays, and no key.
+    pub(super) fn mapped(mut self, key: &str, write: impl FnOnce(&Json) -> Json) -> Self {
+        if let Some(value) = self.0.get_mut(key)
+            && !value.is_null()
+        {
+            *value = write(value);
+        }
+        self
+    }
+
     /// Writes the variants under these keys as words.
     pub(super) fn words<const N: usize>(mut self, keys: [&str; N]) -> Self {
         for key in keys {

@@ -18,9 +18,8 @@ pub use crate::outcome::{
 pub use assemble::{basis::Effort, error::SetupError};
 pub use boundary::{
     bit::{
-        Band, BitLaw, BitRockLaw, BitRockStep, BitSettings, BitTable, CustomLaw, Cutters,
-        DetournayDefournyLaw, Excitation, Motor, MudMotor, RateLaw, RegenerativeLaw, RockLaw,
-        Shake, SteadyCut, TableFault, TableLaw, TablePoint, TableUse,
+        Band, BitRockStep, BitSettings, BitTable, Cutters, Excitation, Motor, MudMotor, Shake,
+        SteadyCut, TableFault, TablePoint, TableUse, law::*,
     },
     extension::AnotherExtension,
     top_drive_controller::{CustomTopDrive, TopDriveController, TopDriveReading},

@@ -36,7 +36,7 @@ impl FaceTable {
             let why = match key.name {
                 "cone_angle" if kind == Kind::Core => "a core bit has no cone".to_owned(),
                 _ if !key.is_used_with(kind.word()) => {
-                    format!("used with kind = {}", any_of(key.used_with))
+                    format!("used with kind = {}", any_of(&key.used_with))
                 }
                 "half_angle" | "tip_radius" if !cones => {
                     "used with insert_shape = \"cone\"".to_owned()

@@ -1,11 +1,11 @@
 //! What a run is before its string is initialised: settings that can be used, the hoist, the mesh
 //! and the step.
 
-use super::{chain, error::SetupError, hoisting::hoisting};
+use super::{chain, error::SetupError, hoisting::hoisting, numbers::check_numbers};
 use crate::{
     dynamics::{
         boundary::{
-            bit::{Band, BitLaw, BitSettings, Cutters, Excitation, Motor, MudMotor},
+            bit::{BitLaw, BitSettings, Motor, MudMotor},
             hole::Borehole,
         },
         initial_state,
@@ -59,67 +59,7 @@ fn check_bit(bit: &BitSettings) -> Result<(), SetupError> {
         Motor::Speed(speed) => check_numbers(&[], &[("bit.motor_speed_rad_per_s", speed)])?,
         Motor::Displacement(motor) => check_motor(&motor)?,
     }
-    let (stiffness, excitation) = match &bit.law {
-        BitLaw::Regenerative(law) => {
-            check_numbers(&[("bit.blades", f64::from(law.blades))], &[])?;
-            return check_cutters(&law.cutters);
-        }
-        BitLaw::Rate(law) => (law.rock_stiffness_N_per_m, law.excitation),
-        BitLaw::DetournayDefourny(law) => {
-            check_cutters(&law.cutters)?;
-            let full_m = law.full_contact_depth_m;
-            check_numbers(&[], &[("bit.full_contact_depth_m", full_m)])?;
-            if let Some(limit) =
-                law.cleaning_limit_m.filter(|limit| limit.is_nan() || *limit <= full_m)
-            {
-                return Err(SetupError::Setting {
-                    name: "bit.cleaning_limit_m",
-                    value: limit,
-                    expected: "more than the depth of full contact",
-                });
-            }
-            (law.rock_stiffness_N_per_m, law.excitation)
-        }
-        BitLaw::Table(law) => (law.rock_stiffness_N_per_m, law.excitation),
-        BitLaw::Custom(law) => (law.rock_stiffness_N_per_m, law.excitation),
-        BitLaw::Rock(law) => {
-            law.drilling.check()?;
-            return Ok(());
-        }
-    };
-    check_numbers(&[("bit.rock_stiffness_N_per_m", stiffness)], &[])?;
-    excitation.map_or(Ok(()), check_excitation)
-}
-
-fn check_excitation(shaken: Excitation) -> Result<(), SetupError> {
-    let (Band::PerRevolution(band) | Band::PerSecond(band)) = shaken.band;
-    check_numbers(
-        &[("bit.excitation.band", band)],
-        &[
-            ("bit.excitation.amplitude_m", shaken.amplitude_m),
-            ("bit.excitation.roughness_m", shaken.roughness_m),
-            ("bit.excitation.torque_fluctuation", shaken.torque_fluctuation),
-        ],
-    )
-}
-
-fn check_cutters(cutters: &Cutters) -> Result<(), SetupError> {
-    let width_m = cutters.radius_m - cutters.core_radius_m;
-    check_numbers(
-        &[
-            ("bit.radius_m", cutters.radius_m),
-            ("bit.radius_m less bit.core_radius_m", width_m),
-            ("bit.intrinsic_specific_energy_Pa", cutters.intrinsic_specific_energy_Pa),
-            ("bit.cutter_inclination", cutters.cutter_inclination),
-        ],
-        &[
-            ("bit.core_radius_m", cutters.core_radius_m),
-            ("bit.wear_flat_m", cutters.wear_flat_m),
-            ("bit.contact_strength_Pa", cutters.contact_strength_Pa),
-            ("bit.bit_geometry", cutters.bit_geometry),
-            ("bit.friction", cutters.friction),
-        ],
-    )
+    bit.law.check()
 }
 
 fn check_motor(motor: &MudMotor) -> Result<(), SetupError> {
@@ -135,25 +75,6 @@ fn check_motor(motor: &MudMotor) -> Result<(), SetupError> {
         ),
     ];
     check_numbers(&positive, &[("bit.motor.slip", motor.slip)])
-}
-
-/// Numbers with their names: those that must be positive, and those that may be zero.
-fn check_numbers(
-    positive: &[(&'static str, f64)],
-    not_negative: &[(&'static str, f64)],
-) -> Result<(), SetupError> {
-    let wrong = |value: f64, enough: bool| !(value.is_finite() && enough);
-    for &(name, value) in positive {
-        if wrong(value, value > 0.0) {
-            return Err(SetupError::Setting { name, value, expected: "a positive number" });
-        }
-    }
-    for &(name, value) in not_negative {
-        if wrong(value, value >= 0.0) {
-            return Err(SetupError::Setting { name, value, expected: "zero or a positive number" });
-        }
-    }
-    Ok(())
 }
 
 /// What must be positive of a top drive.

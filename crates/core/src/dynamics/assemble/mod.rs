@@ -4,3 +4,4 @@ pub mod basis;
 pub mod chain;
 pub mod error;
 pub mod hoisting;
+pub mod numbers;

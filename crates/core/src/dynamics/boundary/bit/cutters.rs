@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::dynamics::assemble::{error::SetupError, numbers::check_numbers};
+
 /// The cutters of a bit in a rock, by Detournay and Defourny (*International Journal of Rock
 /// Mechanics* 29, 1992).
 ///
@@ -30,6 +32,25 @@ pub struct Cutters {
 }
 
 impl Cutters {
+    /// Refuses numbers that no run can use.
+    pub(super) fn check(&self) -> Result<(), SetupError> {
+        check_numbers(
+            &[
+                ("bit.radius_m", self.radius_m),
+                ("bit.radius_m less bit.core_radius_m", self.width_m()),
+                ("bit.intrinsic_specific_energy_Pa", self.intrinsic_specific_energy_Pa),
+                ("bit.cutter_inclination", self.cutter_inclination),
+            ],
+            &[
+                ("bit.core_radius_m", self.core_radius_m),
+                ("bit.wear_flat_m", self.wear_flat_m),
+                ("bit.contact_strength_Pa", self.contact_strength_Pa),
+                ("bit.bit_geometry", self.bit_geometry),
+                ("bit.friction", self.friction),
+            ],
+        )
+    }
+
     /// Weight that cutting takes per depth of cut of a revolution, `ζ (a − b) ε`, N/m.
     pub fn cutting_N_per_m(&self) -> f64 {
         self.cutter_inclination * self.width_m() * self.intrinsic_specific_energy_Pa

@@ -2,7 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::random::Random;
+use crate::{
+    dynamics::assemble::{error::SetupError, numbers::check_numbers},
+    random::Random,
+};
 
 /// What shakes the bit.
 ///
@@ -55,6 +58,19 @@ pub(super) struct Spread {
 }
 
 impl Excitation {
+    /// Refuses numbers that no run can use.
+    pub(super) fn check(&self) -> Result<(), SetupError> {
+        let (Band::PerRevolution(band) | Band::PerSecond(band)) = self.band;
+        check_numbers(
+            &[("bit.excitation.band", band)],
+            &[
+                ("bit.excitation.amplitude_m", self.amplitude_m),
+                ("bit.excitation.roughness_m", self.roughness_m),
+                ("bit.excitation.torque_fluctuation", self.torque_fluctuation),
+            ],
+        )
+    }
+
     pub(super) fn spread(&self) -> Spread {
         Spread { roughness_m: self.roughness_m, torque_fluctuation: self.torque_fluctuation }
     }

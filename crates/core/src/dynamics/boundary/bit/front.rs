@@ -1,22 +1,23 @@
 //! A rock front that the bit cuts away, for the laws that know no more of the bottom than its
 //! depth.
 
+use serde::{Deserialize, Serialize};
+
 use super::{
-    CustomLaw, DetournayDefournyLaw, TableLaw,
-    custom::{BitRockStep, CustomCut},
-    excitation::{Shake, Shaker},
+    excitation::{Excitation, Shake, Shaker},
+    law::rules::{CutStart, CutState},
     motor::{Drive, Turned},
-    rate::Rate,
     rate_segment::RateSegment,
-    settings::BitLaw,
-    step::{Approach, RockReaction},
-    table::{Counter, TableUse},
+    step::{Approach, BitRockStep, RockReaction},
+    table::TableUse,
 };
 use crate::{
     damage::{Damaged, ensure},
-    dynamics::boundary::extension::AnotherExtension,
+    dynamics::{
+        assemble::{error::SetupError, numbers::check_numbers},
+        boundary::extension::AnotherExtension,
+    },
 };
-use serde::{Deserialize, Serialize};
 
 /// Relative tolerance of the weight under a law of the caller's own, and the most times that it is
 /// asked for it in a step.
@@ -31,8 +32,8 @@ const MAX_ITERATIONS: usize = 100;
 /// rotation and holds the bit when nothing turns it any more. An excitation raises and lowers the
 /// front under the bit.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct FrontCut {
-    law: FrontLaw,
+pub(super) struct FrontCut<L> {
+    law: L,
     stiffness_N_per_m: f64,
     front_m: f64,
     /// Weight at the end of the step before, N.
@@ -40,27 +41,66 @@ pub(super) struct FrontCut {
     shaker: Option<Shaker>,
 }
 
-/// The laws of the rate.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) enum FrontLaw {
-    Rate(Rate),
-    DetournayDefourny(DetournayDefournyLaw),
-    Table(TableLaw, Counter),
-    Custom(CustomCut),
+/// A law that says how fast the front advances under a weight, at a speed.
+pub(super) trait FrontRule {
+    /// The law with its numbers.
+    type Law;
+
+    /// Whether it is one of this law.
+    fn is_of(&self, law: &Self::Law) -> bool;
+
+    /// Gives a law of the caller's own that has been read back its own.
+    fn attach(&mut self, _law: &Self::Law) -> Result<(), AnotherExtension> {
+        Ok(())
+    }
+
+    /// The weight at a step's end, N, and the front's advance, m, of a bit that turns at a speed.
+    fn press(&self, press: &Press, turning_rad_per_s: f64) -> (f64, f64);
+
+    /// Torque, N·m, and depth of cut, m, under a weight at a speed, in each step once.
+    fn cut(&mut self, weight_N: f64, turning_rad_per_s: f64) -> (f64, f64);
+
+    /// What shakes the bit after a turn and a time more; `weight_N` is that of the step before.
+    fn shake(
+        &self,
+        shaker: Option<&Shaker>,
+        _weight_N: f64,
+        _turning_rad_per_s: f64,
+        turn_rad: f64,
+        dt: f64,
+    ) -> Shake {
+        shaker.map_or_else(Shake::default, |shaker| shaker.next(turn_rad, dt))
+    }
+
+    /// What a torque makes of the rotation. Rock stops a bit but never turns it back.
+    fn turn(&self, at: &Approach, drive: &mut Drive, wanted_N_m: f64) -> Turned {
+        drive.turn(at.spin_rad_per_s, at.turning_mobility, wanted_N_m, 0.0)
+    }
+
+    /// What the law keeps of a step.
+    fn advance(&mut self, _step: &BitRockStep) {}
+
+    /// How often the bit was where its table is not, and how far.
+    fn table_use(&self) -> Option<TableUse> {
+        None
+    }
+
+    /// Counts [`Self::table_use`] anew.
+    fn restart(&mut self) {}
 }
 
-/// A bit that presses on its rock while it drills steadily.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Pressed {
-    pub(super) depth_m: f64,
-    pub(super) weight_N: f64,
-    /// Speed of the bit, motor included, rad/s.
-    pub(super) turning_rad_per_s: f64,
+/// Refuses numbers of a front that no run can use.
+pub(super) fn check_front(
+    rock_stiffness_N_per_m: f64,
+    excitation: Option<&Excitation>,
+) -> Result<(), SetupError> {
+    check_numbers(&[("bit.rock_stiffness_N_per_m", rock_stiffness_N_per_m)], &[])?;
+    excitation.map_or(Ok(()), Excitation::check)
 }
 
 /// A bit on its rock in a step that the rock is to end.
 #[derive(Debug, Clone, Copy)]
-struct Press {
+pub(super) struct Press {
     /// How far the bit would be past the front, m.
     over_m: f64,
     stiffness_N_per_m: f64,
@@ -72,7 +112,7 @@ struct Press {
 impl Press {
     /// The weight at which the rock is compressed by as much as bit and front leave at the step's
     /// end, and the front's advance.
-    fn on(&self, segments: impl IntoIterator<Item = RateSegment>) -> (f64, f64) {
+    pub(super) fn on(&self, segments: impl IntoIterator<Item = RateSegment>) -> (f64, f64) {
         let (k, dt) = (self.stiffness_N_per_m, self.dt);
         let mut found = (0.0, 0.0);
         for s in segments {
@@ -95,7 +135,7 @@ impl Press {
 
     /// The same where the rate at a weight is whatever it is, as long as it does not fall: the
     /// weight `W` with `W = k (over − dt (mobility W + rate(W)))`.
-    fn on_rate(&self, rate_m_per_s: impl Fn(f64) -> f64) -> (f64, f64) {
+    pub(super) fn on_rate(&self, rate_m_per_s: impl Fn(f64) -> f64) -> (f64, f64) {
         if self.over_m.is_nan() || self.over_m <= 0.0 {
             return (0.0, 0.0);
         }
@@ -139,84 +179,45 @@ impl Press {
     }
 }
 
-impl FrontCut {
-    /// Gives a law of the caller's own that has been read back its own.
-    pub(super) fn attach(&mut self, custom: &CustomLaw) -> Result<(), AnotherExtension> {
-        match &mut self.law {
-            FrontLaw::Custom(law) => law.attach(custom),
-            _ => Ok(()),
-        }
-    }
-
-    /// Whether a stored front is one of this law.
-    pub(super) fn check(&self, law: &BitLaw) -> Result<(), Damaged> {
-        let fits = match (&self.law, law) {
-            (FrontLaw::Rate(_), BitLaw::Rate(_)) => true,
-            (FrontLaw::DetournayDefourny(ours), BitLaw::DetournayDefourny(theirs)) => {
-                ours == theirs
-            }
-            (FrontLaw::Table(ours, _), BitLaw::Table(theirs)) => ours == theirs,
-            (FrontLaw::Custom(ours), BitLaw::Custom(_)) => ours.is_attached(),
-            _ => false,
-        };
-        ensure(fits, "the law of the bit")
-    }
-
+impl<L: FrontRule> FrontCut<L> {
     /// The front under a bit that drills steadily.
     pub(super) fn new(
-        law: FrontLaw,
+        law: L,
         stiffness_N_per_m: f64,
-        shaker: Option<Shaker>,
-        at: Pressed,
+        excitation: Option<Excitation>,
+        start: &CutStart<'_>,
     ) -> Self {
+        let weight_N = start.operation.weight_on_bit_now_N();
+        let turning = start.operation.rotation_rad_per_s() + start.drive.speed_rad_per_s();
         let mut cut = Self {
             law,
             stiffness_N_per_m,
-            front_m: at.depth_m - at.weight_N / stiffness_N_per_m,
-            weight_N: at.weight_N,
-            shaker,
+            front_m: start.depth_m - weight_N / stiffness_N_per_m,
+            weight_N,
+            shaker: excitation.map(|excitation| Shaker::new(excitation, start.seed)),
         };
         // The operation begins with its weight, wherever the excitation stands.
-        cut.front_m -= cut.shake(at.turning_rad_per_s, 0.0, 0.0).front_m;
+        cut.front_m -= cut.shake(turning, 0.0, 0.0).front_m;
         cut
     }
 
-    /// How often the bit was where its table is not, and how far.
-    pub(super) fn table_use(&self) -> Option<TableUse> {
-        match &self.law {
-            FrontLaw::Table(law, used) => used.table_use(&law.table),
-            _ => None,
-        }
-    }
-
-    /// Counts anew.
-    pub(super) fn restart(&mut self) {
-        if let FrontLaw::Table(_, used) = &mut self.law {
-            *used = Counter::new();
-        }
-    }
-
     fn shake(&self, turning: f64, turn_rad: f64, dt: f64) -> Shake {
-        let own = match &self.law {
-            FrontLaw::Custom(law) => law.shake(turn_rad, dt),
-            _ => Shake::default(),
-        };
-        let Some(shaker) = &self.shaker else {
-            return own;
-        };
-        match &self.law {
-            FrontLaw::Custom(_) => {
-                let noise = shaker.next(turn_rad, dt);
-                Shake { front_m: own.front_m + noise.front_m, torque: own.torque + noise.torque }
-            }
-            FrontLaw::Table(law, _) => {
-                shaker.next_of(law.spread(self.weight_N, turning), turn_rad, dt)
-            }
-            _ => shaker.next(turn_rad, dt),
-        }
+        self.law.shake(self.shaker.as_ref(), self.weight_N, turning, turn_rad, dt)
+    }
+}
+
+impl<L: FrontRule> CutState for FrontCut<L> {
+    type Law = L::Law;
+
+    fn check(&self, law: &L::Law) -> Result<(), Damaged> {
+        ensure(self.law.is_of(law), "the law of the bit")
     }
 
-    pub(super) fn meet(&mut self, at: &Approach, drive: &mut Drive) -> RockReaction {
+    fn attach(&mut self, law: &L::Law) -> Result<(), AnotherExtension> {
+        self.law.attach(law)
+    }
+
+    fn meet(&mut self, at: &Approach, drive: &mut Drive) -> Option<RockReaction> {
         // The spin that the step gave without the rock is not the bit's: its torque is to come.
         let turning = at.spin_before_rad_per_s + drive.speed_rad_per_s();
         let shake = self.shake(turning, turning * at.dt, at.dt);
@@ -226,69 +227,37 @@ impl FrontCut {
             mobility_s_per_kg: at.axial_mobility_s_per_kg,
             dt: at.dt,
         };
-        let (weight, advance) = match &self.law {
-            FrontLaw::Rate(law) => press.on([law.segment(turning)]),
-            FrontLaw::DetournayDefourny(law) => press.on(law.segments(turning)),
-            FrontLaw::Table(law, _) => press.on(law.table.segments(turning)),
-            FrontLaw::Custom(law) => press.on_rate(|weight| {
-                let cut = law.cut(weight, turning);
-                cut.rate_of_penetration_m_per_s
-            }),
-        };
+        let (weight, advance) = self.law.press(&press, turning);
         self.front_m += advance;
         self.weight_N = weight;
-        let (steady, depth_of_cut_m) = match &mut self.law {
-            FrontLaw::Rate(law) => (law.torque_N_m(weight), law.depth_of_cut_m(weight)),
-            FrontLaw::DetournayDefourny(law) => {
-                (law.torque_N_m(weight), law.depth_of_cut_m(weight))
-            }
-            FrontLaw::Table(law, used) => {
-                used.count(&law.table, weight, turning);
-                let cut = law.table.steady(weight, turning);
-                (cut.torque_N_m, cut.depth_of_cut_m)
-            }
-            FrontLaw::Custom(law) => {
-                let cut = law.cut(weight, turning);
-                (cut.torque_N_m, cut.depth_of_cut_m)
-            }
-        };
+        let (steady, depth_of_cut_m) = self.law.cut(weight, turning);
         // A fluctuation never makes the rock turn the bit.
         let wanted = steady * (1.0 + shake.torque).max(0.0);
-        let turned = self.turn(at, drive, wanted);
+        let turned = self.law.turn(at, drive, wanted);
         if let Some(shaker) = &mut self.shaker {
             shaker.advance(turned.bit_rad_per_s * at.dt, at.dt);
         }
-        if let FrontLaw::Custom(law) = &mut self.law {
-            law.advance(&BitRockStep {
-                dt_s: at.dt,
-                weight_on_bit_N: weight,
-                torque_N_m: turned.torque_N_m,
-                bit_speed_rad_per_s: turned.bit_rad_per_s,
-                advance_m: advance,
-            });
-        }
-        RockReaction {
+        self.law.advance(&BitRockStep {
+            dt_s: at.dt,
+            weight_on_bit_N: weight,
+            torque_N_m: turned.torque_N_m,
+            bit_speed_rad_per_s: turned.bit_rad_per_s,
+            advance_m: advance,
+        });
+        Some(RockReaction {
             weight_N: weight,
             torque_N_m: turned.torque_N_m,
             spin_rad_per_s: turned.string_rad_per_s,
             depth_of_cut_m,
             rate_m_per_s: advance / at.dt,
-        }
+        })
     }
 
-    /// Rock stops a bit but never turns it back; the reaction of a motor that does all the turning
-    /// does turn the string.
-    fn turn(&self, at: &Approach, drive: &mut Drive, wanted_N_m: f64) -> Turned {
-        match &self.law {
-            FrontLaw::Rate(law) if law.slides => {
-                let string = at.spin_rad_per_s - at.turning_mobility * wanted_N_m;
-                Turned {
-                    torque_N_m: wanted_N_m,
-                    string_rad_per_s: string,
-                    bit_rad_per_s: string + drive.speed_rad_per_s(),
-                }
-            }
-            _ => drive.turn(at.spin_rad_per_s, at.turning_mobility, wanted_N_m, 0.0),
-        }
+    fn table_use(&self) -> Option<TableUse> {
+        self.law.table_use()
+    }
+
+    fn restart(&mut self) {
+        self.law.restart();
     }
 }

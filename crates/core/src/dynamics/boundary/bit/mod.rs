@@ -1,15 +1,12 @@
-//! The bit on the rock: what every law shares, and the choice of the law.
+//! The bit on the rock: what every law shares.
 
 mod bottom;
-mod custom;
 mod cutters;
-mod detournay;
 mod excitation;
 mod front;
+pub mod law;
 mod motor;
-mod rate;
 mod rate_segment;
-mod regenerative;
 mod rock;
 mod settings;
 mod side;
@@ -18,30 +15,22 @@ mod table;
 
 use serde::{Deserialize, Serialize};
 
+pub use self::{
+    cutters::{Cutters, SteadyCut},
+    excitation::{Band, Excitation, Shake},
+    law::*,
+    motor::{Motor, MudMotor},
+    rock::{RunIn, Standing},
+    settings::BitSettings,
+    step::{BitRockStep, BitStep, StepStart},
+    table::{BitTable, TableFault, TablePoint, TableUse},
+};
 use self::{
-    custom::CustomCut,
-    excitation::Shaker,
-    front::{FrontCut, FrontLaw, Pressed},
+    law::{Cut, rules::CutStart},
     motor::Drive,
-    rate::Rate,
-    regenerative::RegenerativeCut,
     rock::RockCut,
     side::Side,
     step::{Approach, RockReaction},
-    table::Counter,
-};
-pub use self::{
-    custom::{BitRockLaw, BitRockStep, CustomLaw},
-    cutters::{Cutters, SteadyCut},
-    detournay::DetournayDefournyLaw,
-    excitation::{Band, Excitation, Shake},
-    motor::{Motor, MudMotor},
-    rate::RateLaw,
-    regenerative::RegenerativeLaw,
-    rock::{RockLaw, RunIn, Standing},
-    settings::{BitLaw, BitSettings},
-    step::{BitStep, StepStart},
-    table::{BitTable, TableFault, TableLaw, TablePoint, TableUse},
 };
 use super::{anchor::Anchor, executor::RockExecutor, extension::AnotherExtension};
 use crate::{
@@ -62,35 +51,18 @@ pub struct Bit {
     cut: Option<Cut>,
 }
 
-/// The rock under the bit by one of the laws.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-enum Cut {
-    Front(Box<FrontCut>),
-    Regenerative(RegenerativeCut),
-    Rock(Box<RockCut>),
-}
-
 impl Bit {
     /// Gives a bit that has been read back the law of these settings, where that is the caller's.
     pub(in crate::dynamics) fn attach(
         &mut self,
         settings: &BitSettings,
     ) -> Result<(), AnotherExtension> {
-        match (&mut self.cut, &settings.law) {
-            (Some(Cut::Front(front)), BitLaw::Custom(law)) => front.attach(law),
-            _ => Ok(()),
-        }
+        self.cut.as_mut().map_or(Ok(()), |cut| cut.attach(&settings.law))
     }
 
     /// Whether a stored bit is one of these settings.
     pub(in crate::dynamics) fn check(&self, settings: &BitSettings) -> Result<(), Damaged> {
-        match (&self.cut, &settings.law) {
-            (None, _) => Ok(()),
-            (Some(Cut::Front(front)), law) => front.check(law),
-            (Some(Cut::Regenerative(cut)), BitLaw::Regenerative(_)) => cut.check(),
-            (Some(Cut::Rock(cut)), BitLaw::Rock(law)) => cut.check(&law.drilling),
-            _ => Err(Damaged("the law of the bit")),
-        }
+        self.cut.as_ref().map_or(Ok(()), |cut| cut.check(&settings.law))
     }
 
     /// The bit of `operation` at `depth_m`, pressed on the rock with the operation's weight as it
@@ -101,40 +73,8 @@ impl Bit {
         let motor = settings.motor;
         let flow = operation.flow_now_m3_per_s();
         let drive = Drive::new(motor, flow, operation.bit_torque_now_N_m());
-        let front = |law: FrontLaw, stiffness_N_per_m: f64, excitation: Option<Excitation>| {
-            let weight_N = operation.weight_on_bit_now_N();
-            let turning = operation.rotation_rad_per_s() + drive.speed_rad_per_s();
-            let shaker = excitation.map(|e| Shaker::new(e, seed));
-            let pressed = Pressed { depth_m, weight_N, turning_rad_per_s: turning };
-            let cut = FrontCut::new(law, stiffness_N_per_m, shaker, pressed);
-            Some(Cut::Front(Box::new(cut)))
-        };
-        let cut = match &settings.law {
-            _ if !drills => None,
-            BitLaw::Regenerative(law) => {
-                let cut = RegenerativeCut::new(*law, operation, depth_m);
-                Some(Cut::Regenerative(cut))
-            }
-            BitLaw::Rock(_) => None,
-            BitLaw::Rate(law) => front(
-                FrontLaw::Rate(Rate::new(operation, &drive)),
-                law.rock_stiffness_N_per_m,
-                law.excitation,
-            ),
-            BitLaw::DetournayDefourny(law) => {
-                front(FrontLaw::DetournayDefourny(*law), law.rock_stiffness_N_per_m, law.excitation)
-            }
-            BitLaw::Table(law) => front(
-                FrontLaw::Table(law.clone(), Counter::new()),
-                law.rock_stiffness_N_per_m,
-                law.excitation,
-            ),
-            BitLaw::Custom(law) => front(
-                FrontLaw::Custom(CustomCut::new(law)),
-                law.rock_stiffness_N_per_m,
-                law.excitation,
-            ),
-        };
+        let start = CutStart { operation, drive: &drive, depth_m, seed };
+        let cut = if drills { settings.law.begin(&start) } else { None };
         let side_cut_m_per_N = if drills { settings.side_cut_m_per_N(operation) } else { 0.0 };
         Self {
             side: Side::new(settings.lateral_stiffness_N_per_m, side_cut_m_per_N),
@@ -181,15 +121,12 @@ impl Bit {
 
     /// How often the bit was where its table is not, if it has one.
     pub fn table_use(&self) -> Option<TableUse> {
-        match &self.cut {
-            Some(Cut::Front(cut)) => cut.table_use(),
-            _ => None,
-        }
+        self.cut.as_ref().and_then(Cut::table_use)
     }
 
     /// From now on [`Self::table_use`] counts.
     pub fn open_window(&mut self) {
-        if let Some(Cut::Front(cut)) = &mut self.cut {
+        if let Some(cut) = &mut self.cut {
             cut.restart();
         }
     }
@@ -238,11 +175,7 @@ impl Bit {
             turning_mobility: dt * node!(chain, index, inv_polar),
             dt,
         };
-        let reaction = match &mut self.cut {
-            Some(Cut::Front(cut)) => Some(cut.meet(&approach, &mut self.drive)),
-            Some(Cut::Regenerative(cut)) => Some(cut.meet(&approach, &mut self.drive)),
-            Some(Cut::Rock(_)) | None => None,
-        };
+        let reaction = self.cut.as_mut().and_then(|cut| cut.meet(&approach, &mut self.drive));
         if let Some(RockReaction {
             weight_N: weight,
             torque_N_m: torque,

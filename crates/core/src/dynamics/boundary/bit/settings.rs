@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    CustomLaw, DetournayDefournyLaw, Motor, RateLaw, RegenerativeLaw, RockLaw, SteadyCut, TableLaw,
+    law::{BitLaw, RateLaw},
+    motor::Motor,
 };
 use crate::operation::Operation;
 
@@ -39,10 +40,7 @@ impl BitSettings {
     /// Whether the speed of a sliding string's motor makes a difference: where the bit's angle
     /// counts.
     pub fn needs_motor_speed(&self) -> bool {
-        match &self.law {
-            BitLaw::Rate(law) => law.excitation.is_some(),
-            _ => true,
-        }
+        self.law.counts_angle()
     }
 
     /// Rotary speed at which the bit drills an operation steadily, its motor's included, rad/s;
@@ -83,8 +81,8 @@ impl BitSettings {
         rotary_speed_rad_per_s: f64,
     ) -> f64 {
         let other = Operation { weight_on_bit_N, rotary_speed_rad_per_s, ..*operation };
-        let knows = !matches!(self.law, BitLaw::Rate(_)) && operation.kind.on_bottom();
-        if knows && other != *operation {
+        let knows = self.law.steady(weight_on_bit_N, rotary_speed_rad_per_s).is_some();
+        if knows && operation.kind.on_bottom() && other != *operation {
             self.drilling_steadily(other).rate_of_penetration_m_per_s
         } else {
             operation.axial_velocity_at_m_per_s(weight_on_bit_N, rotary_speed_rad_per_s)
@@ -96,52 +94,5 @@ impl BitSettings {
         let speed = self.drilling_speed_rad_per_s(operation);
         let along = operation.rate_of_penetration_m_per_s / operation.weight_on_bit_N;
         if self.steerability > 0.0 && speed > 0.0 { self.steerability * along / speed } else { 0.0 }
-    }
-}
-
-/// How the rock answers a bit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub enum BitLaw {
-    /// The operation's rate of penetration in proportion to weight and speed; torque in proportion
-    /// to weight.
-    Rate(RateLaw),
-    /// Weight and torque from the depth of cut, which the bit's own passage before has left.
-    Regenerative(RegenerativeLaw),
-    /// Weight and torque from the depth of cut of a revolution, in three regimes.
-    DetournayDefourny(DetournayDefournyLaw),
-    /// Rate of penetration and torque as they were measured.
-    Table(TableLaw),
-    /// The face of the bit breaks solid rock.
-    Rock(Box<RockLaw>),
-    /// A law of the caller's own. Its name alone is serialised.
-    #[serde(skip_deserializing)]
-    Custom(CustomLaw),
-}
-
-impl BitLaw {
-    /// Stiffness of the rock under the bit, N/m.
-    pub fn stiffness_N_per_m(&self) -> f64 {
-        match self {
-            Self::Rate(law) => law.rock_stiffness_N_per_m,
-            Self::Regenerative(law) => law.stiffness_N_per_m(),
-            Self::DetournayDefourny(law) => law.rock_stiffness_N_per_m,
-            Self::Table(law) => law.rock_stiffness_N_per_m,
-            Self::Rock(law) => law.stiffness_N_per_m(),
-            Self::Custom(law) => law.rock_stiffness_N_per_m,
-        }
-    }
-
-    /// How a bit drills steadily under a weight on bit, turning at a speed; the rate law does not
-    /// know, and of solid rock it is an [estimate](RockLaw::estimate).
-    pub fn steady(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> Option<SteadyCut> {
-        let (weight, speed) = (weight_on_bit_N, rotary_speed_rad_per_s);
-        match self {
-            Self::Rate(_) => None,
-            Self::Regenerative(law) => Some(law.steady(weight, speed)),
-            Self::DetournayDefourny(law) => Some(law.steady(weight, speed)),
-            Self::Table(law) => Some(law.table.steady(weight, speed)),
-            Self::Rock(law) => Some(law.steady(weight, speed)),
-            Self::Custom(law) => Some(law.steady(weight, speed)),
-        }
     }
 }

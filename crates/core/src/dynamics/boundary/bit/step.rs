@@ -78,3 +78,18 @@ impl Default for BitStep {
         }
     }
 }
+
+/// What bit and rock did in a step, as a law of the caller's own is told.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BitRockStep {
+    /// Length of the step, s.
+    pub dt_s: f64,
+    /// Weight on bit at its end, N.
+    pub weight_on_bit_N: f64,
+    /// Torque on bit, N·m.
+    pub torque_N_m: f64,
+    /// Speed of the bit, motor included, rad/s.
+    pub bit_speed_rad_per_s: f64,
+    /// How far the rock front has advanced, m.
+    pub advance_m: f64,
+}

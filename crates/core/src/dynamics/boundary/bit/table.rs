@@ -4,44 +4,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Excitation, SteadyCut,
-    excitation::Spread,
+    cutters::SteadyCut,
     rate_segment::{RateSegment, depth_of_cut_m},
 };
-
-/// The table and what goes with it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct TableLaw {
-    /// What was measured.
-    pub table: BitTable,
-    /// Stiffness of the contact between bit and rock front, N/m.
-    pub rock_stiffness_N_per_m: f64,
-    /// What shakes the bit; `None` for a smooth bottom. A spread that the table has takes the place
-    /// of `roughness_m` and `torque_fluctuation`.
-    pub excitation: Option<Excitation>,
-}
-
-impl TableLaw {
-    /// The noise under a weight at a speed: of the torque, the standard deviation over the mean; of
-    /// the front, what changes the weight of a bit that does not give way by the standard
-    /// deviation.
-    pub(super) fn spread(&self, weight_N: f64, speed_rad_per_s: f64) -> Spread {
-        let excitation = self.excitation.as_ref();
-        let mut spread = excitation
-            .map_or(Spread { roughness_m: 0.0, torque_fluctuation: 0.0 }, Excitation::spread);
-        let table = &self.table;
-        if let Some(std) = &table.weight_std_N {
-            let std_N = table.at(std, weight_N, speed_rad_per_s);
-            spread.roughness_m = std_N / self.rock_stiffness_N_per_m;
-        }
-        if let Some(std) = &table.torque_std_N_m {
-            let mean = table.at(&table.torque_N_m, weight_N, speed_rad_per_s);
-            let std = table.at(std, weight_N, speed_rad_per_s);
-            spread.torque_fluctuation = if mean > 0.0 { std / mean } else { 0.0 };
-        }
-        spread
-    }
-}
 
 /// One line of a table.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -216,6 +181,20 @@ impl BitTable {
     /// Whether the table knows the spread of the weight on bit.
     pub fn spreads_weight(&self) -> bool {
         self.weight_std_N.is_some()
+    }
+
+    /// Standard deviation of the weight on bit, N, where the table knows it.
+    pub(super) fn weight_std_N(&self, weight_N: f64, speed_rad_per_s: f64) -> Option<f64> {
+        let std = self.weight_std_N.as_ref()?;
+        Some(self.at(std, weight_N, speed_rad_per_s))
+    }
+
+    /// Standard deviation of the torque over its mean, where the table knows it.
+    pub(super) fn torque_fluctuation(&self, weight_N: f64, speed_rad_per_s: f64) -> Option<f64> {
+        let std = self.torque_std_N_m.as_ref()?;
+        let mean = self.at(&self.torque_N_m, weight_N, speed_rad_per_s);
+        let std = self.at(std, weight_N, speed_rad_per_s);
+        Some(if mean > 0.0 { std / mean } else { 0.0 })
     }
 
     /// Whether a weight and a speed lie within the table.

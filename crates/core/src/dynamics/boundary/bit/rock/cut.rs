@@ -5,7 +5,6 @@ use std::f64::consts::TAU;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::RunIn;
 use crate::{
     damage::Damaged,
     dynamics::{
@@ -26,6 +25,22 @@ use crate::{
 /// Time over which what pushes and turns the bit is averaged, s: that average acts on the bit
 /// evenly, and a motor follows that of the torque. Some dozens of steps.
 const EVEN_S: f64 = 0.02;
+
+/// A bit on its bottom, run in as the string moves at time zero.
+#[derive(Debug, Clone)]
+pub struct RunIn {
+    pub(super) drilling: Drilling,
+    pub(super) weight_N: f64,
+    pub(super) torque_N_m: f64,
+    pub(super) depth_of_cut_m: f64,
+}
+
+impl RunIn {
+    /// Torque that it took in its last revolution, N·m; none where it did not turn.
+    pub fn torque_N_m(&self) -> f64 {
+        self.torque_N_m
+    }
+}
 
 /// The rock under a bit, and where it stands in the world.
 ///
@@ -49,7 +64,7 @@ pub struct RockCut {
 
 impl RockCut {
     /// Whether stored rock is that of this bit and block.
-    pub(in crate::dynamics) fn check(&self, spec: &DrillingSpec) -> Result<(), Damaged> {
+    pub(super) fn check_drilling(&self, spec: &DrillingSpec) -> Result<(), Damaged> {
         self.drilling.check(spec)
     }
 

@@ -4,8 +4,18 @@ use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
+use super::cut::RockCut;
 use crate::{
-    dynamics::boundary::bit::{Cutters, SteadyCut},
+    damage::Damaged,
+    dynamics::{
+        assemble::error::SetupError,
+        boundary::bit::{
+            cutters::{Cutters, SteadyCut},
+            law::rules::{CutStart, CutState, LawRules},
+            motor::Drive,
+            step::{Approach, RockReaction},
+        },
+    },
     rock::{BitShape, DrillingSpec},
 };
 
@@ -83,5 +93,39 @@ impl RockLaw {
         let rock = &self.drilling.block.rock;
         let radius_m = self.estimate().radius_m;
         2.0 * rock.youngs_modulus_Pa * radius_m / (1.0 - rock.poisson_ratio.powi(2))
+    }
+}
+
+impl LawRules for RockLaw {
+    type Cut = RockCut;
+
+    fn check(&self) -> Result<(), SetupError> {
+        Ok(self.drilling.check()?)
+    }
+
+    fn stiffness_N_per_m(&self) -> f64 {
+        Self::stiffness_N_per_m(self)
+    }
+
+    fn steady_cut(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> Option<SteadyCut> {
+        Some(self.steady(weight_on_bit_N, rotary_speed_rad_per_s))
+    }
+
+    /// The bit is run in first: [`Bit::stand`](crate::dynamics::boundary::bit::Bit::stand).
+    fn begin(&self, _start: &CutStart<'_>) -> Option<RockCut> {
+        None
+    }
+}
+
+impl CutState for RockCut {
+    type Law = RockLaw;
+
+    fn check(&self, law: &RockLaw) -> Result<(), Damaged> {
+        self.check_drilling(&law.drilling)
+    }
+
+    /// It takes the bit's node through the step by itself: [`RockCut::drill`].
+    fn meet(&mut self, _at: &Approach, _drive: &mut Drive) -> Option<RockReaction> {
+        None
     }
 }

@@ -5,7 +5,4 @@ mod law;
 mod run_in;
 
 pub(super) use self::cut::RockCut;
-pub use self::{
-    law::RockLaw,
-    run_in::{RunIn, Standing},
-};
+pub use self::{cut::RunIn, law::RockLaw, run_in::Standing};

@@ -4,13 +4,13 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
-use super::RockLaw;
+use super::{RunIn, law::RockLaw};
 use crate::{
     GRAVITY_M_PER_S2,
     dynamics::{
         assemble::error::SetupError,
         boundary::{
-            bit::{BitLaw, BitSettings, motor::Drive},
+            bit::{law::BitLaw, motor::Drive, settings::BitSettings},
             executor::RockExecutor,
         },
     },
@@ -51,15 +51,6 @@ pub struct Standing {
     pub mass_kg: f64,
 }
 
-/// A bit on its bottom, run in as the string moves at time zero.
-#[derive(Debug, Clone)]
-pub struct RunIn {
-    pub(super) drilling: Drilling,
-    pub(super) weight_N: f64,
-    pub(super) torque_N_m: f64,
-    pub(super) depth_of_cut_m: f64,
-}
-
 impl RunIn {
     /// Runs the bit in; none where no solid rock is drilled. A motor turns it as fast as under the
     /// torque that `first` expects.
@@ -94,11 +85,6 @@ impl RunIn {
             }
         }
         Ok(Some(run_in))
-    }
-
-    /// Torque that it took in its last revolution, N·m; none where it did not turn.
-    pub fn torque_N_m(&self) -> f64 {
-        self.torque_N_m
     }
 }
 

@@ -4,7 +4,16 @@ use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Cutters, Excitation, SteadyCut, rate_segment::RateSegment};
+use super::rules::{CutStart, LawRules};
+use crate::dynamics::{
+    assemble::{error::SetupError, numbers::check_numbers},
+    boundary::bit::{
+        cutters::{Cutters, SteadyCut},
+        excitation::Excitation,
+        front::{FrontCut, FrontRule, Press, check_front},
+        rate_segment::RateSegment,
+    },
+};
 
 /// The law of Detournay and Defourny for drag bits, with the three regimes that Detournay, Richard
 /// and Shepherd measured (*International Journal of Rock Mechanics and Mining Sciences* 45, 2008).
@@ -66,7 +75,7 @@ impl DetournayDefournyLaw {
     }
 
     /// The rate of penetration against the weight at a speed, regime by regime.
-    pub(super) fn segments(&self, speed_rad_per_s: f64) -> impl Iterator<Item = RateSegment> {
+    fn segments(&self, speed_rad_per_s: f64) -> impl Iterator<Item = RateSegment> {
         let revolutions_per_s = speed_rad_per_s.max(0.0) / TAU;
         let full = self.full_contact_depth_m;
         let full_N = self.weight_on_bit_N(full);
@@ -90,5 +99,53 @@ impl DetournayDefournyLaw {
             slope_m_per_s_per_N: 0.0,
         });
         [Some(contact), Some(cutting), choked].into_iter().flatten()
+    }
+}
+
+impl LawRules for DetournayDefournyLaw {
+    type Cut = FrontCut<Self>;
+
+    fn check(&self) -> Result<(), SetupError> {
+        self.cutters.check()?;
+        let full_m = self.full_contact_depth_m;
+        check_numbers(&[], &[("bit.full_contact_depth_m", full_m)])?;
+        if let Some(limit) =
+            self.cleaning_limit_m.filter(|limit| limit.is_nan() || *limit <= full_m)
+        {
+            return Err(SetupError::Setting {
+                name: "bit.cleaning_limit_m",
+                value: limit,
+                expected: "more than the depth of full contact",
+            });
+        }
+        check_front(self.rock_stiffness_N_per_m, self.excitation.as_ref())
+    }
+
+    fn stiffness_N_per_m(&self) -> f64 {
+        self.rock_stiffness_N_per_m
+    }
+
+    fn steady_cut(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> Option<SteadyCut> {
+        Some(self.steady(weight_on_bit_N, rotary_speed_rad_per_s))
+    }
+
+    fn begin(&self, start: &CutStart<'_>) -> Option<Self::Cut> {
+        Some(FrontCut::new(*self, self.rock_stiffness_N_per_m, self.excitation, start))
+    }
+}
+
+impl FrontRule for DetournayDefournyLaw {
+    type Law = Self;
+
+    fn is_of(&self, law: &Self) -> bool {
+        self == law
+    }
+
+    fn press(&self, press: &Press, turning_rad_per_s: f64) -> (f64, f64) {
+        press.on(self.segments(turning_rad_per_s))
+    }
+
+    fn cut(&mut self, weight_N: f64, _turning_rad_per_s: f64) -> (f64, f64) {
+        (self.torque_N_m(weight_N), self.depth_of_cut_m(weight_N))
     }
 }

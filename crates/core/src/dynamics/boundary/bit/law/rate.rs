@@ -2,8 +2,21 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Excitation, motor::Drive, rate_segment::RateSegment};
-use crate::operation::{Operation, OperationKind};
+use super::rules::{CutStart, LawRules};
+use crate::{
+    dynamics::{
+        assemble::error::SetupError,
+        boundary::bit::{
+            cutters::SteadyCut,
+            excitation::Excitation,
+            front::{FrontCut, FrontRule, Press, check_front},
+            motor::{Drive, Turned},
+            rate_segment::RateSegment,
+            step::Approach,
+        },
+    },
+    operation::{Operation, OperationKind},
+};
 
 /// The rate law: on rock that lies where the bit has cut to, pressed with the force `W`, the bit
 /// advances at the rate `v = v₀ (W/W₀)(Ω/Ω₀)`, its torque is `T₀ W/W₀`; `v₀`, `W₀`, `Ω₀`, `T₀` are
@@ -16,15 +29,40 @@ pub struct RateLaw {
     pub excitation: Option<Excitation>,
 }
 
+impl LawRules for RateLaw {
+    type Cut = FrontCut<Rate>;
+
+    fn check(&self) -> Result<(), SetupError> {
+        check_front(self.rock_stiffness_N_per_m, self.excitation.as_ref())
+    }
+
+    fn stiffness_N_per_m(&self) -> f64 {
+        self.rock_stiffness_N_per_m
+    }
+
+    fn steady_cut(&self, _weight_on_bit_N: f64, _rotary_speed_rad_per_s: f64) -> Option<SteadyCut> {
+        None
+    }
+
+    fn counts_angle(&self) -> bool {
+        self.excitation.is_some()
+    }
+
+    fn begin(&self, start: &CutStart<'_>) -> Option<Self::Cut> {
+        let law = Rate::new(start.operation, start.drive);
+        Some(FrontCut::new(law, self.rock_stiffness_N_per_m, self.excitation, start))
+    }
+}
+
 /// The rate law with the numbers of an operation.
 ///
 /// The torque holds the bit when the string no longer turns it. A sliding string's bit is turned by
 /// its motor: the front advances at the motor's pace and the string carries the reaction.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct Rate {
+pub struct Rate {
     /// Whether the string stands and a motor of which no more is known than its speed does all the
     /// turning.
-    pub(super) slides: bool,
+    slides: bool,
     /// Advance of the front per force and second at nominal speed, m/s/N.
     rate_m_per_s_per_N: f64,
     /// Torque per weight, m.
@@ -34,7 +72,7 @@ pub(super) struct Rate {
 }
 
 impl Rate {
-    pub(super) fn new(operation: &Operation, drive: &Drive) -> Self {
+    fn new(operation: &Operation, drive: &Drive) -> Self {
         let weight = operation.weight_on_bit_now_N();
         Self {
             slides: operation.kind == OperationKind::Slide && drive.is_ideal(),
@@ -44,7 +82,7 @@ impl Rate {
         }
     }
 
-    pub(super) fn segment(&self, speed_rad_per_s: f64) -> RateSegment {
+    fn segment(&self, speed_rad_per_s: f64) -> RateSegment {
         let speed_ratio = if self.slides || self.nominal_rad_per_s == 0.0 {
             1.0
         } else {
@@ -58,16 +96,45 @@ impl Rate {
         }
     }
 
-    pub(super) fn torque_N_m(&self, weight_N: f64) -> f64 {
+    fn torque_N_m(&self, weight_N: f64) -> f64 {
         self.torque_per_weight_m * weight_N
     }
 
     /// Depth of cut under a weight; of a motor whose speed nobody gave it is not known, and zero.
-    pub(super) fn depth_of_cut_m(&self, weight_N: f64) -> f64 {
+    fn depth_of_cut_m(&self, weight_N: f64) -> f64 {
         if self.nominal_rad_per_s > 0.0 {
             self.rate_m_per_s_per_N * weight_N * std::f64::consts::TAU / self.nominal_rad_per_s
         } else {
             0.0
+        }
+    }
+}
+
+impl FrontRule for Rate {
+    type Law = RateLaw;
+
+    fn is_of(&self, _law: &RateLaw) -> bool {
+        true
+    }
+
+    fn press(&self, press: &Press, turning_rad_per_s: f64) -> (f64, f64) {
+        press.on([self.segment(turning_rad_per_s)])
+    }
+
+    fn cut(&mut self, weight_N: f64, _turning_rad_per_s: f64) -> (f64, f64) {
+        (self.torque_N_m(weight_N), self.depth_of_cut_m(weight_N))
+    }
+
+    /// The reaction of a motor that does all the turning does turn the string.
+    fn turn(&self, at: &Approach, drive: &mut Drive, wanted_N_m: f64) -> Turned {
+        if !self.slides {
+            return drive.turn(at.spin_rad_per_s, at.turning_mobility, wanted_N_m, 0.0);
+        }
+        let string = at.spin_rad_per_s - at.turning_mobility * wanted_N_m;
+        Turned {
+            torque_N_m: wanted_N_m,
+            string_rad_per_s: string,
+            bit_rad_per_s: string + drive.speed_rad_per_s(),
         }
     }
 }

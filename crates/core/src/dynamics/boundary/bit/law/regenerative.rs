@@ -2,13 +2,19 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{
-    Cutters, SteadyCut,
-    bottom::Bottom,
-    motor::Drive,
-    step::{Approach, RockReaction},
+use super::rules::{CutStart, CutState, LawRules};
+use crate::{
+    damage::Damaged,
+    dynamics::{
+        assemble::{error::SetupError, numbers::check_numbers},
+        boundary::bit::{
+            bottom::Bottom,
+            cutters::{Cutters, SteadyCut},
+            motor::Drive,
+            step::{Approach, RockReaction},
+        },
+    },
 };
-use crate::{damage::Damaged, operation::Operation};
 
 /// The law of Richard, Germay and Detournay for drag bits (*Journal of Sound and Vibration* 305,
 /// 2007), on the cutting law of Detournay and Defourny (1992).
@@ -45,9 +51,38 @@ impl RegenerativeLaw {
     }
 }
 
+impl LawRules for RegenerativeLaw {
+    type Cut = RegenerativeCut;
+
+    fn check(&self) -> Result<(), SetupError> {
+        check_numbers(&[("bit.blades", f64::from(self.blades))], &[])?;
+        self.cutters.check()
+    }
+
+    fn stiffness_N_per_m(&self) -> f64 {
+        Self::stiffness_N_per_m(self)
+    }
+
+    fn steady_cut(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> Option<SteadyCut> {
+        Some(self.steady(weight_on_bit_N, rotary_speed_rad_per_s))
+    }
+
+    fn begin(&self, start: &CutStart<'_>) -> Option<Self::Cut> {
+        let weight = start.operation.weight_on_bit_now_N();
+        let depth_of_cut = self.steady(weight, 0.0).depth_of_cut_m;
+        let of_a_blade_m = depth_of_cut / f64::from(self.blades);
+        Some(RegenerativeCut {
+            law: *self,
+            bottom: Bottom::new(self.blades, start.depth_m, of_a_blade_m),
+            depth_m: start.depth_m,
+            back_rad: 0.0,
+        })
+    }
+}
+
 /// The rock under a bit that follows the law.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct RegenerativeCut {
+pub struct RegenerativeCut {
     law: RegenerativeLaw,
     bottom: Bottom,
     /// Depth of the bit at the end of the step before, m.
@@ -56,24 +91,15 @@ pub(super) struct RegenerativeCut {
     back_rad: f64,
 }
 
-impl RegenerativeCut {
-    /// Whether a stored bottom is whole.
-    pub(super) fn check(&self) -> Result<(), Damaged> {
+impl CutState for RegenerativeCut {
+    type Law = RegenerativeLaw;
+
+    /// The bottom must be whole.
+    fn check(&self, _law: &RegenerativeLaw) -> Result<(), Damaged> {
         self.bottom.check()
     }
 
-    pub(super) fn new(law: RegenerativeLaw, operation: &Operation, depth_m: f64) -> Self {
-        let weight = operation.weight_on_bit_now_N();
-        let depth_of_cut = law.steady(weight, 0.0).depth_of_cut_m;
-        Self {
-            law,
-            bottom: Bottom::new(law.blades, depth_m, depth_of_cut / f64::from(law.blades)),
-            depth_m,
-            back_rad: 0.0,
-        }
-    }
-
-    pub(super) fn meet(&mut self, at: &Approach, drive: &mut Drive) -> RockReaction {
+    fn meet(&mut self, at: &Approach, drive: &mut Drive) -> Option<RockReaction> {
         let law = &self.law;
         let mobility = at.axial_mobility_s_per_kg;
         // A torque bends the angle by dt², and the rock ahead slopes by a thousandth: the turn can
@@ -112,12 +138,12 @@ impl RegenerativeCut {
         // Turned back: nothing is cut until this angle is made good.
         self.back_rad = (-turn).max(0.0);
         self.depth_m = depth_m;
-        RockReaction {
+        Some(RockReaction {
             weight_N: weight,
             torque_N_m: turned.torque_N_m,
             spin_rad_per_s: turned.string_rad_per_s,
             depth_of_cut_m: f64::from(law.blades) * depth_of_cut,
             rate_m_per_s: depth_of_turn_m / at.dt,
-        }
+        })
     }
 }

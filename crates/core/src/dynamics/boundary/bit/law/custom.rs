@@ -4,10 +4,21 @@ use std::{fmt, sync::Arc};
 
 use serde::{Deserialize, Serialize, Serializer};
 
-use super::{Excitation, SteadyCut, excitation::Shake};
-use crate::dynamics::boundary::extension::{AnotherExtension, Extension};
+use super::rules::{CutStart, LawRules};
+use crate::dynamics::{
+    assemble::error::SetupError,
+    boundary::{
+        bit::{
+            cutters::SteadyCut,
+            excitation::{Excitation, Shake, Shaker},
+            front::{FrontCut, FrontRule, Press, check_front},
+            step::BitRockStep,
+        },
+        extension::{AnotherExtension, Extension},
+    },
+};
 
-/// How rock answers a bit: a law of the caller's own, for [`BitLaw::Custom`](super::BitLaw).
+/// How rock answers a bit: a law of the caller's own, for [`BitLaw::Custom`](crate::dynamics::BitLaw).
 ///
 /// The rock front lies where the bit has cut to and is as stiff as [`CustomLaw`] says. In each step
 /// the engine finds the weight at which the front's compression and its advance agree, asks
@@ -40,21 +51,6 @@ pub trait BitRockLaw: fmt::Debug + Send + Sync {
 
     /// After each step: what the law keeps of it. Nothing by default.
     fn advance(&self, _state: &mut [f64], _step: &BitRockStep) {}
-}
-
-/// What bit and rock did in a step.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BitRockStep {
-    /// Length of the step, s.
-    pub dt_s: f64,
-    /// Weight on bit at its end, N.
-    pub weight_on_bit_N: f64,
-    /// Torque on bit, N·m.
-    pub torque_N_m: f64,
-    /// Speed of the bit, motor included, rad/s.
-    pub bit_speed_rad_per_s: f64,
-    /// How far the rock front has advanced, m.
-    pub advance_m: f64,
 }
 
 /// A law of the caller's own with the rock's stiffness and what shakes the bit.
@@ -95,16 +91,37 @@ impl CustomLaw {
     }
 }
 
+impl LawRules for CustomLaw {
+    type Cut = FrontCut<CustomCut>;
+
+    fn check(&self) -> Result<(), SetupError> {
+        check_front(self.rock_stiffness_N_per_m, self.excitation.as_ref())
+    }
+
+    fn stiffness_N_per_m(&self) -> f64 {
+        self.rock_stiffness_N_per_m
+    }
+
+    fn steady_cut(&self, weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> Option<SteadyCut> {
+        Some(self.steady(weight_on_bit_N, rotary_speed_rad_per_s))
+    }
+
+    fn begin(&self, start: &CutStart<'_>) -> Option<Self::Cut> {
+        let law = CustomCut::new(self);
+        Some(FrontCut::new(law, self.rock_stiffness_N_per_m, self.excitation, start))
+    }
+}
+
 /// The law in a run.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct CustomCut {
+pub struct CustomCut {
     law: Extension<dyn BitRockLaw>,
     angle_rad: f64,
     time_s: f64,
 }
 
 impl CustomCut {
-    pub(super) fn new(custom: &CustomLaw) -> Self {
+    fn new(custom: &CustomLaw) -> Self {
         let law = &custom.law;
         Self {
             law: Extension::new(law, law.name(), law.initial_state()),
@@ -113,32 +130,57 @@ impl CustomCut {
         }
     }
 
-    /// Gives a law that has been read back its own.
-    pub(super) fn attach(&mut self, custom: &CustomLaw) -> Result<(), AnotherExtension> {
-        let law = &custom.law;
-        let numbers = law.initial_state().len();
-        self.law.attach("the law of the bit", law, law.name(), numbers)
-    }
-
-    pub(super) fn is_attached(&self) -> bool {
-        self.law.is_attached()
-    }
-
-    pub(super) fn cut(&self, weight_N: f64, speed_rad_per_s: f64) -> SteadyCut {
+    fn cut_at(&self, weight_N: f64, speed_rad_per_s: f64) -> SteadyCut {
         match self.law.get() {
             Some((law, state)) => law.cut(state, weight_N, speed_rad_per_s),
             None => SteadyCut::default(),
         }
     }
+}
 
-    pub(super) fn shake(&self, turn_rad: f64, dt: f64) -> Shake {
-        match self.law.get() {
-            Some((law, state)) => law.shake(state, self.angle_rad + turn_rad, self.time_s + dt),
-            None => Shake::default(),
-        }
+impl FrontRule for CustomCut {
+    type Law = CustomLaw;
+
+    fn is_of(&self, _law: &CustomLaw) -> bool {
+        self.law.is_attached()
     }
 
-    pub(super) fn advance(&mut self, step: &BitRockStep) {
+    fn attach(&mut self, custom: &CustomLaw) -> Result<(), AnotherExtension> {
+        let law = &custom.law;
+        let numbers = law.initial_state().len();
+        self.law.attach("the law of the bit", law, law.name(), numbers)
+    }
+
+    fn press(&self, press: &Press, turning_rad_per_s: f64) -> (f64, f64) {
+        press.on_rate(|weight| self.cut_at(weight, turning_rad_per_s).rate_of_penetration_m_per_s)
+    }
+
+    fn cut(&mut self, weight_N: f64, turning_rad_per_s: f64) -> (f64, f64) {
+        let cut = self.cut_at(weight_N, turning_rad_per_s);
+        (cut.torque_N_m, cut.depth_of_cut_m)
+    }
+
+    /// The law's own, and noise besides.
+    fn shake(
+        &self,
+        shaker: Option<&Shaker>,
+        _weight_N: f64,
+        _turning_rad_per_s: f64,
+        turn_rad: f64,
+        dt: f64,
+    ) -> Shake {
+        let own = match self.law.get() {
+            Some((law, state)) => law.shake(state, self.angle_rad + turn_rad, self.time_s + dt),
+            None => Shake::default(),
+        };
+        let Some(shaker) = shaker else {
+            return own;
+        };
+        let noise = shaker.next(turn_rad, dt);
+        Shake { front_m: own.front_m + noise.front_m, torque: own.torque + noise.torque }
+    }
+
+    fn advance(&mut self, step: &BitRockStep) {
         self.angle_rad += step.bit_speed_rad_per_s * step.dt_s;
         self.time_s += step.dt_s;
         if let Some((law, state)) = self.law.get_mut() {

@@ -1,0 +1,50 @@
+//! What the keys of a law are for.
+
+use wholestring::{
+    dynamics::{BitLaw, BitSettings},
+    operation::Operation,
+};
+
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned, source::Span};
+
+use crate::bit::{around::Around, given::Given};
+
+/// The keys of a law: the law that they make, and what it makes of the operation's set points.
+pub(crate) trait LawKeys {
+    /// The law; `place` is where it was chosen.
+    fn build(&self, place: Span, around: &Around<'_>, reader: &mut Reader) -> Option<BitLaw>;
+
+    /// What finds torque and rate of penetration from weight and speed, so that `rop` has no
+    /// effect; none where they are the operation's.
+    fn finds_rate(&self) -> Option<&'static str>;
+
+    /// Torque at the operation's weight on bit, N.m, of a law that does not find it; nothing after a
+    /// mistake.
+    fn torque_N_m(&self) -> Option<Option<f64>> {
+        Some(None)
+    }
+
+    /// Warns of a weight on bit that the law makes little of.
+    fn warn_of_weight(&self, _law: &BitLaw, _wob: &Spanned<f64>, _reader: &mut Reader) {}
+
+    /// Refuses an operation that the law does not know.
+    fn check_operation(
+        &self,
+        _bit: &BitSettings,
+        _operation: &Operation,
+        _given: &Given<'_>,
+        _reader: &mut Reader,
+    ) -> Option<()> {
+        Some(())
+    }
+
+    /// Warns of set points that the law makes nothing of.
+    fn warn_of_set_points(&self, law: &BitLaw, given: &Given<'_>, reader: &mut Reader) {
+        if let Some((finds, rop)) = self.finds_rate().zip(given.rop) {
+            reader.report(Diagnostic::warning("`rop` has no effect here").at(rop.place, finds));
+        }
+        if let Some(wob) = given.wob {
+            self.warn_of_weight(law, wob, reader);
+        }
+    }
+}

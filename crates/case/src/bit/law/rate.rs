@@ -1,0 +1,51 @@
+//! The rate law.
+
+use wholestring::dynamics::{BitLaw, RateLaw};
+use wholestring_units::Dimension;
+
+use wholestring_config::{
+    quantity::Quantity,
+    range::Range,
+    reader::Reader,
+    source::Span,
+    table::{keys, optional},
+    tagged::Variant,
+};
+
+use super::{front::FrontKeys, law_keys::LawKeys};
+use crate::bit::around::Around;
+
+keys! {
+    /// The rate law.
+    RateKeys {
+        /// Torque of the bit at the operation's weight on bit. Where an operation drills or slides
+        /// and it is not given, the bit is taken to turn freely, and a warning says so.
+        torque: f64 = optional(Quantity::si(
+            Dimension::Torque,
+            Range::from_to(0.0, 1e6).usual(50.0, 1e5),
+            "3.1 kN.m",
+        ));
+        ..front: FrontKeys;
+    }
+}
+
+impl Variant for RateKeys {
+    const WORD: &'static str = "rate";
+    const MEANING: &'static str = "the operation's rate of penetration in proportion to weight \
+        and speed, torque in proportion to weight";
+}
+
+impl LawKeys for RateKeys {
+    fn build(&self, _place: Span, _around: &Around<'_>, reader: &mut Reader) -> Option<BitLaw> {
+        let (rock_stiffness_N_per_m, excitation) = self.front.build(None, reader)?;
+        Some(BitLaw::Rate(RateLaw { rock_stiffness_N_per_m, excitation }))
+    }
+
+    fn finds_rate(&self) -> Option<&'static str> {
+        None
+    }
+
+    fn torque_N_m(&self) -> Option<Option<f64>> {
+        Some(self.torque.optional()?.map(|at| at.value))
+    }
+}
