@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::quantity::{Quantity, QuantityKind};
+use super::{quantity::Quantity, quantity_kind::QuantityKind};
 
 /// A scalar of [`Scalars`].
 #[derive(Debug)]
@@ -52,6 +52,7 @@ macro_rules! scalars {
         pub const SCALARS: &[Scalar] = &[$(
             Scalar {
                 quantity: Quantity::number(stringify!($scalar), QuantityKind::$kind, $meaning)
+                    .labelled($label)
                     $(.null_where($null_where))?,
                 label: $label,
                 row: $row,
