@@ -23,8 +23,8 @@ pub use finding::{Finding, Level};
 pub use packed::Packed;
 pub use page::{bit_test_html, report_html, sweep_html};
 pub use plots::{
-    ContactMap, Plot, Run, Spectrum, common_operations, contact_figure, plots, profile,
-    spectrum_dimension,
+    ContactMap, Plot, Run, Spectrum, common_operations, contact_figure, drill_off_columns,
+    frame_columns, plots, profile, shown_dimension, spectrum_dimension,
 };
 pub use report::{
     Answer, ContactPicture, DisplayUnit, DrillOff, Fact, Frames, Part, Place, Report, Section,

@@ -10,7 +10,10 @@ use crate::{
     draw::palette,
     plots::{
         SETS,
-        catalogue::{BIT_PLOTS, RULES, Rules, TIME_PLOTS, TRACKS, TimePlot, Track},
+        catalogue::{
+            DrillOffPlot, NodeChannel, RULES, Rules, StringColour, TimePlot, Track, bit_plots,
+            drill_off_plots, node_channels, string_colours, time_plots, tracks,
+        },
         models,
     },
     sweep_plots,
@@ -34,10 +37,13 @@ struct Data<'a> {
     #[serde(flatten)]
     report: &'a Report,
     models: Vec<Model>,
-    tracks: &'a [Track],
+    tracks: Vec<Track>,
     rules: Rules,
-    time_plots: &'a [TimePlot],
-    bit_plots: &'a [TimePlot],
+    time_plots: Vec<TimePlot>,
+    bit_plots: Vec<TimePlot>,
+    drill_off_plots: [DrillOffPlot; 3],
+    node_channels: Vec<NodeChannel>,
+    string_colours: Vec<StringColour>,
 }
 
 /// What a run's page knows of a method that answered; they stand from the most detailed down.
@@ -64,10 +70,13 @@ pub fn report_html(report: &Report) -> String {
             .into_iter()
             .map(Model::of)
             .collect(),
-        tracks: TRACKS,
+        tracks: tracks(),
         rules: RULES,
-        time_plots: TIME_PLOTS,
-        bit_plots: BIT_PLOTS,
+        time_plots: time_plots(),
+        bit_plots: bit_plots(),
+        drill_off_plots: drill_off_plots(),
+        node_channels: node_channels(),
+        string_colours: string_colours(),
     };
     page(&report.title, &report.program, &data, &licences(), PROGRAM)
 }
@@ -312,13 +321,7 @@ pub(crate) mod tests {
                 wear: BTreeMap::new(),
             }],
             well: Well {
-                md_m: column(),
-                north_m: column(),
-                east_m: column(),
-                tvd_m: column(),
-                inclination_rad: column(),
-                azimuth_rad: column(),
-                dogleg_rad_per_m: column(),
+                columns: BTreeMap::from([("md_m".into(), column())]),
                 high: [column(), column(), column()],
             },
             hole: vec![Section {
@@ -345,9 +348,7 @@ pub(crate) mod tests {
                 contact: None,
                 frames: None,
                 drill_off: Some(DrillOff {
-                    weight_N: column(),
-                    rate_m_per_s: column(),
-                    torque_N_m: column(),
+                    columns: BTreeMap::from([("weight_on_bit_N".into(), column())]),
                 }),
                 bottom: BottomPicture::new(&[0.1], &[1.0, 3.0], &[0.0, 0.01]),
                 spectra: Vec::new(),

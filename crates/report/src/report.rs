@@ -60,7 +60,7 @@ pub struct Fact {
 /// What one model answered for one operation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Solved {
-    /// `soft` or `dynamic`.
+    /// Name of the method.
     pub model: String,
     /// `trip_out`, `drill`, ...
     pub operation: String,
@@ -104,20 +104,9 @@ pub struct Answer {
 /// The path of the well, point by point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Well {
-    /// Measured depth, m.
-    pub md_m: Packed,
-    /// North, east and vertical depth, m.
-    pub north_m: Packed,
-    /// East, m.
-    pub east_m: Packed,
-    /// True vertical depth, m.
-    pub tvd_m: Packed,
-    /// Inclination, rad.
-    pub inclination_rad: Packed,
-    /// Azimuth, rad.
-    pub azimuth_rad: Packed,
-    /// Dogleg severity, rad/m.
-    pub dogleg_rad_per_m: Packed,
+    /// Columns of the path by their name.
+    #[serde(flatten)]
+    pub columns: BTreeMap<String, Packed>,
     /// Unit vector to the high side: north, east and down of all points, one component after the
     /// other.
     pub high: [Packed; 3],
@@ -199,13 +188,10 @@ pub struct SpectrumPicture {
 
 /// What a bit takes away for what it is given: samples of the window, evenly apart in time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
 pub struct DrillOff {
-    /// Weight on bit, N.
-    pub weight_N: Packed,
-    /// Rate of penetration, m/s.
-    pub rate_m_per_s: Packed,
-    /// Torque on bit, N·m.
-    pub torque_N_m: Packed,
+    /// Columns of `time.parquet` by their name.
+    pub columns: BTreeMap<String, Packed>,
 }
 
 /// Contact over depth and time: row after row in time, each from the surface down.

@@ -86,10 +86,10 @@ fn path_hole_and_string_are_those_of_the_case() {
     let output = desk.run(&["run", "slant.toml", "-o", "out", "--set", "model=soft"]);
     assert!(output.status.success());
     let report = read(&fs::read_to_string(desk.path("out/report.html")).unwrap());
-    let last = |values: Vec<f64>| *values.last().unwrap();
-    assert_eq!(last(report.well.md_m.values()), 600.0);
-    assert!((last(report.well.tvd_m.values()) - 300.0).abs() < 1e-3);
-    assert!((last(report.well.north_m.values()) - 600.0 * 0.75_f64.sqrt()).abs() < 1e-3);
+    let last = |name: &str| *report.well.columns[name].values().last().unwrap();
+    assert_eq!(last("md_m"), 600.0);
+    assert!((last("tvd_m") - 300.0).abs() < 1e-3);
+    assert!((last("north_m") - 600.0 * 0.75_f64.sqrt()).abs() < 1e-3);
     let ends: Vec<_> = report.hole.iter().map(|of| (of.from_m, of.to_m)).collect();
     assert_eq!(ends, [(0.0, 400.0), (400.0, 600.0)]);
     assert_eq!(report.string.len(), 1);

@@ -2,7 +2,10 @@
 
 use std::borrow::Cow;
 
-use super::{method::ModelKind, quantity::Quantity};
+use super::{
+    method::ModelKind,
+    quantity::{Quantity, is_same},
+};
 
 /// The values of a column.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,17 +67,6 @@ impl<T> Column<T> {
         }
         panic!("no column of that name is declared")
     }
-}
-
-const fn is_same(a: &str, b: &str) -> bool {
-    let (a, b) = (a.as_bytes(), b.as_bytes());
-    let mut same = a.len() == b.len();
-    let mut place = 0;
-    while same && place < a.len() {
-        same = a[place] == b[place];
-        place += 1;
-    }
-    same
 }
 
 /// How the statistics of a column over a window are taken.

@@ -15,6 +15,7 @@ mod signal;
 mod signals;
 mod solution;
 mod time_series;
+mod well_path;
 
 pub use along_string::{ContactClass, PROFILE, Profile};
 pub use column::{Column, DriftScale, Values, WindowStatistics};
@@ -34,3 +35,4 @@ pub(crate) use signals::signals;
 pub use solution::{InTime, Solution};
 pub(crate) use time_series::VARYING;
 pub use time_series::{TIME_SERIES, TimeSeries};
+pub use well_path::{WELL_PATH, WellPath};

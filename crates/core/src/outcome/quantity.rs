@@ -99,3 +99,15 @@ impl Quantity {
         }
     }
 }
+
+/// Whether two names are the same, while compiling.
+pub(super) const fn is_same(a: &str, b: &str) -> bool {
+    let (a, b) = (a.as_bytes(), b.as_bytes());
+    let mut same = a.len() == b.len();
+    let mut place = 0;
+    while same && place < a.len() {
+        same = a[place] == b[place];
+        place += 1;
+    }
+    same
+}

@@ -20,6 +20,7 @@ pub(crate) use self::{
     styles::{models, spoken},
 };
 pub use self::{
+    catalogue::shown_dimension,
     contact::{ContactMap, contact_figure},
     run::{Plot, Run, Spectrum, common_operations},
     spectra::spectrum_dimension,
@@ -118,4 +119,14 @@ pub(crate) fn subtitle(asked: &[Fact], shown: Shown<'_>) -> String {
             Some(said.map_or(text.clone(), |(_, done)| done.to_owned()))
         });
     parts.collect::<Vec<_>>().join("; ")
+}
+
+/// The columns of `time.parquet` that are drawn against the first of them, the weight on bit.
+pub fn drill_off_columns() -> [&'static str; 3] {
+    catalogue::drill_off_plots().map(|of| of.shows.column)
+}
+
+/// The columns of `frames.parquet` that a page holds.
+pub fn frame_columns() -> Vec<&'static str> {
+    catalogue::node_channels().iter().map(|of| of.shows.column).collect()
 }

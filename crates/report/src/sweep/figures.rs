@@ -2,7 +2,7 @@
 
 use wholestring::outcome::Method;
 
-use super::{QUANTITIES, Quantity, Sweep, SweepRow};
+use super::{DRAWN, Drawn, Sweep, SweepRow};
 use crate::{
     Level, Plot,
     figure::{
@@ -26,8 +26,8 @@ enum Varied {
 pub fn sweep_plots(sweep: &Sweep, units: &str) -> Vec<Plot> {
     let shown = Shown::new(&sweep.dimensions, units);
     let drawing = Drawing::new(sweep, shown);
-    let panels: Vec<(&Quantity, Panel)> =
-        QUANTITIES.iter().filter_map(|of| Some((of, drawing.panel(of)?))).collect();
+    let panels: Vec<(&Drawn, Panel)> =
+        DRAWN.iter().filter_map(|of| Some((of, drawing.panel(of)?))).collect();
     if panels.is_empty() {
         return Vec::new();
     }
@@ -167,10 +167,11 @@ impl<'a> Drawing<'a> {
         parts.join(", ")
     }
 
-    fn panel(&self, of: &Quantity) -> Option<Panel> {
+    fn panel(&self, of: &Drawn) -> Option<Panel> {
+        let dimension = of.dimension();
         let value = |row: &SweepRow, end: &str| {
-            let value = row.numbers.get(&format!("{}{end}", of.column)).copied();
-            self.shown.value(value.unwrap_or(f64::NAN), of.dimension)
+            let value = row.numbers.get(&format!("{}{end}", of.scalar.quantity.name)).copied();
+            self.shown.value(value.unwrap_or(f64::NAN), dimension)
         };
         let (mut bands, mut curves, mut points) = (Vec::new(), Vec::new(), Vec::new());
         let mut names = Vec::new();
@@ -249,9 +250,9 @@ impl<'a> Drawing<'a> {
         (!curves.is_empty()).then(|| Panel {
             axis: Axis {
                 // Depth points down wherever an axis can.
-                down: of.dimension == "length",
-                min_span: self.shown.value(of.min_span, of.dimension),
-                ..Axis::new(self.shown.label(of.title, of.dimension), Range::Near)
+                down: dimension == "length",
+                min_span: self.shown.value(of.min_span, dimension),
+                ..Axis::new(self.shown.label(of.scalar.label, dimension), Range::Near)
             },
             marks: [bands, curves, points].concat(),
             keys: Vec::new(),
@@ -333,7 +334,7 @@ impl<'a> Drawing<'a> {
         keys
     }
 
-    fn figure(&self, panels: &[(&Quantity, Panel)], columns: usize, width_mm: f64) -> Figure {
+    fn figure(&self, panels: &[(&Drawn, Panel)], columns: usize, width_mm: f64) -> Figure {
         let down = matches!(self.varied, Varied::Depth);
         let subtitle_text = subtitle(&self.sweep.asked, self.shown);
         Figure {

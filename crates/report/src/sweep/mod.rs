@@ -6,9 +6,9 @@ pub use figures::sweep_plots;
 
 use std::collections::BTreeMap;
 
-use wholestring::outcome::ModelKind;
+use wholestring::outcome::{ModelKind, Scalar};
 
-use crate::{Cell, DisplayUnit, Fact, Place, Sheet, plots::spoken};
+use crate::{Cell, DisplayUnit, Fact, Place, Sheet, plots::spoken, shown_dimension};
 
 /// A sweep as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,7 +34,7 @@ pub struct Sweep {
 pub struct SweepRow {
     /// The values of the keys, as they were written.
     pub values: Vec<String>,
-    /// `soft` or `dynamic`; empty where the case had no answer.
+    /// Name of the method; empty where the case had no answer.
     pub model: String,
     /// `trip_out`, `drill`, ...
     pub operation: String,
@@ -52,46 +52,28 @@ pub struct SweepRow {
     pub page: Option<String>,
 }
 
-/// What is drawn and reported of each case.
-struct Quantity {
+/// A scalar that is drawn and reported of each case.
+#[derive(Clone, Copy)]
+struct Drawn {
     /// Name of its file.
     name: &'static str,
-    title: &'static str,
-    dimension: &'static str,
+    scalar: &'static Scalar,
     /// What its axis spans at least, SI.
     min_span: f64,
-    column: &'static str,
 }
 
-const QUANTITIES: &[Quantity] = &[
-    Quantity {
-        name: "hook-load",
-        title: "Hook load without block",
-        dimension: "force",
-        min_span: 2e4,
-        column: "hook_load_N",
-    },
-    Quantity {
-        name: "torque",
-        title: "Surface torque",
-        dimension: "torque",
-        min_span: 1e3,
-        column: "surface_torque_N_m",
-    },
-    Quantity {
-        name: "axial-friction",
-        title: "Axial friction",
-        dimension: "force",
-        min_span: 1e4,
-        column: "axial_friction_N",
-    },
-    Quantity {
-        name: "cut-off-depth",
-        title: "Cut-off depth",
-        dimension: "length",
-        min_span: 20.0,
-        column: "cutoff_depth_m",
-    },
+impl Drawn {
+    fn dimension(&self) -> &'static str {
+        shown_dimension(self.scalar.quantity.kind)
+    }
+}
+
+/// The scalars that are drawn, in their order.
+const DRAWN: [Drawn; 4] = [
+    Drawn { name: "hook-load", scalar: Scalar::declared("hook_load_N"), min_span: 2e4 },
+    Drawn { name: "torque", scalar: Scalar::declared("surface_torque_N_m"), min_span: 1e3 },
+    Drawn { name: "axial-friction", scalar: Scalar::declared("axial_friction_N"), min_span: 1e4 },
+    Drawn { name: "cut-off-depth", scalar: Scalar::declared("cutoff_depth_m"), min_span: 20.0 },
 ];
 
 impl Sweep {
@@ -114,9 +96,11 @@ impl Sweep {
         let whole = self.rows.iter().all(|row| row.status == "complete");
         let judged = self.rows.iter().any(|row| row.errors + row.warnings > 0);
         let paged = self.rows.iter().any(|row| row.page.is_some());
-        let quantities: Vec<&Quantity> = QUANTITIES
+        let quantities: Vec<&Drawn> = DRAWN
             .iter()
-            .filter(|of| self.rows.iter().any(|row| row.numbers.contains_key(of.column)))
+            .filter(|of| {
+                self.rows.iter().any(|row| row.numbers.contains_key(of.scalar.quantity.name))
+            })
             .collect();
         let row = |row: &SweepRow| {
             let model = ModelKind::named(&row.model);
@@ -125,10 +109,12 @@ impl Sweep {
             cells.push(Cell::Text(model.into()));
             cells.push(Cell::Text(spoken(&row.operation)));
             for of in &quantities {
-                let number = |end: &str| row.numbers.get(&format!("{}{end}", of.column)).copied();
+                let number = |end: &str| {
+                    row.numbers.get(&format!("{}{end}", of.scalar.quantity.name)).copied()
+                };
                 cells.push(number("").map_or(Cell::Nothing, |value| Cell::Quantity {
                     value,
-                    dimension: of.dimension.into(),
+                    dimension: of.dimension().into(),
                     std: number("_std"),
                 }));
             }
@@ -146,7 +132,7 @@ impl Sweep {
             }
             cells
         };
-        let titles = quantities.iter().map(|of| of.title.to_owned());
+        let titles = quantities.iter().map(|of| of.scalar.label.to_owned());
         Sheet {
             place: Place::Cases,
             title: "All cases".into(),

@@ -3,9 +3,8 @@
 use wholestring::outcome::{QuantityKind, Scalar, scalars_by_row};
 use wholestring_report::{Cell, Place, Sheet};
 use wholestring_results::{OperationSummary, Summary};
-use wholestring_units::Dimension;
 
-use super::{dimensions::of_kind, facts::spoken};
+use super::facts::spoken;
 
 /// A row: what it is, its dimension, and how it is read.
 type Row<'a> = (&'a str, &'a str, &'a dyn Fn(&OperationSummary) -> Option<f64>);
@@ -60,7 +59,7 @@ pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
 fn scalar_dimension(kind: QuantityKind) -> &'static str {
     match kind {
         QuantityKind::Angle => "turns",
-        kind => of_kind(kind).map_or("ratio", Dimension::name),
+        kind => kind.dimension(),
     }
 }
 

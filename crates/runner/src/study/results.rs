@@ -1,11 +1,12 @@
 //! What the cases of a study answered, and the rows of what they left.
 
 use std::{
+    borrow::Cow,
     collections::BTreeMap,
     path::{Path, PathBuf},
 };
 
-use wholestring::outcome::ModelKind;
+use wholestring::outcome::{ModelKind, Values, WELL_PATH};
 use wholestring_results::{Level, OperationSummary, ResultsError, Status, Summary, Table};
 use wholestring_study::{Chosen, Quantity, Selection, Source, Statistic};
 
@@ -108,8 +109,15 @@ impl CaseResult {
             Source::Summary => return Ok(()),
             Source::Path => {
                 let settings = self.settings()?;
-                let well = WellBore::of(&settings);
-                let columns = names.map(|name| well.column_named(name));
+                let path = WellBore::of(&settings).columns();
+                let numbers = |name| {
+                    let declared = WELL_PATH.iter().find(|of| of.quantity.name == name);
+                    match declared.map(|of| (of.of)(&path)) {
+                        Some(Values::Numbers(numbers)) => numbers,
+                        Some(Values::Words(_)) | None => Cow::default(),
+                    }
+                };
+                let columns = names.map(numbers);
                 (0..columns[0].len()).for_each(|row| visit(columns.each_ref().map(|of| of[row])));
                 return Ok(());
             }
