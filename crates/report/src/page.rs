@@ -6,7 +6,7 @@ use serde::Serialize;
 use wholestring::outcome::Method;
 
 use crate::{
-    BitTest, BottomPicture, DisplayUnit, Fact, Plot, Report, Sheet, Sweep, bit_test_plots,
+    BitTest, BottomPicture, DisplayUnit, Fact, PageTable, Plot, Report, Sweep, bit_test_plots,
     draw::palette,
     plots::{
         SETS,
@@ -93,8 +93,8 @@ struct SweepData<'a> {
     title: &'a str,
     units: &'a str,
     dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>,
-    asked: &'a [Fact],
-    sheet: Sheet,
+    facts: &'a [Fact],
+    page_table: PageTable,
     rows: Vec<Spot<'a>>,
 }
 
@@ -116,8 +116,8 @@ pub fn sweep_html(sweep: &Sweep) -> String {
         title: &sweep.title,
         units: &sweep.units,
         dimensions: &sweep.dimensions,
-        asked: &sweep.asked,
-        sheet: sweep.sheet(),
+        facts: &sweep.facts,
+        page_table: sweep.page_table(),
         rows: sweep
             .rows
             .iter()
@@ -155,9 +155,9 @@ struct BitTestData<'a> {
     title: &'a str,
     units: &'a str,
     dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>,
-    asked: &'a [Fact],
+    facts: &'a [Fact],
     message: Option<&'a str>,
-    sheets: Vec<Sheet>,
+    page_tables: Vec<PageTable>,
     bottoms: Vec<TestedBottom<'a>>,
 }
 
@@ -181,15 +181,15 @@ pub fn bit_test_html(test: &BitTest) -> String {
             bottom: of.bottom.as_ref()?,
         })
     });
-    let sheets = std::iter::once(test.sheet()).chain(test.sheets.iter().cloned());
+    let page_tables = std::iter::once(test.page_table()).chain(test.page_tables.iter().cloned());
     let data = BitTestData {
         program: &test.program,
         title: &test.title,
         units: &test.units,
         dimensions: &test.dimensions,
-        asked: &test.asked,
+        facts: &test.facts,
         message: test.message.as_deref(),
-        sheets: sheets.collect(),
+        page_tables: page_tables.collect(),
         bottoms: bottoms.collect(),
     };
     let mut rest = licences();
@@ -270,8 +270,8 @@ pub(crate) mod tests {
 
     use super::*;
     use crate::{
-        Answer, BottomPicture, Cell, DisplayUnit, DrillOff, Fact, Finding, Level, Packed, Part,
-        Place, Section, Sheet, Solved, TimeRun, Well,
+        BottomPicture, Cell, DisplayUnit, DrillOff, Fact, Finding, KeyResult, Level, Packed,
+        PageTable, Part, Place, Section, Solved, TimeRun, Well,
     };
 
     const NASTY: &str = "</script><script>alert(1)</script> <!-- & \" ' \u{2028} </title>";
@@ -285,9 +285,9 @@ pub(crate) mod tests {
             program: "wholestring".into(),
             title: NASTY.into(),
             units: "si".into(),
-            told_in: "si".into(),
+            message_units: "si".into(),
             dimensions: BTreeMap::from([("force".into(), ["kN", "t", "klbf"].map(unit))]),
-            asked: vec![
+            facts: vec![
                 fact(Cell::Text(NASTY.into())),
                 fact(Cell::Nothing),
                 fact(Cell::number(0.1 + 0.2)),
@@ -307,15 +307,15 @@ pub(crate) mod tests {
                     limit: Cell::Nothing,
                     message: NASTY.into(),
                 }],
-                answers: vec![Answer {
+                key_results: vec![KeyResult {
                     label: "Hook load".into(),
                     value: Cell::quantity(1.0, "force"),
-                    worst: None,
-                    held: None,
+                    largest: None,
+                    compared: None,
                     limit: Some(2.0),
                     limit_label: NASTY.into(),
                     more: vec![fact(Cell::quantity(2.0, "force"))],
-                    about: vec!["hook_load".into()],
+                    finding_words: vec!["hook_load".into()],
                 }],
                 profile: BTreeMap::from([("md_m".into(), column())]),
                 wear: BTreeMap::new(),
@@ -353,7 +353,7 @@ pub(crate) mod tests {
                 bottom: BottomPicture::new(&[0.1], &[1.0, 3.0], &[0.0, 0.01]),
                 spectra: Vec::new(),
             }],
-            sheets: vec![Sheet {
+            page_tables: vec![PageTable {
                 place: Place::Inputs,
                 title: "Mud".into(),
                 heads: Vec::new(),

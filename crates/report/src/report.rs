@@ -18,13 +18,13 @@ pub struct Report {
     pub title: String,
     /// Units that the page opens with: `si`, `metric` or `field`.
     pub units: String,
-    /// Units of the sentences of findings: those of the case.
+    /// Units in the messages of findings: those of the case.
     #[serde(default)]
-    pub told_in: String,
+    pub message_units: String,
     /// By dimension: its unit in SI, metric and field units.
     pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
-    /// What was asked.
-    pub asked: Vec<Fact>,
+    /// The case in a few facts: what is done, how deep, with what.
+    pub facts: Vec<Fact>,
     /// What the models answered, in the order in which they were solved.
     pub solved: Vec<Solved>,
     /// The path of the well.
@@ -36,7 +36,7 @@ pub struct Report {
     /// What operations did in time, those that dynamics solved.
     pub runs: Vec<TimeRun>,
     /// Tables of numbers: results of all models, numerics, then every input.
-    pub sheets: Vec<Sheet>,
+    pub page_tables: Vec<PageTable>,
 }
 
 /// A unit as people see it.
@@ -70,7 +70,7 @@ pub struct Solved {
     #[serde(default)]
     pub findings: Vec<Finding>,
     /// The numbers that matter most, beside their limits.
-    pub answers: Vec<Answer>,
+    pub key_results: Vec<KeyResult>,
     /// Columns of `nodes.parquet` by their name.
     pub profile: BTreeMap<String, Packed>,
     /// Columns of `wear.parquet` by their name.
@@ -79,16 +79,16 @@ pub struct Solved {
 
 /// A number beside its limit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Answer {
+pub struct KeyResult {
     /// What it is.
     pub label: String,
-    /// The number that people ask for: of a dynamic run a mean, where `worst` is given.
+    /// The number: of a dynamic run a mean, where `largest` is given.
     pub value: Cell,
     /// The largest of the window, where the value is a mean.
-    pub worst: Option<f64>,
+    pub largest: Option<f64>,
     /// What is compared with the limit, where that is neither the largest nor the value itself.
     #[serde(default)]
-    pub held: Option<f64>,
+    pub compared: Option<f64>,
     /// The limit.
     pub limit: Option<f64>,
     /// Whose limit it is, or that none is given.
@@ -98,7 +98,7 @@ pub struct Answer {
     pub more: Vec<Fact>,
     /// Words in the kinds of those findings that are about this number.
     #[serde(default)]
-    pub about: Vec<String>,
+    pub finding_words: Vec<String>,
 }
 
 /// The path of the well, point by point.
@@ -228,7 +228,7 @@ pub struct Frames {
 
 /// A table.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Sheet {
+pub struct PageTable {
     /// Where on the page it stands.
     pub place: Place,
     /// Its title.

@@ -10,7 +10,7 @@ use super::{
     histories::run_keys,
     run::{Plot, Run, title},
     shown::Shown,
-    styles::spoken,
+    styles::readable,
 };
 use crate::{
     Spectrum,
@@ -108,7 +108,7 @@ fn figure(
             }
         }));
     }
-    let name = spoken(signal);
+    let name = readable(signal);
     let logarithmic =
         |label: String, range| Axis { scale: Scale::Logarithmic, ..Axis::new(label, range) };
     let at = match depths[..] {

@@ -8,7 +8,7 @@ use crate::{
     figure::{
         Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape, Stroke,
     },
-    plots::{Shown, models, spoken, subtitle},
+    plots::{Shown, models, readable, subtitle},
 };
 
 /// The axis of what was varied.
@@ -162,7 +162,7 @@ impl<'a> Drawing<'a> {
             parts.push(self.families[family].join(", "));
         }
         if self.operations.len() > 1 {
-            parts.push(spoken(self.operations[operation]));
+            parts.push(readable(self.operations[operation]));
         }
         parts.join(", ")
     }
@@ -312,7 +312,7 @@ impl<'a> Drawing<'a> {
                 let (ink, shape) = self.style(0, place);
                 let ink = if self.families.len() > 1 { Ink::Note } else { ink };
                 Key {
-                    name: spoken(operation),
+                    name: readable(operation),
                     sample: if self.models.len() > 1 {
                         Sample::Point(ink, shape)
                     } else {
@@ -336,7 +336,7 @@ impl<'a> Drawing<'a> {
 
     fn figure(&self, panels: &[(&Drawn, Panel)], columns: usize, width_mm: f64) -> Figure {
         let down = matches!(self.varied, Varied::Depth);
-        let subtitle_text = subtitle(&self.sweep.asked, self.shown);
+        let subtitle_text = subtitle(&self.sweep.facts, self.shown);
         Figure {
             title: self.sweep.title.clone(),
             subtitle: subtitle_text,

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use wholestring::outcome::{ModelKind, Scalar};
 
-use crate::{Cell, DisplayUnit, Fact, Place, Sheet, plots::spoken, shown_dimension};
+use crate::{Cell, DisplayUnit, Fact, PageTable, Place, plots::readable, shown_dimension};
 
 /// A sweep as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,8 +21,8 @@ pub struct Sweep {
     pub units: String,
     /// By dimension: its unit in SI, metric and field units.
     pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
-    /// What was asked of all cases alike.
-    pub asked: Vec<Fact>,
+    /// The facts that hold of all cases.
+    pub facts: Vec<Fact>,
     /// The keys that were varied, as they were named.
     pub keys: Vec<String>,
     /// What was solved: a row for each model and operation of each case.
@@ -90,7 +90,7 @@ impl Sweep {
     }
 
     /// All numbers, a row for each model and operation of each case.
-    pub(crate) fn sheet(&self) -> Sheet {
+    pub(crate) fn page_table(&self) -> PageTable {
         let heads =
             |names: &[&str]| -> Vec<String> { names.iter().map(|name| (*name).into()).collect() };
         let whole = self.rows.iter().all(|row| row.status == "complete");
@@ -107,7 +107,7 @@ impl Sweep {
             let model = model.map_or(row.model.as_str(), |of| of.method().long_name);
             let mut cells: Vec<Cell> = row.values.iter().cloned().map(Cell::Text).collect();
             cells.push(Cell::Text(model.into()));
-            cells.push(Cell::Text(spoken(&row.operation)));
+            cells.push(Cell::Text(readable(&row.operation)));
             for of in &quantities {
                 let number = |end: &str| {
                     row.numbers.get(&format!("{}{end}", of.scalar.quantity.name)).copied()
@@ -133,7 +133,7 @@ impl Sweep {
             cells
         };
         let titles = quantities.iter().map(|of| of.scalar.label.to_owned());
-        Sheet {
+        PageTable {
             place: Place::Cases,
             title: "All cases".into(),
             heads: self

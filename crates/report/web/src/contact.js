@@ -93,12 +93,12 @@ export function contactMap(report) {
     pen.fillStyle = colour("paper");
     pen.fillRect(0, 0, width, HEIGHT);
     paintAll(pen, run, width, (run, box, ...what) => {
-      const sheet = el("canvas", { width: box.width * 2, height: box.height * 2 });
-      const ink = sheet.getContext("2d");
+      const buffer = el("canvas", { width: box.width * 2, height: box.height * 2 });
+      const ink = buffer.getContext("2d");
       ink.scale(2, 2);
       ink.translate(-box.left, -box.top);
       picture(ink, run, box, ...what);
-      pen.image(sheet.toDataURL(), box.left, box.top, box.width, box.height);
+      pen.image(buffer.toDataURL(), box.left, box.top, box.width, box.height);
     });
     return pen.file();
   }
@@ -132,8 +132,8 @@ export function contactMap(report) {
         image.data.set([r, g, b, 255], 4 * (row * image.width + k));
       }
     }
-    const sheet = new OffscreenCanvas(image.width, image.height);
-    sheet.getContext("2d").putImageData(image, 0, 0);
+    const buffer = new OffscreenCanvas(image.width, image.height);
+    buffer.getContext("2d").putImageData(image, 0, 0);
     ink.save();
     ink.beginPath();
     ink.rect(box.left, box.top, box.width, box.height);
@@ -142,7 +142,7 @@ export function contactMap(report) {
     const x = (time) => box.left + ((time - t0) / (t1 - t0)) * box.width;
     let from = contact.from_s;
     contact.time_s.forEach((to, k) => {
-      ink.drawImage(sheet, k, 0, 1, image.height, x(from), box.top, x(to) - x(from) + 0.5, box.height);
+      ink.drawImage(buffer, k, 0, 1, image.height, x(from), box.top, x(to) - x(from) + 0.5, box.height);
       from = to;
     });
     ink.restore();
