@@ -205,11 +205,14 @@ pub fn bit_test_html(test: &BitTest) -> String {
     page(&test.title, &test.program, &data, &rest, PROGRAM)
 }
 
+/// What a reader without JavaScript is told.
+const NEEDS: &str = "this page draws its plots itself and needs JavaScript, though no network";
+
 /// A page of data and the program that shows them, with whatever else the program needs.
 fn page(title: &str, made_by: &str, data: &impl Serialize, rest: &str, program: &str) -> String {
     let data = json(data);
     let body = format!(
-        r#"<noscript><p>{0}: this page draws its plots itself and needs JavaScript, though no network.</p></noscript>
+        r#"<noscript><p>{0}: {NEEDS}.</p></noscript>
 <main id="page"></main>
 {rest}
 <script type="application/json" id="report">{data}</script>

@@ -1,6 +1,10 @@
 //! What a page reports a sweep, and its pictures.
 
+mod drawing;
 mod figures;
+mod legend;
+mod panel;
+mod varied;
 
 pub use figures::sweep_plots;
 

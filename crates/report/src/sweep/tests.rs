@@ -135,7 +135,7 @@ fn any_key_can_be_the_axis() {
 
 #[test]
 fn values_are_read_with_their_unit() {
-    use super::figures::split;
+    use super::varied::split;
     for (text, expected) in [
         ("0.2", Some((0.2, ""))),
         ("1e-3", Some((1e-3, ""))),

@@ -210,7 +210,11 @@ mod tests {
             "model": ["soft", "dynamic"],
             "well": {
                 "survey": null,
-                "stations": { "azimuth_rad": [0.0, 0.0], "inclination_rad": [0.0, 0.1], "md_m": [0.0, 100.0] },
+                "stations": {
+                    "azimuth_rad": [0.0, 0.0],
+                    "inclination_rad": [0.0, 0.1],
+                    "md_m": [0.0, 100.0],
+                },
                 "hole": [{ "kind": "open", "diameter_m": 0.2, "friction": { "kinetic": 0.3 } }],
             },
             "dynamics": { "damping": { "mass_per_s": 0.5 }, "seed": 1 },
