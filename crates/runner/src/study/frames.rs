@@ -1,5 +1,6 @@
 //! What frames of the whole string say at a time or at a depth.
 
+use wholestring::dynamics::Channel;
 use wholestring_results::ResultsError;
 use wholestring_study::{Quantity, Source};
 
@@ -42,7 +43,7 @@ const REACH_M: f64 = 5.0;
 
 /// What the wall does to a node.
 fn is_of_wall(name: &str) -> bool {
-    matches!(name, "contact_force_N" | "axial_friction_N" | "friction_torque_N_m")
+    [Channel::Contact, Channel::Friction].iter().any(|of| of.columns().contains(&name))
 }
 
 /// The node that frames at a depth are about: the nearest in the first frame, and for what the wall

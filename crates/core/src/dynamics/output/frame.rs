@@ -76,6 +76,13 @@ macro_rules! channels {
                     $(Self::$channel => $name,)*
                 }
             }
+
+            /// The columns of a frame that it is, by their names.
+            pub const fn columns(self) -> &'static [&'static str] {
+                match self {
+                    $(Self::$channel => &[$(stringify!($column)),+],)*
+                }
+            }
         }
 
         impl Frame {
