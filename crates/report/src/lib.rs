@@ -23,8 +23,8 @@ pub use finding::{Finding, Level};
 pub use packed::Packed;
 pub use page::{bit_test_html, report_html, sweep_html};
 pub use plots::{
-    ContactMap, Plot, Run, Spectrum, common_operations, contact_figure, drill_off_columns,
-    frame_columns, plots, profile, shown_dimension, spectrum_dimension,
+    ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,
+    drill_off_columns, frame_columns, plots, profile, shown_dimension, spectrum_dimension,
 };
 pub use report::{
     ContactPicture, DisplayUnit, DrillOff, Fact, Frames, KeyResult, PageTable, Part, Place, Report,

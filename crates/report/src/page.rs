@@ -11,8 +11,9 @@ use crate::{
     plots::{
         SETS,
         catalogue::{
-            DrillOffPlot, NodeChannel, RULES, Rules, StringColour, TimePlot, Track, bit_plots,
-            drill_off_plots, node_channels, string_colours, time_plots, tracks,
+            ContactPlot, DrillOffPlot, NodeChannel, RULES, Rules, StringColour, TimePlot, Track,
+            bit_plots, contact_plots, drill_off_plots, node_channels, string_colours, time_plots,
+            tracks,
         },
         models,
     },
@@ -42,11 +43,12 @@ struct Data<'a> {
     time_plots: Vec<TimePlot>,
     bit_plots: Vec<TimePlot>,
     drill_off_plots: [DrillOffPlot; 3],
+    contact_plots: [ContactPlot; 2],
     node_channels: Vec<NodeChannel>,
     string_colours: Vec<StringColour>,
 }
 
-/// What a run's page knows of a method that answered; they stand from the most detailed down.
+/// What a run's page knows of a method that solved it; they stand from the most detailed down.
 #[derive(Serialize)]
 struct Model {
     name: &'static str,
@@ -75,6 +77,7 @@ pub fn report_html(report: &Report) -> String {
         time_plots: time_plots(),
         bit_plots: bit_plots(),
         drill_off_plots: drill_off_plots(),
+        contact_plots: contact_plots(),
         node_channels: node_channels(),
         string_colours: string_colours(),
     };
@@ -205,7 +208,7 @@ pub fn bit_test_html(test: &BitTest) -> String {
     page(&test.title, &test.program, &data, &rest, PROGRAM)
 }
 
-/// What a reader without JavaScript is told.
+/// What stands on the page where JavaScript does not run.
 const NEEDS: &str = "this page draws its plots itself and needs JavaScript, though no network";
 
 /// A page of data and the program that shows them, with whatever else the program needs.

@@ -25,7 +25,7 @@ pub struct Report {
     pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
     /// The case in a few facts: what is done, how deep, with what.
     pub facts: Vec<Fact>,
-    /// What the models answered, in the order in which they were solved.
+    /// The results of the models, in the order in which they were solved.
     pub solved: Vec<Solved>,
     /// The path of the well.
     pub well: Well,
@@ -57,7 +57,7 @@ pub struct Fact {
     pub value: Cell,
 }
 
-/// What one model answered for one operation.
+/// The result of one model for one operation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Solved {
     /// Name of the method.
@@ -203,10 +203,8 @@ pub struct ContactPicture {
     pub time_s: Packed,
     /// Measured depth of each stretch, m.
     pub md_m: Packed,
-    /// Mean signed side force per metre, N/m.
-    pub side_force: Packed,
-    /// Mean magnitude of the contact force per metre, N/m.
-    pub contact_force: Packed,
+    /// Columns of `contact.parquet` that are drawn, by their name.
+    pub values: BTreeMap<String, Packed>,
 }
 
 /// The string at moments: frame after frame, each from the surface down.

@@ -24,7 +24,7 @@ pub struct Figure {
     pub title: String,
     /// What stands under it; may be empty.
     pub caption: String,
-    /// Whose answers it shows.
+    /// Whose results it shows.
     pub chosen: Chosen,
     /// What is drawn.
     pub data: FigureData,

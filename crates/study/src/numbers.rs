@@ -41,7 +41,7 @@ pub struct Row {
     pub label: String,
     /// Where the given number comes from; may be empty.
     pub source: String,
-    /// Whose answers it is about.
+    /// Whose results it is about.
     pub chosen: Chosen,
     /// What it is made of.
     pub number: Number,

@@ -57,7 +57,7 @@ fn a_run_writes_it_and_report_makes_it_again() {
         assert_eq!(run.history["time_s"].values().len(), run.samples);
         let contact = run.contact.as_ref().expect("a map");
         let (times, depths) = (contact.time_s.values(), contact.md_m.values());
-        assert_eq!(contact.side_force.values().len(), times.len() * depths.len());
+        assert_eq!(contact.values["side_force_N_per_m"].values().len(), times.len() * depths.len());
         let frames = run.frames.as_ref().expect("frames");
         let (times, depths) = (frames.time_s.values(), frames.md_m.values());
         // 2 s at 50 Hz, to whole samples.

@@ -126,6 +126,11 @@ pub fn drill_off_columns() -> [&'static str; 3] {
     catalogue::drill_off_plots().map(|of| of.shows.column)
 }
 
+/// The columns of `contact.parquet` that are drawn as maps.
+pub fn contact_columns() -> [&'static str; 2] {
+    catalogue::contact_plots().map(|of| of.shows.column)
+}
+
 /// The columns of `frames.parquet` that a page holds.
 pub fn frame_columns() -> Vec<&'static str> {
     catalogue::node_channels().iter().map(|of| of.shows.column).collect()

@@ -33,7 +33,7 @@ pub struct Sweep {
     pub rows: Vec<SweepRow>,
 }
 
-/// What one model answered for one operation of one case.
+/// The result of one model for one operation of one case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SweepRow {
     /// The values of the keys, as they were written.

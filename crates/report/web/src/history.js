@@ -62,12 +62,13 @@ export function history(report, timePlots, follows) {
     if (contact) {
       const stretches = contact.md_m.length;
       const stretch = nearest(contact.md_m, state.depth);
-      const values = Float32Array.from(contact.time_s, (_, k) => contact.side_force[k * stretches + stretch]);
+      const [{ column, title, dimension, min_span }] = report.contact_plots;
+      const values = Float32Array.from(contact.time_s, (_, k) => contact.values[column][k * stretches + stretch]);
       return {
-        title: `Side force around ${quantity(contact.md_m[stretch], "length", 5)}`,
-        dimension: "force per length",
-        min_span: 100,
-        columns: [["side_force_N_per_m", "side force"]],
+        title: `${title} around ${quantity(contact.md_m[stretch], "length", 5)}`,
+        dimension,
+        min_span,
+        columns: [[column, title.toLowerCase()]],
         times: contact.time_s,
         values: [values],
       };

@@ -71,7 +71,7 @@ await check("the soft string stands beside hook load and torque", async () => {
 await check("the map of contact is drawn", async () => {
   const side = await picture(page, "canvas.map");
   assert.ok((await colours(page, "canvas.map")) > 10);
-  await page.click("[data-value=contact_force]");
+  await page.click("[data-value=contact_force_N_per_m]");
   differs(await picture(page, "canvas.map"), side, "the other quantity");
 });
 

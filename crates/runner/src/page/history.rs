@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use wholestring_report::{
-    BottomPicture, ContactPicture, DrillOff, Packed, drill_off_columns, thinned,
+    BottomPicture, ContactPicture, DrillOff, Packed, contact_columns, drill_off_columns, thinned,
 };
 use wholestring_results::Table;
 
@@ -158,8 +158,10 @@ pub(super) fn contact(table: &Table, operation: &str, many: usize) -> Option<Con
         from_s: 0.0,
         time_s: Packed::single(groups.iter().map(|group| times[(group.end - 1) * stretches])),
         md_m: Packed::single((0..stretches).map(depths)),
-        side_force: Packed::short(&mean("side_force_N_per_m")),
-        contact_force: Packed::short(&mean("contact_force_N_per_m")),
+        values: contact_columns()
+            .into_iter()
+            .map(|name| (name.to_owned(), Packed::short(&mean(name))))
+            .collect(),
     })
 }
 

@@ -1,4 +1,4 @@
-//! Tables of numbers: what every model answered, and how it was computed.
+//! Tables of numbers: the results of every model, and how they were computed.
 
 use wholestring::outcome::{QuantityKind, Scalar, scalars_by_row};
 use wholestring_report::{Cell, PageTable, Place};

@@ -1,6 +1,7 @@
 //! What is drawn of a run: one list for the page and for the files. Which quantities, in which order
 //! and how is chosen here; what each is called and what it measures, its declaration says.
 
+mod contact;
 mod drill_off;
 mod node;
 mod time_plots;
@@ -10,6 +11,7 @@ use serde::Serialize;
 use wholestring::outcome::{Quantity, QuantityKind};
 
 pub(crate) use self::{
+    contact::{ContactPlot, contact_plots},
     drill_off::{DrillOffPlot, drill_off_plots},
     node::{NodeChannel, StringColour, node_channels, string_colours},
     time_plots::{TimePlot, bit_plots, time_plots},
@@ -21,7 +23,7 @@ use crate::figure::{OUTLIERS, Outliers};
 /// How tracks are drawn, on the page and in files alike.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub(crate) struct Rules {
-    /// Where more of the string than this is in view, joints are too many to tell apart, m.
+    /// Where more of the string than this is in view, joints are too many to distinguish, m.
     pub(crate) far_m: f64,
     /// Half of the distance between joints, and a little, m.
     pub(crate) joint_reach_m: f64,

@@ -32,7 +32,7 @@ const fn own(quantity: &'static Quantity) -> Curve {
     (quantity, None)
 }
 
-/// A curve that is told from the others of its plot by this word.
+/// A curve that this word distinguishes from the others of its plot.
 const fn called(quantity: &'static Quantity, word: &'static str) -> Curve {
     (quantity, Some(word))
 }
