@@ -40,7 +40,7 @@ impl Rule for ModelRule {
         {
             reader.report(
                 Diagnostic::error("the stiff string is not built yet")
-                    .at(node.place, "expected \"soft\" or \"dynamic\""),
+                    .at(node.place, format!("expected {}", ModelKind::LISTED.replace('`', "\""))),
             );
             return None;
         }

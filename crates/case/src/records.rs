@@ -14,49 +14,6 @@ use wholestring_config::{
     table::{default, optional, table},
 };
 
-/// Channels by their names.
-const CHANNELS: &[(&str, Channel)] = &[
-    (Channel::Position.name(), Channel::Position),
-    (Channel::Coordinates.name(), Channel::Coordinates),
-    (Channel::Velocity.name(), Channel::Velocity),
-    (Channel::Rotation.name(), Channel::Rotation),
-    (Channel::Tilt.name(), Channel::Tilt),
-    (Channel::Contact.name(), Channel::Contact),
-    (Channel::Friction.name(), Channel::Friction),
-    (Channel::Force.name(), Channel::Force),
-    (Channel::Stress.name(), Channel::Stress),
-];
-
-/// Signals by their names.
-const SIGNALS: &[(&str, Signal)] = &[
-    (Signal::HookLoad.name(), Signal::HookLoad),
-    (Signal::SurfaceTorque.name(), Signal::SurfaceTorque),
-    (Signal::FrictionTorque.name(), Signal::FrictionTorque),
-    (Signal::AxialFriction.name(), Signal::AxialFriction),
-    (Signal::SideForceTotal.name(), Signal::SideForceTotal),
-    (Signal::WeightOnBit.name(), Signal::WeightOnBit),
-    (Signal::BitTorque.name(), Signal::BitTorque),
-    (Signal::BitRotarySpeed.name(), Signal::BitRotarySpeed),
-    (Signal::BlockVelocity.name(), Signal::BlockVelocity),
-    (Signal::Twist.name(), Signal::Twist),
-    (Signal::Stretch.name(), Signal::Stretch),
-];
-
-/// Signals of nodes by their names.
-const NODE_SIGNALS: &[(&str, NodeSignal)] = &[
-    (NodeSignal::Tension.name(), NodeSignal::Tension),
-    (NodeSignal::Torque.name(), NodeSignal::Torque),
-    (NodeSignal::BendingMoment.name(), NodeSignal::BendingMoment),
-    (NodeSignal::VonMisesStress.name(), NodeSignal::VonMisesStress),
-    (NodeSignal::ContactForce.name(), NodeSignal::ContactForce),
-    (NodeSignal::OffsetHigh.name(), NodeSignal::OffsetHigh),
-    (NodeSignal::OffsetRight.name(), NodeSignal::OffsetRight),
-    (NodeSignal::VelocityHigh.name(), NodeSignal::VelocityHigh),
-    (NodeSignal::VelocityRight.name(), NodeSignal::VelocityRight),
-    (NodeSignal::AxialVelocity.name(), NodeSignal::AxialVelocity),
-    (NodeSignal::RotarySpeed.name(), NodeSignal::RotarySpeed),
-];
-
 /// Depths whose signals are kept: they stay in memory until the run ends.
 const MAX_DEPTHS: usize = 10;
 
@@ -87,20 +44,20 @@ table! {
         /// "stress" (bending moment, von Mises).
         channels: Vec<Spanned<Channel>> = default(
             List {
-                item: Choice { noun: "a channel", words: CHANNELS },
+                item: Choice { noun: "a channel", words: Channel::BY_NAME },
                 or_one: true,
                 noun: "channels",
-                most: CHANNELS.len(),
+                most: Channel::BY_NAME.len(),
             },
             usual(),
         );
         /// Scalars whose power spectral density over the window goes to `spectra.parquet`, by the
         /// names of their columns in `time.parquet` without the unit; none where it is not given.
         spectra: Vec<Spanned<Signal>> = optional(List {
-            item: Choice { noun: "a signal", words: SIGNALS },
+            item: Choice { noun: "a signal", words: Signal::BY_NAME },
             or_one: true,
             noun: "signals",
-            most: SIGNALS.len(),
+            most: Signal::BY_NAME.len(),
         });
         /// Quantities of single nodes whose spectra go there too, at each depth of
         /// `node_spectra_at`: "tension", "torque", "bending_moment", "von_mises_stress",
@@ -108,10 +65,10 @@ table! {
         /// "velocity_high", "velocity_right", "axial_velocity", "rotary_speed"; none where it is
         /// not given.
         node_spectra: Vec<Spanned<NodeSignal>> = optional(List {
-            item: Choice { noun: "a signal of a node", words: NODE_SIGNALS },
+            item: Choice { noun: "a signal of a node", words: NodeSignal::BY_NAME },
             or_one: true,
             noun: "signals of nodes",
-            most: NODE_SIGNALS.len(),
+            most: NodeSignal::BY_NAME.len(),
         });
         /// Measured depths of them with the bit at `bit_depth`. The node that is nearest then is
         /// taken, and stays the same as the string moves.

@@ -55,7 +55,7 @@ fn test() -> BitTest {
         title: "</script><script>window.harmed = 1</script> & <b>bit</b>".into(),
         units: "si".into(),
         dimensions: dimensions(),
-        asked: vec![
+        facts: vec![
             fact("Bit", 2.0 * RADIUS_M, "diameter"),
             fact("Strength of the rock", STRENGTH_PA, "specific energy"),
         ],
@@ -64,7 +64,7 @@ fn test() -> BitTest {
         torque_by_weight: Some([0.55 * RADIUS_M, 60.0]),
         points,
         message: Some("interrupted: 6 of 9 points".into()),
-        sheets: Vec::new(),
+        page_tables: Vec::new(),
     }
 }
 

@@ -23,12 +23,12 @@ pub use finding::{Finding, Level};
 pub use packed::Packed;
 pub use page::{bit_test_html, report_html, sweep_html};
 pub use plots::{
-    ContactMap, Plot, Run, Spectrum, common_operations, contact_figure, plots, profile,
-    spectrum_dimension,
+    ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,
+    drill_off_columns, frame_columns, plots, profile, shown_dimension, spectrum_dimension,
 };
 pub use report::{
-    Answer, ContactPicture, DisplayUnit, DrillOff, Fact, Frames, Part, Place, Report, Section,
-    Sheet, Solved, SpectrumPicture, TimeRun, Well,
+    ContactPicture, DisplayUnit, DrillOff, Fact, Frames, KeyResult, PageTable, Part, Place, Report,
+    Section, Solved, SpectrumPicture, TimeRun, Well,
 };
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};

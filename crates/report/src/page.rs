@@ -6,11 +6,15 @@ use serde::Serialize;
 use wholestring::outcome::Method;
 
 use crate::{
-    BitTest, BottomPicture, DisplayUnit, Fact, Plot, Report, Sheet, Sweep, bit_test_plots,
+    BitTest, BottomPicture, DisplayUnit, Fact, PageTable, Plot, Report, Sweep, bit_test_plots,
     draw::palette,
     plots::{
         SETS,
-        catalogue::{BIT_PLOTS, RULES, Rules, TIME_PLOTS, TRACKS, TimePlot, Track},
+        catalogue::{
+            ContactPlot, DrillOffPlot, NodeChannel, RULES, Rules, StringColour, TimePlot, Track,
+            bit_plots, contact_plots, drill_off_plots, node_channels, string_colours, time_plots,
+            tracks,
+        },
         models,
     },
     sweep_plots,
@@ -34,13 +38,17 @@ struct Data<'a> {
     #[serde(flatten)]
     report: &'a Report,
     models: Vec<Model>,
-    tracks: &'a [Track],
+    tracks: Vec<Track>,
     rules: Rules,
-    time_plots: &'a [TimePlot],
-    bit_plots: &'a [TimePlot],
+    time_plots: Vec<TimePlot>,
+    bit_plots: Vec<TimePlot>,
+    drill_off_plots: [DrillOffPlot; 3],
+    contact_plots: [ContactPlot; 2],
+    node_channels: Vec<NodeChannel>,
+    string_colours: Vec<StringColour>,
 }
 
-/// What a run's page knows of a method that answered; they stand from the most detailed down.
+/// What a run's page knows of a method that solved it; they stand from the most detailed down.
 #[derive(Serialize)]
 struct Model {
     name: &'static str,
@@ -64,10 +72,14 @@ pub fn report_html(report: &Report) -> String {
             .into_iter()
             .map(Model::of)
             .collect(),
-        tracks: TRACKS,
+        tracks: tracks(),
         rules: RULES,
-        time_plots: TIME_PLOTS,
-        bit_plots: BIT_PLOTS,
+        time_plots: time_plots(),
+        bit_plots: bit_plots(),
+        drill_off_plots: drill_off_plots(),
+        contact_plots: contact_plots(),
+        node_channels: node_channels(),
+        string_colours: string_colours(),
     };
     page(&report.title, &report.program, &data, &licences(), PROGRAM)
 }
@@ -84,8 +96,8 @@ struct SweepData<'a> {
     title: &'a str,
     units: &'a str,
     dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>,
-    asked: &'a [Fact],
-    sheet: Sheet,
+    facts: &'a [Fact],
+    page_table: PageTable,
     rows: Vec<Spot<'a>>,
 }
 
@@ -107,8 +119,8 @@ pub fn sweep_html(sweep: &Sweep) -> String {
         title: &sweep.title,
         units: &sweep.units,
         dimensions: &sweep.dimensions,
-        asked: &sweep.asked,
-        sheet: sweep.sheet(),
+        facts: &sweep.facts,
+        page_table: sweep.page_table(),
         rows: sweep
             .rows
             .iter()
@@ -146,9 +158,9 @@ struct BitTestData<'a> {
     title: &'a str,
     units: &'a str,
     dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>,
-    asked: &'a [Fact],
+    facts: &'a [Fact],
     message: Option<&'a str>,
-    sheets: Vec<Sheet>,
+    page_tables: Vec<PageTable>,
     bottoms: Vec<TestedBottom<'a>>,
 }
 
@@ -172,15 +184,15 @@ pub fn bit_test_html(test: &BitTest) -> String {
             bottom: of.bottom.as_ref()?,
         })
     });
-    let sheets = std::iter::once(test.sheet()).chain(test.sheets.iter().cloned());
+    let page_tables = std::iter::once(test.page_table()).chain(test.page_tables.iter().cloned());
     let data = BitTestData {
         program: &test.program,
         title: &test.title,
         units: &test.units,
         dimensions: &test.dimensions,
-        asked: &test.asked,
+        facts: &test.facts,
         message: test.message.as_deref(),
-        sheets: sheets.collect(),
+        page_tables: page_tables.collect(),
         bottoms: bottoms.collect(),
     };
     let mut rest = licences();
@@ -196,11 +208,14 @@ pub fn bit_test_html(test: &BitTest) -> String {
     page(&test.title, &test.program, &data, &rest, PROGRAM)
 }
 
+/// What stands on the page where JavaScript does not run.
+const NEEDS: &str = "this page draws its plots itself and needs JavaScript, though no network";
+
 /// A page of data and the program that shows them, with whatever else the program needs.
 fn page(title: &str, made_by: &str, data: &impl Serialize, rest: &str, program: &str) -> String {
     let data = json(data);
     let body = format!(
-        r#"<noscript><p>{0}: this page draws its plots itself and needs JavaScript, though no network.</p></noscript>
+        r#"<noscript><p>{0}: {NEEDS}.</p></noscript>
 <main id="page"></main>
 {rest}
 <script type="application/json" id="report">{data}</script>
@@ -261,8 +276,8 @@ pub(crate) mod tests {
 
     use super::*;
     use crate::{
-        Answer, BottomPicture, Cell, DisplayUnit, DrillOff, Fact, Finding, Level, Packed, Part,
-        Place, Section, Sheet, Solved, TimeRun, Well,
+        BottomPicture, Cell, DisplayUnit, DrillOff, Fact, Finding, KeyResult, Level, Packed,
+        PageTable, Part, Place, Section, Solved, TimeRun, Well,
     };
 
     const NASTY: &str = "</script><script>alert(1)</script> <!-- & \" ' \u{2028} </title>";
@@ -276,9 +291,9 @@ pub(crate) mod tests {
             program: "wholestring".into(),
             title: NASTY.into(),
             units: "si".into(),
-            told_in: "si".into(),
+            message_units: "si".into(),
             dimensions: BTreeMap::from([("force".into(), ["kN", "t", "klbf"].map(unit))]),
-            asked: vec![
+            facts: vec![
                 fact(Cell::Text(NASTY.into())),
                 fact(Cell::Nothing),
                 fact(Cell::number(0.1 + 0.2)),
@@ -298,27 +313,21 @@ pub(crate) mod tests {
                     limit: Cell::Nothing,
                     message: NASTY.into(),
                 }],
-                answers: vec![Answer {
+                key_results: vec![KeyResult {
                     label: "Hook load".into(),
                     value: Cell::quantity(1.0, "force"),
-                    worst: None,
-                    held: None,
+                    largest: None,
+                    compared: None,
                     limit: Some(2.0),
                     limit_label: NASTY.into(),
                     more: vec![fact(Cell::quantity(2.0, "force"))],
-                    about: vec!["hook_load".into()],
+                    finding_words: vec!["hook_load".into()],
                 }],
                 profile: BTreeMap::from([("md_m".into(), column())]),
                 wear: BTreeMap::new(),
             }],
             well: Well {
-                md_m: column(),
-                north_m: column(),
-                east_m: column(),
-                tvd_m: column(),
-                inclination_rad: column(),
-                azimuth_rad: column(),
-                dogleg_rad_per_m: column(),
+                columns: BTreeMap::from([("md_m".into(), column())]),
                 high: [column(), column(), column()],
             },
             hole: vec![Section {
@@ -345,14 +354,12 @@ pub(crate) mod tests {
                 contact: None,
                 frames: None,
                 drill_off: Some(DrillOff {
-                    weight_N: column(),
-                    rate_m_per_s: column(),
-                    torque_N_m: column(),
+                    columns: BTreeMap::from([("weight_on_bit_N".into(), column())]),
                 }),
                 bottom: BottomPicture::new(&[0.1], &[1.0, 3.0], &[0.0, 0.01]),
                 spectra: Vec::new(),
             }],
-            sheets: vec![Sheet {
+            page_tables: vec![PageTable {
                 place: Place::Inputs,
                 title: "Mud".into(),
                 heads: Vec::new(),

@@ -18,14 +18,14 @@ pub struct Report {
     pub title: String,
     /// Units that the page opens with: `si`, `metric` or `field`.
     pub units: String,
-    /// Units of the sentences of findings: those of the case.
+    /// Units in the messages of findings: those of the case.
     #[serde(default)]
-    pub told_in: String,
+    pub message_units: String,
     /// By dimension: its unit in SI, metric and field units.
     pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
-    /// What was asked.
-    pub asked: Vec<Fact>,
-    /// What the models answered, in the order in which they were solved.
+    /// The case in a few facts: what is done, how deep, with what.
+    pub facts: Vec<Fact>,
+    /// The results of the models, in the order in which they were solved.
     pub solved: Vec<Solved>,
     /// The path of the well.
     pub well: Well,
@@ -36,7 +36,7 @@ pub struct Report {
     /// What operations did in time, those that dynamics solved.
     pub runs: Vec<TimeRun>,
     /// Tables of numbers: results of all models, numerics, then every input.
-    pub sheets: Vec<Sheet>,
+    pub page_tables: Vec<PageTable>,
 }
 
 /// A unit as people see it.
@@ -57,10 +57,10 @@ pub struct Fact {
     pub value: Cell,
 }
 
-/// What one model answered for one operation.
+/// The result of one model for one operation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Solved {
-    /// `soft` or `dynamic`.
+    /// Name of the method.
     pub model: String,
     /// `trip_out`, `drill`, ...
     pub operation: String,
@@ -70,7 +70,7 @@ pub struct Solved {
     #[serde(default)]
     pub findings: Vec<Finding>,
     /// The numbers that matter most, beside their limits.
-    pub answers: Vec<Answer>,
+    pub key_results: Vec<KeyResult>,
     /// Columns of `nodes.parquet` by their name.
     pub profile: BTreeMap<String, Packed>,
     /// Columns of `wear.parquet` by their name.
@@ -79,16 +79,16 @@ pub struct Solved {
 
 /// A number beside its limit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Answer {
+pub struct KeyResult {
     /// What it is.
     pub label: String,
-    /// The number that people ask for: of a dynamic run a mean, where `worst` is given.
+    /// The number: of a dynamic run a mean, where `largest` is given.
     pub value: Cell,
     /// The largest of the window, where the value is a mean.
-    pub worst: Option<f64>,
+    pub largest: Option<f64>,
     /// What is compared with the limit, where that is neither the largest nor the value itself.
     #[serde(default)]
-    pub held: Option<f64>,
+    pub compared: Option<f64>,
     /// The limit.
     pub limit: Option<f64>,
     /// Whose limit it is, or that none is given.
@@ -98,26 +98,15 @@ pub struct Answer {
     pub more: Vec<Fact>,
     /// Words in the kinds of those findings that are about this number.
     #[serde(default)]
-    pub about: Vec<String>,
+    pub finding_words: Vec<String>,
 }
 
 /// The path of the well, point by point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Well {
-    /// Measured depth, m.
-    pub md_m: Packed,
-    /// North, east and vertical depth, m.
-    pub north_m: Packed,
-    /// East, m.
-    pub east_m: Packed,
-    /// True vertical depth, m.
-    pub tvd_m: Packed,
-    /// Inclination, rad.
-    pub inclination_rad: Packed,
-    /// Azimuth, rad.
-    pub azimuth_rad: Packed,
-    /// Dogleg severity, rad/m.
-    pub dogleg_rad_per_m: Packed,
+    /// Columns of the path by their name.
+    #[serde(flatten)]
+    pub columns: BTreeMap<String, Packed>,
     /// Unit vector to the high side: north, east and down of all points, one component after the
     /// other.
     pub high: [Packed; 3],
@@ -199,13 +188,10 @@ pub struct SpectrumPicture {
 
 /// What a bit takes away for what it is given: samples of the window, evenly apart in time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
 pub struct DrillOff {
-    /// Weight on bit, N.
-    pub weight_N: Packed,
-    /// Rate of penetration, m/s.
-    pub rate_m_per_s: Packed,
-    /// Torque on bit, N·m.
-    pub torque_N_m: Packed,
+    /// Columns of `time.parquet` by their name.
+    pub columns: BTreeMap<String, Packed>,
 }
 
 /// Contact over depth and time: row after row in time, each from the surface down.
@@ -217,10 +203,8 @@ pub struct ContactPicture {
     pub time_s: Packed,
     /// Measured depth of each stretch, m.
     pub md_m: Packed,
-    /// Mean signed side force per metre, N/m.
-    pub side_force: Packed,
-    /// Mean magnitude of the contact force per metre, N/m.
-    pub contact_force: Packed,
+    /// Columns of `contact.parquet` that are drawn, by their name.
+    pub values: BTreeMap<String, Packed>,
 }
 
 /// The string at moments: frame after frame, each from the surface down.
@@ -242,7 +226,7 @@ pub struct Frames {
 
 /// A table.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Sheet {
+pub struct PageTable {
     /// Where on the page it stands.
     pub place: Place,
     /// Its title.

@@ -42,7 +42,7 @@ fn write_then(
         fs::rename(&partial, path)
     })();
     result.map_err(|source| {
-        // The attempt's own remains; the first error is the one worth telling.
+        // The attempt's own remains; the first error is the one worth reporting.
         let _ = fs::remove_file(&partial);
         ResultsError::Write { path: path.to_owned(), source }
     })

@@ -6,6 +6,7 @@
 #![warn(missing_docs)]
 
 mod bit_test;
+mod bit_test_table;
 mod checkpoint;
 mod columns;
 mod digest;
@@ -27,6 +28,7 @@ mod table;
 mod thrift;
 
 pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
+pub use bit_test_table::bit_test_table;
 pub use columns::{BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
 pub use digest::digest;
 pub use error::ResultsError;

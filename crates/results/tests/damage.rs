@@ -125,9 +125,10 @@ fn formulas_in_csv_are_text() {
 fn infinities_in_a_summary_are_read_back() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("summary.json");
-    let operation = r#"{"model": "dynamic", "operation": "drill", "status": "complete", "friction": 0.3,
-        "bit_depth_m": 1.0, "weight_on_bit_N": 1.0, "bit_torque_N_m": 1.0, "hook_load_N": 1.0, "surface_torque_N_m": 1.0,
-        "friction_torque_N_m": 1.0, "axial_friction_N": 1.0, "side_force_total_N": 1.0, "twist_rad": 1.0, "stretch_m": 1.0,
+    let operation = r#"{"model": "dynamic", "operation": "drill", "status": "complete",
+        "friction": 0.3, "bit_depth_m": 1.0, "weight_on_bit_N": 1.0, "bit_torque_N_m": 1.0,
+        "hook_load_N": 1.0, "surface_torque_N_m": 1.0, "friction_torque_N_m": 1.0,
+        "axial_friction_N": 1.0, "side_force_total_N": 1.0, "twist_rad": 1.0, "stretch_m": 1.0,
         "neutral_point_m": null, "cutoff_depth_m": null,
         "indicators": {"stick_slip": null, "backward_whirl": null, "forward_whirl": null,
                        "top_drive": {"p95": 1.0, "max": 2.0}}}"#;

@@ -197,7 +197,8 @@ fn the_keys_are_the_contract() {
                         "stuck_fraction": 0.25, "bit_speed_max_rad_per_s": 16.0
                     },
                     "backward_whirl": {
-                        "md_m": 4290.0, "rate_rad_per_s": -24.0, "ratio": -3.0, "length_fraction": 0.125
+                        "md_m": 4290.0, "rate_rad_per_s": -24.0, "ratio": -3.0,
+                        "length_fraction": 0.125
                     },
                     "forward_whirl": null,
                     "top_drive": {"p95": 0.5, "max": 0.75}
@@ -230,8 +231,8 @@ fn the_keys_are_the_contract() {
     });
     failed["lift"] = json!({"hook_load_N": 700_000.0, "weight_on_bit_N": 59_900.0, "runs": 5});
     failed["numerics"]["energy"] = json!({
-        "top_drive_work_J": 0.0, "hoist_work_J": 5.0, "bit_work_J": 0.0, "bend_work_J": 0.0, "flow_work_J": 0.0,
-        "friction_loss_J": 1.0, "contact_loss_J": 0.0, "mud_loss_J": 0.0, "damping_loss_J": 0.0,
+        "top_drive_work_J": 0.0, "hoist_work_J": 5.0, "bit_work_J": 0.0, "bend_work_J": 0.0,
+        "flow_work_J": 0.0, "friction_loss_J": 1.0, "contact_loss_J": 0.0, "mud_loss_J": 0.0, "damping_loss_J": 0.0,
         "kinetic_change_J": 0.0, "elastic_change_J": 0.0, "gravity_change_J": 4.0, "residual_J": 0.0
     });
     assert_eq!(file, expected);

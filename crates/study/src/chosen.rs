@@ -1,4 +1,4 @@
-//! Whose answers a figure or a number shows.
+//! Whose results a figure or a number shows.
 
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_case::rules::{KindRule, ModelRule};
@@ -22,7 +22,7 @@ pub(crate) const MODELS: List<ModelRule> =
 pub(crate) const OPERATIONS: List<KindRule> =
     List { item: KindRule, or_one: true, noun: "operations", most: 7 };
 
-/// Whose answers a figure or a number shows.
+/// Whose results a figure or a number shows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chosen {
     /// Sweeps, as indices into [`Study::sweeps`](crate::Study::sweeps).

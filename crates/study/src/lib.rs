@@ -30,18 +30,24 @@
 //! ```
 #![warn(missing_docs)]
 
+mod abscissa;
 mod chosen;
 mod column;
 mod figure;
+mod figure_table;
 mod file_name;
 mod numbers;
+mod numbers_table;
+mod row_table;
 mod selection;
 mod study;
 mod sweep;
+mod times_and_depths;
 
+pub use abscissa::Abscissa;
 pub use chosen::Chosen;
 pub use column::{ColumnName, Quantity, Source, Statistic};
-pub use figure::{Abscissa, Figure, FigureData, Level, Pointing};
+pub use figure::{Figure, FigureData, Level, Pointing};
 pub use numbers::{Number, NumberTable, Row, Shape, Wanted};
 pub use selection::Selection;
 pub use study::{Study, load, parse, schema};

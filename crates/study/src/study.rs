@@ -19,8 +19,10 @@ use wholestring_units::UnitSet;
 
 use crate::{
     column::{ColumnName, Quantity, Source},
-    figure::{Figure, FigureTable},
-    numbers::{NumberTable, NumbersTable},
+    figure::Figure,
+    figure_table::FigureTable,
+    numbers::NumberTable,
+    numbers_table::NumbersTable,
     sweep::{self, Sweep, SweepTable},
 };
 

@@ -35,7 +35,7 @@ fn a_run_writes_it_and_report_makes_it_again() {
     let solved: Vec<_> = report
         .solved
         .iter()
-        .map(|of| (of.model.as_str(), of.operation.as_str(), of.answers.len()))
+        .map(|of| (of.model.as_str(), of.operation.as_str(), of.key_results.len()))
         .collect();
     assert_eq!(
         solved,
@@ -49,7 +49,7 @@ fn a_run_writes_it_and_report_makes_it_again() {
     // What the page shows is what the summary says.
     let summary = desk.summary("out");
     for (shown, told) in report.solved.iter().zip(&summary.operations) {
-        assert_eq!(shown.answers[0].value, Cell::quantity(told.scalars.hook_load_N, "force"));
+        assert_eq!(shown.key_results[0].value, Cell::quantity(told.scalars.hook_load_N, "force"));
         let tension = shown.profile["tension_N"].values();
         assert!((tension[0] / told.scalars.hook_load_N - 1.0).abs() < 1e-6);
     }
@@ -57,7 +57,7 @@ fn a_run_writes_it_and_report_makes_it_again() {
         assert_eq!(run.history["time_s"].values().len(), run.samples);
         let contact = run.contact.as_ref().expect("a map");
         let (times, depths) = (contact.time_s.values(), contact.md_m.values());
-        assert_eq!(contact.side_force.values().len(), times.len() * depths.len());
+        assert_eq!(contact.values["side_force_N_per_m"].values().len(), times.len() * depths.len());
         let frames = run.frames.as_ref().expect("frames");
         let (times, depths) = (frames.time_s.values(), frames.md_m.values());
         // 2 s at 50 Hz, to whole samples.
@@ -75,7 +75,7 @@ fn a_run_writes_it_and_report_makes_it_again() {
     }
     let places = [Place::Results, Place::Numerics, Place::Inputs];
     for place in places {
-        assert!(report.sheets.iter().any(|sheet| sheet.place == place));
+        assert!(report.page_tables.iter().any(|table| table.place == place));
     }
 }
 
@@ -86,10 +86,10 @@ fn path_hole_and_string_are_those_of_the_case() {
     let output = desk.run(&["run", "slant.toml", "-o", "out", "--set", "model=soft"]);
     assert!(output.status.success());
     let report = read(&fs::read_to_string(desk.path("out/report.html")).unwrap());
-    let last = |values: Vec<f64>| *values.last().unwrap();
-    assert_eq!(last(report.well.md_m.values()), 600.0);
-    assert!((last(report.well.tvd_m.values()) - 300.0).abs() < 1e-3);
-    assert!((last(report.well.north_m.values()) - 600.0 * 0.75_f64.sqrt()).abs() < 1e-3);
+    let last = |name: &str| *report.well.columns[name].values().last().unwrap();
+    assert_eq!(last("md_m"), 600.0);
+    assert!((last("tvd_m") - 300.0).abs() < 1e-3);
+    assert!((last("north_m") - 600.0 * 0.75_f64.sqrt()).abs() < 1e-3);
     let ends: Vec<_> = report.hole.iter().map(|of| (of.from_m, of.to_m)).collect();
     assert_eq!(ends, [(0.0, 400.0), (400.0, 600.0)]);
     assert_eq!(report.string.len(), 1);
@@ -136,8 +136,8 @@ fn block_findings_and_spectra_reach_the_page() {
         "records.spectra=[\"surface_torque\"]",
     ];
     let settings = settings.iter().flat_map(|key| ["--set", key]);
-    let asked: Vec<&str> = ["run", "slant.toml", "-o", "out"].into_iter().chain(settings).collect();
-    assert!(desk.run(&asked).status.success());
+    let words: Vec<&str> = ["run", "slant.toml", "-o", "out"].into_iter().chain(settings).collect();
+    assert!(desk.run(&words).status.success());
     let mut summary = desk.summary("out");
     for solved in &mut summary.operations {
         solved.findings = vec![Finding {
@@ -155,20 +155,20 @@ fn block_findings_and_spectra_reach_the_page() {
     assert!(desk.run(&["report", "out"]).status.success());
     let report = read(&fs::read_to_string(desk.path("out/report.html")).unwrap());
     for (shown, told) in report.solved.iter().zip(&summary.operations) {
-        let hook = &shown.answers[0];
+        let hook = &shown.key_results[0];
         let load_N = told.scalars.hook_load_N;
         assert_eq!(hook.label, "Hook load without block");
         assert_eq!(hook.value, Cell::quantity(load_N, "force"));
         assert_eq!(hook.more[0].value, Cell::quantity(load_N + 200e3, "force"));
         let largest_N = told.statistics.as_ref().map_or(load_N, |all| all["hook_load_N"].max);
-        assert_eq!(hook.held, Some(largest_N + 200e3));
+        assert_eq!(hook.compared, Some(largest_N + 200e3));
         assert_eq!(hook.limit, Some(1e6));
         let found = &shown.findings[0];
         assert_eq!((found.md_m, found.to_md_m), (Some(100.0), Some(300.0)));
         assert_eq!(found.value, Cell::quantity(190e3, "force"));
         assert_eq!(found.limit, Cell::quantity(95e3, "force"));
     }
-    let results = report.sheets.iter().find(|sheet| sheet.place == Place::Results);
+    let results = report.page_tables.iter().find(|table| table.place == Place::Results);
     let names: Vec<&Cell> = results.unwrap().rows.iter().map(|row| &row[0]).collect();
     for name in ["Hook load without block", "Hook load with block"] {
         assert!(names.contains(&&Cell::Text(name.into())), "{name}");

@@ -1,8 +1,8 @@
 //! The profile along the string: one type for every method, its columns declared once.
 
 use super::{
-    method::ModelKind,
-    quantity::{IN_TIME, columns, unlike_declared},
+    column::{columns, unlike_declared},
+    method::{IN_TIME, ModelKind},
 };
 
 columns! {
@@ -15,7 +15,8 @@ columns! {
     pub struct Profile, "What a profile along the string holds, in the order of `nodes.parquet`."
     PROFILE {
         md_m: Vec<f64> => Depth, "Measured depth of the node";
-        tension_N: Vec<f64> => Force, "Effective tension; negative in compression";
+        tension_N: Vec<f64> => Force, "Effective tension; negative in compression",
+            label "Effective tension";
         torque_N_m: Vec<f64> => Torque, "Torque that the string carries";
         side_force_N_per_m: Vec<f64> => ForcePerLength,
             "Side force of the wall on the string per length; positive where the string lies on \
@@ -24,7 +25,8 @@ columns! {
         tension_std_N: Vec<f64> => Force, "Standard deviation of `tension_N`", known_by IN_TIME;
         torque_std_N_m: Vec<f64> => Torque,
             "Standard deviation of `torque_N_m`", known_by IN_TIME;
-        contact_force_N: Vec<f64> => Force, "Contact force of the node itself", known_by IN_TIME;
+        contact_force_N: Vec<f64> => Force, "Contact force of the node itself",
+            label "Contact force of the node", known_by IN_TIME;
         contact_force_std_N: Vec<f64> => Force,
             "Standard deviation of `contact_force_N`", known_by IN_TIME;
         contact_force_max_N: Vec<f64> => Force,
@@ -95,7 +97,7 @@ columns! {
         von_mises_stress_Pa: Vec<f64> => Pressure,
             "Von Mises stress where the body's surface bears most";
         von_mises_stress_max_Pa: Vec<f64> => Pressure,
-            "Largest von Mises stress of any sample", known_by IN_TIME;
+            "Largest von Mises stress of any sample", label "Largest von Mises stress", known_by IN_TIME;
         yield_use: Vec<Option<f64>> => Ratio,
             "Largest von Mises stress, of a soft string `von_mises_stress_Pa`, over the minimum \
              yield strength; `null` where that is not known",

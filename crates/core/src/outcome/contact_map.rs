@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::quantity::{IN_TIME, columns};
+use super::{column::columns, method::IN_TIME};
 
 columns! {
     /// Contact over depth and time, coarse: row after row in time, each from the surface down. A

@@ -1,8 +1,8 @@
 //! What friction does along the hole, stretch by stretch.
 
 use super::{
-    method::ModelKind,
-    quantity::{IN_TIME, columns, unlike_declared},
+    column::{columns, unlike_declared},
+    method::{IN_TIME, ModelKind},
 };
 
 columns! {

@@ -82,6 +82,12 @@ impl ModelKind {
         names
     };
 
+    /// The names as the meaning of a column lists them.
+    pub const LISTED: &str = match str::from_utf8(&LISTED) {
+        Ok(listed) => listed,
+        Err(_) => panic!("names are text"),
+    };
+
     /// Name in case files and results.
     pub const fn name(self) -> &'static str {
         self.method().name
@@ -109,9 +115,75 @@ impl ModelKind {
     }
 }
 
+/// The methods that answer in time.
+pub(crate) const IN_TIME: &[ModelKind] = &{
+    let mut all = [ModelKind::ALL[0]; in_time(&mut [])];
+    in_time(&mut all);
+    all
+};
+
+/// Writes the methods that answer in time, as far as there is room; how many there are.
+const fn in_time(to: &mut [ModelKind]) -> usize {
+    let (mut found, mut place) = (0, 0);
+    while place < ModelKind::ALL.len() {
+        if ModelKind::ALL[place].in_time() {
+            if found < to.len() {
+                to[found] = ModelKind::ALL[place];
+            }
+            found += 1;
+        }
+        place += 1;
+    }
+    found
+}
+
+const LISTED: [u8; list_names(&mut [])] = {
+    let mut listed = [0; list_names(&mut [])];
+    list_names(&mut listed);
+    listed
+};
+
+/// Writes the names one after the other, as far as there is room; how long that is.
+const fn list_names(to: &mut [u8]) -> usize {
+    let names = ModelKind::NAMES;
+    let (mut end, mut place) = (0, 0);
+    while place < names.len() {
+        let before = match place {
+            0 => "`",
+            last if last + 1 == names.len() => "` or `",
+            _ => "`, `",
+        };
+        end = write(before, to, end);
+        end = write(names[place], to, end);
+        place += 1;
+    }
+    write("`", to, end)
+}
+
+/// Writes a text from a place on, as far as there is room; where it ends.
+const fn write(text: &str, to: &mut [u8], from: usize) -> usize {
+    let letters = text.as_bytes();
+    let mut i = 0;
+    while i < letters.len() {
+        if from + i < to.len() {
+            to[from + i] = letters[i];
+        }
+        i += 1;
+    }
+    from + letters.len()
+}
+
 #[cfg(test)]
 mod tests {
     use super::ModelKind;
+
+    #[test]
+    fn names_are_listed_as_a_sentence_lists_them() {
+        let names = ModelKind::NAMES.iter().map(|name| format!("`{name}`"));
+        let names: Vec<String> = names.collect();
+        let (last, others) = names.split_last().expect("methods");
+        assert_eq!(ModelKind::LISTED, format!("{} or {last}", others.join(", ")));
+    }
 
     #[test]
     fn a_method_is_found_by_its_name_and_has_a_rank_of_its_own() {

@@ -3,26 +3,36 @@
 //! from.
 
 mod along_string;
+mod column;
 mod contact_map;
 mod hole_wear;
 mod method;
 mod profile;
 mod quantity;
+mod quantity_kind;
 mod scalars;
 mod signal;
+mod signals;
 mod solution;
 mod time_series;
+mod well_path;
 
 pub use along_string::{ContactClass, PROFILE, Profile};
+pub use column::{Column, DriftScale, Values, WindowStatistics};
+pub(crate) use column::{Rows, columns};
 pub use contact_map::{CONTACT_MAP, ContactMap};
 pub use hole_wear::{HOLE_STEP_M, HOLE_WEAR, HoleWear};
 pub(crate) use hole_wear::{hole_depths_m, hole_steps, spread};
+pub(crate) use method::IN_TIME;
 pub use method::{Cost, Method, ModelKind};
 pub(crate) use profile::{SLACK, neutral_point_among};
 pub use profile::{cutoff_depth_m, cutoff_in_build_m, neutral_point_m};
-pub use quantity::{Column, Quantity, QuantityKind, Values};
-pub(crate) use quantity::{IN_TIME, Rows, columns};
+pub use quantity::Quantity;
+pub use quantity_kind::QuantityKind;
 pub use scalars::{SCALARS, Scalar, Scalars, scalars_by_row};
 pub use signal::Signal;
+pub(crate) use signals::signals;
 pub use solution::{InTime, Solution};
+pub(crate) use time_series::VARYING;
 pub use time_series::{TIME_SERIES, TimeSeries};
+pub use well_path::{WELL_PATH, WellPath};

@@ -2,7 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::quantity::{Quantity, QuantityKind};
+use super::{
+    quantity::{Quantity, is_same},
+    quantity_kind::QuantityKind,
+};
 
 /// A scalar of [`Scalars`].
 #[derive(Debug)]
@@ -15,6 +18,23 @@ pub struct Scalar {
     pub row: u8,
     /// Its value.
     pub of: fn(&Scalars) -> Option<f64>,
+}
+
+impl Scalar {
+    /// The scalar of that name.
+    ///
+    /// # Panics
+    /// Where there is none: in a constant, the compiler says so.
+    pub const fn declared(name: &str) -> &'static Self {
+        let mut place = 0;
+        while place < SCALARS.len() {
+            if is_same(SCALARS[place].quantity.name, name) {
+                return &SCALARS[place];
+            }
+            place += 1;
+        }
+        panic!("no scalar of that name is declared")
+    }
 }
 
 /// The scalars in the order of [`Scalar::row`].
@@ -52,6 +72,7 @@ macro_rules! scalars {
         pub const SCALARS: &[Scalar] = &[$(
             Scalar {
                 quantity: Quantity::number(stringify!($scalar), QuantityKind::$kind, $meaning)
+                    .labelled($label)
                     $(.null_where($null_where))?,
                 label: $label,
                 row: $row,

@@ -2,7 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::quantity::{IN_TIME, columns};
+use super::{
+    column::{Column, DriftScale, columns},
+    method::IN_TIME,
+};
 use crate::{
     damage::{Damaged, ensure},
     dynamics::Probed,
@@ -17,8 +20,10 @@ columns! {
         time_s: Vec<f64> => Time, "Simulated time from the start, settling included",
             known_by IN_TIME;
         bit_depth_m: Vec<f64> => Depth, "Measured depth of the bit", known_by IN_TIME;
-        weight_on_bit_N: Vec<f64> => Force, "Weight on bit", known_by IN_TIME;
-        bit_torque_N_m: Vec<f64> => Torque, "Torque at the bit", known_by IN_TIME;
+        weight_on_bit_N: Vec<f64> => Force, "Weight on bit", known_by IN_TIME,
+            statistics 6 on DriftScale::Force;
+        bit_torque_N_m: Vec<f64> => Torque, "Torque at the bit", known_by IN_TIME,
+            statistics 7 on DriftScale::Torque;
         bit_force_high_N: Vec<f64> => Force,
             "Force of rock and hole on the bit across the hole, towards its high side",
             known_by IN_TIME;
@@ -31,7 +36,8 @@ columns! {
             "Rock that a revolution of the bit takes away; 0 where a motor turns it at a speed \
              that is not given", known_by IN_TIME;
         rate_of_penetration_m_per_s: Vec<f64> => RateOfPenetration,
-            "Rock that the bit takes away per time", known_by IN_TIME;
+            "Rock that the bit takes away per time", known_by IN_TIME,
+            statistics 8 on DriftScale::Own(1.0 / 3600.0);
         motor_speed_rad_per_s: Vec<Option<f64>> => RotarySpeed,
             "Speed of the mud motor against the string; `null` without a motor", known_by IN_TIME,
             null_where "there is no motor";
@@ -40,17 +46,24 @@ columns! {
              speed alone is given", known_by IN_TIME,
             null_where "there is no motor, or its speed alone is given";
         hook_load_N: Vec<f64> => Force,
-            "Tension at the top of the string; block and top drive excluded", known_by IN_TIME;
-        surface_torque_N_m: Vec<f64> => Torque, "Torque at the top of the string", known_by IN_TIME;
+            "Tension at the top of the string; block and top drive excluded", known_by IN_TIME,
+            statistics 1 on DriftScale::Force;
+        surface_torque_N_m: Vec<f64> => Torque, "Torque at the top of the string", known_by IN_TIME,
+            statistics 2 on DriftScale::Torque;
         friction_torque_N_m: Vec<f64> => Torque, "Torque of wall friction, summed along the string",
-            known_by IN_TIME;
+            known_by IN_TIME,
+            statistics 3 on DriftScale::Torque;
         axial_friction_N: Vec<f64> => Force,
-            "Wall friction along the string, summed; positive adds to hook load", known_by IN_TIME;
+            "Wall friction along the string, summed; positive adds to hook load", known_by IN_TIME,
+            statistics 4 on DriftScale::Force;
         side_force_total_N: Vec<f64> => Force,
-            "Magnitude of the side force, summed along the string", known_by IN_TIME;
+            "Magnitude of the side force, summed along the string", known_by IN_TIME,
+            statistics 5 on DriftScale::Own(1e4);
         twist_rad: Vec<f64> => Angle,
-            "Turn of the top against the bit; positive where the top leads", known_by IN_TIME;
-        stretch_m: Vec<f64> => Length, "Elongation against the unloaded string", known_by IN_TIME;
+            "Turn of the top against the bit; positive where the top leads", known_by IN_TIME,
+            statistics 9 on DriftScale::Own(1.0);
+        stretch_m: Vec<f64> => Length, "Elongation against the unloaded string", known_by IN_TIME,
+            statistics 10 on DriftScale::Own(0.1);
         neutral_point_m: Vec<Option<f64>> => Depth,
             "Measured depth of the shallowest zero of effective tension; `null` if none",
             known_by IN_TIME,
@@ -62,7 +75,8 @@ columns! {
         block_velocity_m_per_s: Vec<f64> => Speed,
             "Speed of the travelling block; positive downwards", known_by IN_TIME;
         bit_rotary_speed_rad_per_s: Vec<f64> => RotarySpeed,
-            "Rotary speed of the string at the bit; a mud motor's comes on top", known_by IN_TIME;
+            "Rotary speed of the string at the bit; a mud motor's comes on top", known_by IN_TIME,
+            statistics 11 on DriftScale::Own(1.0);
         rotary_speed_rad_per_s: Vec<f64> => RotarySpeed, "Rotary speed at surface",
             known_by IN_TIME;
         rotary_speed_set_rad_per_s: Vec<f64> => RotarySpeed,
@@ -87,6 +101,39 @@ columns! {
         probes: Vec<Probed>;
     }
 }
+
+/// How many columns have statistics.
+const COUNT: usize = {
+    let (mut count, mut place) = (0, 0);
+    while place < TIME_SERIES.len() {
+        if TIME_SERIES[place].statistics.is_some() {
+            count += 1;
+        }
+        place += 1;
+    }
+    count
+};
+
+/// The columns that have statistics over a window, in the order of their places there.
+pub(crate) const VARYING: [&Column<TimeSeries>; COUNT] = {
+    let mut all = [None; COUNT];
+    let mut place = 0;
+    while place < TIME_SERIES.len() {
+        let column = &TIME_SERIES[place];
+        if let Some(of) = column.statistics {
+            assert!(all[of.place - 1].is_none(), "two columns have the same place");
+            all[of.place - 1] = Some(column);
+        }
+        place += 1;
+    }
+    let mut found = [&TIME_SERIES[0]; COUNT];
+    let mut place = 0;
+    while place < COUNT {
+        found[place] = all[place].expect("places are counted from one");
+        place += 1;
+    }
+    found
+};
 
 impl TimeSeries {
     /// Whether a stored series is one of so many nodes, all its columns of one length; how many

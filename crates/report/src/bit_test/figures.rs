@@ -151,7 +151,7 @@ impl Drawing<'_> {
 
     /// Bit and rock.
     fn conditions(&self) -> String {
-        let facts = self.test.asked.iter();
+        let facts = self.test.facts.iter();
         let conditions = facts.filter_map(|fact| self.shown.fact(fact));
         conditions.collect::<Vec<_>>().join("; ")
     }

@@ -6,7 +6,7 @@ pub use figures::bit_test_plots;
 
 use std::collections::BTreeMap;
 
-use crate::{BottomPicture, Cell, DisplayUnit, Fact, Place, Sheet};
+use crate::{BottomPicture, Cell, DisplayUnit, Fact, PageTable, Place};
 
 /// A bit test as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +20,7 @@ pub struct BitTest {
     /// By dimension: its unit in SI, metric and field units.
     pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
     /// Bit and rock in a few facts.
-    pub asked: Vec<Fact>,
+    pub facts: Vec<Fact>,
     /// Uniaxial compressive strength of the rock, Pa.
     pub strength_Pa: f64,
     /// Radius of the bit, m.
@@ -33,7 +33,7 @@ pub struct BitTest {
     /// Why points are missing; nothing where none is.
     pub message: Option<String>,
     /// Tables of inputs.
-    pub sheets: Vec<Sheet>,
+    pub page_tables: Vec<PageTable>,
 }
 
 /// One weight at one speed. A number that is not known is not finite.
@@ -71,7 +71,7 @@ impl BitTest {
     }
 
     /// All numbers, a row for each point.
-    pub(crate) fn sheet(&self) -> Sheet {
+    pub(crate) fn page_table(&self) -> PageTable {
         let heads = [
             "Rotary speed",
             "Weight on bit",
@@ -98,7 +98,7 @@ impl BitTest {
                 Cell::quantity(of.specific_energy_Pa, "specific energy"),
             ]
         };
-        Sheet {
+        PageTable {
             place: Place::Cases,
             title: "All points: mean ± standard deviation within a point".into(),
             heads: heads.map(String::from).to_vec(),

@@ -56,13 +56,13 @@ fn test() -> BitTest {
         title: "A </script> bit".into(),
         units: "si".into(),
         dimensions: dimensions.map(|(name, units)| (name.to_owned(), units)).into(),
-        asked: vec![Fact { label: "Rock".into(), value: Cell::quantity(60e6, "specific energy") }],
+        facts: vec![Fact { label: "Rock".into(), value: Cell::quantity(60e6, "specific energy") }],
         strength_Pa: 60e6,
         radius_m: RADIUS_M,
         torque_by_weight: Some([0.6 * RADIUS_M, 50.0]),
         points,
         message: Some("5 of 6 <points>".into()),
-        sheets: Vec::new(),
+        page_tables: Vec::new(),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Where something was found, and at which points: light over a stretch, a bar at its edge, a ring
 //! about a point.
 //!
-//! Lesser findings have broken bars and rings, so that no colour is needed to tell them.
+//! Lesser findings have broken bars and rings, so that they are distinguished without colour.
 
 use super::place::Place;
 use crate::{

@@ -248,7 +248,7 @@ pub struct Map {
     /// A value for each of `middles`, then again for the next of `ends`; one that is not finite has
     /// no colour.
     pub values: Vec<f64>,
-    /// What the colours tell.
+    /// What the colours mean.
     pub hue: Hue,
     /// The value of the last colour; of sides, the negative of it is the first's.
     pub largest: f64,
@@ -342,7 +342,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The shape that tells the series of this place apart; they come round again.
+    /// The shape of the series of this place; they come round again.
     pub fn of(place: usize) -> Self {
         const ALL: [Shape; 5] =
             [Shape::Circle, Shape::Square, Shape::Triangle, Shape::Diamond, Shape::Tip];

@@ -114,7 +114,7 @@ fn own_axis(on: &mut Drawing, panel: &Panel, place: &Place<'_>) {
     }
 }
 
-/// What the colours of a map tell, to the right of its frame.
+/// What the colours of a map mean, to the right of its frame.
 fn colour_bar(on: &mut Drawing, map: &Map, frame: &Box) {
     let bar = Box { left: frame.right() + 8.0, width: 7.0, ..*frame };
     const STEPS: usize = 256;

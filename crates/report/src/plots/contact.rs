@@ -1,11 +1,12 @@
 //! Contact over depth and time.
 
 use super::{
+    catalogue::{ContactPlot, Shows, contact_plots},
     run::{self, Plot, Run, timed},
     shown::Shown,
 };
 use crate::{
-    ContactPicture,
+    ContactPicture, Packed,
     figure::{Axis, Direction, Figure, Hue, Layout, Map, Mark, Panel, Range},
 };
 
@@ -31,7 +32,7 @@ pub struct ContactMap {
 }
 
 /// Maps one below the other, over the same depths and in the same colours; `label` says what these
-/// tell, unit included.
+/// show, unit included.
 pub fn contact_figure(
     title: String,
     subtitle: String,
@@ -91,7 +92,8 @@ pub(super) fn plots(
     if pictures.is_empty() {
         return Vec::new();
     }
-    let figure = |title: &str, hue: Hue, values: &dyn Fn(&ContactPicture) -> Vec<f64>| {
+    let figure = |of: &ContactPlot| {
+        let Shows { column, title, dimension } = &of.shows;
         let map = |(run, window_s, picture): &(&Run<'_>, f64, &ContactPicture)| {
             let name = match runs.len() {
                 1 => "Measured depth",
@@ -103,7 +105,10 @@ pub(super) fn plots(
                 from: picture.from_s,
                 ends: picture.time_s.values(),
                 middles: shown.values(&picture.md_m.values(), "length"),
-                values: shown.values(&values(picture), "force per length"),
+                values: {
+                    let values = picture.values.get(*column).map(Packed::values);
+                    shown.values(&values.unwrap_or_default(), dimension)
+                },
                 window_from: *window_s,
                 shoes: cased.map(|section| shown.value(section.to_m, "length")).collect(),
                 marks: Vec::new(),
@@ -112,20 +117,12 @@ pub(super) fn plots(
         contact_figure(
             run::title(runs),
             subtitle.to_owned(),
-            (&shown.label(title, "force per length"), hue),
+            (&shown.label(title, dimension), if of.sides { Hue::Side } else { Hue::Amount }),
             pictures.iter().map(map).collect(),
         )
     };
-    vec![
-        Plot {
-            name: format!("map-side-force{suffix}"),
-            figure: figure("Side force", Hue::Side, &|of| of.side_force.values()),
-        },
-        Plot {
-            name: format!("map-contact-force{suffix}"),
-            figure: figure("Contact force", Hue::Amount, &|of| of.contact_force.values()),
-        },
-    ]
+    let plot = |of: &ContactPlot| Plot { name: format!("{}{suffix}", of.name), figure: figure(of) };
+    contact_plots().iter().map(plot).collect()
 }
 
 /// The value that nearly all sizes stay below: the few largest must not take the colour from the

@@ -1,12 +1,13 @@
 //! What the bit takes away for what it is given: rate of penetration and torque against weight.
 
 use super::{
+    catalogue::{DrillOffPlot, drill_off_plots},
     histories::run_keys,
     run::{Plot, Run, timed, title},
     shown::Shown,
 };
 use crate::{
-    DrillOff,
+    DrillOff, Packed,
     figure::{Axis, Direction, Figure, Ink, Layout, Mark, Panel, Range, Shape},
 };
 
@@ -27,10 +28,14 @@ pub(super) fn plots(
     if drilled.is_empty() {
         return Vec::new();
     }
-    let panel = |title: &str, dimension: &str, values: &dyn Fn(&DrillOff) -> Vec<f64>| {
+    let [weight, others @ ..] = drill_off_plots();
+    let panel = |of: &DrillOffPlot| {
         let points = |(place, drilled): &(usize, &DrillOff)| {
-            let weights = shown.values(&drilled.weight_N.values(), "force");
-            let points = weights.into_iter().zip(shown.values(&values(drilled), dimension));
+            let values = |of: &DrillOffPlot| {
+                let values = drilled.columns.get(of.shows.column).map(Packed::values);
+                shown.values(&values.unwrap_or_default(), of.shows.dimension)
+            };
+            let points = values(&weight).into_iter().zip(values(of));
             let step = points.len().div_ceil(MAX).max(1);
             Mark::Points {
                 ink: Ink::Line(*place),
@@ -39,7 +44,7 @@ pub(super) fn plots(
             }
         };
         Panel {
-            axis: Axis::new(shown.label(title, dimension), Range::Near),
+            axis: Axis::new(shown.label(&of.shows.title, of.shows.dimension), Range::Near),
             marks: drilled.iter().map(points).collect(),
             keys: Vec::new(),
         }
@@ -54,11 +59,8 @@ pub(super) fn plots(
             width_mm: 180.0,
             panel_mm: 65.0,
         },
-        shared: Axis::new(shown.label("Weight on bit", "force"), Range::Near),
-        panels: vec![
-            panel("Rate of penetration", "rate of penetration", &|of| of.rate_m_per_s.values()),
-            panel("Torque on bit", "torque", &|of| of.torque_N_m.values()),
-        ],
+        shared: Axis::new(shown.label(&weight.shows.title, weight.shows.dimension), Range::Near),
+        panels: others.iter().map(panel).collect(),
         hole: Vec::new(),
     };
     vec![Plot { name: format!("drill-off{suffix}"), figure }]

@@ -3,7 +3,7 @@
 use wholestring::outcome::ModelKind;
 
 use super::{
-    catalogue::{BIT_PLOTS, TIME_PLOTS, TimePlot},
+    catalogue::{TimePlot, bit_plots, time_plots},
     run::{Plot, Run, timed, title},
     shown::Shown,
 };
@@ -26,8 +26,8 @@ pub(super) fn plots(
     let ends = timed.iter().filter_map(|(_, run)| end_s(run));
     let end_s = ends.fold(0.0, f64::max);
     let drills = timed.iter().any(|(_, run)| run.drill_off.is_some());
-    let bit = if drills { BIT_PLOTS } else { &[] };
-    [("time", TIME_PLOTS), ("bit", bit)]
+    let bit = if drills { bit_plots() } else { Vec::new() };
+    [("time", time_plots()), ("bit", bit)]
         .into_iter()
         .flat_map(|(name, plots)| {
             let panels: Vec<(&TimePlot, Panel)> = plots
@@ -114,7 +114,7 @@ fn panel(
     let shapes = [Shape::Circle, Shape::Diamond];
     for (run, timed) in timed {
         let times = timed.history.get("time_s")?.values();
-        for (place, [column, name]) in plot.columns.iter().enumerate() {
+        for (place, (column, name)) in plot.columns.iter().enumerate() {
             let Some(values) = timed.history.get(*column) else {
                 continue;
             };
@@ -131,7 +131,7 @@ fn panel(
                 Sample::Line(sample_ink, stroke)
             };
             if !keys.iter().any(|key| key.name == *name) {
-                keys.push(Key { name: (*name).into(), sample });
+                keys.push(Key { name: name.clone(), sample });
             }
             if let Some([runs, single]) = lasting {
                 curves.push(Mark::Curve { ink, stroke, points: runs });
@@ -178,7 +178,7 @@ fn panel(
     let settling = timed.iter().map(|(_, run)| run.window_s).fold(0.0, f64::max);
     let mut marks = vec![Mark::Shade { from: 0.0, to: settling }];
     marks.extend(curves);
-    let title = if plot.points { "Depth" } else { plot.title };
+    let title = if plot.points { "Depth" } else { &plot.title };
     Some(Panel {
         axis: Axis {
             down: plot.points,

@@ -17,9 +17,10 @@ use self::styles::CurveStyles;
 pub(crate) use self::{
     bottom::bottoms_figure,
     shown::{SETS, Shown},
-    styles::{models, spoken},
+    styles::{models, readable},
 };
 pub use self::{
+    catalogue::shown_dimension,
     contact::{ContactMap, contact_figure},
     run::{Plot, Run, Spectrum, common_operations},
     spectra::spectrum_dimension,
@@ -80,25 +81,25 @@ pub fn profile(report: &Report, units: &str) -> Option<Figure> {
     plots.into_iter().next().map(|plot| plot.figure)
 }
 
-/// What was done, one operation or what was asked, and what was asked of every run alike.
+/// What was done, one operation or all, and the facts that hold of every run.
 fn common_facts(runs: &[Run<'_>], shown: Shown<'_>, operation: Option<&str>) -> String {
     let done = match operation {
-        Some(operation) => spoken(operation),
+        Some(operation) => readable(operation),
         None => {
             let operations = common_operations(runs);
-            let names = operations.into_iter().map(spoken);
+            let names = operations.into_iter().map(readable);
             names.collect::<Vec<_>>().join(", ")
         }
     };
-    let asked = runs[0].report.asked.iter();
-    let alike = asked.filter(|fact| runs.iter().all(|run| run.report.asked.contains(fact)));
+    let facts = runs[0].report.facts.iter();
+    let alike = facts.filter(|fact| runs.iter().all(|run| run.report.facts.contains(fact)));
     let alike: Vec<Fact> =
         alike.filter(|fact| !fact.label.starts_with("Operation")).cloned().collect();
     [done, subtitle(&alike, shown)].join("; ")
 }
 
 /// The facts that a picture needs beside it.
-pub(crate) fn subtitle(asked: &[Fact], shown: Shown<'_>) -> String {
+pub(crate) fn subtitle(facts: &[Fact], shown: Shown<'_>) -> String {
     const SHOWN_FACTS: [&str; 8] = [
         "Operation",
         "Operations",
@@ -110,7 +111,7 @@ pub(crate) fn subtitle(asked: &[Fact], shown: Shown<'_>) -> String {
         "Mud density",
     ];
     let parts =
-        asked.iter().filter(|fact| SHOWN_FACTS.contains(&fact.label.as_str())).filter_map(|fact| {
+        facts.iter().filter(|fact| SHOWN_FACTS.contains(&fact.label.as_str())).filter_map(|fact| {
             let text = shown.fact(fact)?;
             // What is done needs no name.
             let done = fact.label.starts_with("Operation");
@@ -118,4 +119,19 @@ pub(crate) fn subtitle(asked: &[Fact], shown: Shown<'_>) -> String {
             Some(said.map_or(text.clone(), |(_, done)| done.to_owned()))
         });
     parts.collect::<Vec<_>>().join("; ")
+}
+
+/// The columns of `time.parquet` that are drawn against the first of them, the weight on bit.
+pub fn drill_off_columns() -> [&'static str; 3] {
+    catalogue::drill_off_plots().map(|of| of.shows.column)
+}
+
+/// The columns of `contact.parquet` that are drawn as maps.
+pub fn contact_columns() -> [&'static str; 2] {
+    catalogue::contact_plots().map(|of| of.shows.column)
+}
+
+/// The columns of `frames.parquet` that a page holds.
+pub fn frame_columns() -> Vec<&'static str> {
+    catalogue::node_channels().iter().map(|of| of.shows.column).collect()
 }

@@ -1,10 +1,16 @@
 //! Power spectral densities.
 
+use wholestring::{
+    dynamics::NodeSignal,
+    outcome::{QuantityKind, Signal},
+};
+
 use super::{
+    catalogue::shown_dimension,
     histories::run_keys,
     run::{Plot, Run, title},
     shown::Shown,
-    styles::spoken,
+    styles::readable,
 };
 use crate::{
     Spectrum,
@@ -57,7 +63,8 @@ fn figure(
     subtitle: &str,
 ) -> Figure {
     let unit = spectra.first().map_or("", |(_, of)| of.unit.as_str());
-    let dimension = spectrum_dimension(unit, signal);
+    let of_nodes = spectra.first().is_some_and(|(_, of)| of.md_m.is_some());
+    let dimension = spectrum_dimension(signal, of_nodes);
     // A density goes with the square of the signal.
     let factor = dimension.map_or(1.0, |name| shown.value(1.0, name).powi(2));
     let symbol = dimension.map_or(unit, |name| shown.symbol(name));
@@ -101,7 +108,7 @@ fn figure(
             }
         }));
     }
-    let name = spoken(signal);
+    let name = readable(signal);
     let logarithmic =
         |label: String, range| Axis { scale: Scale::Logarithmic, ..Axis::new(label, range) };
     let at = match depths[..] {
@@ -128,18 +135,20 @@ fn figure(
     }
 }
 
-/// The dimension of a signal, by its unit and by what it is.
-pub fn spectrum_dimension(unit: &str, signal: &str) -> Option<&'static str> {
-    Some(match unit {
-        "N" => "force",
-        "N·m" => "torque",
-        "N/m" => "force per length",
-        "rad/s" => "rotary speed",
-        "rad" => "angle",
-        "m/s" => "lateral speed",
-        "Pa" => "pressure",
-        "m" if signal.starts_with("offset") => "diameter",
-        "m" => "length",
-        _ => return None,
+/// The dimension of a signal, of nodes or of the whole string, by its declaration; none of a signal
+/// that this version does not know.
+pub fn spectrum_dimension(signal: &str, of_nodes: bool) -> Option<&'static str> {
+    let quantity = if of_nodes {
+        let found = NodeSignal::ALL.into_iter().find(|of| of.name() == signal);
+        found?.quantity()
+    } else {
+        Signal::ALL.into_iter().find(|of| of.name() == signal)?.quantity()
+    };
+    Some(match quantity.kind {
+        // What vibrates is no trip.
+        QuantityKind::Speed => "lateral speed",
+        // Of the whole string a length is its stretch; nodes move across the hole.
+        QuantityKind::Length if !of_nodes => "length",
+        other => shown_dimension(other),
     })
 }

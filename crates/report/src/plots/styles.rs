@@ -72,7 +72,7 @@ impl<'a> CurveStyles<'a> {
         if self.runs.len() > 1 {
             Some(self.runs[run].name.to_owned())
         } else {
-            (!self.alone()).then(|| spoken(&solved.operation))
+            (!self.alone()).then(|| readable(&solved.operation))
         }
     }
 
@@ -91,7 +91,7 @@ impl<'a> CurveStyles<'a> {
         let names: Vec<String> = if self.runs.len() > 1 {
             self.runs.iter().map(|run| run.name.to_owned()).collect()
         } else {
-            self.operations.iter().map(|name| spoken(name)).collect()
+            self.operations.iter().map(|name| readable(name)).collect()
         };
         let mut keys: Vec<Key> = names
             .iter()
@@ -127,6 +127,6 @@ pub(crate) fn models(has: impl Fn(&str) -> bool) -> Vec<&'static Method> {
 }
 
 /// `trip_out` as people write it.
-pub(crate) fn spoken(operation: &str) -> String {
+pub(crate) fn readable(operation: &str) -> String {
     operation.replace('_', " ")
 }

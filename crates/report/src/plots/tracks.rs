@@ -1,7 +1,7 @@
 //! Quantities against measured depth, which points down.
 
 use super::{
-    catalogue::{RULES, Source, TRACKS, Track},
+    catalogue::{RULES, Source, Track, tracks},
     found::Found,
     near,
     run::{Plot, Run, title},
@@ -26,10 +26,9 @@ pub(super) fn plots(
     subtitle: &str,
     suffix: &str,
 ) -> Vec<Plot> {
-    let mut tracks: Vec<(&Track, Panel)> = TRACKS
-        .iter()
-        .filter_map(|track| Some((track, panel(track, runs, styles, shown)?)))
-        .collect();
+    let all = tracks();
+    let mut tracks: Vec<(&Track, Panel)> =
+        all.iter().filter_map(|track| Some((track, panel(track, runs, styles, shown)?))).collect();
     let found = Found::of(styles);
     for (_, panel) in &mut tracks {
         panel.marks.splice(0..0, found.marks(shown));
@@ -112,7 +111,7 @@ fn panel(
     }
     let range = match track.range {
         Some([from, to]) => {
-            let end = |si| shown.value(si, track.dimension);
+            let end = |si| shown.value(si, track.shows.dimension);
             Range::Fixed(end(from), end(to))
         }
         None if track.zero => Range::Zero,
@@ -121,9 +120,9 @@ fn panel(
     Some(Panel {
         axis: Axis {
             clips: track.from == Source::Profile && track.range.is_none(),
-            min_span: shown.value(track.min_span, track.dimension),
+            min_span: shown.value(track.min_span, track.shows.dimension),
             sides: track.sides.then(|| ["low side".to_owned(), "high side".to_owned()]),
-            ..Axis::new(shown.label(track.title, track.dimension), range)
+            ..Axis::new(shown.label(&track.shows.title, track.shows.dimension), range)
         },
         marks,
         keys: Vec::new(),
@@ -144,7 +143,7 @@ fn solved_marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -> Ve
             _ => &solved.profile,
         };
         let column = |name: &str| table.get(name).map(crate::Packed::values);
-        let (Some(depths), Some(mut values)) = (column("md_m"), column(track.column)) else {
+        let (Some(depths), Some(mut values)) = (column("md_m"), column(track.shows.column)) else {
             continue;
         };
         let mut band = track.band.and_then(|[low, high]| Some((column(low)?, column(high)?)));
@@ -166,7 +165,7 @@ fn solved_marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -> Ve
             between = differs(&smallest, &values).then_some(smallest);
         }
         let (ink, stroke) = styles.of(run, solved);
-        let points = |values: &[f64]| points(&depths, values, shown, track.dimension);
+        let points = |values: &[f64]| points(&depths, values, shown, track.shows.dimension);
         if let Some((low, high)) = band {
             let ends = points(&low).into_iter().zip(points(&high));
             bands.push(Mark::Band {
@@ -182,7 +181,7 @@ fn solved_marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -> Ve
         curves.extend(between.map(|values| Mark::Curve {
             ink,
             stroke: Stroke::Dotted,
-            points: self::points(&depths, &values, shown, track.dimension),
+            points: self::points(&depths, &values, shown, track.shows.dimension),
         }));
     }
     // Dashed lines over full ones, or those would hide them.
@@ -201,14 +200,12 @@ fn differs(one: &[f64], other: &[f64]) -> bool {
 /// A curve of the path: one alone where all runs are on the same.
 fn well_marks(track: &Track, runs: &[Run<'_>], shown: Shown<'_>) -> Vec<Mark> {
     let column = |well: &Well| {
-        let values = match track.column {
-            "inclination_rad" => &well.inclination_rad,
-            _ => &well.dogleg_rad_per_m,
-        };
-        points(&well.md_m.values(), &values.values(), shown, track.dimension)
+        let values = |name: &str| well.columns.get(name).map(crate::Packed::values);
+        let (depths, values) = (values("md_m")?, values(track.shows.column)?);
+        Some(points(&depths, &values, shown, track.shows.dimension))
     };
     let mut curves: Vec<Vec<(f64, f64)>> =
-        runs.iter().map(|run| column(&run.report.well)).collect();
+        runs.iter().filter_map(|run| column(&run.report.well)).collect();
     // A longer run on the same well shows all that a shorter one does.
     curves.retain(|points| !points.is_empty());
     let same = runs.iter().all(|run| run.report.well == runs[0].report.well);

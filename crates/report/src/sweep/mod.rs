@@ -1,14 +1,18 @@
 //! What a page reports a sweep, and its pictures.
 
+mod drawing;
 mod figures;
+mod legend;
+mod panel;
+mod varied;
 
 pub use figures::sweep_plots;
 
 use std::collections::BTreeMap;
 
-use wholestring::outcome::ModelKind;
+use wholestring::outcome::{ModelKind, Scalar};
 
-use crate::{Cell, DisplayUnit, Fact, Place, Sheet, plots::spoken};
+use crate::{Cell, DisplayUnit, Fact, PageTable, Place, plots::readable, shown_dimension};
 
 /// A sweep as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,20 +25,20 @@ pub struct Sweep {
     pub units: String,
     /// By dimension: its unit in SI, metric and field units.
     pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
-    /// What was asked of all cases alike.
-    pub asked: Vec<Fact>,
+    /// The facts that hold of all cases.
+    pub facts: Vec<Fact>,
     /// The keys that were varied, as they were named.
     pub keys: Vec<String>,
     /// What was solved: a row for each model and operation of each case.
     pub rows: Vec<SweepRow>,
 }
 
-/// What one model answered for one operation of one case.
+/// The result of one model for one operation of one case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SweepRow {
     /// The values of the keys, as they were written.
     pub values: Vec<String>,
-    /// `soft` or `dynamic`; empty where the case had no answer.
+    /// Name of the method; empty where the case had no answer.
     pub model: String,
     /// `trip_out`, `drill`, ...
     pub operation: String,
@@ -52,46 +56,28 @@ pub struct SweepRow {
     pub page: Option<String>,
 }
 
-/// What is drawn and reported of each case.
-struct Quantity {
+/// A scalar that is drawn and reported of each case.
+#[derive(Clone, Copy)]
+struct Drawn {
     /// Name of its file.
     name: &'static str,
-    title: &'static str,
-    dimension: &'static str,
+    scalar: &'static Scalar,
     /// What its axis spans at least, SI.
     min_span: f64,
-    column: &'static str,
 }
 
-const QUANTITIES: &[Quantity] = &[
-    Quantity {
-        name: "hook-load",
-        title: "Hook load without block",
-        dimension: "force",
-        min_span: 2e4,
-        column: "hook_load_N",
-    },
-    Quantity {
-        name: "torque",
-        title: "Surface torque",
-        dimension: "torque",
-        min_span: 1e3,
-        column: "surface_torque_N_m",
-    },
-    Quantity {
-        name: "axial-friction",
-        title: "Axial friction",
-        dimension: "force",
-        min_span: 1e4,
-        column: "axial_friction_N",
-    },
-    Quantity {
-        name: "cut-off-depth",
-        title: "Cut-off depth",
-        dimension: "length",
-        min_span: 20.0,
-        column: "cutoff_depth_m",
-    },
+impl Drawn {
+    fn dimension(&self) -> &'static str {
+        shown_dimension(self.scalar.quantity.kind)
+    }
+}
+
+/// The scalars that are drawn, in their order.
+const DRAWN: [Drawn; 4] = [
+    Drawn { name: "hook-load", scalar: Scalar::declared("hook_load_N"), min_span: 2e4 },
+    Drawn { name: "torque", scalar: Scalar::declared("surface_torque_N_m"), min_span: 1e3 },
+    Drawn { name: "axial-friction", scalar: Scalar::declared("axial_friction_N"), min_span: 1e4 },
+    Drawn { name: "cut-off-depth", scalar: Scalar::declared("cutoff_depth_m"), min_span: 20.0 },
 ];
 
 impl Sweep {
@@ -108,27 +94,31 @@ impl Sweep {
     }
 
     /// All numbers, a row for each model and operation of each case.
-    pub(crate) fn sheet(&self) -> Sheet {
+    pub(crate) fn page_table(&self) -> PageTable {
         let heads =
             |names: &[&str]| -> Vec<String> { names.iter().map(|name| (*name).into()).collect() };
         let whole = self.rows.iter().all(|row| row.status == "complete");
         let judged = self.rows.iter().any(|row| row.errors + row.warnings > 0);
         let paged = self.rows.iter().any(|row| row.page.is_some());
-        let quantities: Vec<&Quantity> = QUANTITIES
+        let quantities: Vec<&Drawn> = DRAWN
             .iter()
-            .filter(|of| self.rows.iter().any(|row| row.numbers.contains_key(of.column)))
+            .filter(|of| {
+                self.rows.iter().any(|row| row.numbers.contains_key(of.scalar.quantity.name))
+            })
             .collect();
         let row = |row: &SweepRow| {
             let model = ModelKind::named(&row.model);
             let model = model.map_or(row.model.as_str(), |of| of.method().long_name);
             let mut cells: Vec<Cell> = row.values.iter().cloned().map(Cell::Text).collect();
             cells.push(Cell::Text(model.into()));
-            cells.push(Cell::Text(spoken(&row.operation)));
+            cells.push(Cell::Text(readable(&row.operation)));
             for of in &quantities {
-                let number = |end: &str| row.numbers.get(&format!("{}{end}", of.column)).copied();
+                let number = |end: &str| {
+                    row.numbers.get(&format!("{}{end}", of.scalar.quantity.name)).copied()
+                };
                 cells.push(number("").map_or(Cell::Nothing, |value| Cell::Quantity {
                     value,
-                    dimension: of.dimension.into(),
+                    dimension: of.dimension().into(),
                     std: number("_std"),
                 }));
             }
@@ -146,8 +136,8 @@ impl Sweep {
             }
             cells
         };
-        let titles = quantities.iter().map(|of| of.title.to_owned());
-        Sheet {
+        let titles = quantities.iter().map(|of| of.scalar.label.to_owned());
+        PageTable {
             place: Place::Cases,
             title: "All cases".into(),
             heads: self

@@ -47,7 +47,7 @@ fn sweep(keys: [&str; 2], values: [&[&str]; 2]) -> Sweep {
             ("force".into(), [unit("kN", 1e3), unit("t", 9806.65), unit("klbf", 4448.2216)]),
             ("length".into(), [unit("m", 1.0), unit("m", 1.0), unit("ft", 0.3048)]),
         ]),
-        asked: Vec::new(),
+        facts: Vec::new(),
         keys: keys.map(String::from).to_vec(),
         rows,
     }
@@ -135,7 +135,7 @@ fn any_key_can_be_the_axis() {
 
 #[test]
 fn values_are_read_with_their_unit() {
-    use super::figures::split;
+    use super::varied::split;
     for (text, expected) in [
         ("0.2", Some((0.2, ""))),
         ("1e-3", Some((1e-3, ""))),
@@ -153,14 +153,14 @@ fn values_are_read_with_their_unit() {
 #[test]
 fn the_table_has_every_case() {
     let mut sweep = sweep(["friction", "bit_depth"], [&["0.1", "0.2"], &["300m"]]);
-    let sheet = sweep.sheet();
+    let page_table = sweep.page_table();
     assert_eq!(
-        sheet.heads,
+        page_table.heads,
         ["friction", "bit_depth", "Model", "Operation", "Hook load without block"]
     );
-    assert_eq!(sheet.rows.len(), 4);
+    assert_eq!(page_table.rows.len(), 4);
     assert_eq!(
-        sheet.rows[1][4],
+        page_table.rows[1][4],
         Cell::Quantity { value: 1e5, dimension: "force".into(), std: Some(5e2) }
     );
     sweep.rows[0] = SweepRow {
@@ -174,17 +174,17 @@ fn the_table_has_every_case() {
         finding: String::new(),
         page: Some("a/report.html".into()),
     };
-    let sheet = sweep.sheet();
-    assert_eq!(sheet.heads[5..], ["Status", "Findings", "Report"]);
+    let page_table = sweep.page_table();
+    assert_eq!(page_table.heads[5..], ["Status", "Findings", "Report"]);
     assert_eq!(
-        sheet.rows[0][5..],
+        page_table.rows[0][5..],
         [
             Cell::Text("failed".into()),
             Cell::Text("\u{25b2} 1 warning".into()),
             Cell::Link { text: "open".into(), href: "a/report.html".into() },
         ]
     );
-    assert_eq!(sheet.rows[1][7], Cell::Nothing);
+    assert_eq!(page_table.rows[1][7], Cell::Nothing);
 }
 
 /// A page holds the figure in every set of units, and no name ends its element.

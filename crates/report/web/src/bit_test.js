@@ -1,6 +1,6 @@
 // The page of a bit test: what the bit did at each weight and speed, and the bottoms that it left.
 
-import { asked } from "./answer.js";
+import { facts } from "./key_results.js";
 import { bottomView } from "./bottom.js";
 import { contents } from "./contents.js";
 import { el, select } from "./dom.js";
@@ -8,7 +8,7 @@ import { downloads } from "./downloads.js";
 import { figure } from "./figure.js";
 import { licences } from "./footer.js";
 import { header } from "./header.js";
-import { sheet, sheetDownloads } from "./sheet.js";
+import { pageTable, tableDownloads } from "./page_table.js";
 import { on } from "./state.js";
 import { quantity } from "./units.js";
 
@@ -26,7 +26,7 @@ export function bitTestPage(report) {
   let chosen = bottoms.length - 1;
   const bottom = bottoms.length ? bottomView(() => bottoms[chosen].bottom, false) : null;
   const chooser = el("div", { class: "tools noprint" });
-  const told = el("p", { class: "note" });
+  const caption = el("p", { class: "note" });
   const name = ({ weight_N, rotary_rad_per_s }) =>
     `${quantity(weight_N, "force", 3)} at ${quantity(rotary_rad_per_s, "rotary speed", 3)}`;
   const offer = () => {
@@ -34,17 +34,17 @@ export function bitTestPage(report) {
     chooser.replaceChildren(
       select("Point: ", options, String(chosen), (value) => {
         chosen = Number(value);
-        tell();
+        describe();
         bottom.redraw();
       }),
     );
-    tell();
+    describe();
   };
-  const tell = () => (told.textContent = `After ${name(bottoms[chosen])}.`);
-  const [points, ...inputs] = report.sheets;
+  const describe = () => (caption.textContent = `After ${name(bottoms[chosen])}.`);
+  const [points, ...inputs] = report.page_tables;
   const page = document.getElementById("page");
   page.append(
-    header(report.title, asked(report), () => bottom?.redraw()),
+    header(report.title, facts(report), () => bottom?.redraw()),
     ...(report.message ? [el("p", { class: "warning" }, report.message)] : []),
     drawn("drill-off", "Drill-off", "drill-off"),
     drawn("energy", "Specific energy", "specific-energy"),
@@ -52,11 +52,11 @@ export function bitTestPage(report) {
   if (bottom) {
     offer();
     on("units", offer);
-    page.append(section("bottom", "Bottom of the hole", chooser, bottom.element, told));
+    page.append(section("bottom", "Bottom of the hole", chooser, bottom.element, caption));
   }
   page.append(
-    section("points", ["Points", sheetDownloads(points)], sheet(points)),
-    ...(inputs.length ? [section("inputs", "Inputs, defaults included", inputs.map(sheet))] : []),
+    section("points", ["Points", tableDownloads(points)], pageTable(points)),
+    ...(inputs.length ? [section("inputs", "Inputs, defaults included", inputs.map(pageTable))] : []),
     el(
       "footer",
       {},

@@ -34,7 +34,7 @@ export function bottomView(get, sided) {
   const map = plan(get, sided);
   const key = el("div", { class: "colour-key" });
   let exaggeration = 1;
-  let seen = null;
+  let shown = null;
   const factor = el("output", {});
   const slider = el("input", {
     type: "range",
@@ -94,7 +94,7 @@ export function bottomView(get, sided) {
   /** Another bottom, seen as far off as it is large. */
   function change() {
     const bottom = get();
-    seen = bottom;
+    shown = bottom;
     if (!bottom) return;
     // Grooves are a few millimetres deep in a hole of decimetres.
     const steep = (0.3 * edgesOf(bottom)[1]) / (deepestOf(bottom) || 1);
@@ -108,7 +108,7 @@ export function bottomView(get, sided) {
     map.draw();
     if (space) space.size();
     // The same bottom stays as the reader has turned it.
-    if (get() === seen) build();
+    if (get() === shown) build();
     else change();
   }
 

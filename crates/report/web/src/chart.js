@@ -60,7 +60,7 @@ export function followLegend(plot, name) {
     if (i === 0 || plot.series.length < 3) return;
     const head = row.querySelector("th");
     const { label } = plot.series[i];
-    const tell = () => head.setAttribute("aria-pressed", String(plot.series[i].show));
+    const update = () => head.setAttribute("aria-pressed", String(plot.series[i].show));
     if (hidden.has(label)) plot.setSeries(i, { show: false });
     for (const [key, value] of Object.entries({ tabindex: 0, role: "button", title: `Show or hide ${label}` }))
       head.setAttribute(key, value);
@@ -72,8 +72,8 @@ export function followLegend(plot, name) {
     head.addEventListener("click", () => {
       if (plot.series[i].show) hidden.delete(label);
       else hidden.add(label);
-      tell();
+      update();
     });
-    tell();
+    update();
   });
 }

@@ -30,7 +30,8 @@ function percentile(values, part) {
 }
 
 export function contactMap(report) {
-  let kind = "side_force";
+  const plots = report.contact_plots;
+  let plot = plots[0];
   const canvas = el("canvas", { class: "map", role: "img", "aria-label": "Contact over depth and time" });
   const readout = el("p", { class: "readout-line" }, "\u00a0");
   const holder = el("div", { class: "map-holder" }, canvas);
@@ -39,13 +40,10 @@ export function contactMap(report) {
     { class: "tools noprint" },
     choice(
       "What the map shows",
-      [
-        ["side_force", "Side force, by side"],
-        ["contact_force", "Contact force"],
-      ],
-      kind,
+      plots.map(({ column, title, sides }) => [column, sides ? `${title}, by side` : title]),
+      plot.column,
       (value) => {
-        kind = value;
+        plot = plots.find(({ column }) => column === value);
         draw();
       },
     ),
@@ -76,8 +74,8 @@ export function contactMap(report) {
   function paintAll(ink, run, width, paintPicture) {
     const { depths, times } = views(run);
     const box = { left: LEFT, top: TOP, width: width - LEFT - RIGHT, height: HEIGHT - TOP - BOTTOM };
-    const largest = percentile(Array.from(run.contact[kind]), 0.985);
-    const signed = kind === "side_force";
+    const largest = percentile(Array.from(run.contact.values[plot.column]), 0.985);
+    const signed = plot.sides;
     const scaled = colourScale(signed);
     const paint = (value) => scaled(signed ? 0.5 + (0.5 * value) / largest : value / largest);
     paintPicture(run, box, depths, times, paint);
@@ -93,12 +91,12 @@ export function contactMap(report) {
     pen.fillStyle = colour("paper");
     pen.fillRect(0, 0, width, HEIGHT);
     paintAll(pen, run, width, (run, box, ...what) => {
-      const sheet = el("canvas", { width: box.width * 2, height: box.height * 2 });
-      const ink = sheet.getContext("2d");
+      const buffer = el("canvas", { width: box.width * 2, height: box.height * 2 });
+      const ink = buffer.getContext("2d");
       ink.scale(2, 2);
       ink.translate(-box.left, -box.top);
       picture(ink, run, box, ...what);
-      pen.image(sheet.toDataURL(), box.left, box.top, box.width, box.height);
+      pen.image(buffer.toDataURL(), box.left, box.top, box.width, box.height);
     });
     return pen.file();
   }
@@ -113,12 +111,12 @@ export function contactMap(report) {
       contact.md_m.forEach((depth, i) => {
         if (depth < depths[0] || depth > depths[1]) return;
         const at = k * contact.md_m.length + i;
-        const force = ["side_force", "contact_force"].map((name) => shown(contact[name][at], "force per length"));
-        rows.push([time, shown(depth, "length"), ...force]);
+        const forces = plots.map(({ column, dimension }) => shown(contact.values[column][at], dimension));
+        rows.push([time, shown(depth, "length"), ...forces]);
       });
     });
-    const unit = symbol("force per length");
-    return [["time, s", `md, ${symbol("length")}`, `side force, ${unit}`, `contact force, ${unit}`], rows];
+    const heads = plots.map(({ title, dimension }) => `${title.toLowerCase()}, ${symbol(dimension)}`);
+    return [["time, s", `md, ${symbol("length")}`, ...heads], rows];
   }
 
   function picture(ink, run, box, [d0, d1], [t0, t1], paint) {
@@ -128,12 +126,12 @@ export function contactMap(report) {
     for (let row = 0; row < image.height; row++) {
       const stretch = nearest(contact.md_m, d0 + ((row + 0.5) / image.height) * (d1 - d0));
       for (let k = 0; k < image.width; k++) {
-        const [r, g, b] = paint(contact[kind][k * stretches + stretch] || 0);
+        const [r, g, b] = paint(contact.values[plot.column][k * stretches + stretch] || 0);
         image.data.set([r, g, b, 255], 4 * (row * image.width + k));
       }
     }
-    const sheet = new OffscreenCanvas(image.width, image.height);
-    sheet.getContext("2d").putImageData(image, 0, 0);
+    const buffer = new OffscreenCanvas(image.width, image.height);
+    buffer.getContext("2d").putImageData(image, 0, 0);
     ink.save();
     ink.beginPath();
     ink.rect(box.left, box.top, box.width, box.height);
@@ -142,7 +140,7 @@ export function contactMap(report) {
     const x = (time) => box.left + ((time - t0) / (t1 - t0)) * box.width;
     let from = contact.from_s;
     contact.time_s.forEach((to, k) => {
-      ink.drawImage(sheet, k, 0, 1, image.height, x(from), box.top, x(to) - x(from) + 0.5, box.height);
+      ink.drawImage(buffer, k, 0, 1, image.height, x(from), box.top, x(to) - x(from) + 0.5, box.height);
       from = to;
     });
     ink.restore();
@@ -199,7 +197,7 @@ export function contactMap(report) {
 
   function scale(ink, box, largest, paint) {
     const left = box.left + box.width + 14;
-    const from = kind === "side_force" ? -largest : 0;
+    const from = plot.sides ? -largest : 0;
     const steps = 120;
     for (let i = 0; i < steps; i++) {
       const [r, g, b] = paint(from + ((i + 0.5) / steps) * (largest - from));
@@ -208,16 +206,16 @@ export function contactMap(report) {
     }
     ink.strokeStyle = colour("frame");
     ink.strokeRect(left, box.top, 12, box.height);
-    const marks = ticks(shown(from, "force per length"), shown(largest, "force per length"), 6);
+    const marks = ticks(shown(from, plot.dimension), shown(largest, plot.dimension), 6);
     ink.fillStyle = colour("muted");
     ink.textAlign = "left";
     ink.textBaseline = "middle";
     for (const value of marks.values) {
-      const part = (si(value, "force per length") - from) / (largest - from);
+      const part = (si(value, plot.dimension) - from) / (largest - from);
       ink.fillText(tickText(value, marks.step), left + 17, box.top + box.height * (1 - part));
     }
-    ink.fillText(symbol("force per length"), left, box.top + box.height + 12);
-    if (kind === "side_force") {
+    ink.fillText(symbol(plot.dimension), left, box.top + box.height + 12);
+    if (plot.sides) {
       ink.save();
       ink.textAlign = "center";
       ink.translate(left + 66, box.top + box.height * 0.25);
@@ -257,9 +255,9 @@ export function contactMap(report) {
       ),
       contact.time_s.length - 1,
     );
-    const value = contact[kind][k * contact.md_m.length + nearest(contact.md_m, at.depth)];
-    const side = kind === "contact_force" || Math.abs(value) === 0 ? "" : value > 0 ? ", high side" : ", low side";
-    readout.textContent = `MD ${quantity(at.depth, "length", 5)}, ${digits(at.moment, 4)} s: ${quantity(Math.abs(value), "force per length", 3)}${side}`;
+    const value = contact.values[plot.column][k * contact.md_m.length + nearest(contact.md_m, at.depth)];
+    const side = !plot.sides || Math.abs(value) === 0 ? "" : value > 0 ? ", high side" : ", low side";
+    readout.textContent = `MD ${quantity(at.depth, "length", 5)}, ${digits(at.moment, 4)} s: ${quantity(Math.abs(value), plot.dimension, 3)}${side}`;
   });
   canvas.addEventListener("pointerleave", () => {
     choose({ pointer: null });

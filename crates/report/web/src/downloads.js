@@ -17,7 +17,7 @@ export const slug = (title) =>
     .replace(/[^\p{L}\p{N}]+/gu, "-")
     .replace(/^-|-$/g, "") || "figure";
 
-/** A cell of CSV (RFC 4180). What a spreadsheet would take for a formula is told apart by an apostrophe. */
+/** A cell of CSV (RFC 4180). What a spreadsheet would take for a formula is marked by an apostrophe. */
 function field(value) {
   if (value === null || value === undefined || Number.isNaN(value)) return "";
   if (typeof value === "number") return String(Number(value.toPrecision(9)));

@@ -13,17 +13,10 @@ import { shownAll, symbol } from "./units.js";
 
 const HEIGHT = 260;
 
-/** Least span of the weight's axis, N. */
-const LEAST_WEIGHT = 1e4;
-
-/** Column, title, dimension, name, and the least span of the axis, SI. */
-const PLOTS = [
-  ["rate_m_per_s", "Rate of penetration against weight", "rate of penetration", "rate of penetration", 5e-4],
-  ["torque_N_m", "Torque against weight", "torque", "torque on bit", 500],
-];
-
 export function drillOff(report) {
   const holder = el("div", { class: "histories" });
+  const [weight, ...others] = report.drill_off_plots;
+  const across = () => `${weight.title}, ${symbol(weight.dimension)}`;
   let plots = [];
 
   function draw() {
@@ -32,30 +25,30 @@ export function drillOff(report) {
     const samples = chosenRun(report)?.drill_off;
     if (!samples) return holder.replaceChildren();
     // Points stand in the order of their weight, as the plot wants them.
-    const order = Array.from(samples.weight_N, (_, i) => i)
-      .filter((i) => Number.isFinite(samples.weight_N[i]))
-      .sort((a, b) => samples.weight_N[a] - samples.weight_N[b]);
-    const column = (name, dimension) => shownAll(Array.from(order, (i) => samples[name][i]), dimension);
-    const weights = column("weight_N", "force");
-    const cards = PLOTS.map(([name, title, dimension, label, least]) => {
+    const weights = samples[weight.column];
+    const order = Array.from(weights, (_, i) => i)
+      .filter((i) => Number.isFinite(weights[i]))
+      .sort((a, b) => weights[a] - weights[b]);
+    const values = ({ column, dimension }) => shownAll(Array.from(order, (i) => samples[column][i]), dimension);
+    const cards = others.map((of) => {
+      const { heading, dimension } = of;
       const body = el("div", { class: "plot" });
-      const head = el("h3", {}, title, el("span", { class: "unit" }, ` ${symbol(dimension)}`));
+      const head = el("h3", {}, heading, el("span", { class: "unit" }, ` ${symbol(dimension)}`));
       let plot = null;
-      const across = `Weight on bit, ${symbol("force")}`;
       head.append(
-        downloads(title, {
-          svg: () => chartSvg(plot, `${title}, ${symbol(dimension)}`, across),
-          csv: () => csv(...chartRows(plot, across, symbol(dimension))),
+        downloads(heading, {
+          svg: () => chartSvg(plot, `${heading}, ${symbol(dimension)}`, across()),
+          csv: () => csv(...chartRows(plot, across(), symbol(dimension))),
         }),
       );
-      const make = () => plots.push((plot = scatter(body, weights, column(name, dimension), dimension, label, least)));
+      const make = () => plots.push((plot = scatter(body, of, values(weight), values(of))));
       return { element: el("figure", { class: "card history" }, head, body), make };
     });
     holder.replaceChildren(...cards.map((card) => card.element));
     for (const card of cards) card.make();
   }
 
-  function scatter(body, weights, values, dimension, label, least) {
+  function scatter(body, { title, dimension, min_span }, weights, values) {
     const point = line(0);
     return new uPlot(
       {
@@ -64,14 +57,14 @@ export function drillOff(report) {
         cursor: { drag: { x: true, y: true, uni: 8 }, points: { size: 6 } },
         legend: LEGEND,
         scales: {
-          x: { time: false, range: (_, low, high) => air(low, high, "force", LEAST_WEIGHT) },
-          y: { range: (_, low, high) => air(low, high, dimension, least) },
+          x: { time: false, range: (_, low, high) => air(low, high, weight.dimension, weight.min_span) },
+          y: { range: (_, low, high) => air(low, high, dimension, min_span) },
         },
-        axes: axes(`Weight on bit, ${symbol("force")}`),
+        axes: axes(across()),
         series: [
-          { label: `weight, ${symbol("force")}`, value: legendText },
+          { label: `weight, ${symbol(weight.dimension)}`, value: legendText },
           {
-            label,
+            label: title.replace(/^./, (letter) => letter.toLowerCase()),
             stroke: point,
             paths: () => null,
             points: { show: true, size: 3.5, width: 0, fill: `color-mix(in srgb, ${point} 55%, transparent)` },

@@ -15,10 +15,10 @@ function spots(text) {
 }
 
 /**
- * The figure `name`; where there is none, `otherwise`. `tell` gives title, rows of text and an address for a row of the
+ * The figure `name`; where there is none, `otherwise`. `describe` gives title, rows of text and an address for a row of the
  * table that a point shows.
  */
-export function figure(name, otherwise, tell = null) {
+export function figure(name, otherwise, describe = null) {
   const holder = el("div", { class: "figure-holder" });
   const hidden = new Set();
 
@@ -51,7 +51,7 @@ export function figure(name, otherwise, tell = null) {
         toggle();
       });
     }
-    if (tell) for (const group of picture.querySelectorAll(".spots")) group.append(...spots(group.dataset.spots).map(point));
+    if (describe) for (const group of picture.querySelectorAll(".spots")) group.append(...spots(group.dataset.spots).map(point));
     hide(picture);
   }
 
@@ -59,8 +59,7 @@ export function figure(name, otherwise, tell = null) {
   function point({ x, y, row }) {
     const spot = document.createElementNS("http://www.w3.org/2000/svg", "circle");
     for (const [name, value] of Object.entries({ class: "spot", cx: x, cy: y, r: 4.5 })) spot.setAttribute(name, value);
-    const said = () => tell(row);
-    const { title, href } = said();
+    const { title, href } = describe(row);
     spot.setAttribute("aria-label", title);
     if (href) {
       spot.setAttribute("role", "link");
@@ -71,7 +70,7 @@ export function figure(name, otherwise, tell = null) {
       spot.addEventListener("keydown", (event) => event.key === "Enter" && go());
     }
     const show = (event) => {
-      const { title, rows } = said();
+      const { title, rows } = describe(row);
       const box = spot.getBoundingClientRect();
       showTip({ clientX: event.clientX ?? box.right, clientY: event.clientY ?? box.bottom }, title, rows);
     };

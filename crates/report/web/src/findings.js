@@ -1,15 +1,15 @@
-// What an engineer must be told of the answers, the gravest first.
+// Findings: what an engineer must know of the results, the gravest first.
 
 import { el } from "./dom.js";
 import { byLevel, countText, levelMark, LEVELS } from "./levels.js";
-import { modelName, spoken } from "./solutions.js";
+import { modelName, readable } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { depthText, plain, quantity } from "./units.js";
 
 /** Of more findings than these, those that are neither errors nor of the chosen operation are folded away. */
 const MOST = 8;
 
-/** Every finding of a report with the answer that it is about, the gravest first. */
+/** Every finding of a report with what was solved that it is about, the gravest first. */
 export const allFindings = (report) =>
   report.solved.flatMap((solved) => solved.findings.map((finding) => ({ ...finding, solved }))).sort(byLevel);
 
@@ -35,10 +35,10 @@ export function placeText({ md_m, to_md_m }) {
 
 const numberText = (cell) => (typeof cell === "number" ? plain(cell, 4) : quantity(cell.value, cell.dimension, 4, plain));
 
-/** What was found against its limit in the reader's units, where those are not the sentence's; null where it is no number. */
-function numbers({ value, limit }, toldIn) {
-  // The sentence says them in its own units.
-  if (value === null || state.units === toldIn) return null;
+/** What was found against its limit in the reader's units, where those are not the message's; null where it is no number. */
+function numbers({ value, limit }, messageUnits) {
+  // The message has them in its own units.
+  if (value === null || state.units === messageUnits) return null;
   return limit === null ? numberText(value) : `${numberText(value)} against ${numberText(limit)}`;
 }
 
@@ -53,7 +53,7 @@ export function findingList(report, zoom) {
     const [word] = LEVELS[level];
     const place = placeText(finding);
     const choosable = many && solved.operation !== state.operation;
-    const whose = [many && spoken(solved.operation), models && modelName(report, solved)].filter(Boolean).join(", ");
+    const whose = [many && readable(solved.operation), models && modelName(report, solved)].filter(Boolean).join(", ");
     return el(
       "li",
       { class: `finding level-${level}` },
@@ -79,7 +79,7 @@ export function findingList(report, zoom) {
         el(
           "span",
           { class: "note" },
-          numbers(finding, report.told_in) && ` ${numbers(finding, report.told_in)}`,
+          numbers(finding, report.message_units) && ` ${numbers(finding, report.message_units)}`,
           place && " ",
           place &&
             el(

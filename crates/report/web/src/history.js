@@ -8,9 +8,8 @@ import { below } from "./curve.js";
 import { el } from "./dom.js";
 import { csv, downloads } from "./downloads.js";
 import { colour, line } from "./palette.js";
-import { NODE_CHANNELS } from "./channels.js";
 import { dashOf } from "./marker.js";
-import { chosenAtRest, chosenRun, modelName, spoken } from "./solutions.js";
+import { chosenAtRest, chosenRun, modelName, readable } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 import { isPrinting } from "./theme.js";
 import { quantity, shown, shownAll, symbol } from "./units.js";
@@ -40,7 +39,7 @@ export function history(report, timePlots, follows) {
     return node ? [...fixed, node] : fixed;
   }
 
-  let channel = "contact_force_N";
+  let channel = report.node_channels[0].column;
 
   /** What the chosen node did: from frames where they were kept, from the map of contact otherwise. */
   function nodePlot(run) {
@@ -48,27 +47,28 @@ export function history(report, timePlots, follows) {
     if (frames?.channels[channel]) {
       const nodes = frames.md_m.length;
       const node = nearest(frames.md_m, state.depth);
-      const [name, title, dimension, min_span] = NODE_CHANNELS.find(([name]) => name === channel);
+      const { title, dimension, min_span } = report.node_channels.find(({ column }) => column === channel);
       const values = Float32Array.from(frames.time_s, (_, k) => frames.channels[name][k * nodes + node]);
       return {
         title: `${title} at ${quantity(frames.md_m[node], "length", 5)}`,
         dimension,
         min_span,
-        columns: [[name, "node"]],
+        columns: [[channel, "node"]],
         times: frames.time_s,
         values: [values],
-        chooses: NODE_CHANNELS.filter(([name]) => frames.channels[name]),
+        chooses: report.node_channels.filter(({ column }) => frames.channels[column]),
       };
     }
     if (contact) {
       const stretches = contact.md_m.length;
       const stretch = nearest(contact.md_m, state.depth);
-      const values = Float32Array.from(contact.time_s, (_, k) => contact.side_force[k * stretches + stretch]);
+      const [{ column, title, dimension, min_span }] = report.contact_plots;
+      const values = Float32Array.from(contact.time_s, (_, k) => contact.values[column][k * stretches + stretch]);
       return {
-        title: `Side force around ${quantity(contact.md_m[stretch], "length", 5)}`,
-        dimension: "force per length",
-        min_span: 100,
-        columns: [["side_force_N_per_m", "side force"]],
+        title: `${title} around ${quantity(contact.md_m[stretch], "length", 5)}`,
+        dimension,
+        min_span,
+        columns: [[column, title.toLowerCase()]],
         times: contact.time_s,
         values: [values],
       };
@@ -108,11 +108,11 @@ export function history(report, timePlots, follows) {
               draw();
             },
           },
-          plot.chooses.map(([name, title]) => el("option", { value: name, selected: name === channel }, title)),
+          plot.chooses.map(({ column, title }) => el("option", { value: column, selected: column === channel }, title)),
         ),
       );
     const it = { plot, body, made: null };
-    const title = () => `${spoken(run.operation)}: ${plot.title}`;
+    const title = () => `${readable(run.operation)}: ${plot.title}`;
     head.append(
       downloads(title, {
         svg: () => chartSvg(it.made, `${title()}${unit ? `, ${unit}` : ""}`, "Time, s"),

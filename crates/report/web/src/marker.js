@@ -1,4 +1,4 @@
-// Shapes and strokes that tell curves apart where colours do not.
+// Shapes and strokes that distinguish curves where colours do not.
 
 /** Lengths of dashes and gaps by the place of a curve; null of a full line. */
 const DASHES = [null, [6, 4], [1.5, 3], [13, 4], [3.5, 2.5], [6, 7], [1.5, 6]];

@@ -50,13 +50,13 @@ export function plan(get, sided) {
     const pen = new SvgPen(LEFT + side + RIGHT, TOP + side + BOTTOM);
     pen.fillStyle = colour("paper");
     pen.fillRect(0, 0, LEFT + side + RIGHT, TOP + side + BOTTOM);
-    const sheet = el("canvas", { width: 2 * side, height: 2 * side });
-    const ink = sheet.getContext("2d");
+    const buffer = el("canvas", { width: 2 * side, height: 2 * side });
+    const ink = buffer.getContext("2d");
     ink.scale(2, 2);
     ink.translate(-LEFT, -TOP);
     const reach = 1.04 * edgesOf(bottom)[1];
     picture(ink, bottom, reach, 2 * side);
-    pen.image(sheet.toDataURL(), LEFT, TOP, side, side);
+    pen.image(buffer.toDataURL(), LEFT, TOP, side, side);
     axes(pen, reach);
     return pen.file();
   }
@@ -85,9 +85,9 @@ export function plan(get, sided) {
         const depth = depthAt(bottom, -at(row), at(column));
         if (Number.isFinite(depth)) image.data.set([...scale(depth / deepest), 255], 4 * (row * pixels + column));
       }
-    const sheet = new OffscreenCanvas(pixels, pixels);
-    sheet.getContext("2d").putImageData(image, 0, 0);
-    ink.drawImage(sheet, LEFT, TOP, side, side);
+    const buffer = new OffscreenCanvas(pixels, pixels);
+    buffer.getContext("2d").putImageData(image, 0, 0);
+    ink.drawImage(buffer, LEFT, TOP, side, side);
   }
 
   function axes(ink, reach) {

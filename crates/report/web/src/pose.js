@@ -3,18 +3,6 @@
 import { below, valueAt } from "./curve.js";
 import { chosen } from "./solutions.js";
 
-/** What the string may be coloured by: column, name, dimension, whether its sign means a side. */
-const QUANTITIES = [
-  ["side_force_N_per_m", "Side force, by side", "force per length", true],
-  ["contact_force_N", "Contact force of the node", "force", true],
-  ["tension_N", "Effective tension", "force", false],
-  ["torque_N_m", "Torque", "torque", false],
-  ["bending_moment_N_m", "Bending moment", "torque", false],
-  ["rotary_speed_rad_per_s", "Rotary speed", "rotary speed", false],
-  ["von_mises_stress_max_Pa", "Largest von Mises stress", "pressure", false],
-  ["contact_fraction", "Share of time in contact", "percent", false],
-];
-
 /** The string as the mean over the window has it. */
 function meanPose(report, solved) {
   const { profile } = solved;
@@ -30,7 +18,7 @@ function meanPose(report, solved) {
   };
 }
 
-/** A string in equilibrium lies on the wall, on the side that its side force tells. */
+/** A string in equilibrium lies on the wall, on the side of its side force. */
 function lying(report, profile) {
   return profile.md_m.map((depth) => {
     const within = (part) => depth >= part.from_m && depth <= part.to_m;
@@ -77,7 +65,8 @@ export function poseOf(report, run, k) {
   return meanPose(report, chosen(report)[0]);
 }
 
-export const quantitiesOf = (pose) => QUANTITIES.filter(([name]) => pose.has(name));
+/** The quantities that can colour the string. */
+export const quantitiesOf = (report, pose) => report.string_colours.filter(({ column }) => pose.has(column));
 
 /** The range of a quantity over all that may be shown of it, so that colours mean the same at all times. */
 export function rangeOf(pose, run, k, name, signed) {

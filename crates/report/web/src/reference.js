@@ -21,23 +21,23 @@ const LETTERS = 17;
 
 /** Words that face the reader, so many pixels high; `anchor` is the part of them that lies left of their place. */
 export function label(text, place, high, ink = "text", anchor = 0.5) {
-  const sheet = el("canvas", {});
-  const pen = sheet.getContext("2d");
+  const buffer = el("canvas", {});
+  const pen = buffer.getContext("2d");
   const font = "600 44px system-ui, sans-serif";
   pen.font = font;
-  sheet.width = Math.ceil(pen.measureText(text).width) + 8;
-  sheet.height = 56;
+  buffer.width = Math.ceil(pen.measureText(text).width) + 8;
+  buffer.height = 56;
   pen.font = font;
   pen.textBaseline = "middle";
   pen.fillStyle = colour(ink);
   pen.fillText(text, 4, 30);
-  const map = new CanvasTexture(sheet);
+  const map = new CanvasTexture(buffer);
   // Or its colours would be taken for linear ones, and pale.
   map.colorSpace = SRGBColorSpace;
   const sprite = new Sprite(new SpriteMaterial({ map, depthTest: false, transparent: true }));
   sprite.position.set(...place);
   sprite.center.set(anchor, 0.5);
-  sprite.userData.pixels = [(high * sheet.width) / sheet.height, high];
+  sprite.userData.pixels = [(high * buffer.width) / buffer.height, high];
   sprite.renderOrder = 3;
   return sprite;
 }

@@ -1,6 +1,6 @@
 // The page of a run.
 
-import { answers, asked } from "./answer.js";
+import { facts, keyResults } from "./key_results.js";
 import { bottomView } from "./bottom.js";
 import { contactMap } from "./contact.js";
 import { contents } from "./contents.js";
@@ -12,8 +12,8 @@ import { header } from "./header.js";
 import { history } from "./history.js";
 import { countMarks, countText } from "./levels.js";
 import { scene } from "./scene.js";
-import { sheet } from "./sheet.js";
-import { chosenRun, operations, spoken } from "./solutions.js";
+import { pageTable } from "./page_table.js";
+import { chosenRun, operations, readable } from "./solutions.js";
 import { spectra } from "./spectra.js";
 import { choose, on, state } from "./state.js";
 import { tracks } from "./tracks.js";
@@ -31,8 +31,8 @@ function worstOperation(report) {
 /** The name of an operation with what was found of it, for eyes and ears. */
 function named(report, operation) {
   const findings = findingsOf(report, operation).filter((of) => of.level !== "note");
-  const text = findings.length ? `${spoken(operation)}: ${countText(findings)}` : null;
-  return [operation, [spoken(operation), ...countMarks(findings)], text];
+  const text = findings.length ? `${readable(operation)}: ${countText(findings)}` : null;
+  return [operation, [readable(operation), ...countMarks(findings)], text];
 }
 
 /** Shows the report of a run. */
@@ -45,7 +45,7 @@ export function runPage(report) {
     depth: (report.well.md_m.at(-1) ?? 0) / 2,
   });
 
-  const parts = { answers: answers(report), tracks: tracks(report) };
+  const parts = { keyResults: keyResults(report), tracks: tracks(report) };
   parts.findings = findingList(report, parts.tracks.zoomTo);
   if (report.runs.length) {
     parts.history = history(report, report.time_plots, true);
@@ -60,7 +60,7 @@ export function runPage(report) {
   if (report.well.md_m.length > 1) parts.scene = scene(report);
 
   const section = (id, title, ...children) => el("section", { id }, el("h2", {}, title), children);
-  const sheets = (place) => report.sheets.filter((sheet) => sheet.place === place).map(sheet);
+  const pageTables = (place) => report.page_tables.filter((table) => table.place === place).map(pageTable);
 
   function noteOf(run) {
     const rows = run.history.time_s.length;
@@ -75,7 +75,7 @@ export function runPage(report) {
         ? `; ${frames.time_s.length} of ${frames.kept} frames`
         : `; all ${frames.kept} frames`);
     const nodes = frames && frames.md_m.length < frames.nodes ? `, ${frames.md_m.length} of ${frames.nodes} nodes` : "";
-    return `${spoken(run.operation)}: ${thin}${moments ?? ""}${nodes}.`;
+    return `${readable(run.operation)}: ${thin}${moments ?? ""}${nodes}.`;
   }
 
   const page = document.getElementById("page");
@@ -89,13 +89,13 @@ export function runPage(report) {
         )
       : null;
   page.append(
-    header(report.title, asked(report), () => Object.values(parts).forEach((part) => part.redraw())),
+    header(report.title, facts(report), () => Object.values(parts).forEach((part) => part.redraw())),
     section(
       "answer",
       "Answer",
       parts.findings.element,
       operationChoice && el("div", { class: "operations" }, operationChoice),
-      parts.answers.element,
+      parts.keyResults.element,
     ),
     section("tracks", "Along the hole", parts.tracks.element),
   );
@@ -113,9 +113,9 @@ export function runPage(report) {
   page.append(...some.map(([section]) => section));
   if (parts.scene) page.append(section("scene", "In space", parts.scene.element));
   page.append(
-    section("results", "All numbers", sheets("results")),
-    ...(report.runs.length ? [section("numerics", "Numerics", sheets("numerics"))] : []),
-    section("inputs", "Inputs, defaults included", sheets("inputs")),
+    section("results", "All numbers", pageTables("results")),
+    ...(report.runs.length ? [section("numerics", "Numerics", pageTables("numerics"))] : []),
+    section("inputs", "Inputs, defaults included", pageTables("inputs")),
     el(
       "footer",
       {},

@@ -8,7 +8,7 @@ import { csv, downloads } from "./downloads.js";
 import { colour, colourScale } from "./palette.js";
 import { frameAt, poseOf, quantitiesOf, rangeOf } from "./pose.js";
 import { bounds, reference, walls } from "./reference.js";
-import { chosenRun, spoken } from "./solutions.js";
+import { chosenRun, readable } from "./solutions.js";
 import { LOOK_AROUND, noSpace, stage } from "./stage.js";
 import { choose, on, state } from "./state.js";
 import { digits, shown, symbol } from "./units.js";
@@ -150,13 +150,13 @@ export function scene(report) {
     const run = chosenRun(report);
     frame = run?.frames && state.moment !== null ? frameAt(run.frames, state.moment) : null;
     const pose = poseOf(report, run, frame);
-    const offered = quantitiesOf(pose);
-    if (!offered.some(([name]) => name === quantity)) quantity = offered[0][0];
-    const [, name, dimension, signed] = offered.find(([name]) => name === quantity);
+    const offered = quantitiesOf(report, pose);
+    if (!offered.some(({ column }) => column === quantity)) quantity = offered[0].column;
+    const { title, dimension, signed } = offered.find(({ column }) => column === quantity);
     quantityHolder.replaceChildren(
       select(
         "Colour: ",
-        offered.map(([name, title]) => [name, title]),
+        offered.map(({ column, title }) => [column, title]),
         quantity,
         (value) => {
           quantity = value;
@@ -195,7 +195,7 @@ export function scene(report) {
     tube.changed();
     const unit = symbol(dimension) ? `, ${symbol(dimension)}` : "";
     const sides = signed ? " (low side −, high side +)" : "";
-    key.replaceChildren(...colourKey(`${name}${unit}${sides}, ${spoken(state.operation)}`, dimension, range, scale));
+    key.replaceChildren(...colourKey(`${title}${unit}${sides}, ${readable(state.operation)}`, dimension, range, scale));
     moments.hidden = !run?.frames;
     if (run?.frames) {
       scrubber.max = run.frames.time_s.length - 1;
@@ -208,13 +208,13 @@ export function scene(report) {
   /** The string as it is drawn, for a file. */
   function table() {
     const pose = poseOf(report, chosenRun(report), frame);
-    const [, name, dimension] = quantitiesOf(pose).find(([name]) => name === quantity);
+    const { title, dimension } = quantitiesOf(report, pose).find(({ column }) => column === quantity);
     const values = pose.values(quantity);
     const heads = [
       `md, ${symbol("length")}`,
       `to the high side, ${symbol("diameter")}`,
       `to the right, ${symbol("diameter")}`,
-      `${name}, ${symbol(dimension)}`,
+      `${title}, ${symbol(dimension)}`,
     ];
     const rows = Array.from(pose.depths, (depth, i) => [
       shown(depth, "length"),

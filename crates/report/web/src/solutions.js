@@ -5,8 +5,8 @@ import { line } from "./palette.js";
 import { state } from "./state.js";
 
 /** `trip_out` as people write it. */
-export const spoken = (operation) => operation.replaceAll("_", " ");
-/** What is known of the model that answered: names, and whether it answers in time. */
+export const readable = (operation) => operation.replaceAll("_", " ");
+/** What is known of the model that solved it: names, and whether it is in time. */
 export const modelOf = (report, solved) => report.models.find(({ name }) => name === solved.model);
 export const modelName = (report, solved) => modelOf(report, solved).long_name;
 
@@ -31,17 +31,17 @@ export function look(report, solved) {
   };
 }
 
-/** What tells a curve from all others, for those that are hidden. */
+/** What identifies a curve, for those that are hidden. */
 export const curveId = (solved) => `${solved.model} ${solved.operation}`;
 
 /** The name of a curve, no longer than needed. */
 export function curveName(report, solved) {
   if (operations(report).length === 1) return modelName(report, solved);
-  const operation = spoken(solved.operation);
+  const operation = readable(solved.operation);
   return report.models.length === 1 ? operation : `${operation}, ${modelName(report, solved)}`;
 }
 
-/** The answers for the operation that the reader looks at, the most detailed first. */
+/** What was solved of the chosen operation, the most detailed first. */
 export const chosen = (report) =>
   report.models.flatMap(({ name }) =>
     report.solved.filter((solved) => solved.operation === state.operation && solved.model === name),
@@ -51,5 +51,5 @@ export const chosen = (report) =>
 export const chosenInTime = (report) => chosen(report).find((solved) => modelOf(report, solved).in_time);
 export const chosenAtRest = (report) => chosen(report).find((solved) => !modelOf(report, solved).in_time);
 
-/** The operation in time that the reader looks at; none where dynamics did not solve it. */
+/** The chosen operation in time; none where dynamics did not solve it. */
 export const chosenRun = (report) => report.runs.find((run) => run.operation === state.operation);

@@ -7,7 +7,7 @@ import { el } from "./dom.js";
 import { csv, downloads } from "./downloads.js";
 import { dashOf } from "./marker.js";
 import { line } from "./palette.js";
-import { chosenRun, spoken } from "./solutions.js";
+import { chosenRun, readable } from "./solutions.js";
 import { on } from "./state.js";
 import { isPrinting } from "./theme.js";
 import { quantity, symbol, shown } from "./units.js";
@@ -47,7 +47,7 @@ export function spectra(report) {
   function card(group) {
     const [{ signal, dimension, md_m }] = group;
     const at = group.length === 1 && md_m !== null ? ` at ${quantity(md_m, "length", 5)}` : "";
-    const title = `Density of ${spoken(signal)}${at}`;
+    const title = `Density of ${readable(signal)}${at}`;
     const unit = densityUnit(dimension);
     const body = el("div", { class: "plot" });
     let plot = null;
@@ -102,7 +102,7 @@ export function spectra(report) {
         series: [
           { label: "frequency, Hz", value: legendText },
           ...group.map((of, i) => ({
-            label: single ? spoken(of.signal) : `at ${quantity(of.md_m, "length", 5)}`,
+            label: single ? readable(of.signal) : `at ${quantity(of.md_m, "length", 5)}`,
             stroke: line(i),
             dash: dashOf(i) ?? undefined,
             width: 1.4,

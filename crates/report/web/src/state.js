@@ -18,21 +18,21 @@ export const state = {
   hidden: new Set(),
 };
 
-/** Calls `tell` whenever one of the choices changes. */
-export function on(names, tell) {
+/** Calls `listener` whenever one of the choices changes. */
+export function on(names, listener) {
   for (const name of names.split(" ")) {
     if (!listeners.has(name)) listeners.set(name, []);
-    listeners.get(name).push(tell);
+    listeners.get(name).push(listener);
   }
 }
 
 /** Makes a choice. */
 export function choose(changes) {
-  const told = new Set();
+  const called = new Set();
   for (const [name, value] of Object.entries(changes)) {
     if (Object.is(state[name], value)) continue;
     state[name] = value;
-    for (const tell of listeners.get(name) ?? []) told.add(tell);
+    for (const listener of listeners.get(name) ?? []) called.add(listener);
   }
-  for (const tell of told) tell();
+  for (const listener of called) listener();
 }

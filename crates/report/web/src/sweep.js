@@ -1,37 +1,37 @@
 // The page of a sweep: its figure in the reader's units, and the table.
 
-import { asked } from "./answer.js";
+import { facts } from "./key_results.js";
 import { contents } from "./contents.js";
 import { readReport } from "./data.js";
 import { el } from "./dom.js";
 import { downloads } from "./downloads.js";
 import { figure } from "./figure.js";
 import { header } from "./header.js";
-import { cellText, sheet, sheetDownloads } from "./sheet.js";
+import { cellText, pageTable, tableDownloads } from "./page_table.js";
 import { useDimensions } from "./units.js";
 
 const report = readReport();
 useDimensions(report.dimensions, report.units);
 
-/** What a point says: the case by its keys, what came out of it, and what was found. */
-function tell(row) {
-  const { heads, rows } = report.sheet;
+/** What a point shows: the case by its keys, what came out of it, and what was found. */
+function describe(row) {
+  const { heads, rows } = report.page_table;
   const { finding, page } = report.rows[row];
   const ends = heads.indexOf("Operation") + 1;
-  const said = (i) => `${heads[i]}: ${cellText(rows[row][i], 4)}`;
+  const text = (i) => `${heads[i]}: ${cellText(rows[row][i], 4)}`;
   const keys = rows[row].slice(0, ends - 2).map((value, i) => `${heads[i]} ${cellText(value)}`);
-  const texts = heads.map((_, i) => i).filter((i) => i >= ends - 2 && rows[row][i] !== null && !rows[row][i].href);
-  const lines = texts.filter((i) => rows[row][i] !== "").map((i) => ({ text: said(i) }));
+  const columns = heads.map((_, i) => i).filter((i) => i >= ends - 2 && rows[row][i] !== null && !rows[row][i].href);
+  const lines = columns.filter((i) => rows[row][i] !== "").map((i) => ({ text: text(i) }));
   if (finding) lines.push({ text: finding, class: "mine" });
   if (page) lines.push({ text: "click for its report" });
   return { title: keys.join(", "), rows: lines, href: page };
 }
 
-const drawn = figure("figure", "Nothing was solved.", tell);
+const drawn = figure("figure", "Nothing was solved.", describe);
 const save = downloads("Sweep", { svg: drawn.there() ? drawn.file : null });
 const sections = [
-  el("section", { id: "sweep" }, el("h2", {}, "What came out of it", save, sheetDownloads(report.sheet)), drawn.element),
-  el("section", { id: "cases" }, el("h2", {}, "All cases", sheetDownloads(report.sheet)), sheet(report.sheet)),
+  el("section", { id: "sweep" }, el("h2", {}, "What came out of it", save, tableDownloads(report.page_table)), drawn.element),
+  el("section", { id: "cases" }, el("h2", {}, "All cases", tableDownloads(report.page_table)), pageTable(report.page_table)),
 ];
 const hint = el(
   "p",
@@ -42,7 +42,7 @@ sections[0].querySelector("h2").after(hint);
 document
   .getElementById("page")
   .append(
-    header(report.title, asked(report), () => {}),
+    header(report.title, facts(report), () => {}),
     contents(sections).element,
     ...sections,
     el(

@@ -16,8 +16,8 @@ function fromAfar({ depths, values, low, high }, { joint_reach_m, min_difference
   const far = { values: atJoints(values), low: atJoints(low), high: atJoints(high) };
   const between = negative(largestNear(depths, negative(values), joint_reach_m));
   const most = far.values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
-  const seen = between.some((value, i) => Math.abs(value - far.values[i]) > min_difference * most);
-  return seen ? { ...far, between } : far;
+  const visible = between.some((value, i) => Math.abs(value - far.values[i]) > min_difference * most);
+  return visible ? { ...far, between } : far;
 }
 
 /** Depths and values of a track's curves, with who drew them. */
@@ -47,10 +47,10 @@ export const tracksOf = (report) =>
 export const sized = (track, value) => (Math.abs(value) < 1e-4 * track.min_span ? 0 : value);
 
 /** Whether the reader wants to see a curve. */
-export const seen = (curve) => curve.well || !state.hidden.has(curveId(curve.solved));
+export const isShown = (curve) => curve.well || !state.hidden.has(curveId(curve.solved));
 
 /** The curves of a track that are seen between two depths, as they are from so far. */
 export function drawnOf(report, track, [from, to]) {
   const far = to - from > report.rules.far_m;
-  return track.curves.filter(seen).map((curve) => (far && curve.far ? { ...curve, ...curve.far } : curve));
+  return track.curves.filter(isShown).map((curve) => (far && curve.far ? { ...curve, ...curve.far } : curve));
 }

@@ -3,7 +3,7 @@
 import { el, svg } from "./dom.js";
 import { placedOf } from "./findings.js";
 import { LEVELS } from "./levels.js";
-import { curveId, curveName, look, spoken } from "./solutions.js";
+import { curveId, curveName, look, readable } from "./solutions.js";
 import { choose, state } from "./state.js";
 
 /** What curves, bands and marks mean; `between` says whether curves between the joints are drawn. */
@@ -55,7 +55,7 @@ export function trackLegend(report, between) {
         svg("rect", { width: 20, height: 12, class: `found level-${level}` }),
         svg("rect", { x: 15, width: 5, height: 12, class: `found-bar level-${level}` }),
       ),
-      `${LEVELS[level][0].toLowerCase()} here, ${spoken(state.operation)}`,
+      `${LEVELS[level][0].toLowerCase()} here, ${readable(state.operation)}`,
     ),
   );
   const band = report.runs.length

@@ -7,7 +7,7 @@ import { beyond, withoutOutliers } from "./outliers.js";
 import { chosen, chosenInTime, look, operations } from "./solutions.js";
 import { state } from "./state.js";
 import { alignment, domain, roomyTicks, tickText } from "./ticks.js";
-import { drawnOf, seen } from "./track.js";
+import { drawnOf, isShown } from "./track.js";
 import { shown, si, symbol } from "./units.js";
 
 /** Markers of a curve over the height of a track. */
@@ -162,7 +162,7 @@ function findingBands(report, clip, box, [from, to], y) {
     if (stretch) clip.append(svg("rect", { x: box.left, width: box.width, ...at, class: `found level-${level}` }));
     clip.append(svg("rect", { x: box.left + box.width - 5, width: 5, ...at, class: `found-bar level-${level}` }));
     if (level !== "error" && stretch)
-      // Bars of lesser findings have gaps, so that no colour is needed to tell them.
+      // Bars of lesser findings have gaps, so that they are distinguished without colour.
       for (let gap = top + 6; gap < end; gap += level === "warning" ? 10 : 6)
         clip.append(svg("rect", { x: box.left + box.width - 5, width: 5, y: gap, height: 3, fill: "var(--paper)" }));
   }
@@ -172,7 +172,7 @@ function findingBands(report, clip, box, [from, to], y) {
 function fillSides(report, clip, track, view, x, y) {
   const solved = chosen(report)[0];
   const curve = track.curves.find((curve) => curve.solved === solved);
-  if (!curve || !seen(curve)) return;
+  if (!curve || !isShown(curve)) return;
   const zero = new Float32Array(curve.values.length);
   const part = (keep) => curve.values.map((value) => (keep(value) ? value : 0));
   clip.append(

@@ -12,7 +12,7 @@ import { choose, on, state } from "./state.js";
 import { isPrinting } from "./theme.js";
 import { hideTip, showTip } from "./tip.js";
 import { ticks, tickText } from "./ticks.js";
-import { seen, sized, tracksOf } from "./track.js";
+import { isShown, sized, tracksOf } from "./track.js";
 import { trackLegend } from "./track_legend.js";
 import { drawTrack } from "./track_panel.js";
 import { digits, quantity, shown, si, symbol } from "./units.js";
@@ -75,7 +75,7 @@ export function tracks(report) {
   function table() {
     const [from, to] = view();
     const rows = all.flatMap((track) =>
-      track.curves.filter(seen).flatMap((curve) => {
+      track.curves.filter(isShown).flatMap((curve) => {
         const { solved, depths, values, low, high } = curve;
         const number = (column, i) => (column ? shown(column[i], track.dimension) : null);
         const who = solved ? [solved.operation, solved.model] : ["", ""];
@@ -161,7 +161,7 @@ export function tracks(report) {
     const band = svg("rect", { x: AXIS, width: width - AXIS, class: "drag", visibility: "hidden" });
     const cover = svg("rect", { x: AXIS, y: HEAD, width: width - AXIS, height, class: "cover" });
     picture.append(band, chosenLine, cursor, flag, what, cover);
-    cover.addEventListener("pointermove", (event) => tell(event, picture, readouts, [from, to], height));
+    cover.addEventListener("pointermove", (event) => showReadout(event, picture, readouts, [from, to], height));
     cover.addEventListener("pointerleave", hideTip);
     listenToDepths({ cover, band, picture, head: HEAD, height, total, full, view, zoom });
     return { picture, y, readouts, cursor, chosenLine, flag, what };
@@ -183,7 +183,7 @@ export function tracks(report) {
   }
 
   /** Names and values of the track under the pointer, and what was found at its depth. */
-  function tell(event, picture, readouts, [from, to], height) {
+  function showReadout(event, picture, readouts, [from, to], height) {
     const bounds = picture.getBoundingClientRect();
     const scale = picture.viewBox.baseVal.width / bounds.width;
     const at = (event.clientX - bounds.left) * scale;
@@ -218,18 +218,18 @@ export function tracks(report) {
     const [from, to] = view();
     for (const { y, readouts, cursor, chosenLine, flag, what } of rows) {
       const at = (line, depth) => {
-        const seen = depth !== null && depth >= from && depth <= to;
-        line.setAttribute("visibility", seen ? "visible" : "hidden");
-        if (seen) for (const end of ["y1", "y2"]) line.setAttribute(end, y(depth));
-        return seen;
+        const inView = depth !== null && depth >= from && depth <= to;
+        line.setAttribute("visibility", inView ? "visible" : "hidden");
+        if (inView) for (const end of ["y1", "y2"]) line.setAttribute(end, y(depth));
+        return inView;
       };
       at(chosenLine, state.depth);
-      const seen = at(cursor, state.pointer);
-      flag.setAttribute("visibility", seen ? "visible" : "hidden");
-      flag.setAttribute("y", seen ? y(state.pointer) + 4 : 0);
-      flag.textContent = seen ? digits(shown(state.pointer, "length"), 5) : "";
+      const inView = at(cursor, state.pointer);
+      flag.setAttribute("visibility", inView ? "visible" : "hidden");
+      flag.setAttribute("y", inView ? y(state.pointer) + 4 : 0);
+      flag.textContent = inView ? digits(shown(state.pointer, "length"), 5) : "";
       what.replaceChildren(
-        ...(seen ? lies(report, state.pointer) : []).map((text, i) =>
+        ...(inView ? lies(report, state.pointer) : []).map((text, i) =>
           svg(
             "text",
             { x: AXIS + WELL / 2, y: 34 + 13 * i, class: "readout middle small" },
@@ -237,7 +237,7 @@ export function tracks(report) {
           ),
         ),
       );
-      for (const { track, curves, text } of readouts) text.replaceChildren(...(seen ? values(track, curves) : []));
+      for (const { track, curves, text } of readouts) text.replaceChildren(...(inView ? values(track, curves) : []));
     }
   }
 

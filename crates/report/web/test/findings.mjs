@@ -55,7 +55,7 @@ const page_ = readFileSync(file, "utf8").replace(
     for (const solved of report.solved) {
       solved.findings = solved.model === "dynamic" ? KNOWN[solved.operation] : [];
       madeUp(solved.profile);
-      Object.assign(solved.answers[0], { limit: 1e7, limit_label: "hoist's capacity" });
+      Object.assign(solved.key_results[0], { limit: 1e7, limit_label: "hoist's capacity" });
     }
     return begin + JSON.stringify(report).replaceAll("<", "\\u003c") + end;
   },
@@ -81,7 +81,7 @@ await check("all findings stand on top of the answer, the gravest first, with wo
     .evaluateAll((paths) => new Set(paths.map((path) => path.getAttribute("d"))).size);
   assert.equal(outlines, 3, "a shape for each level");
   const list = await page.locator("#answer .finding-list").boundingBox();
-  const cards = await page.locator("#answer .answers").boundingBox();
+  const cards = await page.locator("#answer .key-results").boundingBox();
   assert.ok(list.y + list.height <= cards.y, "above the numbers");
   const first = await text(page, "#answer .finding");
   for (const part of ["trip out", "The string does not go down. </script><b>"])
@@ -100,12 +100,12 @@ await check("operations say what was found of them", async () => {
 });
 
 await check("no card praises a number that has an error", async () => {
-  const card = page.locator(".answer").first();
+  const card = page.locator(".key-result").first();
   assert.match(await card.locator("h3").textContent(), /Hook load/);
   const said = await card.textContent();
   assert.match(said, /Error: see the finding above/);
   assert.doesNotMatch(said, /within the limit/);
-  const bar = (place) => page.evaluate((place) => getComputedStyle(document.querySelectorAll(".answer")[place].querySelector(".used")).backgroundColor, place);
+  const bar = (place) => page.evaluate((place) => getComputedStyle(document.querySelectorAll(".key-result")[place].querySelector(".used")).backgroundColor, place);
   const over = await page.evaluate(() => {
     const probe = document.body.appendChild(document.createElement("i"));
     probe.style.background = "var(--over)";
@@ -115,7 +115,7 @@ await check("no card praises a number that has an error", async () => {
   // What nothing was found of is judged as it was.
   await page.click(".operations [data-value=rotate_off_bottom]");
   await settled(page);
-  assert.match(await page.locator(".answer").first().textContent(), /within the limit/);
+  assert.match(await page.locator(".key-result").first().textContent(), /within the limit/);
   assert.notEqual(await bar(0), over);
 });
 

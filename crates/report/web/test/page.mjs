@@ -23,8 +23,8 @@ async function downloaded(button) {
 }
 
 await check("five answers", async () => {
-  assert.equal(await page.locator(".answer").count(), 5);
-  for (const number of await page.locator(".answer .number").allTextContents()) assert.match(number, /\d|none/);
+  assert.equal(await page.locator(".key-result").count(), 5);
+  for (const number of await page.locator(".key-result .number").allTextContents()) assert.match(number, /\d|none/);
 });
 
 await check("every track has a curve", async () => {
@@ -71,7 +71,7 @@ await check("the soft string stands beside hook load and torque", async () => {
 await check("the map of contact is drawn", async () => {
   const side = await picture(page, "canvas.map");
   assert.ok((await colours(page, "canvas.map")) > 10);
-  await page.click("[data-value=contact_force]");
+  await page.click("[data-value=contact_force_N_per_m]");
   differs(await picture(page, "canvas.map"), side, "the other quantity");
 });
 
@@ -108,7 +108,7 @@ await check("exaggeration and colours change the view", async () => {
 
 await check("units switch everywhere, by their factors", async () => {
   const number = async () => {
-    const [, digits, unit] = (await text(page, ".answer .number")).match(/^([\d\u202f,.\u2212]+)\u00a0(\S+)$/);
+    const [, digits, unit] = (await text(page, ".key-result .number")).match(/^([\d\u202f,.\u2212]+)\u00a0(\S+)$/);
     return [Number(digits.replace(/[\u202f,]/g, "").replace("\u2212", "-")), unit];
   };
   const seen = {};
@@ -224,10 +224,10 @@ await check("what the bit does is drawn", async () => {
 });
 
 await check("another operation has its own answer, and no bit where it does not drill", async () => {
-  const before = await page.locator(".answer .number").allTextContents();
+  const before = await page.locator(".key-result .number").allTextContents();
   await page.locator(".operations button").first().click();
   await settled(page);
-  assert.notDeepEqual(await page.locator(".answer .number").allTextContents(), before);
+  assert.notDeepEqual(await page.locator(".key-result .number").allTextContents(), before);
   assert.ok(!(await page.locator("#bit").isVisible()), "a trip drills nothing");
 });
 
@@ -339,17 +339,17 @@ await check("what hardly moves is not blown up", async () => {
 await check("field units are rounded as people write them", async () => {
   await page.click(".controls [data-value=field]");
   await settled(page);
-  const value = (label) => report.solved.at(-1).answers.find((answer) => answer.label === label).value.value;
-  const cards = await page.locator(".answer .number").allTextContents();
+  const value = (label) => report.solved.at(-1).key_results.find((answer) => answer.label === label).value.value;
+  const cards = await page.locator(".key-result .number").allTextContents();
   const torque = value("Surface torque") / 1.3558179483;
   const rounded = Number(torque.toPrecision(4)).toLocaleString("en-US");
   assert.equal(cards[1].split("\u00a0")[0].replace(/\.0+$/, ""), rounded);
-  const depth = await page.locator(".asked div", { hasText: "Bit depth" }).locator("dd").textContent();
+  const depth = await page.locator(".facts div", { hasText: "Bit depth" }).locator("dd").textContent();
   assert.match(depth, /^\d,\d{3}(\.\d)?\u00a0ft$/);
 });
 
 await check("the hook load says that it is without the block, everywhere", async () => {
-  for (const place of [".answer h3", "#history h3", "#results tbody th"])
+  for (const place of [".key-result h3", "#history h3", "#results tbody th"])
     assert.match(await text(page, place), /^Hook load without block/);
 });
 

@@ -10,6 +10,7 @@ mod spectra;
 mod time;
 mod wear;
 
+pub(crate) use self::bit_test::numbers as bit_test_numbers;
 pub use self::{
     bit_test::BIT_TEST, bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, nodes::NODES,
     spectra::SPECTRA, time::TIME, wear::WEAR,
@@ -20,7 +21,7 @@ use wholestring::outcome;
 pub type ColumnSpec = outcome::Quantity;
 
 /// Whose rows they are.
-const MODEL: ColumnSpec = ColumnSpec::text("model", "`soft` or `dynamic`");
+const MODEL: ColumnSpec = ColumnSpec::text("model", outcome::ModelKind::LISTED);
 
 /// Whose rows they are.
 const OPERATION: ColumnSpec = ColumnSpec::text("operation", "`trip_out`, `drill`, ...");
@@ -53,12 +54,12 @@ const fn table<T, const N: usize>(
 
 #[cfg(test)]
 mod tests {
-    use wholestring::dynamics::{Channel, FRAME, Frame, NodeSignal};
+    use wholestring::dynamics::{Channel, FRAME};
 
     use super::*;
 
     #[test]
-    fn names_are_unique_and_end_in_their_unit() {
+    fn names_are_unique() {
         for table in [NODES, TIME, WEAR, CONTACT, BOTTOM_HOLE, FRAMES, SPECTRA, BIT_TEST] {
             for (index, column) in table.iter().enumerate() {
                 assert!(
@@ -66,31 +67,19 @@ mod tests {
                     "{} stands twice",
                     column.name
                 );
-                let suffix = column.kind.suffix();
-                assert!(column.name.ends_with(&suffix), "{}", column.name);
             }
         }
     }
 
     #[test]
     fn every_column_of_a_frame_is_of_one_channel() {
-        let blank = Frame::default();
-        let channels = Channel::ALL.iter().flat_map(|of| blank.channel(*of));
-        let mut names: Vec<&str> = channels.map(|(name, _)| name).collect();
+        let mut names: Vec<&str> =
+            Channel::ALL.iter().flat_map(|of| of.columns()).copied().collect();
         names.push("md_m");
         names.sort_unstable();
         let mut declared: Vec<&str> = FRAME.iter().map(|of| of.quantity.name).collect();
         declared.sort_unstable();
         assert_eq!(names, declared);
-    }
-
-    /// A spectrum of a node is of a column of `frames.parquet`.
-    #[test]
-    fn every_signal_of_a_node_is_a_column_of_frames() {
-        for signal in NodeSignal::ALL {
-            let found = FRAMES.iter().find(|of| of.stem() == signal.name());
-            assert_eq!(found.map(|of| of.unit), Some(signal.unit()), "{signal:?}");
-        }
     }
 
     /// Whoever reads what a column means learns that it may be `null`.

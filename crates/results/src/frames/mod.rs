@@ -27,6 +27,9 @@ use crate::{
     parquet_file::{self, copy_groups, io_error},
 };
 
+/// What a Parquet file of frames is written by.
+type Writer<'a> = SerializedFileWriter<&'a mut BufWriter<File>>;
+
 /// Rows that are held until they are written: 0.5 MB a column.
 const GROUP_ROWS: usize = 1 << 17;
 
@@ -157,7 +160,7 @@ impl FrameWriter {
     fn write_file(
         &self,
         path: &Path,
-        write: impl FnOnce(&mut SerializedFileWriter<&mut BufWriter<File>>) -> Result<(), ParquetError>,
+        write: impl FnOnce(&mut Writer<'_>) -> Result<(), ParquetError>,
     ) -> Result<(), ResultsError> {
         let write = |writer: &mut BufWriter<File>| {
             let mut file = self.layout.begin(writer)?;

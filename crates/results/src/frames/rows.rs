@@ -151,11 +151,7 @@ impl FrameRows {
 
 /// The columns of these channels, in the order of the file.
 fn specs(channels: &[Channel]) -> impl Iterator<Item = &'static ColumnSpec> {
-    let blank = Frame::default();
-    let requested = move |name: &str| {
-        let mut all = channels.iter().flat_map(|channel| blank.channel(*channel));
-        all.any(|(other, _)| other == name)
-    };
+    let requested = move |name: &str| channels.iter().any(|of| of.columns().contains(&name));
     let always = ["operation", "time_s", "node", "md_m"];
     let all = FRAMES.iter();
     all.filter(move |spec| always.contains(&spec.name) || requested(spec.name))

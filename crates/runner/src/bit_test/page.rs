@@ -4,7 +4,9 @@ use std::path::Path;
 
 use serde_json::{Value as Json, json};
 use wholestring::rock::TrialOutcome;
-use wholestring_report::{BitTest, BitTestPoint, Cell, Fact, Sheet, bit_test_html, bit_test_plots};
+use wholestring_report::{
+    BitTest, BitTestPoint, Cell, Fact, PageTable, bit_test_html, bit_test_plots,
+};
 use wholestring_results::{BitTestSummary, ResultsError, ResultsFolder, Status};
 use wholestring_units::UnitSet;
 
@@ -13,7 +15,7 @@ use super::{
     tables::{BOTTOM, OPERATION, POINTS},
 };
 use crate::page::{
-    FILE, PROGRAM, dimensions, history::bottom, inputs::sheets, table, write_picture,
+    FILE, PROGRAM, dimensions, history::bottom, inputs::page_tables, table, write_picture,
 };
 
 /// The picture that is drawn unasked.
@@ -62,7 +64,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<BitTest, R
         title: format!("{}: bit test", summary.case),
         units: units.into(),
         dimensions: dimensions::all(),
-        asked: facts(&summary),
+        facts: facts(&summary),
         strength_Pa: summary.rock_strength_Pa,
         radius_m: summary.bit_radius_m,
         torque_by_weight: summary
@@ -72,7 +74,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<BitTest, R
             .map(|(slope_m, offset_N_m)| [slope_m, offset_N_m]),
         points,
         message,
-        sheets: inputs(settings),
+        page_tables: inputs(settings),
     })
 }
 
@@ -91,16 +93,16 @@ fn test_point(outcome: &TrialOutcome) -> BitTestPoint {
 }
 
 /// What all points have in common, as tables.
-fn inputs(settings: &Json) -> Vec<Sheet> {
+fn inputs(settings: &Json) -> Vec<PageTable> {
     let common = common(settings);
-    let mut sheets = sheets(&json!({
+    let mut page_tables = page_tables(&json!({
         "bit_face": common["bit"]["face"],
         "bit_test": common["bit_test"],
         "rock": common["rock"],
     }));
     // Of the case itself there is nothing.
-    sheets.retain(|sheet| !sheet.rows.is_empty());
-    sheets
+    page_tables.retain(|page_table| !page_table.rows.is_empty());
+    page_tables
 }
 
 /// Bit, rock and grid in a few facts.

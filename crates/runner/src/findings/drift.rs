@@ -57,7 +57,8 @@ mod tests {
     fn summary(statistics: Value, numerics: Value) -> Summary {
         let statistic = |of: &Value| {
             let mut all = json!({
-                "mean": 200e3, "std": 700.0, "min": 0.0, "max": 0.0, "p05": 0.0, "p95": 0.0, "std_error": 10.0,
+                "mean": 200e3, "std": 700.0, "min": 0.0, "max": 0.0, "p05": 0.0, "p95": 0.0,
+                "std_error": 10.0,
                 "drift": 0.0, "drifts": false,
             });
             for (key, value) in of.as_object().unwrap() {
@@ -70,7 +71,8 @@ mod tests {
             statistics.map(|(name, of)| (name.clone(), statistic(of))).collect();
         let mut all = json!({
             "elements": 100, "time_step_s": 1e-3, "steps": 1000, "added_axial_mass_fraction": 0.0,
-            "max_penetration_m": 0.0, "energy_residual": 0.0, "instructions": "avx2", "wall_time_s": 1.0,
+            "max_penetration_m": 0.0, "energy_residual": 0.0,
+            "instructions": "avx2", "wall_time_s": 1.0,
             "real_time_factor": 10.0, "settle_s": 30.0, "settled": true, "mean_bit_depth_m": 1000.0,
             "bit_travel_m": 0.05,
         });
@@ -78,10 +80,11 @@ mod tests {
             all[key] = value.clone();
         }
         let solved = json!({
-            "model": "dynamic", "operation": "trip_in", "status": "complete", "friction": 0.3, "bit_depth_m": 1000.0,
-            "weight_on_bit_N": 0.0, "bit_torque_N_m": 0.0, "hook_load_N": 200e3, "surface_torque_N_m": 0.0,
-            "friction_torque_N_m": 0.0, "axial_friction_N": 0.0, "side_force_total_N": 0.0, "twist_rad": 0.0,
-            "stretch_m": 0.2, "neutral_point_m": null, "cutoff_depth_m": null, "statistics": statistics,
+            "model": "dynamic", "operation": "trip_in", "status": "complete",
+            "friction": 0.3, "bit_depth_m": 1000.0, "weight_on_bit_N": 0.0, "bit_torque_N_m": 0.0,
+            "hook_load_N": 200e3, "surface_torque_N_m": 0.0, "friction_torque_N_m": 0.0,
+            "axial_friction_N": 0.0, "side_force_total_N": 0.0, "twist_rad": 0.0, "stretch_m": 0.2,
+            "neutral_point_m": null, "cutoff_depth_m": null, "statistics": statistics,
             "numerics": all,
         });
         Summary {

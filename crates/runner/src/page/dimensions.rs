@@ -40,25 +40,7 @@ pub(crate) fn all() -> BTreeMap<String, [DisplayUnit; 3]> {
 
 /// The dimension in whose units people see a kind of quantity; none where no unit converts it.
 pub(crate) fn of_kind(kind: QuantityKind) -> Option<Dimension> {
-    Some(match kind {
-        QuantityKind::Length | QuantityKind::Depth => Dimension::Length,
-        QuantityKind::Force => Dimension::Force,
-        QuantityKind::Torque => Dimension::Torque,
-        QuantityKind::ForcePerLength => Dimension::ForcePerLength,
-        QuantityKind::Pressure => Dimension::Pressure,
-        QuantityKind::Angle => Dimension::Angle,
-        QuantityKind::Curvature => Dimension::DoglegSeverity,
-        QuantityKind::RotarySpeed => Dimension::RotarySpeed,
-        QuantityKind::Speed => Dimension::TripSpeed,
-        QuantityKind::RateOfPenetration => Dimension::RateOfPenetration,
-        QuantityKind::FlowRate => Dimension::FlowRate,
-        QuantityKind::Time => Dimension::Time,
-        QuantityKind::Frequency => Dimension::Frequency,
-        QuantityKind::Ratio
-        | QuantityKind::TorquePerLength
-        | QuantityKind::WorkPerLength
-        | QuantityKind::PowerPerLength => return None,
-    })
+    Dimension::ALL.iter().copied().find(|of| of.name() == kind.dimension())
 }
 
 /// The symbol as it is printed: `kN.m` becomes `kN·m`, `deg/30m` becomes `°/30 m`.
@@ -117,6 +99,16 @@ mod tests {
         let per_metre = (3.0 * PI / 180.0) / 30.0;
         assert!((per_metre / all["dogleg severity"][0].factor - 3.0).abs() < 1e-12);
         assert!((per_metre / all["dogleg severity"][2].factor - 3.048).abs() < 1e-12);
+    }
+
+    /// Of those that nobody converts, pages show the SI unit.
+    #[test]
+    fn a_kind_of_quantity_has_units() {
+        let all = all();
+        for kind in QuantityKind::ALL {
+            let plain = ["torque per length", "power per length"].contains(&kind.dimension());
+            assert_ne!(all.contains_key(kind.dimension()), plain, "{kind:?}");
+        }
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! What the page says was asked.
+//! The case in a few facts.
 
 use serde_json::Value as Json;
 use wholestring::{operation::OperationKind, outcome::ModelKind};
@@ -16,7 +16,7 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
     let mut add = |label: &str, value: Cell| {
         found.push(Fact { label: label.into(), value });
     };
-    let names: Vec<String> = kinds.iter().map(|kind| spoken(kind.name())).collect();
+    let names: Vec<String> = kinds.iter().map(|kind| readable(kind.name())).collect();
     add(if names.len() > 1 { "Operations" } else { "Operation" }, Cell::Text(names.join(", ")));
     let models: Vec<&str> = texts(&settings["model"])
         .map(|name| ModelKind::named(name).map_or(name, |of| of.method().long_name))
@@ -80,7 +80,7 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
 }
 
 /// `trip_out` as people write it.
-pub(super) fn spoken(name: &str) -> String {
+pub(super) fn readable(name: &str) -> String {
     name.replace('_', " ")
 }
 

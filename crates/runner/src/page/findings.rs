@@ -1,12 +1,13 @@
 //! What an engineer must know, on its way to the page.
 
-use wholestring_report::{Cell, Finding, Level};
+use wholestring::{findings::Kind, outcome::QuantityKind};
+use wholestring_report::{Cell, Finding, Level, shown_dimension};
 use wholestring_results::{Finding as Found, Level as Grave};
 
 /// A finding of the summary as the page shows it.
 pub(super) fn page_finding(found: &Found) -> Finding {
     let cell = |value: Option<f64>| {
-        value.map_or(Cell::Nothing, |value| match dimension(&found.unit) {
+        value.map_or(Cell::Nothing, |value| match dimension(&found.kind) {
             Some(dimension) => Cell::quantity(value, dimension),
             None => Cell::number(value),
         })
@@ -26,20 +27,11 @@ pub(super) fn page_finding(found: &Found) -> Finding {
     }
 }
 
-/// The dimension of what has an SI unit; none of a ratio and of units that the page has no other
-/// for.
-fn dimension(unit: &str) -> Option<&'static str> {
-    Some(match unit {
-        "N" => "force",
-        "N.m" | "N·m" => "torque",
-        "N/m" => "force per length",
-        // Depths are places of findings, not values: a length is that of a penetration.
-        "m" => "diameter",
-        "m/s" => "speed",
-        "rad/s" => "rotary speed",
-        "rad" => "angle",
-        "Pa" => "pressure",
-        "s" => "time",
-        _ => return None,
-    })
+/// What the numbers of a finding measure; nothing where they are ratios, and of a kind that this
+/// version does not know.
+fn dimension(kind: &str) -> Option<&'static str> {
+    match Kind::named(kind)?.quantity() {
+        QuantityKind::Ratio => None,
+        other => Some(shown_dimension(other)),
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, path::Path};
 
-use wholestring_report::{Frames, Packed};
+use wholestring_report::{Frames, Packed, frame_columns};
 use wholestring_results::{ResultsError, Table};
 
 use crate::column::{numbers, words};
@@ -12,17 +12,6 @@ const MAX_NUMBERS: usize = 600_000;
 
 /// Nodes of a frame on the page.
 const MAX_NODES: usize = 450;
-
-/// What the page can colour the string with, and where it lies.
-const CHANNELS: &[&str] = &[
-    "offset_high_m",
-    "offset_right_m",
-    "tension_N",
-    "torque_N_m",
-    "contact_force_N",
-    "rotary_speed_rad_per_s",
-    "bending_moment_N_m",
-];
 
 /// Frames of each operation, of so many that may have some; none where none were kept, or where
 /// they do not hold where the string lies.
@@ -48,16 +37,16 @@ pub(super) fn read(folder: &Path, runs: usize) -> Result<BTreeMap<String, Frames
         seen: BTreeMap::new(),
         moment: None,
         taken: BTreeMap::new(),
+        columns: frame_columns(),
     };
-    let mut names = vec!["operation", "time_s", "node", "md_m"];
-    names.extend(CHANNELS);
+    let names = [&["operation", "time_s", "node", "md_m"], &reader.columns[..]].concat();
     Table::read_parquet_pieces(&path, &names, |piece| reader.take(&piece))?;
     reader.end_moment();
     let taken = reader.taken.into_iter();
     Ok(taken
         .filter_map(|(operation, taken)| {
             let kept = reader.kept[&operation].frames;
-            Some((operation, taken.frames(kept)?))
+            Some((operation, taken.frames(kept, &reader.columns)?))
         })
         .collect())
 }
@@ -91,6 +80,8 @@ struct Reader {
     /// The frame that is being read, if it is one to take.
     moment: Option<Moment>,
     taken: BTreeMap<String, Taken>,
+    /// The columns that the page holds.
+    columns: Vec<&'static str>,
 }
 
 impl Reader {
@@ -99,7 +90,7 @@ impl Reader {
         let (times, depths) = (numbers(piece, "time_s"), numbers(piece, "md_m"));
         let operations = words(piece, "operation");
         let channels: Vec<&[Option<f64>]> =
-            CHANNELS.iter().map(|name| numbers(piece, name)).collect();
+            self.columns.iter().map(|name| numbers(piece, name)).collect();
         for (row, node) in nodes.iter().enumerate() {
             if *node == Some(0.0) {
                 self.end_moment();
@@ -122,20 +113,20 @@ impl Reader {
         *seen += 1;
         let kept = &self.kept[operation];
         let nodes = (kept.rows / kept.frames).min(MAX_NODES);
-        let most = (self.share / (nodes * CHANNELS.len())).max(2);
+        let most = (self.share / (nodes * self.columns.len())).max(2);
         let every = kept.frames.div_ceil(most).max(1);
         self.moment = place.is_multiple_of(every).then(|| Moment {
             operation: operation.to_owned(),
             time_s,
             md_m: Vec::new(),
-            channels: vec![Vec::new(); CHANNELS.len()],
+            channels: vec![Vec::new(); self.columns.len()],
         });
     }
 
     fn end_moment(&mut self) {
         if let Some(moment) = self.moment.take() {
             let taken = self.taken.entry(moment.operation.clone()).or_default();
-            taken.add(moment);
+            taken.add(moment, &self.columns);
         }
     }
 }
@@ -153,7 +144,7 @@ struct Taken {
 }
 
 impl Taken {
-    fn add(&mut self, moment: Moment) {
+    fn add(&mut self, moment: Moment, columns: &[&str]) {
         let nodes = moment.md_m.len();
         if self.time_s.is_empty() {
             self.nodes = nodes;
@@ -162,7 +153,7 @@ impl Taken {
             self.chosen =
                 (0..nodes).filter(|node| (nodes - 1 - node).is_multiple_of(every)).collect();
             self.md_m = self.chosen.iter().map(|node| moment.md_m[*node]).collect();
-            self.channels = vec![Vec::new(); CHANNELS.len()];
+            self.channels = vec![Vec::new(); columns.len()];
         } else if nodes != self.nodes {
             // The run was killed while it wrote this one.
             return;
@@ -177,7 +168,7 @@ impl Taken {
                 if values.len() == nodes {
                     // Joints touch, what lies between them does not: a node stands for those above
                     // it too.
-                    let of = if CHANNELS[channel] == "contact_force_N" {
+                    let of = if columns[channel] == "contact_force_N" {
                         above..node + 1
                     } else {
                         *node..node + 1
@@ -190,10 +181,10 @@ impl Taken {
         }
     }
 
-    fn frames(self, kept: usize) -> Option<Frames> {
+    fn frames(self, kept: usize, columns: &[&str]) -> Option<Frames> {
         let first = *self.bit_md_m.first()?;
         let full = self.time_s.len() * self.chosen.len();
-        let channels: BTreeMap<String, Packed> = CHANNELS
+        let channels: BTreeMap<String, Packed> = columns
             .iter()
             .zip(&self.channels)
             .filter(|(_, values)| values.len() == full)

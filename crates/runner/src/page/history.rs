@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use wholestring_report::{BottomPicture, ContactPicture, DrillOff, Packed, thinned};
+use wholestring_report::{
+    BottomPicture, ContactPicture, DrillOff, Packed, contact_columns, drill_off_columns, thinned,
+};
 use wholestring_results::Table;
 
 use super::rows::rows;
@@ -75,12 +77,11 @@ pub(super) fn drill_off(
         let chosen = window.iter().step_by(step.max(1));
         chosen.map(|row| number(name, row).unwrap_or(f64::NAN)).collect()
     };
-    let weight_N = column("weight_on_bit_N");
-    let drills = weight_N.iter().any(|weight| *weight > 0.0);
+    let names = drill_off_columns();
+    let columns = names.map(column);
+    let drills = columns[0].iter().any(|weight| *weight > 0.0);
     drills.then(|| DrillOff {
-        weight_N: Packed::single(weight_N),
-        rate_m_per_s: Packed::single(column("rate_of_penetration_m_per_s")),
-        torque_N_m: Packed::single(column("bit_torque_N_m")),
+        columns: names.map(String::from).into_iter().zip(columns.map(Packed::single)).collect(),
     })
 }
 
@@ -157,8 +158,10 @@ pub(super) fn contact(table: &Table, operation: &str, many: usize) -> Option<Con
         from_s: 0.0,
         time_s: Packed::single(groups.iter().map(|group| times[(group.end - 1) * stretches])),
         md_m: Packed::single((0..stretches).map(depths)),
-        side_force: Packed::short(&mean("side_force_N_per_m")),
-        contact_force: Packed::short(&mean("contact_force_N_per_m")),
+        values: contact_columns()
+            .into_iter()
+            .map(|name| (name.to_owned(), Packed::short(&mean(name))))
+            .collect(),
     })
 }
 

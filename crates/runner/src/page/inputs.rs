@@ -1,39 +1,39 @@
 //! Every input of a run, defaults included, as tables.
 
 use serde_json::{Map, Value as Json};
-use wholestring_report::{Cell, Place, Sheet};
+use wholestring_report::{Cell, PageTable, Place};
 
 use super::dimensions;
 
 /// The settings of a summary, a table for each of the case file's, and one for each list in them.
-pub(crate) fn sheets(settings: &Json) -> Vec<Sheet> {
+pub(crate) fn page_tables(settings: &Json) -> Vec<PageTable> {
     let Some(settings) = settings.as_object() else {
         return Vec::new();
     };
-    let mut sheets = Vec::new();
+    let mut page_tables = Vec::new();
     let mut general = Vec::new();
     let mut others = Vec::new();
     for (key, value) in settings {
         match value {
             Json::Object(table) => tables(&label(key), table, &mut others),
             Json::Array(list) if list.iter().any(Json::is_object) => {
-                others.push(list_sheet(&label(key), list));
+                others.push(list_table(&label(key), list));
             }
             other => general.push(vec![Cell::Text(label(key)), cell(key, other)]),
         }
     }
-    sheets.push(sheet("Case", Vec::new(), general));
-    sheets.extend(others);
-    sheets
+    page_tables.push(page_table("Case", Vec::new(), general));
+    page_tables.extend(others);
+    page_tables
 }
 
 /// A table of keys and values, and one for each list or set of columns in it.
-fn tables(title: &str, table: &Map<String, Json>, sheets: &mut Vec<Sheet>) {
-    let place = sheets.len();
+fn tables(title: &str, table: &Map<String, Json>, page_tables: &mut Vec<PageTable>) {
+    let place = page_tables.len();
     let mut rows = Vec::new();
-    gather("", title, table, &mut rows, sheets);
+    gather("", title, table, &mut rows, page_tables);
     if !rows.is_empty() {
-        sheets.insert(place, sheet(title, Vec::new(), rows));
+        page_tables.insert(place, page_table(title, Vec::new(), rows));
     }
 }
 
@@ -42,16 +42,18 @@ fn gather(
     title: &str,
     table: &Map<String, Json>,
     rows: &mut Vec<Vec<Cell>>,
-    sheets: &mut Vec<Sheet>,
+    page_tables: &mut Vec<PageTable>,
 ) {
     for (key, value) in table {
         let name = under(prefix, key);
         let below = || format!("{title}: {}", lower(&name));
         match value {
-            Json::Object(inner) if is_columns(inner) => sheets.push(columns_sheet(&below(), inner)),
-            Json::Object(inner) => gather(&name, title, inner, rows, sheets),
+            Json::Object(inner) if is_columns(inner) => {
+                page_tables.push(columns_table(&below(), inner))
+            }
+            Json::Object(inner) => gather(&name, title, inner, rows, page_tables),
             Json::Array(list) if list.iter().any(Json::is_object) => {
-                sheets.push(list_sheet(&below(), list));
+                page_tables.push(list_table(&below(), list));
             }
             other => rows.push(vec![Cell::Text(name), cell(key, other)]),
         }
@@ -70,7 +72,7 @@ fn is_columns(table: &Map<String, Json>) -> bool {
     matches!(lengths[..], [Some(first), ..] if lengths.iter().all(|length| *length == Some(first)))
 }
 
-fn columns_sheet(title: &str, table: &Map<String, Json>) -> Sheet {
+fn columns_table(title: &str, table: &Map<String, Json>) -> PageTable {
     // JSON has lost the order in which they stood; a depth comes first.
     let mut names: Vec<&String> = table.keys().collect();
     names.sort_by_key(|name| (name.as_str() != "md_m", name.as_str() == "azimuth_rad"));
@@ -78,11 +80,11 @@ fn columns_sheet(title: &str, table: &Map<String, Json>) -> Sheet {
     let rows = (0..rows.max().unwrap_or(0))
         .map(|row| names.iter().map(|name| cell(name, &table[*name][row])).collect())
         .collect();
-    sheet(title, names.iter().map(|name| label(name)).collect(), rows)
+    page_table(title, names.iter().map(|name| label(name)).collect(), rows)
 }
 
 /// A table with a row for each item.
-fn list_sheet(title: &str, list: &[Json]) -> Sheet {
+fn list_table(title: &str, list: &[Json]) -> PageTable {
     let mut names: Vec<String> = Vec::new();
     let flat: Vec<Vec<(String, Cell)>> = list
         .iter()
@@ -110,7 +112,7 @@ fn list_sheet(title: &str, list: &[Json]) -> Sheet {
     });
     let rows =
         flat.iter().map(|cells| names.iter().map(|name| value(cells, name)).collect()).collect();
-    sheet(title, names, rows)
+    page_table(title, names, rows)
 }
 
 fn flatten(prefix: &str, item: &Json, cells: &mut Vec<(String, Cell)>) {
@@ -123,8 +125,8 @@ fn flatten(prefix: &str, item: &Json, cells: &mut Vec<(String, Cell)>) {
     }
 }
 
-fn sheet(title: &str, heads: Vec<String>, rows: Vec<Vec<Cell>>) -> Sheet {
-    Sheet { place: Place::Inputs, title: title.into(), heads, rows }
+fn page_table(title: &str, heads: Vec<String>, rows: Vec<Vec<Cell>>) -> PageTable {
+    PageTable { place: Place::Inputs, title: title.into(), heads, rows }
 }
 
 /// A value of the settings.
@@ -208,19 +210,25 @@ mod tests {
             "model": ["soft", "dynamic"],
             "well": {
                 "survey": null,
-                "stations": { "azimuth_rad": [0.0, 0.0], "inclination_rad": [0.0, 0.1], "md_m": [0.0, 100.0] },
+                "stations": {
+                    "azimuth_rad": [0.0, 0.0],
+                    "inclination_rad": [0.0, 0.1],
+                    "md_m": [0.0, 100.0],
+                },
                 "hole": [{ "kind": "open", "diameter_m": 0.2, "friction": { "kinetic": 0.3 } }],
             },
             "dynamics": { "damping": { "mass_per_s": 0.5 }, "seed": 1 },
             "bit_test": { "wob_N": [1e4, 2e4], "cells": [3, 4] },
         });
-        let sheets = sheets(&settings);
-        let titles: Vec<&str> = sheets.iter().map(|sheet| sheet.title.as_str()).collect();
+        let page_tables = page_tables(&settings);
+        let titles: Vec<&str> =
+            page_tables.iter().map(|page_table| page_table.title.as_str()).collect();
         assert_eq!(
             titles,
             ["Case", "Bit test", "Dynamics", "Well", "Well: hole", "Well: stations"]
         );
-        let find = |title: &str| sheets.iter().find(|sheet| sheet.title == title).unwrap();
+        let find =
+            |title: &str| page_tables.iter().find(|page_table| page_table.title == title).unwrap();
         assert_eq!(
             find("Dynamics").rows,
             [

@@ -1,20 +1,20 @@
-//! Tables of numbers: what every model answered, and how it was computed.
+//! Tables of numbers: the results of every model, and how they were computed.
 
 use wholestring::outcome::{QuantityKind, Scalar, scalars_by_row};
-use wholestring_report::{Cell, Place, Sheet};
+use wholestring_report::{Cell, PageTable, Place};
 use wholestring_results::{OperationSummary, Summary};
-use wholestring_units::Dimension;
 
-use super::{dimensions::of_kind, facts::spoken};
+use super::facts::readable;
 
 /// A row: what it is, its dimension, and how it is read.
 type Row<'a> = (&'a str, &'a str, &'a dyn Fn(&OperationSummary) -> Option<f64>);
 
 /// Results of all models and operations side by side.
-pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
+pub(super) fn results(summary: &Summary) -> Vec<PageTable> {
     let block_N = summary.settings["rig"]["block_weight_N"].as_f64();
     let block_N = block_N.filter(|weight| *weight > 0.0);
-    let mut sheet = side_by_side(Place::Results, "All models and operations", &summary.operations);
+    let mut page_table =
+        side_by_side(Place::Results, "All models and operations", &summary.operations);
     let mut row = |label: &str, scalar: &Scalar, more: f64| {
         let quantity = scalar.quantity;
         let cells = summary.operations.iter().map(|of| {
@@ -29,7 +29,7 @@ pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
                 None => Cell::Nothing,
             }
         });
-        sheet.rows.push(named(label, cells));
+        page_table.rows.push(named(label, cells));
     };
     for scalar in scalars_by_row() {
         row(scalar.label, scalar, 0.0);
@@ -52,26 +52,26 @@ pub(super) fn results(summary: &Summary) -> Vec<Sheet> {
         ("Torque of the mud", "torque", &|of| Some(of.hydraulics?.mud_torque_N_m)),
         ("Pump pressure", "pressure", &|of| Some(of.hydraulics?.pump_pressure_Pa)),
     ];
-    add(&mut sheet, more, &summary.operations);
-    vec![sheet]
+    add(&mut page_table, more, &summary.operations);
+    vec![page_table]
 }
 
 /// The dimension of a scalar on the page: turns of the string say more than degrees.
 fn scalar_dimension(kind: QuantityKind) -> &'static str {
     match kind {
         QuantityKind::Angle => "turns",
-        kind => of_kind(kind).map_or("ratio", Dimension::name),
+        kind => kind.dimension(),
     }
 }
 
 /// How the dynamic solutions were computed.
-pub(super) fn numerics(summary: &Summary) -> Vec<Sheet> {
+pub(super) fn numerics(summary: &Summary) -> Vec<PageTable> {
     let solved: Vec<OperationSummary> =
         summary.operations.iter().filter(|of| of.numerics.is_some()).cloned().collect();
     if solved.is_empty() {
         return Vec::new();
     }
-    let mut sheet = side_by_side(Place::Numerics, "How the dynamics were computed", &solved);
+    let mut page_table = side_by_side(Place::Numerics, "How the dynamics were computed", &solved);
     let numerics = |of: &OperationSummary| of.numerics.clone();
     let run = |of: &OperationSummary| of.numerics.as_ref().map(|all| all.run.clone());
     let energy = |of: &OperationSummary| run(of)?.energy;
@@ -92,20 +92,20 @@ pub(super) fn numerics(summary: &Summary) -> Vec<Sheet> {
         ("Time that it took", "time", &|of| Some(numerics(of)?.wall_time_s)),
         ("Simulated time over that", "ratio", &|of| Some(numerics(of)?.real_time_factor)),
     ];
-    add(&mut sheet, rows, &solved);
+    add(&mut page_table, rows, &solved);
     let instructions = solved
         .iter()
         .map(|of| run(of).map_or(Cell::Nothing, |of| Cell::Text(of.instructions.into())));
-    sheet.rows.push(named("Instruction set", instructions));
-    vec![sheet]
+    page_table.rows.push(named("Instruction set", instructions));
+    vec![page_table]
 }
 
 /// A table with a column for each model and operation.
-fn side_by_side(place: Place, title: &str, solved: &[OperationSummary]) -> Sheet {
+fn side_by_side(place: Place, title: &str, solved: &[OperationSummary]) -> PageTable {
     let head = |of: &OperationSummary| {
-        format!("{}, {}", spoken(&of.operation), of.model.method().long_name)
+        format!("{}, {}", readable(&of.operation), of.model.method().long_name)
     };
-    Sheet {
+    PageTable {
         place,
         title: title.into(),
         heads: std::iter::once(String::new()).chain(solved.iter().map(head)).collect(),
@@ -114,14 +114,14 @@ fn side_by_side(place: Place, title: &str, solved: &[OperationSummary]) -> Sheet
 }
 
 /// Adds the rows that hold anything.
-fn add(sheet: &mut Sheet, rows: &[Row<'_>], solved: &[OperationSummary]) {
+fn add(page_table: &mut PageTable, rows: &[Row<'_>], solved: &[OperationSummary]) {
     for (label, dimension, value) in rows {
         let cells: Vec<Cell> = solved
             .iter()
             .map(|of| value(of).map_or(Cell::Nothing, |value| Cell::quantity(value, dimension)))
             .collect();
         if cells.iter().any(|cell| *cell != Cell::Nothing) {
-            sheet.rows.push(named(label, cells));
+            page_table.rows.push(named(label, cells));
         }
     }
 }

@@ -1,12 +1,18 @@
 //! The five numbers that an engineer looks for first, beside their limits.
 
 use serde_json::Value as Json;
-use wholestring::outcome::ModelKind;
-use wholestring_report::{Answer, Cell, Fact};
+use wholestring::outcome::{Column, ModelKind, PROFILE, Quantity, Scalar};
+use wholestring_report::{Cell, Fact, KeyResult};
 use wholestring_results::{OperationSummary, Table};
 
 use super::rows::rows;
 use crate::column::numbers;
+
+const HOOK_LOAD: &Scalar = Scalar::declared("hook_load_N");
+const SURFACE_TORQUE: &Scalar = Scalar::declared("surface_torque_N_m");
+const AXIAL_FRICTION: &Scalar = Scalar::declared("axial_friction_N");
+const STRESS: &Quantity = Column::declared(PROFILE, "von_mises_stress_max_Pa");
+const NEUTRAL_POINT: &Scalar = Scalar::declared("neutral_point_m");
 
 /// Five numbers. Of a dynamic model those that vary are means, and their largest of the window is
 /// compared with the limit.
@@ -14,11 +20,11 @@ pub(super) fn key_results(
     solved: &OperationSummary,
     settings: &Json,
     nodes: &Table,
-) -> Vec<Answer> {
+) -> Vec<KeyResult> {
     let rig = |key: &str| settings["rig"][key].as_f64();
-    let largest = |key: &str| {
+    let largest = |scalar: &Scalar| {
         let statistics = solved.statistics.as_ref()?;
-        Some(statistics.get(key)?.max)
+        Some(statistics.get(scalar.quantity.name)?.max)
     };
     let scalars = &solved.scalars;
     let block_N = rig("block_weight_N").filter(|weight| *weight > 0.0);
@@ -29,22 +35,22 @@ pub(super) fn key_results(
         Some(_) => "hoist's capacity, for the load with block",
         None => "hoist's capacity",
     };
-    let hook = Answer {
-        label: "Hook load without block".into(),
+    let hook = KeyResult {
+        label: HOOK_LOAD.label.into(),
         value: Cell::quantity(scalars.hook_load_N, "force"),
-        worst: largest("hook_load_N"),
+        largest: largest(HOOK_LOAD),
         // The hoist lifts the block too.
-        held: block_N
-            .map(|block_N| largest("hook_load_N").unwrap_or(scalars.hook_load_N) + block_N),
+        compared: block_N
+            .map(|block_N| largest(HOOK_LOAD).unwrap_or(scalars.hook_load_N) + block_N),
         more: more.into_iter().collect(),
-        about: words(&["hook_load", "hoist", "lock_up"]),
+        finding_words: words(&["hook_load", "hoist", "lock_up"]),
         ..limited(rig("hoist_capacity_N"), whose)
     };
-    let torque = Answer {
-        label: "Surface torque".into(),
+    let torque = KeyResult {
+        label: SURFACE_TORQUE.label.into(),
         value: Cell::quantity(scalars.surface_torque_N_m, "torque"),
-        worst: largest("surface_torque_N_m"),
-        about: words(&["top_drive"]),
+        largest: largest(SURFACE_TORQUE),
+        finding_words: words(&["top_drive"]),
         ..limited(rig("top_drive_torque_N_m"), "top drive's rated torque")
     };
     let side = side_force(solved, nodes);
@@ -60,8 +66,8 @@ pub(super) fn key_results(
             hook,
             torque,
             drag(solved),
-            Answer {
-                label: "Neutral point".into(),
+            KeyResult {
+                label: NEUTRAL_POINT.label.into(),
                 value: scalars.neutral_point_m.map_or_else(
                     || Cell::Text("none: all in tension".into()),
                     |md| Cell::quantity(md, "length"),
@@ -77,61 +83,61 @@ fn words(of: &[&str]) -> Vec<String> {
     of.iter().map(|word| (*word).to_owned()).collect()
 }
 
-/// An answer with this limit, whose label and value are yet to be given.
-fn limited(limit: Option<f64>, whose: &str) -> Answer {
-    Answer {
+/// A number with this limit, whose label and value are yet to be given.
+fn limited(limit: Option<f64>, whose: &str) -> KeyResult {
+    KeyResult {
         label: String::new(),
         value: Cell::Nothing,
-        worst: None,
-        held: None,
+        largest: None,
+        compared: None,
         limit,
         limit_label: match limit {
             Some(_) => whose.into(),
             None => format!("{whose} not given"),
         },
         more: Vec::new(),
-        about: Vec::new(),
+        finding_words: Vec::new(),
     }
 }
 
-fn unlimited(note: &str) -> Answer {
-    Answer { limit_label: note.into(), ..limited(None, "") }
+fn unlimited(note: &str) -> KeyResult {
+    KeyResult { limit_label: note.into(), ..limited(None, "") }
 }
 
-fn drag(solved: &OperationSummary) -> Answer {
-    Answer {
-        label: "Axial friction".into(),
-        about: words(&["lock_up"]),
+fn drag(solved: &OperationSummary) -> KeyResult {
+    KeyResult {
+        label: AXIAL_FRICTION.label.into(),
+        finding_words: words(&["lock_up"]),
         value: Cell::quantity(solved.scalars.axial_friction_N, "force"),
         ..unlimited("positive adds to hook load")
     }
 }
 
 /// Severity of stick-slip, where the string turns: at one the bit just stops.
-fn stick_slip(solved: &OperationSummary) -> Option<Answer> {
+fn stick_slip(solved: &OperationSummary) -> Option<KeyResult> {
     let severity = solved.indicators?.stick_slip?.severity?;
-    Some(Answer {
+    Some(KeyResult {
         label: "Stick-slip severity".into(),
-        about: words(&["stick_slip", "top_drive_stalled"]),
+        finding_words: words(&["stick_slip", "top_drive_stalled"]),
         value: Cell::quantity(severity, "ratio"),
         ..limited(Some(1.0), "at 1 the bit just stops")
     })
 }
 
 /// Use of the yield strength where it is known, the stress itself where it is not.
-fn stress(solved: &OperationSummary, nodes: &Table) -> Answer {
+fn stress(solved: &OperationSummary, nodes: &Table) -> KeyResult {
     let largest = |name: &str| largest_of(solved, nodes, name, |value| value);
     match largest("yield_use") {
-        Some(part) => Answer {
+        Some(part) => KeyResult {
             label: "Use of yield strength".into(),
-            about: words(&["yield_use"]),
+            finding_words: words(&["yield_use"]),
             value: Cell::quantity(part, "percent"),
             ..limited(Some(1.0), "minimum yield strength, pipe body")
         },
-        None => Answer {
-            label: "Largest von Mises stress".into(),
-            about: words(&["yield_use"]),
-            value: largest("von_mises_stress_max_Pa")
+        None => KeyResult {
+            label: STRESS.label(),
+            finding_words: words(&["yield_use"]),
+            value: largest(STRESS.name)
                 .or_else(|| largest("von_mises_stress_Pa"))
                 .map_or(Cell::Nothing, |stress| Cell::quantity(stress, "pressure")),
             ..limited(None, "yield strength")
@@ -141,14 +147,14 @@ fn stress(solved: &OperationSummary, nodes: &Table) -> Answer {
 
 /// The largest mean side force: of a joint where the string has joints and the model knows them,
 /// per length otherwise.
-fn side_force(solved: &OperationSummary, nodes: &Table) -> Answer {
+fn side_force(solved: &OperationSummary, nodes: &Table) -> KeyResult {
     match largest_of(solved, nodes, "side_force_per_joint_N", f64::abs) {
-        Some(force) => Answer {
+        Some(force) => KeyResult {
             label: "Largest side force".into(),
             value: Cell::quantity(force, "force"),
             ..unlimited("of a tool joint, mean; no limit in the case")
         },
-        None => Answer {
+        None => KeyResult {
             label: "Largest side force".into(),
             value: largest_of(solved, nodes, "side_force_N_per_m", f64::abs)
                 .map_or(Cell::Nothing, |force| Cell::quantity(force, "force per length")),

@@ -136,7 +136,7 @@ pub(crate) fn along_the_hole(
                 Status::Failed(reason) => Some(reason.clone()),
             },
             findings: solved.findings.iter().map(findings::page_finding).collect(),
-            answers: results::key_results(solved, settings, &nodes),
+            key_results: results::key_results(solved, settings, &nodes),
             profile: columns(&nodes, Some(solved.model.name()), &solved.operation),
             wear: columns(&wear, Some(solved.model.name()), &solved.operation),
         })
@@ -148,18 +148,18 @@ pub(crate) fn along_the_hole(
             Some(units) => units.name().into(),
             None => settings["units"].as_str().unwrap_or("si").into(),
         },
-        told_in: settings["units"].as_str().unwrap_or("si").into(),
+        message_units: settings["units"].as_str().unwrap_or("si").into(),
         dimensions: dimensions::all(),
-        asked: facts::facts(summary),
+        facts: facts::facts(summary),
         solved: summary.operations.iter().map(along).collect::<Result<_, ResultsError>>()?,
         well: well.path(),
         hole: well.hole(),
         string: well.string(),
         runs: Vec::new(),
-        sheets: [
+        page_tables: [
             page_tables::results(summary),
             page_tables::numerics(summary),
-            inputs::sheets(settings),
+            inputs::page_tables(settings),
         ]
         .concat(),
     })

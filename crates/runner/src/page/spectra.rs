@@ -38,7 +38,7 @@ pub(super) fn pictures(table: &Table, operation: &str) -> Vec<SpectrumPicture> {
     let mine = spectra(table).into_iter();
     mine.filter(|of| of.operation == operation)
         .map(|of| SpectrumPicture {
-            dimension: spectrum_dimension(&of.unit, &of.signal).unwrap_or_default().into(),
+            dimension: spectrum_dimension(&of.signal, of.md_m.is_some()).unwrap_or_default().into(),
             frequency_Hz: Packed::single(of.frequency_Hz),
             density: Packed::single(of.density),
             signal: of.signal,

@@ -2,32 +2,13 @@
 
 use serde_json::Value as Json;
 use wholestring::{
-    outcome::{
-        Quantity,
-        QuantityKind::{self, Angle, Curvature, Depth, Length},
-    },
+    outcome::{Values, WELL_PATH, WellPath},
     well::{Interpolation, Path, Station, TieIn},
 };
 use wholestring_report::{Packed, Part, Section, Well};
 
 /// Points of the path on the page, besides the stations.
 const POINTS: usize = 800;
-
-/// A quantity, and its value at a measured depth.
-type PathColumn = (Quantity, fn(&Path, f64) -> f64);
-
-const fn of_path(name: &'static str, kind: QuantityKind, meaning: &'static str) -> Quantity {
-    Quantity::number(name, kind, meaning)
-}
-
-/// Horizontal distance from the first station, projected on the direction to the last one: the
-/// abscissa of a vertical section, m. Zero of a path that ends below its beginning.
-fn vertical_section_m(path: &Path, md_m: f64) -> f64 {
-    let from = path.at(path.first_md_m()).position_m;
-    let closure = (path.at(path.last_md_m()).position_m - from).xy();
-    let direction = closure.try_normalize(1e-9).unwrap_or_default();
-    (path.at(md_m).position_m - from).xy().dot(&direction)
-}
 
 /// The well of a run.
 pub(crate) struct WellBore<'a> {
@@ -58,54 +39,27 @@ impl<'a> WellBore<'a> {
         depths
     }
 
-    /// A quantity at these depths; nothing without a path.
-    fn column(&self, depths: &[f64], of: &dyn Fn(&Path, f64) -> f64) -> Vec<f64> {
-        let path = self.path.iter();
-        path.flat_map(|path| depths.iter().map(|md| of(path, *md))).collect()
+    /// The path from the surface to the bit; no rows where the settings do not hold it.
+    pub(crate) fn columns(&self) -> WellPath {
+        let path = self.path.as_ref();
+        path.map_or_else(WellPath::default, |path| WellPath::at(path, self.depths(path)))
     }
-
-    /// A column of [`Self::COLUMNS`], from the surface to the bit.
-    pub(crate) fn column_named(&self, name: &str) -> Vec<f64> {
-        let depths = self.path.as_ref().map(|path| self.depths(path));
-        let column = Self::COLUMNS.iter().find(|(column, _)| column.name == name);
-        column.map_or_else(Vec::new, |(_, of)| self.column(&depths.unwrap_or_default(), of))
-    }
-
-    /// What is known of the path at a measured depth.
-    pub(crate) const COLUMNS: &'static [PathColumn] = &[
-        (of_path("md_m", Depth, "Measured depth"), |_, md| md),
-        (of_path("north_m", Length, "North"), |path, md| path.at(md).position_m.x),
-        (of_path("east_m", Length, "East"), |path, md| path.at(md).position_m.y),
-        (of_path("tvd_m", Depth, "True vertical depth"), |path, md| path.at(md).position_m.z),
-        (
-            of_path("vertical_section_m", Length, "Distance along the closure's direction"),
-            vertical_section_m,
-        ),
-        (of_path("inclination_rad", Angle, "Inclination"), |path, md| {
-            path.at(md).inclination_rad()
-        }),
-        (of_path("azimuth_rad", Angle, "Azimuth"), |path, md| path.at(md).azimuth_rad()),
-        (of_path("dogleg_severity_rad_per_m", Curvature, "Dogleg severity"), |path, md| {
-            path.dogleg_severity_rad_per_m(md)
-        }),
-    ];
 
     /// The path down to the bit.
     pub(super) fn path(&self) -> Well {
-        let depths = self.path.as_ref().map(|path| self.depths(path));
-        let depths = depths.unwrap_or_default();
-        let column = |of: &dyn Fn(&Path, f64) -> f64| Packed::single(self.column(&depths, of));
-        let named = |name: &str| Packed::single(self.column_named(name));
-        Well {
-            md_m: named("md_m"),
-            north_m: named("north_m"),
-            east_m: named("east_m"),
-            tvd_m: named("tvd_m"),
-            inclination_rad: named("inclination_rad"),
-            azimuth_rad: named("azimuth_rad"),
-            dogleg_rad_per_m: named("dogleg_severity_rad_per_m"),
-            high: [0, 1, 2].map(|axis| column(&|path, md| path.high_side_at(md)[axis])),
-        }
+        let columns = self.columns();
+        let packed = WELL_PATH.iter().filter_map(|column| match (column.of)(&columns) {
+            Values::Numbers(values) => {
+                Some((column.quantity.name.to_owned(), Packed::single(values.iter().copied())))
+            }
+            Values::Words(_) => None,
+        });
+        let high = |axis: usize| {
+            let path = self.path.iter();
+            let sides = path.flat_map(|path| columns.md_m.iter().map(|md| path.high_side_at(*md)));
+            Packed::single(sides.map(|side| side[axis]))
+        };
+        Well { columns: packed.collect(), high: [0, 1, 2].map(high) }
     }
 
     /// Sections of the hole down to the bit.

@@ -44,7 +44,7 @@ impl CarriedOut<'_> {
 }
 
 impl Record {
-    /// Adds what a method answered of an operation: to the summary, and to every table.
+    /// Adds the results of a method for an operation: to the summary, and to every table.
     pub(crate) fn add(
         &mut self,
         operation: &Operation,

@@ -2,17 +2,14 @@
 
 use wholestring::{
     dynamics::DynamicOutcome,
-    outcome::{self, QuantityKind, TIME_SERIES},
+    outcome::{self, QuantityKind, TIME_SERIES, WELL_PATH},
 };
 use wholestring_results::{CONTACT, FRAMES, NODES, TIME, WEAR};
 use wholestring_study::{ColumnName, Quantity, Source};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
-    page::{
-        dimensions::{of_kind, pretty},
-        well::WellBore,
-    },
+    page::dimensions::{of_kind, pretty},
     sweep::SCALARS,
 };
 
@@ -44,7 +41,7 @@ fn declared() -> impl Iterator<Item = (Source, outcome::Quantity)> {
         let numbers = specs.iter().filter(|spec| !spec.text);
         numbers.map(move |spec| (source, *spec))
     });
-    let path = WellBore::COLUMNS.iter().map(|(of, _)| *of);
+    let path = WELL_PATH.iter().map(|of| of.quantity);
     summary.map(|of| (Source::Summary, of)).chain(numbers).chain(path.map(|of| (Source::Path, of)))
 }
 
@@ -63,11 +60,7 @@ fn named(name: &str) -> Option<outcome::Quantity> {
 
 /// What people call a column: `hook load`.
 fn words(name: &str) -> String {
-    match named(name).map_or(name, |of| of.stem()) {
-        "md" => "measured depth".into(),
-        "tvd" => "true vertical depth".into(),
-        other => other.replace('_', " "),
-    }
+    named(name).map_or_else(|| name.replace('_', " "), |of| of.words())
 }
 
 /// What people call a quantity, without its unit.

@@ -18,14 +18,14 @@ pub(super) fn curves(figure: &Figure, results: &CaseResults) -> Result<Vec<Curve
         match &figure.data {
             FigureData::Summary { x, statistics } => {
                 for statistic in statistics {
-                    for answer in &chosen {
-                        let place = answer.value(&x.key).and_then(|value| x.number(value));
-                        let value = answer.summary(quantity, *statistic);
+                    for result in &chosen {
+                        let place = result.value(&x.key).and_then(|value| x.number(value));
+                        let value = result.summary(quantity, *statistic);
                         // A soft string has no spread: its curve is left out, not empty.
                         if let (Some(place), Some(value)) = (place, value) {
-                            let mut curve = blank(answer, Some(&x.key), quantity, Some(*statistic));
+                            let mut curve = blank(result, Some(&x.key), quantity, Some(*statistic));
                             curve.points.push((place, value));
-                            if answer.has_error() {
+                            if result.has_error() {
                                 curve.errors.push((place, value));
                             }
                             put(&mut curves, curve);
@@ -34,9 +34,9 @@ pub(super) fn curves(figure: &Figure, results: &CaseResults) -> Result<Vec<Curve
                 }
             }
             FigureData::Rows { x, window_s } => {
-                for answer in &chosen {
-                    let mut curve = blank(answer, None, quantity, None);
-                    curve.points = rows(answer, x, quantity, *window_s)?;
+                for result in &chosen {
+                    let mut curve = blank(result, None, quantity, None);
+                    curve.points = rows(result, x, quantity, *window_s)?;
                     // Most cases lie in the same well: it is drawn once.
                     let again =
                         |other: &Curve| other.quantity == *quantity && other.points == curve.points;
@@ -46,28 +46,28 @@ pub(super) fn curves(figure: &Figure, results: &CaseResults) -> Result<Vec<Curve
                 }
             }
             FigureData::Times { x, times_s } => {
-                for answer in &chosen {
-                    for (at, points) in at_times(answer, x, quantity, times_s)? {
-                        let mut curve = blank(answer, None, quantity, None);
+                for result in &chosen {
+                    for (at, points) in at_times(result, x, quantity, times_s)? {
+                        let mut curve = blank(result, None, quantity, None);
                         (curve.at, curve.points) = (Some(at), points);
                         curves.push(curve);
                     }
                 }
             }
             FigureData::Map { colour, window_s } => {
-                for answer in &chosen {
-                    let mut curve = blank(answer, None, colour, None);
-                    let (points, map) = map::read(answer, colour, *window_s)?;
+                for result in &chosen {
+                    let mut curve = blank(result, None, colour, None);
+                    let (points, map) = map::read(result, colour, *window_s)?;
                     (curve.points, curve.map) = (points, Some(map));
                     curves.push(curve);
                 }
             }
             FigureData::Depths { x, depths_m, window_s } => {
-                for answer in &chosen {
+                for result in &chosen {
                     for depth_m in depths_m {
-                        let mut curve = blank(answer, None, quantity, None);
+                        let mut curve = blank(result, None, quantity, None);
                         curve.at = Some(*depth_m);
-                        let rows = at_depth(answer, *depth_m, *window_s, [x, quantity])?;
+                        let rows = at_depth(result, *depth_m, *window_s, [x, quantity])?;
                         curve.points = rows.iter().map(|(_, [x, y])| (*x, *y)).collect();
                         curves.push(curve);
                     }
@@ -80,15 +80,15 @@ pub(super) fn curves(figure: &Figure, results: &CaseResults) -> Result<Vec<Curve
 }
 
 fn blank(
-    answer: &CaseResult,
+    result: &CaseResult,
     axis: Option<&str>,
     quantity: &Quantity,
     statistic: Option<Statistic>,
 ) -> Curve {
-    let all = answer.keys.iter().zip(&answer.values);
+    let all = result.keys.iter().zip(&result.values);
     let others = all.filter(|(key, _)| axis != Some(key.as_str()));
     Curve {
-        series: answer.series(),
+        series: result.series(),
         values: others.map(|(key, value)| (key.clone(), value.clone())).collect(),
         quantity: *quantity,
         statistic,
@@ -117,17 +117,17 @@ fn put(curves: &mut Vec<Curve>, like: Curve) {
 }
 
 fn rows(
-    answer: &CaseResult,
+    result: &CaseResult,
     x: &Quantity,
     y: &Quantity,
     window_s: Option<[f64; 2]>,
 ) -> Result<Vec<(f64, f64)>, ResultsError> {
     let (source, columns) = (y.column.source, [x.column.name, y.column.name]);
     if source == Source::Time {
-        let rows = answer.rows(source, [columns[0], columns[1], "time_s"])?;
+        let rows = result.rows(source, [columns[0], columns[1], "time_s"])?;
         let kept = rows.iter().filter(|[_, _, time_s]| within(window_s, *time_s));
         return Ok(kept.map(|[a, b, _]| (signed(x, *a), signed(y, *b))).collect());
     }
-    let rows = answer.rows(source, columns)?;
+    let rows = result.rows(source, columns)?;
     Ok(rows.iter().map(|[a, b]| (signed(x, *a), signed(y, *b))).collect())
 }

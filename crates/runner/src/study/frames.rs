@@ -1,5 +1,6 @@
 //! What frames of the whole string say at a time or at a depth.
 
+use wholestring::dynamics::Channel;
 use wholestring_results::ResultsError;
 use wholestring_study::{Quantity, Source};
 
@@ -13,13 +14,13 @@ type AtTime = (f64, Vec<(f64, f64)>);
 
 /// What frames say at the times that are nearest to these.
 pub(super) fn at_times(
-    answer: &CaseResult,
+    result: &CaseResult,
     x: &Quantity,
     y: &Quantity,
     times_s: &[f64],
 ) -> Result<Vec<AtTime>, ResultsError> {
     let mut nearest: Vec<f64> = vec![f64::INFINITY; times_s.len()];
-    answer.each_row(Source::Frames, ["time_s"], |[time_s]| {
+    result.each_row(Source::Frames, ["time_s"], |[time_s]| {
         for (wanted, best) in times_s.iter().zip(&mut nearest) {
             if (time_s - wanted).abs() < (*best - wanted).abs() {
                 *best = time_s;
@@ -28,7 +29,7 @@ pub(super) fn at_times(
     })?;
     let mut curves: Vec<AtTime> = nearest.into_iter().map(|time_s| (time_s, Vec::new())).collect();
     let columns = ["time_s", x.column.name, y.column.name];
-    answer.each_row(Source::Frames, columns, |[time_s, a, b]| {
+    result.each_row(Source::Frames, columns, |[time_s, a, b]| {
         for (_, points) in curves.iter_mut().filter(|(of, _)| *of == time_s) {
             points.push((signed(x, a), signed(y, b)));
         }
@@ -42,13 +43,13 @@ const REACH_M: f64 = 5.0;
 
 /// What the wall does to a node.
 fn is_of_wall(name: &str) -> bool {
-    matches!(name, "contact_force_N" | "axial_friction_N" | "friction_torque_N_m")
+    [Channel::Contact, Channel::Friction].iter().any(|of| of.columns().contains(&name))
 }
 
 /// The node that frames at a depth are about: the nearest in the first frame, and for what the wall
 /// does, of those within half a joint the one to which it does most.
 fn node_at(
-    answer: &CaseResult,
+    result: &CaseResult,
     depth_m: f64,
     quantities: &[&Quantity],
 ) -> Result<Option<f64>, ResultsError> {
@@ -58,7 +59,7 @@ fn node_at(
     // Distance, number, and what the wall did, of each node by its number.
     let mut nodes: Vec<(f64, f64, f64)> = Vec::new();
     let columns = ["time_s", "node", "md_m", wall.unwrap_or("md_m")];
-    answer.each_row(Source::Frames, columns, |[time_s, number, md_m, force]| {
+    result.each_row(Source::Frames, columns, |[time_s, number, md_m, force]| {
         if *first.get_or_insert(time_s) == time_s {
             nodes.push(((md_m - depth_m).abs(), number, 0.0));
         }
@@ -75,19 +76,19 @@ fn node_at(
 
 /// Time and these quantities of the node at a depth.
 pub(super) fn at_depth<const N: usize>(
-    answer: &CaseResult,
+    result: &CaseResult,
     depth_m: f64,
     window_s: Option<[f64; 2]>,
     quantities: [&Quantity; N],
 ) -> Result<Vec<(f64, [f64; N])>, ResultsError> {
-    let Some(node) = node_at(answer, depth_m, &quantities)? else {
+    let Some(node) = node_at(result, depth_m, &quantities)? else {
         return Ok(Vec::new());
     };
     // Rows of two reads follow each other alike: the node and the time of each, then each quantity.
     let mut kept: Vec<(f64, [f64; N])> = Vec::new();
     let mut places = Vec::new();
     let mut row = 0_usize;
-    answer.each_row(Source::Frames, ["time_s", "node"], |[time_s, number]| {
+    result.each_row(Source::Frames, ["time_s", "node"], |[time_s, number]| {
         if number == node && within(window_s, time_s) {
             places.push(row);
             kept.push((time_s, [f64::NAN; N]));
@@ -96,7 +97,7 @@ pub(super) fn at_depth<const N: usize>(
     })?;
     for (column, quantity) in quantities.iter().enumerate() {
         let (mut row, mut next) = (0_usize, 0);
-        answer.each_row(Source::Frames, [quantity.column.name], |[value]| {
+        result.each_row(Source::Frames, [quantity.column.name], |[value]| {
             if places.get(next) == Some(&row) {
                 kept[next].1[column] = signed(quantity, value);
                 next += 1;

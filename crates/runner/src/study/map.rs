@@ -17,11 +17,11 @@ use super::{
 
 /// Times and values of a map.
 pub(super) fn read(
-    answer: &CaseResult,
+    result: &CaseResult,
     colour: &Quantity,
     window_s: Option<[f64; 2]>,
 ) -> Result<(Vec<(f64, f64)>, MapData), ResultsError> {
-    let rows = answer.rows(Source::Contact, ["time_s", "md_m", colour.column.name])?;
+    let rows = result.rows(Source::Contact, ["time_s", "md_m", colour.column.name])?;
     let [from_s, to_s] = window_s.unwrap_or([0.0, f64::INFINITY]);
     // A row is an average since the one before: one that ends where the window begins is not of it.
     let before = rows.iter().map(|[time_s, ..]| *time_s);
@@ -37,8 +37,8 @@ pub(super) fn read(
     let map = MapData {
         depths_m,
         from_s,
-        window_from_s: answer.window_from_s()?,
-        shoes_m: answer.shoes_m()?,
+        window_from_s: result.window_from_s()?,
+        shoes_m: result.shoes_m()?,
     };
     Ok((points, map))
 }

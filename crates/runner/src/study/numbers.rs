@@ -12,7 +12,7 @@ use super::{
 /// A table with what was computed.
 pub(super) struct Computed<'a> {
     pub(super) table: &'a NumberTable,
-    /// Whose answers its columns are.
+    /// Whose results its columns are.
     pub(super) series: Vec<Series>,
     /// By row and series; none where there is no result, or none was requested.
     pub(super) numbers: Vec<Vec<Option<f64>>>,
@@ -80,14 +80,14 @@ fn of_cases(
     let mut cases = results.of(series, only);
     let Some((key, shape)) = &row.along else {
         return match cases.next() {
-            Some(answer) => number(&row.number, answer),
+            Some(result) => number(&row.number, result),
             None => Ok(None),
         };
     };
     let mut points = Vec::new();
-    for answer in cases {
-        let place = answer.value(key).and_then(quantity);
-        if let (Some(place), Some(value)) = (place, number(&row.number, answer)?) {
+    for result in cases {
+        let place = result.value(key).and_then(quantity);
+        if let (Some(place), Some(value)) = (place, number(&row.number, result)?) {
             points.push((place, value));
         }
     }
@@ -124,28 +124,28 @@ fn shape_of(shape: Shape, points: &[(f64, f64)]) -> Option<f64> {
     }
 }
 
-/// The number as one answer has it.
-fn number(number: &Number, answer: &CaseResult) -> Result<Option<f64>, ResultsError> {
+/// The number as one result has it.
+fn number(number: &Number, result: &CaseResult) -> Result<Option<f64>, ResultsError> {
     let quantity = &number.quantity;
     let source = quantity.column.source;
     let name = quantity.column.name;
     let window_s = || -> Result<[f64; 2], ResultsError> {
         match number.window_s {
             Some(window_s) => Ok(window_s),
-            None => Ok([answer.window_from_s()?, f64::INFINITY]),
+            None => Ok([result.window_from_s()?, f64::INFINITY]),
         }
     };
     let values: Vec<f64> = match source {
-        Source::Summary => return Ok(answer.summary(quantity, number.statistic)),
+        Source::Summary => return Ok(result.summary(quantity, number.statistic)),
         Source::Nodes | Source::Wear | Source::Path => {
-            let rows = answer.rows(source, ["md_m", name])?;
+            let rows = result.rows(source, ["md_m", name])?;
             match number.depth_m {
                 Some(depth_m) => nearest(rows.into_iter().map(|[md, value]| (md, value)), depth_m),
                 None => rows.into_iter().map(|[_, value]| value).collect(),
             }
         }
         Source::Time => {
-            let rows = answer.rows(source, ["time_s", name])?.into_iter();
+            let rows = result.rows(source, ["time_s", name])?.into_iter();
             match number.time_s {
                 Some(time_s) => nearest(rows.map(|[at, value]| (at, value)), time_s),
                 None => {
@@ -157,7 +157,7 @@ fn number(number: &Number, answer: &CaseResult) -> Result<Option<f64>, ResultsEr
             }
         }
         Source::Contact => {
-            let rows = answer.rows(source, ["time_s", "md_m", name])?;
+            let rows = result.rows(source, ["time_s", "md_m", name])?;
             let rows = match number.time_s {
                 Some(time_s) => nearest_by(rows, time_s, |[at, ..]| *at),
                 None => {
@@ -180,16 +180,16 @@ fn number(number: &Number, answer: &CaseResult) -> Result<Option<f64>, ResultsEr
         }
         Source::Frames => match (number.depth_m, number.time_s) {
             (Some(depth_m), None) => {
-                let rows = at_depth(answer, depth_m, Some(window_s()?), [quantity])?;
+                let rows = at_depth(result, depth_m, Some(window_s()?), [quantity])?;
                 rows.into_iter().map(|(_, [value])| value).collect()
             }
             (Some(depth_m), Some(time_s)) => {
-                let rows = at_depth(answer, depth_m, None, [quantity])?;
+                let rows = at_depth(result, depth_m, None, [quantity])?;
                 nearest(rows.into_iter().map(|(at, [value])| (at, value)), time_s)
             }
             (None, time_s) => {
                 let times = [time_s.unwrap_or_default()];
-                let frames = at_times(answer, quantity, quantity, &times)?;
+                let frames = at_times(result, quantity, quantity, &times)?;
                 let points = frames.into_iter().flat_map(|(_, points)| points);
                 points.map(|(_, value)| value).collect()
             }

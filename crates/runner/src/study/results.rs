@@ -1,11 +1,12 @@
-//! What the cases of a study answered, and the rows of what they left.
+//! The results of the cases of a study, and the rows of what they left.
 
 use std::{
+    borrow::Cow,
     collections::BTreeMap,
     path::{Path, PathBuf},
 };
 
-use wholestring::outcome::ModelKind;
+use wholestring::outcome::{ModelKind, Values, WELL_PATH};
 use wholestring_results::{Level, OperationSummary, ResultsError, Status, Summary, Table};
 use wholestring_study::{Chosen, Quantity, Selection, Source, Statistic};
 
@@ -27,7 +28,7 @@ pub(super) struct CaseResult {
     pub(super) folder: PathBuf,
 }
 
-/// Whose answer it is, whatever the case: a column of a table, a stroke of a figure.
+/// Whose result it is, whatever the case: a column of a table, a stroke of a figure.
 pub(super) type Series = (usize, ModelKind, String);
 
 impl CaseResult {
@@ -108,8 +109,15 @@ impl CaseResult {
             Source::Summary => return Ok(()),
             Source::Path => {
                 let settings = self.settings()?;
-                let well = WellBore::of(&settings);
-                let columns = names.map(|name| well.column_named(name));
+                let path = WellBore::of(&settings).columns();
+                let numbers = |name| {
+                    let declared = WELL_PATH.iter().find(|of| of.quantity.name == name);
+                    match declared.map(|of| (of.of)(&path)) {
+                        Some(Values::Numbers(numbers)) => numbers,
+                        Some(Values::Words(_)) | None => Cow::default(),
+                    }
+                };
+                let columns = names.map(numbers);
                 (0..columns[0].len()).for_each(|row| visit(columns.each_ref().map(|of| of[row])));
                 return Ok(());
             }
@@ -167,7 +175,7 @@ impl CaseResult {
     }
 }
 
-/// All answers of a study, sweep by sweep.
+/// All results of a study, sweep by sweep.
 pub(super) struct CaseResults(pub(super) Vec<CaseResult>);
 
 impl CaseResults {
@@ -205,11 +213,11 @@ impl CaseResults {
         self.0.iter().filter(is)
     }
 
-    /// Whose answers there are among those chosen, in their order.
+    /// Whose results there are among those chosen, in their order.
     pub(super) fn series(&self, chosen: &Chosen) -> Vec<Series> {
         let mut all = Vec::new();
-        for answer in self.0.iter().filter(|answer| answer.is_of(chosen)) {
-            let series = answer.series();
+        for result in self.0.iter().filter(|result| result.is_of(chosen)) {
+            let series = result.series();
             if !all.contains(&series) {
                 all.push(series);
             }
@@ -242,8 +250,8 @@ pub(super) fn names(series: &[Series], sweeps: &[String]) -> Vec<String> {
 /// Unordered names of columns with their values, for data files.
 pub(super) fn keys_of<'a>(results: impl Iterator<Item = &'a CaseResult>) -> Vec<String> {
     let mut keys: BTreeMap<usize, Vec<String>> = BTreeMap::new();
-    for answer in results {
-        keys.entry(answer.sweep).or_insert_with(|| answer.keys.clone());
+    for result in results {
+        keys.entry(result.sweep).or_insert_with(|| result.keys.clone());
     }
     let mut all: Vec<String> = Vec::new();
     for key in keys.into_values().flatten() {

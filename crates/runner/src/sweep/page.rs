@@ -91,9 +91,9 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
     // The last case differs from the first in every key that was varied.
     let last = summary(folders.last())?;
     let facts = |of: &Option<Summary>| of.as_ref().map_or(Vec::new(), facts::facts);
-    let mut asked = facts(&first);
+    let mut common = facts(&first);
     let others = facts(&last);
-    asked.retain(|fact| others.contains(fact));
+    common.retain(|fact| others.contains(fact));
     let settings = first.as_ref().map(|first| &first.settings);
     Ok(Sweep {
         program: page::PROGRAM.into(),
@@ -103,7 +103,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
             None => settings.and_then(|settings| settings["units"].as_str()).unwrap_or("si").into(),
         },
         dimensions: dimensions::all(),
-        asked,
+        facts: common,
         keys: varied.iter().map(|column| column.name.clone()).collect(),
         rows,
     })

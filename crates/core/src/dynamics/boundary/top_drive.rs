@@ -26,9 +26,9 @@ use crate::{
 /// Lower edge of Z-Torque's band where none is given, as a part of the string's own frequency.
 const BAND_BELOW_STRING: f64 = 0.2;
 
-/// The string as its top sees it.
+/// The string in torsion, as a drive at its top is tuned to.
 #[derive(Debug, Clone, Copy)]
-pub struct StringSeen {
+pub struct TorsionalString {
     /// Characteristic torsional impedance of the uppermost pipe, N·m·s.
     pub impedance_N_m_s: f64,
     /// Lowest torsional frequency of the string, held at the top and free at the bit, Hz.
@@ -57,7 +57,7 @@ pub struct Shown {
 
 impl Gains {
     /// The gains of `controller` for a drive of `inertia_kg_m2` on `string`.
-    pub fn of(controller: SpeedController, inertia_kg_m2: f64, string: StringSeen) -> Self {
+    pub fn of(controller: SpeedController, inertia_kg_m2: f64, string: TorsionalString) -> Self {
         match controller {
             SpeedController::Pi { proportional_N_m_s, integral_N_m } => {
                 Self { proportional_N_m_s, integral_N_m, shown: None }
@@ -131,7 +131,7 @@ impl TopDrive {
     /// The drive of `settings` on the top of `chain`, which gets its inertia.
     pub fn new(
         settings: &TopDriveSettings,
-        string: StringSeen,
+        string: TorsionalString,
         chain: &mut Chain<impl Real>,
     ) -> Self {
         let half_kg_m2 = node!(chain, 0, polar);

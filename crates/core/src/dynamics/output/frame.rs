@@ -1,77 +1,8 @@
-//! The whole string at one moment.
+//! What is known of the whole string at one moment.
 
 use serde::Serialize;
 
-use super::{
-    probe::NodeSignal,
-    record::{BlockSample, Strength},
-};
-use crate::{
-    dynamics::{
-        body::Body,
-        boundary::anchor::Anchor,
-        kernel::chain::{Chain, Rows, element, node},
-    },
-    outcome::{IN_TIME, columns},
-    simd::{number::Real, vector::Vector},
-};
-
-/// A group of quantities that a frame holds of every node.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-pub enum Channel {
-    /// Offset from the hole's axis towards the high side and to the right of it.
-    Position,
-    /// North, east and vertical depth.
-    Coordinates,
-    /// Lateral and axial velocity.
-    Velocity,
-    /// Rotary speed and turn against the bit.
-    Rotation,
-    /// Angle of the pipe's axis with the hole's.
-    Tilt,
-    /// Contact force.
-    Contact,
-    /// Friction on the wall.
-    Friction,
-    /// Tension and torque.
-    Force,
-    /// Bending moment and von Mises stress.
-    Stress,
-}
-
-impl Channel {
-    /// Every channel.
-    pub const ALL: [Self; 9] = [
-        Self::Position,
-        Self::Coordinates,
-        Self::Velocity,
-        Self::Rotation,
-        Self::Tilt,
-        Self::Contact,
-        Self::Friction,
-        Self::Force,
-        Self::Stress,
-    ];
-
-    /// Those that are kept where nobody chooses.
-    pub const USUAL: [Self; 5] =
-        [Self::Position, Self::Velocity, Self::Rotation, Self::Contact, Self::Force];
-
-    /// Name in case files.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Position => "position",
-            Self::Coordinates => "coordinates",
-            Self::Velocity => "velocity",
-            Self::Rotation => "rotation",
-            Self::Tilt => "tilt",
-            Self::Contact => "contact",
-            Self::Friction => "friction",
-            Self::Force => "force",
-            Self::Stress => "stress",
-        }
-    }
-}
+use crate::outcome::{IN_TIME, columns};
 
 columns! {
     /// The whole string at one moment: one number a node in each vector, from the surface down.
@@ -82,9 +13,10 @@ columns! {
     FRAME {
         md_m: Vec<f64> => Depth, "Measured depth of the node", known_by IN_TIME;
         offset_high_m: Vec<f64> => Length,
-            "Offset of the string's axis from the hole's towards the high side", known_by IN_TIME;
+            "Offset of the string's axis from the hole's towards the high side",
+            label "Offset to the high side", known_by IN_TIME;
         offset_right_m: Vec<f64> => Length,
-            "Offset to the right, looking down the hole", known_by IN_TIME;
+            "Offset to the right, looking down the hole", label "Offset to the right", known_by IN_TIME;
         north_m: Vec<f64> => Length, "North of the node", known_by IN_TIME;
         east_m: Vec<f64> => Length, "East of the node", known_by IN_TIME;
         tvd_m: Vec<f64> => Depth, "True vertical depth of the node", known_by IN_TIME;
@@ -101,6 +33,7 @@ columns! {
         tilt_right_rad: Vec<f64> => Angle, "Angle to the right", known_by IN_TIME;
         contact_force_N: Vec<f64> => Force,
             "Contact force of the node, averaged over the sample; positive on the high side",
+            label "Contact force of the node",
             known_by IN_TIME;
         axial_friction_N: Vec<f64> => Force,
             "Wall friction along the string on the node, averaged over the sample; positive \
@@ -108,7 +41,7 @@ columns! {
         friction_torque_N_m: Vec<f64> => Torque,
             "Torque of wall friction on the node, averaged over the sample", known_by IN_TIME;
         tension_N: Vec<f64> => Force,
-            "Effective tension; negative in compression", known_by IN_TIME;
+            "Effective tension; negative in compression", label "Effective tension", known_by IN_TIME;
         torque_N_m: Vec<f64> => Torque, "Torque that the string carries", known_by IN_TIME;
         bending_moment_N_m: Vec<f64> => Torque,
             "Bending moment, whatever its direction", known_by IN_TIME;
@@ -121,166 +54,74 @@ columns! {
     }
 }
 
-impl Frame {
-    /// The vectors of a channel by their names in results.
-    pub fn channel(&self, channel: Channel) -> Vec<(&'static str, &[f64])> {
-        match channel {
-            Channel::Position => vec![
-                ("offset_high_m", &self.offset_high_m),
-                ("offset_right_m", &self.offset_right_m),
-            ],
-            Channel::Coordinates => {
-                vec![("north_m", &self.north_m), ("east_m", &self.east_m), ("tvd_m", &self.tvd_m)]
-            }
-            Channel::Velocity => vec![
-                ("velocity_high_m_per_s", &self.velocity_high_m_per_s),
-                ("velocity_right_m_per_s", &self.velocity_right_m_per_s),
-                ("axial_velocity_m_per_s", &self.axial_velocity_m_per_s),
-            ],
-            Channel::Rotation => vec![
-                ("rotary_speed_rad_per_s", &self.rotary_speed_rad_per_s),
-                ("twist_rad", &self.twist_rad),
-            ],
-            Channel::Tilt => vec![
-                ("tilt_high_rad", &self.tilt_high_rad),
-                ("tilt_right_rad", &self.tilt_right_rad),
-            ],
-            Channel::Contact => vec![("contact_force_N", &self.contact_force_N)],
-            Channel::Friction => vec![
-                ("axial_friction_N", &self.axial_friction_N),
-                ("friction_torque_N_m", &self.friction_torque_N_m),
-            ],
-            Channel::Force => {
-                vec![("tension_N", &self.tension_N), ("torque_N_m", &self.torque_N_m)]
-            }
-            Channel::Stress => vec![
-                ("bending_moment_N_m", &self.bending_moment_N_m),
-                ("von_mises_stress_Pa", &self.von_mises_stress_Pa),
-            ],
+/// Declares the channels: the name of each in case files, and the columns of a frame that it is.
+macro_rules! channels {
+    ($($(#[$about:meta])* $channel:ident, $name:literal => $($column:ident),+;)*) => {
+        /// A group of quantities that a frame holds of every node.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+        pub enum Channel {
+            $($(#[$about])* $channel,)*
         }
-    }
-}
 
-/// What a frame is read from.
-pub(in crate::dynamics) struct Scene<'a, R: Real> {
-    pub chain: &'a Chain<R>,
-    pub anchors: &'a [Anchor],
-    pub high: &'a [Rows<f64>],
-    pub body: &'a Body,
-    pub strength: &'a Strength,
-    pub time_s: f64,
-    /// Steps that the chain's sums hold.
-    pub summed_steps: u64,
-}
+        impl Channel {
+            /// Every channel.
+            pub const ALL: [Self; [$($name),*].len()] = [$(Self::$channel,)*];
 
-/// A node of a scene.
-struct View<'a, R: Real> {
-    scene: &'a Scene<'a, R>,
-    node: usize,
-    /// The node's block.
-    sample: &'a BlockSample,
-    lane: usize,
-}
+            /// Every channel by its name.
+            pub const BY_NAME: &[(&'static str, Self)] = &[$(($name, Self::$channel),)*];
 
-impl<R: Real> Scene<'_, R> {
-    pub(in crate::dynamics) fn frame(&self) -> Frame {
-        let chain = self.chain;
-        let last = chain.nodes() - 1;
-        let mut frame = Frame { time_s: self.time_s, ..Frame::default() };
-        let samples: Vec<BlockSample> =
-            (0..chain.layout().blocks()).map(|block| self.sample(block)).collect();
-        for i in 0..=last {
-            let (block, lane) = chain.layout().place(i);
-            let view = View { scene: self, node: i, sample: &samples[block], lane };
-            let anchor = &self.anchors[i];
-            let (tangent, high, right) = view.directions();
-            let moved = chain.displacement(i);
-            let along = moved.dot(tangent);
-            // The hole's own direction where the node is, not at its anchor.
-            let tilt = chain.director(i).minus(chain.curvature(i), along);
-            frame.md_m.push(anchor.md_m + along);
-            frame.north_m.push(anchor.position_m.x + moved.0);
-            frame.east_m.push(anchor.position_m.y + moved.1);
-            frame.tvd_m.push(anchor.position_m.z + moved.2);
-            frame.tilt_high_rad.push(tilt.dot(high));
-            frame.tilt_right_rad.push(tilt.dot(right));
-            frame.axial_friction_N.push(-view.sample.axial[lane]);
-            frame.friction_torque_N_m.push(view.sample.friction_torque[lane]);
-            for (signal, values) in [
-                (NodeSignal::OffsetHigh, &mut frame.offset_high_m),
-                (NodeSignal::OffsetRight, &mut frame.offset_right_m),
-                (NodeSignal::VelocityHigh, &mut frame.velocity_high_m_per_s),
-                (NodeSignal::VelocityRight, &mut frame.velocity_right_m_per_s),
-                (NodeSignal::AxialVelocity, &mut frame.axial_velocity_m_per_s),
-                (NodeSignal::RotarySpeed, &mut frame.rotary_speed_rad_per_s),
-                (NodeSignal::ContactForce, &mut frame.contact_force_N),
-                (NodeSignal::Tension, &mut frame.tension_N),
-                (NodeSignal::Torque, &mut frame.torque_N_m),
-                (NodeSignal::BendingMoment, &mut frame.bending_moment_N_m),
-                (NodeSignal::VonMisesStress, &mut frame.von_mises_stress_Pa),
-            ] {
-                values.push(view.signal(signal));
+            /// Name in case files.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$channel => $name,)*
+                }
+            }
+
+            /// The columns of a frame that it is, by their names.
+            pub const fn columns(self) -> &'static [&'static str] {
+                match self {
+                    $(Self::$channel => &[$(stringify!($column)),+],)*
+                }
             }
         }
-        frame.von_mises_stress_Pa[last] = frame.von_mises_stress_Pa[last - 1];
-        frame.twist_rad = vec![0.0; last + 1];
-        for i in (0..last).rev() {
-            frame.twist_rad[i] = frame.twist_rad[i + 1] - element!(chain, i, twist);
+
+        impl Frame {
+            /// The vectors of a channel by their names in results.
+            pub fn channel(&self, channel: Channel) -> Vec<(&'static str, &[f64])> {
+                match channel {
+                    $(Channel::$channel => {
+                        vec![$((stringify!($column), &self.$column[..])),+]
+                    })*
+                }
+            }
         }
-        frame
-    }
-
-    /// A signal of a node.
-    pub(in crate::dynamics) fn signal(&self, node: usize, signal: NodeSignal) -> f64 {
-        // Below the bit there is no element: it bears what the node above it does.
-        let node = match signal {
-            NodeSignal::VonMisesStress => node.min(self.chain.nodes() - 2),
-            _ => node,
-        };
-        let (block, lane) = self.chain.layout().place(node);
-        let view = View { scene: self, node, sample: &self.sample(block), lane };
-        view.signal(signal)
-    }
-
-    fn sample(&self, block: usize) -> BlockSample {
-        let per_step = 1.0 / self.summed_steps as f64;
-        BlockSample::at(self.chain, self.high, self.body, self.strength, block, per_step)
-    }
+    };
 }
 
-impl<R: Real> View<'_, R> {
-    /// Along the hole, to its high side and to the right of it.
-    fn directions(&self) -> (Vector<f64>, Vector<f64>, Vector<f64>) {
-        let tangent = self.scene.chain.tangent(self.node);
-        let high = self.scene.anchors[self.node].high_side.into();
-        (tangent, high, tangent.cross(high))
-    }
+channels! {
+    /// Offset from the hole's axis towards the high side and to the right of it.
+    Position, "position" => offset_high_m, offset_right_m;
+    /// North, east and vertical depth.
+    Coordinates, "coordinates" => north_m, east_m, tvd_m;
+    /// Lateral and axial velocity.
+    Velocity, "velocity" =>
+        velocity_high_m_per_s, velocity_right_m_per_s, axial_velocity_m_per_s;
+    /// Rotary speed and turn against the bit.
+    Rotation, "rotation" => rotary_speed_rad_per_s, twist_rad;
+    /// Angle of the pipe's axis with the hole's.
+    Tilt, "tilt" => tilt_high_rad, tilt_right_rad;
+    /// Contact force.
+    Contact, "contact" => contact_force_N;
+    /// Friction on the wall.
+    Friction, "friction" => axial_friction_N, friction_torque_N_m;
+    /// Tension and torque.
+    Force, "force" => tension_N, torque_N_m;
+    /// Bending moment and von Mises stress.
+    Stress, "stress" => bending_moment_N_m, von_mises_stress_Pa;
+}
 
-    fn signal(&self, signal: NodeSignal) -> f64 {
-        let Self { scene, node, sample, lane } = *self;
-        let chain = scene.chain;
-        let (tangent, high, right) = self.directions();
-        let velocity = chain.velocity(node);
-        match signal {
-            NodeSignal::Tension => self.at_ends(|i| element!(chain, i, tension)),
-            NodeSignal::Torque => self.at_ends(|i| -element!(chain, i, torque)),
-            NodeSignal::BendingMoment => sample.bending[lane],
-            NodeSignal::VonMisesStress => sample.stress[lane],
-            NodeSignal::ContactForce if sample.up[lane] < 0.0 => -sample.normal[lane],
-            NodeSignal::ContactForce => sample.normal[lane],
-            NodeSignal::OffsetHigh => sample.offset[lane] * sample.up[lane],
-            NodeSignal::OffsetRight => sample.offset[lane] * sample.right[lane],
-            NodeSignal::VelocityHigh => velocity.dot(high),
-            NodeSignal::VelocityRight => velocity.dot(right),
-            NodeSignal::AxialVelocity => velocity.dot(tangent),
-            NodeSignal::RotarySpeed => node!(chain, node, spin),
-        }
-    }
-
-    /// The mean of the two elements at the node; at the ends there is but one.
-    fn at_ends(&self, of: impl Fn(usize) -> f64) -> f64 {
-        let above = self.node.saturating_sub(1);
-        let below = self.node.min(self.scene.chain.elements() - 1);
-        0.5 * (of(above) + of(below))
-    }
+impl Channel {
+    /// Those that are kept where nobody chooses.
+    pub const USUAL: [Self; 5] =
+        [Self::Position, Self::Velocity, Self::Rotation, Self::Contact, Self::Force];
 }

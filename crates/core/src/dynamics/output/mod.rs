@@ -8,6 +8,7 @@ pub mod indicators;
 pub mod outcome;
 pub mod probe;
 pub mod record;
+pub mod scene;
 pub mod statistic;
 pub mod summary;
 pub mod varying;

@@ -8,7 +8,7 @@ use super::{energy::EnergyBalance, indicators::Indicators, statistic::Statistic}
 use crate::{
     dynamics::boundary::bit::TableUse,
     mud::Hydraulics,
-    outcome::{ContactMap, HoleWear, Profile, Scalars, TimeSeries},
+    outcome::{ContactMap, HoleWear, Profile, Scalars, TimeSeries, VARYING},
 };
 
 /// How the run was computed and how well.
@@ -70,7 +70,7 @@ pub struct Numerics {
 impl DynamicOutcome {
     /// The scalars that [`Self::statistics`] reports, in its order.
     pub fn quantities() -> impl Iterator<Item = &'static str> {
-        super::varying::varying(&TimeSeries::default()).map(|scalar| scalar.name).into_iter()
+        VARYING.into_iter().map(|column| column.quantity.name)
     }
 }
 

@@ -2,76 +2,35 @@
 
 use serde::{Deserialize, Serialize};
 
-/// A quantity of a node against time, read at the end of each sample but for the contact force.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum NodeSignal {
-    /// Effective tension.
-    Tension,
-    /// Torque.
-    Torque,
-    /// Bending moment, whatever its direction.
-    BendingMoment,
-    /// Von Mises stress.
-    VonMisesStress,
-    /// Contact force, averaged over the sample; positive on the high side.
-    ContactForce,
-    /// Offset from the hole's axis towards the high side.
-    OffsetHigh,
-    /// Offset to the right of it.
-    OffsetRight,
-    /// Velocity towards the high side.
-    VelocityHigh,
-    /// Velocity to the right of it.
-    VelocityRight,
-    /// Velocity down the hole.
-    AxialVelocity,
-    /// Rotary speed.
-    RotarySpeed,
-}
+use super::frame::{FRAME, Frame};
+use crate::outcome::signals;
 
-impl NodeSignal {
-    /// Every signal.
-    pub const ALL: [Self; 11] = [
-        Self::Tension,
-        Self::Torque,
-        Self::BendingMoment,
-        Self::VonMisesStress,
-        Self::ContactForce,
-        Self::OffsetHigh,
-        Self::OffsetRight,
-        Self::VelocityHigh,
-        Self::VelocityRight,
-        Self::AxialVelocity,
-        Self::RotarySpeed,
-    ];
-
-    /// Name in case files and results.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Tension => "tension",
-            Self::Torque => "torque",
-            Self::BendingMoment => "bending_moment",
-            Self::VonMisesStress => "von_mises_stress",
-            Self::ContactForce => "contact_force",
-            Self::OffsetHigh => "offset_high",
-            Self::OffsetRight => "offset_right",
-            Self::VelocityHigh => "velocity_high",
-            Self::VelocityRight => "velocity_right",
-            Self::AxialVelocity => "axial_velocity",
-            Self::RotarySpeed => "rotary_speed",
-        }
-    }
-
-    /// Symbol of its unit.
-    pub const fn unit(self) -> &'static str {
-        match self {
-            Self::Tension | Self::ContactForce => "N",
-            Self::Torque | Self::BendingMoment => "N·m",
-            Self::VonMisesStress => "Pa",
-            Self::OffsetHigh | Self::OffsetRight => "m",
-            Self::VelocityHigh | Self::VelocityRight | Self::AxialVelocity => "m/s",
-            Self::RotarySpeed => "rad/s",
-        }
+signals! {
+    /// A quantity of a node against time, read at the end of each sample but for the contact force.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+    pub enum NodeSignal of Frame in FRAME {
+        /// Effective tension.
+        Tension => tension_N;
+        /// Torque.
+        Torque => torque_N_m;
+        /// Bending moment, whatever its direction.
+        BendingMoment => bending_moment_N_m;
+        /// Von Mises stress.
+        VonMisesStress => von_mises_stress_Pa;
+        /// Contact force, averaged over the sample; positive on the high side.
+        ContactForce => contact_force_N;
+        /// Offset from the hole's axis towards the high side.
+        OffsetHigh => offset_high_m;
+        /// Offset to the right of it.
+        OffsetRight => offset_right_m;
+        /// Velocity towards the high side.
+        VelocityHigh => velocity_high_m_per_s;
+        /// Velocity to the right of it.
+        VelocityRight => velocity_right_m_per_s;
+        /// Velocity down the hole.
+        AxialVelocity => axial_velocity_m_per_s;
+        /// Rotary speed.
+        RotarySpeed => rotary_speed_rad_per_s;
     }
 }
 

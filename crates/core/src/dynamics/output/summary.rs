@@ -50,7 +50,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
     let series = &s.record.series;
     let from = s.record.window_row;
     let scalars = varying(series);
-    let scales = scales(scalars.each_ref().map(|of| (of.gauge, mean(&of.samples[from..]))));
+    let scales = scales(scalars.each_ref().map(|of| (of.scale, mean(&of.samples[from..]))));
     let statistics: Vec<(&'static str, Statistic)> = scalars
         .iter()
         .zip(scales)

@@ -16,7 +16,7 @@ use crate::{
             hoist::{Hoist, Target},
             hole,
             mud::{squeezed::Squeezed, viscous::Viscous},
-            top_drive::{StringSeen, TopDrive},
+            top_drive::{TopDrive, TorsionalString},
         },
         initial_state::{self, scene::Scene},
         kernel::{
@@ -112,7 +112,7 @@ impl<R: Registers> Run<R> {
             top,
             initial.hook_load_N,
         );
-        let string = StringSeen {
+        let string = TorsionalString {
             impedance_N_m_s: torsion::impedance_N_m_s(&mesh.elements[0].section),
             frequency_Hz: torsion::lowest_frequency_Hz(mesh),
         };

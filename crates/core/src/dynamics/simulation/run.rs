@@ -20,11 +20,8 @@ use crate::{
             step::{Abilities, MassDamping, StepInput, Stepper},
         },
         output::{
-            energy::StepWork,
-            frame::{self, Frame},
-            outcome::DynamicOutcome,
-            statistic::Statistic,
-            summary,
+            energy::StepWork, frame::Frame, outcome::DynamicOutcome, scene::Scene,
+            statistic::Statistic, summary,
         },
         settings::{
             DynamicsSettings, HoistControl, Start,
@@ -360,8 +357,8 @@ impl<R: Real> Run<R> {
         self.scene().frame()
     }
 
-    pub(super) fn scene(&self) -> frame::Scene<'_, R> {
-        frame::Scene {
+    pub(super) fn scene(&self) -> Scene<'_, R> {
+        Scene {
             chain: &self.chain,
             anchors: &self.state.anchors,
             high: &self.state.high,

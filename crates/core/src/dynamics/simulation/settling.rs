@@ -164,7 +164,7 @@ impl Settling {
 /// part of its length that it travels, of each scale.
 fn is_steady(series: &TimeSeries, from: usize, of_window: f64, length_m: f64) -> bool {
     let scalars = varying(series).map(|scalar| (scalar.samples.get(from..).unwrap_or(&[]), scalar));
-    let scales = scales(scalars.each_ref().map(|(samples, scalar)| (scalar.gauge, mean(samples))));
+    let scales = scales(scalars.each_ref().map(|(samples, scalar)| (scalar.scale, mean(samples))));
     let bit_m = series.bit_depth_m.get(from..).unwrap_or(&[]);
     let travel_m = match bit_m {
         [first, .., last] => (last - first).abs(),

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::bench::{Bench, PIPE_M, Support};
 use crate::{
     dynamics::{
-        boundary::top_drive::{Gains, StringSeen, TopDrive},
+        boundary::top_drive::{Gains, TopDrive, TorsionalString},
         kernel::chain::{Chain, element, node},
         settings::{SpeedController, TopDriveSettings},
     },
@@ -86,7 +86,7 @@ fn measured(
     let mut rod = Bench::new(&[(PIPE_M, 36_000.0)], ELEMENT_M, 0.0);
     rod.input.dt = dt;
     let pipe = torsion::impedance_N_m_s(&rod.mesh.elements[0].section);
-    let string = StringSeen { impedance_N_m_s: pipe, frequency_Hz: 0.25 };
+    let string = TorsionalString { impedance_N_m_s: pipe, frequency_Hz: 0.25 };
     rod.support(0, Support::CLAMPED);
     let shape = |z: f64| 1e-3 * (-((z - from_m) / wide_m).powi(2)).exp();
     for i in 0..rod.chain.nodes() {
@@ -162,7 +162,7 @@ fn boundless_gains_are_a_constant_speed() {
     let controller = SpeedController::Pi { proportional_N_m_s: 1e15, integral_N_m: 1e15 };
     let mut rod = Bench::new(&[(PIPE_M, 500.0)], ELEMENT_M, 0.0);
     rod.support(0, Support::CLAMPED);
-    let string = StringSeen { impedance_N_m_s: 340.0, frequency_Hz: 1.6 };
+    let string = TorsionalString { impedance_N_m_s: 340.0, frequency_Hz: 1.6 };
     let mut drive = TopDrive::new(&driven(controller, None), string, &mut rod.chain);
     let dt = rod.input.dt;
     for i in 0..2000 {
@@ -187,7 +187,7 @@ fn held(stiffness: f64) -> Chain {
 #[test]
 fn a_stuck_string_stalls_the_drive() {
     let (limit, stiffness, dt) = (20e3, 500.0, 1e-3);
-    let string = StringSeen { impedance_N_m_s: 340.0, frequency_Hz: 0.2 };
+    let string = TorsionalString { impedance_N_m_s: 340.0, frequency_Hz: 0.2 };
     let swing_s = TAU * (INERTIA_KG_M2 / stiffness).sqrt();
     let overshoot = |swings: f64| {
         let mut chain = held(stiffness);

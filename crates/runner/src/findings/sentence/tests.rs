@@ -71,7 +71,8 @@ fn the_hook_load_is_told_with_and_without_the_block() {
     let rig = Rig { block_weight_N: Some(300e3), ..Rig::default() };
     assert_eq!(
         said(&rig, Level::Warning),
-        "The string does not go down by its weight, the block pushes it: hook load -257.9 kN, 42.1 kN with the block"
+        "The string does not go down by its weight, the block pushes it: hook load \
+         -257.9 kN, 42.1 kN with the block"
     );
     let heavy = found(Kind::HoistOverloaded, Level::Error, 1200e3, 1000e3);
     assert_eq!(
@@ -93,7 +94,8 @@ fn lock_up_tells_what_arrives() {
     );
     assert_eq!(
         said(0.0, -30e3),
-        "Lock-up: with all of its weight slacked off the string stands; at the bit 30 kN are missing"
+        "Lock-up: with all of its weight slacked off the string stands; at the \
+         bit 30 kN are missing"
     );
     assert!(said(0.0, 0.0).ends_with("does not follow the block"));
 }
@@ -108,6 +110,7 @@ fn buckled_stretches_are_told_in_the_units_of_the_case() {
     };
     assert_eq!(
         sentence(&buckled, &of, &Rig::default(), UnitSet::Field),
-        "Buckled to a helix from 1500 ft to 3350 ft: compression of 100 klbf where 50 klbf is critical"
+        "Buckled to a helix from 1500 ft to 3350 ft: compression of 100 klbf \
+         where 50 klbf is critical"
     );
 }

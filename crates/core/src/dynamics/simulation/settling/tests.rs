@@ -1,7 +1,7 @@
 use std::f64::consts::TAU;
 
 use super::*;
-use crate::{dynamics::output::varying::Gauge, random::Random};
+use crate::{outcome::DriftScale, random::Random};
 
 const INTERVAL_S: f64 = 0.01;
 const LENGTH_M: f64 = 3000.0;
@@ -114,13 +114,14 @@ fn a_string_that_travels_may_change() {
 #[test]
 fn small_scalars_have_a_least_scale() {
     let [force, torque, own, same] = scales([
-        (Gauge::Force, -3e3),
-        (Gauge::Torque, 20.0),
-        (Gauge::Own(0.1), 0.01),
-        (Gauge::Force, 2e3),
+        (DriftScale::Force, -3e3),
+        (DriftScale::Torque, 20.0),
+        (DriftScale::Own(0.1), 0.01),
+        (DriftScale::Force, 2e3),
     ]);
     assert_eq!([force, torque, own, same], [1e4, 1e3, 0.1, 1e4]);
-    let large = scales([(Gauge::Force, -3e5), (Gauge::Force, 1.0), (Gauge::Own(0.1), -4.0)]);
+    let large =
+        scales([(DriftScale::Force, -3e5), (DriftScale::Force, 1.0), (DriftScale::Own(0.1), -4.0)]);
     assert_eq!(large, [3e5, 3e5, 4.0]);
 }
 

@@ -53,8 +53,8 @@ const largestOf = (cells) =>
   Math.max(0, ...cells.map((cell) => (cell?.dimension ? Math.abs(shown(cell.value, cell.dimension)) : 0)));
 
 /** A table whose rows are quantities: its first column names them with their unit. */
-function byRow(sheet) {
-  return sheet.rows.map(([name, ...cells]) =>
+function byRow(table) {
+  return table.rows.map(([name, ...cells]) =>
     el(
       "tr",
       {},
@@ -76,10 +76,10 @@ function caseText(column) {
 }
 
 /** A table whose columns are quantities: their heads name the unit. `writer` gives what writes a column. */
-function byColumn(sheet, writer) {
-  const writers = (sheet.rows[0] ?? []).map((_, i) => writer(sheet.rows.map((row) => row[i])));
+function byColumn(table, writer) {
+  const writers = (table.rows[0] ?? []).map((_, i) => writer(table.rows.map((row) => row[i])));
 
-  return sheet.rows.map((cells) =>
+  return table.rows.map((cells) =>
     el(
       "tr",
       {},
@@ -93,14 +93,14 @@ function byColumn(sheet, writer) {
 }
 
 /** A list of keys and values. */
-function keys(sheet) {
-  return sheet.rows.map(([name, value]) =>
+function keys(table) {
+  return table.rows.map(([name, value]) =>
     el("tr", {}, el("th", { scope: "row" }, name), el("td", {}, cellText(value))),
   );
 }
 
 /** Heads and rows of a table for a file: numbers in the reader's units, deviations in columns of their own. */
-function fileRows(sheet, results) {
+function fileRows(table, results) {
   const number = (cell) => {
     if (cell === null || typeof cell !== "object") return cell;
     if (cell.values || cell.href) return cellText(cell);
@@ -110,54 +110,54 @@ function fileRows(sheet, results) {
   const spread = (cells) => cells.some((cell) => cell?.std !== undefined);
   const deviation = (cell) => (cell?.std === undefined ? null : shown(cell.std, cell.dimension));
   if (results) {
-    const wide = sheet.heads.map((_, i) => i > 0 && spread(sheet.rows.map((row) => row[i])));
-    const heads = sheet.heads.flatMap((head, i) => (wide[i] ? [head, `${head}, deviation`] : [head]));
-    const rows = sheet.rows.map(([name, ...cells]) => [
+    const wide = table.heads.map((_, i) => i > 0 && spread(table.rows.map((row) => row[i])));
+    const heads = table.heads.flatMap((head, i) => (wide[i] ? [head, `${head}, deviation`] : [head]));
+    const rows = table.rows.map(([name, ...cells]) => [
       named(name, common(cells)),
       ...cells.flatMap((cell, i) => (wide[i + 1] ? [number(cell), deviation(cell)] : [number(cell)])),
     ]);
     return [heads, rows];
   }
-  if (!sheet.heads.length) {
+  if (!table.heads.length) {
     const unit = (cell) => (cell?.dimension ? symbol(cell.dimension) : "");
-    return [["key", "value", "unit"], sheet.rows.map(([name, cell]) => [name, number(cell), unit(cell)])];
+    return [["key", "value", "unit"], table.rows.map(([name, cell]) => [name, number(cell), unit(cell)])];
   }
-  const columns = sheet.heads.map((head, i) => {
-    const cells = sheet.rows.map((row) => row[i]);
+  const columns = table.heads.map((head, i) => {
+    const cells = table.rows.map((row) => row[i]);
     return { head: named(head, common(cells)), wide: spread(cells) };
   });
   return [
     columns.flatMap(({ head, wide }) => (wide ? [head, `${head}, deviation`] : [head])),
-    sheet.rows.map((row) =>
+    table.rows.map((row) =>
       row.flatMap((cell, i) => (columns[i].wide ? [number(cell), deviation(cell)] : [number(cell)])),
     ),
   ];
 }
 
 /** Buttons that give a table as a file. */
-export const sheetDownloads = (sheet) =>
-  downloads(sheet.title, { csv: () => csv(...fileRows(sheet, ["results", "numerics"].includes(sheet.place))) });
+export const tableDownloads = (table) =>
+  downloads(table.title, { csv: () => csv(...fileRows(table, ["results", "numerics"].includes(table.place))) });
 
-export function sheet(sheet) {
+export function pageTable(table) {
   const body = el("tbody", {});
   const head = el("thead", {});
-  const cases = sheet.place === "cases";
-  const results = sheet.place !== "inputs" && !cases;
+  const cases = table.place === "cases";
+  const results = table.place !== "inputs" && !cases;
   const rows = () => {
-    if (results) return byRow(sheet);
-    if (cases) return byColumn(sheet, caseText);
-    return sheet.heads.length ? byColumn(sheet, () => inputText) : keys(sheet);
+    if (results) return byRow(table);
+    if (cases) return byColumn(table, caseText);
+    return table.heads.length ? byColumn(table, () => inputText) : keys(table);
   };
   const draw = () => {
     body.replaceChildren(...rows());
-    const column = (i) => (results ? null : unit(common(sheet.rows.map((row) => row[i]))));
-    if (sheet.heads.length)
+    const column = (i) => (results ? null : unit(common(table.rows.map((row) => row[i]))));
+    if (table.heads.length)
       head.replaceChildren(
         el(
           "tr",
           {},
-          sheet.heads.map((name, i) => {
-            const words = cases && sheet.rows.every((row) => isText(row[i]));
+          table.heads.map((name, i) => {
+            const words = cases && table.rows.every((row) => isText(row[i]));
             return el("th", { scope: "col", class: words ? "words" : null }, name, column(i));
           }),
         ),
@@ -165,21 +165,21 @@ export function sheet(sheet) {
   };
   on("units", draw);
   draw();
-  const save = sheetDownloads(sheet);
-  const table = el(
+  const save = tableDownloads(table);
+  const grid = el(
     "div",
     { class: "scrolls" },
-    el("table", { class: sheet.heads.length ? "grid" : "keys" }, head, body),
+    el("table", { class: table.heads.length ? "grid" : "keys" }, head, body),
   );
   // The table of a page of cases stands alone in its section, whose title has the downloads.
-  if (cases) return el("div", { class: "sheet cases" }, table);
-  if (results) return el("div", { class: "sheet" }, el("h3", {}, sheet.title, save), table);
-  const long = sheet.rows.length > 24;
+  if (cases) return el("div", { class: "page-table cases" }, grid);
+  if (results) return el("div", { class: "page-table" }, el("h3", {}, table.title, save), grid);
+  const long = table.rows.length > 24;
   return el(
     "details",
-    { class: `sheet prints${sheet.heads.length > 4 ? " wide" : ""}${long ? " long" : ""}`, open: !long },
-    el("summary", {}, sheet.title, long ? ` (${sheet.rows.length} rows)` : ""),
-    table,
+    { class: `page-table prints${table.heads.length > 4 ? " wide" : ""}${long ? " long" : ""}`, open: !long },
+    el("summary", {}, table.title, long ? ` (${table.rows.length} rows)` : ""),
+    grid,
     save,
   );
 }

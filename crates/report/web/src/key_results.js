@@ -1,18 +1,18 @@
-// What was asked, and the answer in five numbers beside their limits.
+// The case in a few facts, and the five numbers that matter most, beside their limits.
 
 import { el } from "./dom.js";
 import { findingsOf } from "./findings.js";
 import { levelMark, LEVELS, worstOf } from "./levels.js";
-import { cellText } from "./sheet.js";
+import { cellText } from "./page_table.js";
 import { chosen, chosenAtRest, modelName } from "./solutions.js";
 import { on, state } from "./state.js";
 import { plain, quantity } from "./units.js";
 
-export function asked(report) {
-  const list = el("dl", { class: "asked" });
+export function facts(report) {
+  const list = el("dl", { class: "facts" });
   const draw = () =>
     list.replaceChildren(
-      ...report.asked.map(({ label, value }) => el("div", {}, el("dt", {}, label), el("dd", {}, cellText(value, value?.dimension === "length" ? 5 : 4, plain)))),
+      ...report.facts.map(({ label, value }) => el("div", {}, el("dt", {}, label), el("dd", {}, cellText(value, value?.dimension === "length" ? 5 : 4, plain)))),
     );
   on("units", draw);
   draw();
@@ -42,23 +42,23 @@ function sized(cell, report) {
   return Math.abs(cell.value) < NOTHING.part * Math.max(...spans) ? { ...cell, value: 0 } : cell;
 }
 
-function card(report, answer, beside, findings) {
-  const mine = findings.filter((of) => answer.about.some((word) => of.kind.includes(word)));
+function card(report, result, beside, findings) {
+  const mine = findings.filter((of) => result.finding_words.some((word) => of.kind.includes(word)));
   const level = worstOf(mine);
-  const dimension = answer.value?.dimension;
+  const dimension = result.value?.dimension;
   const children = [
-    el("h3", {}, answer.label),
-    el("p", { class: "number" }, cellText(sized(answer.value, report), dimension === "ratio" || dimension === "percent" ? 3 : 4)),
+    el("h3", {}, result.label),
+    el("p", { class: "number" }, cellText(sized(result.value, report), dimension === "ratio" || dimension === "percent" ? 3 : 4)),
   ];
-  if (answer.worst !== null && dimension)
-    children.push(el("p", { class: "note" }, `mean; at most ${quantity(sized({ value: answer.worst, dimension }, report).value, dimension)}`));
-  for (const { label, value } of answer.more) children.push(el("p", { class: "note" }, `${cellText(value, 4)} ${label}`));
-  if (beside?.answer?.value?.dimension === dimension && dimension)
-    children.push(el("p", { class: "note" }, `${beside.name} ${cellText(sized(beside.answer.value, report), 4)}`));
+  if (result.largest !== null && dimension)
+    children.push(el("p", { class: "note" }, `mean; at most ${quantity(sized({ value: result.largest, dimension }, report).value, dimension)}`));
+  for (const { label, value } of result.more) children.push(el("p", { class: "note" }, `${cellText(value, 4)} ${label}`));
+  if (beside?.result?.value?.dimension === dimension && dimension)
+    children.push(el("p", { class: "note" }, `${beside.name} ${cellText(sized(beside.result.value, report), 4)}`));
   if (level) children.push(flag(level, mine));
-  const worst = answer.held ?? answer.worst ?? answer.value?.value;
-  if (answer.limit !== null && Number.isFinite(worst)) {
-    const part = worst / answer.limit;
+  const compared = result.compared ?? result.largest ?? result.value?.value;
+  if (result.limit !== null && Number.isFinite(compared)) {
+    const part = compared / result.limit;
     // Of a number that something is wrong with, a small part of the limit is no praise.
     const wrong = level === "error" || level === "warning";
     const [kind, words] = wrong && part <= 0.8 ? ["", "of the limit"] : judged(part);
@@ -76,22 +76,22 @@ function card(report, answer, beside, findings) {
           { class: "note" },
           el("strong", {}, `${Math.round(part * 100)} %${wrong && part <= 0.8 ? "" : ","} ${words}`),
           el("br"),
-          `${answer.limit_label} ${dimension === "percent" || dimension === "ratio" ? "" : quantity(answer.limit, dimension)}`,
+          `${result.limit_label} ${dimension === "percent" || dimension === "ratio" ? "" : quantity(result.limit, dimension)}`,
         ),
       ),
     );
-  } else children.push(el("p", { class: "note" }, answer.limit_label));
-  return el("div", { class: `card answer${level ? ` has-${level}` : ""}` }, children);
+  } else children.push(el("p", { class: "note" }, result.limit_label));
+  return el("div", { class: `card key-result${level ? ` has-${level}` : ""}` }, children);
 }
 
-export function answers(report) {
+export function keyResults(report) {
   const holder = el("div", {});
   const draw = () => {
     const all = chosen(report);
     const [main] = all;
     const rest = chosenAtRest(report);
-    const beside = (answer) =>
-      rest && rest !== main && { name: modelName(report, rest), answer: rest.answers.find((other) => other.label === answer.label) };
+    const beside = (result) =>
+      rest && rest !== main && { name: modelName(report, rest), result: rest.key_results.find((other) => other.label === result.label) };
     const messages = all
       .filter((solved) => solved.message)
       .map((solved) => el("p", { class: "warning" }, `${modelName(report, solved)}: ${solved.message}`));
@@ -99,8 +99,8 @@ export function answers(report) {
       ...messages,
       el(
         "div",
-        { class: "answers" },
-        main.answers.map((answer) => card(report, answer, beside(answer), findingsOf(report, state.operation))),
+        { class: "key-results" },
+        main.key_results.map((result) => card(report, result, beside(result), findingsOf(report, state.operation))),
       ),
     );
   };

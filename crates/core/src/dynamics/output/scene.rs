@@ -1,0 +1,139 @@
+//! The whole string as it is at a moment, and the frame and the signals that are read from it.
+
+use super::{
+    frame::Frame,
+    probe::NodeSignal,
+    record::{BlockSample, Strength},
+};
+use crate::{
+    dynamics::{
+        body::Body,
+        boundary::anchor::Anchor,
+        kernel::chain::{Chain, Rows, element, node},
+    },
+    simd::{number::Real, vector::Vector},
+};
+
+/// What a frame is read from.
+pub(in crate::dynamics) struct Scene<'a, R: Real> {
+    pub chain: &'a Chain<R>,
+    pub anchors: &'a [Anchor],
+    pub high: &'a [Rows<f64>],
+    pub body: &'a Body,
+    pub strength: &'a Strength,
+    pub time_s: f64,
+    /// Steps that the chain's sums hold.
+    pub summed_steps: u64,
+}
+
+/// A node of a scene.
+struct View<'a, R: Real> {
+    scene: &'a Scene<'a, R>,
+    node: usize,
+    /// The node's block.
+    sample: &'a BlockSample,
+    lane: usize,
+}
+
+impl<R: Real> Scene<'_, R> {
+    pub(in crate::dynamics) fn frame(&self) -> Frame {
+        let chain = self.chain;
+        let last = chain.nodes() - 1;
+        let mut frame = Frame { time_s: self.time_s, ..Frame::default() };
+        let samples: Vec<BlockSample> =
+            (0..chain.layout().blocks()).map(|block| self.sample(block)).collect();
+        for i in 0..=last {
+            let (block, lane) = chain.layout().place(i);
+            let view = View { scene: self, node: i, sample: &samples[block], lane };
+            let anchor = &self.anchors[i];
+            let (tangent, high, right) = view.directions();
+            let moved = chain.displacement(i);
+            let along = moved.dot(tangent);
+            // The hole's own direction where the node is, not at its anchor.
+            let tilt = chain.director(i).minus(chain.curvature(i), along);
+            frame.md_m.push(anchor.md_m + along);
+            frame.north_m.push(anchor.position_m.x + moved.0);
+            frame.east_m.push(anchor.position_m.y + moved.1);
+            frame.tvd_m.push(anchor.position_m.z + moved.2);
+            frame.tilt_high_rad.push(tilt.dot(high));
+            frame.tilt_right_rad.push(tilt.dot(right));
+            frame.axial_friction_N.push(-view.sample.axial[lane]);
+            frame.friction_torque_N_m.push(view.sample.friction_torque[lane]);
+            for (signal, values) in [
+                (NodeSignal::OffsetHigh, &mut frame.offset_high_m),
+                (NodeSignal::OffsetRight, &mut frame.offset_right_m),
+                (NodeSignal::VelocityHigh, &mut frame.velocity_high_m_per_s),
+                (NodeSignal::VelocityRight, &mut frame.velocity_right_m_per_s),
+                (NodeSignal::AxialVelocity, &mut frame.axial_velocity_m_per_s),
+                (NodeSignal::RotarySpeed, &mut frame.rotary_speed_rad_per_s),
+                (NodeSignal::ContactForce, &mut frame.contact_force_N),
+                (NodeSignal::Tension, &mut frame.tension_N),
+                (NodeSignal::Torque, &mut frame.torque_N_m),
+                (NodeSignal::BendingMoment, &mut frame.bending_moment_N_m),
+                (NodeSignal::VonMisesStress, &mut frame.von_mises_stress_Pa),
+            ] {
+                values.push(view.signal(signal));
+            }
+        }
+        frame.von_mises_stress_Pa[last] = frame.von_mises_stress_Pa[last - 1];
+        frame.twist_rad = vec![0.0; last + 1];
+        for i in (0..last).rev() {
+            frame.twist_rad[i] = frame.twist_rad[i + 1] - element!(chain, i, twist);
+        }
+        frame
+    }
+
+    /// A signal of a node.
+    pub(in crate::dynamics) fn signal(&self, node: usize, signal: NodeSignal) -> f64 {
+        // Below the bit there is no element: it bears what the node above it does.
+        let node = match signal {
+            NodeSignal::VonMisesStress => node.min(self.chain.nodes() - 2),
+            _ => node,
+        };
+        let (block, lane) = self.chain.layout().place(node);
+        let view = View { scene: self, node, sample: &self.sample(block), lane };
+        view.signal(signal)
+    }
+
+    fn sample(&self, block: usize) -> BlockSample {
+        let per_step = 1.0 / self.summed_steps as f64;
+        BlockSample::at(self.chain, self.high, self.body, self.strength, block, per_step)
+    }
+}
+
+impl<R: Real> View<'_, R> {
+    /// Along the hole, to its high side and to the right of it.
+    fn directions(&self) -> (Vector<f64>, Vector<f64>, Vector<f64>) {
+        let tangent = self.scene.chain.tangent(self.node);
+        let high = self.scene.anchors[self.node].high_side.into();
+        (tangent, high, tangent.cross(high))
+    }
+
+    fn signal(&self, signal: NodeSignal) -> f64 {
+        let Self { scene, node, sample, lane } = *self;
+        let chain = scene.chain;
+        let (tangent, high, right) = self.directions();
+        let velocity = chain.velocity(node);
+        match signal {
+            NodeSignal::Tension => self.at_ends(|i| element!(chain, i, tension)),
+            NodeSignal::Torque => self.at_ends(|i| -element!(chain, i, torque)),
+            NodeSignal::BendingMoment => sample.bending[lane],
+            NodeSignal::VonMisesStress => sample.stress[lane],
+            NodeSignal::ContactForce if sample.up[lane] < 0.0 => -sample.normal[lane],
+            NodeSignal::ContactForce => sample.normal[lane],
+            NodeSignal::OffsetHigh => sample.offset[lane] * sample.up[lane],
+            NodeSignal::OffsetRight => sample.offset[lane] * sample.right[lane],
+            NodeSignal::VelocityHigh => velocity.dot(high),
+            NodeSignal::VelocityRight => velocity.dot(right),
+            NodeSignal::AxialVelocity => velocity.dot(tangent),
+            NodeSignal::RotarySpeed => node!(chain, node, spin),
+        }
+    }
+
+    /// The mean of the two elements at the node; at the ends there is but one.
+    fn at_ends(&self, of: impl Fn(usize) -> f64) -> f64 {
+        let above = self.node.saturating_sub(1);
+        let below = self.node.min(self.scene.chain.elements() - 1);
+        0.5 * (of(above) + of(below))
+    }
+}

@@ -1,0 +1,192 @@
+//! Columns of rows: what each is, and where its values are.
+
+use std::borrow::Cow;
+
+use super::{
+    method::ModelKind,
+    quantity::{Quantity, is_same},
+};
+
+/// The values of a column.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Values<'a> {
+    /// Numbers; what is not one does not apply.
+    Numbers(Cow<'a, [f64]>),
+    /// Words.
+    Words(Vec<&'static str>),
+}
+
+impl Values<'_> {
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Numbers(values) => values.len(),
+            Self::Words(values) => values.len(),
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+impl<'a> Values<'a> {
+    /// The numbers as they are kept; none of words and of a column with gaps.
+    pub(crate) fn kept(self) -> Option<&'a [f64]> {
+        match self {
+            Self::Numbers(Cow::Borrowed(values)) => Some(values),
+            Self::Numbers(Cow::Owned(_)) | Self::Words(_) => None,
+        }
+    }
+}
+
+/// A quantity that a `T` has a value of in each of its rows, and where they are.
+#[derive(Debug)]
+pub struct Column<T: 'static> {
+    /// What it is.
+    pub quantity: Quantity,
+    /// Its values; none where the method that made the `T` leaves the quantity out.
+    pub of: fn(&T) -> Values<'_>,
+    /// Its statistics over a window; none where none are taken.
+    pub statistics: Option<WindowStatistics>,
+}
+
+impl<T> Column<T> {
+    /// The declaration of the column of that name.
+    ///
+    /// # Panics
+    /// Where there is none: in a constant, the compiler says so.
+    pub const fn declared(columns: &'static [Self], name: &str) -> &'static Quantity {
+        let mut place = 0;
+        while place < columns.len() {
+            if is_same(columns[place].quantity.name, name) {
+                return &columns[place].quantity;
+            }
+            place += 1;
+        }
+        panic!("no column of that name is declared")
+    }
+}
+
+/// How the statistics of a column over a window are taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WindowStatistics {
+    /// Its place among all statistics, counted from one.
+    pub place: usize,
+    /// On what its drift is measured.
+    pub scale: DriftScale,
+}
+
+/// On what a drift of a scalar is measured.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum DriftScale {
+    /// The largest force along the string: hook load, axial friction or weight on bit.
+    Force,
+    /// The largest torque.
+    Torque,
+    /// Its own magnitude, but at least so much, in its unit.
+    Own(f64),
+}
+
+/// What a column of rows is kept as.
+pub(crate) trait Rows {
+    fn values(&self) -> Values<'_>;
+}
+
+impl Rows for Vec<f64> {
+    fn values(&self) -> Values<'_> {
+        Values::Numbers(Cow::Borrowed(self))
+    }
+}
+
+impl Rows for Vec<Option<f64>> {
+    fn values(&self) -> Values<'_> {
+        let numbers = self.iter().map(|value| value.unwrap_or(f64::NAN));
+        Values::Numbers(numbers.collect())
+    }
+}
+
+/// The columns that a `T` of a method does not have as they are declared: one that the method knows
+/// and that is shorter or longer than the others, and one that it does not know but has. By their
+/// names.
+pub(crate) fn unlike_declared<T>(
+    columns: &'static [Column<T>],
+    of: &T,
+    model: ModelKind,
+) -> Vec<&'static str> {
+    let lengths: Vec<usize> = columns.iter().map(|column| (column.of)(of).len()).collect();
+    let rows = lengths.iter().copied().max().unwrap_or(0);
+    let declared = |column: &Column<T>| match column.quantity.is_known_by(model) {
+        true => rows,
+        false => 0,
+    };
+    let columns = columns.iter().zip(lengths);
+    columns
+        .filter(|(column, length)| *length != declared(column))
+        .map(|(column, _)| column.quantity.name)
+        .collect()
+}
+
+/// Declares a structure of columns and the list of their [`Column`]s at once, in the order of the
+/// files: a column is a field that is kept (`name: Vec<f64>`), or words that follow from the others
+/// (`name = |of| ..`), its kind and its meaning, what people call it where that is more than its
+/// name says, and, where it is not so in all rows of all methods, who knows it and where there is no value; of a scalar whose statistics are taken, its
+/// place among them and on what its drift is measured. What stands behind `beside` is no column.
+macro_rules! columns {
+    (
+        $(#[$about:meta])*
+        pub struct $name:ident, $list_about:literal $list:ident {
+            $(
+                $column:ident $(: $type:ty)? $(= $words:expr)? => $kind:ident, $meaning:literal
+                $(, label $label:literal)? $(, known_by $known_by:expr)? $(, null_where $null_where:literal)?
+                $(, statistics $place:literal on $scale:expr)?;
+            )*
+        }
+        $(beside { $($(#[$other_about:meta])* $other:ident: $other_type:ty;)* })?
+    ) => {
+        $(#[$about])*
+        pub struct $name {
+            $($(
+                #[doc = $meaning]
+                #[doc = ""]
+                #[doc = concat!("Kind: `", stringify!($kind), "`.")]
+                pub $column: $type,
+            )?)*
+            $($($(#[$other_about])* pub $other: $other_type,)*)?
+        }
+
+        #[doc = $list_about]
+        pub const $list: &[$crate::outcome::Column<$name>] = &[$(
+            $crate::outcome::Column {
+                quantity: columns!(@quantity $column, $kind, $meaning $(, words $words)?)
+                    $(.labelled($label))? $(.of($known_by))? $(.null_where($null_where))?,
+                of: columns!(@of $column $(: $type)? $(= $words)?),
+                statistics: columns!(@statistics $($place on $scale)?),
+            },
+        )*];
+    };
+    (@quantity $column:ident, $kind:ident, $meaning:literal, words $words:expr) => {
+        $crate::outcome::Quantity::text(stringify!($column), $meaning)
+    };
+    (@quantity $column:ident, $kind:ident, $meaning:literal) => {
+        $crate::outcome::Quantity::number(
+            stringify!($column),
+            $crate::outcome::QuantityKind::$kind,
+            $meaning,
+        )
+    };
+    (@statistics) => {
+        None
+    };
+    (@statistics $place:literal on $scale:expr) => {
+        Some($crate::outcome::WindowStatistics { place: $place, scale: $scale })
+    };
+    (@of $column:ident: $type:ty) => {
+        |of| $crate::outcome::Rows::values(&of.$column)
+    };
+    (@of $column:ident = $words:expr) => {
+        |of| $crate::outcome::Values::Words($words(of))
+    };
+}
+pub(crate) use columns;

@@ -1,0 +1,53 @@
+//! How quantities against time whose spectra can be taken are declared.
+
+/// Declares signals: each is a column of numbers without gaps, and is called as it is, without the
+/// unit.
+macro_rules! signals {
+    (
+        $(#[$about:meta])*
+        pub enum $name:ident of $rows:ident in $list:ident {
+            $($(#[$signal_about:meta])* $signal:ident => $column:ident;)*
+        }
+    ) => {
+        $(#[$about])*
+        pub enum $name {
+            $($(#[$signal_about])* $signal,)*
+        }
+
+        impl $name {
+            /// Every signal.
+            pub const ALL: [Self; [$(stringify!($signal)),*].len()] = [$(Self::$signal,)*];
+
+            /// Every signal by its name.
+            pub const BY_NAME: &[(&'static str, Self)] =
+                &[$((Self::$signal.name(), Self::$signal),)*];
+
+            /// What it is: the column's declaration.
+            pub const fn quantity(self) -> &'static $crate::outcome::Quantity {
+                match self {
+                    $(Self::$signal => const {
+                        $crate::outcome::Column::declared($list, stringify!($column))
+                    },)*
+                }
+            }
+
+            /// Name in case files and results.
+            pub const fn name(self) -> &'static str {
+                self.quantity().stem()
+            }
+
+            /// Symbol of its unit.
+            pub const fn unit(self) -> &'static str {
+                self.quantity().unit
+            }
+
+            /// Its samples.
+            pub fn of(self, rows: &$rows) -> &[f64] {
+                match self {
+                    $(Self::$signal => &rows.$column,)*
+                }
+            }
+        }
+    };
+}
+pub(crate) use signals;

@@ -1,0 +1,34 @@
+//! What maps of contact over depth and time show.
+
+use serde::Serialize;
+use wholestring::outcome::CONTACT_MAP;
+
+use super::{Shows, declared};
+
+/// A map of contact.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct ContactPlot {
+    /// Name of its file.
+    #[serde(skip)]
+    pub(crate) name: &'static str,
+    #[serde(flatten)]
+    pub(crate) shows: Shows,
+    /// Whether its sign is a side of the hole.
+    pub(crate) sides: bool,
+    /// What the axis of the history at one depth spans at least, SI.
+    pub(crate) min_span: f64,
+}
+
+/// The maps, in the order of the choice; the first is shown.
+pub(crate) fn contact_plots() -> [ContactPlot; 2] {
+    let map = |name, quantity, sides| ContactPlot {
+        name,
+        shows: Shows::of(quantity),
+        sides,
+        min_span: 100.0,
+    };
+    [
+        map("map-side-force", declared!(CONTACT_MAP, side_force_N_per_m), true),
+        map("map-contact-force", declared!(CONTACT_MAP, contact_force_N_per_m), false),
+    ]
+}

@@ -1,0 +1,36 @@
+//! What is drawn against the weight on bit.
+
+use serde::Serialize;
+use wholestring::outcome::{Quantity, TIME_SERIES};
+
+use super::{Shows, declared};
+
+/// What the bit gives for the weight on it.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct DrillOffPlot {
+    #[serde(flatten)]
+    pub(crate) shows: Shows,
+    /// What stands above it on a page.
+    pub(crate) heading: String,
+    /// What the axis spans at least, SI.
+    pub(crate) min_span: f64,
+}
+
+/// The weight, then what is drawn against it.
+pub(crate) fn drill_off_plots() -> [DrillOffPlot; 3] {
+    let plot = |quantity: &'static Quantity, min_span| DrillOffPlot {
+        heading: format!("{} against weight", quantity.label()),
+        shows: Shows::of(quantity),
+        min_span,
+    };
+    let torque = plot(declared!(TIME_SERIES, bit_torque_N_m), 500.0);
+    [
+        plot(declared!(TIME_SERIES, weight_on_bit_N), 1e4),
+        plot(declared!(TIME_SERIES, rate_of_penetration_m_per_s), 5e-4),
+        DrillOffPlot {
+            heading: "Torque against weight".into(),
+            shows: torque.shows.titled("Torque on bit"),
+            ..torque
+        },
+    ]
+}

@@ -1,0 +1,79 @@
+//! What is drawn of a run: one list for the page and for the files. Which quantities, in which order
+//! and how is chosen here; what each is called and what it measures, its declaration says.
+
+mod contact;
+mod drill_off;
+mod node;
+mod time_plots;
+mod tracks;
+
+use serde::Serialize;
+use wholestring::outcome::{Quantity, QuantityKind};
+
+pub(crate) use self::{
+    contact::{ContactPlot, contact_plots},
+    drill_off::{DrillOffPlot, drill_off_plots},
+    node::{NodeChannel, StringColour, node_channels, string_colours},
+    time_plots::{TimePlot, bit_plots, time_plots},
+    tracks::{Source, Track, tracks},
+};
+use super::near::JOINT_REACH_M;
+use crate::figure::{OUTLIERS, Outliers};
+
+/// How tracks are drawn, on the page and in files alike.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct Rules {
+    /// Where more of the string than this is in view, joints are too many to distinguish, m.
+    pub(crate) far_m: f64,
+    /// Half of the distance between joints, and a little, m.
+    pub(crate) joint_reach_m: f64,
+    /// A curve is seen beside another where it is this part of the largest value from it somewhere.
+    pub(crate) min_difference: f64,
+    /// Values that no axis reaches.
+    pub(crate) outliers: Outliers,
+}
+
+pub(crate) const RULES: Rules =
+    Rules { far_m: 400.0, joint_reach_m: JOINT_REACH_M, min_difference: 0.01, outliers: OUTLIERS };
+
+/// The declaration of a column; the compiler names one that there is not.
+macro_rules! declared {
+    ($list:ident, $column:ident) => {
+        const { wholestring::outcome::Column::declared($list, stringify!($column)) }
+    };
+}
+use declared;
+
+/// The dimension in which pages and pictures show a kind of quantity: shares in percent, lengths
+/// across the hole as diameters are.
+pub fn shown_dimension(kind: QuantityKind) -> &'static str {
+    match kind {
+        QuantityKind::Ratio => "percent",
+        QuantityKind::Length => "diameter",
+        other => other.dimension(),
+    }
+}
+
+/// What a picture takes from the declaration of its quantity.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct Shows {
+    /// Name of the column.
+    pub(crate) column: &'static str,
+    pub(crate) title: String,
+    pub(crate) dimension: &'static str,
+}
+
+impl Shows {
+    fn of(quantity: &'static Quantity) -> Self {
+        Self {
+            column: quantity.name,
+            title: quantity.label(),
+            dimension: shown_dimension(quantity.kind),
+        }
+    }
+
+    /// The same under a title that says more of the picture.
+    fn titled(self, title: &str) -> Self {
+        Self { title: title.into(), ..self }
+    }
+}

@@ -1,0 +1,139 @@
+//! A sweep as its figures show it: what is along the axis, and what distinguishes curves.
+
+use wholestring::outcome::Method;
+
+use super::{
+    Sweep, SweepRow,
+    varied::{Varied, name, split},
+};
+use crate::{
+    Level,
+    figure::{Axis, Ink, Range, Scale, Shape, Stroke},
+    plots::{Shown, models, readable},
+};
+
+/// A sweep on its way to paper.
+pub(super) struct Drawing<'a> {
+    pub(super) sweep: &'a Sweep,
+    pub(super) shown: Shown<'a>,
+    pub(super) varied: Varied,
+    /// The other keys that have several values.
+    pub(super) others: Vec<usize>,
+    /// The combinations of their values, in order: each has a colour.
+    pub(super) families: Vec<Vec<&'a str>>,
+    pub(super) operations: Vec<&'a str>,
+    /// The models that solved them, the most detailed first.
+    pub(super) models: Vec<&'static Method>,
+}
+
+impl<'a> Drawing<'a> {
+    pub(super) fn new(sweep: &'a Sweep, shown: Shown<'a>) -> Self {
+        let varied = Varied::of(sweep);
+        let along = varied.key(sweep);
+        let others: Vec<usize> = (0..sweep.keys.len())
+            .filter(|key| Some(*key) != along && sweep.values(*key).len() > 1)
+            .collect();
+        let mut families: Vec<Vec<&str>> = Vec::new();
+        let mut operations: Vec<&str> = Vec::new();
+        for row in sweep.rows.iter().filter(|row| !row.model.is_empty()) {
+            let family: Vec<&str> = others.iter().map(|key| row.values[*key].as_str()).collect();
+            if !families.contains(&family) {
+                families.push(family);
+            }
+            if !operations.contains(&row.operation.as_str()) {
+                operations.push(&row.operation);
+            }
+        }
+        let has = |model: &str| sweep.rows.iter().any(|row| row.model == model);
+        Self { sweep, shown, varied, others, families, operations, models: models(has) }
+    }
+
+    /// The place of a case on the axis of what was varied; not a number where it has none.
+    pub(super) fn along(&self, row: &SweepRow) -> f64 {
+        match &self.varied {
+            Varied::Depth => {
+                let depth = row.numbers.get("bit_depth_m").copied();
+                self.shown.value(depth.unwrap_or(f64::NAN), "length")
+            }
+            Varied::Number { key, .. } => {
+                split(&row.values[*key]).map_or(f64::NAN, |(value, _)| value)
+            }
+            Varied::Words { key } => {
+                let values = self.sweep.values(*key);
+                let place = values.iter().position(|value| *value == row.values[*key]);
+                place.map_or(f64::NAN, |place| place as f64)
+            }
+        }
+    }
+
+    pub(super) fn axis(&self) -> Axis {
+        match &self.varied {
+            Varied::Depth => Axis {
+                down: true,
+                ..Axis::new(self.shown.label("Bit depth", "length"), Range::Zero)
+            },
+            Varied::Number { key, unit } => {
+                let name = name(&self.sweep.keys[*key]);
+                let unit = match unit.as_str() {
+                    "" if self.sweep.keys[*key].ends_with("rpm") => "rev/min",
+                    unit => unit,
+                };
+                let label = if unit.is_empty() { name } else { format!("{name}, {unit}") };
+                Axis::new(label, Range::Near)
+            }
+            Varied::Words { key } => Axis {
+                scale: Scale::Words(
+                    self.sweep.values(*key).into_iter().map(String::from).collect(),
+                ),
+                ..Axis::new(name(&self.sweep.keys[*key]), Range::Tight)
+            },
+        }
+    }
+
+    /// Colour by what was varied, and by the operation where that is all that differs; shape by the
+    /// operation. Strokes distinguish the models where there are two, else the operations.
+    pub(super) fn style(&self, family: usize, operation: usize) -> (Ink, Shape) {
+        let ink = if self.families.len() > 1 { family } else { operation };
+        (Ink::Line(ink), Shape::of(operation))
+    }
+
+    pub(super) fn stroke(&self, family: usize, model: usize, operation: usize) -> Stroke {
+        match (self.models.len() > 1, self.operations.len() > 1) {
+            (true, _) => Stroke::of(model),
+            (false, true) => Stroke::of(operation),
+            (false, false) => of_family(family),
+        }
+    }
+
+    /// As many keys as there are things to distinguish; none of one alone.
+    pub(super) fn count(&self, things: usize) -> usize {
+        if things > 1 { things } else { 0 }
+    }
+
+    pub(super) fn has_bands(&self) -> bool {
+        self.models.iter().any(|of| of.in_time)
+    }
+
+    /// What a curve is called at its end: what it is of, as far as that differs, without the model,
+    /// which its stroke shows.
+    pub(super) fn name(&self, family: usize, operation: usize) -> String {
+        let mut parts = Vec::new();
+        if self.families.len() > 1 {
+            parts.push(self.families[family].join(", "));
+        }
+        if self.operations.len() > 1 {
+            parts.push(readable(self.operations[operation]));
+        }
+        parts.join(", ")
+    }
+}
+
+/// Where there are more families than colours, those that share one have other strokes.
+pub(super) fn of_family(place: usize) -> Stroke {
+    Stroke::of(place / Ink::LINES)
+}
+
+/// The level of the gravest finding of a row that is marked.
+pub(super) fn judged(row: &SweepRow) -> Option<Level> {
+    if row.errors > 0 { Some(Level::Error) } else { (row.warnings > 0).then_some(Level::Warning) }
+}

@@ -1,0 +1,102 @@
+//! A quantity of a sweep against what was varied.
+
+use super::{
+    Drawn, SweepRow,
+    drawing::{Drawing, judged},
+};
+use crate::figure::{Axis, Mark, Panel, Range};
+
+impl Drawing<'_> {
+    /// The panel of a scalar; none where no case has it.
+    pub(super) fn panel(&self, of: &Drawn) -> Option<Panel> {
+        let dimension = of.dimension();
+        let value = |row: &SweepRow, end: &str| {
+            let value = row.numbers.get(&format!("{}{end}", of.scalar.quantity.name)).copied();
+            self.shown.value(value.unwrap_or(f64::NAN), dimension)
+        };
+        let (mut bands, mut curves, mut points) = (Vec::new(), Vec::new(), Vec::new());
+        let mut names = Vec::new();
+        for (place, family) in self.families.iter().enumerate() {
+            let solved = self.operations.iter().enumerate();
+            let solved = solved.flat_map(|of| {
+                let models = self.models.iter().enumerate();
+                models.map(move |model| (of, model))
+            });
+            for ((done, operation), (model, method)) in solved {
+                let (ink, shape) = self.style(place, done);
+                let mine = |row: &SweepRow| {
+                    let values = self.others.iter().map(|key| row.values[*key].as_str());
+                    row.model == method.name
+                        && row.operation == *operation
+                        && values.eq(family.iter().copied())
+                };
+                let mut rows: Vec<(f64, usize, &SweepRow)> = self
+                    .sweep
+                    .rows
+                    .iter()
+                    .enumerate()
+                    .filter(|(_, row)| mine(row))
+                    .map(|(place, row)| (self.along(row), place, row))
+                    .collect();
+                rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+                let column = |end: &str| -> Vec<(f64, f64)> {
+                    rows.iter().map(|(at, _, row)| (*at, value(row, end))).collect()
+                };
+                let mean = column("");
+                if !mean.iter().any(|(_, value)| value.is_finite()) {
+                    continue;
+                }
+                let keys = self.keys_of(place, model, done);
+                for marks in [&mut bands, &mut curves, &mut points] {
+                    marks.push(Mark::Of { keys: keys.clone() });
+                }
+                let name = self.name(place, done);
+                let last = mean.iter().rev().find(|(at, value)| (at + value).is_finite());
+                // Where two models are one beside the other, one name is enough.
+                if let (Some(end), false) = (last, name.is_empty() || names.contains(&name)) {
+                    curves.push(Mark::Name { at: *end, text: name.clone() });
+                    names.push(name);
+                }
+                let mut of_band = keys;
+                of_band.push(self.band_key());
+                bands.push(Mark::Of { keys: of_band });
+                let ends = column("_p05").into_iter().zip(column("_p95"));
+                bands.push(Mark::Band {
+                    ink,
+                    points: ends.map(|((at, low), (_, high))| (at, low, high)).collect(),
+                });
+                points.push(Mark::Points { ink, shape, points: mean.clone() });
+                points.push(Mark::Spots {
+                    points: mean.clone(),
+                    rows: rows.iter().map(|(_, place, _)| *place).collect(),
+                });
+                for (key, level) in self.judged().into_iter().enumerate() {
+                    let of_level = rows.iter().zip(&mean);
+                    let of_level = of_level.filter(|((.., row), _)| judged(row) == Some(level));
+                    let ringed: Vec<_> = of_level.map(|(_, point)| *point).collect();
+                    if !ringed.is_empty() {
+                        let mut of_ring = self.keys_of(place, model, done);
+                        of_ring.push(self.first_judged() + key);
+                        points.push(Mark::Of { keys: of_ring });
+                        points.push(Mark::Rings { level, points: ringed });
+                    }
+                }
+                curves.push(Mark::Curve {
+                    ink,
+                    stroke: self.stroke(place, model, done),
+                    points: mean,
+                });
+            }
+        }
+        (!curves.is_empty()).then(|| Panel {
+            axis: Axis {
+                // Depth points down wherever an axis can.
+                down: dimension == "length",
+                min_span: self.shown.value(of.min_span, dimension),
+                ..Axis::new(self.shown.label(of.scalar.label, dimension), Range::Near)
+            },
+            marks: [bands, curves, points].concat(),
+            keys: Vec::new(),
+        })
+    }
+}

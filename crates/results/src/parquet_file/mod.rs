@@ -1,0 +1,7 @@
+//! Tables as Parquet files: the only place that knows the format.
+
+mod read;
+mod write;
+
+pub(crate) use read::{guarded, open, read_each_group};
+pub(crate) use write::{begin, copy_groups, io_error, properties, schema, write_group};

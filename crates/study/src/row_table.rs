@@ -1,0 +1,308 @@
+//! `[[table.row]]` as files write it.
+
+use wholestring::{operation::OperationKind, outcome::ModelKind};
+use wholestring_units::Dimension;
+
+use wholestring_config::{
+    diagnostic::Diagnostic,
+    names::short,
+    reader::Reader,
+    rule::{Choice, Spanned, Text},
+    source::Span,
+    table::{default, optional, required, table},
+};
+
+use crate::{
+    chosen::{Choosing, Chosen, MODELS, NAMES, OPERATIONS, unheeded},
+    column::{
+        Amount, AmountRule, ColumnName, Quantity, SOURCES, Source, Statistic, StatisticRule,
+        check_positive, check_summarised,
+    },
+    numbers::{Number, Row, Shape, Wanted},
+    selection::{Selection, SelectionRule},
+    sweep::Sweep,
+    times_and_depths::{depth, time, two_times, window},
+};
+
+table! {
+    /// One number: what it is made of, and what it is compared with.
+    RowTable in "[[table.row]]" {
+        /// What it is.
+        label: String = required(Text);
+        /// Where the given number comes from.
+        source: String = optional(Text);
+        /// Sweeps that the row is about. Default: those of the table.
+        sweeps: Vec<Spanned<String>> = optional(NAMES);
+        /// Models that the row is about. Default: those of the table.
+        models: Vec<Spanned<ModelKind>> = optional(MODELS);
+        /// Operations that the row is about. Default: those of the table.
+        operations: Vec<Spanned<OperationKind>> = optional(OPERATIONS);
+        /// The case that the number is taken from, by a value of every varied key. Keys that are
+        /// left out are those of the table.
+        only: Selection = optional(SelectionRule);
+        /// Part of the results that it is taken from: "summary", "nodes" (along the string), "wear"
+        /// (along the hole), "time" (scalars against time), "frames" (the whole string against
+        /// time), "contact" (over depth and time) or "path" (the well).
+        from: Source = default(SOURCES, Source::Summary);
+        /// Column of it; of |tension_N| the sign is dropped.
+        column: String = required(Text);
+        /// What is made of the values: "mean", "std", "mean+std", "min", "max" or a percentile such
+        /// as "p98"; of a summary's over the window of a dynamic model, of "time" and of "frames"
+        /// at a depth over time, of "contact" over all that is chosen, otherwise along the string.
+        statistic: Statistic = default(StatisticRule, Statistic::Mean);
+        /// The value at the node that is nearest to this measured depth; for contact force and
+        /// friction in "frames", at that of those within 5 m to which the wall does most.
+        depth: f64 = optional(depth());
+        /// The value at the sample or frame that is nearest to this time.
+        time: f64 = optional(time());
+        /// First and last time of "time", "frames" and "contact". Default: the window of the case,
+        /// after it has settled.
+        window: Vec<Spanned<f64>> = optional(two_times());
+        /// Subtract the same of another case, which differs in these keys.
+        less: Selection = optional(SelectionRule);
+        /// Divide by the same of another case, which differs in these keys.
+        over: Selection = optional(SelectionRule);
+        /// Key whose values give a row of numbers, of which `shape` is reported.
+        along: String = optional(Text);
+        /// What is reported of the numbers along a key: "linearity" (share of their variance that a
+        /// straight line explains), "growth" (share of the steps from one to the next that go up),
+        /// "least" or "most" (the smallest and largest of them).
+        shape: Shape = optional(SHAPES);
+        /// The number that is given.
+        expected: Amount = optional(AmountRule);
+        /// How far from it the computed one may be: "8 %", or a quantity.
+        tolerance: Amount = optional(AmountRule);
+        /// What the number must at least be.
+        at_least: Amount = optional(AmountRule);
+        /// What the number must at most be.
+        at_most: Amount = optional(AmountRule);
+    }
+}
+
+const SHAPES: Choice<Shape> = Choice {
+    noun: "a shape",
+    words: &[
+        ("linearity", Shape::Linearity),
+        ("growth", Shape::Growth),
+        ("least", Shape::Least),
+        ("most", Shape::Most),
+    ],
+};
+
+impl RowTable {
+    pub(crate) fn build(
+        &self,
+        at: Span,
+        outer: &Chosen,
+        sweeps: &[Sweep],
+        columns: &[ColumnName],
+        reader: &mut Reader,
+    ) -> Option<Row> {
+        let choosing = Choosing {
+            sweeps: &self.sweeps,
+            models: &self.models,
+            operations: &self.operations,
+            only: &self.only,
+        };
+        let along = self.along(reader)?;
+        let mut outer = outer.clone();
+        if let Some((key, _)) = &along {
+            // What the table says of it would leave one number.
+            outer.only = outer.only.without(key);
+        }
+        let chosen = choosing.within(&outer, sweeps, reader);
+        let source = *self.from.get()?;
+        let quantity = Quantity::named(self.column.at()?, source, columns, reader)?;
+        let number = self.number(source, quantity, at, reader)?;
+        let chosen = chosen?;
+        for sweep in chosen.sweeps.iter().map(|index| &sweeps[*index]) {
+            let along = along.as_ref().map(|(key, _)| key.as_str());
+            self.check_case(sweep, &chosen.only, along, at, reader)?;
+        }
+        let [less, over] = [&self.less, &self.over].map(|field| field.optional());
+        let other = |given: Option<&Spanned<Selection>>, reader: &mut Reader| {
+            let Some(given) = given else {
+                return Some(None);
+            };
+            let other = chosen.only.narrowed(&given.value);
+            for sweep in chosen.sweeps.iter().map(|index| &sweeps[*index]) {
+                given.value.check(&sweep.name, &sweep.vary, reader)?;
+                let along = along.as_ref().map(|(key, _)| key.as_str());
+                self.check_case(sweep, &other, along, given.place, reader)?;
+            }
+            Some(Some(given.value.clone()))
+        };
+        let less = other(less?, reader)?;
+        let over = other(over?, reader)?;
+        let mut row = Row {
+            label: self.label.get()?.clone(),
+            source: self.source.text()?,
+            chosen,
+            number,
+            less,
+            over,
+            along,
+            wanted: Wanted::default(),
+        };
+        row.wanted = self.wanted(row.dimension(), reader)?;
+        Some(row)
+    }
+
+    fn number(
+        &self,
+        source: Source,
+        quantity: Quantity,
+        at: Span,
+        reader: &mut Reader,
+    ) -> Option<Number> {
+        let window_s = window(self.window.optional()?, reader)?;
+        let (depth, time) = (self.depth.optional()?, self.time.optional()?);
+        let statistic = self.statistic.at()?;
+        let mut idle = |names: &[&'static str], why: &str| {
+            let all = [
+                ("depth", self.depth.place()),
+                ("time", self.time.place()),
+                ("window", self.window.place()),
+                ("statistic", self.statistic.place()),
+            ];
+            let idle = all.into_iter().filter(|(name, _)| names.contains(name));
+            unheeded(idle, why, reader);
+        };
+        match source {
+            Source::Summary => {
+                idle(&["depth", "time", "window"], "a summary has one number");
+                check_summarised(statistic, reader)?;
+            }
+            Source::Nodes | Source::Wear | Source::Path => {
+                idle(&["time", "window"], "this table does not tell of time");
+                if depth.is_some() {
+                    idle(&["statistic"], "there is one value at a depth");
+                }
+            }
+            Source::Time => {
+                idle(&["depth"], "used with from = \"nodes\" or \"frames\"");
+                if time.is_some() {
+                    idle(&["statistic", "window"], "there is one value at a time");
+                }
+            }
+            Source::Contact => {
+                if time.is_some() {
+                    idle(&["window"], "there is one row at a time");
+                }
+                if depth.is_some() && time.is_some() {
+                    idle(&["statistic"], "there is one value at a depth and a time");
+                }
+            }
+            Source::Frames => {
+                if depth.is_none() && time.is_none() {
+                    reader.report(
+                        Diagnostic::error("a number of frames needs `depth` or `time`")
+                            .at(at, "neither is given")
+                            .help(
+                                "depth = \"600 m\" for a statistic over time, time = \"10 s\" \
+                                   for one along the string",
+                            ),
+                    );
+                    return None;
+                }
+                if time.is_some() {
+                    idle(&["window"], "there is one frame at a time");
+                }
+                if depth.is_some() && time.is_some() {
+                    idle(&["statistic"], "there is one value at a depth and a time");
+                }
+            }
+        }
+        Some(Number {
+            quantity,
+            statistic: statistic.value,
+            depth_m: depth.map(|at| at.value),
+            time_s: time.map(|at| at.value),
+            window_s,
+        })
+    }
+
+    fn along(&self, reader: &mut Reader) -> Option<Option<(String, Shape)>> {
+        match (self.along.optional()?, self.shape.optional()?) {
+            (None, None) => Some(None),
+            (Some(key), Some(shape)) => Some(Some((key.value.clone(), shape.value))),
+            (key, shape) => {
+                let (missing, at) = match key {
+                    Some(key) => ("shape", key.place),
+                    None => ("along", shape.map_or(Span::default(), |shape| shape.place)),
+                };
+                reader.report(
+                    Diagnostic::error(format!("`{missing}` is missing"))
+                        .at(at, "`along` and `shape` go together")
+                        .help("such as along = \"bit_depth\" and shape = \"linearity\""),
+                );
+                None
+            }
+        }
+    }
+
+    /// A number is that of one case, but for the key that it is taken along.
+    fn check_case(
+        &self,
+        sweep: &Sweep,
+        only: &Selection,
+        along: Option<&str>,
+        at: Span,
+        reader: &mut Reader,
+    ) -> Option<()> {
+        if let (Some(along), Some(field)) = (along, self.along.given())
+            && !sweep.keys().any(|key| key == along)
+        {
+            let message = format!("sweep `{}` does not vary `{}`", sweep.name, short(along));
+            let keys: Vec<&str> = sweep.keys().collect();
+            reader.report(
+                Diagnostic::error(message)
+                    .at(field.place, "expected a key that it varies")
+                    .help(format!("keys that it varies: {}", keys.join(", "))),
+            );
+            return None;
+        }
+        for varied in &sweep.vary {
+            if along == Some(varied.key.as_str()) {
+                continue;
+            }
+            let mut left = varied.bare_values().filter(|value| only.has_value(&varied.key, value));
+            if let (Some(first), Some(second)) = (left.next(), left.next()) {
+                let key = &varied.key;
+                let message = format!("`{key}` of sweep `{}` is open", sweep.name);
+                reader.report(
+                    Diagnostic::error(message)
+                        .at(at, format!("is it {first}, {second} or another?"))
+                        .help(format!("say which, such as only = {{ {key} = \"{first}\" }}")),
+                );
+                return None;
+            }
+        }
+        Some(())
+    }
+
+    fn wanted(&self, dimension: Option<Dimension>, reader: &mut Reader) -> Option<Wanted> {
+        let mut si = |given: Option<&Spanned<Amount>>| match given {
+            None => Some(None),
+            Some(at) => Amount::si(at, dimension, reader).map(Some),
+        };
+        let expected = si(self.expected.optional()?)?;
+        let mut least = si(self.at_least.optional()?)?;
+        let mut most = si(self.at_most.optional()?)?;
+        if let Some(at) = self.tolerance.optional()? {
+            let Some(expected) = expected else {
+                unheeded([("tolerance", Some(at.place))], "used with `expected`", reader);
+                return Some(Wanted { expected, least, most });
+            };
+            let within = match at.value.share() {
+                Some(share) => share * expected.abs(),
+                None => Amount::si(at, dimension, reader)?,
+            };
+            let within = check_positive(within, at, reader)?;
+            least =
+                Some(least.map_or(expected - within, |least: f64| least.max(expected - within)));
+            most = Some(most.map_or(expected + within, |most: f64| most.min(expected + within)));
+        }
+        Some(Wanted { expected, least, most })
+    }
+}

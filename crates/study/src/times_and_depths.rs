@@ -1,0 +1,58 @@
+//! Times and depths that figures and tables of a study name.
+
+use wholestring_config::{
+    diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::Range,
+    reader::Reader,
+    rule::{List, Spanned},
+};
+use wholestring_units::Dimension;
+
+/// Times or depths of one figure: nobody distinguishes more curves.
+pub(crate) const MAX: usize = 12;
+
+/// A time.
+pub(crate) fn time() -> Quantity {
+    Quantity::si(Dimension::Time, Range::from_to(0.0, 1e9), "10 s")
+}
+
+/// A measured depth.
+pub(crate) fn depth() -> Quantity {
+    Quantity::si(Dimension::Length, Range::from_to(0.0, 20_000.0), "600 m")
+}
+
+/// Times, one or several.
+pub(crate) fn times() -> List<Quantity> {
+    List { item: time(), or_one: true, noun: "times", most: MAX }
+}
+
+/// Measured depths, one or several.
+pub(crate) fn depths() -> List<Quantity> {
+    List { item: depth(), or_one: true, noun: "depths", most: MAX }
+}
+
+/// A first and a last time.
+pub(crate) fn two_times() -> List<Quantity> {
+    List { item: time(), or_one: false, noun: "times", most: 2 }
+}
+
+/// First and last time.
+pub(crate) fn window(
+    given: Option<&Spanned<Vec<Spanned<f64>>>>,
+    reader: &mut Reader,
+) -> Option<Option<[f64; 2]>> {
+    let Some(given) = given else {
+        return Some(None);
+    };
+    match given.value.as_slice() {
+        [from, to] if from.value < to.value => Some(Some([from.value, to.value])),
+        _ => {
+            reader.report(
+                Diagnostic::error("`window` holds no time")
+                    .at(given.place, "expected two times, such as [\"0 s\", \"20 s\"]"),
+            );
+            None
+        }
+    }
+}
