@@ -285,14 +285,9 @@ fn d09_hanging_stretch() {
             length_m,
         );
         let expected = data[key].as_f64().expect(key);
-        report(&Row {
-            case: "D09",
-            quantity: &format!("stretch of a hanging pipe in mud of {density} kg/m3, m"),
-            expected,
-            computed: run(&model, TripOut).scalars.stretch_m,
-            tolerance: Tolerance::Relative(1e-12),
-            reason: "rounding; the file prints all digits",
-        });
+        verify("D09", format!("stretch of a hanging pipe in mud of {density} kg/m3, m"))
+            .relative(1e-12, "rounding; the file prints all digits")
+            .report(expected, run(&model, TripOut).scalars.stretch_m);
     }
 }
 

@@ -71,13 +71,10 @@ fn s1a_spans_between_tool_joints() {
             compared.push((what, hole_per_m + beyond_per_m, number(expected, key)));
         }
     }
-    report_worst(compared.iter().map(|(what, computed, expected)| Row {
-        case: "S1a",
-        quantity: what,
-        expected: *expected,
-        computed: *computed,
-        tolerance: Tolerance::Relative(1e-10),
-        reason: "the collocation of the body contacts; rounding elsewhere",
+    report_worst(compared.iter().map(|(what, computed, expected)| {
+        verify("S1a", what)
+            .relative(1e-10, "the collocation of the body contacts; rounding elsewhere")
+            .row(*expected, *computed)
     }));
 }
 
@@ -107,13 +104,10 @@ fn s1a_a_piece_of_twelve_joints() {
         )
     });
     let found: Vec<_> = found.collect();
-    report_worst(found.iter().map(|(what, computed, expected)| Row {
-        case: "S1a",
-        quantity: what,
-        expected: *expected,
-        computed: *computed,
-        tolerance: Tolerance::Relative(4e-3),
-        reason: "the ends of the piece, which fade ninefold from joint to joint",
+    report_worst(found.iter().map(|(what, computed, expected)| {
+        verify("S1a", what)
+            .relative(4e-3, "the ends of the piece, which fade ninefold from joint to joint")
+            .row(*expected, *computed)
     }));
 }
 
@@ -150,13 +144,10 @@ fn s3a_von_mises() {
         let bent_Pa = expected("bending_stress_outer_Pa");
         assert!((bending_Pa - bent_Pa).abs() <= 1e-12 * bent_Pa, "{name}");
     }
-    report_worst(compared.iter().map(|(what, computed, expected)| Row {
-        case: "S3a",
-        quantity: what,
-        expected: *expected,
-        computed: *computed,
-        tolerance: Tolerance::Relative(1e-11),
-        reason: "rounding; forces that cancel lose two digits",
+    report_worst(compared.iter().map(|(what, computed, expected)| {
+        verify("S3a", what)
+            .relative(1e-11, "rounding; forces that cancel lose two digits")
+            .row(*expected, *computed)
     }));
     // Mud at rest presses alike from all sides.
     let pipe = Component::uniform("pipe", 0.127, 0.1086, 1.0, steel());

@@ -15,7 +15,7 @@ use wholestring::{
     string::{ComponentLength, ComponentSpec, Material, StringSpec},
     well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
 };
-pub use wholestring_verification::{Row, Tolerance, report, report_worst};
+pub use wholestring_verification::{Row, Tolerance, report_worst, verify};
 
 /// A file of `verification/`, parsed.
 pub fn verification(name: &str) -> Value {

@@ -11,7 +11,7 @@ use wholestring::{
 };
 
 use crate::{
-    common::{Row, Tolerance, operation, path, report, rpm},
+    common::{operation, path, rpm, verify},
     wells::{Case, between, line, model, np13, section, tool},
 };
 
@@ -84,14 +84,9 @@ fn a_fast_drag_bit_drills_steadily() {
         ("rate of penetration, m/s", depth_of_cut_m * rpm(200.0) / std::f64::consts::TAU, rate),
         ("depth of cut, m", depth_of_cut_m, *series.depth_of_cut_m.last().expect("a sample")),
     ] {
-        report(&Row {
-            case: "E07",
-            quantity: &format!("whole string at 200 rev/min: {quantity}"),
-            expected,
-            computed,
-            tolerance: Tolerance::Relative(5e-4),
-            reason: "what is left of the start after a minute",
-        });
+        verify("E07", format!("whole string at 200 rev/min: {quantity}"))
+            .relative(5e-4, "what is left of the start after a minute")
+            .report(expected, computed);
     }
     assert!(spin.std < 1e-3 * spin.mean, "{spin:?}");
     assert!(weight.std < 1e-3 * weight.mean, "{weight:?}");
@@ -129,14 +124,9 @@ fn a_bit_without_history_drills_steadily() {
         ("rate of penetration, m/s", rate, mean("rate_of_penetration_m_per_s")),
         ("speed of the bit along the hole, m/s", rate, moved),
     ] {
-        report(&Row {
-            case: "E07",
-            quantity: &format!("whole string at 100 rev/min, three regimes: {quantity}"),
-            expected,
-            computed,
-            tolerance: Tolerance::Relative(5e-4),
-            reason: "what is left of the start after half a minute",
-        });
+        verify("E07", format!("whole string at 100 rev/min, three regimes: {quantity}"))
+            .relative(5e-4, "what is left of the start after half a minute")
+            .report(expected, computed);
     }
     let residual = outcome.numerics.energy_residual;
     assert!(residual.abs() < 1e-5, "{residual:e}");
@@ -192,14 +182,9 @@ fn a_motor_turns_the_bit_of_a_sliding_string() {
         ("speed of the motor, rad/s", rpm(turns), speed),
         ("rate of penetration, m/s", 3e-3 * turns / 100.0, mean("rate_of_penetration_m_per_s")),
     ] {
-        report(&Row {
-            case: "E07",
-            quantity: &format!("whole string sliding with a mud motor and a table: {quantity}"),
-            expected,
-            computed,
-            tolerance: Tolerance::Relative(1e-3),
-            reason: "what is left of the start after half a minute",
-        });
+        verify("E07", format!("whole string sliding with a mud motor and a table: {quantity}"))
+            .relative(1e-3, "what is left of the start after half a minute")
+            .report(expected, computed);
     }
     let pressure = series.motor_pressure_Pa[from].expect("known");
     let expected = (3600.0 - turns) * std::f64::consts::TAU / (0.8 * 12e-3);

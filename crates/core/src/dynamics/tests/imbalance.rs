@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::{Tolerance, verify};
 
 use super::{
     beams::beam,
@@ -87,14 +87,7 @@ fn an_unbalanced_shaft_whirls_as_jeffcotts() {
                 ),
                 (format!("{at}: phase {step}, °"), phase, found[1], Tolerance::Absolute(within[1])),
             ] {
-                report(&Row {
-                    case: "D09",
-                    quantity: &quantity,
-                    expected,
-                    computed,
-                    tolerance,
-                    reason,
-                });
+                verify("D09", &quantity).within(tolerance, reason).report(expected, computed);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! The regenerative law.
 
 use serde_json::Value;
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::verify;
 
 use super::*;
 use crate::{
@@ -83,14 +83,9 @@ fn steady_drilling_takes_the_weight_and_torque_of_the_identities() {
         ("torque on bit, N·m", "TOB_Nm", step.torque_N_m),
         ("depth of cut, m", "depth_of_cut_per_rev_m", step.depth_of_cut_m),
     ] {
-        report(&Row {
-            case: "E07",
-            quantity,
-            expected: of(expected),
-            computed,
-            tolerance: Tolerance::Relative(1e-9),
-            reason: "rounding: 2e-13 m of a depth of 2000 m, over 4 mm",
-        });
+        verify("E07", quantity)
+            .relative(1e-9, "rounding: 2e-13 m of a depth of 2000 m, over 4 mm")
+            .report(of(expected), computed);
     }
 }
 
