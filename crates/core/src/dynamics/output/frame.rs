@@ -12,65 +12,40 @@ use crate::{
         boundary::anchor::Anchor,
         kernel::chain::{Chain, Rows, element, node},
     },
+    named::named,
     outcome::{IN_TIME, columns},
     simd::{number::Real, vector::Vector},
 };
 
-/// A group of quantities that a frame holds of every node.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-pub enum Channel {
-    /// Offset from the hole's axis towards the high side and to the right of it.
-    Position,
-    /// North, east and vertical depth.
-    Coordinates,
-    /// Lateral and axial velocity.
-    Velocity,
-    /// Rotary speed and turn against the bit.
-    Rotation,
-    /// Angle of the pipe's axis with the hole's.
-    Tilt,
-    /// Contact force.
-    Contact,
-    /// Friction on the wall.
-    Friction,
-    /// Tension and torque.
-    Force,
-    /// Bending moment and von Mises stress.
-    Stress,
+named! {
+    /// A group of quantities that a frame holds of every node.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+    pub enum Channel {
+        /// Offset from the hole's axis towards the high side and to the right of it.
+        Position = "position",
+        /// North, east and vertical depth.
+        Coordinates = "coordinates",
+        /// Lateral and axial velocity.
+        Velocity = "velocity",
+        /// Rotary speed and turn against the bit.
+        Rotation = "rotation",
+        /// Angle of the pipe's axis with the hole's.
+        Tilt = "tilt",
+        /// Contact force.
+        Contact = "contact",
+        /// Friction on the wall.
+        Friction = "friction",
+        /// Tension and torque.
+        Force = "force",
+        /// Bending moment and von Mises stress.
+        Stress = "stress",
+    }
 }
 
 impl Channel {
-    /// Every channel.
-    pub const ALL: [Self; 9] = [
-        Self::Position,
-        Self::Coordinates,
-        Self::Velocity,
-        Self::Rotation,
-        Self::Tilt,
-        Self::Contact,
-        Self::Friction,
-        Self::Force,
-        Self::Stress,
-    ];
-
     /// Those that are kept where nobody chooses.
     pub const USUAL: [Self; 5] =
         [Self::Position, Self::Velocity, Self::Rotation, Self::Contact, Self::Force];
-
-    /// Name in case files.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Position => "position",
-            Self::Coordinates => "coordinates",
-            Self::Velocity => "velocity",
-            Self::Rotation => "rotation",
-            Self::Tilt => "tilt",
-            Self::Contact => "contact",
-            Self::Friction => "friction",
-            Self::Force => "force",
-            Self::Stress => "stress",
-        }
-    }
 }
 
 columns! {

@@ -2,66 +2,38 @@
 
 use serde::{Deserialize, Serialize};
 
-/// A quantity of a node against time, read at the end of each sample but for the contact force.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum NodeSignal {
-    /// Effective tension.
-    Tension,
-    /// Torque.
-    Torque,
-    /// Bending moment, whatever its direction.
-    BendingMoment,
-    /// Von Mises stress.
-    VonMisesStress,
-    /// Contact force, averaged over the sample; positive on the high side.
-    ContactForce,
-    /// Offset from the hole's axis towards the high side.
-    OffsetHigh,
-    /// Offset to the right of it.
-    OffsetRight,
-    /// Velocity towards the high side.
-    VelocityHigh,
-    /// Velocity to the right of it.
-    VelocityRight,
-    /// Velocity down the hole.
-    AxialVelocity,
-    /// Rotary speed.
-    RotarySpeed,
+use crate::named::named;
+
+named! {
+    /// A quantity of a node against time, read at the end of each sample but for the contact force.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+    pub enum NodeSignal {
+        /// Effective tension.
+        Tension = "tension",
+        /// Torque.
+        Torque = "torque",
+        /// Bending moment, whatever its direction.
+        BendingMoment = "bending_moment",
+        /// Von Mises stress.
+        VonMisesStress = "von_mises_stress",
+        /// Contact force, averaged over the sample; positive on the high side.
+        ContactForce = "contact_force",
+        /// Offset from the hole's axis towards the high side.
+        OffsetHigh = "offset_high",
+        /// Offset to the right of it.
+        OffsetRight = "offset_right",
+        /// Velocity towards the high side.
+        VelocityHigh = "velocity_high",
+        /// Velocity to the right of it.
+        VelocityRight = "velocity_right",
+        /// Velocity down the hole.
+        AxialVelocity = "axial_velocity",
+        /// Rotary speed.
+        RotarySpeed = "rotary_speed",
+    }
 }
 
 impl NodeSignal {
-    /// Every signal.
-    pub const ALL: [Self; 11] = [
-        Self::Tension,
-        Self::Torque,
-        Self::BendingMoment,
-        Self::VonMisesStress,
-        Self::ContactForce,
-        Self::OffsetHigh,
-        Self::OffsetRight,
-        Self::VelocityHigh,
-        Self::VelocityRight,
-        Self::AxialVelocity,
-        Self::RotarySpeed,
-    ];
-
-    /// Name in case files and results.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Tension => "tension",
-            Self::Torque => "torque",
-            Self::BendingMoment => "bending_moment",
-            Self::VonMisesStress => "von_mises_stress",
-            Self::ContactForce => "contact_force",
-            Self::OffsetHigh => "offset_high",
-            Self::OffsetRight => "offset_right",
-            Self::VelocityHigh => "velocity_high",
-            Self::VelocityRight => "velocity_right",
-            Self::AxialVelocity => "axial_velocity",
-            Self::RotarySpeed => "rotary_speed",
-        }
-    }
-
     /// Symbol of its unit.
     pub const fn unit(self) -> &'static str {
         match self {
