@@ -209,12 +209,10 @@ fn combined_motion(row: &Given) {
     );
     let speed = row.input("rop_m_per_h") / 3600.0;
     for (kind, sign) in [(Drill, -1.0), (Ream, -1.0), (BackReam, 1.0)] {
-        let operation = Operation {
-            rotary_speed_rad_per_s: rpm(row.input("rpm")),
-            rate_of_penetration_m_per_s: speed,
-            trip_speed_m_per_s: speed,
-            ..operation(kind, length_m)
-        };
+        let operation = operation(kind, length_m)
+            .rotary_speed_rad_per_s(rpm(row.input("rpm")))
+            .rate_of_penetration_m_per_s(speed)
+            .trip_speed_m_per_s(speed);
         let scalars = solve(&model, &operation).scalars;
         let drag = sign * row.expected("axial_drag_N");
         row.holds_number(
@@ -286,8 +284,9 @@ fn a02_synthetic_well() {
             ("sliding_6t", Slide, 58839.9, 0.0),
         ] {
             let expected = &row["expected"][name];
-            let operation =
-                Operation { weight_on_bit_N, bit_torque_N_m, ..operation(kind, depth_m) };
+            let operation = operation(kind, depth_m)
+                .weight_on_bit_N(weight_on_bit_N)
+                .bit_torque_N_m(bit_torque_N_m);
             let profile =
                 soft::solve(&model, &operation, &SoftSettings::default()).expect("a sound model");
             let what = |key: &str| format!("friction {mu} {} {key}", name.replace('_', " "));
@@ -367,8 +366,9 @@ fn a06_common_well() {
             depth_m,
         );
         let solve = |kind, weight_on_bit_N, bit_torque_N_m| {
-            let operation =
-                Operation { weight_on_bit_N, bit_torque_N_m, ..operation(kind, depth_m) };
+            let operation = operation(kind, depth_m)
+                .weight_on_bit_N(weight_on_bit_N)
+                .bit_torque_N_m(bit_torque_N_m);
             soft::solve(&model, &operation, &SoftSettings::default())
                 .expect("a sound model")
                 .scalars

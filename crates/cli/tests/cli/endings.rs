@@ -62,7 +62,7 @@ fn diverged() {
     };
     assert_eq!(soft.status, Status::Complete);
     assert!(matches!(&dynamic.status, Status::Failed(reason) if message.contains(reason)));
-    let time = Table::read_parquet(&desk.path("results/time.parquet")).unwrap();
+    let time = desk.table("results/time.parquet");
     assert!(time.rows() > 0);
     // No number in a file is none: JSON would say `null` where the contract has a number.
     let numerics = dynamic.numerics.as_ref().expect("a dynamic model");
@@ -72,7 +72,7 @@ fn diverged() {
         "a run that diverged balances nothing"
     );
     assert!(numerics.run.max_penetration_m.is_finite());
-    let nodes = Table::read_parquet(&desk.path("results/nodes.parquet")).unwrap();
+    let nodes = desk.table("results/nodes.parquet");
     let last = |table: &Table, name: &str| match table.column(name).map(|column| &column.data) {
         Some(Data::Number(values)) => values.last().copied().flatten(),
         _ => None,
@@ -104,7 +104,7 @@ fn interrupted() {
     let summary = desk.summary("results");
     let statuses: Vec<_> = summary.operations.iter().map(|solved| &solved.status).collect();
     assert_eq!(statuses, [&Status::Complete, &Status::Interrupted]);
-    let time = Table::read_parquet(&desk.path("results/time.parquet")).unwrap();
+    let time = desk.table("results/time.parquet");
     assert!(time.rows() > 0);
 }
 
@@ -118,7 +118,7 @@ fn a_profile_without_window() {
          --set 'dynamics.sample_interval=1 ms'",
     ));
     assert_eq!(output.status.code(), Some(3));
-    let nodes = Table::read_parquet(&desk.path("results/nodes.parquet")).unwrap();
+    let nodes = desk.table("results/nodes.parquet");
     let Data::Number(tensions) = &nodes.column("tension_N").unwrap().data else {
         panic!("tensions are numbers");
     };

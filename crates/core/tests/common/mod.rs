@@ -176,23 +176,12 @@ pub fn straight_model(inc_deg: f64, length_m: f64, w_N_per_m: f64, r_m: f64, mu:
 
 /// An operation with the bit at a depth: 70 rev/min, off bottom or without weight, no advance.
 pub const fn operation(kind: OperationKind, bit_depth_m: f64) -> Operation {
-    Operation {
-        kind,
-        bit_depth_m,
-        rotary_speed_rad_per_s: rpm(70.0),
-        weight_on_bit_N: 0.0,
-        bit_torque_N_m: 0.0,
-        rate_of_penetration_m_per_s: 0.0,
-        trip_speed_m_per_s: 0.3,
-        flow_rate_m3_per_s: 0.0,
-        bit_pressure_drop_Pa: 0.0,
-        motor_pressure_drop_Pa: 0.0,
-    }
+    Operation::new(kind, bit_depth_m).rotary_speed_rad_per_s(rpm(70.0))
 }
 
 /// The same with a weight on the bit.
 pub const fn pressing(kind: OperationKind, bit_depth_m: f64, weight_on_bit_N: f64) -> Operation {
-    Operation { weight_on_bit_N, ..operation(kind, bit_depth_m) }
+    operation(kind, bit_depth_m).weight_on_bit_N(weight_on_bit_N)
 }
 
 /// Revolutions per minute in rad/s.

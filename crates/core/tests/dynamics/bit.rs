@@ -5,7 +5,7 @@ use wholestring::{
         Band, BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, DynamicOutcome,
         Excitation, Motor, MudMotor, RateLaw, RegenerativeLaw, Statistic, TableLaw, TablePoint,
     },
-    operation::{Operation, OperationKind},
+    operation::OperationKind,
     string::ComponentLength,
     well::{HoleKind, Interpolation},
 };
@@ -45,11 +45,9 @@ fn vertical(revolutions_per_minute: f64) -> Case {
         DEPTH_M,
     );
     let bit = BitSettings { law: BitLaw::Regenerative(LAW), ..BitSettings::default() };
-    let drill = Operation {
-        rotary_speed_rad_per_s: rpm(revolutions_per_minute),
-        weight_on_bit_N: 60e3,
-        ..operation(OperationKind::Drill, DEPTH_M)
-    };
+    let drill = operation(OperationKind::Drill, DEPTH_M)
+        .rotary_speed_rad_per_s(rpm(revolutions_per_minute))
+        .weight_on_bit_N(60e3);
     let mut case = Case::new(vertical, bit.drilling_steadily(drill));
     case.settings.bit = bit;
     case.settings.settle_s = 60.0;

@@ -10,7 +10,7 @@ use wholestring::{
         BitLaw, BitSettings, Checkpoint, DynamicOutcome, HoistControl, Precision, RockLaw,
         SetupError, Simulation, Statistic,
     },
-    operation::{Operation, OperationKind},
+    operation::OperationKind,
     rock::{BitShape, DrillingSpec, Executor, Rock, bit_face::PdcBit},
     string::ComponentLength,
     well::{HoleKind, Interpolation},
@@ -50,11 +50,9 @@ fn case() -> Case {
     );
     vertical.mud = mud(0.0);
     let bit = BitSettings { law: BitLaw::Rock(Box::new(law())), ..BitSettings::default() };
-    let drill = Operation {
-        rotary_speed_rad_per_s: rpm(240.0),
-        weight_on_bit_N: 1500.0,
-        ..operation(OperationKind::Drill, DEPTH_M)
-    };
+    let drill = operation(OperationKind::Drill, DEPTH_M)
+        .rotary_speed_rad_per_s(rpm(240.0))
+        .weight_on_bit_N(1500.0);
     let drill = bit.drilling_steadily(drill);
     let rate_m_per_s = drill.rate_of_penetration_m_per_s;
     let mut case = Case::new(vertical, drill);

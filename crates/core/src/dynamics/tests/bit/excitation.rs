@@ -73,7 +73,7 @@ fn lobes_show_at_their_multiple_of_the_speed() {
 /// and the torque fluctuates by the fraction that was requested.
 #[test]
 fn roughness_shows_in_weight_and_torque() {
-    let operation = Operation { rate_of_penetration_m_per_s: 1e-6, ..OPERATION };
+    let operation = OPERATION.rate_of_penetration_m_per_s(1e-6);
     let rough = Excitation { roughness_m: 0.1e-3, torque_fluctuation: 0.2, ..SMOOTH };
     let mut rig = Rig::with(operation, settings(Some(rough)));
     node!(rig.chain, 0, inv_mass_axial = 0.0);

@@ -31,7 +31,7 @@ pub(super) fn settings(law: RegenerativeLaw) -> BitSettings {
 }
 
 pub(super) fn pressed(weight_on_bit_N: f64) -> Operation {
-    Operation { weight_on_bit_N, ..OPERATION }
+    OPERATION.weight_on_bit_N(weight_on_bit_N)
 }
 
 pub(super) fn identities() -> (RegenerativeLaw, Value) {
