@@ -2,8 +2,8 @@
 
 use wholestring::{
     dynamics::{
-        Band, BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, DynamicOutcome,
-        Excitation, Motor, MudMotor, RateLaw, RegenerativeLaw, Statistic, TableLaw, TablePoint,
+        BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, DynamicOutcome, Excitation,
+        Motor, RateLaw, RegenerativeLaw, Statistic, TableLaw, TablePoint,
     },
     operation::OperationKind,
     string::ComponentLength,
@@ -11,25 +11,16 @@ use wholestring::{
 };
 
 use crate::{
-    common::{operation, path, rpm, verify},
+    common::{DRAG_BIT, MOTOR, SMOOTH, operation, path, rpm, verify},
     wells::{Case, between, line, model, np13, section, tool},
 };
 
 const DEPTH_M: f64 = 1000.0;
 
-/// The bit of Richard, Germay and Detournay's examples.
+/// [`DRAG_BIT`] in a hole of 8-1/2 in, worn.
 const LAW: RegenerativeLaw = RegenerativeLaw {
-    cutters: Cutters {
-        radius_m: 0.107_95,
-        core_radius_m: 0.0,
-        intrinsic_specific_energy_Pa: 60e6,
-        cutter_inclination: 0.6,
-        wear_flat_m: 5e-3,
-        contact_strength_Pa: 60e6,
-        bit_geometry: 1.0,
-        friction: 0.6,
-    },
-    blades: 4,
+    cutters: Cutters { radius_m: 0.107_95, wear_flat_m: 5e-3, ..DRAG_BIT.cutters },
+    ..DRAG_BIT
 };
 
 /// Collars and pipe in a vertical well, drilling with a drag bit at a rotary speed.
@@ -135,14 +126,7 @@ fn a_bit_without_history_drills_steadily() {
 #[test]
 fn a_motor_turns_the_bit_of_a_sliding_string() {
     let mut case = vertical(0.0);
-    let motor = MudMotor {
-        displacement_m3: 12e-3,
-        rated_flow_m3_per_s: 30e-3,
-        max_pressure_Pa: 6e6,
-        slip: 0.1,
-        efficiency: 0.8,
-        stall_torque_N_m: 14e3,
-    };
+    let motor = MOTOR;
     let point = |weight: f64, turns: f64| TablePoint {
         weight_on_bit_N: weight,
         rotary_speed_rad_per_s: rpm(turns),
@@ -222,11 +206,10 @@ fn a_rough_bottom_shakes_the_string() {
     case.settings.bit.law = BitLaw::Rate(RateLaw {
         rock_stiffness_N_per_m: 1e8,
         excitation: Some(Excitation {
-            lobes: 3,
             amplitude_m: 0.8e-3,
             roughness_m: 0.2e-3,
             torque_fluctuation: 0.1,
-            band: Band::PerRevolution(8.0),
+            ..SMOOTH
         }),
     });
     let outcome = case.run();

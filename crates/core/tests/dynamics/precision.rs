@@ -9,7 +9,7 @@ use wholestring::{
 };
 
 use crate::{
-    common::{Tolerance, verify},
+    common::{SMOOTH, Tolerance, verify},
     wells::{Case, each, go, mean_between, moderate, np13},
 };
 
@@ -128,7 +128,7 @@ fn a_shaken_string_has_the_same_statistics() {
             roughness_m: 5e-4,
             torque_fluctuation: 0.1,
             band: Band::PerSecond(10.0),
-            lobes: 3,
+            ..SMOOTH
         }),
     });
     let found = both(&case);

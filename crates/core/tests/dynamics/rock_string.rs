@@ -155,7 +155,6 @@ fn what_the_rock_takes_the_top_gives() {
     };
     let first = departure(&series.hook_load_N[..begins]);
     let later = departure(&series.hook_load_N[from..]);
-    println!("hook load departs by {first:.2}, later by {later:.2}");
     assert!(first < 1.25 * later, "{first} {later}");
     let bottom = simulation.bottom_hole().expect("rock");
     let known = (0..bottom.rings()).flat_map(|r| (0..bottom.sectors()).map(move |s| (r, s)));

@@ -21,7 +21,6 @@ fn energy_balances_through_failure_and_removal() {
     let block = dragged(6000);
     let energies = block.energies();
     let (gone, _) = block.removed();
-    println!("{gone} elements gone, {energies:?}");
     assert!(gone > 50, "only {gone} elements have gone");
     verify(
         "rock",

@@ -121,8 +121,7 @@ fn a_clamped_pipe_has_its_frequencies() {
             found / exact - 1.0
         };
         let [coarse, middle, fine] = [15, 30, 60].map(frequency);
-        println!("{name}: {coarse:.1e} {middle:.1e} {fine:.1e}");
-        assert!(((4.0 * fine - middle) / 3.0).abs() < 1e-4);
-        assert!(((coarse / middle).abs().log2() - 2.0).abs() < 0.2);
+        assert!(((4.0 * fine - middle) / 3.0).abs() < 1e-4, "{name}");
+        assert!(((coarse / middle).abs().log2() - 2.0).abs() < 0.2, "{name}");
     }
 }

@@ -222,7 +222,6 @@ fn an_arm_is_stretched_by_its_spin() {
     let exact = number(&data["expected"]["exact_linear_rod"]);
     let [coarse, fine] = [8, 16].map(arm);
     let limit = (4.0 * fine[0] - coarse[0]) / 3.0;
-    println!("D08 {coarse:?} {fine:?} limit {:.1e}", limit / exact - 1.0);
     let lag = (4.0 * fine[1] - coarse[1]) / 3.0;
     let remembered = number(&data["expected"]["max_lag_tip_transverse_approx_from_memory"]);
     for (quantity, expected, computed, tolerance, reason) in [

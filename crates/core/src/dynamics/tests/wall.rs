@@ -377,9 +377,6 @@ fn a_node_strikes_the_wall_as_hertz_says() {
             })
             .sum::<f64>()
             / f64::from(phases);
-        println!(
-            "at {USUAL_STEP_S} s a node of 120 kg that strikes rock at {speed} m/s gets back {back:.3}"
-        );
         // The book's digits.
         assert!((back - expected).abs() < 0.005, "{speed}: {back}");
     }

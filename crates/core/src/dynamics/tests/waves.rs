@@ -50,7 +50,6 @@ fn a_hanging_pipe_rings_at_its_frequencies() {
             let found = rod.frequency_Hz(3, |rod| {
                 (0..rod.chain.nodes()).map(|i| (k * rod.z_m(i)).sin() * speed(rod, kind, i)).sum()
             });
-            println!("{key} {mode}: {:.1e}", found / exact - 1.0);
             let wave = if kind == Kind::Axial { 5133.13 } else { 3178.35 };
             let courant = wave * rod.input.dt / 10.0;
             let dispersion = (k * 10.0).powi(2) / 24.0 * (1.0 - courant * courant);
@@ -264,7 +263,6 @@ fn slip_front(element_length_m: f64) -> (f64, f64) {
 #[test]
 fn a_front_of_slip_runs_into_a_rod_that_lies_on_the_wall() {
     let [coarse, fine] = [10.0, 5.0].map(slip_front);
-    println!("force {:.1e} {:.1e}, speed {:.1e} {:.1e}", coarse.0, fine.0, coarse.1, fine.1);
     for (what, error) in [("force on the end", fine.0), ("speed behind it", fine.1)] {
         verify("D10", format!("front of slip: {what} over the closed form"))
             .absolute(0.005, "the source's; elements of 5 m and first order in their length")

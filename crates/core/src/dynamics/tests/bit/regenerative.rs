@@ -11,20 +11,7 @@ use crate::{
 
 const TAU: f64 = std::f64::consts::TAU;
 
-/// The bit of Richard, Germay and Detournay's examples.
-pub(super) const LAW: RegenerativeLaw = RegenerativeLaw {
-    cutters: Cutters {
-        radius_m: 0.108,
-        core_radius_m: 0.0,
-        intrinsic_specific_energy_Pa: 60e6,
-        cutter_inclination: 0.6,
-        wear_flat_m: 1.2e-3,
-        contact_strength_Pa: 60e6,
-        bit_geometry: 1.0,
-        friction: 0.6,
-    },
-    blades: 4,
-};
+pub(super) use crate::common::DRAG_BIT as LAW;
 
 pub(super) fn settings(law: RegenerativeLaw) -> BitSettings {
     BitSettings { law: BitLaw::Regenerative(law), ..BitSettings::default() }
