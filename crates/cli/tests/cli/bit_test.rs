@@ -91,10 +91,7 @@ fn every_weight_at_every_speed() {
     let table = Table::read_csv(&desk.path("results/bit-test.csv")).unwrap();
     let law = Table::read_csv(&desk.path("results/bit-table.csv")).unwrap();
     assert_eq!((table.rows(), law.rows()), (4, 4));
-    let word = |table: &Table, name: &str, row: usize| match &table.column(name).unwrap().data {
-        wholestring_results::Data::Text(words) => words[row].clone(),
-        wholestring_results::Data::Number(_) => panic!("CSV is read as words"),
-    };
+    let word = |table: &Table, name: &str, row: usize| table.words(name).expect(name)[row].clone();
     let number = |table: &Table, name: &str, row: usize| -> f64 {
         word(table, name, row).parse().expect(name)
     };

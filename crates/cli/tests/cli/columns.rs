@@ -111,18 +111,8 @@ const TABLES: [(&str, &[ColumnSpec]); 6] = [
     ("spectra", SPECTRA),
 ];
 
-fn words<'a>(table: &'a Table, name: &str) -> Option<&'a [String]> {
-    match &table.column(name)?.data {
-        Data::Text(words) => Some(words),
-        Data::Number(_) => panic!("`{name}` holds no words"),
-    }
-}
-
 fn number(table: &Table, name: &str, row: usize) -> Option<f64> {
-    match &table.column(name).unwrap_or_else(|| panic!("no `{name}`")).data {
-        Data::Number(values) => values[row],
-        Data::Text(_) => panic!("`{name}` holds words"),
-    }
+    table.numbers(name).expect(name)[row]
 }
 
 /// Whether a column has a value in a row; a number is finite.
@@ -164,7 +154,7 @@ fn check(
         return;
     }
     let table = Table::read_parquet(&path).unwrap();
-    let models = words(&table, "model");
+    let models = table.words("model");
     assert_eq!(table.columns().len(), specs.len(), "{name}");
     for spec in specs {
         let column = table.column(spec.name).unwrap_or_else(|| panic!("no `{}`", spec.name));

@@ -7,7 +7,7 @@ use crate::{
     run::SOFT,
 };
 use insta::assert_snapshot;
-use wholestring_results::{Data, Status, Table};
+use wholestring_results::{Status, Table};
 
 #[test]
 fn bad_input_leaves_no_folder() {
@@ -73,10 +73,7 @@ fn diverged() {
     );
     assert!(numerics.run.max_penetration_m.is_finite());
     let nodes = desk.table("results/nodes.parquet");
-    let last = |table: &Table, name: &str| match table.column(name).map(|column| &column.data) {
-        Some(Data::Number(values)) => values.last().copied().flatten(),
-        _ => None,
-    };
+    let last = |table: &Table, name: &str| table.numbers(name)?.last().copied().flatten();
     for name in ["time_s", "hook_load_N", "surface_torque_N_m", "stretch_m"] {
         assert!(last(&time, name).is_some(), "{name}");
     }
@@ -119,9 +116,7 @@ fn a_profile_without_window() {
     ));
     assert_eq!(output.status.code(), Some(3));
     let nodes = desk.table("results/nodes.parquet");
-    let Data::Number(tensions) = &nodes.column("tension_N").unwrap().data else {
-        panic!("tensions are numbers");
-    };
+    let tensions = nodes.numbers("tension_N").expect("tensions");
     // Ten thousand tonnes at the top.
     assert!(tensions[0].unwrap() > 1e6, "{:?}", tensions[0]);
 }

@@ -4,13 +4,10 @@ use crate::{
     desk::{Desk, args},
     run::{FILES, SOFT, files},
 };
-use wholestring_results::{Data, Table};
+use wholestring_results::Table;
 
 fn numbers(table: &Table, name: &str) -> Vec<f64> {
-    match &table.column(name).unwrap_or_else(|| panic!("no `{name}`")).data {
-        Data::Number(values) => values.iter().copied().flatten().collect(),
-        Data::Text(_) => panic!("`{name}` holds words"),
-    }
+    table.numbers(name).expect(name).iter().copied().flatten().collect()
 }
 
 /// Frames ten times a second of the two seconds of each operation, and a spectrum of the window:

@@ -5,7 +5,7 @@ use std::{collections::BTreeSet, f64::consts::PI, fs};
 use crate::desk::{Desk, masked, transcript};
 use insta::assert_snapshot;
 use wholestring::outcome::ModelKind;
-use wholestring_results::{Data, Status, Table};
+use wholestring_results::{Status, Table};
 
 /// The soft string alone, which is quick.
 pub(crate) const SOFT: [&str; 2] = ["--set", "model=soft"];
@@ -120,23 +120,15 @@ fn soft_string_and_dynamics_side_by_side() {
     // Two operations of 2 s, a row every 10 ms: the sampling interval is a whole number of steps,
     // so that it is 10 ms within half a step.
     assert!((380..=420).contains(&time.rows()), "{} rows", time.rows());
-    let Data::Number(times) = &time.column("time_s").unwrap().data else {
-        panic!("times are numbers");
-    };
+    let times = time.numbers("time_s").expect("times");
     assert!((times[time.rows() - 1].unwrap() - 2.0).abs() < 0.02);
 }
 
 /// A string that turns clockwise climbs to the right, to `atan 0.25`; one that is pulled stays on
 /// the low side; the soft string lies there, whatever it does: its place is that of its load.
 fn check_climb(nodes: &Table) {
-    let text = |name: &str| match &nodes.column(name).unwrap().data {
-        Data::Text(words) => words,
-        Data::Number(_) => panic!("`{name}` is text"),
-    };
-    let (models, operations) = (text("model"), text("operation"));
-    let Data::Number(climb) = &nodes.column("climb_rad").unwrap().data else {
-        panic!("angles are numbers");
-    };
+    let [models, operations] = ["model", "operation"].map(|name| nodes.words(name).expect(name));
+    let climb = nodes.numbers("climb_rad").expect("angles");
     let of = |model: &str, operation: &str| -> Vec<f64> {
         (0..nodes.rows())
             .filter(|row| models[*row] == model && operations[*row] == operation)

@@ -3,7 +3,6 @@
 use std::{fs, path::Path, process::Output};
 
 use insta::assert_snapshot;
-use wholestring_results::Data;
 
 use crate::{
     desk::{Desk, args, masked, transcript},
@@ -186,9 +185,8 @@ fn maps_and_wells_are_drawn() {
         assert!(map.contains(text), "{text}");
     }
     let contact = desk.table("results/slow/bit_depth=500 m/contact.parquet");
-    let column = |name: &str| match &contact.column(name).unwrap().data {
-        Data::Number(values) => values.iter().map(|of| of.unwrap()).collect::<Vec<f64>>(),
-        Data::Text(_) => panic!("{name} is a number"),
+    let column = |name: &str| -> Vec<f64> {
+        contact.numbers(name).expect(name).iter().map(|of| of.unwrap()).collect()
     };
     let (times, depths) = (column("time_s"), column("md_m"));
     let forces = column("side_force_N_per_m");
