@@ -142,6 +142,5 @@ pub(crate) fn assemble(
         }
         _ => Diagnostic::error(short(&error.to_string())).at(top, "the string"),
     };
-    reader.report(diagnostic);
-    None
+    diagnostic.refuse(reader)
 }

@@ -20,10 +20,8 @@ pub(crate) fn read_beside(
         _ => short(&error.to_string()),
     };
     let name = short(&file.value);
-    reader.report(
-        Diagnostic::error(format!("the {noun} `{name}` cannot be read"))
-            .at(file.place, why)
-            .help("the name is relative to the folder of the case"),
-    );
-    None
+    Diagnostic::error(format!("the {noun} `{name}` cannot be read"))
+        .at(file.place, why)
+        .help("the name is relative to the folder of the case")
+        .refuse(reader)
 }

@@ -156,22 +156,18 @@ pub(crate) fn build(
         if !requested {
             return Some(None);
         }
-        reader.report(
-            Diagnostic::error(format!("[bit_test] lacks `{name}`"))
-                .at(whole, "no operation of the case puts the bit on bottom and turns it")
-                .help(format!("such as {example}")),
-        );
-        return None;
+        return Diagnostic::error(format!("[bit_test] lacks `{name}`"))
+            .at(whole, "no operation of the case puts the bit on bottom and turns it")
+            .help(format!("such as {example}"))
+            .refuse(reader);
     }
     let mean_N = weights.iter().sum::<f64>() / weights.len() as f64;
     let mass = of.mass.optional()?;
     let (averaging, step) = (of.averaging.optional()?, of.step.at()?);
     if let Some(averaging) = averaging.filter(|at| at.value < step.value) {
-        reader.report(
-            Diagnostic::error("forces are averaged over less than a step")
-                .at(averaging.place, format!("expected at least {} s", number_text(step.value))),
-        );
-        return None;
+        return Diagnostic::error("forces are averaged over less than a step")
+            .at(averaging.place, format!("expected at least {} s", number_text(step.value)))
+            .refuse(reader);
     }
     let averaging_s = averaging.map_or(around.sample_interval_s, |at| at.value);
     let test = BitTest {
@@ -190,8 +186,7 @@ pub(crate) fn build(
     if !requested {
         return Some(None);
     }
-    reader.report(mistake);
-    None
+    mistake.refuse(reader)
 }
 
 /// The list of the case, or factors on the operation's number; empty where neither is.
@@ -219,12 +214,10 @@ fn sorted(
             } else {
                 [&pair[1], &pair[0]]
             };
-            reader.report(
-                Diagnostic::error(format!("{shown} {unit} is listed twice"))
-                    .at(second.place, "again here")
-                    .at(first.place, "first here"),
-            );
-            return None;
+            return Diagnostic::error(format!("{shown} {unit} is listed twice"))
+                .at(second.place, "again here")
+                .at(first.place, "first here")
+                .refuse(reader);
         }
     }
     Some(list.into_iter().map(|at| at.value).collect())

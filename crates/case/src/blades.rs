@@ -18,12 +18,10 @@ impl ComponentTable {
         let length = self.blade_length.optional()?;
         let Some(od) = od else {
             if let Some(length) = length {
-                reader.report(
-                    Diagnostic::error("`blade_length` needs `blade_od`")
-                        .at(length.place, "`blade_od` is missing")
-                        .help("blades have a gauge; without it the body touches the wall"),
-                );
-                return None;
+                return Diagnostic::error("`blade_length` needs `blade_od`")
+                    .at(length.place, "`blade_od` is missing")
+                    .help("blades have a gauge; without it the body touches the wall")
+                    .refuse(reader);
             }
             return Some(());
         };
@@ -44,8 +42,7 @@ impl ComponentTable {
             if let Some(body) = self.od.given() {
                 diagnostic = diagnostic.at(body.place, "the body's outside diameter");
             }
-            reader.report(diagnostic);
-            return None;
+            return diagnostic.refuse(reader);
         }
         let component_m = match component.length {
             ComponentLength::Metres(length_m) => length_m,
@@ -54,11 +51,9 @@ impl ComponentTable {
         if let Some(length) = length
             && length.value > component_m
         {
-            reader.report(
-                Diagnostic::error("the blades are longer than their component")
-                    .at(length.place, format!("expected {} m or less", number_text(component_m))),
-            );
-            return None;
+            return Diagnostic::error("the blades are longer than their component")
+                .at(length.place, format!("expected {} m or less", number_text(component_m)))
+                .refuse(reader);
         }
         component.blades =
             Some(Blades { od_m: od.value, length_m: length.map_or(component_m, |at| at.value) });

@@ -27,24 +27,18 @@ impl ComponentTable {
         let from_lower_end_m = match (at, component.length) {
             (Some(at), ComponentLength::Metres(length_m)) if at.value > length_m => {
                 let length = self.length.at()?;
-                reader.report(
-                    Diagnostic::error("the bend is not on its component")
-                        .at(at.place, format!("expected {} m at most", number_text(length_m)))
-                        .at(length.place, "the component's length"),
-                );
-                return None;
+                return Diagnostic::error("the bend is not on its component")
+                    .at(at.place, format!("expected {} m at most", number_text(length_m)))
+                    .at(length.place, "the component's length")
+                    .refuse(reader);
             }
             (Some(at), _) => at.value,
             (None, ComponentLength::Metres(length_m)) => 0.5 * length_m,
             (None, ComponentLength::ToSurface) => {
-                reader.report(
-                    Diagnostic::error("`bend` needs `bend_at`")
-                        .at(bend.place, "`bend_at` is missing")
-                        .help(
-                            "the middle of a component that runs to the surface moves with the bit",
-                        ),
-                );
-                return None;
+                return Diagnostic::error("`bend` needs `bend_at`")
+                    .at(bend.place, "`bend_at` is missing")
+                    .help("the middle of a component that runs to the surface moves with the bit")
+                    .refuse(reader);
             }
         };
         Some(Some(BodyBend {
@@ -76,8 +70,7 @@ impl ComponentTable {
             if let Some(od) = self.od.given() {
                 diagnostic = diagnostic.at(od.place, "the outside diameter");
             }
-            reader.report(diagnostic);
-            return None;
+            return diagnostic.refuse(reader);
         }
         Some(Some(Eccentricity {
             offset_m: offset.value,
@@ -90,9 +83,8 @@ impl ComponentTable {
 /// A key that means nothing without another one.
 fn alone<T>(given: Option<&Spanned<T>>, name: &str, partner: &str, reader: &mut Reader) {
     if let Some(given) = given {
-        reader.report(
-            Diagnostic::warning(format!("`{name}` has no effect here"))
-                .at(given.place, format!("used with `{partner}`, which is not given")),
-        );
+        Diagnostic::warning(format!("`{name}` has no effect here"))
+            .at(given.place, format!("used with `{partner}`, which is not given"))
+            .report(reader);
     }
 }

@@ -28,36 +28,30 @@ impl HoleTable {
             return Some(diameter.value);
         };
         if let Some(diameter) = diameter {
-            reader.report(
-                Diagnostic::error("`diameter` is given beside `casing`")
-                    .at(diameter.place, "the casing gives it")
-                    .at(name.place, "the casing")
-                    .help("leave one of the two out"),
-            );
-            return None;
+            return Diagnostic::error("`diameter` is given beside `casing`")
+                .at(diameter.place, "the casing gives it")
+                .at(name.place, "the casing")
+                .help("leave one of the two out")
+                .refuse(reader);
         }
         if let Some(kind) = self.kind.at()
             && kind.value == HoleKind::Open
         {
-            reader.report(
-                Diagnostic::error("open hole has no casing")
-                    .at(name.place, "expected `diameter` instead")
-                    .at(kind.place, "open hole"),
-            );
-            return None;
+            return Diagnostic::error("open hole has no casing")
+                .at(name.place, "expected `diameter` instead")
+                .at(kind.place, "open hole")
+                .refuse(reader);
         }
         match casing::find(&name.value) {
             Ok(found) => Some(found.id_m),
             Err(unknown) => {
                 let nearest: Vec<String> =
                     unknown.nearest.iter().map(|name| format!("\"{name}\"")).collect();
-                reader.report(
-                    Diagnostic::error(format!("there is no casing `{}`", short(&name.value)))
-                        .at(name.place, "expected its size and weight")
-                        .help(format!("the nearest: {}", nearest.join(", ")))
-                        .help("or give its inside diameter as `diameter`"),
-                );
-                None
+                Diagnostic::error(format!("there is no casing `{}`", short(&name.value)))
+                    .at(name.place, "expected its size and weight")
+                    .help(format!("the nearest: {}", nearest.join(", ")))
+                    .help("or give its inside diameter as `diameter`")
+                    .refuse(reader)
             }
         }
     }

@@ -46,12 +46,10 @@ impl Rule for LengthRule {
                 return Some(ComponentLength::ToSurface);
             }
             if nearest(text, [TO_SURFACE]).is_some() || text.contains("surface") {
-                reader.report(
-                    Diagnostic::error(format!("`{}` is not a length", short(text)))
-                        .at(node.place, "expected a length or \"to surface\"")
-                        .help("did you mean \"to surface\"?"),
-                );
-                return None;
+                return Diagnostic::error(format!("`{}` is not a length", short(text)))
+                    .at(node.place, "expected a length or \"to surface\"")
+                    .help("did you mean \"to surface\"?")
+                    .refuse(reader);
             }
         }
         Self::quantity().read(node, reader).map(ComponentLength::Metres)

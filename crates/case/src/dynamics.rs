@@ -280,15 +280,13 @@ impl DynamicsTable {
         for operation in operations {
             if let Err(reason) = dynamics.precision.serves(operation, dynamics) {
                 let precision = self.precision.at()?;
-                reader.report(
-                    Diagnostic::error(format!(
-                        "single precision does not serve \"{}\" here",
-                        operation.kind.name()
-                    ))
-                    .at(precision.place, "expected \"double\"")
-                    .help(reason),
-                );
-                return None;
+                return Diagnostic::error(format!(
+                    "single precision does not serve \"{}\" here",
+                    operation.kind.name()
+                ))
+                .at(precision.place, "expected \"double\"")
+                .help(reason)
+                .refuse(reader);
             }
         }
         Some(())
@@ -300,12 +298,9 @@ impl DynamicsTable {
         if let Some(given) = self.stribeck_speed.given()
             && !hole.sections().iter().any(decays)
         {
-            reader.report(
-                Diagnostic::warning("`stribeck_speed` has no effect here").at(
-                    given.place,
-                    "used with `static` friction above `kinetic` in a hole section",
-                ),
-            );
+            Diagnostic::warning("`stribeck_speed` has no effect here")
+                .at(given.place, "used with `static` friction above `kinetic` in a hole section")
+                .report(reader);
         }
     }
 
@@ -376,26 +371,22 @@ impl DynamicsTable {
         };
         let place = given(duration.place, self.duration.given().is_some(), interval.place);
         if interval.value > duration.value {
-            reader.report(
-                Diagnostic::error("the window is shorter than one sample")
-                    .at(place, format!("window of {} s", number_text(duration.value)))
-                    .help(format!("sample_interval is {} s", number_text(interval.value))),
-            );
-            return None;
+            return Diagnostic::error("the window is shorter than one sample")
+                .at(place, format!("window of {} s", number_text(duration.value)))
+                .help(format!("sample_interval is {} s", number_text(interval.value)))
+                .refuse(reader);
         }
         let samples = (duration.value + settle_s) / interval.value;
         if samples > MAX_SAMPLES {
-            reader.report(
-                Diagnostic::error(format!(
-                    "{} s sampled every {} s make {} rows",
-                    number_text(duration.value + settle_s),
-                    number_text(interval.value),
-                    number_text(samples.ceil())
-                ))
-                .at(place, format!("expected at most {} rows", number_text(MAX_SAMPLES)))
-                .help("shorten duration and settle, or raise sample_interval"),
-            );
-            return None;
+            return Diagnostic::error(format!(
+                "{} s sampled every {} s make {} rows",
+                number_text(duration.value + settle_s),
+                number_text(interval.value),
+                number_text(samples.ceil())
+            ))
+            .at(place, format!("expected at most {} rows", number_text(MAX_SAMPLES)))
+            .help("shorten duration and settle, or raise sample_interval")
+            .refuse(reader);
         }
         Some(())
     }

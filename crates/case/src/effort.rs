@@ -37,8 +37,7 @@ pub(crate) fn check_effort(
     let efforts: Vec<Effort> = match efforts.collect() {
         Ok(efforts) => efforts,
         Err(error) => {
-            reader.report(refused(&error, case));
-            return None;
+            return refused(&error, case).refuse(reader);
         }
     };
     let elements = efforts.first()?.elements;
@@ -58,8 +57,7 @@ pub(crate) fn check_effort(
     } else {
         return Some(());
     };
-    reader.report(advice(Diagnostic::error(message), shortest_s, case));
-    None
+    advice(Diagnostic::error(message), shortest_s, case).refuse(reader)
 }
 
 /// What the engine refuses, where the reader has found nothing wrong.

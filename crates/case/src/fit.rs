@@ -101,11 +101,10 @@ pub(crate) fn check_weight_on_bit(
         .sum();
     if weight_N > 0.0 && wob.value > weight_N {
         let kN = |force_N: f64| number_text((force_N / 100.0).round() / 10.0);
-        reader.report(
-            Diagnostic::warning("the weight on bit is more than the string weighs")
-                .at(wob.place, format!("{} kN on the bit", kN(wob.value)))
-                .help(format!("the whole string weighs {} kN in this mud", kN(weight_N))),
-        );
+        Diagnostic::warning("the weight on bit is more than the string weighs")
+            .at(wob.place, format!("{} kN on the bit", kN(wob.value)))
+            .help(format!("the whole string weighs {} kN in this mud", kN(weight_N)))
+            .report(reader);
     }
 }
 
@@ -144,17 +143,16 @@ pub(crate) fn check_weight(
             .given()
             .or(table.value.density.given())
             .map_or(table.place, |at| at.place);
-        reader.report(
-            Diagnostic::error(format!("`{}` floats in this mud", short(&component.name)))
-                .at(
-                    place,
-                    format!(
-                        "{} kg/m of metal of {} kg/m3",
-                        number_text(component.mass_per_length_kg_per_m),
-                        number_text(component.material.density_kg_per_m3)
-                    ),
-                )
-                .at(mud_place, format!("mud of {} kg/m3", number_text(mud.density_kg_per_m3))),
-        );
+        Diagnostic::error(format!("`{}` floats in this mud", short(&component.name)))
+            .at(
+                place,
+                format!(
+                    "{} kg/m of metal of {} kg/m3",
+                    number_text(component.mass_per_length_kg_per_m),
+                    number_text(component.material.density_kg_per_m3)
+                ),
+            )
+            .at(mud_place, format!("mud of {} kg/m3", number_text(mud.density_kg_per_m3)))
+            .report(reader);
     }
 }

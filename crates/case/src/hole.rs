@@ -48,11 +48,9 @@ impl FrictionTable {
         let mut friction = Friction::uniform(kinetic);
         if let Some(at_rest) = at_rest {
             if at_rest.value < kinetic {
-                reader.report(
-                    Diagnostic::error("static friction is smaller than kinetic friction")
-                        .at(at_rest.place, format!("expected at least {kinetic}")),
-                );
-                return None;
+                return Diagnostic::error("static friction is smaller than kinetic friction")
+                    .at(at_rest.place, format!("expected at least {kinetic}"))
+                    .refuse(reader);
             }
             friction.at_rest = at_rest.value;
         }
@@ -60,12 +58,10 @@ impl FrictionTable {
             && around.value != kinetic
         {
             if kinetic < MIN_FRICTION {
-                reader.report(
-                    Diagnostic::error("friction around the hole needs friction along it")
-                        .at(around.place, "taken in its ratio to `kinetic`")
-                        .help(format!("give a kinetic friction of {MIN_FRICTION} or more")),
-                );
-                return None;
+                return Diagnostic::error("friction around the hole needs friction along it")
+                    .at(around.place, "taken in its ratio to `kinetic`")
+                    .help(format!("give a kinetic friction of {MIN_FRICTION} or more"))
+                    .refuse(reader);
             }
             friction.around = around.value / kinetic;
         }
@@ -168,11 +164,10 @@ pub(crate) fn build(
         if let Some((above_m, above_place)) = above
             && to.value <= above_m
         {
-            reader.report(
-                Diagnostic::error("hole sections must go down")
-                    .at(to.place, format!("expected more than {} m", number_text(above_m)))
-                    .at(above_place, "the section above ends here"),
-            );
+            Diagnostic::error("hole sections must go down")
+                .at(to.place, format!("expected more than {} m", number_text(above_m)))
+                .at(above_place, "the section above ends here")
+                .report(reader);
             valid = false;
         } else if let Some(from) = table.value.from.given() {
             valid &= check_from(from, above, sections.is_empty(), reader);
@@ -193,10 +188,7 @@ pub(crate) fn build(
     };
     match Hole::new(sections).and_then(|hole| hole.with_roughness(roughness)) {
         Ok(hole) => Some(hole),
-        Err(error) => {
-            reader.report(hole_error(&error, tables));
-            None
-        }
+        Err(error) => hole_error(&error, tables).refuse(reader),
     }
 }
 
@@ -272,10 +264,9 @@ fn warn_of_sections(
     }
     for section in sections {
         if let Some(given) = section.value.roughness.given() {
-            reader.report(
-                Diagnostic::warning("`roughness` has no effect here")
-                    .at(given.place, "used with `rms` or `tortuosity` of [well.roughness]"),
-            );
+            Diagnostic::warning("`roughness` has no effect here")
+                .at(given.place, "used with `rms` or `tortuosity` of [well.roughness]")
+                .report(reader);
         }
     }
 }

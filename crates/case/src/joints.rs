@@ -33,18 +33,16 @@ impl ComponentTable {
                 if let Some(body) = self.od.given() {
                     diagnostic = diagnostic.at(body.place, "the pipe's outside diameter");
                 }
-                reader.report(diagnostic);
-                return None;
+                return diagnostic.refuse(reader);
             }
             if known.is_none() && self.mass_per_length.given().is_none() {
-                reader.report(
-                    Diagnostic::warning("mass and stiffness of the tool joints are not counted")
-                        .at(od.place, "joints of unknown length")
-                        .help(
-                            "give mass_per_length, tool joints included; stiffness stays the \
+                Diagnostic::warning("mass and stiffness of the tool joints are not counted")
+                    .at(od.place, "joints of unknown length")
+                    .help(
+                        "give mass_per_length, tool joints included; stiffness stays the \
                                body's",
-                        ),
-                );
+                    )
+                    .report(reader);
             }
         }
         component.joints = Some(joints);
@@ -60,10 +58,8 @@ fn lacks_partner(
     reader: &mut Reader,
 ) -> Option<()> {
     let Some(given) = given else { return Some(()) };
-    reader.report(
-        Diagnostic::error(format!("`{name}` needs `{partner}`"))
-            .at(given.place, format!("`{partner}` is missing"))
-            .help("tool joints have a diameter and a spacing; plain pipe has neither"),
-    );
-    None
+    Diagnostic::error(format!("`{name}` needs `{partner}`"))
+        .at(given.place, format!("`{partner}` is missing"))
+        .help("tool joints have a diameter and a spacing; plain pipe has neither")
+        .refuse(reader)
 }

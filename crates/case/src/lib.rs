@@ -57,6 +57,7 @@ mod top_drive;
 mod unit_set;
 mod vary;
 mod well;
+mod words;
 
 pub use bit_test::BitTest;
 pub use build::parse;

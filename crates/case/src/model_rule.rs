@@ -38,11 +38,9 @@ impl Rule for ModelRule {
         if let Value::Text { text, .. } = &node.value
             && text == "stiff"
         {
-            reader.report(
-                Diagnostic::error("the stiff string is not built yet")
-                    .at(node.place, format!("expected {}", ModelKind::LISTED.replace('`', "\""))),
-            );
-            return None;
+            return Diagnostic::error("the stiff string is not built yet")
+                .at(node.place, format!("expected {}", ModelKind::LISTED.replace('`', "\"")))
+                .refuse(reader);
         }
         Self::choice().read(node, reader)
     }

@@ -158,11 +158,10 @@ fn needed_by(
 ) -> Option<f64> {
     let value = field.optional()?;
     if value.is_none() {
-        reader.report(
-            Diagnostic::error(format!("`{}` needs `{name}`", flow.value.word()))
-                .at(flow.place, format!("`{name}` is missing in [mud]"))
-                .help(format!("such as {name} = {example}")),
-        );
+        Diagnostic::error(format!("`{}` needs `{name}`", flow.value.word()))
+            .at(flow.place, format!("`{name}` is missing in [mud]"))
+            .help(format!("such as {name} = {example}"))
+            .report(reader);
     }
     value.map(|at| at.value)
 }

@@ -214,24 +214,21 @@ impl OperationTable {
         if let (Some(kind), Some(at)) = (rotating, self.rpm.given())
             && at.value == 0.0
         {
-            reader.report(
-                Diagnostic::error(format!(
-                    "`{}` turns the string, but rpm is 0",
-                    kind.value.name()
-                ))
-                .at(at.place, "expected more than 0")
-                .at(kind.place, "turns the string")
-                .help("without rotation it is \"slide\", \"trip_in\" or \"trip_out\""),
-            );
-            return None;
+            return Diagnostic::error(format!(
+                "`{}` turns the string, but rpm is 0",
+                kind.value.name()
+            ))
+            .at(at.place, "expected more than 0")
+            .at(kind.place, "turns the string")
+            .help("without rotation it is \"slide\", \"trip_in\" or \"trip_out\"")
+            .refuse(reader);
         }
         let torque_N_m = law.map_or(Some(None), |law| law.torque_N_m())?;
         if let (Some(kind), None, true) = (on_bottom, torque_N_m, by_rate) {
-            reader.report(
-                Diagnostic::warning("no bit torque is given: the bit is taken to turn freely")
-                    .at(kind.place, "puts the bit on bottom")
-                    .help("give torque = \"3 kN.m\" under [bit]"),
-            );
+            Diagnostic::warning("no bit torque is given: the bit is taken to turn freely")
+                .at(kind.place, "puts the bit on bottom")
+                .help("give torque = \"3 kN.m\" under [bit]")
+                .report(reader);
         }
         let trip_speed = *self.trip_speed.get()?;
         let flow_rate = *self.flow_rate.get()?;
@@ -241,12 +238,10 @@ impl OperationTable {
         if let (Some(kind), false) = (find(|kind| kind == OperationKind::Slide), table.has_motor())
             && bit.needs_motor_speed()
         {
-            reader.report(
-                Diagnostic::error("`slide` needs the speed at which the motor turns this bit")
-                    .at(kind.place, "`motor_speed` is missing in [bit]")
-                    .help("such as motor_speed = 120"),
-            );
-            return None;
+            return Diagnostic::error("`slide` needs the speed at which the motor turns this bit")
+                .at(kind.place, "`motor_speed` is missing in [bit]")
+                .help("such as motor_speed = 120")
+                .refuse(reader);
         }
         let given = Given { rpm: self.rpm.given(), wob: self.wob.given(), rop: self.rop.given() };
         law?.warn_of_set_points(&bit.law, &given, reader);
@@ -284,12 +279,10 @@ fn set_point(
 ) -> Option<Option<f64>> {
     let value = field.optional()?;
     if let (None, Some(kind)) = (value, needed_by) {
-        reader.report(
-            Diagnostic::error(format!("`{}` needs `{name}`", kind.value.name()))
-                .at(kind.place, format!("`{name}` is missing in [operation]"))
-                .help(format!("such as {example}")),
-        );
-        return None;
+        return Diagnostic::error(format!("`{}` needs `{name}`", kind.value.name()))
+            .at(kind.place, format!("`{name}` is missing in [operation]"))
+            .help(format!("such as {example}"))
+            .refuse(reader);
     }
     Some(value.map(|at| at.value))
 }

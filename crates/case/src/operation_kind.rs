@@ -11,17 +11,10 @@ use wholestring_config::{
     rule::{Choice, Rule},
 };
 
+use crate::words::words;
+
 /// Every operation that there is.
-const KINDS: &[(&str, OperationKind)] = &{
-    const ALL: [OperationKind; OperationKind::ALL.len()] = OperationKind::ALL;
-    let mut words = [("", ALL[0]); ALL.len()];
-    let mut i = 0;
-    while i < ALL.len() {
-        words[i] = (ALL[i].name(), ALL[i]);
-        i += 1;
-    }
-    words
-};
+const KINDS: &[(&str, OperationKind)] = words!(OperationKind);
 
 /// An operation by name.
 const KIND: Choice<OperationKind> = Choice { noun: "an operation", words: KINDS };
@@ -127,8 +120,7 @@ impl Rule for KindRule {
         if !meant.is_empty() {
             diagnostic = diagnostic.help(format!("did you mean {}?", any_of(&meant)));
         }
-        reader.report(diagnostic);
-        None
+        diagnostic.refuse(reader)
     }
 
     fn example(&self) -> Option<String> {

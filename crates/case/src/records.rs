@@ -120,53 +120,47 @@ impl RecordsTable {
         let probes = self.probes(bit_depth_m, reader)?;
         let none = spectra.is_empty() && probes.is_empty();
         if let (None, Some(given)) = (frames, self.channels.given()) {
-            reader.report(
-                Diagnostic::warning("`channels` has no effect here")
-                    .at(given.place, "what a frame holds")
-                    .help("no frames are kept: add frames = \"10 Hz\" to [records]"),
-            );
+            Diagnostic::warning("`channels` has no effect here")
+                .at(given.place, "what a frame holds")
+                .help("no frames are kept: add frames = \"10 Hz\" to [records]")
+                .report(reader);
         }
         if let (true, Some(given)) = (none, segment) {
-            reader.report(
-                Diagnostic::warning("`spectrum_segment` has no effect here")
-                    .at(given.place, "length of the segments of a spectrum")
-                    .help("no spectra are kept: add spectra = \"surface_torque\" to [records]"),
-            );
+            Diagnostic::warning("`spectrum_segment` has no effect here")
+                .at(given.place, "length of the segments of a spectrum")
+                .help("no spectra are kept: add spectra = \"surface_torque\" to [records]")
+                .report(reader);
         }
         let sample_s = dynamics.sample_interval_s;
         if let Some(given) = frames
             // A rounded rate is no mistake.
             && given.value * sample_s > 1.0 + 1e-9
         {
-            reader.report(
-                Diagnostic::error("frames are taken at samples: there are not so many")
-                    .at(given.place, format!("expected at most {} Hz", number_text(1.0 / sample_s)))
-                    .help(format!(
-                        "lower it, or lower dynamics.sample_interval, which is {} s",
-                        number_text(sample_s)
-                    )),
-            );
-            return None;
+            return Diagnostic::error("frames are taken at samples: there are not so many")
+                .at(given.place, format!("expected at most {} Hz", number_text(1.0 / sample_s)))
+                .help(format!(
+                    "lower it, or lower dynamics.sample_interval, which is {} s",
+                    number_text(sample_s)
+                ))
+                .refuse(reader);
         }
         let window_s = dynamics.duration_s;
         let segment_s = segment.map_or(window_s / SEGMENTS, |at| at.value);
         if let Some(given) = segment.filter(|_| !none)
             && !(FEWEST_SAMPLES * sample_s..=window_s).contains(&given.value)
         {
-            reader.report(
-                Diagnostic::error(
-                    "a segment of a spectrum must fit in the window and hold 16 samples",
-                )
-                .at(
-                    given.place,
-                    format!(
-                        "expected {} to {} s",
-                        number_text(FEWEST_SAMPLES * sample_s),
-                        number_text(window_s)
-                    ),
+            return Diagnostic::error(
+                "a segment of a spectrum must fit in the window and hold 16 samples",
+            )
+            .at(
+                given.place,
+                format!(
+                    "expected {} to {} s",
+                    number_text(FEWEST_SAMPLES * sample_s),
+                    number_text(window_s)
                 ),
-            );
-            return None;
+            )
+            .refuse(reader);
         }
         Some(Records {
             frame_interval_s: frames.map(|at| 1.0 / at.value),
@@ -184,22 +178,19 @@ impl RecordsTable {
             (None, None) => return Some(Vec::new()),
             (Some(signals), Some(depths)) => (&signals.value, &depths.value),
             (Some(signals), None) => {
-                reader.report(
-                    Diagnostic::error("`node_spectra` needs `node_spectra_at`")
-                        .at(signals.place, "at which depths?")
-                        .help("add node_spectra_at = \"4290 m\" to [records]"),
-                );
-                return None;
+                return Diagnostic::error("`node_spectra` needs `node_spectra_at`")
+                    .at(signals.place, "at which depths?")
+                    .help("add node_spectra_at = \"4290 m\" to [records]")
+                    .refuse(reader);
             }
             (None, Some(depths)) => {
-                reader.report(
-                    Diagnostic::warning("`node_spectra_at` has no effect here")
-                        .at(depths.place, "depths of signals of nodes")
-                        .help(
-                            "no signal is named: add node_spectra = \"bending_moment\" to \
+                Diagnostic::warning("`node_spectra_at` has no effect here")
+                    .at(depths.place, "depths of signals of nodes")
+                    .help(
+                        "no signal is named: add node_spectra = \"bending_moment\" to \
                                [records]",
-                        ),
-                );
+                    )
+                    .report(reader);
                 return Some(Vec::new());
             }
         };
@@ -219,8 +210,7 @@ impl RecordsTable {
                 }
                 (None, None) => continue,
             };
-            reader.report(diagnostic);
-            return None;
+            return diagnostic.refuse(reader);
         }
         let at_depth = |depth: &Spanned<f64>| {
             let md_m = depth.value;

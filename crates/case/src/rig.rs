@@ -51,12 +51,10 @@ impl RigTable {
         if let (Some(block), Some(capacity)) = (block, capacity)
             && block.value >= capacity.value
         {
-            reader.report(
-                Diagnostic::error("the hoist does not carry its own block")
-                    .at(block.place, "weight of block and top drive")
-                    .at(capacity.place, "largest load, block included"),
-            );
-            return None;
+            return Diagnostic::error("the hoist does not carry its own block")
+                .at(block.place, "weight of block and top drive")
+                .at(capacity.place, "largest load, block included")
+                .refuse(reader);
         }
         Some(Rig {
             block_weight_N: block.map(|at| at.value),
@@ -180,15 +178,14 @@ impl HoistTable {
         };
         let weight_kg = weight.value / GRAVITY_M_PER_S2;
         if (mass.value - weight_kg).abs() > SAME_BLOCK * weight_kg {
-            reader.report(
-                Diagnostic::warning("the block's mass is not that of its weight")
-                    .at(mass.place, format!("{} kg move", number_text(mass.value.round())))
-                    .at(weight.place, format!("{} kg hang", number_text(weight_kg.round())))
-                    .help(
-                        "both are of travelling block and top drive: the mass acts in the \
+            Diagnostic::warning("the block's mass is not that of its weight")
+                .at(mass.place, format!("{} kg move", number_text(mass.value.round())))
+                .at(weight.place, format!("{} kg hang", number_text(weight_kg.round())))
+                .help(
+                    "both are of travelling block and top drive: the mass acts in the \
                            dynamic model, the weight on the limits of the rig",
-                    ),
-            );
+                )
+                .report(reader);
         }
     }
 
@@ -206,11 +203,9 @@ impl HoistTable {
         if let Some(max) = max
             && max.value <= min.value
         {
-            reader.report(
-                Diagnostic::error("the block's greatest speed is no more than its least")
-                    .at(max.place, format!("expected more than {} m/s", number_text(min.value))),
-            );
-            return None;
+            return Diagnostic::error("the block's greatest speed is no more than its least")
+                .at(max.place, format!("expected more than {} m/s", number_text(min.value)))
+                .refuse(reader);
         }
         let integral_time = self.integral_time.optional()?;
         Some(Autodriller {
@@ -295,15 +290,13 @@ impl HoistTable {
         } else {
             return Some(true);
         };
-        reader.report(
-            Diagnostic::error("there is no weight on bit to tune a constant lift for")
-                .at(chosen.place, why)
-                .help(
-                    "\"tuned-lift\" is for \"drill\" and \"slide\" with a `wob`, the hoist left \
+        Diagnostic::error("there is no weight on bit to tune a constant lift for")
+            .at(chosen.place, why)
+            .help(
+                "\"tuned-lift\" is for \"drill\" and \"slide\" with a `wob`, the hoist left \
                        alone",
-                ),
-        );
-        None
+            )
+            .refuse(reader)
     }
 }
 
@@ -319,10 +312,9 @@ fn needed(
     reader: &mut Reader,
 ) -> Option<f64> {
     if let Field::Absent = field {
-        reader.report(
-            Diagnostic::error(format!("this hoist control needs `{name}`"))
-                .at(chosen, format!("`{name}` is missing in [hoist]")),
-        );
+        Diagnostic::error(format!("this hoist control needs `{name}`"))
+            .at(chosen, format!("`{name}` is missing in [hoist]"))
+            .report(reader);
     }
     field.get().copied()
 }

@@ -109,10 +109,9 @@ impl RoughnessTable {
             self.seed.given().map(|at| at.place),
         ];
         if let Some(place) = others.into_iter().flatten().next() {
-            reader.report(
-                Diagnostic::warning("[well.roughness] has no effect here")
-                    .at(place, "used with `rms` or `tortuosity`"),
-            );
+            Diagnostic::warning("[well.roughness] has no effect here")
+                .at(place, "used with `rms` or `tortuosity`")
+                .report(reader);
         }
     }
 }
@@ -126,16 +125,14 @@ fn check_slope(field: &Field<f64>, roughness: &Roughness, reader: &mut Reader) -
     if given.value <= highest_m {
         return Some(());
     }
-    reader.report(
-        Diagnostic::error("the waves of the wall are too steep")
-            .at(given.place, format!("expected {} or less", mm((highest_m * 1e5).floor() / 1e5)))
-            .help(format!(
-                "waves of {} m and more may be 1/20 as high; for higher ones raise \
+    Diagnostic::error("the waves of the wall are too steep")
+        .at(given.place, format!("expected {} or less", mm((highest_m * 1e5).floor() / 1e5)))
+        .help(format!(
+            "waves of {} m and more may be 1/20 as high; for higher ones raise \
                  shortest_wavelength",
-                number_text(roughness.shortest_m)
-            )),
-    );
-    None
+            number_text(roughness.shortest_m)
+        ))
+        .refuse(reader)
 }
 
 /// Tools that the wall's peaks close in on.
@@ -158,25 +155,21 @@ pub(crate) fn check_clearance(
         });
         let Some(section) = tight else { continue };
         let clearance_m = 0.5 * section.diameter_m - radius_m;
-        reader.report(
-            Diagnostic::warning(format!(
-                "the rough wall closes in on `{}`",
-                short(&span.component.name)
-            ))
-            .at(
-                place,
-                format!(
-                    "peaks of {} and more",
-                    mm(PEAK * section.roughness * roughness.radius_rms_m)
-                ),
-            )
-            .help(format!(
-                "it has {} of radial clearance below {} m; where the wall leaves none, the tool \
+        Diagnostic::warning(format!(
+            "the rough wall closes in on `{}`",
+            short(&span.component.name)
+        ))
+        .at(
+            place,
+            format!("peaks of {} and more", mm(PEAK * section.roughness * roughness.radius_rms_m)),
+        )
+        .help(format!(
+            "it has {} of radial clearance below {} m; where the wall leaves none, the tool \
                  is held on the hole's axis",
-                mm((clearance_m * 1e5).round() / 1e5),
-                number_text(section.from_md_m)
-            )),
-        );
+            mm((clearance_m * 1e5).round() / 1e5),
+            number_text(section.from_md_m)
+        ))
+        .report(reader);
         return;
     }
 }

@@ -97,12 +97,11 @@ pub(crate) fn build(
         }
     }
     if let [_, second, ..] = around.kinds {
-        reader.report(
-            Diagnostic::error("a schedule belongs to one operation")
-                .at(second.place, "this is another one")
-                .at(lines.value[0].place, "the schedule")
-                .help("put each operation with its schedule into a case of its own"),
-        );
+        Diagnostic::error("a schedule belongs to one operation")
+            .at(second.place, "this is another one")
+            .at(lines.value[0].place, "the schedule")
+            .help("put each operation with its schedule into a case of its own")
+            .report(reader);
         valid = false;
     }
     if !valid {
@@ -110,8 +109,7 @@ pub(crate) fn build(
     }
     let schedule = Schedule { steps };
     if let Some((index, fault)) = schedule.fault() {
-        reader.report(fault_at(index, fault, &lines.value));
-        return None;
+        return fault_at(index, fault, &lines.value).refuse(reader);
     }
     if let Some(at_rest) = around.models.iter().find(|of| !of.in_time()) {
         let name = at_rest.method().long_name;
@@ -119,11 +117,10 @@ pub(crate) fn build(
             true => format!("the {name} does not follow the schedule"),
             false => "the schedule has no effect here".to_owned(),
         };
-        reader.report(
-            Diagnostic::warning(message)
-                .at(lines.value[0].place, "used by the dynamic model")
-                .help(format!("the {name} solves the operation with its own set points")),
-        );
+        Diagnostic::warning(message)
+            .at(lines.value[0].place, "used by the dynamic model")
+            .help(format!("the {name} solves the operation with its own set points"))
+            .report(reader);
     }
     warn_of_late_lines(&lines.value, around.end_s, reader);
     Some(schedule)
@@ -141,51 +138,43 @@ fn step(
     let flow = table.flow_rate.optional()?;
     let note = table.note.optional()?.map(|at| at.value.clone());
     if let (Some(velocity), Some(wob)) = (velocity, wob) {
-        reader.report(
-            Diagnostic::error("the hoist cannot hold a weight and a speed at once")
-                .at(wob.place, "the autodriller holds this weight")
-                .at(velocity.place, "the block moves at this speed")
-                .help("give one of `wob` and `block_velocity`"),
-        );
-        return None;
+        return Diagnostic::error("the hoist cannot hold a weight and a speed at once")
+            .at(wob.place, "the autodriller holds this weight")
+            .at(velocity.place, "the block moves at this speed")
+            .help("give one of `wob` and `block_velocity`")
+            .refuse(reader);
     }
     // A misspelt key is reported already.
     let empty = [rpm, velocity, wob, flow].iter().all(Option::is_none) && note.is_none();
     if empty && !reader.has_errors() {
-        reader.report(
-            Diagnostic::error("this line of the schedule changes nothing")
-                .at(line.place, "expected rpm, block_velocity, wob, flow_rate or a note"),
-        );
-        return None;
+        return Diagnostic::error("this line of the schedule changes nothing")
+            .at(line.place, "expected rpm, block_velocity, wob, flow_rate or a note")
+            .refuse(reader);
     }
     if let (Some(rpm), Some(kind)) = (rpm, around.kinds.first())
         && !kind.value.rotates()
         && rpm.value > 0.0
     {
-        reader.report(
-            Diagnostic::error(format!("`{}` does not turn the string", kind.value.name()))
-                .at(rpm.place, "expected no rpm, or 0")
-                .at(kind.place, "the operation")
-                .help(
-                    "what turns is \"rotate_off_bottom\", \"drill\", \"ream\" or \"back_ream\"; \
+        return Diagnostic::error(format!("`{}` does not turn the string", kind.value.name()))
+            .at(rpm.place, "expected no rpm, or 0")
+            .at(kind.place, "the operation")
+            .help(
+                "what turns is \"rotate_off_bottom\", \"drill\", \"ream\" or \"back_ream\"; \
                        its schedule may begin with rpm = 0",
-                ),
-        );
-        return None;
+            )
+            .refuse(reader);
     }
     if let (Some(wob), Some(kind)) = (wob, around.kinds.first())
         && (!kind.value.on_bottom() || around.wob_N == Some(0.0))
     {
-        reader.report(
-            Diagnostic::error(format!("`{}` has no weight on its bit", kind.value.name()))
-                .at(wob.place, "the autodriller would have nothing to hold")
-                .at(kind.place, "the operation")
-                .help(
-                    "what stands on bottom is \"drill\" or \"slide\", with a `wob` of its own; \
+        return Diagnostic::error(format!("`{}` has no weight on its bit", kind.value.name()))
+            .at(wob.place, "the autodriller would have nothing to hold")
+            .at(kind.place, "the operation")
+            .help(
+                "what stands on bottom is \"drill\" or \"slide\", with a `wob` of its own; \
                        its schedule may begin with a block_velocity",
-                ),
-        );
-        return None;
+            )
+            .refuse(reader);
     }
     Some(ScheduleStep {
         at_s: *table.at.get()?,
@@ -237,10 +226,9 @@ fn warn_of_late_lines(lines: &[Spanned<StepTable>], end_s: Option<f64>, reader: 
     let late = lines.iter().filter_map(|line| line.value.at.at()).find(|at| at.value >= end_s);
     if let Some(at) = late {
         let place: Span = at.place;
-        reader.report(
-            Diagnostic::warning("the run ends before this line of the schedule begins")
-                .at(place, format!("the run ends at {} s", number_text(end_s)))
-                .help("it lasts for settle and duration of [dynamics]"),
-        );
+        Diagnostic::warning("the run ends before this line of the schedule begins")
+            .at(place, format!("the run ends at {} s", number_text(end_s)))
+            .help("it lasts for settle and duration of [dynamics]")
+            .report(reader);
     }
 }

@@ -43,12 +43,10 @@ impl Rule for SettleRule {
                 return Some(Settle::Auto);
             }
             if nearest(text, [AUTO]).is_some() {
-                reader.report(
-                    Diagnostic::error(format!("`{}` is not a time", short(text)))
-                        .at(node.place, "expected a time or \"auto\"")
-                        .help("did you mean \"auto\"?"),
-                );
-                return None;
+                return Diagnostic::error(format!("`{}` is not a time", short(text)))
+                    .at(node.place, "expected a time or \"auto\"")
+                    .help("did you mean \"auto\"?")
+                    .refuse(reader);
             }
         }
         Self::quantity().read(node, reader).map(Settle::Seconds)

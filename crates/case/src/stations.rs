@@ -44,14 +44,12 @@ impl Stations {
     pub(crate) fn check(&self, reader: &mut Reader) -> Option<()> {
         for (index, station) in self.list.iter().enumerate() {
             if !(-1000.0..=20_000.0).contains(&station.md_m) {
-                reader.report(
-                    Diagnostic::error(format!(
-                        "measured depth {} m is deeper than any well",
-                        number_text(station.md_m)
-                    ))
-                    .at(self.place(index), "expected at most 20000 m"),
-                );
-                return None;
+                return Diagnostic::error(format!(
+                    "measured depth {} m is deeper than any well",
+                    number_text(station.md_m)
+                ))
+                .at(self.place(index), "expected at most 20000 m")
+                .refuse(reader);
             }
         }
         for (index, pair) in self.list.windows(2).enumerate() {
@@ -60,16 +58,14 @@ impl Stations {
             let turn_rad = angle_between(above, below);
             // A step too small or backwards is the path's to report.
             if length_m > 1e-3 && turn_rad / length_m > SHARPEST_RAD_PER_M {
-                reader.report(
-                    Diagnostic::error(format!(
-                        "the hole bends by {} deg within {} m below {} m",
-                        number_text((turn_rad.to_degrees() * 10.0).round() / 10.0),
-                        number_text((length_m * 1e3).round() / 1e3),
-                        number_text(above.md_m)
-                    ))
-                    .at(self.place(index + 1), "expected at most 10 deg per metre"),
-                );
-                return None;
+                return Diagnostic::error(format!(
+                    "the hole bends by {} deg within {} m below {} m",
+                    number_text((turn_rad.to_degrees() * 10.0).round() / 10.0),
+                    number_text((length_m * 1e3).round() / 1e3),
+                    number_text(above.md_m)
+                ))
+                .at(self.place(index + 1), "expected at most 10 deg per metre")
+                .refuse(reader);
             }
         }
         Some(())
@@ -150,8 +146,9 @@ impl Rule for StationRule {
                     Value::List(items) => format!("this station has {} numbers", items.len()),
                     other => format!("a station is three numbers, found {}", other.noun()),
                 };
-                reader.report(Diagnostic::error(message).at(node.place, "expected [md, inc, azi]"));
-                return None;
+                return Diagnostic::error(message)
+                    .at(node.place, "expected [md, inc, azi]")
+                    .refuse(reader);
             }
         };
         let cells = Self::cells();
@@ -205,8 +202,7 @@ pub(crate) fn from_file(
         }),
         Err(error) => {
             let diagnostic = no_survey(&error, file, reader);
-            reader.report(diagnostic);
-            None
+            diagnostic.refuse(reader)
         }
     }
 }

@@ -58,15 +58,14 @@ impl SteelTable {
 pub(crate) fn check_moduli(material: &Material, place: Span, reader: &mut Reader) {
     let poisson = material.youngs_modulus_Pa / (2.0 * material.shear_modulus_Pa) - 1.0;
     if !(0.0..=0.5).contains(&poisson) {
-        reader.report(
-            Diagnostic::warning(format!(
-                "the moduli of {} and {} GPa make a Poisson's ratio of {}",
-                number_text(material.youngs_modulus_Pa / 1e9),
-                number_text(material.shear_modulus_Pa / 1e9),
-                number_text((poisson * 100.0).round() / 100.0)
-            ))
-            .at(place, "Young's and shear modulus are given separately")
-            .help("metals have 0.2 to 0.4; G = E/(2 (1 + ratio)); more than 0.5 counts as 0.5"),
-        );
+        Diagnostic::warning(format!(
+            "the moduli of {} and {} GPa make a Poisson's ratio of {}",
+            number_text(material.youngs_modulus_Pa / 1e9),
+            number_text(material.shear_modulus_Pa / 1e9),
+            number_text((poisson * 100.0).round() / 100.0)
+        ))
+        .at(place, "Young's and shear modulus are given separately")
+        .help("metals have 0.2 to 0.4; G = E/(2 (1 + ratio)); more than 0.5 counts as 0.5")
+        .report(reader);
     }
 }

@@ -62,13 +62,11 @@ impl ComponentTable {
     ) -> Option<ComponentSpec> {
         for (field, name) in [(&self.od, "od"), (&self.id, "id")] {
             if let Some(given) = field.given() {
-                reader.report(
-                    Diagnostic::error(format!("`{name}` is given beside `catalogue`"))
-                        .at(given.place, "the catalogue gives it")
-                        .at(designation.place, "the catalogue's entry")
-                        .help("leave one of the two out"),
-                );
-                return None;
+                return Diagnostic::error(format!("`{name}` is given beside `catalogue`"))
+                    .at(given.place, "the catalogue gives it")
+                    .at(designation.place, "the catalogue's entry")
+                    .help("leave one of the two out")
+                    .refuse(reader);
             }
         }
         match catalogue::find(&designation.value) {
@@ -108,25 +106,23 @@ impl ComponentTable {
         };
         if let Some(name) = lacking {
             let called = self.component.get().map_or("this component", |name| name);
-            reader.report(
-                Diagnostic::error(format!("`{}` lacks `{name}`", short(called)))
-                    .at(place, format!("`{name}` is missing"))
-                    .help(match name {
-                        "od" => "give od and id, or an entry of the catalogue",
-                        _ => "a solid bar has id = 0",
-                    }),
-            );
-            return None;
+            return Diagnostic::error(format!("`{}` lacks `{name}`", short(called)))
+                .at(place, format!("`{name}` is missing"))
+                .help(match name {
+                    "od" => "give od and id, or an entry of the catalogue",
+                    _ => "a solid bar has id = 0",
+                })
+                .refuse(reader);
         }
         let (od, id_m) = (od?, id.map_or(0.0, |at| at.value));
         if id_m >= od.value {
             let id = id?;
-            reader.report(
-                Diagnostic::error("the inside diameter is not smaller than the outside diameter")
-                    .at(id.place, format!("expected less than {}", mm(od.value)))
-                    .at(od.place, "the outside diameter"),
-            );
-            return None;
+            return Diagnostic::error(
+                "the inside diameter is not smaller than the outside diameter",
+            )
+            .at(id.place, format!("expected less than {}", mm(od.value)))
+            .at(od.place, "the outside diameter")
+            .refuse(reader);
         }
         Some(ComponentSpec::uniform(
             self.component.get()?,
@@ -163,13 +159,11 @@ fn check_mass(component: &ComponentSpec, place: Span, reader: &mut Reader) -> Op
         }
         return Some(());
     }
-    reader.report(
-        Diagnostic::error(format!(
-            "{} kg/m is more than a solid bar of {} weighs",
-            number_text(component.mass_per_length_kg_per_m),
-            mm(od_m)
-        ))
-        .at(place, format!("expected at most {} kg/m", number_text(solid.round()))),
-    );
-    None
+    Diagnostic::error(format!(
+        "{} kg/m is more than a solid bar of {} weighs",
+        number_text(component.mass_per_length_kg_per_m),
+        mm(od_m)
+    ))
+    .at(place, format!("expected at most {} kg/m", number_text(solid.round())))
+    .refuse(reader)
 }

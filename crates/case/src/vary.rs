@@ -58,11 +58,10 @@ impl Variation {
             if variations.iter().any(|other| other.key == variation.key) {
                 let message = format!("`{}` is varied twice", short(&variation.key));
                 let place = text.place(text.start, text.start + variation.key.len());
-                reader.report(
-                    Diagnostic::error(message)
-                        .at(place, "it stands above already")
-                        .help("give all values in one --vary, parted by commas"),
-                );
+                Diagnostic::error(message)
+                    .at(place, "it stands above already")
+                    .help("give all values in one --vary, parted by commas")
+                    .report(&mut reader);
             }
             variations.push(variation);
         }
@@ -143,12 +142,10 @@ impl Text {
             _ => {
                 let message = format!("`{}` is not KEY=VALUES", short(argument));
                 let place = self.place(self.start, self.quoted.len());
-                reader.report(
-                    Diagnostic::error(message)
-                        .at(place, "expected such as friction=0.2,0.3")
-                        .help(format!("a range is FROM..TO/STEP, {RANGE}")),
-                );
-                return None;
+                return Diagnostic::error(message)
+                    .at(place, "expected such as friction=0.2,0.3")
+                    .help(format!("a range is FROM..TO/STEP, {RANGE}"))
+                    .refuse(reader);
             }
         };
         let key_start = self.start + key.len() - key.trim_start().len();

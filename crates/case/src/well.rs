@@ -100,31 +100,22 @@ impl WellTable {
             }
             (None, Some(listed)) => {
                 if let Some(unit) = self.survey_unit.optional()? {
-                    reader.report(
-                        Diagnostic::warning("`survey_unit` has no effect")
-                            .at(unit.place, "it is said of a survey in a file")
-                            .at(listed.place, "`stations` in the case are in m, deg, deg"),
-                    );
+                    Diagnostic::warning("`survey_unit` has no effect")
+                        .at(unit.place, "it is said of a survey in a file")
+                        .at(listed.place, "`stations` in the case are in m, deg, deg")
+                        .report(reader);
                 }
                 Some(stations::from_case(listed))
             }
-            (Some(file), Some(listed)) => {
-                reader.report(
-                    Diagnostic::error("the survey is given twice")
-                        .at(listed.place, "`stations` in the case")
-                        .at(file.place, "`survey` in a file")
-                        .help("keep one of the two"),
-                );
-                None
-            }
-            (None, None) => {
-                reader.report(
-                    Diagnostic::error("[well] has no survey")
-                        .at(place, "`survey` or `stations` is missing")
-                        .help("survey = \"survey.csv\", or stations = [[0, 0, 0], [1000, 30, 45]]"),
-                );
-                None
-            }
+            (Some(file), Some(listed)) => Diagnostic::error("the survey is given twice")
+                .at(listed.place, "`stations` in the case")
+                .at(file.place, "`survey` in a file")
+                .help("keep one of the two")
+                .refuse(reader),
+            (None, None) => Diagnostic::error("[well] has no survey")
+                .at(place, "`survey` or `stations` is missing")
+                .help("survey = \"survey.csv\", or stations = [[0, 0, 0], [1000, 30, 45]]")
+                .refuse(reader),
         }
     }
 
@@ -135,10 +126,7 @@ impl WellTable {
         stations.check(reader)?;
         match Path::new(&stations.list, interpolation, tie_in) {
             Ok(path) => Some(path),
-            Err(error) => {
-                reader.report(path_error(&error, stations));
-                None
-            }
+            Err(error) => path_error(&error, stations).refuse(reader),
         }
     }
 
@@ -170,14 +158,13 @@ impl WellTable {
             if beyond_m > PROJECTION_M
                 && let Some(place) = bit_place
             {
-                reader.report(
-                    Diagnostic::warning(format!(
-                        "the survey ends at {} m, {} m above the bit",
-                        number_text(last_m),
-                        number_text((beyond_m * 100.0).round() / 100.0)
-                    ))
-                    .at(place, "the hole is taken to continue straight to here"),
-                );
+                Diagnostic::warning(format!(
+                    "the survey ends at {} m, {} m above the bit",
+                    number_text(last_m),
+                    number_text((beyond_m * 100.0).round() / 100.0)
+                ))
+                .at(place, "the hole is taken to continue straight to here")
+                .report(reader);
             }
         }
         let end_m = hole?.sections().last()?.to_md_m;
@@ -197,8 +184,7 @@ impl WellTable {
                     "without bit_depth under [operation] the bit is at the last survey station",
                 );
             }
-            reader.report(diagnostic);
-            return None;
+            return diagnostic.refuse(reader);
         }
         Some(())
     }

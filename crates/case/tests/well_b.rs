@@ -12,7 +12,7 @@ use wholestring::{
     string::{ComponentLength, ComponentSpec, DrillString, StringSpec},
 };
 use wholestring_case::{Case, Override, load};
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::{Tolerance, verify};
 
 /// What is compared of a window, torques in kN·m.
 struct Swing {
@@ -164,14 +164,9 @@ fn compare(depth_m: u32, period: Tolerance, peak: Tolerance, reason: &str) {
         ),
     ] {
         println!("{depth_m} m, {quantity}: {found:.2} for {expected}");
-        report(&Row {
-            case: "E08",
-            quantity: &format!("{quantity}, at {depth_m} m"),
-            expected,
-            computed: found,
-            tolerance,
-            reason,
-        });
+        verify("E08", format!("{quantity}, at {depth_m} m"))
+            .within(tolerance, reason)
+            .report(expected, found);
     }
 }
 

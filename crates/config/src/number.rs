@@ -23,10 +23,7 @@ pub fn check_range(
     match out_of_range(value, range, unit, worth, node, reader) {
         // Minus zero would print as such.
         None => Some(value + 0.0),
-        Some(mistake) => {
-            reader.report(mistake);
-            None
-        }
+        Some(mistake) => mistake.refuse(reader),
     }
 }
 
@@ -119,8 +116,7 @@ impl Rule for Whole {
             return Some(whole);
         }
         let message = format!("`{}` must be a whole number, zero or more", reader.key);
-        reader.report(Diagnostic::error(message).at(node.place, "expected a whole number"));
-        None
+        Diagnostic::error(message).at(node.place, "expected a whole number").refuse(reader)
     }
 
     fn schema(&self) -> Json {

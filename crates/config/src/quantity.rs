@@ -59,8 +59,7 @@ impl Rule for Quantity {
                 // writes.
                 if worth == 1.0 && *value != 0.0 && reader.asks_unit(node.place) {
                     let mistake = entry(*value, *value).needs_unit(reader);
-                    reader.report(mistake);
-                    return None;
+                    return mistake.refuse(reader);
                 }
                 (*value, value * worth)
             }
@@ -72,8 +71,7 @@ impl Rule for Quantity {
                     {
                         let number = number.parse().unwrap_or(f64::NAN);
                         let mistake = entry(number, number).needs_unit(reader);
-                        reader.report(mistake);
-                        return None;
+                        return mistake.refuse(reader);
                     }
                     let mut place = node.place;
                     if let Some(from) = verbatim_from
@@ -97,8 +95,7 @@ impl Rule for Quantity {
             if let Some(advice) = entry.advice(reader) {
                 mistake = mistake.help(advice);
             }
-            reader.report(mistake);
-            return None;
+            return mistake.refuse(reader);
         }
         entry.check(reader);
         // Minus zero would print as such.

@@ -33,6 +33,19 @@ pub struct Reader {
     kind: Option<&'static Kind>,
 }
 
+impl Diagnostic {
+    /// Hands it to the reader.
+    pub fn report(self, reader: &mut Reader) {
+        reader.report(self);
+    }
+
+    /// Hands it to the reader; there is no value then.
+    pub fn refuse<T>(self, reader: &mut Reader) -> Option<T> {
+        reader.report(self);
+        None
+    }
+}
+
 /// More mistakes than this are kept by nobody: the file is probably something else.
 const MAX: usize = 100;
 

@@ -67,8 +67,7 @@ impl Rule for Text {
         if written.contains('\\') {
             diagnostic = diagnostic.help(in_single_quotes(written));
         }
-        reader.report(diagnostic);
-        None
+        diagnostic.refuse(reader)
     }
 
     fn schema(&self) -> Json {
@@ -98,8 +97,7 @@ impl Rule for Prose {
             return Some(text.trim().to_owned());
         };
         let message = format!("`{}` {problem}", reader.key);
-        reader.report(Diagnostic::error(message).at(node.place, "expected a text"));
-        None
+        Diagnostic::error(message).at(node.place, "expected a text").refuse(reader)
     }
 
     fn schema(&self) -> Json {
@@ -133,8 +131,7 @@ impl<T: Copy + PartialEq> Rule for Choice<T> {
         if let Some(nearest) = nearest(text, words) {
             diagnostic = diagnostic.help(format!("did you mean \"{nearest}\"?"));
         }
-        reader.report(diagnostic);
-        None
+        diagnostic.refuse(reader)
     }
 
     fn example(&self) -> Option<String> {
@@ -169,12 +166,10 @@ pub fn once_each<T: Copy + PartialEq>(
 ) -> Option<()> {
     for (i, at) in list.iter().enumerate() {
         if let Some(first) = list[..i].iter().find(|first| first.value == at.value) {
-            reader.report(
-                Diagnostic::error(format!("`{}` is listed twice", name(at.value)))
-                    .at(at.place, "again here")
-                    .at(first.place, "first here"),
-            );
-            return None;
+            return Diagnostic::error(format!("`{}` is listed twice", name(at.value)))
+                .at(at.place, "again here")
+                .at(first.place, "first here")
+                .refuse(reader);
         }
     }
     Some(())
@@ -214,8 +209,7 @@ impl<R: Rule> Rule for List<R> {
                 0 => "expected at least one".to_owned(),
                 _ => format!("expected at most {}", self.most),
             };
-            reader.report(Diagnostic::error(message).at(node.place, expected));
-            return None;
+            return Diagnostic::error(message).at(node.place, expected).refuse(reader);
         }
         let read: Vec<Spanned<R::Value>> = items
             .iter()

@@ -96,6 +96,7 @@ pub mod findings;
 mod finite;
 pub mod model;
 pub mod mud;
+mod named;
 pub mod operation;
 pub mod outcome;
 pub mod prelude;

@@ -4,44 +4,27 @@ mod set_points;
 
 use serde::Serialize;
 
-/// Declares the kinds of operation: each once, so that none can be missing from the list of all.
-macro_rules! operation_kinds {
-    ($($(#[$meaning:meta])* $kind:ident = $name:literal,)+) => {
-        /// The operations that torque and drag are computed for.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-        pub enum OperationKind {
-            $($(#[$meaning])* $kind,)+
-        }
+use crate::named::named;
 
-        impl OperationKind {
-            /// Every operation, in the order in which reports list them.
-            pub const ALL: [Self; [$($name),+].len()] = [$(Self::$kind),+];
-
-            /// Name in case files and results: `trip_out`, `rotate_off_bottom`, ...
-            pub const fn name(self) -> &'static str {
-                match self {
-                    $(Self::$kind => $name,)+
-                }
-            }
-        }
-    };
-}
-
-operation_kinds! {
-    /// Pulling the string out of the hole without rotation.
-    TripOut = "trip_out",
-    /// Running the string into the hole without rotation.
-    TripIn = "trip_in",
-    /// Rotating with the bit off bottom and no axial motion.
-    RotateOffBottom = "rotate_off_bottom",
-    /// Rotary drilling: rotating and advancing with weight on the bit.
-    Drill = "drill",
-    /// Advancing with weight on the bit without rotating the string (mud motor).
-    Slide = "slide",
-    /// Rotating while running in, off bottom.
-    Ream = "ream",
-    /// Rotating while pulling out, off bottom.
-    BackReam = "back_ream",
+named! {
+    /// The operations that torque and drag are computed for.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+    pub enum OperationKind {
+        /// Pulling the string out of the hole without rotation.
+        TripOut = "trip_out",
+        /// Running the string into the hole without rotation.
+        TripIn = "trip_in",
+        /// Rotating with the bit off bottom and no axial motion.
+        RotateOffBottom = "rotate_off_bottom",
+        /// Rotary drilling: rotating and advancing with weight on the bit.
+        Drill = "drill",
+        /// Advancing with weight on the bit without rotating the string (mud motor).
+        Slide = "slide",
+        /// Rotating while running in, off bottom.
+        Ream = "ream",
+        /// Rotating while pulling out, off bottom.
+        BackReam = "back_ream",
+    }
 }
 
 impl OperationKind {

@@ -53,14 +53,9 @@ fn c01_straight_holes() {
             let [load] = place.critical_loads_N(criterion)[..] else {
                 panic!("one load: {row}");
             };
-            Row {
-                case: "C01",
-                quantity: &quantity,
-                expected: number(&row["expected"], key),
-                computed: load,
-                tolerance: Tolerance::Relative(1e-12),
-                reason: "rounding",
-            }
+            verify("C01", &quantity)
+                .relative(1e-12, "rounding")
+                .row(number(&row["expected"], key), load)
         });
         report_worst(rows.collect::<Vec<_>>());
     }
@@ -84,14 +79,9 @@ fn c03_curved_holes() {
             Some("sin") => Sinusoidal,
             _ => Helical,
         };
-        Row {
-            case: "C03",
-            quantity: "critical load of He and Kyllingstad in a curved hole, N",
-            expected: number(&row["expected"], "F_crit_N"),
-            computed: place.critical_loads_N(criterion)[0],
-            tolerance: Tolerance::Relative(1e-6),
-            reason: "what its source requires",
-        }
+        verify("C03", "critical load of He and Kyllingstad in a curved hole, N")
+            .relative(1e-6, "what its source requires")
+            .row(number(&row["expected"], "F_crit_N"), place.critical_loads_N(criterion)[0])
     });
     report_worst(rows.collect::<Vec<_>>());
 }
@@ -111,14 +101,11 @@ fn s2a_all_roots() {
         let (found, expected) = (place.critical_loads_N(criterion), numbers(expected));
         assert_eq!(found.len(), expected.len(), "{place:?}: {found:?}");
         for (computed, expected) in found.into_iter().zip(expected) {
-            rows.push(Row {
-                case: "S2a",
-                quantity: "critical load along a well with a build and a drop, N",
-                expected,
-                computed,
-                tolerance: Tolerance::Relative(1e-6),
-                reason: "what its source requires",
-            });
+            rows.push(
+                verify("S2a", "critical load along a well with a build and a drop, N")
+                    .relative(1e-6, "what its source requires")
+                    .row(expected, computed),
+            );
         }
     };
     for row in data["critical"].as_array().expect("depths") {
@@ -135,14 +122,12 @@ fn s2a_all_roots() {
     }
     report_worst(rows);
     let vertical = place(0.0, 0.0);
-    report(&Row {
-        case: "S2a",
-        quantity: "Lubinski's load of the first order in a vertical hole, N",
-        expected: number(&data["vertical"], "Lubinski_sin_1p94_N"),
-        computed: vertical.threshold_N(Sinusoidal, 0.0),
-        tolerance: Tolerance::Relative(1e-12),
-        reason: "rounding",
-    });
+    verify("S2a", "Lubinski's load of the first order in a vertical hole, N")
+        .relative(1e-12, "rounding")
+        .report(
+            number(&data["vertical"], "Lubinski_sin_1p94_N"),
+            vertical.threshold_N(Sinusoidal, 0.0),
+        );
 }
 
 /// In a sharp drop a pipe is straight, buckled, pressed straight to the high side, and buckled
@@ -198,13 +183,10 @@ fn s2b_lock_up() {
         let Pushed::LocksUp(length_m) = push_through(&[segment; 2000], at_bit_N, helix) else {
             panic!("it does not lock up: {row}");
         };
-        let hold = |quantity, computed, expected| Row {
-            case: "S2b",
-            quantity,
-            expected,
-            computed,
-            tolerance: Tolerance::Relative(1e-6),
-            reason: "what its source requires",
+        let hold = |quantity, computed, expected| {
+            verify("S2b", quantity)
+                .relative(1e-6, "what its source requires")
+                .row(expected, computed)
         };
         let closed_m = number(expected, "closed_form_m");
         lengths.push(hold("length that locks up, m", length_m, closed_m));

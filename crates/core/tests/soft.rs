@@ -166,12 +166,10 @@ const BUILD_AND_TURN: [[f64; 3]; 6] = [
 /// nothing else; mirroring it changes the side of the turn.
 #[test]
 fn north_is_not_special() {
-    let drill = Operation {
-        weight_on_bit_N: 60e3,
-        bit_torque_N_m: 3e3,
-        rate_of_penetration_m_per_s: 10.0 / 3600.0,
-        ..operation(Drill, 2500.0)
-    };
+    let drill = operation(Drill, 2500.0)
+        .weight_on_bit_N(60e3)
+        .bit_torque_N_m(3e3)
+        .rate_of_penetration_m_per_s(10.0 / 3600.0);
     for interpolation in [Interpolation::MinimumCurvature, Interpolation::Spline] {
         let solved = |turn_deg: f64, hand: f64| {
             let survey = BUILD_AND_TURN.map(|[md, inc, azi]| [md, inc, hand * azi + turn_deg]);
@@ -243,12 +241,10 @@ fn default_step_is_converged() {
             2500.0,
         );
         for kind in OperationKind::ALL {
-            let operation = Operation {
-                weight_on_bit_N: 60e3,
-                bit_torque_N_m: 3e3,
-                rate_of_penetration_m_per_s: 10.0 / 3600.0,
-                ..operation(kind, 2500.0)
-            };
+            let operation = operation(kind, 2500.0)
+                .weight_on_bit_N(60e3)
+                .bit_torque_N_m(3e3)
+                .rate_of_penetration_m_per_s(10.0 / 3600.0);
             let coarse = solve(&model, &operation).scalars;
             let fine = solve_with(&model, &operation, 0.125).scalars;
             assert_close("hook load", coarse.hook_load_N, fine.hook_load_N, 1e-6);
@@ -285,14 +281,9 @@ fn d09_hanging_stretch() {
             length_m,
         );
         let expected = data[key].as_f64().expect(key);
-        report(&Row {
-            case: "D09",
-            quantity: &format!("stretch of a hanging pipe in mud of {density} kg/m3, m"),
-            expected,
-            computed: run(&model, TripOut).scalars.stretch_m,
-            tolerance: Tolerance::Relative(1e-12),
-            reason: "rounding; the file prints all digits",
-        });
+        verify("D09", format!("stretch of a hanging pipe in mud of {density} kg/m3, m"))
+            .relative(1e-12, "rounding; the file prints all digits")
+            .report(expected, run(&model, TripOut).scalars.stretch_m);
     }
 }
 
@@ -312,7 +303,8 @@ fn stretch_and_twist_of_a_slanted_string() {
     let pipe = &model.string.components()[0];
     let weight = pipe.buoyed_weight_per_length_N_per_m(density);
     let (weight_on_bit_N, bit_torque_N_m) = (50e3, 4e3);
-    let drill = Operation { weight_on_bit_N, bit_torque_N_m, ..operation(Drill, length_m) };
+    let drill =
+        operation(Drill, length_m).weight_on_bit_N(weight_on_bit_N).bit_torque_N_m(bit_torque_N_m);
     let profile = solve(&model, &drill);
     let poisson = 210.0 / 160.0 - 1.0;
     let stretch = |up_m: f64| {

@@ -71,13 +71,10 @@ fn s1a_spans_between_tool_joints() {
             compared.push((what, hole_per_m + beyond_per_m, number(expected, key)));
         }
     }
-    report_worst(compared.iter().map(|(what, computed, expected)| Row {
-        case: "S1a",
-        quantity: what,
-        expected: *expected,
-        computed: *computed,
-        tolerance: Tolerance::Relative(1e-10),
-        reason: "the collocation of the body contacts; rounding elsewhere",
+    report_worst(compared.iter().map(|(what, computed, expected)| {
+        verify("S1a", what)
+            .relative(1e-10, "the collocation of the body contacts; rounding elsewhere")
+            .row(*expected, *computed)
     }));
 }
 
@@ -107,13 +104,10 @@ fn s1a_a_piece_of_twelve_joints() {
         )
     });
     let found: Vec<_> = found.collect();
-    report_worst(found.iter().map(|(what, computed, expected)| Row {
-        case: "S1a",
-        quantity: what,
-        expected: *expected,
-        computed: *computed,
-        tolerance: Tolerance::Relative(4e-3),
-        reason: "the ends of the piece, which fade ninefold from joint to joint",
+    report_worst(found.iter().map(|(what, computed, expected)| {
+        verify("S1a", what)
+            .relative(4e-3, "the ends of the piece, which fade ninefold from joint to joint")
+            .row(*expected, *computed)
     }));
 }
 
@@ -150,13 +144,10 @@ fn s3a_von_mises() {
         let bent_Pa = expected("bending_stress_outer_Pa");
         assert!((bending_Pa - bent_Pa).abs() <= 1e-12 * bent_Pa, "{name}");
     }
-    report_worst(compared.iter().map(|(what, computed, expected)| Row {
-        case: "S3a",
-        quantity: what,
-        expected: *expected,
-        computed: *computed,
-        tolerance: Tolerance::Relative(1e-11),
-        reason: "rounding; forces that cancel lose two digits",
+    report_worst(compared.iter().map(|(what, computed, expected)| {
+        verify("S3a", what)
+            .relative(1e-11, "rounding; forces that cancel lose two digits")
+            .row(*expected, *computed)
     }));
     // Mud at rest presses alike from all sides.
     let pipe = Component::uniform("pipe", 0.127, 0.1086, 1.0, steel());
@@ -204,11 +195,7 @@ fn in_an_arc(joints: bool, tension_N: f64) -> (Model, SoftProfile) {
         mud(steel().density_kg_per_m3),
         length_m,
     );
-    let drill = Operation {
-        weight_on_bit_N: -tension_N,
-        bit_torque_N_m: 5e3,
-        ..operation(Drill, length_m)
-    };
+    let drill = operation(Drill, length_m).weight_on_bit_N(-tension_N).bit_torque_N_m(5e3);
     let profile = solve(&model, &drill);
     (model, profile)
 }
@@ -298,11 +285,9 @@ fn pressures_and_the_force_in_the_metal() {
             mud,
             length_m,
         );
-        let rotate = Operation {
-            flow_rate_m3_per_s: flow_m3_per_s,
-            bit_pressure_drop_Pa: 5e6,
-            ..operation(RotateOffBottom, length_m)
-        };
+        let rotate = operation(RotateOffBottom, length_m)
+            .flow_rate_m3_per_s(flow_m3_per_s)
+            .bit_pressure_drop_Pa(5e6);
         let profile = solve(&model, &rotate);
         let pipe = &model.string.components()[0];
         let at_rest_Pa = 1200.0 * GRAVITY_M_PER_S2 * length_m * 20.0_f64.to_radians().cos();
@@ -342,12 +327,10 @@ fn the_power_of_friction() {
         friction,
     );
     for kind in [TripOut, TripIn, RotateOffBottom, Drill, Slide, Ream, BackReam] {
-        let operation = Operation {
-            rate_of_penetration_m_per_s: 0.01,
-            weight_on_bit_N: 20e3,
-            bit_torque_N_m: 1e3,
-            ..operation(kind, length_m)
-        };
+        let operation = operation(kind, length_m)
+            .rate_of_penetration_m_per_s(0.01)
+            .weight_on_bit_N(20e3)
+            .bit_torque_N_m(1e3);
         let profile = solve(&model, &operation);
         let (axial, spin) = (operation.axial_velocity_m_per_s(), operation.rotation_rad_per_s());
         let scalars = &profile.scalars;
@@ -365,7 +348,7 @@ fn the_power_of_friction() {
         let hole = on_the_hole[(profile.md_m[row] / HOLE_STEP_M) as usize];
         assert_close(kind.name(), hole, local, 2e-3);
     }
-    let standing = Operation { rate_of_penetration_m_per_s: 0.0, ..operation(Slide, length_m) };
+    let standing = operation(Slide, length_m).rate_of_penetration_m_per_s(0.0);
     let profile = solve(&model, &standing);
     assert!(profile.wear_power_W_per_m.iter().all(|power| *power == 0.0));
 }

@@ -43,18 +43,16 @@ impl Given<'_> {
 
     fn holds_number(&self, quantity: &str, computed: f64, expected: f64, tolerance: f64) {
         let id = self.0["id"].as_str().expect("id").replace('_', " ");
-        report(&Row {
-            case: "A01",
-            quantity: &format!("{id}: {quantity}"),
-            expected,
-            computed,
-            tolerance: Tolerance::Relative(tolerance),
-            reason: if tolerance < 1e-7 {
-                "rounding of the integration"
-            } else {
-                "the kink of the side force where the pipe changes sides"
-            },
-        });
+        verify("A01", format!("{id}: {quantity}"))
+            .relative(
+                tolerance,
+                if tolerance < 1e-7 {
+                    "rounding of the integration"
+                } else {
+                    "the kink of the side force where the pipe changes sides"
+                },
+            )
+            .report(expected, computed);
     }
 }
 
@@ -211,12 +209,10 @@ fn combined_motion(row: &Given) {
     );
     let speed = row.input("rop_m_per_h") / 3600.0;
     for (kind, sign) in [(Drill, -1.0), (Ream, -1.0), (BackReam, 1.0)] {
-        let operation = Operation {
-            rotary_speed_rad_per_s: rpm(row.input("rpm")),
-            rate_of_penetration_m_per_s: speed,
-            trip_speed_m_per_s: speed,
-            ..operation(kind, length_m)
-        };
+        let operation = operation(kind, length_m)
+            .rotary_speed_rad_per_s(rpm(row.input("rpm")))
+            .rate_of_penetration_m_per_s(speed)
+            .trip_speed_m_per_s(speed);
         let scalars = solve(&model, &operation).scalars;
         let drag = sign * row.expected("axial_drag_N");
         row.holds_number(
@@ -288,8 +284,9 @@ fn a02_synthetic_well() {
             ("sliding_6t", Slide, 58839.9, 0.0),
         ] {
             let expected = &row["expected"][name];
-            let operation =
-                Operation { weight_on_bit_N, bit_torque_N_m, ..operation(kind, depth_m) };
+            let operation = operation(kind, depth_m)
+                .weight_on_bit_N(weight_on_bit_N)
+                .bit_torque_N_m(bit_torque_N_m);
             let profile =
                 soft::solve(&model, &operation, &SoftSettings::default()).expect("a sound model");
             let what = |key: &str| format!("friction {mu} {} {key}", name.replace('_', " "));
@@ -323,13 +320,13 @@ fn a02_synthetic_well() {
     }
     for quantity in ["hookload_N", "torque_Nm", "sum_normal_N"] {
         let rows = found.iter().filter(|(what, ..)| what.ends_with(quantity));
-        report_worst(rows.map(|(what, computed, expected)| Row {
-            case: "A02",
-            quantity: what,
-            expected: *expected,
-            computed: *computed,
-            tolerance: Tolerance::Relative(1e-6),
-            reason: "what the default step promises; the kinks where the pipe changes sides",
+        report_worst(rows.map(|(what, computed, expected)| {
+            verify("A02", what)
+                .relative(
+                    1e-6,
+                    "what the default step promises; the kinks where the pipe changes sides",
+                )
+                .row(*expected, *computed)
         }));
     }
 }
@@ -369,8 +366,9 @@ fn a06_common_well() {
             depth_m,
         );
         let solve = |kind, weight_on_bit_N, bit_torque_N_m| {
-            let operation =
-                Operation { weight_on_bit_N, bit_torque_N_m, ..operation(kind, depth_m) };
+            let operation = operation(kind, depth_m)
+                .weight_on_bit_N(weight_on_bit_N)
+                .bit_torque_N_m(bit_torque_N_m);
             soft::solve(&model, &operation, &SoftSettings::default())
                 .expect("a sound model")
                 .scalars
@@ -389,14 +387,9 @@ fn a06_common_well() {
             let expected = 1e3 * expected[key].as_f64().expect(key);
             // Half a unit of the last printed digit is 0.05 of N or N·m.
             let tolerance = 1e-6 + 0.05 / expected;
-            report(&Row {
-                case: "A06",
-                quantity: &format!("friction {mu}: {}", key.replace('_', " ")),
-                expected,
-                computed: obtained,
-                tolerance: Tolerance::Relative(tolerance),
-                reason: "the default step, and half of the last printed digit",
-            });
+            verify("A06", format!("friction {mu}: {}", key.replace('_', " ")))
+                .relative(tolerance, "the default step, and half of the last printed digit")
+                .report(expected, obtained);
         }
     }
 }

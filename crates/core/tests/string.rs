@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Row, Tolerance, relative_error, report_worst, steel, verification};
+use common::{relative_error, report_worst, steel, verification, verify};
 use wholestring::string::{
     AssemblyError, Component, ComponentLength, ComponentSpec, StringSpec, ToolJoints, catalogue,
 };
@@ -61,13 +61,10 @@ fn a05_drill_pipe_strength() {
             }
         }
     }
-    report_worst(strengths.iter().map(|(what, computed, expected)| Row {
-        case: "A05",
-        quantity: what,
-        expected: *expected,
-        computed: *computed,
-        tolerance: Tolerance::Relative(1e-4),
-        reason: "rounding of the constant 0.096167 of the standard",
+    report_worst(strengths.iter().map(|(what, computed, expected)| {
+        verify("A05", what)
+            .relative(1e-4, "rounding of the constant 0.096167 of the standard")
+            .row(*expected, *computed)
     }));
 }
 
@@ -88,13 +85,10 @@ fn a05_published_strengths() {
         let what = format!("printed torsional yield of {name}, ft·lbf");
         published.push((what, torsional, &strengths[1]));
     }
-    report_worst(published.iter().map(|(what, computed, expected)| Row {
-        case: "A05",
-        quantity: what,
-        expected: expected.as_f64().expect("a number"),
-        computed: *computed,
-        tolerance: Tolerance::Relative(1e-4),
-        reason: "the table's last digit",
+    report_worst(published.iter().map(|(what, computed, expected)| {
+        verify("A05", what)
+            .relative(1e-4, "the table's last digit")
+            .row(expected.as_f64().expect("a number"), *computed)
     }));
 }
 

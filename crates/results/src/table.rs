@@ -203,6 +203,22 @@ impl Table {
         self.columns.iter().find(|column| column.name == name)
     }
 
+    /// The numbers of a column, if there is such a column of numbers.
+    pub fn numbers(&self, name: &str) -> Option<&[Option<f64>]> {
+        match &self.column(name)?.data {
+            Data::Number(values) => Some(values),
+            Data::Text(_) => None,
+        }
+    }
+
+    /// The words of a column, if there is such a column of words.
+    pub fn words(&self, name: &str) -> Option<&[String]> {
+        match &self.column(name)?.data {
+            Data::Text(words) => Some(words),
+            Data::Number(_) => None,
+        }
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |column| column.data.len())

@@ -6,13 +6,10 @@ use std::fs;
 
 use common::{NODES, frame};
 use wholestring::dynamics::{Channel, Frame};
-use wholestring_results::{Data, FRAMES, FramesSoFar, ResultsFolder, Table};
+use wholestring_results::{FRAMES, FramesSoFar, ResultsFolder, Table};
 
 fn numbers<'a>(table: &'a Table, name: &str) -> &'a [Option<f64>] {
-    match &table.column(name).unwrap_or_else(|| panic!("no `{name}`")).data {
-        Data::Number(values) => values,
-        Data::Text(_) => panic!("`{name}` holds words"),
-    }
+    table.numbers(name).expect(name)
 }
 
 #[test]
@@ -57,9 +54,7 @@ fn every_channel_is_read_back() {
         let node = |(i, node): (usize, &Option<f64>)| *node == Some(i as f64);
         assert!(numbers(&table, "node")[rows].iter().enumerate().all(node));
     }
-    let Data::Text(words) = &table.column("operation").unwrap().data else {
-        panic!("words");
-    };
+    let words = table.words("operation").expect("words");
     assert_eq!((words[0].as_str(), words[100 * NODES].as_str()), ("drill", "slide"));
     assert_eq!(table.column("tension_N").unwrap().unit, "N");
 }

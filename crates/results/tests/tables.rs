@@ -100,17 +100,11 @@ fn appended_rows_leave_the_other_columns_null() {
         &[("md_m", &[0.0]), ("contact_force_std_N", &[3.0])],
     );
     assert_eq!(table.rows(), 3);
-    let number = |name| match &table.column(name).unwrap().data {
-        Data::Number(values) => values.clone(),
-        Data::Text(_) => panic!("{name} is a number"),
-    };
+    let number = |name| table.numbers(name).expect(name);
     assert_eq!(number("tension_N"), [Some(1e6), None, None]);
     assert_eq!(number("contact_force_std_N"), [None, None, Some(3.0)]);
     assert_eq!(number("twist_rad"), [None; 3]);
-    let words = |name| match &table.column(name).unwrap().data {
-        Data::Text(words) => words.clone(),
-        Data::Number(_) => panic!("{name} is a word"),
-    };
+    let words = |name| table.words(name).expect(name);
     assert_eq!(words("operation"), ["drill"; 3]);
     assert_eq!(words("contact_side"), ["none", "low", "high"]);
 }

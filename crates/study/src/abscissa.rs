@@ -55,11 +55,9 @@ impl Abscissa {
                 if dimension.is_none_or(|of| of.parse(value).is_err()) {
                     let message =
                         format!("`{}` of `{}` is no place on an axis", short(value), at.value);
-                    reader.report(
-                        Diagnostic::error(message)
-                            .at(at.place, "expected a key of numbers of one unit"),
-                    );
-                    return None;
+                    return Diagnostic::error(message)
+                        .at(at.place, "expected a key of numbers of one unit")
+                        .refuse(reader);
                 }
             }
         }

@@ -187,12 +187,10 @@ pub(crate) fn check_summarised(at: &Spanned<Statistic>, reader: &mut Reader) -> 
         return Some(());
     }
     let message = format!("summaries hold no `{}`", at.value.name());
-    reader.report(
-        Diagnostic::error(message)
-            .at(at.place, "expected \"p05\" or \"p95\"")
-            .help("from = \"time\" or \"frames\" makes any percentile of the samples"),
-    );
-    None
+    Diagnostic::error(message)
+        .at(at.place, "expected \"p05\" or \"p95\"")
+        .help("from = \"time\" or \"frames\" makes any percentile of the samples")
+        .refuse(reader)
 }
 
 /// A value that is given, in whatever it is compared with: text with a unit, or a bare number.
@@ -237,10 +235,9 @@ impl Amount {
         let Some(dimension) = dimension else {
             let message =
                 format!("`{}` has a unit, and what it is compared with has none", short(text));
-            reader.report(
-                Diagnostic::error(message).at(at.place, "expected a number without quotes"),
-            );
-            return None;
+            return Diagnostic::error(message)
+                .at(at.place, "expected a number without quotes")
+                .refuse(reader);
         };
         match dimension.parse(text) {
             Ok(si) => Some(si),
@@ -276,6 +273,5 @@ pub(crate) fn check_positive(value: f64, at: &Spanned<Amount>, reader: &mut Read
         return Some(value);
     }
     let message = format!("a tolerance of {} allows nothing", number_text(value));
-    reader.report(Diagnostic::error(message).at(at.place, "expected more than zero"));
-    None
+    Diagnostic::error(message).at(at.place, "expected more than zero").refuse(reader)
 }

@@ -130,11 +130,9 @@ impl FigureTable {
         let at = self.y.at()?.place;
         let unit = |quantity: &Quantity| quantity.column.dimension;
         if y.iter().any(|other| unit(other) != unit(&y[0])) {
-            reader.report(
-                Diagnostic::error("the columns of one axis measure different things")
-                    .at(at, "expected columns of one unit"),
-            );
-            return None;
+            return Diagnostic::error("the columns of one axis measure different things")
+                .at(at, "expected columns of one unit")
+                .refuse(reader);
         }
         let chosen = chosen?;
         let data = self.data(source, place, (&chosen, sweeps), columns, reader)?;
@@ -221,11 +219,13 @@ impl FigureTable {
                         Some(_) => ("a figure of frames has `times` or `depths`", "both are given"),
                     };
                     let at = self.depths.given().map_or(at, |at| at.place);
-                    reader.report(Diagnostic::error(message).at(at, label).help(
-                        "such as times = [\"1 s\", \"10 s\"] along the string, or \
+                    Diagnostic::error(message)
+                        .at(at, label)
+                        .help(
+                            "such as times = [\"1 s\", \"10 s\"] along the string, or \
                                    depths = \"600 m\" against time",
-                    ));
-                    None
+                        )
+                        .refuse(reader)
                 }
             },
             Source::Time => {
@@ -255,30 +255,25 @@ impl FigureTable {
         let [y] = &self.y.get()?[..] else {
             let message = "a map has one vertical axis";
             let at = self.y.at()?.place;
-            reader.report(Diagnostic::error(message).at(at, "expected \"md_m\""));
-            return None;
+            return Diagnostic::error(message).at(at, "expected \"md_m\"").refuse(reader);
         };
         for (axis, given, expected) in [("x", self.x.at()?, "time_s"), ("y", y, "md_m")] {
             if given.value != expected {
                 let message = format!("`{}` is not on `{axis}` of a map", short(&given.value));
-                reader.report(
-                    Diagnostic::error(message)
-                        .at(given.place, format!("expected \"{expected}\""))
-                        .help(
-                            "a map shows contact over time and depth; `colour` is the column \
+                return Diagnostic::error(message)
+                    .at(given.place, format!("expected \"{expected}\""))
+                    .help(
+                        "a map shows contact over time and depth; `colour` is the column \
                                that it shows",
-                        ),
-                );
-                return None;
+                    )
+                    .refuse(reader);
             }
         }
         let Some(colour) = self.colour.optional()? else {
-            reader.report(
-                Diagnostic::error("a map of contact needs `colour`")
-                    .at(at, "it is not given")
-                    .help("such as colour = \"side_force_N_per_m\" or \"contact_force_N_per_m\""),
-            );
-            return None;
+            return Diagnostic::error("a map of contact needs `colour`")
+                .at(at, "it is not given")
+                .help("such as colour = \"side_force_N_per_m\" or \"contact_force_N_per_m\"")
+                .refuse(reader);
         };
         Quantity::named(colour, Source::Contact, columns, reader)
     }

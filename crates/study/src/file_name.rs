@@ -23,11 +23,9 @@ impl Rule for FileName {
             return Some(name);
         }
         let message = format!("`{}` makes no file name on every system", short(&name));
-        reader.report(
-            Diagnostic::error(message)
-                .at(node.place, "expected letters, digits, blanks and - _ + = , ( ), 80 at most"),
-        );
-        None
+        Diagnostic::error(message)
+            .at(node.place, "expected letters, digits, blanks and - _ + = , ( ), 80 at most")
+            .refuse(reader)
     }
 
     fn schema(&self) -> Json {

@@ -195,15 +195,13 @@ impl RowTable {
             }
             Source::Frames => {
                 if depth.is_none() && time.is_none() {
-                    reader.report(
-                        Diagnostic::error("a number of frames needs `depth` or `time`")
-                            .at(at, "neither is given")
-                            .help(
-                                "depth = \"600 m\" for a statistic over time, time = \"10 s\" \
+                    return Diagnostic::error("a number of frames needs `depth` or `time`")
+                        .at(at, "neither is given")
+                        .help(
+                            "depth = \"600 m\" for a statistic over time, time = \"10 s\" \
                                    for one along the string",
-                            ),
-                    );
-                    return None;
+                        )
+                        .refuse(reader);
                 }
                 if time.is_some() {
                     idle(&["window"], "there is one frame at a time");
@@ -231,12 +229,10 @@ impl RowTable {
                     Some(key) => ("shape", key.place),
                     None => ("along", shape.map_or(Span::default(), |shape| shape.place)),
                 };
-                reader.report(
-                    Diagnostic::error(format!("`{missing}` is missing"))
-                        .at(at, "`along` and `shape` go together")
-                        .help("such as along = \"bit_depth\" and shape = \"linearity\""),
-                );
-                None
+                Diagnostic::error(format!("`{missing}` is missing"))
+                    .at(at, "`along` and `shape` go together")
+                    .help("such as along = \"bit_depth\" and shape = \"linearity\"")
+                    .refuse(reader)
             }
         }
     }
@@ -255,12 +251,10 @@ impl RowTable {
         {
             let message = format!("sweep `{}` does not vary `{}`", sweep.name, short(along));
             let keys: Vec<&str> = sweep.keys().collect();
-            reader.report(
-                Diagnostic::error(message)
-                    .at(field.place, "expected a key that it varies")
-                    .help(format!("keys that it varies: {}", keys.join(", "))),
-            );
-            return None;
+            return Diagnostic::error(message)
+                .at(field.place, "expected a key that it varies")
+                .help(format!("keys that it varies: {}", keys.join(", ")))
+                .refuse(reader);
         }
         for varied in &sweep.vary {
             if along == Some(varied.key.as_str()) {
@@ -270,12 +264,10 @@ impl RowTable {
             if let (Some(first), Some(second)) = (left.next(), left.next()) {
                 let key = &varied.key;
                 let message = format!("`{key}` of sweep `{}` is open", sweep.name);
-                reader.report(
-                    Diagnostic::error(message)
-                        .at(at, format!("is it {first}, {second} or another?"))
-                        .help(format!("say which, such as only = {{ {key} = \"{first}\" }}")),
-                );
-                return None;
+                return Diagnostic::error(message)
+                    .at(at, format!("is it {first}, {second} or another?"))
+                    .help(format!("say which, such as only = {{ {key} = \"{first}\" }}"))
+                    .refuse(reader);
             }
         }
         Some(())

@@ -107,11 +107,10 @@ impl Selection {
                 if !varied.bare_values().any(|value| wish.has(value)) {
                     let message = format!("no case of sweep `{}` has this `{}`", sweep, term.key);
                     let values: Vec<&str> = varied.bare_values().collect();
-                    reader.report(
-                        Diagnostic::error(message)
-                            .at(wish.place, "expected one of its values")
-                            .help(format!("its values: {}", values.join(", "))),
-                    );
+                    Diagnostic::error(message)
+                        .at(wish.place, "expected one of its values")
+                        .help(format!("its values: {}", values.join(", ")))
+                        .report(reader);
                     valid = None;
                 }
             }
@@ -176,13 +175,9 @@ fn wish(node: &Node, reader: &mut Reader) -> Option<Wish> {
         && from != to
         && compare(from, to).is_none_or(Ordering::is_gt)
     {
-        reader.report(
-            Diagnostic::error("this range holds nothing").at(
-                node.place,
-                "expected the smaller number first, both with a unit or both without",
-            ),
-        );
-        return None;
+        return Diagnostic::error("this range holds nothing")
+            .at(node.place, "expected the smaller number first, both with a unit or both without")
+            .refuse(reader);
     }
     Some(Wish { from, to, place: node.place })
 }

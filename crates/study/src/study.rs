@@ -194,10 +194,9 @@ impl Names {
                 let name = at.value.to_lowercase();
                 if self.0.contains(&name) {
                     let message = format!("two are named `{}`", short(&at.value));
-                    reader.report(
-                        Diagnostic::error(message).at(at.place, "expected another file name"),
-                    );
-                    return None;
+                    return Diagnostic::error(message)
+                        .at(at.place, "expected another file name")
+                        .refuse(reader);
                 }
                 at.value.clone()
             }

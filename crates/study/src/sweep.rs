@@ -102,8 +102,9 @@ pub(crate) fn build(tables: &[Spanned<SweepTable>], reader: &mut Reader) -> Opti
         let alike = |other: &Sweep| other.name.to_lowercase() == sweep.name.to_lowercase();
         if sweeps.iter().any(alike) {
             let message = format!("two sweeps are named `{}`", sweep.name);
-            reader.report(Diagnostic::error(message).at(name.place, "expected another name"));
-            return None;
+            return Diagnostic::error(message)
+                .at(name.place, "expected another name")
+                .refuse(reader);
         }
         sweeps.push(sweep);
     }

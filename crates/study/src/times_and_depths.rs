@@ -47,12 +47,8 @@ pub(crate) fn window(
     };
     match given.value.as_slice() {
         [from, to] if from.value < to.value => Some(Some([from.value, to.value])),
-        _ => {
-            reader.report(
-                Diagnostic::error("`window` holds no time")
-                    .at(given.place, "expected two times, such as [\"0 s\", \"20 s\"]"),
-            );
-            None
-        }
+        _ => Diagnostic::error("`window` holds no time")
+            .at(given.place, "expected two times, such as [\"0 s\", \"20 s\"]")
+            .refuse(reader),
     }
 }

@@ -2,104 +2,113 @@
 
 use crate::{Unit, UnitSet, print, symbol, table};
 
-/// What a quantity measures.
-///
-/// Dimensions that are the same to a physicist but not to an engineer are kept apart, because
-/// people write and print them in different units: lengths and diameters, a rate of penetration
-/// and a tripping speed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Dimension {
+/// Declares the dimensions: name in a sentence, units that are read, symbols of those that the unit
+/// sets show it in.
+macro_rules! dimensions {
+    ($($(#[$meaning:meta])* $of:ident: $name:literal, $units:ident, $shown:expr;)+) => {
+        /// What a quantity measures.
+        ///
+        /// Dimensions that are the same to a physicist but not to an engineer are kept apart,
+        /// because people write and print them in different units: lengths and diameters, a rate
+        /// of penetration and a tripping speed.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Dimension {
+            $($(#[$meaning])* $of,)+
+        }
+
+        impl Dimension {
+            /// Every dimension.
+            pub const ALL: &[Dimension] = &[$(Dimension::$of),+];
+
+            /// The name in a sentence, such as `"rotary speed"`.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Dimension::$of => $name,)+
+                }
+            }
+
+            /// The units that are read, the commonest first. The SI unit is one of them.
+            pub fn units(self) -> &'static [Unit] {
+                match self {
+                    $(Dimension::$of => table::$units,)+
+                }
+            }
+
+            /// Symbol of the unit in which a unit set shows this dimension.
+            fn symbol_in(self, set: UnitSet) -> &'static str {
+                let [si, metric, field] = match self {
+                    $(Dimension::$of => $shown,)+
+                };
+                match set {
+                    UnitSet::Si => si,
+                    UnitSet::Metric => metric,
+                    UnitSet::Field => field,
+                }
+            }
+        }
+    };
+}
+
+dimensions! {
     /// Depths and lengths along the hole or the string, m.
-    Length,
+    Length: "length", LENGTH, ["m", "m", "ft"];
     /// Diameters and other lengths across the hole, m.
-    Diameter,
+    Diameter: "diameter", DIAMETER, ["mm", "mm", "in"];
     /// Hook loads, tensions, weights on bit, N.
-    Force,
+    Force: "force", FORCE, ["kN", "t", "klbf"];
     /// Torques and bending moments, N·m.
-    Torque,
+    Torque: "torque", TORQUE, ["kN.m", "kN.m", "ft-lbf"];
     /// Pressures, stresses, moduli, Pa.
-    Pressure,
+    Pressure: "pressure", PRESSURE, ["MPa", "bar", "psi"];
     /// Densities of mud and material, kg/m³.
-    Density,
+    Density: "density", DENSITY, ["kg/m3", "sg", "ppg"];
     /// Weights of pipe, as mass per length, kg/m.
-    MassPerLength,
+    MassPerLength: "mass per length", MASS_PER_LENGTH, ["kg/m", "kg/m", "lb/ft"];
     /// Side forces and weights, as force per length, N/m.
-    ForcePerLength,
+    ForcePerLength: "force per length", FORCE_PER_LENGTH, ["kN/m", "kN/m", "lbf/ft"];
     /// Rotary speeds, rad/s.
-    RotarySpeed,
+    RotarySpeed: "rotary speed", ROTARY_SPEED, ["rpm", "rpm", "rpm"];
     /// Rates of penetration, m/s.
-    RateOfPenetration,
+    RateOfPenetration: "rate of penetration", RATE_OF_PENETRATION, ["m/h", "m/h", "ft/h"];
     /// Speeds of tripping and of the travelling block, m/s.
-    TripSpeed,
+    TripSpeed: "speed", TRIP_SPEED, ["m/s", "m/s", "ft/min"];
     /// Inclinations, azimuths, tool faces, rad.
-    Angle,
+    Angle: "angle", ANGLE, ["deg", "deg", "deg"];
     /// Curvatures of the hole, rad/m.
-    DoglegSeverity,
+    DoglegSeverity: "dogleg severity", DOGLEG_SEVERITY, ["deg/30m", "deg/30m", "deg/100ft"];
     /// Stiffnesses of contacts and springs, N/m.
-    Stiffness,
+    Stiffness: "stiffness", STIFFNESS, ["kN/m", "kN/m", "lbf/in"];
     /// Viscous damping against velocity, N·s/m.
-    Damping,
+    Damping: "damping", DAMPING, ["kN.s/m", "kN.s/m", "lbf.s/ft"];
     /// Viscosities, Pa·s.
-    Viscosity,
+    Viscosity: "viscosity", VISCOSITY, ["mPa.s", "mPa.s", "cP"];
     /// Consistency indices of power-law fluids, Pa·sⁿ.
-    Consistency,
+    Consistency: "consistency index", CONSISTENCY, ["Pa.s^n", "Pa.s^n", "lbf.s^n/100ft2"];
     /// Yield points and shear stresses of fluids, Pa.
-    ShearStress,
+    ShearStress: "shear stress", SHEAR_STRESS, ["Pa", "Pa", "lbf/100ft2"];
     /// Flow rates of pumps, m³/s.
-    FlowRate,
+    FlowRate: "flow rate", FLOW_RATE, ["L/min", "L/min", "gpm"];
     /// Volumes, m³.
-    Volume,
+    Volume: "volume", VOLUME, ["L", "L", "gal"];
     /// Dissipation of an impact per velocity (Hunt and Crossley), s/m.
-    DissipationTime,
+    DissipationTime: "dissipation time", DISSIPATION_TIME, ["s/m", "s/m", "s/ft"];
     /// Velocity of the hoist per error of force, m/s/N.
-    HoistGain,
+    HoistGain: "hoist gain", HOIST_GAIN, ["m/s/kN", "m/s/t", "ft/s/klbf"];
     /// Durations, s.
-    Time,
+    Time: "time", TIME, ["s", "s", "s"];
     /// Rates and cycles per time, 1/s.
-    Frequency,
+    Frequency: "frequency", FREQUENCY, ["1/s", "1/s", "1/s"];
     /// Masses, kg.
-    Mass,
+    Mass: "mass", MASS, ["kg", "t", "lb"];
     /// Moments of inertia about an axis, kg·m².
-    MomentOfInertia,
+    MomentOfInertia: "moment of inertia", MOMENT_OF_INERTIA, ["kg.m2", "kg.m2", "lb.ft2"];
     /// Torque per rotary speed, N·m·s.
-    RotaryDamping,
+    RotaryDamping: "torque per rotary speed", ROTARY_DAMPING, ["kN.m.s", "kN.m.s", "ft-lbf.s"];
     /// Energies that cracks take per area, J/m².
-    FractureEnergy,
+    FractureEnergy: "fracture energy", FRACTURE_ENERGY, ["kJ/m2", "kJ/m2", "in-lbf/in2"];
 }
 
 impl Dimension {
-    /// Every dimension.
-    pub const ALL: &[Dimension] = &[
-        Dimension::Length,
-        Dimension::Diameter,
-        Dimension::Force,
-        Dimension::Torque,
-        Dimension::Pressure,
-        Dimension::Density,
-        Dimension::MassPerLength,
-        Dimension::ForcePerLength,
-        Dimension::RotarySpeed,
-        Dimension::RateOfPenetration,
-        Dimension::TripSpeed,
-        Dimension::Angle,
-        Dimension::DoglegSeverity,
-        Dimension::Stiffness,
-        Dimension::Damping,
-        Dimension::Viscosity,
-        Dimension::Consistency,
-        Dimension::ShearStress,
-        Dimension::FlowRate,
-        Dimension::Volume,
-        Dimension::DissipationTime,
-        Dimension::HoistGain,
-        Dimension::Time,
-        Dimension::Frequency,
-        Dimension::Mass,
-        Dimension::MomentOfInertia,
-        Dimension::RotaryDamping,
-        Dimension::FractureEnergy,
-    ];
-
     /// The SI unit at the end of a name in files for machines, such as `N_per_m`.
     ///
     /// ```
@@ -116,74 +125,6 @@ impl Dimension {
         words.trim_start_matches('_').to_owned()
     }
 
-    /// The name in a sentence, such as `"rotary speed"`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Dimension::Length => "length",
-            Dimension::Diameter => "diameter",
-            Dimension::Force => "force",
-            Dimension::Torque => "torque",
-            Dimension::Pressure => "pressure",
-            Dimension::Density => "density",
-            Dimension::MassPerLength => "mass per length",
-            Dimension::ForcePerLength => "force per length",
-            Dimension::RotarySpeed => "rotary speed",
-            Dimension::RateOfPenetration => "rate of penetration",
-            Dimension::TripSpeed => "speed",
-            Dimension::Angle => "angle",
-            Dimension::DoglegSeverity => "dogleg severity",
-            Dimension::Stiffness => "stiffness",
-            Dimension::Damping => "damping",
-            Dimension::Viscosity => "viscosity",
-            Dimension::Consistency => "consistency index",
-            Dimension::ShearStress => "shear stress",
-            Dimension::FlowRate => "flow rate",
-            Dimension::Volume => "volume",
-            Dimension::DissipationTime => "dissipation time",
-            Dimension::HoistGain => "hoist gain",
-            Dimension::Time => "time",
-            Dimension::Frequency => "frequency",
-            Dimension::Mass => "mass",
-            Dimension::MomentOfInertia => "moment of inertia",
-            Dimension::RotaryDamping => "torque per rotary speed",
-            Dimension::FractureEnergy => "fracture energy",
-        }
-    }
-
-    /// The units that are read, the commonest first. The SI unit is one of them.
-    pub fn units(self) -> &'static [Unit] {
-        match self {
-            Dimension::Length => table::LENGTH,
-            Dimension::Diameter => table::DIAMETER,
-            Dimension::Force => table::FORCE,
-            Dimension::Torque => table::TORQUE,
-            Dimension::Pressure => table::PRESSURE,
-            Dimension::Density => table::DENSITY,
-            Dimension::MassPerLength => table::MASS_PER_LENGTH,
-            Dimension::ForcePerLength => table::FORCE_PER_LENGTH,
-            Dimension::RotarySpeed => table::ROTARY_SPEED,
-            Dimension::RateOfPenetration => table::RATE_OF_PENETRATION,
-            Dimension::TripSpeed => table::TRIP_SPEED,
-            Dimension::Angle => table::ANGLE,
-            Dimension::DoglegSeverity => table::DOGLEG_SEVERITY,
-            Dimension::Stiffness => table::STIFFNESS,
-            Dimension::Damping => table::DAMPING,
-            Dimension::Viscosity => table::VISCOSITY,
-            Dimension::Consistency => table::CONSISTENCY,
-            Dimension::ShearStress => table::SHEAR_STRESS,
-            Dimension::FlowRate => table::FLOW_RATE,
-            Dimension::Volume => table::VOLUME,
-            Dimension::DissipationTime => table::DISSIPATION_TIME,
-            Dimension::HoistGain => table::HOIST_GAIN,
-            Dimension::Time => table::TIME,
-            Dimension::Frequency => table::FREQUENCY,
-            Dimension::Mass => table::MASS,
-            Dimension::MomentOfInertia => table::MOMENT_OF_INERTIA,
-            Dimension::RotaryDamping => table::ROTARY_DAMPING,
-            Dimension::FractureEnergy => table::FRACTURE_ENERGY,
-        }
-    }
-
     /// Symbol of the unit that [`parse`](Self::parse) returns and the printers take.
     pub fn si_symbol(self) -> &'static str {
         self.si_unit().symbol
@@ -193,45 +134,6 @@ impl Dimension {
     pub fn unit_in(self, set: UnitSet) -> &'static Unit {
         let symbol = self.symbol_in(set);
         self.units().iter().find(|unit| unit.symbol == symbol).unwrap_or(self.si_unit())
-    }
-
-    /// Symbol of the unit in which a unit set shows this dimension.
-    fn symbol_in(self, set: UnitSet) -> &'static str {
-        let [si, metric, field] = match self {
-            Dimension::Length => ["m", "m", "ft"],
-            Dimension::Diameter => ["mm", "mm", "in"],
-            Dimension::Force => ["kN", "t", "klbf"],
-            Dimension::Torque => ["kN.m", "kN.m", "ft-lbf"],
-            Dimension::Pressure => ["MPa", "bar", "psi"],
-            Dimension::Density => ["kg/m3", "sg", "ppg"],
-            Dimension::MassPerLength => ["kg/m", "kg/m", "lb/ft"],
-            Dimension::ForcePerLength => ["kN/m", "kN/m", "lbf/ft"],
-            Dimension::RotarySpeed => ["rpm", "rpm", "rpm"],
-            Dimension::RateOfPenetration => ["m/h", "m/h", "ft/h"],
-            Dimension::TripSpeed => ["m/s", "m/s", "ft/min"],
-            Dimension::Angle => ["deg", "deg", "deg"],
-            Dimension::DoglegSeverity => ["deg/30m", "deg/30m", "deg/100ft"],
-            Dimension::Stiffness => ["kN/m", "kN/m", "lbf/in"],
-            Dimension::Damping => ["kN.s/m", "kN.s/m", "lbf.s/ft"],
-            Dimension::Viscosity => ["mPa.s", "mPa.s", "cP"],
-            Dimension::Consistency => ["Pa.s^n", "Pa.s^n", "lbf.s^n/100ft2"],
-            Dimension::ShearStress => ["Pa", "Pa", "lbf/100ft2"],
-            Dimension::FlowRate => ["L/min", "L/min", "gpm"],
-            Dimension::Volume => ["L", "L", "gal"],
-            Dimension::DissipationTime => ["s/m", "s/m", "s/ft"],
-            Dimension::HoistGain => ["m/s/kN", "m/s/t", "ft/s/klbf"],
-            Dimension::Time => ["s", "s", "s"],
-            Dimension::Frequency => ["1/s", "1/s", "1/s"],
-            Dimension::Mass => ["kg", "t", "lb"],
-            Dimension::MomentOfInertia => ["kg.m2", "kg.m2", "lb.ft2"],
-            Dimension::RotaryDamping => ["kN.m.s", "kN.m.s", "ft-lbf.s"],
-            Dimension::FractureEnergy => ["kJ/m2", "kJ/m2", "in-lbf/in2"],
-        };
-        match set {
-            UnitSet::Si => si,
-            UnitSet::Metric => metric,
-            UnitSet::Field => field,
-        }
     }
 
     /// The unit that is written so, or `None`.

@@ -1,20 +1,15 @@
 //! What a verification test holds against what, within what, and why.
 //!
-//! A test hands each number that it checks to [`report`], which asserts it; where the environment
-//! variable [`FILE`] names a file, the row is appended to it as a line of JSON, and
+//! A test hands each number that it checks to [`Check::report`], which asserts it; where the
+//! environment variable [`FILE`] names a file, the row is appended to it as a line of JSON, and
 //! `cargo xtask verify` makes the book's table of all rows.
 //!
 //! ```
-//! use wholestring_verification::{Row, Tolerance, report};
+//! use wholestring_verification::verify;
 //!
-//! report(&Row {
-//!     case: "E05",
-//!     quantity: "climb angle at friction 0.25, rad",
-//!     expected: 0.25_f64.atan(),
-//!     computed: 0.244_97,
-//!     tolerance: Tolerance::Relative(2e-4),
-//!     reason: "what the slow rolling has left after ten seconds",
-//! });
+//! verify("E05", "climb angle at friction 0.25, rad")
+//!     .relative(2e-4, "what the slow rolling has left after ten seconds")
+//!     .report(0.25_f64.atan(), 0.244_97);
 //! ```
 #![warn(missing_docs)]
 
@@ -39,23 +34,85 @@ pub enum Tolerance {
     Any,
 }
 
+/// Begins the check of a number: its case, the name of a file of `verification/` up to its first
+/// underscore (`E05`) or another name that `verification/README.md` lists; and which number, with
+/// what distinguishes it from the case's others, then its unit if it has one, as in
+/// `climb at friction 0.25, rad`. A comma in it is that before the unit.
+pub fn verify<'a>(case: &'a str, quantity: impl Into<Cow<'a, str>>) -> Quantity<'a> {
+    Quantity { case, quantity: quantity.into() }
+}
+
+/// A number of a case that is to be checked.
+///
+/// The reason that goes with each tolerance says where it comes from: a convergence study, or the
+/// source's own precision.
+#[derive(Debug, Clone)]
+pub struct Quantity<'a> {
+    case: &'a str,
+    quantity: Cow<'a, str>,
+}
+
+impl<'a> Quantity<'a> {
+    /// It may differ by this part of what is expected.
+    pub fn relative(self, most: f64, reason: &'a str) -> Check<'a> {
+        self.within(Tolerance::Relative(most), reason)
+    }
+
+    /// It may differ by this much, in its unit.
+    pub fn absolute(self, most: f64, reason: &'a str) -> Check<'a> {
+        self.within(Tolerance::Absolute(most), reason)
+    }
+
+    /// What is expected bounds it from below.
+    pub fn at_least(self, reason: &'a str) -> Check<'a> {
+        self.within(Tolerance::AtLeast, reason)
+    }
+
+    /// It is shown as it comes.
+    pub fn any(self, reason: &'a str) -> Check<'a> {
+        self.within(Tolerance::Any, reason)
+    }
+
+    /// A tolerance of whichever kind.
+    pub fn within(self, tolerance: Tolerance, reason: &'a str) -> Check<'a> {
+        Check { of: self, tolerance, reason }
+    }
+}
+
+/// A number of a case, and what it is held to.
+#[derive(Debug, Clone)]
+pub struct Check<'a> {
+    of: Quantity<'a>,
+    tolerance: Tolerance,
+    reason: &'a str,
+}
+
+impl<'a> Check<'a> {
+    /// What should come out and what came out, for [`report_worst`].
+    pub fn row(self, expected: f64, computed: f64) -> Row<'a> {
+        let Check { of: Quantity { case, quantity }, tolerance, reason } = self;
+        Row { case, quantity, expected, computed, tolerance, reason }
+    }
+
+    /// Checks what came out against what should come out, and reports it.
+    ///
+    /// # Panics
+    /// As [`Row::report`] does.
+    #[track_caller]
+    pub fn report(self, expected: f64, computed: f64) {
+        self.row(expected, computed).report();
+    }
+}
+
 /// One number, compared with another.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row<'a> {
-    /// The case: the name of a file of `verification/` up to its first underscore (`E05`), or
-    /// another name that `verification/README.md` lists.
-    pub case: &'a str,
-    /// Which number, with what distinguishes it from the case's others, then its unit if it has
-    /// one, as in `climb at friction 0.25, rad`. A comma in it is that before the unit.
-    pub quantity: &'a str,
-    /// What should come out.
-    pub expected: f64,
-    /// What came out.
-    pub computed: f64,
-    /// How far apart they may be.
-    pub tolerance: Tolerance,
-    /// Where the tolerance comes from: a convergence study, or the source's own precision.
-    pub reason: &'a str,
+    case: &'a str,
+    quantity: Cow<'a, str>,
+    expected: f64,
+    computed: f64,
+    tolerance: Tolerance,
+    reason: &'a str,
 }
 
 impl Row<'_> {
@@ -80,6 +137,15 @@ impl Row<'_> {
         }
     }
 
+    /// Checks it and reports it.
+    ///
+    /// # Panics
+    /// If it is farther off than its tolerance, or the file for the rows cannot be written.
+    #[track_caller]
+    pub fn report(self) {
+        report_worst([self]);
+    }
+
     #[track_caller]
     fn check(&self) {
         let Row { case, quantity, expected, computed, tolerance, .. } = self;
@@ -102,28 +168,10 @@ pub fn error(expected: f64, computed: f64, tolerance: Tolerance) -> f64 {
     }
 }
 
-/// Checks a row and reports it.
-///
-/// # Panics
-/// If it is farther off than its tolerance, or the file for the rows cannot be written.
-#[track_caller]
-pub fn report(row: &Row<'_>) {
-    row.check();
-    append(&Line {
-        case: row.case.into(),
-        quantity: row.quantity.into(),
-        expected: row.expected,
-        computed: row.computed,
-        tolerance: row.tolerance,
-        reason: row.reason.into(),
-        of: 1,
-    });
-}
-
 /// Checks many rows alike, and reports the one nearest to its tolerance for all of them.
 ///
 /// # Panics
-/// As [`report`] does, and if there is none.
+/// As [`Row::report`] does, and if there is none.
 #[track_caller]
 pub fn report_worst<'a>(rows: impl IntoIterator<Item = Row<'a>>) {
     let mut count = 0;
@@ -139,7 +187,7 @@ pub fn report_worst<'a>(rows: impl IntoIterator<Item = Row<'a>>) {
     let worst = worst.expect("there is something to check");
     append(&Line {
         case: worst.case.into(),
-        quantity: worst.quantity.into(),
+        quantity: worst.quantity,
         expected: worst.expected,
         computed: worst.computed,
         tolerance: worst.tolerance,
@@ -151,17 +199,17 @@ pub fn report_worst<'a>(rows: impl IntoIterator<Item = Row<'a>>) {
 /// A reported row as it stands in the file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Line<'a> {
-    /// As in [`Row`].
+    /// As in [`verify`].
     pub case: Cow<'a, str>,
-    /// As in [`Row`].
+    /// As in [`verify`].
     pub quantity: Cow<'a, str>,
-    /// As in [`Row`].
+    /// What should come out.
     pub expected: f64,
-    /// As in [`Row`].
+    /// What came out.
     pub computed: f64,
-    /// As in [`Row`].
+    /// How far apart they may be.
     pub tolerance: Tolerance,
-    /// As in [`Row`].
+    /// Where the tolerance comes from.
     pub reason: Cow<'a, str>,
     /// How many numbers it is the worst of.
     pub of: usize,
@@ -187,7 +235,7 @@ mod tests {
     use super::*;
 
     fn row(expected: f64, computed: f64, tolerance: Tolerance) -> Row<'static> {
-        Row { case: "X01", quantity: "a number", expected, computed, tolerance, reason: "a test" }
+        verify("X01", "a number").within(tolerance, "a test").row(expected, computed)
     }
 
     #[test]

@@ -42,15 +42,11 @@ impl BitTable {
     fn drive(&self, flow_m3_per_s: Option<f64>, reader: &mut Reader) -> Option<Motor> {
         let speed = self.motor_speed.optional()?;
         match (self.motor.given(), speed) {
-            (Some(motor), Some(speed)) => {
-                reader.report(
-                    Diagnostic::error("the motor is given twice")
-                        .at(speed.place, "by a speed that nothing changes")
-                        .at(motor.place, "by its curve")
-                        .help("keep one of `motor_speed` and [bit.motor]"),
-                );
-                None
-            }
+            (Some(motor), Some(speed)) => Diagnostic::error("the motor is given twice")
+                .at(speed.place, "by a speed that nothing changes")
+                .at(motor.place, "by its curve")
+                .help("keep one of `motor_speed` and [bit.motor]")
+                .refuse(reader),
             (Some(motor), None) => {
                 let motor = motor.value.build(motor.place, flow_m3_per_s, reader)?;
                 Some(Motor::Displacement(motor))

@@ -65,23 +65,19 @@ impl ExcitationTable {
             (&self.roughness, "roughness", "weight_on_bit_std_N", spreads_weight),
         ] {
             if let Some(given) = field.given().filter(|_| brought) {
-                reader.report(
-                    Diagnostic::error(format!("`{name}` is given twice"))
-                        .at(given.place, format!("the table has it by `{column}`"))
-                        .help("keep one of the two"),
-                );
-                return None;
+                return Diagnostic::error(format!("`{name}` is given twice"))
+                    .at(given.place, format!("the table has it by `{column}`"))
+                    .help("keep one of the two")
+                    .refuse(reader);
             }
         }
         let frequency = self.frequency.optional()?;
         if let (Some(frequency), Some(waves)) = (frequency, self.waves.given()) {
-            reader.report(
-                Diagnostic::error("the noise goes by time or by the bit's angle, not by both")
-                    .at(frequency.place, "by time")
-                    .at(waves.place, "by the bit's angle")
-                    .help("give one of `frequency` and `waves`"),
-            );
-            return None;
+            return Diagnostic::error("the noise goes by time or by the bit's angle, not by both")
+                .at(frequency.place, "by time")
+                .at(waves.place, "by the bit's angle")
+                .help("give one of `frequency` and `waves`")
+                .refuse(reader);
         }
         let excitation = Excitation {
             lobes: u32::try_from(*self.lobes.get()?).ok()?,

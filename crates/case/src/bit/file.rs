@@ -44,11 +44,9 @@ pub(super) fn read(
     let bytes = read_beside(file, "table", files, reader)?;
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
     let Ok(text) = std::str::from_utf8(bytes) else {
-        reader.report(
-            Diagnostic::error(format!("the table `{name}` is not a text"))
-                .at(file.place, "expected a CSV file in UTF-8"),
-        );
-        return None;
+        return Diagnostic::error(format!("the table `{name}` is not a text"))
+            .at(file.place, "expected a CSV file in UTF-8")
+            .refuse(reader);
     };
     let lines = lines(text);
     let Some((head, lines)) = lines.split_first().filter(|(_, lines)| lines.len() <= MAX) else {
@@ -56,10 +54,9 @@ pub(super) fn read(
             0 => ("is empty".to_owned(), "expected a line of column names"),
             more => (format!("has {} points", more - 1), "expected at most 10000"),
         };
-        reader.report(
-            Diagnostic::error(format!("the table `{name}` {what}")).at(file.place, expected),
-        );
-        return None;
+        return Diagnostic::error(format!("the table `{name}` {what}"))
+            .at(file.place, expected)
+            .refuse(reader);
     };
     let source = reader.add_source(&file.value, text);
     let found = columns(head, source).and_then(|found| {

@@ -82,20 +82,14 @@ impl KindKeys {
     pub(crate) fn core_radius_m(&self, radius_m: f64, reader: &mut Reader) -> Option<f64> {
         let kind = self.kind.at()?;
         match (kind.value, self.core_diameter.optional()?) {
-            (Kind::Core, None) => {
-                reader.report(
-                    Diagnostic::error("a core bit needs the diameter of its core")
-                        .at(kind.place, "`core_diameter` is missing in [bit]")
-                        .help("such as core_diameter = \"4 in\""),
-                );
-                None
-            }
+            (Kind::Core, None) => Diagnostic::error("a core bit needs the diameter of its core")
+                .at(kind.place, "`core_diameter` is missing in [bit]")
+                .help("such as core_diameter = \"4 in\"")
+                .refuse(reader),
             (Kind::Core, Some(core)) if core.value >= 2.0 * radius_m => {
-                reader.report(Diagnostic::error("the core is as wide as the bit, or wider").at(
-                    core.place,
-                    format!("expected less than {} m", number_text(2.0 * radius_m)),
-                ));
-                None
+                Diagnostic::error("the core is as wide as the bit, or wider")
+                    .at(core.place, format!("expected less than {} m", number_text(2.0 * radius_m)))
+                    .refuse(reader)
             }
             (Kind::Core, Some(core)) => Some(0.5 * core.value),
             _ => Some(0.0),

@@ -83,12 +83,10 @@ impl MotorTable {
         );
         let flow = flow_m3_per_s?;
         if flow == 0.0 {
-            reader.report(
-                Diagnostic::error("nothing flows through the motor")
-                    .at(place, "`flow_rate` is missing in [operation]")
-                    .help("such as flow_rate = \"2000 L/min\""),
-            );
-            return None;
+            return Diagnostic::error("nothing flows through the motor")
+                .at(place, "`flow_rate` is missing in [operation]")
+                .help("such as flow_rate = \"2000 L/min\"")
+                .refuse(reader);
         }
         let mut motor = MudMotor {
             displacement_m3: displacement_m3?,

@@ -81,8 +81,7 @@ impl Rule for PointRule {
                     Value::List(items) => format!("this point has {} numbers", items.len()),
                     other => format!("a point is four to six numbers, found {}", other.noun()),
                 };
-                reader.report(Diagnostic::error(message).at(node.place, EXPECTED));
-                return None;
+                return Diagnostic::error(message).at(node.place, EXPECTED).refuse(reader);
             }
         };
         let mut values = [None; 6];
@@ -118,24 +117,20 @@ impl PointsTable {
             (Some(file), None) => file::read(file, files, reader)?,
             (None, Some(points)) => points.value.clone(),
             (Some(file), Some(points)) => {
-                reader.report(
-                    Diagnostic::error("the table of the bit is given twice")
-                        .at(points.place, "`points` in the case")
-                        .at(file.place, "`file` beside it")
-                        .help("keep one of the two"),
-                );
-                return None;
+                return Diagnostic::error("the table of the bit is given twice")
+                    .at(points.place, "`points` in the case")
+                    .at(file.place, "`file` beside it")
+                    .help("keep one of the two")
+                    .refuse(reader);
             }
             (None, None) => {
-                reader.report(
-                    Diagnostic::error("[bit.table] has no points")
-                        .at(place, "`file` or `points` is missing")
-                        .help(
-                            "file = \"bit.csv\", or points = [[\"60 kN\", 120, \"10 m/h\", \"3 \
+                return Diagnostic::error("[bit.table] has no points")
+                    .at(place, "`file` or `points` is missing")
+                    .help(
+                        "file = \"bit.csv\", or points = [[\"60 kN\", 120, \"10 m/h\", \"3 \
                                kN.m\"]]",
-                        ),
-                );
-                return None;
+                    )
+                    .refuse(reader);
             }
         };
         let list: Vec<TablePoint> = points.iter().map(|at| at.value).collect();

@@ -20,20 +20,18 @@ pub(crate) fn drilling(
     let rock = match (table.given(), required_by) {
         (None, None) => return Some(None),
         (Some(given), None) => {
-            reader.report(
-                Diagnostic::warning("[rock] has no effect here")
-                    .at(given.place, "used with law = \"rock\", and by a bit test")
-                    .help("set the law under [bit], or add [bit_test]"),
-            );
+            Diagnostic::warning("[rock] has no effect here")
+                .at(given.place, "used with law = \"rock\", and by a bit test")
+                .help("set the law under [bit], or add [bit_test]")
+                .report(reader);
             return Some(None);
         }
         (None, Some((place, who))) => {
             if !matches!(table, Field::Bad) {
-                reader.report(
-                    Diagnostic::error(format!("{who} needs a rock"))
-                        .at(place, "[rock] is missing")
-                        .help("such as [rock] with strength = \"60 MPa\""),
-                );
+                Diagnostic::error(format!("{who} needs a rock"))
+                    .at(place, "[rock] is missing")
+                    .help("such as [rock] with strength = \"60 MPa\"")
+                    .report(reader);
             }
             return None;
         }

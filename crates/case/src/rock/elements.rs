@@ -49,23 +49,20 @@ impl RockTable {
             .map_or((diameter_m / ELEMENTS_ACROSS).min(OVER_EXPOSURE * exposure_m), |at| at.value);
         if let Some(element) = element.filter(|at| at.value > WIDEST * diameter_m) {
             let most = number_text((WIDEST * diameter_m * 1e4).floor() * 1e-1);
-            reader.report(
-                Diagnostic::error("the elements are too large for this bit")
-                    .at(element.place, format!("expected at most {most} mm"))
-                    .at(places.od, "a quarter of its diameter"),
-            );
-            return None;
+            return Diagnostic::error("the elements are too large for this bit")
+                .at(element.place, format!("expected at most {most} mm"))
+                .at(places.od, "a quarter of its diameter")
+                .refuse(reader);
         }
         if let Some(element) = element.filter(|at| at.value > JAMS * exposure_m) {
             let most = number_text((JAMS * exposure_m * 1e4).floor() * 1e-1);
-            reader.report(
-                Diagnostic::warning("the elements are large for the bit's cutters")
-                    .at(element.place, format!("expected at most {most} mm"))
-                    .help(
-                        "its body meets the ridges between the cutters, and the bit jams: lower \
+            Diagnostic::warning("the elements are large for the bit's cutters")
+                .at(element.place, format!("expected at most {most} mm"))
+                .help(
+                    "its body meets the ridges between the cutters, and the bit jams: lower \
                            element_size",
-                    ),
-            );
+                )
+                .report(reader);
         }
         let mut spec = match DrillingSpec::new(rock, shape, size_m) {
             Ok(spec) => spec,
@@ -96,18 +93,16 @@ impl RockTable {
         let count = spec.block.cells.iter().map(|&n| n as f64).product::<f64>();
         if count > MAX_ELEMENTS {
             let place = self.element_size.place().or(self.beside.place()).or(self.below.place());
-            reader.report(
-                Diagnostic::error(format!(
-                    "the rock would be cut into {} elements",
-                    number_text(count)
-                ))
-                .at(
-                    place.unwrap_or(places.rock),
-                    format!("expected at most {}", number_text(MAX_ELEMENTS)),
-                )
-                .help("raise element_size"),
-            );
-            return None;
+            return Diagnostic::error(format!(
+                "the rock would be cut into {} elements",
+                number_text(count)
+            ))
+            .at(
+                place.unwrap_or(places.rock),
+                format!("expected at most {}", number_text(MAX_ELEMENTS)),
+            )
+            .help("raise element_size")
+            .refuse(reader);
         }
         Some(spec)
     }

@@ -31,16 +31,15 @@ impl RockTable {
             return;
         }
         let speed = number_text((fastest_rad_per_s * 30.0 / std::f64::consts::PI).round());
-        reader.report(
-            Diagnostic::warning(format!(
-                "at {speed} rev/min the bit feels the inertia of the rock, whose density is scaled"
-            ))
-            .at(
-                self.density_factor.place().unwrap_or(whole),
-                format!("expected a density_factor of {} or less", number_text(most.floor())),
-            )
-            .help("more moves the mean forces by 5 % and beyond"),
-        );
+        Diagnostic::warning(format!(
+            "at {speed} rev/min the bit feels the inertia of the rock, whose density is scaled"
+        ))
+        .at(
+            self.density_factor.place().unwrap_or(whole),
+            format!("expected a density_factor of {} or less", number_text(most.floor())),
+        )
+        .help("more moves the mean forces by 5 % and beyond")
+        .report(reader);
     }
 
     /// What makes the elements heavy, if it stands in the case.
@@ -65,18 +64,16 @@ impl RockTable {
             spec.block.elements(),
             number_text(time_s.round())
         );
-        reader.report(
-            Diagnostic::error(message)
-                .at(
-                    self.element_size.place().unwrap_or(whole),
-                    format!(
-                        "steps of {} s",
-                        number_text(format!("{step_s:.1e}").parse().unwrap_or(step_s))
-                    ),
-                )
-                .help("raise element_size or density_factor, or shorten the time"),
-        );
-        None
+        Diagnostic::error(message)
+            .at(
+                self.element_size.place().unwrap_or(whole),
+                format!(
+                    "steps of {} s",
+                    number_text(format!("{step_s:.1e}").parse().unwrap_or(step_s))
+                ),
+            )
+            .help("raise element_size or density_factor, or shorten the time")
+            .refuse(reader)
     }
 }
 

@@ -15,29 +15,26 @@ impl RockTable {
         let (sin, cos) = friction_angle_rad.sin_cos();
         // Unconfined compressive strength over cohesion.
         let ratio = 2.0 * cos / (1.0 - sin);
-        let strength_Pa =
-            match (self.strength.optional()?, self.cohesion.optional()?) {
-                (Some(strength), None) => strength.value,
-                (None, Some(cohesion)) => cohesion.value * ratio,
-                (Some(strength), Some(cohesion)) => {
-                    reader.report(
-                    Diagnostic::error("the strength of the rock is given twice")
-                        .at(strength.place, "by what it bears unconfined")
-                        .at(cohesion.place, "by its cohesion")
-                        .help("keep one of `strength` and `cohesion`; with the friction angle the \
-                               one follows from the other"),
-                );
-                    return None;
-                }
-                (None, None) => {
-                    reader.report(
-                        Diagnostic::error("[rock] lacks `strength`")
-                            .at(place, "`strength` is missing")
-                            .help("such as strength = \"60 MPa\", unconfined and in compression"),
-                    );
-                    return None;
-                }
-            };
+        let strength_Pa = match (self.strength.optional()?, self.cohesion.optional()?) {
+            (Some(strength), None) => strength.value,
+            (None, Some(cohesion)) => cohesion.value * ratio,
+            (Some(strength), Some(cohesion)) => {
+                return Diagnostic::error("the strength of the rock is given twice")
+                    .at(strength.place, "by what it bears unconfined")
+                    .at(cohesion.place, "by its cohesion")
+                    .help(
+                        "keep one of `strength` and `cohesion`; with the friction angle the \
+                               one follows from the other",
+                    )
+                    .refuse(reader);
+            }
+            (None, None) => {
+                return Diagnostic::error("[rock] lacks `strength`")
+                    .at(place, "`strength` is missing")
+                    .help("such as strength = \"60 MPa\", unconfined and in compression")
+                    .refuse(reader);
+            }
+        };
         let mut rock = Rock::for_drilling(strength_Pa);
         rock.cohesion_Pa = strength_Pa / ratio;
         rock.friction_angle_rad = friction_angle_rad;
@@ -70,8 +67,7 @@ impl RockTable {
             if let Some(friction) = self.friction_angle.given() {
                 diagnostic = diagnostic.at(friction.place, "the friction angle");
             }
-            reader.report(diagnostic);
-            return None;
+            return diagnostic.refuse(reader);
         }
         if let Err(error) = rock.check() {
             reader.report(self.unsound(&error, place));
@@ -82,10 +78,12 @@ impl RockTable {
             && bears_Pa < given.value
         {
             let most = number_text((bears_Pa * 1e-5).round() * 1e-1);
-            reader.report(Diagnostic::warning("the rock shears before it bears this tension").at(
-                given.place,
-                format!("its cone allows {most} MPa in sum of the principal stresses"),
-            ));
+            Diagnostic::warning("the rock shears before it bears this tension")
+                .at(
+                    given.place,
+                    format!("its cone allows {most} MPa in sum of the principal stresses"),
+                )
+                .report(reader);
         }
         Some(rock)
     }

@@ -3,55 +3,49 @@
 use wholestring_case::parse;
 
 use crate::{
-    common::{SURVEY, changed, read, survey_files},
+    common::{SURVEY, change::rows, changed, read, survey_files},
     each_warned, refused, warned,
 };
 
 #[test]
 fn law_and_excitation() {
-    let cases = [
-        ("bit_law_unknown", "law = \"regenerating\""),
-        ("bit_law_not_text", "law = 2"),
-        ("blades_none", "law = \"regenerative\"\nblades = 0"),
-        ("blades_halved", "law = \"regenerative\"\nblades = 4.5"),
-        ("specific_energy_zero", "law = \"regenerative\"\nintrinsic_specific_energy = 0"),
-        ("specific_energy_in_pascals", "law = \"regenerative\"\nintrinsic_specific_energy = 60"),
-        ("cutter_inclination_zero", "law = \"regenerative\"\ncutter_inclination = 0"),
-        ("wear_flat_negative", "law = \"regenerative\"\nwear_flat = -1e-3"),
-        ("contact_strength_not_a_number", "law = \"regenerative\"\ncontact_strength = nan"),
-        ("bit_geometry_in_quotes", "law = \"regenerative\"\nbit_geometry = \"flat\""),
-        ("bit_friction_above_two", "law = \"regenerative\"\nfriction = 6"),
-        ("motor_speed_negative", "motor_speed = -120"),
-        ("bit_kind_unknown", "kind = \"tricone\""),
-        ("roller_cone_with_blades", "law = \"regenerative\"\nkind = \"roller cone\""),
-        ("core_bit_without_core", "law = \"detournay-defourny\"\nkind = \"core\""),
-        (
-            "core_as_wide_as_the_bit",
-            "law = \"detournay-defourny\"\nkind = \"core\"\ncore_diameter = \"10 in\"",
-        ),
-        (
-            "cleaning_limit_below_full_contact",
-            "law = \"detournay-defourny\"\nfull_contact_depth = \"2 mm\"\ncleaning_limit = \"1 mm\"",
-        ),
-        ("steerability_in_percent", "steerability = 5"),
-        ("motor_without_keys", "[bit.motor]"),
-        (
-            "motor_without_flow",
-            "[bit.motor]\ndisplacement = \"12 L\"\nmax_differential_pressure = \"80 bar\"",
-        ),
-        ("excitation_as_value", "excitation = true"),
-        ("excitation_key_misspelt", "[bit.excitation]\nroughnes = \"1 mm\""),
-        ("excitation_lobes_zero", "[bit.excitation]\nlobes = 0\namplitude = \"1 mm\""),
-        ("excitation_amplitude_in_mm_meant", "[bit.excitation]\namplitude = 1"),
-        ("excitation_torque_in_percent", "[bit.excitation]\ntorque_fluctuation = 20"),
-        ("excitation_waves_zero", "[bit.excitation]\nroughness = \"1 mm\"\nwaves = 0"),
-        (
-            "excitation_by_time_and_angle",
-            "[bit.excitation]\nroughness = \"1 mm\"\nwaves = 8\nfrequency = \"20 Hz\"",
-        ),
-    ];
+    let cases = rows(
+        r#"
+        bit_law_unknown: `law = "regenerating"`
+        bit_law_not_text: `law = 2`
+        blades_none: `law = "regenerative"\nblades = 0`
+        blades_halved: `law = "regenerative"\nblades = 4.5`
+        specific_energy_zero: `law = "regenerative"\nintrinsic_specific_energy = 0`
+        specific_energy_in_pascals: `law = "regenerative"\nintrinsic_specific_energy = 60`
+        cutter_inclination_zero: `law = "regenerative"\ncutter_inclination = 0`
+        wear_flat_negative: `law = "regenerative"\nwear_flat = -1e-3`
+        contact_strength_not_a_number: `law = "regenerative"\ncontact_strength = nan`
+        bit_geometry_in_quotes: `law = "regenerative"\nbit_geometry = "flat"`
+        bit_friction_above_two: `law = "regenerative"\nfriction = 6`
+        motor_speed_negative: `motor_speed = -120`
+        bit_kind_unknown: `kind = "tricone"`
+        roller_cone_with_blades: `law = "regenerative"\nkind = "roller cone"`
+        core_bit_without_core: `law = "detournay-defourny"\nkind = "core"`
+        core_as_wide_as_the_bit:
+            `law = "detournay-defourny"\nkind = "core"\ncore_diameter = "10 in"`
+        cleaning_limit_below_full_contact:
+            `law = "detournay-defourny"\nfull_contact_depth = "2 mm"\ncleaning_limit = "1 mm"`
+        steerability_in_percent: `steerability = 5`
+        motor_without_keys: `[bit.motor]`
+        motor_without_flow:
+            `[bit.motor]\ndisplacement = "12 L"\nmax_differential_pressure = "80 bar"`
+        excitation_as_value: `excitation = true`
+        excitation_key_misspelt: `[bit.excitation]\nroughnes = "1 mm"`
+        excitation_lobes_zero: `[bit.excitation]\nlobes = 0\namplitude = "1 mm"`
+        excitation_amplitude_in_mm_meant: `[bit.excitation]\namplitude = 1`
+        excitation_torque_in_percent: `[bit.excitation]\ntorque_fluctuation = 20`
+        excitation_waves_zero: `[bit.excitation]\nroughness = "1 mm"\nwaves = 0`
+        excitation_by_time_and_angle:
+            `[bit.excitation]\nroughness = "1 mm"\nwaves = 8\nfrequency = "20 Hz"`
+        "#,
+    );
     for (name, keys) in cases {
-        refused(name, read(&changed("torque = \"3.1 kN.m\"", keys)));
+        refused(name, read(&changed("torque = \"3.1 kN.m\"", &keys)));
     }
     let sliding = changed("kind = \"drill\"", "kind = \"slide\"");
     let regenerative = sliding.replace("torque = \"3.1 kN.m\"", "law = \"regenerative\"");
@@ -66,35 +60,29 @@ fn flowing(keys: &str) -> String {
 
 #[test]
 fn motors() {
-    let mistakes = [
-        (
-            "motor_displacement_in_litres_meant",
-            "[bit.motor]\ndisplacement = 12\nmax_differential_pressure = \"80 bar\"",
-        ),
-        (
-            "motor_given_twice",
-            "motor_speed = 120\n[bit.motor]\ndisplacement = \"12 L\"\nmax_differential_pressure = \"80 bar\"",
-        ),
-        (
-            "motor_stalls_early",
-            "[bit.motor]\ndisplacement = \"12 L\"\nmax_differential_pressure = \"80 bar\"\nstall_torque = \"10 kN.m\"",
-        ),
-    ];
+    let mistakes = rows(
+        r#"
+        motor_displacement_in_litres_meant:
+            `[bit.motor]\ndisplacement = 12\nmax_differential_pressure = "80 bar"`
+        motor_given_twice:
+            `motor_speed = 120\n[bit.motor]\ndisplacement = "12 L"\nmax_differential_pressure = "80 bar"`
+        motor_stalls_early:
+            `[bit.motor]\ndisplacement = "12 L"\nmax_differential_pressure = "80 bar"\nstall_torque = "10 kN.m"`
+        "#,
+    );
     for (name, keys) in mistakes {
-        refused(name, read(&flowing(keys)));
+        refused(name, read(&flowing(&keys)));
     }
-    let odd = [
-        (
-            "warn_motor_overloaded",
-            "torque = \"10.1 kN.m\"\n[bit.motor]\ndisplacement = \"12 L\"\nmax_differential_pressure = \"60 bar\"",
-        ),
-        (
-            "warn_motor_stalls",
-            "torque = \"20 kN.m\"\n[bit.motor]\ndisplacement = \"12 L\"\nmax_differential_pressure = \"60 bar\"",
-        ),
-    ];
+    let odd = rows(
+        r#"
+        warn_motor_overloaded:
+            `torque = "10.1 kN.m"\n[bit.motor]\ndisplacement = "12 L"\nmax_differential_pressure = "60 bar"`
+        warn_motor_stalls:
+            `torque = "20 kN.m"\n[bit.motor]\ndisplacement = "12 L"\nmax_differential_pressure = "60 bar"`
+        "#,
+    );
     for (name, keys) in odd {
-        warned(name, read(&flowing(keys)));
+        warned(name, read(&flowing(&keys)));
     }
 }
 

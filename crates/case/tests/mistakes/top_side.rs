@@ -2,7 +2,7 @@
 
 use crate::{
     common::{changed, read},
-    each_warned, refused, texts_refused, warned,
+    each_refused, each_warned, refused, texts_refused, warned,
 };
 
 #[test]
@@ -80,14 +80,11 @@ fn tuned_lifts() {
 
 #[test]
 fn loads() {
-    texts_refused([
-        (
-            "block_heavier_than_hoist",
-            changed("[rig] ", "[rig]\nblock_weight = \"50 tf\"\nhoist_capacity = \"40 tf\"\n#"),
-        ),
-        (
-            "hook_load_control_without_load",
-            changed("[mesh]", "[hoist]\ncontrol = \"hook-load\"\n[mesh]"),
-        ),
-    ]);
+    each_refused(
+        r#"
+        block_heavier_than_hoist: `[rig] `
+            -> `[rig]\nblock_weight = "50 tf"\nhoist_capacity = "40 tf"\n#`
+        hook_load_control_without_load: `[mesh]` -> `[hoist]\ncontrol = "hook-load"\n[mesh]`
+        "#,
+    );
 }

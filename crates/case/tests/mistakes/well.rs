@@ -42,19 +42,16 @@ fn roughness() {
 
 #[test]
 fn sections() {
-    texts_refused([
-        ("hole_short_of_bit", changed("to = \"4305 m\"", "to = \"4300 m\"")),
-        ("hole_sections_not_downwards", changed("to = \"4305 m\"", "to = \"2900 m\"")),
-        ("hole_sections_overlap", changed("to = \"4305 m\"", "from = \"2900 m\"\nto = \"4305 m\"")),
-        (
-            "hole_sections_with_gap",
-            changed("to = \"4305 m\"", "from = \"3000 m\"\nto = \"4305 m\""),
-        ),
-        (
-            "static_friction_below_kinetic",
-            changed("friction = 0.3\n[[", "friction = { kinetic = 0.3, static = 0.2 }\n[["),
-        ),
-    ]);
+    each_refused(
+        r#"
+        hole_short_of_bit: `to = "4305 m"` -> `to = "4300 m"`
+        hole_sections_not_downwards: `to = "4305 m"` -> `to = "2900 m"`
+        hole_sections_overlap: `to = "4305 m"` -> `from = "2900 m"\nto = "4305 m"`
+        hole_sections_with_gap: `to = "4305 m"` -> `from = "3000 m"\nto = "4305 m"`
+        static_friction_below_kinetic: `friction = 0.3\n[[`
+            -> `friction = { kinetic = 0.3, static = 0.2 }\n[[`
+        "#,
+    );
 }
 
 #[test]

@@ -67,51 +67,42 @@ fn measure(bench: &Bench, args: &BenchArgs) -> Result<(), Failure> {
     };
     let about = bench.well.about()?;
     bench.print(&about.sentence(bench.count))?;
-    let mut numbers = Numbers {
+    // In the order in which they are shown.
+    let numbers = Numbers {
         version: env!("CARGO_PKG_VERSION"),
         time: clock::KIND,
         well: about,
-        kernel: None,
-        run: None,
-        mechanisms: None,
-        rock: None,
-        memory: None,
-        sweep: None,
+        kernel: part(bench, requested(Kernel), kernel::measure, kernel::Kernel::text)?,
+        run: part(bench, requested(Run), whole_run::measure, |rows| whole_run::text(rows))?,
+        memory: part(bench, requested(Memory), memory::measure, memory::Memory::text)?,
+        mechanisms: part(
+            bench,
+            requested(Mechanisms),
+            mechanisms::measure,
+            mechanisms::Mechanisms::text,
+        )?,
+        rock: part(bench, requested(Rock), rock::measure, rock::RockSpeed::text)?,
+        sweep: part(bench, requested(Sweep), sweep::measure, sweep::Sweeps::text)?,
     };
-    if requested(Kernel) {
-        let kernel = kernel::measure(bench)?;
-        bench.print(&kernel.text())?;
-        numbers.kernel = Some(kernel);
-    }
-    if requested(Run) {
-        let rows = whole_run::measure(bench)?;
-        bench.print(&whole_run::text(&rows))?;
-        numbers.run = Some(rows);
-    }
-    if requested(Memory) {
-        let memory = memory::measure(bench)?;
-        bench.print(&memory.text())?;
-        numbers.memory = Some(memory);
-    }
-    if requested(Mechanisms) {
-        let mechanisms = mechanisms::measure(bench)?;
-        bench.print(&mechanisms.text())?;
-        numbers.mechanisms = Some(mechanisms);
-    }
-    if requested(Rock) {
-        let speed = rock::measure(bench)?;
-        bench.print(&speed.text())?;
-        numbers.rock = Some(speed);
-    }
-    if requested(Sweep) {
-        let sweeps = sweep::measure(bench)?;
-        bench.print(&sweeps.text())?;
-        numbers.sweep = Some(sweeps);
-    }
     match &args.json {
         Some(path) => write(path, &numbers),
         None => Ok(()),
     }
+}
+
+/// Measures a part that is requested, and shows it.
+fn part<T>(
+    bench: &Bench,
+    requested: bool,
+    measure: fn(&Bench) -> Result<T, Failure>,
+    text: fn(&T) -> String,
+) -> Result<Option<T>, Failure> {
+    if !requested {
+        return Ok(None);
+    }
+    let measured = measure(bench)?;
+    bench.print(&text(&measured))?;
+    Ok(Some(measured))
 }
 
 fn write(path: &Path, numbers: &Numbers) -> Result<(), Failure> {

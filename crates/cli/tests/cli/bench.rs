@@ -1,7 +1,5 @@
 //! `wholestring bench`: what it measures and how it shows; never how fast this machine is.
 
-use std::fs;
-
 use serde_json::Value;
 use wholestring::{dynamics::Simulation, rock::Stepper};
 
@@ -14,10 +12,8 @@ const SMALL: [&str; 6] =
 /// What is printed, and what is written to the file, of some parts.
 fn measured(arguments: &[&str]) -> (String, Value) {
     let desk = Desk::new();
-    let output = desk.run(&[&["bench", "--json", "speed.json"], arguments].concat());
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{message}");
-    let json = fs::read_to_string(desk.path("speed.json")).unwrap();
+    let output = desk.done(&[&["bench", "--json", "speed.json"], arguments].concat());
+    let json = desk.text("speed.json");
     (String::from_utf8(output.stdout).unwrap(), serde_json::from_str(&json).unwrap())
 }
 

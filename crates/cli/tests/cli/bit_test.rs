@@ -37,7 +37,7 @@ const POINTS: [&str; 4] =
 /// A desk with the rock under the slant well's bit in `rock.toml`.
 fn desk() -> Desk {
     let desk = Desk::new();
-    let slant = fs::read_to_string(desk.path("slant.toml")).unwrap();
+    let slant = desk.text("slant.toml");
     fs::write(desk.path("rock.toml"), slant + ROCK).unwrap();
     desk
 }
@@ -81,21 +81,17 @@ fn every_weight_at_every_speed() {
     // The page and the picture are made again from the files.
     let page = || fs::read(desk.path("results/report.html")).unwrap();
     let before = page();
-    assert!(desk.run(&["report", "results"]).status.success());
+    desk.done(&["report", "results"]);
     assert!(page() == before);
     assert!(desk.path("results/drill-off.svg").exists());
-    let drawn = desk.run(&["plot", "results", "-o", "pictures"]);
-    assert!(drawn.status.success(), "{}", transcript(&drawn));
+    desk.done(&["plot", "results", "-o", "pictures"]);
     let pictures: BTreeSet<String> = leavings(&desk.path("pictures")).into_keys().collect();
     let named = ["bottom-hole.svg", "drill-off.svg", "specific-energy.svg"];
     assert_eq!(pictures, named.map(String::from).into());
     let table = Table::read_csv(&desk.path("results/bit-test.csv")).unwrap();
     let law = Table::read_csv(&desk.path("results/bit-table.csv")).unwrap();
     assert_eq!((table.rows(), law.rows()), (4, 4));
-    let word = |table: &Table, name: &str, row: usize| match &table.column(name).unwrap().data {
-        wholestring_results::Data::Text(words) => words[row].clone(),
-        wholestring_results::Data::Number(_) => panic!("CSV is read as words"),
-    };
+    let word = |table: &Table, name: &str, row: usize| table.words(name).expect(name)[row].clone();
     let number = |table: &Table, name: &str, row: usize| -> f64 {
         word(table, name, row).parse().expect(name)
     };
@@ -162,8 +158,7 @@ fn every_weight_at_every_speed() {
 fn threads_leave_the_numbers_alone() {
     let desk = desk();
     for jobs in ["1", "2"] {
-        let output = desk.run(&bit_test(&["-j", jobs, "-o", jobs, "--quiet"]));
-        assert!(output.status.success(), "{}", transcript(&output));
+        let output = desk.done(&bit_test(&["-j", jobs, "-o", jobs, "--quiet"]));
         assert!(output.stdout.is_empty() && output.stderr.is_empty());
     }
     let [one, two] = ["1", "2"].map(|folder| leavings(&desk.path(folder)));
@@ -206,15 +201,14 @@ fn a_killed_test_goes_on() {
     // As if it had been killed between the outcome and this.
     let left = desk.path("killed").join(done).join("checkpoint.bin");
     fs::write(left, "written to a checkpoint").unwrap();
-    let output = desk.run(&bit_test(&["-o", "killed", "--resume"]));
-    assert!(output.status.success(), "{}", transcript(&output));
+    desk.done(&bit_test(&["-o", "killed", "--resume"]));
     assert_eq!(written(done), before);
     assert!(!any("checkpoint.bin"));
-    assert!(desk.run(&bit_test(&["-o", "whole"])).status.success());
+    desk.done(&bit_test(&["-o", "whole"]));
     assert!(leavings(&desk.path("killed")) == leavings(&desk.path("whole")));
     // Another speed joins.
     let more = args("-o killed --resume --set 'bit_test.rpm=[240, 300, 360]'");
-    assert!(desk.run(&bit_test(&more)).status.success());
+    desk.done(&bit_test(&more));
     assert_eq!(written(done), before);
     assert_eq!(summary(&desk, "killed").points.len(), 6);
 }
@@ -224,8 +218,7 @@ fn a_killed_test_goes_on() {
 fn shards_make_up_the_whole() {
     let desk = desk();
     let share = |shard: &'static str| {
-        let output = desk.run(&bit_test(&["-o", "shares", "--shard", shard, "--resume"]));
-        assert!(output.status.success(), "{}", transcript(&output));
+        let output = desk.done(&bit_test(&["-o", "shares", "--shard", shard, "--resume"]));
         String::from_utf8(output.stdout).unwrap()
     };
     assert!(share("1/2").contains("2 of 2 points finished"));
@@ -252,8 +245,7 @@ fn an_interrupted_test_goes_on() {
     assert!(!place.join("bit-table.csv").exists());
     let points = summary(&desk, "stopped").points;
     assert!(points.iter().all(|point| point.status == Status::Interrupted));
-    let output = desk.run(&[&stopped[..], &["--resume"]].concat());
-    assert!(output.status.success(), "{}", transcript(&output));
+    desk.done(&[&stopped[..], &["--resume"]].concat());
     assert!(place.join("bit-table.csv").exists());
 }
 
@@ -276,12 +268,12 @@ fn mistakes_are_told() {
     let together = ["plot", "results", "results"];
     // The folder of a run.
     let run = ["run", "slant.toml", "-o", "run", "--set", "model=soft"];
-    assert!(desk.run(&run).status.success());
+    desk.done(&run);
     let of_run = answer(&bit_test(&["-o", "run", "--resume"]));
     assert_snapshot!("bit_test_in_the_folder_of_a_run", of_run);
     // The folder of a test of another rock.
     let quick = args("-o results --quiet --set 'bit_test.wob=10 kN' --set bit_test.rpm=300");
-    assert!(desk.run(&bit_test(&quick)).status.success());
+    desk.done(&bit_test(&quick));
     assert_snapshot!("bit_test_overlaid", answer(&together));
     let other = ["--resume", "--set", "rock.density=2600 kg/m3"];
     let of_other = answer(&bit_test(&[&quick[..], &other].concat()));

@@ -3,7 +3,7 @@
 
 use std::{collections::BTreeSet, fs, path::Path};
 
-use crate::desk::Desk;
+use crate::desk::{Desk, args};
 use serde_json::Value;
 use wholestring::findings::Kind;
 use wholestring_results::{Data, Table};
@@ -49,20 +49,10 @@ const NUMERICS: [&str; 11] = [
 fn solved() -> Desk {
     let desk = Desk::new();
     let kinds = format!("operation.kind={OPERATIONS:?}");
-    let output = desk.run(&[
-        "run",
-        "slant.toml",
-        "-o",
-        "results",
-        "--set",
-        &kinds,
-        "--set",
-        "dynamics.duration=0.1 s",
-        "--set",
-        "dynamics.settle=0.1 s",
-    ]);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{message}");
+    let short = args(
+        "run slant.toml -o results --set 'dynamics.duration=0.1 s' --set 'dynamics.settle=0.1 s'",
+    );
+    desk.done(&[&short[..], &["--set", &kinds]].concat());
     desk
 }
 
@@ -165,14 +155,10 @@ fn check_dynamic(operation: &Value) {
 fn check_table(path: &Path, texts: &[&str], numbers: &[&str]) -> usize {
     let table = Table::read_parquet(path).unwrap();
     for name in texts {
-        let column = table.column(name).unwrap_or_else(|| panic!("no `{name}`"));
-        assert!(matches!(column.data, Data::Text(_)), "{name}");
+        assert!(table.words(name).is_some(), "{name}");
     }
     for name in numbers {
-        let column = table.column(name).unwrap_or_else(|| panic!("no `{name}`"));
-        let Data::Number(values) = &column.data else {
-            panic!("`{name}` holds no numbers");
-        };
+        let values = table.numbers(name).expect(name);
         assert!(values.iter().all(Option::is_some), "gaps in `{name}`");
     }
     for column in table.columns() {
@@ -205,8 +191,7 @@ fn units_of_the_screen_leave_the_files_alone() {
     let desk = Desk::new();
     let run = |units: &str| {
         let soft = ["--set", "model=soft", "--csv", "-o", units];
-        let output = desk.run(&[&["run", "slant.toml", "--units", units], &soft[..]].concat());
-        assert!(output.status.success());
+        desk.done(&[&["run", "slant.toml", "--units", units], &soft[..]].concat());
         ["summary.json", "nodes.csv", "nodes.parquet", "time.csv"]
             .map(|name| fs::read(desk.path(units).join(name)).unwrap())
     };

@@ -16,8 +16,7 @@ fn refused(output: &Output, file: &str) {
 #[test]
 fn a_damaged_table_is_named() {
     let desk = Desk::new();
-    let run = desk.run(&args("run slant.toml --quiet -o results --set model=soft"));
-    assert!(run.status.success(), "{}", transcript(&run));
+    desk.done(&args("run slant.toml --quiet -o results --set model=soft"));
     let damaged = Path::new(env!("CARGO_MANIFEST_DIR")).join("../results/tests/data");
     for name in ["p4201.parquet", "p9353.parquet"] {
         fs::copy(damaged.join(name), desk.path("results/nodes.parquet")).unwrap();
@@ -32,8 +31,7 @@ fn a_damaged_table_is_named() {
 fn a_sweep_that_lost_its_columns_is_refused() {
     let desk = Desk::new();
     let sweep = args("sweep slant.toml --quiet --vary friction=0.1,0.2 -o swept --set model=soft");
-    let output = desk.run(&sweep);
-    assert!(output.status.success(), "{}", transcript(&output));
+    desk.done(&sweep);
     let path = desk.path("swept/sweep.csv");
     let whole = fs::read_to_string(&path).unwrap();
     for columns in 0..4 {

@@ -12,7 +12,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use wholestring_results::Summary;
+use wholestring_results::{Summary, Table};
 
 /// A folder with the test's case in it.
 pub(crate) struct Desk {
@@ -41,6 +41,26 @@ impl Desk {
 
     pub(crate) fn run(&self, arguments: &[&str]) -> Output {
         self.command(arguments).output().unwrap()
+    }
+
+    /// The same of a command that must succeed.
+    #[track_caller]
+    pub(crate) fn done(&self, arguments: &[&str]) -> Output {
+        let output = self.run(arguments);
+        assert!(output.status.success(), "{}", transcript(&output));
+        output
+    }
+
+    /// What a file holds, as text.
+    #[track_caller]
+    pub(crate) fn text(&self, name: &str) -> String {
+        let path = self.path(name);
+        fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+    }
+
+    #[track_caller]
+    pub(crate) fn table(&self, name: &str) -> Table {
+        Table::read_parquet(&self.path(name)).unwrap()
     }
 
     /// What is printed on standard error by a command that is interrupted, as by Ctrl-C, so long

@@ -7,7 +7,7 @@ use crate::{
     run::SOFT,
 };
 use insta::assert_snapshot;
-use wholestring_results::{Data, Status, Table};
+use wholestring_results::{Status, Table};
 
 #[test]
 fn bad_input_leaves_no_folder() {
@@ -62,7 +62,7 @@ fn diverged() {
     };
     assert_eq!(soft.status, Status::Complete);
     assert!(matches!(&dynamic.status, Status::Failed(reason) if message.contains(reason)));
-    let time = Table::read_parquet(&desk.path("results/time.parquet")).unwrap();
+    let time = desk.table("results/time.parquet");
     assert!(time.rows() > 0);
     // No number in a file is none: JSON would say `null` where the contract has a number.
     let numerics = dynamic.numerics.as_ref().expect("a dynamic model");
@@ -72,11 +72,8 @@ fn diverged() {
         "a run that diverged balances nothing"
     );
     assert!(numerics.run.max_penetration_m.is_finite());
-    let nodes = Table::read_parquet(&desk.path("results/nodes.parquet")).unwrap();
-    let last = |table: &Table, name: &str| match table.column(name).map(|column| &column.data) {
-        Some(Data::Number(values)) => values.last().copied().flatten(),
-        _ => None,
-    };
+    let nodes = desk.table("results/nodes.parquet");
+    let last = |table: &Table, name: &str| table.numbers(name)?.last().copied().flatten();
     for name in ["time_s", "hook_load_N", "surface_torque_N_m", "stretch_m"] {
         assert!(last(&time, name).is_some(), "{name}");
     }
@@ -104,7 +101,7 @@ fn interrupted() {
     let summary = desk.summary("results");
     let statuses: Vec<_> = summary.operations.iter().map(|solved| &solved.status).collect();
     assert_eq!(statuses, [&Status::Complete, &Status::Interrupted]);
-    let time = Table::read_parquet(&desk.path("results/time.parquet")).unwrap();
+    let time = desk.table("results/time.parquet");
     assert!(time.rows() > 0);
 }
 
@@ -118,10 +115,8 @@ fn a_profile_without_window() {
          --set 'dynamics.sample_interval=1 ms'",
     ));
     assert_eq!(output.status.code(), Some(3));
-    let nodes = Table::read_parquet(&desk.path("results/nodes.parquet")).unwrap();
-    let Data::Number(tensions) = &nodes.column("tension_N").unwrap().data else {
-        panic!("tensions are numbers");
-    };
+    let nodes = desk.table("results/nodes.parquet");
+    let tensions = nodes.numbers("tension_N").expect("tensions");
     // Ten thousand tonnes at the top.
     assert!(tensions[0].unwrap() > 1e6, "{:?}", tensions[0]);
 }

@@ -32,8 +32,7 @@ fn found<'a>(of: &'a OperationSummary, kind: &str) -> &'a Finding {
 #[test]
 fn the_lateral_that_cannot_be_drilled_says_so() {
     let desk = Desk::new();
-    let output = desk.run(&["run", &lateral(), "-o", "results"]);
-    assert!(output.status.success());
+    let output = desk.done(&["run", &lateral(), "-o", "results"]);
     let text = String::from_utf8(output.stdout).unwrap();
     let summary = desk.summary("results");
     let solved = |operation: &str, model| {
@@ -110,7 +109,7 @@ fn a_sweep_counts_what_was_found() {
     assert_eq!(output.status.code(), Some(4));
     let told = String::from_utf8(output.stderr).unwrap();
     assert_eq!(told, "error: errors were found in 1 of 2 cases\n  friction=0.6: trip in (soft)\n");
-    let text = fs::read_to_string(desk.path("results/sweep.csv")).unwrap();
+    let text = desk.text("results/sweep.csv");
     let mut lines = text.lines().map(split);
     let heads = lines.next().unwrap();
     let place = |name: &str| heads.iter().position(|head| head == name).expect(name);
@@ -157,7 +156,7 @@ only = { friction = 0.6 }
     let output = desk.run(&["study", "study.toml", "-o", "results"]);
     let told = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(0), "{told}");
-    let table = fs::read_to_string(desk.path("results/tables/table-01.csv")).unwrap();
+    let table = desk.text("results/tables/table-01.csv");
     let mut lines = table.lines().map(split);
     let heads = lines.next().unwrap();
     let place = heads.iter().position(|head| head == "computed").unwrap();

@@ -68,9 +68,8 @@ fn another_case_goes_to_a_folder_of_its_own() {
 fn a_named_folder_with_another_case_is_refused() {
     let desk = Desk::new();
     let records = args("-o results --csv --set records.spectra=hook_load");
-    let output = desk.run(&[&["run", "slant.toml", "--quiet"], &records[..]].concat());
-    assert!(output.status.success());
-    assert!(desk.run(&["plot", "results"]).status.success());
+    desk.done(&[&["run", "slant.toml", "--quiet"], &records[..]].concat());
+    desk.done(&["plot", "results"]);
     fs::write(desk.path("results/notes.txt"), "mine").unwrap();
     let other = ["-o", "results", "--set", "friction=0.4"];
     let (status, told, said) = soft(&desk, &other);
@@ -164,8 +163,7 @@ fn a_resumed_sweep_does_not_take_the_answers_of_another_case() {
 #[test]
 fn a_run_that_ended_before_its_first_checkpoint_is_not_finished() {
     let desk = Desk::new();
-    let output = desk.run(&["run", "slant.toml", "-o", "results", "--quiet"]);
-    assert!(output.status.success());
+    desk.done(&["run", "slant.toml", "-o", "results", "--quiet"]);
     let path = desk.path("results/summary.json");
     let mut summary: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
     let resume = || words(&desk.run(&["run", "slant.toml", "--resume", "results"]));

@@ -1,16 +1,13 @@
 //! Frames and spectra of a run.
 
 use crate::{
-    desk::Desk,
-    run::{SOFT, files},
+    desk::{Desk, args},
+    run::{FILES, SOFT, files},
 };
-use wholestring_results::{Data, Table};
+use wholestring_results::Table;
 
 fn numbers(table: &Table, name: &str) -> Vec<f64> {
-    match &table.column(name).unwrap_or_else(|| panic!("no `{name}`")).data {
-        Data::Number(values) => values.iter().copied().flatten().collect(),
-        Data::Text(_) => panic!("`{name}` holds words"),
-    }
+    table.numbers(name).expect(name).iter().copied().flatten().collect()
 }
 
 /// Frames ten times a second of the two seconds of each operation, and a spectrum of the window:
@@ -19,29 +16,17 @@ fn numbers(table: &Table, name: &str) -> Vec<f64> {
 #[test]
 fn frames_and_spectra() {
     let desk = Desk::new();
-    let records = [
-        "--set",
-        "records.frames=10 Hz",
-        "--set",
-        "records.channels=[\"rotation\", \"force\"]",
-        "--set",
-        "records.spectra=hook_load",
-        "--set",
-        "records.node_spectra=[\"rotary_speed\", \"tension\"]",
-        "--set",
-        "records.node_spectra_at=[\"0 m\", \"150 m\"]",
-        "--set",
-        "records.spectrum_segment=1 s",
-        "--set",
-        "model=dynamic",
-    ];
-    let output = desk.run(&[&["run", "slant.toml", "-o", "out"], &records[..]].concat());
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{message}");
+    desk.done(&args(
+        "run slant.toml -o out --set 'records.frames=10 Hz' \
+         --set 'records.channels=[\"rotation\", \"force\"]' --set records.spectra=hook_load \
+         --set 'records.node_spectra=[\"rotary_speed\", \"tension\"]' \
+         --set 'records.node_spectra_at=[\"0 m\", \"150 m\"]' \
+         --set 'records.spectrum_segment=1 s' --set model=dynamic",
+    ));
 
-    let frames = Table::read_parquet(&desk.path("out/frames.parquet")).unwrap();
-    let nodes = Table::read_parquet(&desk.path("out/nodes.parquet")).unwrap().rows() / 2;
-    let time = Table::read_parquet(&desk.path("out/time.parquet")).unwrap();
+    let frames = desk.table("out/frames.parquet");
+    let nodes = desk.table("out/nodes.parquet").rows() / 2;
+    let time = desk.table("out/time.parquet");
     // A sample is a whole number of steps, 0.6 ms each, and a frame ten samples.
     let taken = time.rows() / 2 / 10;
     assert!((19..=20).contains(&taken), "{taken}");
@@ -68,7 +53,7 @@ fn frames_and_spectra() {
 
     // One segment over the whole window: Hann's window weighs its middle, the variance comes out
     // roughly.
-    let spectra = Table::read_parquet(&desk.path("out/spectra.parquet")).unwrap();
+    let spectra = desk.table("out/spectra.parquet");
     let frequencies = numbers(&spectra, "frequency_Hz");
     assert!((frequencies[1] - 1.0).abs() < 0.03, "{}", frequencies[1]);
     // Of either operation a scalar and two signals of two nodes.
@@ -86,17 +71,6 @@ fn frames_and_spectra() {
     assert!((0.2..5.0).contains(&(variance.sqrt() / std)), "{variance} for {std}²");
 
     let anew = ["run", "slant.toml", "-o", "out", "--overwrite"];
-    let output = desk.run(&[&anew[..], &SOFT].concat());
-    assert!(output.status.success());
-    let expected = [
-        ".wholestring",
-        "contact.parquet",
-        "nodes.parquet",
-        "profile.svg",
-        "report.html",
-        "summary.json",
-        "time.parquet",
-        "wear.parquet",
-    ];
-    assert_eq!(files(&desk, "out"), expected.map(String::from).into());
+    desk.done(&[&anew[..], &SOFT].concat());
+    assert_eq!(files(&desk, "out"), FILES.map(String::from).into());
 }

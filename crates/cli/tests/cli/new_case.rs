@@ -1,6 +1,6 @@
 //! `new`: a case to begin with.
 
-use std::{fs, time::Instant};
+use std::time::Instant;
 
 use crate::desk::{Desk, transcript};
 use insta::assert_snapshot;
@@ -10,12 +10,11 @@ use insta::assert_snapshot;
 fn a_new_case_runs() {
     let desk = Desk::new();
     assert_snapshot!("new_case", transcript(&desk.run(&["new", "north-1"])));
-    let text = fs::read_to_string(desk.path("north-1.toml")).unwrap();
+    let text = desk.text("north-1.toml");
     assert!(text.contains("name = \"north-1\""), "{text}");
     assert_snapshot!("new_case_checked", transcript(&desk.run(&["check", "north-1.toml"])));
     let start = Instant::now();
-    let run = desk.run(&["run", "north-1.toml", "-o", "out"]);
-    assert!(run.status.success(), "{}", transcript(&run));
+    desk.done(&["run", "north-1.toml", "-o", "out"]);
     // A second where the machine is free; a crowded one has its time.
     assert!(start.elapsed().as_secs() < 60);
     assert_eq!(desk.summary("out").operations.len(), 5);
@@ -26,8 +25,7 @@ fn a_new_case_runs() {
 fn its_dynamics_are_sound() {
     let desk = Desk::new();
     desk.run(&["new"]);
-    let check = desk.run(&["check", "my-well.toml", "--set", "model=dynamic"]);
-    assert!(check.status.success(), "{}", transcript(&check));
+    let check = desk.done(&["check", "my-well.toml", "--set", "model=dynamic"]);
     assert!(check.stderr.is_empty(), "{}", transcript(&check));
 }
 
@@ -36,7 +34,7 @@ fn its_dynamics_are_sound() {
 fn every_line_is_explained() {
     let desk = Desk::new();
     desk.run(&["new", "explained"]);
-    let text = fs::read_to_string(desk.path("explained.toml")).unwrap();
+    let text = desk.text("explained.toml");
     let mut explained = std::collections::BTreeSet::new();
     for line in text.lines().filter(|line| !line.starts_with('#')) {
         let Some((key, _)) = line.split_once(" = ") else {
@@ -53,11 +51,11 @@ fn every_line_is_explained() {
 #[test]
 fn nothing_is_written_over() {
     let desk = Desk::new();
-    let before = fs::read_to_string(desk.path("slant.toml")).unwrap();
+    let before = desk.text("slant.toml");
     for name in ["slant", "slant.toml"] {
         assert_snapshot!("new_case_that_is_there", transcript(&desk.run(&["new", name])));
     }
-    assert_eq!(fs::read_to_string(desk.path("slant.toml")).unwrap(), before);
+    assert_eq!(desk.text("slant.toml"), before);
     assert_snapshot!(
         "new_case_in_no_folder",
         transcript(&desk.run(&["new", "no-such-folder/well"]))
@@ -69,8 +67,7 @@ fn nothing_is_written_over() {
 fn a_name_with_a_point_and_quotes() {
     let desk = Desk::new();
     for name in ["well 1.2", "Bob's 'best' well"] {
-        assert!(desk.run(&["new", name]).status.success());
-        let check = desk.run(&["check", &format!("{name}.toml")]);
-        assert!(check.status.success(), "{}", transcript(&check));
+        desk.done(&["new", name]);
+        desk.done(&["check", &format!("{name}.toml")]);
     }
 }

@@ -10,8 +10,7 @@ const SOFT: [&str; 2] = ["--set", "model=soft"];
 
 fn run(desk: &Desk, folder: &str, more: &[&str]) {
     let arguments = [&["run", "slant.toml", "--quiet", "-o", folder], more].concat();
-    let output = desk.run(&arguments);
-    assert!(output.status.success(), "{}", transcript(&output));
+    desk.done(&arguments);
 }
 
 fn files(desk: &Desk, folder: &str) -> BTreeSet<String> {
@@ -20,7 +19,7 @@ fn files(desk: &Desk, folder: &str) -> BTreeSet<String> {
 }
 
 fn read(desk: &Desk, name: &str) -> String {
-    let svg = fs::read_to_string(desk.path(name)).unwrap();
+    let svg = desk.text(name);
     assert!(svg.starts_with("<?xml") && svg.ends_with("</svg>\n"), "{name}");
     // Pixels may spell anything.
     if !svg.contains("<image") {
@@ -38,17 +37,12 @@ fn texts(svg: &str) -> Vec<&str> {
 #[test]
 fn a_run_is_drawn() {
     let desk = Desk::new();
-    let more = [
-        "--set",
-        r#"records.spectra=["hook_load"]"#,
-        "--set",
-        r#"records.node_spectra=["torque"]"#,
-        "--set",
-        r#"records.node_spectra_at=["100 m", "500 m"]"#,
-    ];
+    let more = args(
+        r#"--set records.spectra=["hook_load"] --set records.node_spectra=["torque"]
+           --set 'records.node_spectra_at=["100 m", "500 m"]'"#,
+    );
     run(&desk, "out", &more);
-    let output = desk.run(&["plot", "out", "--units", "field", "--png"]);
-    assert!(output.status.success());
+    let output = desk.done(&["plot", "out", "--units", "field", "--png"]);
     let names = files(&desk, "out/plots");
     assert_eq!(
         String::from_utf8(output.stdout).unwrap(),
@@ -77,7 +71,7 @@ fn a_run_is_drawn() {
     assert_eq!(png[16..20], 1004_u32.to_be_bytes());
 
     // Drawn again without them, no PNG of the first time is left.
-    assert!(desk.run(&["plot", "out"]).status.success());
+    desk.done(&["plot", "out"]);
     assert_eq!(files(&desk, "out/plots").len(), names.len() / 2);
 }
 
@@ -86,8 +80,7 @@ fn a_run_is_drawn() {
 fn the_profile_of_a_run_is_the_same() {
     let desk = Desk::new();
     run(&desk, "out", &["--units", "metric"]);
-    let output = desk.run(&["plot", "out", "--units", "metric", "-o", "pictures"]);
-    assert!(output.status.success());
+    desk.done(&["plot", "out", "--units", "metric", "-o", "pictures"]);
     assert_eq!(read(&desk, "pictures/profile.svg"), read(&desk, "out/profile.svg"));
 }
 
@@ -97,8 +90,7 @@ fn two_runs_stand_on_the_same_axes() {
     run(&desk, "first", &[]);
     let second = ["--set", "friction=0.4", "--set", r#"name="Rough & ready""#];
     run(&desk, "second", &second);
-    let output = desk.run(&["plot", "first", "second"]);
-    assert!(output.status.success(), "{}", transcript(&output));
+    let output = desk.done(&["plot", "first", "second"]);
     let told = String::from_utf8(output.stdout).unwrap();
     assert!(told.ends_with("pictures in first/plots-second\n"), "{told}");
     // Each operation has its own.
@@ -112,7 +104,7 @@ fn two_runs_stand_on_the_same_axes() {
     }
     // Of one case, runs are distinguished by where they lie.
     run(&desk, "third", &SOFT);
-    assert!(desk.run(&["plot", "first", "third", "-o", "both"]).status.success());
+    desk.done(&["plot", "first", "third", "-o", "both"]);
     let svg = read(&desk, "both/torque-rotate-off-bottom.svg");
     for run in ["first", "third"] {
         assert!(texts(&svg).contains(&run), "{run}");
@@ -126,18 +118,17 @@ fn a_sweep_is_drawn_and_reported() {
         "sweep slant.toml --quiet -o sweep --vary friction=0.2,0.3 \
          --vary bit_depth=300m,600m",
     );
-    assert!(desk.run(&sweep).status.success());
-    let page = fs::read_to_string(desk.path("sweep/report.html")).unwrap();
+    desk.done(&sweep);
+    let page = desk.text("sweep/report.html");
     for word in ["Straight slant", "friction 0.2", "Bit depth, ft", "soft string"] {
         assert!(page.contains(word), "{word}");
     }
     fs::remove_file(desk.path("sweep/report.html")).unwrap();
     let output = desk.run(&["report", "sweep"]);
     assert_eq!(output.stdout, b"sweep/report.html\n");
-    assert!(page == fs::read_to_string(desk.path("sweep/report.html")).unwrap());
+    assert!(page == desk.text("sweep/report.html"));
 
-    let output = desk.run(&["plot", "sweep", "--units", "field"]);
-    assert!(output.status.success(), "{}", transcript(&output));
+    desk.done(&["plot", "sweep", "--units", "field"]);
     let names = files(&desk, "sweep/plots");
     // A straight hole has no cut-off.
     let expected = ["axial-friction.svg", "hook-load.svg", "sweep.svg", "torque.svg"];
@@ -155,7 +146,7 @@ fn what_cannot_be_drawn_is_refused() {
     run(&desk, "drilled", &[&SOFT[..], &["--set", "operation.kind=drill"]].concat());
     let vary = ["--vary", "friction=0.2,0.3"];
     let sweep = ["sweep", "slant.toml", "--quiet", "-o", "swept"];
-    assert!(desk.run(&[&sweep[..], &SOFT, &vary].concat()).status.success());
+    desk.done(&[&sweep[..], &SOFT, &vary].concat());
     run(&desk, "thin", &[]);
     fs::remove_file(desk.path("thin/time.parquet")).unwrap();
     fs::remove_file(desk.path("thin/wear.parquet")).unwrap();

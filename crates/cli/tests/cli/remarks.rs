@@ -27,8 +27,7 @@ fn what_the_rig_cannot_do_is_told() {
         let mut arguments = vec!["run", "slant.toml"];
         arguments.extend(rig.iter().flat_map(|limit| ["--set", limit]));
         arguments.extend(more);
-        let output = desk.run(&arguments);
-        assert!(output.status.success());
+        let output = desk.done(&arguments);
         let text = String::from_utf8(output.stdout).unwrap();
         let errors = text.lines().filter(|line| line.starts_with("error: "));
         errors.map(str::to_owned).collect()
@@ -67,8 +66,7 @@ fn a_tuned_lift_is_reported() {
         "run slant.toml --set model=dynamic --set operation.kind=drill \
          --set hoist.control=tuned-lift",
     );
-    let output = desk.run(&arguments);
-    assert!(output.status.success());
+    let output = desk.done(&arguments);
     let text = String::from_utf8(output.stdout).unwrap();
     let summary = desk.summary("out/Straight slant");
     let solved = &summary.operations[0];
@@ -81,7 +79,7 @@ fn a_tuned_lift_is_reported() {
 
     // Frames are those of the run with that lift.
     let frames = [&arguments[..], &["--set", "records.frames=20 Hz", "-o", "frames"]].concat();
-    assert!(desk.run(&frames).status.success());
+    desk.done(&frames);
     let again = desk.summary("frames");
     assert_eq!(again.operations[0].scalars, solved.scalars);
     assert_eq!(again.operations[0].lift, solved.lift);
@@ -109,11 +107,10 @@ fn a_table_that_the_bit_leaves_is_told_of() {
     let table = "weight_on_bit_N,rotary_speed_rpm,rate_of_penetration_m_per_h,torque_N_m,weight_on_bit_std_N\n\
                  5e3,30,2,200,3e3\n5e3,120,8,200,3e3\n20e3,30,8,800,3e3\n20e3,120,32,800,3e3\n";
     fs::write(desk.path("bit.csv"), table).unwrap();
-    let output = desk.run(&args(
+    let output = desk.done(&args(
         "run slant.toml --set model=dynamic --set operation.kind=drill \
          --set bit.law=table --set bit.table.file=bit.csv",
     ));
-    assert!(output.status.success());
     let summary = desk.summary("out/Straight slant");
     let solved = &summary.operations[0];
     let of = solved.bit_table.expect("a table");

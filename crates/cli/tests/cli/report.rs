@@ -5,7 +5,7 @@ use std::fs;
 use wholestring_report::{Cell, Place, Report};
 use wholestring_results::{Finding, Level};
 
-use crate::desk::Desk;
+use crate::desk::{Desk, args};
 
 /// The report that stands in a page.
 fn read(page: &str) -> Report {
@@ -19,13 +19,11 @@ const WITH_FRAMES: [&str; 4] = ["-o", "out", "--set", "records.frames=50Hz"];
 #[test]
 fn a_run_writes_it_and_report_makes_it_again() {
     let desk = Desk::new();
-    let output = desk.run(&[&["run", "slant.toml"], &WITH_FRAMES[..]].concat());
-    assert!(output.status.success());
+    desk.done(&[&["run", "slant.toml"], &WITH_FRAMES[..]].concat());
     let path = desk.path("out/report.html");
     let page = fs::read_to_string(&path).unwrap();
     fs::remove_file(&path).unwrap();
-    let output = desk.run(&["report", "out"]);
-    assert!(output.status.success());
+    let output = desk.done(&["report", "out"]);
     let told = String::from_utf8(output.stdout).unwrap();
     assert_eq!(told.trim_end(), "out/report.html");
     assert!(fs::read_to_string(&path).unwrap() == page, "the same page");
@@ -83,9 +81,8 @@ fn a_run_writes_it_and_report_makes_it_again() {
 #[test]
 fn path_hole_and_string_are_those_of_the_case() {
     let desk = Desk::new();
-    let output = desk.run(&["run", "slant.toml", "-o", "out", "--set", "model=soft"]);
-    assert!(output.status.success());
-    let report = read(&fs::read_to_string(desk.path("out/report.html")).unwrap());
+    desk.done(&["run", "slant.toml", "-o", "out", "--set", "model=soft"]);
+    let report = read(&desk.text("out/report.html"));
     let last = |name: &str| *report.well.columns[name].values().last().unwrap();
     assert_eq!(last("md_m"), 600.0);
     assert!((last("tvd_m") - 300.0).abs() < 1e-3);
@@ -102,17 +99,11 @@ fn path_hole_and_string_are_those_of_the_case() {
 #[test]
 fn a_report_of_a_minute_stays_small() {
     let desk = Desk::new();
-    let more = [
-        "--set",
-        "dynamics.duration=60s",
-        "--set",
-        "records.frames=100Hz",
-        "--set",
-        r#"operation.kind=["trip_out", "rotate_off_bottom", "drill"]"#,
-    ];
-    let output = desk.run(&[&["run", "slant.toml", "-o", "out"], &more[..]].concat());
-    assert!(output.status.success());
-    let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+    desk.done(&args(
+        r#"run slant.toml -o out --set dynamics.duration=60s --set records.frames=100Hz
+           --set 'operation.kind=["trip_out", "rotate_off_bottom", "drill"]'"#,
+    ));
+    let page = desk.text("out/report.html");
     assert!(page.len() < 5_000_000, "{} bytes", page.len());
     let report = read(&page);
     for run in &report.runs {
@@ -137,7 +128,7 @@ fn block_findings_and_spectra_reach_the_page() {
     ];
     let settings = settings.iter().flat_map(|key| ["--set", key]);
     let words: Vec<&str> = ["run", "slant.toml", "-o", "out"].into_iter().chain(settings).collect();
-    assert!(desk.run(&words).status.success());
+    desk.done(&words);
     let mut summary = desk.summary("out");
     for solved in &mut summary.operations {
         solved.findings = vec![Finding {
@@ -152,8 +143,8 @@ fn block_findings_and_spectra_reach_the_page() {
         }];
     }
     fs::write(desk.path("out/summary.json"), serde_json::to_string(&summary).unwrap()).unwrap();
-    assert!(desk.run(&["report", "out"]).status.success());
-    let report = read(&fs::read_to_string(desk.path("out/report.html")).unwrap());
+    desk.done(&["report", "out"]);
+    let report = read(&desk.text("out/report.html"));
     for (shown, told) in report.solved.iter().zip(&summary.operations) {
         let hook = &shown.key_results[0];
         let load_N = told.scalars.hook_load_N;
@@ -198,8 +189,7 @@ fn a_folder_of_no_run_is_refused() {
 #[test]
 fn a_damaged_folder_is_refused() {
     let desk = Desk::new();
-    let output = desk.run(&["run", "slant.toml", "-o", "out", "--set", "model=soft"]);
-    assert!(output.status.success());
+    desk.done(&["run", "slant.toml", "-o", "out", "--set", "model=soft"]);
     fs::write(desk.path("out/nodes.parquet"), "not a table").unwrap();
     let output = desk.run(&["report", "out"]);
     assert_eq!(output.status.code(), Some(2));

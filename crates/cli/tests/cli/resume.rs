@@ -49,7 +49,7 @@ fn arguments<'a>(duration: &'a str, more: &[&'a str]) -> Vec<&'a str> {
 }
 
 fn frames(desk: &Desk, folder: &str) -> Table {
-    Table::read_parquet(&desk.path(folder).join("frames.parquet")).unwrap()
+    desk.table(&format!("{folder}/frames.parquet"))
 }
 
 fn begin(desk: &Desk, arguments: &[&str]) -> Child {
@@ -74,8 +74,7 @@ fn checkpointed(desk: &Desk, child: &mut Child, since: SystemTime) -> bool {
 /// last, and resumed after each. It must end with the same bits as one that was not.
 fn killed(times: u32, duration: &str) {
     let desk = Desk::new();
-    let whole = desk.run(&arguments(duration, &["-o", "whole"]));
-    assert!(whole.status.success());
+    desk.done(&arguments(duration, &["-o", "whole"]));
 
     let mut random = 1_u64;
     let mut kills = 0;
@@ -135,7 +134,7 @@ fn a_run_killed_at_twenty_moments_ends_as_if_nothing_had_happened() {
 fn ctrl_c_lays_a_run_aside() {
     let desk = Desk::new();
     let with = |more: [&'static str; 2]| arguments("dynamics.duration=100 s", &more);
-    assert!(desk.run(&with(["-o", "whole"])).status.success());
+    desk.done(&with(["-o", "whole"]));
     // The soft string is on the disk when the dynamics begin.
     let begun = || desk.path("stopped/summary.json").exists();
     let stopped = with(["-o", "stopped"]);
@@ -155,7 +154,7 @@ fn ctrl_c_lays_a_run_aside() {
         };
         assert!(same, "{}", whole.name);
     }
-    assert!(desk.run(&with(["--resume", "stopped"])).status.success());
+    desk.done(&with(["--resume", "stopped"]));
     assert_same(&desk, "stopped", "whole");
     let mut child = begin(&desk, &["run", "slant.toml", "--resume", "stopped"]);
     assert_eq!(child.wait().unwrap().code(), Some(2));
@@ -175,8 +174,7 @@ fn what_cannot_be_resumed_is_refused() {
     assert_snapshot!("resume_without_checkpoint", resume(&[]));
 
     let soft = ["--set", "model=soft"];
-    let output = desk.run(&[&["run", "slant.toml", "-o", "results"], &soft[..]].concat());
-    assert!(output.status.success());
+    desk.done(&[&["run", "slant.toml", "-o", "results"], &soft[..]].concat());
     assert_snapshot!("resume_a_finished_run", resume(&soft));
 
     let mut child = begin(&desk, &["run", "slant.toml", "-o", "killed", "--checkpoint", "0.01 s"]);
@@ -203,8 +201,7 @@ fn what_cannot_be_resumed_is_refused() {
     let anew = [&["run", "slant.toml", "-o", "results"], &soft[..]].concat();
     assert_eq!(desk.run(&anew).status.code(), Some(2));
     assert_eq!(fs::read(desk.path("results/checkpoint.bin")).unwrap(), checkpoint);
-    let output = desk.run(&[&anew[..], &["--overwrite"]].concat());
-    assert!(output.status.success());
+    desk.done(&[&anew[..], &["--overwrite"]].concat());
     assert!(!desk.path("results/checkpoint.bin").exists());
 }
 

@@ -5,10 +5,22 @@ use std::{collections::BTreeSet, f64::consts::PI, fs};
 use crate::desk::{Desk, masked, transcript};
 use insta::assert_snapshot;
 use wholestring::outcome::ModelKind;
-use wholestring_results::{Data, Status, Table};
+use wholestring_results::{Status, Table};
 
 /// The soft string alone, which is quick.
 pub(crate) const SOFT: [&str; 2] = ["--set", "model=soft"];
+
+/// What a run leaves without being asked for more.
+pub(crate) const FILES: [&str; 8] = [
+    ".wholestring",
+    "contact.parquet",
+    "nodes.parquet",
+    "profile.svg",
+    "report.html",
+    "summary.json",
+    "time.parquet",
+    "wear.parquet",
+];
 
 pub(crate) fn files(desk: &Desk, folder: &str) -> BTreeSet<String> {
     fs::read_dir(desk.path(folder))
@@ -23,17 +35,7 @@ fn soft_string_side_by_side() {
     let desk = Desk::new();
     let output = desk.run(&[&["run", "slant.toml"], &SOFT[..]].concat());
     assert_snapshot!(transcript(&output));
-    let expected = [
-        ".wholestring",
-        "contact.parquet",
-        "nodes.parquet",
-        "profile.svg",
-        "report.html",
-        "summary.json",
-        "time.parquet",
-        "wear.parquet",
-    ];
-    assert_eq!(files(&desk, "out/Straight slant"), expected.map(String::from).into());
+    assert_eq!(files(&desk, "out/Straight slant"), FILES.map(String::from).into());
 }
 
 #[test]
@@ -47,7 +49,7 @@ fn field_units_on_the_screen() {
 #[test]
 fn the_numbers_are_the_closed_forms() {
     let desk = Desk::new();
-    assert!(desk.run(&[&["run", "slant.toml"], &SOFT[..]].concat()).status.success());
+    desk.done(&[&["run", "slant.toml"], &SOFT[..]].concat());
     let summary = desk.summary("out/Straight slant");
     let weight_N =
         (7850.0 - 1200.0) * 9.80665 * PI / 4.0 * (0.12_f64.powi(2) - 0.08_f64.powi(2)) * 600.0;
@@ -112,29 +114,21 @@ fn soft_string_and_dynamics_side_by_side() {
     let hook_load = statistics["hook_load_N"];
     assert_eq!(hook_load.mean, summary.operations[1].scalars.hook_load_N);
 
-    check_climb(&Table::read_parquet(&desk.path("here/and/there/nodes.parquet")).unwrap());
+    check_climb(&desk.table("here/and/there/nodes.parquet"));
 
-    let time = Table::read_parquet(&desk.path("here/and/there/time.parquet")).unwrap();
+    let time = desk.table("here/and/there/time.parquet");
     // Two operations of 2 s, a row every 10 ms: the sampling interval is a whole number of steps,
     // so that it is 10 ms within half a step.
     assert!((380..=420).contains(&time.rows()), "{} rows", time.rows());
-    let Data::Number(times) = &time.column("time_s").unwrap().data else {
-        panic!("times are numbers");
-    };
+    let times = time.numbers("time_s").expect("times");
     assert!((times[time.rows() - 1].unwrap() - 2.0).abs() < 0.02);
 }
 
 /// A string that turns clockwise climbs to the right, to `atan 0.25`; one that is pulled stays on
 /// the low side; the soft string lies there, whatever it does: its place is that of its load.
 fn check_climb(nodes: &Table) {
-    let text = |name: &str| match &nodes.column(name).unwrap().data {
-        Data::Text(words) => words,
-        Data::Number(_) => panic!("`{name}` is text"),
-    };
-    let (models, operations) = (text("model"), text("operation"));
-    let Data::Number(climb) = &nodes.column("climb_rad").unwrap().data else {
-        panic!("angles are numbers");
-    };
+    let [models, operations] = ["model", "operation"].map(|name| nodes.words(name).expect(name));
+    let climb = nodes.numbers("climb_rad").expect("angles");
     let of = |model: &str, operation: &str| -> Vec<f64> {
         (0..nodes.rows())
             .filter(|row| models[*row] == model && operations[*row] == operation)
@@ -159,7 +153,6 @@ fn check_climb(nodes: &Table) {
 #[test]
 fn quiet_prints_nothing() {
     let desk = Desk::new();
-    let output = desk.run(&[&["run", "slant.toml", "--quiet"], &SOFT[..]].concat());
-    assert!(output.status.success());
+    let output = desk.done(&[&["run", "slant.toml", "--quiet"], &SOFT[..]].concat());
     assert!(output.stdout.is_empty() && output.stderr.is_empty());
 }

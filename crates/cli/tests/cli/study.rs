@@ -3,10 +3,9 @@
 use std::{fs, path::Path, process::Output};
 
 use insta::assert_snapshot;
-use wholestring_results::{Data, Table};
 
 use crate::{
-    desk::{Desk, masked, transcript},
+    desk::{Desk, args, masked, transcript},
     sweep::split,
 };
 
@@ -26,8 +25,7 @@ fn study(desk: &Desk, more: &[&str]) -> Output {
 }
 
 fn read(desk: &Desk, name: &str) -> String {
-    let path = desk.path("results").join(name);
-    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+    desk.text(&format!("results/{name}"))
 }
 
 /// Rows of a table of the study as label, model, computed and whether it agrees.
@@ -171,12 +169,9 @@ statistic = "max"
 fn maps_and_wells_are_drawn() {
     let desk = Desk::new();
     fs::write(desk.path("maps.toml"), MAPS).unwrap();
-    let run = |more: &[&str]| {
-        let study = ["study", "maps.toml", "-o", "results", "--quiet"];
-        desk.run(&[&study, more].concat())
-    };
-    let output = run(&["--set", "mesh.element_length=8 m", "--png"]);
-    assert!(output.status.success(), "{}", transcript(&output));
+    let study = args("study maps.toml -o results --quiet");
+    let done = |more: &[&str]| desk.done(&[&study, more].concat());
+    done(&["--set", "mesh.element_length=8 m", "--png"]);
     for case in ["slow/bit_depth=300 m", "steeper/bit_depth=500 m"] {
         let summary = desk.summary(&format!("results/{case}"));
         assert_eq!(summary.settings["mesh"]["element_length_m"], 8.0, "{case}");
@@ -189,11 +184,9 @@ fn maps_and_wells_are_drawn() {
     for text in ["Bit depth 300 m", "Bit depth 500 m", "a seam", "high side"] {
         assert!(map.contains(text), "{text}");
     }
-    let contact = desk.path("results/slow/bit_depth=500 m").join("contact.parquet");
-    let contact = Table::read_parquet(&contact).unwrap();
-    let column = |name: &str| match &contact.column(name).unwrap().data {
-        Data::Number(values) => values.iter().map(|of| of.unwrap()).collect::<Vec<f64>>(),
-        Data::Text(_) => panic!("{name} is a number"),
+    let contact = desk.table("results/slow/bit_depth=500 m/contact.parquet");
+    let column = |name: &str| -> Vec<f64> {
+        contact.numbers(name).expect(name).iter().map(|of| of.unwrap()).collect()
     };
     let (times, depths) = (column("time_s"), column("md_m"));
     let forces = column("side_force_N_per_m");
@@ -249,15 +242,14 @@ fn maps_and_wells_are_drawn() {
 
     // What a sweep varies cannot be set for all; what was painted goes where it is not requested
     // again.
-    let output = run(&["--set", "bit_depth=400m"]);
+    let output = desk.run(&[&study[..], &["--set", "bit_depth=400m"]].concat());
     assert_eq!(output.status.code(), Some(2));
     assert!(
         transcript(&output).contains("error: `bit_depth` cannot be set, sweep `slow` varies it"),
         "{}",
         transcript(&output)
     );
-    let output = run(&["--set", "mesh.element_length=8 m", "--resume"]);
-    assert!(output.status.success(), "{}", transcript(&output));
+    done(&["--set", "mesh.element_length=8 m", "--resume"]);
     assert!(!desk.path("results/figures/map.png").exists());
 }
 
@@ -286,10 +278,8 @@ y = "hook_load_N"
     for (capacity, rings) in [("rig.hoist_capacity=120 kN", 2), ("rig.hoist_capacity=200 kN", 0)] {
         let folder = format!("results-{rings}");
         let study = ["study", "lifts.toml", "-o", &folder, "--quiet"];
-        let output = desk.run(&[&study[..], &["--set", capacity]].concat());
-        assert!(output.status.success(), "{}", transcript(&output));
-        let svg = desk.path(&folder).join("figures/load.svg");
-        let svg = fs::read_to_string(svg).unwrap();
+        desk.done(&[&study[..], &["--set", capacity]].concat());
+        let svg = desk.text(&format!("{folder}/figures/load.svg"));
         assert_eq!(svg.matches("stroke-over").count(), rings, "{svg}");
         assert_eq!(svg.contains("with errors"), rings > 0);
     }
@@ -310,7 +300,7 @@ fn the_tours_study_answers_as_told() {
     let folder = "out/Is the top drive strong enough-";
     assert!(told.contains("12 of 12 cases finished"), "{told}");
     assert!(told.contains(folder) && rest.contains(folder), "{told}");
-    let table = fs::read_to_string(desk.path(folder).join("tables/table-01.md")).unwrap();
+    let table = desk.text(&format!("{folder}/tables/table-01.md"));
     let numbers = |text: &str| -> Vec<[String; 2]> {
         let rows = text.lines().filter(|line| line.starts_with("| torque with"));
         rows.map(|row| {

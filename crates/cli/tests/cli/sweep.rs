@@ -34,7 +34,7 @@ fn sweep<'a>(more: &[&'a str]) -> Vec<&'a str> {
 
 /// `sweep.csv` as rows of cells, the header first.
 fn rows(desk: &Desk, folder: &str) -> Vec<Vec<String>> {
-    let text = fs::read_to_string(desk.path(folder).join("sweep.csv")).unwrap();
+    let text = desk.text(&format!("{folder}/sweep.csv"));
     let cells = |line: &str| split(line);
     text.lines().map(cells).collect()
 }
@@ -105,10 +105,9 @@ fn every_combination_is_a_row() {
 fn threads_leave_the_numbers_alone() {
     let desk = Desk::new();
     for jobs in ["1", "2"] {
-        let output = desk.run(&sweep(
+        let output = desk.done(&sweep(
             &[&["-j", jobs, "-o", jobs, "--keep", "all", "--quiet"], &RECORDS[..]].concat(),
         ));
-        assert!(output.status.success());
         assert!(output.stdout.is_empty() && output.stderr.is_empty());
     }
     let table = |folder: &str| fs::read(desk.path(folder).join("sweep.csv")).unwrap();
@@ -118,7 +117,7 @@ fn threads_leave_the_numbers_alone() {
     }
     let own = ["--set", "friction=0.3", "--set", "bit_depth=500m"];
     let alone = [&["run", "slant.toml", "-o", "alone"], &RECORDS[..], &own].concat();
-    assert!(desk.run(&alone).status.success());
+    desk.done(&alone);
     assert_same(&desk, "alone", &format!("1/{}", CASES[4]));
 }
 
@@ -126,11 +125,10 @@ fn threads_leave_the_numbers_alone() {
 #[test]
 fn a_tuned_lift_is_in_the_table() {
     let desk = Desk::new();
-    let output = desk.run(&args(
+    desk.done(&args(
         "sweep slant.toml --set operation.kind=drill --set hoist.control=tuned-lift \
          --vary model=soft,dynamic --quiet -o results",
     ));
-    assert!(output.status.success(), "{}", transcript(&output));
     let table = rows(&desk, "results");
     let place = |name: &str| table[0].iter().position(|cell| cell == name).expect(name);
     let solved = &desk.summary("results/model=dynamic").operations[0];
@@ -144,7 +142,7 @@ fn a_tuned_lift_is_in_the_table() {
         assert_eq!(table[2][place(name)].parse(), Ok(value), "{name}");
     }
     // A key that is named like a column of its own has its place on the page.
-    let page = fs::read_to_string(desk.path("results/report.html")).unwrap();
+    let page = desk.text("results/report.html");
     assert!(page.contains("\"heads\":[\"model\",\"Model\""));
 }
 
@@ -172,7 +170,7 @@ fn a_killed_sweep_goes_on() {
     let desk = Desk::new();
     let long = [&["--set", "dynamics.duration=15 s"], &RECORDS[..]].concat();
     let whole = [&long[..], &["-o", "whole"]].concat();
-    assert!(desk.run(&sweep(&whole)).status.success());
+    desk.done(&sweep(&whole));
     let killed = [&long[..], &["-o", "killed", "--checkpoint", "0.01 s"]].concat();
     let mut child =
         desk.command(&sweep(&killed)).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
@@ -208,8 +206,7 @@ fn a_killed_sweep_goes_on() {
     };
     let done = *finished().unwrap();
     let before = written(done);
-    let output = desk.run(&sweep(&[&killed[..], &["--resume"]].concat()));
-    assert!(output.status.success(), "{}", transcript(&output));
+    desk.done(&sweep(&[&killed[..], &["--resume"]].concat()));
     assert_eq!(written(done), before);
     assert!(!any("checkpoint.bin"));
     for case in CASES {
@@ -219,7 +216,7 @@ fn a_killed_sweep_goes_on() {
     assert!(table("killed") == table("whole"));
     // Other settings make other cases: nothing of this counts as finished for them.
     let other = ["-o", "killed", "--resume", "--set", "model=soft"];
-    assert!(desk.run(&sweep(&other)).status.success());
+    desk.done(&sweep(&other));
     assert_eq!(rows(&desk, "killed").len(), 1 + 6 * 2);
 }
 
@@ -235,8 +232,7 @@ fn what_is_kept_of_a_case() {
          --set 'dynamics.settle=0.1 s' -o dynamic",
     );
     let with = |more: &[&'static str]| {
-        let output = desk.run(&sweep(more));
-        assert!(output.status.success(), "{}", transcript(&output));
+        desk.done(&sweep(more));
     };
     let left = |folder: &str| -> Vec<String> {
         let entries = fs::read_dir(desk.path(folder).join(CASES[1])).unwrap();
@@ -267,7 +263,7 @@ fn what_is_kept_of_a_case() {
     with(&[&soft[..], &["--resume", "--keep", "tables"]].concat());
     assert_eq!(left("results"), with_tables);
     for command in ["report", "plot"] {
-        assert!(desk.run(&[command, &case]).status.success());
+        desk.done(&[command, &case]);
     }
     with(&[&soft[..], &["--resume", "--keep", "all"]].concat());
     assert!(left("results").contains(&"profile.svg".to_owned()));
@@ -296,12 +292,11 @@ fn shards_make_up_the_whole() {
     let desk = Desk::new();
     let soft = ["--set", "model=soft"];
     let with = |more: &[&'static str]| sweep(&[&soft[..], more].concat());
-    assert!(desk.run(&with(&["-o", "whole"])).status.success());
+    desk.done(&with(&["-o", "whole"]));
     let whole = rows(&desk, "whole");
     let mut parts = Vec::new();
     for shard in ["1/4", "2/4", "3/4", "4/4"] {
-        let output = desk.run(&with(&["-o", "parts", "--shard", shard]));
-        assert!(output.status.success());
+        desk.done(&with(&["-o", "parts", "--shard", shard]));
         let mut part = rows(&desk, "parts");
         assert_eq!(part.remove(0), whole[0]);
         parts.extend(part);
@@ -311,7 +306,7 @@ fn shards_make_up_the_whole() {
     sorted.sort();
     assert_eq!(parts, sorted);
     assert_eq!(folders(&desk, "parts"), CASES.map(String::from).into());
-    assert!(desk.run(&with(&["-o", "parts", "--resume"])).status.success());
+    desk.done(&with(&["-o", "parts", "--resume"]));
     assert_eq!(rows(&desk, "parts"), whole);
 }
 
@@ -321,18 +316,14 @@ fn folders_that_cannot_bear_their_values() {
     let desk = Desk::new();
     let soft = ["--set", "model=soft", "--set", "operation.kind=trip_out"];
     let name = |letter: &str| format!("name={},{}", letter.repeat(110), letter.repeat(120));
-    let output = desk
-        .run(&[&["sweep", "slant.toml", "-o", "long", "--vary", &name("x")], &soft[..]].concat());
-    assert!(output.status.success());
+    desk.done(&[&["sweep", "slant.toml", "-o", "long", "--vary", &name("x")], &soft[..]].concat());
     assert_eq!(folders(&desk, "long"), ["case-1", "case-2"].map(String::from).into());
-    let output = desk.run(
+    desk.done(
         &[&["sweep", "slant.toml", "-o", "case", "--vary", "name=well,Well"], &soft[..]].concat(),
     );
-    assert!(output.status.success());
     assert_eq!(folders(&desk, "case"), ["case-1", "case-2"].map(String::from).into());
     // Where nothing is said, the folder bears the name of the case.
-    let output = desk.run(&[&["sweep", "slant.toml", "--vary", "rpm=60,70"], &soft[..]].concat());
-    assert!(output.status.success());
+    desk.done(&[&["sweep", "slant.toml", "--vary", "rpm=60,70"], &soft[..]].concat());
     assert!(desk.path("out/Straight slant sweep/rpm=60/summary.json").exists());
 }
 
@@ -386,7 +377,7 @@ fn mistakes_are_underlined() {
 fn an_interrupted_sweep_goes_on() {
     let desk = Desk::new();
     let long = ["--csv", "--set", "dynamics.duration=15 s"];
-    assert!(desk.run(&sweep(&[&long[..], &["-o", "whole"]].concat())).status.success());
+    desk.done(&sweep(&[&long[..], &["-o", "whole"]].concat()));
     let stopped = sweep(&[&long[..], &["-o", "stopped", "-j", "1"]].concat());
     let count = || fs::read_dir(desk.path("stopped")).map_or(0, |all| all.count());
     assert_eq!(
@@ -395,8 +386,7 @@ fn an_interrupted_sweep_goes_on() {
          to continue, run the sweep again with --resume\n"
     );
     assert!(desk.path("stopped/sweep.csv").exists());
-    let output = desk.run(&[&stopped[..], &["--resume"]].concat());
-    assert!(output.status.success(), "{}", transcript(&output));
+    desk.done(&[&stopped[..], &["--resume"]].concat());
     let table = |folder: &str| fs::read(desk.path(folder).join("sweep.csv")).unwrap();
     assert!(table("stopped") == table("whole"));
 }

@@ -83,123 +83,52 @@ impl ComponentSpec {
 
     /// The first field with a value that no component can have.
     fn bad_field(&self) -> Option<(&'static str, f64, &'static str)> {
-        const POSITIVE: &str = "a positive number";
-        let positive = |value: f64| value.is_finite() && value > 0.0;
+        let positive = |field, value: f64| {
+            (field, value, value.is_finite() && value > 0.0, "a positive number")
+        };
+        let id = self.id_m.is_finite() && self.id_m >= 0.0 && self.id_m < self.od_m;
+        let around = |od_m: f64| od_m.is_finite() && od_m >= self.od_m;
+        let an_angle = |field, value: f64| (field, value, value.is_finite(), "an angle");
         let mut fields = vec![
-            ("od", self.od_m, positive(self.od_m), POSITIVE),
-            (
-                "id",
-                self.id_m,
-                self.id_m.is_finite() && self.id_m >= 0.0 && self.id_m < self.od_m,
-                "zero or more, and less than od",
-            ),
-            (
-                "mass_per_length",
-                self.mass_per_length_kg_per_m,
-                positive(self.mass_per_length_kg_per_m),
-                POSITIVE,
-            ),
-            (
-                "density",
-                self.material.density_kg_per_m3,
-                positive(self.material.density_kg_per_m3),
-                POSITIVE,
-            ),
-            (
-                "youngs_modulus",
-                self.material.youngs_modulus_Pa,
-                positive(self.material.youngs_modulus_Pa),
-                POSITIVE,
-            ),
-            (
-                "shear_modulus",
-                self.material.shear_modulus_Pa,
-                positive(self.material.shear_modulus_Pa),
-                POSITIVE,
-            ),
+            positive("od", self.od_m),
+            ("id", self.id_m, id, "zero or more, and less than od"),
+            positive("mass_per_length", self.mass_per_length_kg_per_m),
+            positive("density", self.material.density_kg_per_m3),
+            positive("youngs_modulus", self.material.youngs_modulus_Pa),
+            positive("shear_modulus", self.material.shear_modulus_Pa),
         ];
-        if let ComponentLength::Metres(length_m) = self.length {
-            fields.push(("length", length_m, positive(length_m), POSITIVE));
-        }
+        let length_m = match self.length {
+            ComponentLength::Metres(length_m) => length_m,
+            ComponentLength::ToSurface => f64::MAX,
+        };
+        fields.push(positive("length", length_m));
         if let Some(joints) = self.joints {
-            fields.push((
-                "joint_od",
-                joints.od_m,
-                joints.od_m.is_finite() && joints.od_m >= self.od_m,
-                "at least od",
-            ));
-            fields.push(("joint_spacing", joints.spacing_m, positive(joints.spacing_m), POSITIVE));
+            fields.push(("joint_od", joints.od_m, around(joints.od_m), "at least od"));
+            fields.push(positive("joint_spacing", joints.spacing_m));
         }
         if let Some(blades) = self.blades {
-            fields.push((
-                "blade_od",
-                blades.od_m,
-                blades.od_m.is_finite() && blades.od_m >= self.od_m && self.joints.is_none(),
-                "at least od, without joints",
-            ));
-            let longest_m = match self.length {
-                ComponentLength::Metres(length_m) => length_m,
-                ComponentLength::ToSurface => f64::MAX,
-            };
-            fields.push((
-                "blade_length",
-                blades.length_m,
-                positive(blades.length_m) && blades.length_m <= longest_m,
-                "more than zero, and no more than length",
-            ));
+            let od = around(blades.od_m) && self.joints.is_none();
+            fields.push(("blade_od", blades.od_m, od, "at least od, without joints"));
+            let length = blades.length_m > 0.0 && blades.length_m <= length_m;
+            let expected = "more than zero, and no more than length";
+            fields.push(("blade_length", blades.length_m, length, expected));
         }
-        if let Some(yield_strength_Pa) = self.yield_strength_Pa {
-            fields.push((
-                "yield_strength",
-                yield_strength_Pa,
-                positive(yield_strength_Pa),
-                POSITIVE,
-            ));
-        }
+        fields.extend(self.yield_strength_Pa.map(|of| positive("yield_strength", of)));
         if let Some(bend) = self.bend {
-            let length_m = match self.length {
-                ComponentLength::Metres(length_m) => length_m,
-                ComponentLength::ToSurface => f64::INFINITY,
-            };
-            let at = bend.from_lower_end_m;
-            fields.push((
-                "bend",
-                bend.angle_rad,
-                bend.angle_rad.abs() <= MAX_BEND_RAD,
-                "10 deg at most",
-            ));
-            fields.push((
-                "bend_at",
-                at,
-                at.is_finite() && (0.0..=length_m).contains(&at),
-                "a place on the component",
-            ));
-            fields.push((
-                "bend_toolface",
-                bend.toolface_rad,
-                bend.toolface_rad.is_finite(),
-                "an angle",
-            ));
+            let (angle, at) = (bend.angle_rad, bend.from_lower_end_m);
+            fields.push(("bend", angle, angle.abs() <= MAX_BEND_RAD, "10 deg at most"));
+            let inside = (0.0..=length_m).contains(&at);
+            fields.push(("bend_at", at, inside, "a place on the component"));
+            fields.push(an_angle("bend_toolface", bend.toolface_rad));
         }
         if let Some(eccentricity) = self.eccentricity {
-            let most = body::MAX_ECCENTRIC * self.od_m;
-            fields.push((
-                "eccentricity",
-                eccentricity.offset_m,
-                (0.0..=most).contains(&eccentricity.offset_m),
-                "a tenth of od at most",
-            ));
-            fields.push((
-                "eccentricity_phase",
-                eccentricity.phase_rad,
-                eccentricity.phase_rad.is_finite(),
-                "an angle",
-            ));
+            let (offset, most) = (eccentricity.offset_m, body::MAX_ECCENTRIC * self.od_m);
+            let small = (0.0..=most).contains(&offset);
+            fields.push(("eccentricity", offset, small, "a tenth of od at most"));
+            fields.push(an_angle("eccentricity_phase", eccentricity.phase_rad));
         }
-        fields
-            .into_iter()
-            .find(|&(_, _, valid, _)| !valid)
-            .map(|(field, value, _, expected)| (field, value, expected))
+        let wrong = fields.into_iter().find(|&(_, _, valid, _)| !valid);
+        wrong.map(|(field, value, _, expected)| (field, value, expected))
     }
 }
 

@@ -8,6 +8,7 @@ pub mod np13;
 use serde_json::Value;
 use wholestring::{
     GRAVITY_M_PER_S2,
+    dynamics::{Band, Cutters, Excitation, MudMotor, RegenerativeLaw},
     model::Model,
     mud::{Mud, Rheology},
     operation::{Operation, OperationKind},
@@ -15,7 +16,7 @@ use wholestring::{
     string::{ComponentLength, ComponentSpec, Material, StringSpec},
     well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
 };
-pub use wholestring_verification::{Row, Tolerance, report, report_worst};
+pub use wholestring_verification::{Row, Tolerance, report_worst, verify};
 
 /// A file of `verification/`, parsed.
 pub fn verification(name: &str) -> Value {
@@ -176,29 +177,52 @@ pub fn straight_model(inc_deg: f64, length_m: f64, w_N_per_m: f64, r_m: f64, mu:
 
 /// An operation with the bit at a depth: 70 rev/min, off bottom or without weight, no advance.
 pub const fn operation(kind: OperationKind, bit_depth_m: f64) -> Operation {
-    Operation {
-        kind,
-        bit_depth_m,
-        rotary_speed_rad_per_s: rpm(70.0),
-        weight_on_bit_N: 0.0,
-        bit_torque_N_m: 0.0,
-        rate_of_penetration_m_per_s: 0.0,
-        trip_speed_m_per_s: 0.3,
-        flow_rate_m3_per_s: 0.0,
-        bit_pressure_drop_Pa: 0.0,
-        motor_pressure_drop_Pa: 0.0,
-    }
+    Operation::new(kind, bit_depth_m).rotary_speed_rad_per_s(rpm(70.0))
 }
 
 /// The same with a weight on the bit.
 pub const fn pressing(kind: OperationKind, bit_depth_m: f64, weight_on_bit_N: f64) -> Operation {
-    Operation { weight_on_bit_N, ..operation(kind, bit_depth_m) }
+    operation(kind, bit_depth_m).weight_on_bit_N(weight_on_bit_N)
 }
 
 /// Revolutions per minute in rad/s.
 pub const fn rpm(revolutions_per_minute: f64) -> f64 {
     revolutions_per_minute * std::f64::consts::TAU / 60.0
 }
+
+/// A mud motor of 12 L per revolution, rated at 150 rev/min.
+pub const MOTOR: MudMotor = MudMotor {
+    displacement_m3: 12e-3,
+    rated_flow_m3_per_s: 30e-3,
+    max_pressure_Pa: 6e6,
+    slip: 0.1,
+    efficiency: 0.8,
+    stall_torque_N_m: 14e3,
+};
+
+/// Three lobes of no height on a smooth bottom.
+pub const SMOOTH: Excitation = Excitation {
+    lobes: 3,
+    amplitude_m: 0.0,
+    roughness_m: 0.0,
+    torque_fluctuation: 0.0,
+    band: Band::PerRevolution(8.0),
+};
+
+/// The bit of Richard, Germay and Detournay's examples, four blades with flats of 1.2 mm in all.
+pub const DRAG_BIT: RegenerativeLaw = RegenerativeLaw {
+    cutters: Cutters {
+        radius_m: 0.108,
+        core_radius_m: 0.0,
+        intrinsic_specific_energy_Pa: 60e6,
+        cutter_inclination: 0.6,
+        wear_flat_m: 1.2e-3,
+        contact_strength_Pa: 60e6,
+        bit_geometry: 1.0,
+        friction: 0.6,
+    },
+    blades: 4,
+};
 
 /// Length of the arc of a [`capstan_model`], m.
 pub const CAPSTAN_ARC_M: f64 = 500.0;

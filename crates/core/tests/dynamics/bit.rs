@@ -2,34 +2,25 @@
 
 use wholestring::{
     dynamics::{
-        Band, BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, DynamicOutcome,
-        Excitation, Motor, MudMotor, RateLaw, RegenerativeLaw, Statistic, TableLaw, TablePoint,
+        BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, DynamicOutcome, Excitation,
+        Motor, RateLaw, RegenerativeLaw, Statistic, TableLaw, TablePoint,
     },
-    operation::{Operation, OperationKind},
+    operation::OperationKind,
     string::ComponentLength,
     well::{HoleKind, Interpolation},
 };
 
 use crate::{
-    common::{Row, Tolerance, operation, path, report, rpm},
+    common::{DRAG_BIT, MOTOR, SMOOTH, operation, path, rpm, verify},
     wells::{Case, between, line, model, np13, section, tool},
 };
 
 const DEPTH_M: f64 = 1000.0;
 
-/// The bit of Richard, Germay and Detournay's examples.
+/// [`DRAG_BIT`] in a hole of 8-1/2 in, worn.
 const LAW: RegenerativeLaw = RegenerativeLaw {
-    cutters: Cutters {
-        radius_m: 0.107_95,
-        core_radius_m: 0.0,
-        intrinsic_specific_energy_Pa: 60e6,
-        cutter_inclination: 0.6,
-        wear_flat_m: 5e-3,
-        contact_strength_Pa: 60e6,
-        bit_geometry: 1.0,
-        friction: 0.6,
-    },
-    blades: 4,
+    cutters: Cutters { radius_m: 0.107_95, wear_flat_m: 5e-3, ..DRAG_BIT.cutters },
+    ..DRAG_BIT
 };
 
 /// Collars and pipe in a vertical well, drilling with a drag bit at a rotary speed.
@@ -45,11 +36,9 @@ fn vertical(revolutions_per_minute: f64) -> Case {
         DEPTH_M,
     );
     let bit = BitSettings { law: BitLaw::Regenerative(LAW), ..BitSettings::default() };
-    let drill = Operation {
-        rotary_speed_rad_per_s: rpm(revolutions_per_minute),
-        weight_on_bit_N: 60e3,
-        ..operation(OperationKind::Drill, DEPTH_M)
-    };
+    let drill = operation(OperationKind::Drill, DEPTH_M)
+        .rotary_speed_rad_per_s(rpm(revolutions_per_minute))
+        .weight_on_bit_N(60e3);
     let mut case = Case::new(vertical, bit.drilling_steadily(drill));
     case.settings.bit = bit;
     case.settings.settle_s = 60.0;
@@ -84,14 +73,9 @@ fn a_fast_drag_bit_drills_steadily() {
         ("rate of penetration, m/s", depth_of_cut_m * rpm(200.0) / std::f64::consts::TAU, rate),
         ("depth of cut, m", depth_of_cut_m, *series.depth_of_cut_m.last().expect("a sample")),
     ] {
-        report(&Row {
-            case: "E07",
-            quantity: &format!("whole string at 200 rev/min: {quantity}"),
-            expected,
-            computed,
-            tolerance: Tolerance::Relative(5e-4),
-            reason: "what is left of the start after a minute",
-        });
+        verify("E07", format!("whole string at 200 rev/min: {quantity}"))
+            .relative(5e-4, "what is left of the start after a minute")
+            .report(expected, computed);
     }
     assert!(spin.std < 1e-3 * spin.mean, "{spin:?}");
     assert!(weight.std < 1e-3 * weight.mean, "{weight:?}");
@@ -129,14 +113,9 @@ fn a_bit_without_history_drills_steadily() {
         ("rate of penetration, m/s", rate, mean("rate_of_penetration_m_per_s")),
         ("speed of the bit along the hole, m/s", rate, moved),
     ] {
-        report(&Row {
-            case: "E07",
-            quantity: &format!("whole string at 100 rev/min, three regimes: {quantity}"),
-            expected,
-            computed,
-            tolerance: Tolerance::Relative(5e-4),
-            reason: "what is left of the start after half a minute",
-        });
+        verify("E07", format!("whole string at 100 rev/min, three regimes: {quantity}"))
+            .relative(5e-4, "what is left of the start after half a minute")
+            .report(expected, computed);
     }
     let residual = outcome.numerics.energy_residual;
     assert!(residual.abs() < 1e-5, "{residual:e}");
@@ -147,14 +126,7 @@ fn a_bit_without_history_drills_steadily() {
 #[test]
 fn a_motor_turns_the_bit_of_a_sliding_string() {
     let mut case = vertical(0.0);
-    let motor = MudMotor {
-        displacement_m3: 12e-3,
-        rated_flow_m3_per_s: 30e-3,
-        max_pressure_Pa: 6e6,
-        slip: 0.1,
-        efficiency: 0.8,
-        stall_torque_N_m: 14e3,
-    };
+    let motor = MOTOR;
     let point = |weight: f64, turns: f64| TablePoint {
         weight_on_bit_N: weight,
         rotary_speed_rad_per_s: rpm(turns),
@@ -192,14 +164,9 @@ fn a_motor_turns_the_bit_of_a_sliding_string() {
         ("speed of the motor, rad/s", rpm(turns), speed),
         ("rate of penetration, m/s", 3e-3 * turns / 100.0, mean("rate_of_penetration_m_per_s")),
     ] {
-        report(&Row {
-            case: "E07",
-            quantity: &format!("whole string sliding with a mud motor and a table: {quantity}"),
-            expected,
-            computed,
-            tolerance: Tolerance::Relative(1e-3),
-            reason: "what is left of the start after half a minute",
-        });
+        verify("E07", format!("whole string sliding with a mud motor and a table: {quantity}"))
+            .relative(1e-3, "what is left of the start after half a minute")
+            .report(expected, computed);
     }
     let pressure = series.motor_pressure_Pa[from].expect("known");
     let expected = (3600.0 - turns) * std::f64::consts::TAU / (0.8 * 12e-3);
@@ -239,11 +206,10 @@ fn a_rough_bottom_shakes_the_string() {
     case.settings.bit.law = BitLaw::Rate(RateLaw {
         rock_stiffness_N_per_m: 1e8,
         excitation: Some(Excitation {
-            lobes: 3,
             amplitude_m: 0.8e-3,
             roughness_m: 0.2e-3,
             torque_fluctuation: 0.1,
-            band: Band::PerRevolution(8.0),
+            ..SMOOTH
         }),
     });
     let outcome = case.run();

@@ -3,7 +3,7 @@
 
 use wholestring::{
     dynamics::HoistControl,
-    operation::{Operation, OperationKind},
+    operation::OperationKind,
     string::{ComponentLength, StringSpec},
     well::{HoleKind, Interpolation, Path, Station, TieIn},
 };
@@ -240,12 +240,10 @@ fn a_held_bit_shows_its_penetration() {
 /// 3 % is what every operation is held to at the usual length.
 #[test]
 fn short_elements_hold_their_weight_on_bit() {
-    let drill = Operation {
-        weight_on_bit_N: 20e3,
-        bit_torque_N_m: 1000.0,
-        rate_of_penetration_m_per_s: 10.0 / 3600.0,
-        ..operation(OperationKind::Drill, 400.0)
-    };
+    let drill = operation(OperationKind::Drill, 400.0)
+        .weight_on_bit_N(20e3)
+        .bit_torque_N_m(1000.0)
+        .rate_of_penetration_m_per_s(10.0 / 3600.0);
     let mut case = Case::new(straight(400.0, 0.25), drill);
     case.settings.element_length_m = 0.5;
     case.settings.settle_s = 0.0;

@@ -10,7 +10,7 @@ use wholestring::{
 };
 
 use crate::{
-    common::{Row, Tolerance, operation, path, report, report_worst, verification},
+    common::{Row, operation, path, report_worst, verification, verify},
     wells::{Case, each, go, model, section},
 };
 
@@ -171,50 +171,34 @@ fn straight_below_the_critical_load_and_buckled_above() {
         assert!((shape.load / load - 1.0).abs() < 1e-3, "{shape:?}");
         let at = format!("hole of {inclination}° at {load} of the load");
         if *load < 1.0 {
-            report(&straight(&format!("{at}: largest angle, rad"), shape));
+            straight(&format!("{at}: largest angle, rad"), shape).report();
         } else {
-            report(&Row {
-                case: "C01",
-                quantity: &format!("{at}: largest angle, rad"),
-                expected: 0.3,
-                computed: shape.largest_rad,
-                tolerance: Tolerance::AtLeast,
-                reason: "buckled: half of the 0.61 rad of an endless snake under that load",
-            });
-            report(&Row {
-                case: "C01",
-                quantity: &format!("{at}: length of a wave, m"),
-                expected: *wavelength_m,
-                computed: shape.wavelength_m,
-                tolerance: Tolerance::Relative(0.1),
-                reason: "the fastest-growing wave is shorter by 1/√1.25, and one wave more or less is 6 %",
-            });
+            verify("C01", format!("{at}: largest angle, rad"))
+                .at_least("buckled: half of the 0.61 rad of an endless snake under that load")
+                .report(0.3, shape.largest_rad);
+            verify("C01", format!("{at}: length of a wave, m"))
+                .relative(
+                    0.1,
+                    "the fastest-growing wave is shorter by 1/√1.25, and one wave more or less \
+                     is 6 %",
+                )
+                .report(*wavelength_m, shape.wavelength_m);
         }
     }
 }
 
 /// The row of a string that has not buckled.
 fn straight<'a>(quantity: &'a str, shape: &Shape) -> Row<'a> {
-    Row {
-        case: "C01",
-        quantity,
-        expected: 0.0,
-        computed: shape.largest_rad,
-        tolerance: Tolerance::Absolute(STRAIGHT_RAD),
-        reason: "the seeded disturbance of a micrometre, which must not have grown",
-    }
+    verify("C01", quantity)
+        .absolute(STRAIGHT_RAD, "the seeded disturbance of a micrometre, which must not have grown")
+        .row(0.0, shape.largest_rad)
 }
 
 /// The row of a string that has.
 fn snaking<'a>(quantity: &'a str, shape: &Shape) -> Row<'a> {
-    Row {
-        case: "C01",
-        quantity,
-        expected: 0.1,
-        computed: shape.largest_rad,
-        tolerance: Tolerance::AtLeast,
-        reason: "an endless snake has 0.17 rad at 1.02 of the load, and more above",
-    }
+    verify("C01", quantity)
+        .at_least("an endless snake has 0.17 rad at 1.02 of the load, and more above")
+        .row(0.1, shape.largest_rad)
 }
 
 /// In the horizontal hole the string is still straight at 0.99 and 1.00 of the critical load and
@@ -230,16 +214,15 @@ fn the_onset_and_the_amplitude_of_snaking() {
     for (load, shape) in loads.iter().zip(each(&loads, |load| shape(&row, *load, 40.0, ENDS))) {
         let at = format!("hole of 90° at {load} of the load");
         if *load <= 1.0 {
-            report(&straight(&format!("{at}: largest angle, rad"), &shape));
+            straight(&format!("{at}: largest angle, rad"), &shape).report();
         } else {
-            report(&Row {
-                case: "C01",
-                quantity: &format!("{at}: amplitude of the snake, rad"),
-                expected: amplitude_rad(*load),
-                computed: std::f64::consts::SQRT_2 * shape.spread_rad,
-                tolerance: Tolerance::Relative(0.02),
-                reason: "the source's, for more than ten waves; right to the fourth power of the amplitude",
-            });
+            verify("C01", format!("{at}: amplitude of the snake, rad"))
+                .relative(
+                    0.02,
+                    "the source's, for more than ten waves; right to the fourth power of the \
+                     amplitude",
+                )
+                .report(amplitude_rad(*load), std::f64::consts::SQRT_2 * shape.spread_rad);
         }
     }
 }
@@ -278,9 +261,9 @@ fn the_onset_hardly_depends_on_length_and_mesh() {
         let quantity =
             format!("hole of 60° at {load} of the load with 24 waves: largest angle, rad");
         if *load <= 1.05 {
-            report(&straight(&quantity, &shape));
+            straight(&quantity, &shape).report();
         } else {
-            report(&snaking(&quantity, &shape));
+            snaking(&quantity, &shape).report();
         }
     }
 }

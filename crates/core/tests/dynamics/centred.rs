@@ -2,7 +2,7 @@
 
 use wholestring::{
     dynamics::{CentredStart, HoistControl, HoistLine, RodDamping, Start, StartTension},
-    operation::{Operation, OperationKind},
+    operation::OperationKind,
 };
 
 use crate::{
@@ -18,11 +18,9 @@ use crate::{
 #[test]
 fn it_starts_with_its_static_tension() {
     let (length, weight) = (1000.0, 20e3);
-    let drill = Operation {
-        weight_on_bit_N: weight,
-        rate_of_penetration_m_per_s: 5.0 / 3600.0,
-        ..operation(OperationKind::Drill, length)
-    };
+    let drill = operation(OperationKind::Drill, length)
+        .weight_on_bit_N(weight)
+        .rate_of_penetration_m_per_s(5.0 / 3600.0);
     let mut case = Case::new(straight(length, 0.3), drill);
     case.settings.start = Start::Centred;
     case.settings.settle_s = 0.0;
@@ -52,11 +50,9 @@ fn it_starts_with_its_static_tension() {
 #[test]
 fn a_centred_start_finds_its_weight_on_bit() {
     let (length, weight) = (1000.0, 20e3);
-    let drill = Operation {
-        weight_on_bit_N: weight,
-        rate_of_penetration_m_per_s: 5.0 / 3600.0,
-        ..operation(OperationKind::Drill, length)
-    };
+    let drill = operation(OperationKind::Drill, length)
+        .weight_on_bit_N(weight)
+        .rate_of_penetration_m_per_s(5.0 / 3600.0);
     let mut case = Case::new(straight(length, 0.0), drill);
     case.settings.start = Start::Centred;
     case.settings.settle_s = 0.0;

@@ -2,14 +2,16 @@
 
 use wholestring::{
     dynamics::{
-        Band, BitLaw, BitSettings, BitTable, Checkpoint, DynamicOutcome, Excitation, FrictionLaw,
-        Motor, MudMotor, Precision, ResumeError, Simulation, Start, TableLaw, TablePoint,
-        UntilSteady,
+        BitLaw, BitSettings, BitTable, Checkpoint, DynamicOutcome, Excitation, FrictionLaw, Motor,
+        Precision, ResumeError, Simulation, Start, TableLaw, TablePoint, UntilSteady,
     },
     operation::OperationKind,
 };
 
-use crate::wells::{Case, each, go, moderate, np13};
+use crate::{
+    common::{MOTOR, SMOOTH},
+    wells::{Case, each, go, moderate, np13},
+};
 
 /// Drilling with the autodriller, tripping with the independent law from a centred start, sliding
 /// with the motor, drilling in single precision, drilling by a table with noise, a motor that
@@ -46,23 +48,10 @@ fn measured_bit() -> BitSettings {
         law: BitLaw::Table(TableLaw {
             table: BitTable::new(&[point(20e3), point(60e3)]).expect("a table"),
             rock_stiffness_N_per_m: 1e8,
-            excitation: Some(Excitation {
-                lobes: 3,
-                amplitude_m: 0.1e-3,
-                roughness_m: 0.0,
-                torque_fluctuation: 0.0,
-                band: Band::PerRevolution(8.0),
-            }),
+            excitation: Some(Excitation { amplitude_m: 0.1e-3, ..SMOOTH }),
         }),
         steerability: 0.05,
-        motor: Motor::Displacement(MudMotor {
-            displacement_m3: 12e-3,
-            rated_flow_m3_per_s: 30e-3,
-            max_pressure_Pa: 6e6,
-            slip: 0.1,
-            efficiency: 0.8,
-            stall_torque_N_m: 14e3,
-        }),
+        motor: Motor::Displacement(MOTOR),
         ..BitSettings::default()
     }
 }

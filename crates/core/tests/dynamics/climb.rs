@@ -3,7 +3,7 @@
 use wholestring::{dynamics::DynamicOutcome, operation::OperationKind};
 
 use crate::{
-    common::{Row, Tolerance, operation, report, verification},
+    common::{operation, verification, verify},
     wells::{Case, STRAIGHT_DEG, each, line, mud, straight},
 };
 
@@ -70,14 +70,9 @@ fn a_turning_pipe_climbs_to_the_angle_of_friction() {
         for (((what, unit), computed), expected) in
             what.iter().zip([force, torque, climb]).zip(expected)
         {
-            report(&Row {
-                case: "E05",
-                quantity: &format!("{what} at friction {mu} with elements of {element} m, {unit}"),
-                expected,
-                computed,
-                tolerance: Tolerance::Relative(2e-4),
-                reason: "what the slow rolling has left after ten seconds",
-            });
+            verify("E05", format!("{what} at friction {mu} with elements of {element} m, {unit}"))
+                .relative(2e-4, "what the slow rolling has left after ten seconds")
+                .report(expected, computed);
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use wholestring::{
     dynamics::{Autodriller, BitLaw, HoistControl, RodDamping},
-    operation::{Operation, OperationKind},
+    operation::OperationKind,
 };
 
 use crate::{
@@ -18,11 +18,9 @@ const RATE_M_PER_S: f64 = 5.0 / 3600.0;
 /// Drilling with 20 kN at 5 m/h in a straight hole without friction: nothing but the string's
 /// stretch stands between the block and the rock.
 fn drilling() -> Case {
-    let drill = Operation {
-        weight_on_bit_N: WEIGHT_N,
-        rate_of_penetration_m_per_s: RATE_M_PER_S,
-        ..operation(OperationKind::Drill, LENGTH_M)
-    };
+    let drill = operation(OperationKind::Drill, LENGTH_M)
+        .weight_on_bit_N(WEIGHT_N)
+        .rate_of_penetration_m_per_s(RATE_M_PER_S);
     let mut case = Case::new(straight(LENGTH_M, 0.0), drill);
     case.settings.damping = RodDamping { mass_per_s: 0.0, ..case.settings.damping };
     case

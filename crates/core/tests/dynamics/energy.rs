@@ -9,7 +9,7 @@ use wholestring::{
 };
 
 use crate::{
-    common::{Row, Tolerance, mud, operation, path, report},
+    common::{mud, operation, path, verify},
     wells::{Case, go, line, model, moderate, section, tool},
 };
 
@@ -97,14 +97,9 @@ fn an_undamped_string_keeps_its_energy() {
             "a damping of 1e-6 1/s would show; what swings does not add up",
         ),
     ] {
-        report(&Row {
-            case: "energy",
-            quantity: &format!("undamped string: {what}"),
-            expected: 0.0,
-            computed,
-            tolerance: Tolerance::Absolute(within),
-            reason,
-        });
+        verify("energy", format!("undamped string: {what}"))
+            .absolute(within, reason)
+            .report(0.0, computed);
     }
 }
 
@@ -133,14 +128,13 @@ fn what_comes_in_goes_out() {
     go(&mut simulation, 60.0);
     let outcome = simulation.outcome();
     let e = outcome.numerics.energy.expect("the window has begun");
-    report(&Row {
-        case: "energy",
-        quantity: "reaming string: residual of the balance over 60 s over the work",
-        expected: 0.0,
-        computed: outcome.numerics.energy_residual,
-        tolerance: Tolerance::Absolute(5e-5),
-        reason: "hoist and bit act after the drag of their step: first order in it; 1 % is requested",
-    });
+    verify("energy", "reaming string: residual of the balance over 60 s over the work")
+        .absolute(
+            5e-5,
+            "hoist and bit act after the drag of their step: first order in it; 1 % is \
+             requested",
+        )
+        .report(0.0, outcome.numerics.energy_residual);
     let residual = e.work_J() - e.loss_J() - e.change_J();
     assert_eq!(e.residual_J, residual);
 
@@ -151,14 +145,9 @@ fn what_comes_in_goes_out() {
     let spin = |i: usize| case.operation.rotary_speed_rad_per_s * (t.time_s[i] - 0.5 * dt).min(1.0);
     let speed = |i: usize| t.block_velocity_m_per_s[i];
     let close = |what: &str, computed: f64, expected: f64, within: f64, reason: &str| {
-        report(&Row {
-            case: "energy",
-            quantity: &format!("reaming string: {what}, J"),
-            expected,
-            computed,
-            tolerance: Tolerance::Relative(within),
-            reason,
-        });
+        verify("energy", format!("reaming string: {what}, J"))
+            .relative(within, reason)
+            .report(expected, computed);
     };
     let hoist = sum(&|i| -t.hook_load_N[i] * speed(i));
     let line = "what the line stores and loses, 4 kJ in 7 MJ";

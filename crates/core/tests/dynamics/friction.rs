@@ -93,7 +93,6 @@ fn friction_and_wear_of_a_pipe_that_turns_and_goes_down() {
             ["axial friction", "torque", "wear"].iter().zip(found.iter().zip(expected))
         {
             let what = format!("{law:?} {ratio}: {what} per metre");
-            println!("{what}: {found} for {expected}, {:.1e}", found / expected - 1.0);
             assert_close(&what, *found, expected, 2e-4);
         }
         let wear = &outcome.wear;
@@ -102,7 +101,6 @@ fn friction_and_wear_of_a_pipe_that_turns_and_goes_down() {
             .collect();
         let mean = |of: &[f64]| inside.iter().map(|i| of[*i]).sum::<f64>() / inside.len() as f64;
         let what = format!("{law:?} {ratio}: wear per metre of hole");
-        println!("{what}: {:.1e}", mean(&wear.wear_power_W_per_m) / power - 1.0);
         assert_close(&what, mean(&wear.wear_work_J_per_m), expected[2], 2e-4);
         assert_close(&what, mean(&wear.wear_power_W_per_m), power, 2e-4);
     }

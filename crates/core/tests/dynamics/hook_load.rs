@@ -23,11 +23,9 @@ fn alone() -> Arc<dyn Executor + Send + Sync> {
 
 /// A straight hole, drilled for 5 s after 2 s.
 fn drilling(mu: f64) -> Case {
-    let drill = Operation {
-        weight_on_bit_N: WEIGHT_N,
-        rate_of_penetration_m_per_s: 10.0 / 3600.0,
-        ..operation(OperationKind::Drill, LENGTH_M)
-    };
+    let drill = operation(OperationKind::Drill, LENGTH_M)
+        .weight_on_bit_N(WEIGHT_N)
+        .rate_of_penetration_m_per_s(10.0 / 3600.0);
     let mut case = Case::new(straight(LENGTH_M, mu), drill);
     case.settings.settle_s = 2.0;
     case.settings.duration_s = 5.0;
@@ -89,7 +87,7 @@ fn what_cannot_be_tuned_says_so() {
     };
     assert!(matches!(tuned(&off, true), Err(TuningError::NoWeight("rotate_off_bottom"))));
     assert!(matches!(tuned(&case.operation, false), Err(TuningError::Stopped)));
-    let heavy = Operation { weight_on_bit_N: 1e6, ..case.operation };
+    let heavy = case.operation.weight_on_bit_N(1e6);
     match tuned(&heavy, true) {
         Err(error @ TuningError::NotFound { .. }) => {
             let told = error.to_string();

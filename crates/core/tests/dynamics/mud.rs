@@ -6,7 +6,7 @@ use wholestring::{
     GRAVITY_M_PER_S2,
     dynamics::{HoistControl, Motor, MudMotor, ScheduleStep},
     mud::{Mud, Rheology},
-    operation::{Operation, OperationKind},
+    operation::OperationKind,
     string::ComponentLength,
     well::{HoleKind, Interpolation},
 };
@@ -34,17 +34,15 @@ fn case(kind: OperationKind, mud: Mud) -> Case {
         LENGTH_M,
     );
     model.mud = mud;
-    let operation = Operation {
-        rotary_speed_rad_per_s: rpm(100.0),
-        weight_on_bit_N: 20e3,
-        bit_torque_N_m: 1000.0,
-        rate_of_penetration_m_per_s: 20.0 / 3600.0,
-        trip_speed_m_per_s: 0.5,
-        flow_rate_m3_per_s: 0.03,
-        bit_pressure_drop_Pa: 8e6,
-        motor_pressure_drop_Pa: 0.0,
-        ..operation(kind, LENGTH_M)
-    };
+    let operation = operation(kind, LENGTH_M)
+        .rotary_speed_rad_per_s(rpm(100.0))
+        .weight_on_bit_N(20e3)
+        .bit_torque_N_m(1000.0)
+        .rate_of_penetration_m_per_s(20.0 / 3600.0)
+        .trip_speed_m_per_s(0.5)
+        .flow_rate_m3_per_s(0.03)
+        .bit_pressure_drop_Pa(8e6)
+        .motor_pressure_drop_Pa(0.0);
     let mut case = Case::new(model, operation);
     case.settings.settle_s = 20.0;
     case.settings.duration_s = 5.0;

@@ -10,10 +10,7 @@
 
 use wholestring::{
     dynamics::{ContactLaw, DynamicOutcome, DynamicsSettings, FrictionLaw, Precision},
-    operation::{
-        Operation,
-        OperationKind::{self, *},
-    },
+    operation::OperationKind::{self, *},
     outcome::Scalars,
     statics::soft,
 };
@@ -148,13 +145,11 @@ fn independent_friction_drags_as_a_sliding_string() {
 fn twist_and_stretch_of_the_nodes_end_in_the_scalars() {
     let kinds = [TripOut, TripIn, RotateOffBottom, Drill, Slide, Ream, BackReam];
     let case = |kind: OperationKind, precision: Precision| {
-        let operation = Operation {
-            trip_speed_m_per_s: 5.0,
-            weight_on_bit_N: 10e3,
-            bit_torque_N_m: 500.0,
-            rate_of_penetration_m_per_s: 0.01,
-            ..operation(kind, 300.0)
-        };
+        let operation = operation(kind, 300.0)
+            .trip_speed_m_per_s(5.0)
+            .weight_on_bit_N(10e3)
+            .bit_torque_N_m(500.0)
+            .rate_of_penetration_m_per_s(0.01);
         let mut case = Case::new(straight(300.0, 0.25), operation);
         case.settings.precision = precision;
         case.settings.settle_s = 0.3;

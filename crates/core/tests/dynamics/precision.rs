@@ -9,7 +9,7 @@ use wholestring::{
 };
 
 use crate::{
-    common::{Row, Tolerance, report},
+    common::{SMOOTH, Tolerance, verify},
     wells::{Case, each, go, mean_between, moderate, np13},
 };
 
@@ -26,7 +26,7 @@ fn both(case: &Case) -> [DynamicOutcome; 2] {
 /// Holds single precision against double precision.
 #[track_caller]
 fn assert_same(quantity: &str, [expected, computed]: [f64; 2], tolerance: Tolerance, reason: &str) {
-    report(&Row { case: "precision", quantity, expected, computed, tolerance, reason });
+    verify("precision", quantity).within(tolerance, reason).report(expected, computed);
 }
 
 /// A string that turns quietly for `duration_s`: torque within 0.05 % and hook load within 0.3 kN
@@ -128,7 +128,7 @@ fn a_shaken_string_has_the_same_statistics() {
             roughness_m: 5e-4,
             torque_fluctuation: 0.1,
             band: Band::PerSecond(10.0),
-            lobes: 3,
+            ..SMOOTH
         }),
     });
     let found = both(&case);

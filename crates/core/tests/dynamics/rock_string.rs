@@ -10,14 +10,14 @@ use wholestring::{
         BitLaw, BitSettings, Checkpoint, DynamicOutcome, HoistControl, Precision, RockLaw,
         SetupError, Simulation, Statistic,
     },
-    operation::{Operation, OperationKind},
+    operation::OperationKind,
     rock::{BitShape, DrillingSpec, Executor, Rock, bit_face::PdcBit},
     string::ComponentLength,
     well::{HoleKind, Interpolation},
 };
 
 use crate::{
-    common::{Row, Tolerance, mud, operation, path, report, rpm},
+    common::{mud, operation, path, rpm, verify},
     wells::{Case, each, go, line, model, section, tool},
 };
 
@@ -50,11 +50,9 @@ fn case() -> Case {
     );
     vertical.mud = mud(0.0);
     let bit = BitSettings { law: BitLaw::Rock(Box::new(law())), ..BitSettings::default() };
-    let drill = Operation {
-        rotary_speed_rad_per_s: rpm(240.0),
-        weight_on_bit_N: 1500.0,
-        ..operation(OperationKind::Drill, DEPTH_M)
-    };
+    let drill = operation(OperationKind::Drill, DEPTH_M)
+        .rotary_speed_rad_per_s(rpm(240.0))
+        .weight_on_bit_N(1500.0);
     let drill = bit.drilling_steadily(drill);
     let rate_m_per_s = drill.rate_of_penetration_m_per_s;
     let mut case = Case::new(vertical, drill);
@@ -112,62 +110,42 @@ fn what_the_rock_takes_the_top_gives() {
         ),
     ] {
         assert!(computed > 0.1 * expected, "the bit drills: {computed}");
-        report(&Row {
-            case: "rock",
-            quantity,
-            expected,
-            computed,
-            tolerance: Tolerance::Any,
-            reason: "an estimate",
-        });
+        verify("rock", quantity).any("an estimate").report(expected, computed);
     }
     // Hook loads of ±F come with waves of F/ρcA; the lightest pipe has 44 N·s/mm.
     let waves_m_per_s = (hook.max - hook.min) / 35e3;
     let window_s = rows as f64 * simulation.sample_interval_s();
-    report(&Row {
-        case: "rock",
-        quantity: "mean hook load and weight on solid rock, N",
-        expected: weight_N,
-        computed: hook.mean + weight.mean,
-        tolerance: Tolerance::Absolute(mass_kg * waves_m_per_s / window_s),
-        reason: "momentum that the string holds in its waves",
-    });
-    report(&Row {
-        case: "rock",
-        quantity: "mean torque at surface, of solid rock, N·m",
-        expected: torque.mean,
-        computed: surface.mean,
-        tolerance: Tolerance::Absolute(polar_kg_m2 * (spin.max - spin.min) / window_s),
-        reason: "angular momentum that the string holds in its waves",
-    });
+    verify("rock", "mean hook load and weight on solid rock, N")
+        .absolute(mass_kg * waves_m_per_s / window_s, "momentum that the string holds in its waves")
+        .report(weight_N, hook.mean + weight.mean);
+    verify("rock", "mean torque at surface, of solid rock, N·m")
+        .absolute(
+            polar_kg_m2 * (spin.max - spin.min) / window_s,
+            "angular momentum that the string holds in its waves",
+        )
+        .report(torque.mean, surface.mean);
     let gone_m = series.bit_depth_m[series.bit_depth_m.len() - 1] - series.bit_depth_m[from - 1];
     let rate: f64 = series.rate_of_penetration_m_per_s[from..].iter().sum();
-    report(&Row {
-        case: "rock",
-        quantity: "way of the bit through solid rock over that by its rate",
-        expected: 1.0,
-        computed: gone_m / (rate * simulation.sample_interval_s()),
-        tolerance: Tolerance::Relative(1e-9),
-        reason: "rounding of depths of 100 m",
-    });
+    verify("rock", "way of the bit through solid rock over that by its rate")
+        .relative(1e-9, "rounding of depths of 100 m")
+        .report(1.0, gone_m / (rate * simulation.sample_interval_s()));
     let (rate, _) = line(&series.time_s[from..], &series.bit_depth_m[from..]);
-    report(&Row {
-        case: "rock",
-        quantity: "rate of penetration in solid rock under a block that goes down steadily, m/s",
-        expected: case.operation.rate_of_penetration_m_per_s,
-        computed: rate,
-        tolerance: Tolerance::Relative(0.05),
-        reason: "the string stretches by a tenth of a millimetre under what the weight varies",
-    });
+    verify("rock", "rate of penetration in solid rock under a block that goes down steadily, m/s")
+        .relative(
+            0.05,
+            "the string stretches by a tenth of a millimetre under what the weight varies",
+        )
+        .report(case.operation.rate_of_penetration_m_per_s, rate);
     let energy = outcome.numerics.energy.expect("a balance");
-    report(&Row {
-        case: "rock",
-        quantity: "energy of a string on solid rock that is unaccounted for, part of the bit's work",
-        expected: 0.0,
-        computed: energy.residual_J / energy.bit_work_J,
-        tolerance: Tolerance::Absolute(0.05),
-        reason: "first order in the string's step: elements of 3.2, 1.6, 0.8 m have 3.5, 1.3, 1.0 %",
-    });
+    verify(
+        "rock",
+        "energy of a string on solid rock that is unaccounted for, part of the bit's work",
+    )
+    .absolute(
+        0.05,
+        "first order in the string's step: elements of 3.2, 1.6, 0.8 m have 3.5, 1.3, 1.0 %",
+    )
+    .report(0.0, energy.residual_J / energy.bit_work_J);
     // The start neither drops the string nor throws it: the hook load departs no further than
     // later.
     let begins = series.time_s.partition_point(|t| *t < 0.3);
@@ -177,7 +155,6 @@ fn what_the_rock_takes_the_top_gives() {
     };
     let first = departure(&series.hook_load_N[..begins]);
     let later = departure(&series.hook_load_N[from..]);
-    println!("hook load departs by {first:.2}, later by {later:.2}");
     assert!(first < 1.25 * later, "{first} {later}");
     let bottom = simulation.bottom_hole().expect("rock");
     let known = (0..bottom.rings()).flat_map(|r| (0..bottom.sectors()).map(move |s| (r, s)));
@@ -242,14 +219,12 @@ fn a_run_on_rock_ends_with_the_same_bits_whoever_works_on_it() {
     let [double, single] = [&outcomes[0][0].0.series, &outcomes[1][0].0.series];
     let impulse = |weight_N: &[f64]| weight_N[..3].iter().sum::<f64>();
     let [double, single] = [double, single].map(|series| impulse(&series.weight_on_bit_N));
-    report(&Row {
-        case: "rock",
-        quantity: "weight on solid rock over the first 30 ms in single over that in double precision",
-        expected: 1.0,
-        computed: single / double,
-        tolerance: Tolerance::Relative(0.02),
-        reason: "which element goes first is soon decided in the last digits",
-    });
+    verify(
+        "rock",
+        "weight on solid rock over the first 30 ms in single over that in double precision",
+    )
+    .relative(0.02, "which element goes first is soon decided in the last digits")
+    .report(1.0, single / double);
 }
 
 #[test]

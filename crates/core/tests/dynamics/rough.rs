@@ -68,18 +68,7 @@ fn a_rough_wall_makes_a_quiet_run_noisy() {
         each(&cases, |(radius, tortuosity, seed)| reaming(*radius, *tortuosity, *seed).run());
     let torque = |i: usize| std(&found[i], "friction_torque_N_m");
     let mean = |i: usize| found[i].scalars.friction_torque_N_m;
-    for (case, outcome) in cases.iter().zip(&found) {
-        println!(
-            "{case:?}: contact varies by {:.4}, torque {:.1} ± {:.2} N·m, hook load {:.1} ± {:.2} N, side force {:.0} ± {:.0} N, energy {:.1e}",
-            swing(outcome),
-            outcome.scalars.friction_torque_N_m,
-            std(outcome, "friction_torque_N_m"),
-            outcome.scalars.hook_load_N,
-            std(outcome, "hook_load_N"),
-            outcome.scalars.side_force_total_N,
-            std(outcome, "side_force_total_N"),
-            outcome.numerics.energy_residual,
-        );
+    for outcome in &found {
         assert!(outcome.numerics.energy_residual.abs() < 1e-4);
     }
     assert!(swing(&found[0]) < 2e-3);

@@ -5,7 +5,7 @@ use wholestring::{
         HoistSetPoint, Schedule, ScheduleFault, ScheduleStep, Simulation, SpeedController,
         TopDriveSettings,
     },
-    operation::{Operation, OperationKind},
+    operation::OperationKind,
 };
 
 use crate::{
@@ -94,11 +94,9 @@ fn a_plan_is_taken_up_where_it_was_left() {
 #[test]
 fn the_block_stops_and_the_autodriller_takes_over_by_the_plan() {
     let (length, weight, rate) = (1000.0, 20e3, 5.0 / 3600.0);
-    let drill = Operation {
-        weight_on_bit_N: weight,
-        rate_of_penetration_m_per_s: rate,
-        ..operation(OperationKind::Drill, length)
-    };
+    let drill = operation(OperationKind::Drill, length)
+        .weight_on_bit_N(weight)
+        .rate_of_penetration_m_per_s(rate);
     let mut case = Case::new(straight(length, 0.0), drill);
     case.settings.damping.mass_per_s = 0.0;
     case.settings.autodriller.integral_time_s = 10.0;

@@ -164,12 +164,10 @@ pub fn np13_at(mu: f64, bit_depth_m: f64) -> Case {
         section(HoleKind::Open, 2986.53, NP13_M + 20.0, 0.2159, mu),
     ];
     let path = path(&np13_survey(), Interpolation::Spline);
-    let drill = Operation {
-        weight_on_bit_N: 58_839.9,
-        bit_torque_N_m: 3100.0,
-        rate_of_penetration_m_per_s: 10.0 / 3600.0,
-        ..operation(OperationKind::Drill, bit_depth_m)
-    };
+    let drill = operation(OperationKind::Drill, bit_depth_m)
+        .weight_on_bit_N(58_839.9)
+        .bit_torque_N_m(3100.0)
+        .rate_of_penetration_m_per_s(10.0 / 3600.0);
     Case::new(model(path, hole, components(), bit_depth_m), drill)
 }
 
@@ -214,12 +212,10 @@ pub fn moderate(kind: OperationKind, mu: f64) -> Case {
         section(HoleKind::Casing, 0.0, 700.0, 0.22296, mu),
         section(HoleKind::Open, 700.0, MODERATE_M + 20.0, 0.2159, mu),
     ];
-    let operation = Operation {
-        weight_on_bit_N: 40e3,
-        bit_torque_N_m: 2000.0,
-        rate_of_penetration_m_per_s: 20.0 / 3600.0,
-        ..operation(kind, MODERATE_M)
-    };
+    let operation = operation(kind, MODERATE_M)
+        .weight_on_bit_N(40e3)
+        .bit_torque_N_m(2000.0)
+        .rate_of_penetration_m_per_s(20.0 / 3600.0);
     let path = path(&stations, Interpolation::Spline);
     Case::new(model(path, hole, components, MODERATE_M), operation)
 }

@@ -23,8 +23,7 @@ struct Ran {
 impl Ran {
     fn new(kind: OperationKind) -> Self {
         let model = five_inch(&[[0.0, 60.0, 0.0], [100.0, 60.0, 0.0]], 0.2159, 0.3, 260.0);
-        let operation =
-            Operation { rate_of_penetration_m_per_s: 1e-3, ..at_full_depth(kind, &model, 2e3) };
+        let operation = at_full_depth(kind, &model, 2e3).rate_of_penetration_m_per_s(1e-3);
         let settings =
             DynamicsSettings { settle_s: 5.0, duration_s: 0.2, ..DynamicsSettings::default() };
         let mut simulation =

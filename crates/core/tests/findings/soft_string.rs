@@ -102,14 +102,9 @@ fn s2a_buckled_stretches() {
             continue;
         };
         let of = only(&found, Kind::SinusoidalBuckling).expect("a stretch");
-        report(&Row {
-            case: "S2a",
-            quantity: "depth from which a string that slides down is buckled, m",
-            expected: change["md_m"].as_f64().unwrap(),
-            computed: of.from_md_m.unwrap(),
-            tolerance: Tolerance::Absolute(1.0),
-            reason: "the spacing of its nodes, by its source",
-        });
+        verify("S2a", "depth from which a string that slides down is buckled, m")
+            .absolute(1.0, "the spacing of its nodes, by its source")
+            .report(change["md_m"].as_f64().unwrap(), of.from_md_m.unwrap());
         assert_eq!(of.to_md_m, Some(4500.0));
         assert_eq!((of.level, of.value), (Level::Warning, Some(150e3)));
         // The tangent of 30°: the load of Dawson and Paslay there.

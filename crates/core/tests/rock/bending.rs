@@ -3,7 +3,7 @@
 use wholestring::rock::{Block, BlockSpec, Edge, Rock, Stepper};
 
 use crate::{
-    common::{Row, Tolerance, report},
+    common::verify,
     setup::{elastic, step},
 };
 
@@ -55,33 +55,23 @@ fn cantilever(deep: usize) -> [f64; 2] {
 fn a_beam_bends_as_timoshenkos() {
     let found = [4, 8].map(cantilever);
     for (deep, [deflection, hourglass]) in [4, 8].into_iter().zip(found) {
-        report(&Row {
-            case: "rock",
-            quantity: &format!(
-                "deflection of a cantilever {deep} elements deep, part of Timoshenko's"
-            ),
-            expected: 1.0,
-            computed: deflection,
-            tolerance: Tolerance::Relative(1.2 / (deep * deep) as f64),
-            reason: "one point of integration misses the bending within an element, the square of its part of the depth",
-        });
-        report(&Row {
-            case: "rock",
-            quantity: &format!("energy in hourglasses of a cantilever {deep} elements deep, part"),
-            expected: 0.0,
-            computed: hourglass,
-            tolerance: Tolerance::Absolute(0.05),
-            reason: "what is asked",
-        });
+        verify(
+            "rock",
+            format!("deflection of a cantilever {deep} elements deep, part of Timoshenko's"),
+        )
+        .relative(
+            1.2 / (deep * deep) as f64,
+            "one point of integration misses the bending within an element, the square of \
+                 its part of the depth",
+        )
+        .report(1.0, deflection);
+        verify("rock", format!("energy in hourglasses of a cantilever {deep} elements deep, part"))
+            .absolute(0.05, "what is asked")
+            .report(0.0, hourglass);
     }
     let [coarse, fine] = found.map(|[deflection, _]| deflection - 1.0);
     let order = (coarse / fine).log2();
-    report(&Row {
-        case: "rock",
-        quantity: "order of convergence of the cantilever's deflection",
-        expected: 2.0,
-        computed: order,
-        tolerance: Tolerance::Absolute(0.4),
-        reason: "two meshes, one of them coarse",
-    });
+    verify("rock", "order of convergence of the cantilever's deflection")
+        .absolute(0.4, "two meshes, one of them coarse")
+        .report(2.0, order);
 }

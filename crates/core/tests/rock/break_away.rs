@@ -8,7 +8,7 @@ use wholestring::rock::{
     bit_face::PdcBit,
 };
 
-use crate::common::{Row, Tolerance, report};
+use crate::common::{Tolerance, verify};
 
 const ROTARY_RAD_PER_S: f64 = 4.0 * TAU;
 const STEP_S: f64 = 0.25e-3;
@@ -142,18 +142,19 @@ fn over_the_mean(element_m: f64, weight_N: f64, turns: f64, stops: usize) -> Ove
 
 /// How much less finer elements hold it.
 fn held_less(coarse_m: f64, coarse: &Over, fine_m: f64, fine: &Over) {
-    report(&Row {
-        case: "rock",
-        quantity: &format!(
+    verify(
+        "rock",
+        format!(
             "torque that turns a standing bit on elements of {} mm over that on elements of {} mm",
             1e3 * coarse_m,
             1e3 * fine_m
         ),
-        expected: 1.5,
-        computed: coarse.mean / fine.mean,
-        tolerance: Tolerance::AtLeast,
-        reason: "coarse elements hold it all at once: 2.9 and 1.9 times with six stops, each known to a fifth; one if elements made no difference",
-    });
+    )
+    .at_least(
+        "coarse elements hold it all at once: 2.9 and 1.9 times with six stops, each known \
+             to a fifth; one if elements made no difference",
+    )
+    .report(1.5, coarse.mean / fine.mean);
 }
 
 #[test]
@@ -181,15 +182,14 @@ fn what_holds_a_bit_that_stands_falls_with_the_elements() {
     for (name, over, (tolerance, reason)) in
         [("6", coarse, shown), ("4", middle, shown), ("3", fine, held)]
     {
-        report(&Row {
-            case: "rock",
-            quantity: &format!(
-                "torque that turns a standing bit on elements of {name} mm over that which turns a turning one"
+        verify(
+            "rock",
+            format!(
+                "torque that turns a standing bit on elements of {name} mm over that which turns \
+                a turning one"
             ),
-            expected: 1.0,
-            computed: over.mean,
-            tolerance,
-            reason,
-        });
+        )
+        .within(tolerance, reason)
+        .report(1.0, over.mean);
     }
 }

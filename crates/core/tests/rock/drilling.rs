@@ -7,10 +7,7 @@ use wholestring::rock::{
     bit_face::{ContactLaw, Cutter, InsertBit, PdcBit, Pose},
 };
 
-use crate::{
-    common::{Row, Tolerance, report},
-    setup::elastic,
-};
+use crate::{common::verify, setup::elastic};
 
 /// The step of a string, s.
 const STEP_S: f64 = 0.64e-3;
@@ -105,14 +102,12 @@ fn momentum_passes_from_the_bit_to_the_rock() {
         off = off.max((now - before).norm() / before.norm());
     }
     assert!(passed > 0.1, "only {passed} has passed");
-    report(&Row {
-        case: "rock",
-        quantity: "momentum that a bit loses to a free block and that does not arrive, part of all",
-        expected: 0.0,
-        computed: off,
-        tolerance: Tolerance::Absolute(1e-11),
-        reason: "rounding of 1e4 nodes and steps",
-    });
+    verify(
+        "rock",
+        "momentum that a bit loses to a free block and that does not arrive, part of all",
+    )
+    .absolute(1e-11, "rounding of 1e4 nodes and steps")
+    .report(0.0, off);
 }
 
 /// A blunt insert on a column that may swell: `F = −A E (ln λ)/λ` of the mean stretch
@@ -178,14 +173,9 @@ fn a_blunt_insert_meets_the_stiffness_of_a_column() {
             (second_N - first_N) / (second_way_m - first_way_m),
         ),
     ] {
-        report(&Row {
-            case: "rock",
-            quantity,
-            expected,
-            computed,
-            tolerance: Tolerance::Relative(0.01),
-            reason: "the tip is round, it sinks into the contact, the column rings",
-        });
+        verify("rock", quantity)
+            .relative(0.01, "the tip is round, it sinks into the contact, the column rings")
+            .report(expected, computed);
     }
 }
 
@@ -200,14 +190,9 @@ fn drilled(weight_N: f64, step_s: f64) -> [Progress; 2] {
     let gained_N_s = MASS_KG * (drilling.pose().velocity_m_per_s.z - came_m_per_s);
     let [first, second] = turns;
     let borne_N_s = first.weight_N() * first.time_s + second.weight_N() * second.time_s;
-    report(&Row {
-        case: "rock",
-        quantity: "weight that the rock bears and that moves the bit over the weight given",
-        expected: 1.0,
-        computed: (borne_N_s + gained_N_s) / (weight_N * (first.time_s + second.time_s)),
-        tolerance: Tolerance::Absolute(1e-10),
-        reason: "rounding",
-    });
+    verify("rock", "weight that the rock bears and that moves the bit over the weight given")
+        .absolute(1e-10, "rounding")
+        .report(1.0, (borne_N_s + gained_N_s) / (weight_N * (first.time_s + second.time_s)));
     for turn in &turns {
         println!(
             "{weight_N} N, {:.2} ms: {:.2} mm/rev, {:.0} ± {:.0} N, {:.1} ± {:.1} N·m, {:.2} MPa",
@@ -221,31 +206,18 @@ fn drilled(weight_N: f64, step_s: f64) -> [Progress; 2] {
         );
     }
     let (rock, bit) = (drilling.block().energies(), drilling.energies());
-    report(&Row {
-        case: "rock",
-        quantity: "energy that is unaccounted for after a bit has drilled, part of its work",
-        expected: 0.0,
-        computed: rock.residual_J() / rock.pushed_J,
-        tolerance: Tolerance::Absolute(0.01),
-        reason: "what is asked",
-    });
-    report(&Row {
-        case: "rock",
-        quantity: "energy lost between bit and rock, part of the bit's work",
-        expected: 0.0,
-        computed: (bit.residual_J().abs() + (bit.on_rock_J - rock.pushed_J).abs())
-            / bit.on_bit_J.abs(),
-        tolerance: Tolerance::Absolute(1e-10),
-        reason: "rounding",
-    });
-    report(&Row {
-        case: "rock",
-        quantity: "kinetic energy under a drilling bit, part of the work of deformation",
-        expected: 0.0,
-        computed: rock.kinetic_fraction(),
-        tolerance: Tolerance::Absolute(0.05),
-        reason: "what density scaling must leave",
-    });
+    verify("rock", "energy that is unaccounted for after a bit has drilled, part of its work")
+        .absolute(0.01, "what is asked")
+        .report(0.0, rock.residual_J() / rock.pushed_J);
+    verify("rock", "energy lost between bit and rock, part of the bit's work")
+        .absolute(1e-10, "rounding")
+        .report(
+            0.0,
+            (bit.residual_J().abs() + (bit.on_rock_J - rock.pushed_J).abs()) / bit.on_bit_J.abs(),
+        );
+    verify("rock", "kinetic energy under a drilling bit, part of the work of deformation")
+        .absolute(0.05, "what density scaling must leave")
+        .report(0.0, rock.kinetic_fraction());
     // The block follows: the bit is soon deeper than the block.
     let block = drilling.block();
     let below_m =
@@ -262,14 +234,9 @@ fn a_bit_drills_steadily_faster_with_more_weight_whatever_the_step() {
     let heavy = drilled(3000.0, STEP_S);
     let fine = drilled(3000.0, 0.5 * STEP_S);
     for [first, second] in [heavy, fine] {
-        report(&Row {
-            case: "rock",
-            quantity: "rate of a drilling bit over two revolutions over that of the two before",
-            expected: 1.0,
-            computed: second.rate_m_per_s() / first.rate_m_per_s(),
-            tolerance: Tolerance::Absolute(0.3),
-            reason: "three times the spread: that of a revolution is 9 %",
-        });
+        verify("rock", "rate of a drilling bit over two revolutions over that of the two before")
+            .absolute(0.3, "three times the spread: that of a revolution is 9 %")
+            .report(1.0, second.rate_m_per_s() / first.rate_m_per_s());
     }
     assert!(rate(&heavy) > 1.3 * rate(&light));
     assert!(torque(&heavy) > 1.3 * torque(&light));
@@ -288,14 +255,7 @@ fn a_bit_drills_steadily_faster_with_more_weight_whatever_the_step() {
             "published for sharp cutters without pressure; `specific_energy` holds it",
         ),
     ] {
-        report(&Row {
-            case: "rock",
-            quantity,
-            expected,
-            computed,
-            tolerance: Tolerance::Any,
-            reason,
-        });
+        verify("rock", quantity).any(reason).report(expected, computed);
     }
     for (quantity, of_fine, of_heavy) in [
         ("rate of a drilling bit with half the caller's step, m/s", rate(&fine), rate(&heavy)),
@@ -305,14 +265,12 @@ fn a_bit_drills_steadily_faster_with_more_weight_whatever_the_step() {
             torque(&heavy),
         ),
     ] {
-        report(&Row {
-            case: "rock",
-            quantity,
-            expected: of_heavy,
-            computed: of_fine,
-            tolerance: Tolerance::Relative(0.2),
-            reason: "three times the spread: that of a revolution is 9 %, there are four of each",
-        });
+        verify("rock", quantity)
+            .relative(
+                0.2,
+                "three times the spread: that of a revolution is 9 %, there are four of each",
+            )
+            .report(of_heavy, of_fine);
     }
 }
 
@@ -371,14 +329,12 @@ fn a_bit_begins_in_its_own_bottom() {
     // It cuts at once.
     let mut drilling = Drilling::new(&small(rock())).unwrap();
     let bored = drill(&mut drilling, &weight(3000.0), STEP_S, 0.5);
-    report(&Row {
-        case: "rock",
-        quantity: "weight borne in the first half revolution of a bit in its bottom over the weight",
-        expected: 1.0,
-        computed: bored.weight_N() / 3000.0,
-        tolerance: Tolerance::Absolute(0.2),
-        reason: "the bit of 100 kg begins at rest",
-    });
+    verify(
+        "rock",
+        "weight borne in the first half revolution of a bit in its bottom over the weight",
+    )
+    .absolute(0.2, "the bit of 100 kg begins at rest")
+    .report(1.0, bored.weight_N() / 3000.0);
     assert!(bored.depth_m > 0.5 * SIZE_M, "{} m", bored.depth_m);
 }
 

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 use wholestring::rock::{Block, Edge, Stepper};
 
 use crate::{
-    common::{Row, Tolerance, report},
+    common::verify,
     setup::{ductile, elastic, one_element, press, step, stretches, tell_layer_down},
 };
 
@@ -44,33 +44,18 @@ fn a_element_has_the_rocks_elastic_constants() {
     let [across, _, along] = stretches(&block).map(|stretch| stretch - 1.0);
     let stress = block.stress_Pa([0, 0, 0]);
     // The strain is the logarithm of the stretch: half of it off.
-    report(&Row {
-        case: "rock",
-        quantity: "Young's modulus of an element, Pa",
-        expected: rock.youngs_modulus_Pa,
-        computed: stress[2] / along,
-        tolerance: Tolerance::Relative(1e-4),
-        reason: "strains of 1e-5, and what the start-up leaves ringing",
-    });
-    report(&Row {
-        case: "rock",
-        quantity: "Poisson's ratio of an element",
-        expected: rock.poisson_ratio,
-        computed: -across / along,
-        tolerance: Tolerance::Relative(1e-3),
-        reason: "what the start-up leaves ringing",
-    });
+    verify("rock", "Young's modulus of an element, Pa")
+        .relative(1e-4, "strains of 1e-5, and what the start-up leaves ringing")
+        .report(rock.youngs_modulus_Pa, stress[2] / along);
+    verify("rock", "Poisson's ratio of an element")
+        .relative(1e-3, "what the start-up leaves ringing")
+        .report(rock.poisson_ratio, -across / along);
     let mut block = led(rock);
     let sheared = Matrix3::identity() + 1e-5 * matrix([0.0, 0.0, 0.0, 0.5, 0.0, 0.0]);
     lead(&mut block, &stepper, sheared);
-    report(&Row {
-        case: "rock",
-        quantity: "shear modulus of an element, Pa",
-        expected: rock.shear_modulus_Pa(),
-        computed: block.stress_Pa([0, 0, 0])[3] / 1e-5,
-        tolerance: Tolerance::Relative(1e-5),
-        reason: "the strain itself",
-    });
+    verify("rock", "shear modulus of an element, Pa")
+        .relative(1e-5, "the strain itself")
+        .report(rock.shear_modulus_Pa(), block.stress_Pa([0, 0, 0])[3] / 1e-5);
 }
 
 #[test]
@@ -86,14 +71,13 @@ fn an_elastic_cycle_leaves_no_stress() {
         peak = peak.max(block.stress_Pa([0, 0, 0])[0].abs());
     }
     let left = block.stress_Pa([0, 0, 0]).iter().fold(0.0_f64, |a, s| a.max(s.abs()));
-    report(&Row {
-        case: "rock",
-        quantity: "stress after 200 elastic cycles, part of the peak",
-        expected: 0.0,
-        computed: left / peak,
-        tolerance: Tolerance::Absolute(1e-6),
-        reason: "the strain increment's series is cut after its square: 4e-9 per step of 6e-5, of both signs",
-    });
+    verify("rock", "stress after 200 elastic cycles, part of the peak")
+        .absolute(
+            1e-6,
+            "the strain increment's series is cut after its square: 4e-9 per step of 6e-5, of \
+             both signs",
+        )
+        .report(0.0, left / peak);
 }
 
 #[test]
@@ -133,14 +117,12 @@ fn plastic_cycles_close() {
         }
         peaks.push(peak);
     }
-    report(&Row {
-        case: "rock",
-        quantity: "peak shear stress of the 50th plastic cycle, part of the 2nd's",
-        expected: 1.0,
-        computed: peaks[49] / peaks[1],
-        tolerance: Tolerance::Relative(1e-3),
-        reason: "the volume of the sheared element changes by 1.6e-5, the square of the shear",
-    });
+    verify("rock", "peak shear stress of the 50th plastic cycle, part of the 2nd's")
+        .relative(
+            1e-3,
+            "the volume of the sheared element changes by 1.6e-5, the square of the shear",
+        )
+        .report(1.0, peaks[49] / peaks[1]);
 }
 
 #[test]
@@ -154,14 +136,13 @@ fn a_turned_element_feels_nothing() {
         lead(&mut block, &stepper, rotation.into_inner());
     }
     let stress = block.stress_Pa([0, 0, 0]).iter().fold(0.0_f64, |a, s| a.max(s.abs()));
-    report(&Row {
-        case: "rock",
-        quantity: "stress after a whole turn, part of Young's modulus",
-        expected: 0.0,
-        computed: stress / rock.youngs_modulus_Pa,
-        tolerance: Tolerance::Absolute(1e-8),
-        reason: "steps of 1e-3 rad leave a strain of an eighth of their fourth power each, 8e-10 in all",
-    });
+    verify("rock", "stress after a whole turn, part of Young's modulus")
+        .absolute(
+            1e-8,
+            "steps of 1e-3 rad leave a strain of an eighth of their fourth power each, 8e-10 \
+             in all",
+        )
+        .report(0.0, stress / rock.youngs_modulus_Pa);
 
     // A strained element takes its stress along.
     let mut block = led(rock);
@@ -175,14 +156,13 @@ fn a_turned_element_feels_nothing() {
     }
     let expected = rotation * before * rotation.inverse();
     let error = (matrix(block.stress_Pa([0, 0, 0])) - expected).norm() / before.norm();
-    report(&Row {
-        case: "rock",
-        quantity: "stress of a strained element after a turn of 2 rad, error",
-        expected: 0.0,
-        computed: error,
-        tolerance: Tolerance::Absolute(1e-5),
-        reason: "steps of 1e-3 rad: a sixth of their third power each is 3e-7 in all, and the spurious strain's 2e-10 over strains of 3e-4",
-    });
+    verify("rock", "stress of a strained element after a turn of 2 rad, error")
+        .absolute(
+            1e-5,
+            "steps of 1e-3 rad: a sixth of their third power each is 3e-7 in all, and the \
+             spurious strain's 2e-10 over strains of 3e-4",
+        )
+        .report(0.0, error);
 }
 
 /// A node that is held across a face by what is there continues as prescribed when it is pushed,

@@ -3,7 +3,7 @@
 use wholestring::rock::{Alone, Block, Stepper};
 
 use crate::{
-    common::{Row, Tolerance, report},
+    common::verify,
     drill::{self, Ball},
 };
 
@@ -21,16 +21,13 @@ fn energy_balances_through_failure_and_removal() {
     let block = dragged(6000);
     let energies = block.energies();
     let (gone, _) = block.removed();
-    println!("{gone} elements gone, {energies:?}");
     assert!(gone > 50, "only {gone} elements have gone");
-    report(&Row {
-        case: "rock",
-        quantity: "energy that is unaccounted for after a ball has cut a groove, part of its work",
-        expected: 0.0,
-        computed: energies.residual_J() / energies.pushed_J,
-        tolerance: Tolerance::Absolute(0.01),
-        reason: "what is asked",
-    });
+    verify(
+        "rock",
+        "energy that is unaccounted for after a ball has cut a groove, part of its work",
+    )
+    .absolute(0.01, "what is asked")
+    .report(0.0, energies.residual_J() / energies.pushed_J);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use wholestring::rock::{Block, BlockSpec, Edge, Energies, Rock, Stepper};
 
 use crate::{
-    common::{Row, Tolerance, report},
+    common::verify,
     setup::{step, tell_layer_down},
 };
 
@@ -90,14 +90,9 @@ fn a_element_takes_the_fracture_energies_whatever_its_size() {
         for size_mm in SIZES_MM {
             let size_m = 1e-3 * size_mm;
             let energies = fail(rock, size_m, speed);
-            report(&Row {
-                case: "rock",
-                quantity: &format!("energy to {name} an element of {size_mm} mm, J/m2"),
-                expected,
-                computed: energies.plastic_J / (size_m * size_m),
-                tolerance: Tolerance::Relative(0.02),
-                reason: "its area at rest; it swells, and rings as it softens",
-            });
+            verify("rock", format!("energy to {name} an element of {size_mm} mm, J/m2"))
+                .relative(0.02, "its area at rest; it swells, and rings as it softens")
+                .report(expected, energies.plastic_J / (size_m * size_m));
         }
     }
 }
@@ -106,14 +101,9 @@ fn a_element_takes_the_fracture_energies_whatever_its_size() {
 fn a_bar_takes_the_same_energy_to_tear_whatever_its_elements() {
     let rock = Rock::of_strength(50e6);
     for wide in [1, 2, 4] {
-        report(&Row {
-            case: "rock",
-            quantity: &format!("energy to tear a bar {wide} elements wide, J/m2"),
-            expected: WEAK * WEAK * rock.tensile_fracture_energy_J_per_m2,
-            computed: tear(rock, wide),
-            tolerance: Tolerance::Relative(0.05),
-            reason: "what the crack's faces shear as it opens",
-        });
+        verify("rock", format!("energy to tear a bar {wide} elements wide, J/m2"))
+            .relative(0.05, "what the crack's faces shear as it opens")
+            .report(WEAK * WEAK * rock.tensile_fracture_energy_J_per_m2, tear(rock, wide));
     }
 }
 
@@ -124,14 +114,9 @@ fn a_coarse_element_takes_the_crushing_energy_of_its_volume() {
         for size_mm in [3.0, 6.0] {
             let size_m = 1e-3 * size_mm;
             let energies = fail(rock, size_m, speed);
-            report(&Row {
-                case: "rock",
-                quantity: &format!("energy to {name} a coarse element of {size_mm} mm, J/m3"),
-                expected: rock.crushing_energy_J_per_m3,
-                computed: energies.plastic_J / size_m.powi(3),
-                tolerance: Tolerance::Relative(0.02),
-                reason: "its volume at rest; it swells, and rings as it softens",
-            });
+            verify("rock", format!("energy to {name} a coarse element of {size_mm} mm, J/m3"))
+                .relative(0.02, "its volume at rest; it swells, and rings as it softens")
+                .report(rock.crushing_energy_J_per_m3, energies.plastic_J / size_m.powi(3));
         }
     }
 }

@@ -3,7 +3,7 @@
 use wholestring::rock::{Block, BlockSpec, Edge, Rock, Stepper};
 
 use crate::{
-    common::{Row, Tolerance, report},
+    common::{Tolerance, verify},
     setup::{elastic, step},
 };
 
@@ -80,15 +80,17 @@ fn press(elements: f64, cells: usize) -> f64 {
 fn a_sphere_is_borne_as_hertz_has_it() {
     for (elements, cells) in [(3.0, 12), (5.0, 20)] {
         let computed = press(elements, cells);
-        report(&Row {
-            case: "rock",
-            quantity: &format!(
+        verify(
+            "rock",
+            format!(
                 "force of a sphere with a contact {elements} elements in radius, part of Hertz'"
             ),
-            expected: 1.0,
-            computed,
-            tolerance: if elements < 4.0 { Tolerance::Any } else { Tolerance::Relative(0.05) },
-            reason: "what is asked; the bed of springs that the sphere rests on yields by a fourteenth of an element's part of the contact",
-        });
+        )
+        .within(
+            if elements < 4.0 { Tolerance::Any } else { Tolerance::Relative(0.05) },
+            "what is asked; the bed of springs that the sphere rests on yields by a \
+                 fourteenth of an element's part of the contact",
+        )
+        .report(1.0, computed);
     }
 }

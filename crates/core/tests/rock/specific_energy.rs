@@ -6,7 +6,7 @@ use wholestring::rock::{
     Alone, BitShape, Drilling, DrillingSpec, Driver, Progress, Rock, Stepper, bit_face::PdcBit,
 };
 
-use crate::common::{Row, Tolerance, report};
+use crate::common::{Tolerance, verify};
 
 /// A bit on elements and how it is driven.
 #[derive(Clone, Copy)]
@@ -196,23 +196,13 @@ fn as_published(name: &str, case: &Case, drilled: &Drilled) {
         ),
         ("torque over half of weight and radius", 1.625, drilled.slope, slope.0, slope.1),
     ] {
-        report(&Row {
-            case: "rock",
-            quantity: &format!("{quantity} ({name})"),
-            expected,
-            computed,
-            tolerance,
-            reason,
-        });
+        verify("rock", format!("{quantity} ({name})"))
+            .within(tolerance, reason)
+            .report(expected, computed);
     }
-    report(&Row {
-        case: "rock",
-        quantity: &format!("kinetic energy over the work of deformation ({name})"),
-        expected: 0.0,
-        computed: drilled.kinetic,
-        tolerance: Tolerance::Absolute(0.05),
-        reason: "what density scaling must leave",
-    });
+    verify("rock", format!("kinetic energy over the work of deformation ({name})"))
+        .absolute(0.05, "what density scaling must leave")
+        .report(0.0, drilled.kinetic);
 }
 
 /// How far weight, torque and work per volume of one are from those of another, in parts; the
@@ -224,14 +214,9 @@ fn moved(name: &str, from: &Drilled, to: &Drilled, tolerance: [Tolerance; 2], re
         ("torque", from.torque_N_m.0, to.torque_N_m.0, others),
         ("work per volume", from.per_broken, to.per_broken, others),
     ] {
-        report(&Row {
-            case: "rock",
-            quantity: &format!("{quantity} {name}"),
-            expected: 1.0,
-            computed: computed / expected,
-            tolerance,
-            reason,
-        });
+        verify("rock", format!("{quantity} {name}"))
+            .within(tolerance, reason)
+            .report(1.0, computed / expected);
     }
 }
 
@@ -328,16 +313,12 @@ fn elements_of_three_sizes_take_about_the_same() {
             ("rate", fine[1].depth_of_cut_m.0, coarse.depth_of_cut_m.0),
             ("torque", fine[1].torque_N_m.0, coarse.torque_N_m.0),
         ] {
-            report(&Row {
-                case: "rock",
-                quantity: &format!(
-                    "{quantity} on elements of {element_mm} over that on 3 mm under a weight"
-                ),
-                expected: 1.0,
-                computed: coarse / fine,
-                tolerance: Tolerance::Absolute(0.3),
-                reason: "three standard errors of the rate",
-            });
+            verify(
+                "rock",
+                format!("{quantity} on elements of {element_mm} over that on 3 mm under a weight"),
+            )
+            .absolute(0.3, "three standard errors of the rate")
+            .report(1.0, coarse / fine);
         }
     }
 }

@@ -3,7 +3,7 @@
 use wholestring::rock::{Edge, Rock, Stepper};
 
 use crate::{
-    common::{Row, Tolerance, report, report_worst, verification},
+    common::{report_worst, verification, verify},
     setup::{cauchy_Pa, ductile, one_element, press, step, tell_layer_down},
 };
 
@@ -56,27 +56,19 @@ fn the_cone_is_matched_in_compression() {
                 (27.0_f64.sqrt() * cone.alpha).atan().to_degrees(),
             ),
         ] {
-            report(&Row {
-                case: "E07",
-                quantity: &format!("cone at {name}: {quantity}"),
-                expected,
-                computed,
-                tolerance: Tolerance::Relative(1e-12),
-                reason: "closed forms",
-            });
+            verify("E07", format!("cone at {name}: {quantity}"))
+                .relative(1e-12, "closed forms")
+                .report(expected, computed);
         }
     }
 }
 
 #[test]
 fn a_pressed_element_bears_the_unconfined_strength() {
-    report_worst(rocks().into_iter().map(|(rock, row)| Row {
-        case: "E07",
-        quantity: "strength of an element in uniaxial compression, MPa",
-        expected: row["UCS_MPa"].as_f64().expect("a number"),
-        computed: -1e-6 * strength_Pa(rock, 0.0, -3e-3),
-        tolerance: Tolerance::Relative(1e-3),
-        reason: "what is asked; the stress that is bounded is Kirchhoff's",
+    report_worst(rocks().into_iter().map(|(rock, row)| {
+        verify("E07", "strength of an element in uniaxial compression, MPa")
+            .relative(1e-3, "what is asked; the stress that is bounded is Kirchhoff's")
+            .row(row["UCS_MPa"].as_f64().expect("a number"), -1e-6 * strength_Pa(rock, 0.0, -3e-3))
     }));
 }
 
@@ -87,28 +79,18 @@ fn a_confined_element_bears_the_triaxial_strength() {
         let sin = rock.friction_angle_rad.sin();
         let expected = row["UCS_MPa"].as_f64().expect("a number")
             + 1e-6 * confinement_Pa * (1.0 + sin) / (1.0 - sin);
-        Row {
-            case: "E07",
-            quantity: "strength of an element in triaxial compression under 20 MPa, MPa",
-            expected,
-            computed: -1e-6 * strength_Pa(rock, confinement_Pa, -5e-3),
-            tolerance: Tolerance::Relative(1e-3),
-            reason: "what is asked; the stress that is bounded is Kirchhoff's",
-        }
+        verify("E07", "strength of an element in triaxial compression under 20 MPa, MPa")
+            .relative(1e-3, "what is asked; the stress that is bounded is Kirchhoff's")
+            .row(expected, -1e-6 * strength_Pa(rock, confinement_Pa, -5e-3))
     }));
 }
 
 #[test]
 fn a_pulled_element_bears_the_tensile_strength() {
     let rock = Rock { youngs_modulus_Pa: 100e9, ..ductile(Rock::of_strength(50e6)) };
-    report(&Row {
-        case: "rock",
-        quantity: "strength of an element in uniaxial tension, MPa",
-        expected: 1e-6 * rock.tensile_strength_Pa,
-        computed: 1e-6 * strength_Pa(rock, 0.0, 1.5e-4),
-        tolerance: Tolerance::Relative(1e-3),
-        reason: "the stress that is bounded is Kirchhoff's",
-    });
+    verify("rock", "strength of an element in uniaxial tension, MPa")
+        .relative(1e-3, "the stress that is bounded is Kirchhoff's")
+        .report(1e-6 * rock.tensile_strength_Pa, 1e-6 * strength_Pa(rock, 0.0, 1.5e-4));
 }
 
 #[test]
@@ -124,26 +106,16 @@ fn a_torn_element_returns_to_the_apex() {
     step(&mut block, &Stepper::default());
     let stress = block.stress_Pa([0, 0, 0]);
     let cone = rock.cone();
-    report(&Row {
-        case: "rock",
-        quantity: "first invariant at the apex, Pa",
-        expected: cone.k_Pa / cone.alpha,
-        computed: stress[0] + stress[1] + stress[2],
-        tolerance: Tolerance::Relative(1e-9),
-        reason: "a closed form",
-    });
+    verify("rock", "first invariant at the apex, Pa")
+        .relative(1e-9, "a closed form")
+        .report(cone.k_Pa / cone.alpha, stress[0] + stress[1] + stress[2]);
     let mean = (stress[0] + stress[1] + stress[2]) / 3.0;
     let shear = stress
         .iter()
         .take(3)
         .map(|s| (s - mean).abs())
         .chain(stress.iter().skip(3).map(|s| s.abs()));
-    report(&Row {
-        case: "rock",
-        quantity: "largest deviatoric stress at the apex, Pa",
-        expected: 0.0,
-        computed: shear.fold(0.0, f64::max),
-        tolerance: Tolerance::Absolute(1.0),
-        reason: "a closed form, at stresses of 1e7",
-    });
+    verify("rock", "largest deviatoric stress at the apex, Pa")
+        .absolute(1.0, "a closed form, at stresses of 1e7")
+        .report(0.0, shear.fold(0.0, f64::max));
 }

@@ -8,10 +8,7 @@ use wholestring::rock::{
     bit_face::{ContactLaw, PdcBit},
 };
 
-use crate::{
-    common::{Row, Tolerance, report},
-    setup::elastic,
-};
+use crate::{common::verify, setup::elastic};
 
 /// Elements of the rock, m: coarse, for the books and not for the forces.
 const SIZE_M: f64 = 8e-3;
@@ -117,27 +114,23 @@ fn a_trial_counts_what_a_driven_bit_does() {
         ("revolutions", 3.0, outcome.revolutions),
         ("averaging time", 5.0 * dt, outcome.averaging_time_s),
     ] {
-        report(&Row {
-            case: "rock",
-            quantity: &format!("{quantity} of a bit alone over that summed up by hand"),
-            expected: 1.0,
-            computed: computed / expected,
-            tolerance: Tolerance::Absolute(1e-12),
-            reason: "rounding of 660 steps",
-        });
+        verify("rock", format!("{quantity} of a bit alone over that summed up by hand"))
+            .absolute(1e-12, "rounding of 660 steps")
+            .report(1.0, computed / expected);
     }
     // Teale's form of the same: weight per area, and torque per depth of cut and area.
     let area_m2 = PI * 0.03 * 0.03;
-    report(&Row {
-        case: "rock",
-        quantity: "work of a bit alone per volume of hole over W/A + 2πT/(A d)",
-        expected: 1.0,
-        computed: outcome.mechanical_specific_energy_Pa.unwrap()
-            / (outcome.weight_borne_N / area_m2
-                + TAU * outcome.torque_N_m / (area_m2 * outcome.depth_of_cut_m)),
-        tolerance: Tolerance::Absolute(0.02),
-        reason: "weight and rate fluctuate together; their covariance is left out of the formula",
-    });
+    verify("rock", "work of a bit alone per volume of hole over W/A + 2πT/(A d)")
+        .absolute(
+            0.02,
+            "weight and rate fluctuate together; their covariance is left out of the formula",
+        )
+        .report(
+            1.0,
+            outcome.mechanical_specific_energy_Pa.unwrap()
+                / (outcome.weight_borne_N / area_m2
+                    + TAU * outcome.torque_N_m / (area_m2 * outcome.depth_of_cut_m)),
+        );
     assert!(outcome.kinetic_fraction > 0.0 && outcome.kinetic_fraction < 0.05);
 }
 
@@ -179,14 +172,9 @@ fn a_bit_that_does_not_drill_ends_too() {
     let outcome = whole(&spec, &rock);
     assert_eq!(outcome.bricks_broken, 0);
     assert_eq!(outcome.specific_energy_Pa, None);
-    report(&Row {
-        case: "rock",
-        quantity: "depth of cut of a bit alone on rock that never fails, m",
-        expected: 0.0,
-        computed: outcome.depth_of_cut_m,
-        tolerance: Tolerance::Absolute(0.1 * SIZE_M),
-        reason: "a tenth of an element: it hops over their corners and comes back",
-    });
+    verify("rock", "depth of cut of a bit alone on rock that never fails, m")
+        .absolute(0.1 * SIZE_M, "a tenth of an element: it hops over their corners and comes back")
+        .report(0.0, outcome.depth_of_cut_m);
 }
 
 #[test]

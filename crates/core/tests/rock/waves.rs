@@ -3,7 +3,7 @@
 use wholestring::rock::{Block, BlockSpec, Edge, Stepper};
 
 use crate::{
-    common::{Row, Tolerance, report},
+    common::verify,
     setup::{elastic, step, tell_layer},
 };
 
@@ -57,22 +57,12 @@ fn send(edges: [Edge; 6], wide: usize, direction: usize, wave_m_per_s: f64) -> P
 }
 
 fn check(name: &str, pulse: &Pulse, expected: f64) {
-    report(&Row {
-        case: "rock",
-        quantity: &format!("speed of {name} waves, m/s"),
-        expected,
-        computed: pulse.speed_m_per_s,
-        tolerance: Tolerance::Relative(0.01),
-        reason: "what is asked, of waves 24 elements long",
-    });
-    report(&Row {
-        case: "rock",
-        quantity: &format!("energy of a {name} pulse that an open face sends back, part"),
-        expected: 0.0,
-        computed: pulse.returned * pulse.returned,
-        tolerance: Tolerance::Absolute(0.05),
-        reason: "what is asked",
-    });
+    verify("rock", format!("speed of {name} waves, m/s"))
+        .relative(0.01, "what is asked, of waves 24 elements long")
+        .report(expected, pulse.speed_m_per_s);
+    verify("rock", format!("energy of a {name} pulse that an open face sends back, part"))
+        .absolute(0.05, "what is asked")
+        .report(0.0, pulse.returned * pulse.returned);
 }
 
 #[test]

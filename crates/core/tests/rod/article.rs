@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use serde_json::Value;
 
-use crate::common::{Row, Tolerance, relative_error, report, verification};
+use crate::common::{Tolerance, relative_error, verification, verify};
 
 /// Young's modulus and Poisson's ratio of steel and rock in the article's Table 1.
 const PAIR: [(f64, f64); 2] = [(210e9, 0.3), (51.5e9, 0.33)];
@@ -127,14 +127,9 @@ fn the_articles_contact_force_needs_three_corrections() {
             ),
             ("(7) and (8) as printed for", exact, printed, Tolerance::Any, gone),
         ] {
-            report(&Row {
-                case: "F02",
-                quantity: &format!("{what} {at}, N"),
-                expected,
-                computed,
-                tolerance,
-                reason,
-            });
+            verify("F02", format!("{what} {at}, N"))
+                .within(tolerance, reason)
+                .report(expected, computed);
         }
         let error = |found: f64| relative_error(found, exact);
         least = least.min(error(printed));
@@ -145,14 +140,9 @@ fn the_articles_contact_force_needs_three_corrections() {
         ];
         worst = std::array::from_fn(|i| worst[i].max(error(lacking[i])));
     }
-    report(&Row {
-        case: "F02",
-        quantity: "A of (5), m³/N²",
-        expected: number(&data["A"]),
-        computed: found_a,
-        tolerance: Tolerance::Relative(1e-12),
-        reason: "digits of the source",
-    });
+    verify("F02", "A of (5), m³/N²")
+        .relative(1e-12, "digits of the source")
+        .report(number(&data["A"]), found_a);
     let misses = "a formula that is printed wrongly misses by far more than the rounding of 1e-6";
     for (what, bound, found) in [
         ("least error of (7) and (8) as printed", 1e3, least),
@@ -160,13 +150,6 @@ fn the_articles_contact_force_needs_three_corrections() {
         ("largest error with the first term of (8) cube-rooted", 0.02, worst[1]),
         ("largest error without c v under the root of (8)", 0.02, worst[2]),
     ] {
-        report(&Row {
-            case: "F02",
-            quantity: what,
-            expected: bound,
-            computed: found,
-            tolerance: Tolerance::AtLeast,
-            reason: misses,
-        });
+        verify("F02", what).at_least(misses).report(bound, found);
     }
 }

@@ -11,7 +11,7 @@ use wholestring::rod::{
 };
 
 use crate::{
-    common::{Row, Tolerance, number, report, verification},
+    common::{Tolerance, number, verification, verify},
     plane::{order, section},
     random::Random,
     space::Space,
@@ -244,14 +244,13 @@ fn a_curved_cantilever_is_pulled_out_of_its_plane() {
         let second = |coarse: V, fine: V| (4.0 * fine - coarse) / 3.0;
         let limit = (16.0 * second(c, d) - second(b, c)) / 15.0;
         for (i, axis) in AXES.into_iter().enumerate() {
-            report(&Row {
-                case: "D02",
-                quantity: &format!("tip {axis} under {force} lbf, in"),
-                expected: exact[i],
-                computed: limit[i],
-                tolerance: Tolerance::Relative(1e-6),
-                reason: "the source's, against its own shooting; extrapolated from 16, 32 and 64 elements",
-            });
+            verify("D02", format!("tip {axis} under {force} lbf, in"))
+                .relative(
+                    1e-6,
+                    "the source's, against its own shooting; extrapolated from 16, 32 and 64 \
+                     elements",
+                )
+                .report(exact[i], limit[i]);
         }
 
         if force == 600.0 {
@@ -282,14 +281,9 @@ fn a_curved_cantilever_is_pulled_out_of_its_plane() {
                 let off = (answer.abs() - V::from(of)).norm();
                 assert!(tolerance == Tolerance::Any || off < half, "{name}: {off}");
                 for (i, axis) in AXES.into_iter().enumerate() {
-                    report(&Row {
-                        case: "D02",
-                        quantity: &format!("tip {axis} under 600 lbf {mesh} for {name}'s, in"),
-                        expected: of[i],
-                        computed: answer[i].abs(),
-                        tolerance,
-                        reason,
-                    });
+                    verify("D02", format!("tip {axis} under 600 lbf {mesh} for {name}'s, in"))
+                        .within(tolerance, reason)
+                        .report(of[i], answer[i].abs());
                 }
             }
         }

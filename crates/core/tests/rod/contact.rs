@@ -2,7 +2,7 @@
 
 use wholestring::wall::contact::{contact_modulus_Pa, hertz, hertz_stiffness, linear};
 
-use crate::common::{Row, Tolerance, assert_close, number, report, report_worst, verification};
+use crate::common::{assert_close, number, report_worst, verification, verify};
 
 /// F01: effective modulus and stiffness of four pairs of pipe and hole, and the penetration under a
 /// force at rest. The source's tolerance is 1e-6.
@@ -20,14 +20,9 @@ fn hertz_constants_of_pipe_and_hole() {
             ("effective modulus, Pa", modulus, "Estar_Pa"),
             ("stiffness, N/m^1.5", k, "K_hertz_N_m1p5"),
         ] {
-            report(&Row {
-                case: "F01",
-                quantity: &format!("{}: {what}", name.replace(',', "")),
-                expected: number(&row[key]),
-                computed,
-                tolerance: Tolerance::Relative(1e-6),
-                reason: "digits of the source",
-            });
+            verify("F01", format!("{}: {what}", name.replace(',', "")))
+                .relative(1e-6, "digits of the source")
+                .report(number(&row[key]), computed);
         }
         let table = row["table"].as_array().expect("a table");
         for (what, unit, key, law) in [
@@ -35,13 +30,10 @@ fn hertz_constants_of_pipe_and_hole() {
             ("slope of the force", "N/m", "tangent_N_m", (1.5 * k, 0.5)),
         ] {
             let quantity = format!("{}: {what}, {unit}", name.replace(',', ""));
-            report_worst(table.iter().map(|point| Row {
-                case: "F01",
-                quantity: &quantity,
-                expected: number(&point[key]),
-                computed: law.0 * number(&point["alpha_m"]).powf(law.1),
-                tolerance: Tolerance::Relative(1e-6),
-                reason: "digits of the source",
+            report_worst(table.iter().map(|point| {
+                verify("F01", &quantity)
+                    .relative(1e-6, "digits of the source")
+                    .row(number(&point[key]), law.0 * number(&point["alpha_m"]).powf(law.1))
             }));
         }
         for point in table {
@@ -133,14 +125,13 @@ fn a_resolved_blow_is_hertzs() {
             ("time of contact", "s", found.contact_s, time),
             ("force", "N", found.strongest_N, force),
         ] {
-            report(&Row {
-                case: "E06",
-                quantity: &format!("{what} of {m} kg at {v} m/s, {unit}"),
-                expected,
-                computed,
-                tolerance: Tolerance::Relative(0.01),
-                reason: "the source's, met by two thousand steps in the contact; first order in the step",
-            });
+            verify("E06", format!("{what} of {m} kg at {v} m/s, {unit}"))
+                .relative(
+                    0.01,
+                    "the source's, met by two thousand steps in the contact; first order in \
+                     the step",
+                )
+                .report(expected, computed);
         }
         // First order in the step: halving it halves what is lost.
         let lost = |dt: f64| 1.0 - blow(m, v, k, 0.0, dt, 0.6).restitution;
@@ -222,16 +213,19 @@ fn at_the_default_step_a_blow_hardly_rebounds() {
                 .sum::<f64>()
                 / f64::from(PHASES);
             let exact = implicit_restitution(m, v, k, d, dt);
-            report(&Row {
-                case: "E06",
-                quantity: &format!(
-                    "restitution at the step of a string: 120 kg at {v} m/s with a dissipation of {d} s/m"
+            verify(
+                "E06",
+                format!(
+                    "restitution at the step of a string: 120 kg at {v} m/s with a dissipation \
+                    of {d} s/m"
                 ),
-                expected: exact,
-                computed: found,
-                tolerance: Tolerance::Absolute(5e-6),
-                reason: "the error of the force, 3e-6, in the few steps of a blow; expected is the implicit law by bisection",
-            });
+            )
+            .absolute(
+                5e-6,
+                "the error of the force, 3e-6, in the few steps of a blow; expected is the \
+                     implicit law by bisection",
+            )
+            .report(exact, found);
             assert!(found < 0.55);
         }
     }

@@ -1,7 +1,7 @@
 //! D04's large load: the rod against the equations of rods that shear, shot from one end.
 
 use crate::{
-    common::{Row, Tolerance, assert_close, report, verification},
+    common::{Tolerance, assert_close, verification, verify},
     plane::{Plane, order, section},
 };
 
@@ -162,14 +162,9 @@ fn a_deep_cantilever_bends_far_by_bending_and_shear() {
                 "missed: its tension is along the axis, and its bending loses the cos² of the shear angle",
             ),
         ] {
-            report(&Row {
-                case: "D04",
-                quantity: &format!("{what} under the large load {whose}, m"),
-                expected,
-                computed,
-                tolerance,
-                reason,
-            });
+            verify("D04", format!("{what} under the large load {whose}, m"))
+                .within(tolerance, reason)
+                .report(expected, computed);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The rod at rest: cantilevers, elastica, beam-columns and Euler's column.
 
 use crate::{
-    common::{Row, Tolerance, assert_close, number, relative_error, report, verification},
+    common::{assert_close, number, relative_error, verification, verify},
     plane::{Plane, order, section},
 };
 
@@ -47,14 +47,9 @@ fn converges(
     let limit = [0, 1].map(|i| (4.0 * answers[2][i] - answers[1][i]) / 3.0);
     assert!((order(middle, fine) - 2.0).abs() < 0.05, "{what}: order {}", order(middle, fine));
     for (axis, i) in [("x", 0), ("y", 1)] {
-        report(&Row {
-            case,
-            quantity: &format!("{axis} of the tip over the length at {what}"),
-            expected: exact[i] / size,
-            computed: limit[i] / size,
-            tolerance: Tolerance::Absolute(tolerance),
-            reason: "the source's, after extrapolation from 32 and 64 elements",
-        });
+        verify(case, format!("{axis} of the tip over the length at {what}"))
+            .absolute(tolerance, "the source's, after extrapolation from 32 and 64 elements")
+            .report(exact[i] / size, limit[i] / size);
     }
 }
 
@@ -128,24 +123,14 @@ fn a_deep_cantilever_sags_by_bending_and_shear() {
     rod.balance(2);
     let [across, along, _] = rod.at(parts);
     let oracle = &data["expected"]["small"]["oracle"];
-    report(&Row {
-        case: "D04",
-        quantity: "deflection under the small load, m",
-        expected: number(&oracle[1]),
-        computed: across,
-        tolerance: Tolerance::Relative(1e-6),
-        reason: "the source's",
-    });
+    verify("D04", "deflection under the small load, m")
+        .relative(1e-6, "the source's")
+        .report(number(&oracle[1]), across);
     let shear = force / kga;
     let own = l * (0.5 * shear * shear - shear * force / ea);
-    report(&Row {
-        case: "D04",
-        quantity: "shortening under the small load with the rod's own shear, m",
-        expected: number(&oracle[0]) + own,
-        computed: -along,
-        tolerance: Tolerance::Relative(1e-6),
-        reason: "the source's",
-    });
+    verify("D04", "shortening under the small load with the rod's own shear, m")
+        .relative(1e-6, "the source's")
+        .report(number(&oracle[0]) + own, -along);
     assert!(own < 7e-4 * number(&oracle[0]));
 }
 

@@ -1,7 +1,7 @@
 //! Minimum curvature against published positions.
 
 use wholestring::well::{Interpolation, Path};
-use wholestring_verification::{Row, Tolerance, report_worst};
+use wholestring_verification::{report_worst, verify};
 
 use crate::surveys::{extra_data, iscwsa, minimum_curvature, station, stations, tie_in};
 
@@ -18,13 +18,10 @@ fn iscwsa_standard_wellpaths() {
             [0, 1, 2].map(|axis| (row.position_m[axis], found[axis]))
         });
         let quantity = format!("{name}: coordinate of a station, m");
-        report_worst(coordinates.map(|(expected, computed)| Row {
-            case: "B01",
-            quantity: &quantity,
-            expected,
-            computed,
-            tolerance: Tolerance::Absolute(0.006),
-            reason: "positions are published to 0.005 m",
+        report_worst(coordinates.map(|(expected, computed)| {
+            verify("B01", &quantity)
+                .absolute(0.006, "positions are published to 0.005 m")
+                .row(expected, computed)
         }));
     }
 }

@@ -183,7 +183,6 @@ fn the_wall_and_its_derivatives_agree() {
         let offset = here.axis.position_m - path.at(md).position_m;
         assert!(offset.norm() < 0.04 && offset.dot(&path.at(md).tangent).abs() < 1e-12);
     }
-    println!("worst of slope, tangent, curvature: {worst:?}");
     let [slope, tangent, curvature] = worst;
     assert!(slope < 1e-7 && tangent < 1e-7 && curvature < 1e-6, "{worst:?}");
 }

@@ -228,3 +228,52 @@ pub(super) fn xls() -> Reader {
         ..Reader::binary("survey-xls", seeds, reads("a.xls"))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::iter::repeat_with;
+
+    use wholestring_survey::{read, read_csv, read_excel};
+
+    use super::*;
+    use crate::worker;
+
+    /// What begins like files that are known, and goes on with anything.
+    #[test]
+    fn any_bytes_are_a_survey_or_are_refused() {
+        let heads: [&[u8]; 5] =
+            [b"", b"PK\x03\x04", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", b"\xff\xfe", b"\xef\xbb\xbf"];
+        for number in 0..2000 {
+            let mut rng = Rng::with_seed(number);
+            let mut bytes = heads[rng.usize(..heads.len())].to_vec();
+            let length = rng.usize(..400);
+            bytes.extend(repeat_with(|| rng.u8(..)).take(length));
+            let text: String = repeat_with(|| rng.char(..)).take(200).collect();
+            let pieces = [WORDS, &["0", "30", "60", "-1", "1e308", "NaN"]].concat();
+            let pieces: String =
+                repeat_with(|| pieces[rng.usize(..pieces.len())]).take(60).collect();
+            valid(read_csv(&bytes, "a.csv"));
+            valid(read_excel(&bytes, "a.xlsx"));
+            for name in ["a.csv", "a.xlsx", "a", ""] {
+                valid(read(&bytes, name));
+            }
+            valid(read_csv(text.as_bytes(), "a.csv"));
+            valid(read(pieces.as_bytes(), "a.csv"));
+        }
+    }
+
+    #[test]
+    fn damaged_surveys_are_read_or_refused() {
+        const INPUTS: u64 = 250;
+        for new in [csv, tsv, fixed, xlsx, xls] {
+            let mut reader = new();
+            let accepted = (0..INPUTS).filter(|number| {
+                let input = worker::input(&reader, 1, *number);
+                reader.read(&input)
+            });
+            let accepted = accepted.count() as u64;
+            // What is always refused tries nothing beyond its first mistake.
+            assert!(accepted > INPUTS / 50, "{accepted} of {INPUTS} by {}", reader.name);
+        }
+    }
+}

@@ -21,13 +21,9 @@ impl FaceTable {
             return Some(());
         };
         let least = number_text((min_m * 1e4).ceil() * 1e-1);
-        reader.report(
-            Diagnostic::error(format!("the {what} are too fine for this bit")).at(
-                given.place,
-                format!("expected at least {least} mm, a fiftieth of its diameter"),
-            ),
-        );
-        None
+        Diagnostic::error(format!("the {what} are too fine for this bit"))
+            .at(given.place, format!("expected at least {least} mm, a fiftieth of its diameter"))
+            .refuse(reader)
     }
 
     pub(super) fn warn_of_idle_keys(&self, kind: Kind, reader: &mut Reader) {

@@ -62,12 +62,10 @@ impl CuttersKeys {
     pub(super) fn build(&self, radius_m: f64, reader: &mut Reader) -> Option<Cutters> {
         let kind = self.kind.kind.at()?;
         if kind.value == Kind::Inserts {
-            reader.report(
-                Diagnostic::error("the laws of cutters know no inserts")
-                    .at(kind.place, "expected \"pdc\", \"roller cone\" or \"core\"")
-                    .help("law = \"rock\" takes inserts"),
-            );
-            return None;
+            return Diagnostic::error("the laws of cutters know no inserts")
+                .at(kind.place, "expected \"pdc\", \"roller cone\" or \"core\"")
+                .help("law = \"rock\" takes inserts")
+                .refuse(reader);
         }
         let or = |field: &Field<f64>, default: f64| {
             Some(field.optional()?.map_or(default, |at| at.value))

@@ -41,14 +41,12 @@ impl LawKeys for RegenerativeKeys {
         let radius_m = around.radius_m?;
         let kind = self.cutters.kind.kind.at()?;
         if kind.value == Kind::RollerCone {
-            reader.report(
-                Diagnostic::error(
-                    "the regenerative law is that of blades, which a roller cone has not",
-                )
-                .at(kind.place, "expected \"pdc\" or \"core\"")
-                .help("law = \"detournay-defourny\" takes a roller cone"),
-            );
-            return None;
+            return Diagnostic::error(
+                "the regenerative law is that of blades, which a roller cone has not",
+            )
+            .at(kind.place, "expected \"pdc\" or \"core\"")
+            .help("law = \"detournay-defourny\" takes a roller cone")
+            .refuse(reader);
         }
         Some(BitLaw::Regenerative(RegenerativeLaw {
             cutters: self.cutters.build(radius_m, reader)?,

@@ -50,16 +50,14 @@ impl RockKeys {
     pub(crate) fn shape(&self, radius_m: f64, reader: &mut Reader) -> Option<BitShape> {
         let kind = self.kind.kind.at()?;
         if kind.value == Kind::RollerCone {
-            reader.report(
-                Diagnostic::error("against solid rock, cones that roll are not modelled")
-                    .at(kind.place, "expected \"pdc\", \"core\" or \"inserts\"")
-                    .help(
-                        "\"inserts\" holds their teeth still: these crush and scrape, and their \
+            return Diagnostic::error("against solid rock, cones that roll are not modelled")
+                .at(kind.place, "expected \"pdc\", \"core\" or \"inserts\"")
+                .help(
+                    "\"inserts\" holds their teeth still: these crush and scrape, and their \
                            torque is not that of rolling",
-                    )
-                    .help("the laws \"detournay-defourny\" and \"table\" take a roller cone"),
-            );
-            return None;
+                )
+                .help("the laws \"detournay-defourny\" and \"table\" take a roller cone")
+                .refuse(reader);
         }
         let core_radius_m = self.kind.core_radius_m(radius_m, reader)?;
         let face = self.face.get()?;

@@ -142,12 +142,6 @@ impl Simulation {
         }))
     }
 
-    /// The run as it stands, to be written to a checkpoint: between two calls of
-    /// [`Simulation::advance`], at any time.
-    pub fn checkpoint(&self) -> Checkpoint<'_> {
-        either!(&self.0, run => run.checkpoint())
-    }
-
     /// Resumes a run where [`Simulation::checkpoint`] left it. Model, operation and settings are
     /// those that it began with: others would continue, but with an answer to neither case.
     ///
@@ -169,91 +163,24 @@ impl Simulation {
         }))
     }
 
-    /// Advances by `seconds`, to the nearest sample.
-    ///
-    /// # Errors
-    /// A run that diverged; what it had sampled before stays available.
-    pub fn advance(&mut self, seconds: f64) -> Result<(), Diverged> {
-        either!(&mut self.0, run => run.advance(seconds))
-    }
-
-    /// The answer so far: over the window if it has begun, over everything sampled otherwise.
-    pub fn outcome(&self) -> DynamicOutcome {
-        either!(&self.0, run => run.outcome())
-    }
-
-    /// What was sampled so far, from time zero: the last row is that of the last sample.
-    pub fn series(&self) -> &TimeSeries {
-        either!(&self.0, run => run.series())
-    }
-
-    /// Mean weight on bit of [`outcome`](Self::outcome), N, without the rest of it.
-    pub fn mean_weight_on_bit_N(&self) -> f64 {
-        either!(&self.0, run => run.mean_weight_on_bit_N())
-    }
-
-    /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
-    pub fn frame(&self) -> Frame {
-        either!(&self.0, run => run.frame())
-    }
-
-    /// Time since the start, s.
-    pub fn time_s(&self) -> f64 {
-        either!(&self.0, run => run.time_s())
-    }
-
-    /// Time at which the window ends, s; at the latest, as long as the run settles until it is
-    /// steady: the time is known when the window begins.
-    pub fn end_time_s(&self) -> f64 {
-        either!(&self.0, run => run.end_time_s())
-    }
-
-    /// Whether the window is yet to begin.
-    pub fn is_settling(&self) -> bool {
-        either!(&self.0, run => run.is_settling())
-    }
-
-    /// Step, s.
-    pub fn time_step_s(&self) -> f64 {
-        either!(&self.0, run => run.time_step_s())
-    }
-
-    /// Time between two samples, s: the setting, rounded to whole steps.
-    pub fn sample_interval_s(&self) -> f64 {
-        either!(&self.0, run => run.sample_interval_s())
-    }
-
-    /// Number of elements.
-    pub fn elements(&self) -> usize {
-        either!(&self.0, run => run.elements())
-    }
-
-    /// The nodes and elements of the string.
-    pub fn mesh(&self) -> &Mesh {
-        either!(&self.0, run => run.mesh())
-    }
-
-    /// Kinetic, elastic and potential energy of the string, J: second-order accurate in the step.
-    pub fn energy_J(&self) -> f64 {
-        either!(&self.0, run => run.energy_J())
-    }
-
-    /// Kinetic energy of the string, J.
-    pub fn kinetic_energy_J(&self) -> f64 {
-        either!(&self.0, run => run.kinetic_energy_J())
-    }
-
     /// Sets the executor of the solid rock under the bit; the answer does not depend on it. A simulation
     /// that was resumed has to be set anew.
     pub fn set_executor(&mut self, executor: Arc<dyn Executor + Send + Sync>) {
         either!(&mut self.0, run => run.set_executor(executor));
     }
 
-    /// The pattern that the bit has left on the bottom of the hole, radii from the bit's axis,
-    /// angles from the high side to the right, depths below the bit's nose; none without solid
-    /// rock.
-    pub fn bottom_hole(&self) -> Option<BottomHole> {
-        either!(&self.0, run => run.bottom_hole())
+    /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow.
+    /// `impulse` is called for each node but the top, which is clamped.
+    pub fn apply_impulse(&mut self, impulse: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
+        either!(&mut self.0, run => run.apply_impulse(impulse));
+    }
+
+    /// Advances by `seconds`, to the nearest sample.
+    ///
+    /// # Errors
+    /// A run that diverged; what it had sampled before stays available.
+    pub fn advance(&mut self, seconds: f64) -> Result<(), Diverged> {
+        either!(&mut self.0, run => run.advance(seconds))
     }
 
     /// Changes the hoist from now on: a connection, a stop, a lift.
@@ -267,15 +194,57 @@ impl Simulation {
     pub fn set_flow_rate(&mut self, flow_m3_per_s: f64) {
         either!(&mut self.0, run => run.set_flow_rate(flow_m3_per_s));
     }
+}
 
-    /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow.
-    /// `impulse` is called for each node but the top, which is clamped.
-    pub fn apply_impulse(&mut self, impulse: impl Fn(&MeshNode) -> (Vector3<f64>, f64)) {
-        either!(&mut self.0, run => run.apply_impulse(impulse));
-    }
+/// What the run of either precision tells.
+macro_rules! accessors {
+    ($($(#[$meaning:meta])* $name:ident: $of:ty,)+) => {
+        impl Simulation {
+            $(
+                $(#[$meaning])*
+                pub fn $name(&self) -> $of {
+                    either!(&self.0, run => run.$name())
+                }
+            )+
+        }
+    };
+}
 
+accessors! {
+    /// The run as it stands, to be written to a checkpoint: between two calls of
+    /// [`Simulation::advance`], at any time.
+    checkpoint: Checkpoint<'_>,
+    /// The answer so far: over the window if it has begun, over everything sampled otherwise.
+    outcome: DynamicOutcome,
+    /// What was sampled so far, from time zero: the last row is that of the last sample.
+    series: &TimeSeries,
+    /// Mean weight on bit of [`outcome`](Self::outcome), N, without the rest of it.
+    mean_weight_on_bit_N: f64,
+    /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
+    frame: Frame,
+    /// Time since the start, s.
+    time_s: f64,
+    /// Time at which the window ends, s; at the latest, as long as the run settles until it is
+    /// steady: the time is known when the window begins.
+    end_time_s: f64,
+    /// Whether the window is yet to begin.
+    is_settling: bool,
+    /// Step, s.
+    time_step_s: f64,
+    /// Time between two samples, s: the setting, rounded to whole steps.
+    sample_interval_s: f64,
+    /// Number of elements.
+    elements: usize,
+    /// The nodes and elements of the string.
+    mesh: &Mesh,
+    /// Kinetic, elastic and potential energy of the string, J: second-order accurate in the step.
+    energy_J: f64,
+    /// Kinetic energy of the string, J.
+    kinetic_energy_J: f64,
+    /// The pattern that the bit has left on the bottom of the hole, radii from the bit's axis,
+    /// angles from the high side to the right, depths below the bit's nose; none without solid
+    /// rock.
+    bottom_hole: Option<BottomHole>,
     /// Name of the instruction set that the time loop was compiled for.
-    pub fn instructions(&self) -> &'static str {
-        either!(&self.0, run => run.instructions())
-    }
+    instructions: &'static str,
 }

@@ -1,6 +1,6 @@
 //! Lateral frequencies of pinned and clamped beams, with and without axial force.
 
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::verify;
 
 use super::bench::{Bench, PIPE_M, STEEL, Support};
 use crate::{
@@ -80,15 +80,13 @@ fn a_pinned_pipe_has_its_frequencies() {
             let exact = (square / (1.0 + gyration2 * k * k)).sqrt();
             let error = |parts| pinned(axial, i + 1, parts) / exact - 1.0;
             let fine = error(60);
-            report(&Row {
-                case: "D09",
-                quantity: &format!("mode {} of a pinned pipe under {axial:.0} N, Hz", i + 1),
-                expected: exact,
-                computed: exact * (1.0 + fine),
-                tolerance: Tolerance::Relative(1e-3),
-                reason: "the source's, with the stretch and the rotary inertia that its closed form leaves out, \
-                         2e-4 of mode 5; second order with 60 elements",
-            });
+            verify("D09", format!("mode {} of a pinned pipe under {axial:.0} N, Hz", i + 1))
+                .relative(
+                    1e-3,
+                    "the source's, with the stretch and the rotary inertia that its closed \
+                     form leaves out, 2e-4 of mode 5; second order with 60 elements",
+                )
+                .report(exact, exact * (1.0 + fine));
             let added = (0.5 * k).powi(2) / 78.0;
             assert!((fine + added).abs() < 0.1 * added, "{fine:e} {added:e}");
             if i == 4 && axial == 0.0 {
@@ -123,8 +121,7 @@ fn a_clamped_pipe_has_its_frequencies() {
             found / exact - 1.0
         };
         let [coarse, middle, fine] = [15, 30, 60].map(frequency);
-        println!("{name}: {coarse:.1e} {middle:.1e} {fine:.1e}");
-        assert!(((4.0 * fine - middle) / 3.0).abs() < 1e-4);
-        assert!(((coarse / middle).abs().log2() - 2.0).abs() < 0.2);
+        assert!(((4.0 * fine - middle) / 3.0).abs() < 1e-4, "{name}");
+        assert!(((coarse / middle).abs().log2() - 2.0).abs() < 0.2, "{name}");
     }
 }

@@ -1,6 +1,6 @@
 //! Damping takes the same whatever the mesh.
 
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::verify;
 
 use super::bench::{Bench, PIPE_M, STEEL, Support};
 use crate::{dynamics::kernel::chain::node, mud::Mud, simd::vector::Vector};
@@ -42,16 +42,15 @@ fn a_viscous_spin_down_knows_no_mesh() {
                 / (-(0.4 + mud.linear_drag_Pa_s / mass_kg_per_m) * time).exp(),
         ];
         for (what, left) in ["spin", "speed across"].into_iter().zip(left) {
-            report(&Row {
-                case: "damping",
-                quantity: &format!(
-                    "spin-down with elements of {element_length} m: {what} left over the closed form"
+            verify(
+                "damping",
+                format!(
+                    "spin-down with elements of {element_length} m: {what} left over the closed \
+                    form"
                 ),
-                expected: 1.0,
-                computed: left,
-                tolerance: Tolerance::Relative(1e-3),
-                reason: "the explicit step's λ² t dt/2, 6e-4 at 4.8 m; 1 % is requested",
-            });
+            )
+            .relative(1e-3, "the explicit step's λ² t dt/2, 6e-4 at 4.8 m; 1 % is requested")
+            .report(1.0, left);
         }
     }
 }
@@ -96,16 +95,18 @@ fn damping_by_stiffness_knows_no_mesh() {
         let seen = (half.sin() / half).powi(2);
         let taken = taken(element_length);
         for (what, taken) in ["along", "about", "across"].into_iter().zip(taken) {
-            report(&Row {
-                case: "damping",
-                quantity: &format!(
-                    "power taken from a wave {what} the axis with elements of {element_length} m over the rod's"
+            verify(
+                "damping",
+                format!(
+                    "power taken from a wave {what} the axis with elements of {element_length} m \
+                    over the rod's"
                 ),
-                expected: 1.0,
-                computed: taken,
-                tolerance: Tolerance::Relative(0.01),
-                reason: "what is requested; differences over an element see 1 − (kh)²/12 of a wave",
-            });
+            )
+            .relative(
+                0.01,
+                "what is requested; differences over an element see 1 − (kh)²/12 of a wave",
+            )
+            .report(1.0, taken);
             assert!((taken / seen - 1.0).abs() < 1e-3, "{what}: {taken} {seen}");
         }
     }

@@ -86,7 +86,6 @@ fn a_mass_on_the_line_swings_and_settles() {
     for damping_N_s_per_m in [0.0, 3e4, 1e5, 3e5] {
         let line = HoistLine { damping_N_s_per_m, ..LINE };
         let [coarse, fine] = [2e4, 4e4].map(|steps| oscillation_error(line, steps));
-        println!("{damping_N_s_per_m}: {coarse:.1e} {fine:.1e}");
         assert!(((coarse / fine).log2() - 1.0).abs() < 0.1, "{coarse:e} {fine:e}");
         assert!(fine < 4.0 * std::f64::consts::TAU / 4e4 * 3.0);
     }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::{Tolerance, verify};
 
 use super::{
     beams::beam,
@@ -87,14 +87,7 @@ fn an_unbalanced_shaft_whirls_as_jeffcotts() {
                 ),
                 (format!("{at}: phase {step}, °"), phase, found[1], Tolerance::Absolute(within[1])),
             ] {
-                report(&Row {
-                    case: "D09",
-                    quantity: &quantity,
-                    expected,
-                    computed,
-                    tolerance,
-                    reason,
-                });
+                verify("D09", &quantity).within(tolerance, reason).report(expected, computed);
             }
         }
     }
@@ -167,7 +160,6 @@ fn a_free_rod_keeps_its_momenta_and_its_energy() {
     for size in [0.01, 0.02] {
         let [coarse, fine] = [1.0, 0.5].map(|part| free(part, size));
         let plain = free(0.5, 0.0);
-        println!("{size}: {coarse:?} {fine:?}, without {plain:?}");
         assert!(fine[0] < 1e-6 && fine[1] < 1e-6, "{fine:?}");
         assert!((coarse[2] / fine[2]).log2() > 1.8, "{coarse:?} {fine:?}");
         assert!(fine[2] < 2.0 * plain[2], "{fine:?} {plain:?}");
@@ -194,6 +186,5 @@ fn an_unbalanced_pipe_swings_by_its_weight() {
     let radius2 = (PIPE_M[0].powi(2) + PIPE_M[1].powi(2)) / 8.0;
     let exact = (offset * g / radius2).sqrt() / TAU;
     let found = rod.frequency_Hz(5, |rod| rod.body.imbalances[1].toward.0);
-    println!("pendulum {:.1e}", found / exact - 1.0);
     assert!((found / exact - 1.0).abs() < 2e-5, "{found} {exact}");
 }

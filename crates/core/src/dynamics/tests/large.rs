@@ -1,6 +1,6 @@
 //! Large motion against published solutions: the right-angled cantilever, the arm that is spun up.
 
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::{Tolerance, verify};
 
 use super::bench::{Bench, Support};
 use crate::{
@@ -151,7 +151,7 @@ fn a_right_angled_cantilever_swings_out_of_its_plane() {
             "the source's 0.2 s for either",
         ),
     ] {
-        report(&Row { case: "D07", quantity, expected, computed, tolerance, reason });
+        verify("D07", quantity).within(tolerance, reason).report(expected, computed);
     }
     let data = verification("D07_simo_vuquoc_right_angle_cantilever.json");
     let curve = data["digitised_elbow_out_of_plane_displacement_t_u"].as_array().expect("a curve");
@@ -164,14 +164,12 @@ fn a_right_angled_cantilever_swings_out_of_its_plane() {
         .map(|tenth| (0.1 * f64::from(tenth), off(0.1 * f64::from(tenth))))
         .min_by(|a, b| a.1.total_cmp(&b.1))
         .expect("a shift");
-    report(&Row {
-        case: "D07",
-        quantity: &format!("tip off the curve moved by {later:.1} s: root mean square, m"),
-        expected: 0.0,
-        computed: off,
-        tolerance: Tolerance::Absolute(0.7),
-        reason: "the source's 0.3 and 0.5 m, and its 0.2 s, which are 0.4 m where the tip swings",
-    });
+    verify("D07", format!("tip off the curve moved by {later:.1} s: root mean square, m"))
+        .absolute(
+            0.7,
+            "the source's 0.3 and 0.5 m, and its 0.2 s, which are 0.4 m where the tip swings",
+        )
+        .report(0.0, off);
 }
 
 /// D08's arm with `parts` elements: the stretch of its tip once it turns steadily, and how far the
@@ -224,7 +222,6 @@ fn an_arm_is_stretched_by_its_spin() {
     let exact = number(&data["expected"]["exact_linear_rod"]);
     let [coarse, fine] = [8, 16].map(arm);
     let limit = (4.0 * fine[0] - coarse[0]) / 3.0;
-    println!("D08 {coarse:?} {fine:?} limit {:.1e}", limit / exact - 1.0);
     let lag = (4.0 * fine[1] - coarse[1]) / 3.0;
     let remembered = number(&data["expected"]["max_lag_tip_transverse_approx_from_memory"]);
     for (quantity, expected, computed, tolerance, reason) in [
@@ -250,6 +247,6 @@ fn an_arm_is_stretched_by_its_spin() {
             "its last digit: from memory",
         ),
     ] {
-        report(&Row { case: "D08", quantity, expected, computed, tolerance, reason });
+        verify("D08", quantity).within(tolerance, reason).report(expected, computed);
     }
 }

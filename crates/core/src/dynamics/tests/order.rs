@@ -1,6 +1,6 @@
 //! Orders of convergence in the element's length and in the step.
 
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::verify;
 
 use super::{beams::beam, bench::Support};
 use crate::{dynamics::kernel::chain::node, simd::vector::Vector};
@@ -51,13 +51,8 @@ fn the_rod_converges_with_the_square_of_element_and_step() {
     for (name, answers) in [("element", by_mesh), ("step", by_step)] {
         let gaps = [0, 1, 2].map(|i| distance(answers[i], answers[i + 1]));
         let order = (gaps[1] / gaps[2]).log2();
-        report(&Row {
-            case: "order",
-            quantity: &format!("order in the {name}"),
-            expected: 2.0,
-            computed: order,
-            tolerance: Tolerance::Absolute(0.05),
-            reason: "the next order's share, a few hundredths at the finest three",
-        });
+        verify("order", format!("order in the {name}"))
+            .absolute(0.05, "the next order's share, a few hundredths at the finest three")
+            .report(2.0, order);
     }
 }

@@ -1,6 +1,6 @@
 //! A pipe that hangs by its upper end and swings.
 
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::{Tolerance, verify};
 
 use super::{
     beams::swing,
@@ -81,14 +81,12 @@ fn swings_as(what: &str, modes: impl IntoIterator<Item = usize>) {
     };
     for mode in modes {
         let row = |mesh: &str, computed: f64, tolerance, reason: &str| {
-            report(&Row {
-                case: "D09",
-                quantity: &format!("sideways mode {} of a {what} {mesh}, Hz", mode + 1),
-                expected: data["hanging_chain_1000m_Hz"][key][mode].as_f64().expect("a frequency"),
-                computed,
-                tolerance,
-                reason,
-            });
+            verify("D09", format!("sideways mode {} of a {what} {mesh}, Hz", mode + 1))
+                .within(tolerance, reason)
+                .report(
+                    data["hanging_chain_1000m_Hz"][key][mode].as_f64().expect("a frequency"),
+                    computed,
+                );
         };
         let [coarse, fine] = [156, 312].map(|parts| hanging(mode, parts, stiff));
         row(

@@ -1,6 +1,6 @@
 //! A spinning shaft with the rotary inertia that it has, forwards and backwards.
 
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::verify;
 
 use super::{
     bench::{Bench, Support},
@@ -61,30 +61,28 @@ fn a_spinning_shaft_whirls_at_its_frequencies() {
         let found = exact.map(|whirl| [30, 60].map(|parts| whirling(spin, mode, whirl, parts)));
         for (i, direction) in ["forward", "backward"].into_iter().enumerate() {
             for (parts, computed, within) in [(30, found[i][0], 5e-6), (60, found[i][1], 1e-6)] {
-                report(&Row {
-                    case: "D09",
-                    quantity: &format!(
-                        "spinning shaft at {spin:.1} rad/s: {direction} mode {mode} with {parts} elements, rad/s"
+                verify(
+                    "D09",
+                    format!(
+                        "spinning shaft at {spin:.1} rad/s: {direction} mode {mode} with {parts} \
+                        elements, rad/s"
                     ),
-                    expected: exact[i].abs(),
-                    computed,
-                    tolerance: Tolerance::Relative(within),
-                    reason: "three times what mesh and step leave; the source asks 0.1 %",
-                });
+                )
+                .relative(within, "three times what mesh and step leave; the source asks 0.1 %")
+                .report(exact[i].abs(), computed);
             }
         }
         let split = exact[0] + exact[1];
         if split > 0.0 {
-            report(&Row {
-                case: "D09",
-                quantity: &format!(
-                    "spinning shaft at {spin:.1} rad/s: split of mode {mode}, rad/s"
-                ),
-                expected: split,
-                computed: found[0][1] - found[1][1],
-                tolerance: Tolerance::Relative(1e-3),
-                reason: "errors of 60 elements, 3e-7, over the part of the frequency that is split",
-            });
+            verify(
+                "D09",
+                format!("spinning shaft at {spin:.1} rad/s: split of mode {mode}, rad/s"),
+            )
+            .relative(
+                1e-3,
+                "errors of 60 elements, 3e-7, over the part of the frequency that is split",
+            )
+            .report(split, found[0][1] - found[1][1]);
         }
     }
 }

@@ -110,9 +110,6 @@ fn taking_up_an_anchor_moves_no_wall() {
         let shift: f64 = (2..5).map(|i| (after[i] - before[i]).powi(2)).sum();
         axis = axis.max(shift.sqrt());
     }
-    println!(
-        "reach {reach:.5} m: the radius jumps by up to {radius:.1e} m, the axis by {axis:.1e} m"
-    );
     assert!(radius < 1e-4 * 0.002, "{radius}");
     assert!(axis < 2e-6 * 0.005, "{axis}");
 }

@@ -122,11 +122,7 @@ fn no_frequency_of_the_whole_exceeds_the_elements() {
     ] {
         let rod = Bench::new(parts, element_length, 0.0);
         let used = 0.5 * rod.plan.dt_s * highest(&rod);
-        println!(
-            "{what} {element_length} m: dt {:.3e} s, {used:.4} of the limit, added {:.2e}",
-            rod.plan.dt_s, rod.plan.added_axial_mass_fraction
-        );
-        assert!(used <= SAFETY * (1.0 + 1e-6), "{used}");
+        assert!(used <= SAFETY * (1.0 + 1e-6), "{what} {element_length} m: {used}");
         assert!(!sharp || used > SAFETY * (1.0 - 1e-4), "{used}");
     }
 }
@@ -149,7 +145,6 @@ fn the_planned_step_is_stable_and_a_tenth_beyond_the_limit_is_not() {
         let kept = growth(&mut rod(), planned, 20_000);
         let limit = 2.0 / highest(&rod());
         let lost = growth(&mut rod(), 1.1 * limit, 20_000);
-        println!("{element_length}: {kept:.2} at the plan, {lost} at 1.1 limits");
         assert!(kept < swing(), "{kept}");
         assert!(lost.is_infinite(), "{lost}");
     }

@@ -1,7 +1,7 @@
 //! Torsion that dry friction holds and lets go: E01 and E02.
 
 use serde_json::Value;
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::verify;
 
 use super::bench::{Bench, Support};
 use crate::{
@@ -21,14 +21,7 @@ fn number(of: &Value, key: &str) -> f64 {
 
 #[track_caller]
 fn close(case: &str, quantity: &str, computed: f64, expected: f64, within: f64, reason: &str) {
-    report(&Row {
-        case,
-        quantity,
-        expected,
-        computed,
-        tolerance: Tolerance::Relative(within),
-        reason,
-    });
+    verify(case, quantity).relative(within, reason).report(expected, computed);
 }
 
 const SOURCE: &str = "the tolerance of the source";

@@ -1,6 +1,6 @@
 //! A rod that lies on a wall with dry friction, loaded slowly and unloaded again.
 
-use wholestring_verification::{Row, Tolerance, report_worst};
+use wholestring_verification::{report_worst, verify};
 
 use super::bench::{Bench, PIPE_M, Support};
 use crate::{
@@ -70,13 +70,10 @@ fn friction_keeps_half_of_what_a_load_has_moved() {
         let found = [10.0, 5.0].map(|h| loaded(turning, h));
         for (i, when, part) in [(0, "moves its end by", 1.0), (1, "leaves of it", 0.5)] {
             let quantity = format!("dry friction: what {what} {when}, {unit}");
-            report_worst(found.map(|found| Row {
-                case: "D10",
-                quantity: &quantity,
-                expected: part * exact,
-                computed: found[i],
-                tolerance: Tolerance::Relative(5e-3),
-                reason: "the source's; elements of 5 and 10 m, a front on whole ones",
+            report_worst(found.map(|found| {
+                verify("D10", &quantity)
+                    .relative(5e-3, "the source's; elements of 5 and 10 m, a front on whole ones")
+                    .row(part * exact, found[i])
             }));
         }
     }

@@ -139,7 +139,6 @@ fn waves_are_thrown_back_as_the_impedances_say() {
         let (gains, pipe, coarse) = measured(controller, &hz, 1e-3);
         let (.., fine) = measured(controller, &hz, 0.5e-3);
         let exact: Vec<f64> = hz.iter().map(|f| reflection(&gains, pipe, TAU * f)).collect();
-        println!("{name} {exact:.4?}\n{coarse:.4?}\n{fine:.4?}");
         let worst = |found: &[f64]| {
             let errors = found.iter().zip(&exact).map(|(f, e)| (f - e).abs());
             errors.fold(0.0, f64::max)
@@ -213,7 +212,6 @@ fn a_stuck_string_stalls_the_drive() {
         fastest - 12.0
     };
     let [short, long] = [10.0, 40.0].map(overshoot);
-    println!("overshoot {short} {long}");
     assert!((short - long).abs() < 0.05, "{short} {long}");
     assert!(long < 6.0, "{long}");
 }

@@ -10,7 +10,7 @@ use crate::{
         kernel::chain::node,
     },
     mud::{Annulus, Motion, Mud, Rheology},
-    operation::{Operation, OperationKind},
+    operation::OperationKind,
     simd::vector::Vector,
     wall::contact::ContactLaw,
 };
@@ -53,11 +53,9 @@ impl Wet {
             let length = bench.mesh.tributary_length_m(i);
             bench.chain.set_weight(i, Vector(0.0, 0.0, length * weight));
         }
-        let operation = Operation {
-            rotary_speed_rad_per_s: spin,
-            trip_speed_m_per_s: 0.0,
-            ..operation(OperationKind::RotateOffBottom, LENGTH_M)
-        };
+        let operation = operation(OperationKind::RotateOffBottom, LENGTH_M)
+            .rotary_speed_rad_per_s(spin)
+            .trip_speed_m_per_s(0.0);
         let law = ContactLaw::Linear { stiffness_N_per_m: 1e7, damping_ratio: 0.0 };
         let borehole = Borehole::new(&bench.model, &bench.mesh, law);
         let viscous = Viscous::new(&bench.model, &bench.mesh, &operation, velocity, LENGTH_M);

@@ -1,7 +1,7 @@
 //! One node in its hole: whirl, oscillation on the low side, blows.
 
 use serde_json::Value;
-use wholestring_verification::{Row, Tolerance, report, report_worst};
+use wholestring_verification::{Row, report_worst, verify};
 
 use crate::{
     common::{number, verification},
@@ -31,14 +31,7 @@ struct Claim<'a> {
 
 impl<'a> Claim<'a> {
     fn row(self, expected: f64, computed: f64) -> Row<'a> {
-        Row {
-            case: self.case,
-            quantity: self.quantity,
-            expected,
-            computed,
-            tolerance: Tolerance::Relative(self.within),
-            reason: self.reason,
-        }
+        verify(self.case, self.quantity).relative(self.within, self.reason).row(expected, computed)
     }
 }
 
@@ -197,14 +190,9 @@ fn backward_whirl_needs_its_friction() {
                     "what five seconds, twenty e-folds, leave of a whirl that dies",
                 ),
             };
-            report(&Row {
-                case: "E03",
-                quantity: &format!("{}: whirl under {quantity} over the rolling one", named(&row)),
-                expected,
-                computed: rate / rolling,
-                tolerance: Tolerance::Absolute(within),
-                reason,
-            });
+            verify("E03", format!("{}: whirl under {quantity} over the rolling one", named(&row)))
+                .absolute(within, reason)
+                .report(expected, rate / rolling);
         }
     }
 }
@@ -248,7 +236,7 @@ fn an_unbalanced_pipe_whirls_in_step() {
                 within,
                 reason: SINKS,
             };
-            report(&claim.row(expected, found));
+            claim.row(expected, found).report();
         }
     }
 }
@@ -380,7 +368,7 @@ fn a_node_strikes_the_wall_as_hertz_says() {
                 within: 0.01,
                 reason: "the source's, met by two thousand steps in the contact; first order in the step",
             };
-            report(&claim.row(expected, found));
+            claim.row(expected, found).report();
         }
     }
     for (speed, expected) in [(0.01, 0.47), (0.1, 0.33), (0.5, 0.22), (2.0, 0.125)] {
@@ -392,9 +380,6 @@ fn a_node_strikes_the_wall_as_hertz_says() {
             })
             .sum::<f64>()
             / f64::from(phases);
-        println!(
-            "at {USUAL_STEP_S} s a node of 120 kg that strikes rock at {speed} m/s gets back {back:.3}"
-        );
         // The book's digits.
         assert!((back - expected).abs() < 0.005, "{speed}: {back}");
     }

@@ -1,6 +1,6 @@
 //! Axial and torsional waves: natural frequencies, speed, impedance, reflection.
 
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::verify;
 
 use super::bench::{Bench, COLLAR_M, PIPE_M, STEEL, Support};
 use crate::{
@@ -50,7 +50,6 @@ fn a_hanging_pipe_rings_at_its_frequencies() {
             let found = rod.frequency_Hz(3, |rod| {
                 (0..rod.chain.nodes()).map(|i| (k * rod.z_m(i)).sin() * speed(rod, kind, i)).sum()
             });
-            println!("{key} {mode}: {:.1e}", found / exact - 1.0);
             let wave = if kind == Kind::Axial { 5133.13 } else { 3178.35 };
             let courant = wave * rod.input.dt / 10.0;
             let dispersion = (k * 10.0).powi(2) / 24.0 * (1.0 - courant * courant);
@@ -61,14 +60,12 @@ fn a_hanging_pipe_rings_at_its_frequencies() {
             let zeros = 0.032 * (std::f64::consts::TAU * exact * dt).powi(2) * dt * exact / 3.0;
             let within = 0.02 * dispersion + zeros;
             assert!((error + dispersion).abs() < within, "{key} {mode}: {found} for {exact}");
-            report(&Row {
-                case: "D09",
-                quantity: &format!("{kind:?} mode {} of a hanging pipe, Hz", mode + 1),
-                expected: exact,
-                computed: found,
-                tolerance: Tolerance::Relative(dispersion + within),
-                reason: "dispersion of lumps and steps, and zeros found between two steps",
-            });
+            verify("D09", format!("{kind:?} mode {} of a hanging pipe, Hz", mode + 1))
+                .relative(
+                    dispersion + within,
+                    "dispersion of lumps and steps, and zeros found between two steps",
+                )
+                .report(exact, found);
         }
     }
 }
@@ -154,14 +151,9 @@ fn pulses_run_and_are_thrown_back_as_their_impedances_say() {
         let there = pulse(&rod, kind, 0.0, 1000.0);
         let found = (there.middle_m - start.middle_m) / time;
         let holds = |what: &str, computed: f64, expected: f64, tolerance: f64| {
-            report(&Row {
-                case: "D10",
-                quantity: &format!("{kind:?} {what}"),
-                expected,
-                computed,
-                tolerance: Tolerance::Relative(tolerance),
-                reason: "the tails of the pulse",
-            });
+            verify("D10", format!("{kind:?} {what}"))
+                .relative(tolerance, "the tails of the pulse")
+                .report(expected, computed);
         };
         holds("speed, m/s", found, c, 1e-5);
 
@@ -198,14 +190,9 @@ fn ends_throw_pulses_back() {
             let time = run(&mut rod, 2200.0 / c);
             let back = pulse(&rod, kind, 0.0, 2001.0);
             let end = if held { "a held" } else { "a free" };
-            report(&Row {
-                case: "D10",
-                quantity: &format!("{kind:?} reflection from {end} end"),
-                expected: sign,
-                computed: back.sum / start,
-                tolerance: Tolerance::Relative(1e-3),
-                reason: "the tails of the pulse",
-            });
+            verify("D10", format!("{kind:?} reflection from {end} end"))
+                .relative(1e-3, "the tails of the pulse")
+                .report(sign, back.sum / start);
             // 1600 m to the end, and back.
             let expected = 3600.0 - c * time;
             assert!((back.middle_m - expected).abs() < 0.1, "{} {expected}", back.middle_m);
@@ -276,16 +263,10 @@ fn slip_front(element_length_m: f64) -> (f64, f64) {
 #[test]
 fn a_front_of_slip_runs_into_a_rod_that_lies_on_the_wall() {
     let [coarse, fine] = [10.0, 5.0].map(slip_front);
-    println!("force {:.1e} {:.1e}, speed {:.1e} {:.1e}", coarse.0, fine.0, coarse.1, fine.1);
     for (what, error) in [("force on the end", fine.0), ("speed behind it", fine.1)] {
-        report(&Row {
-            case: "D10",
-            quantity: &format!("front of slip: {what} over the closed form"),
-            expected: 1.0,
-            computed: 1.0 + error,
-            tolerance: Tolerance::Absolute(0.005),
-            reason: "the source's; elements of 5 m and first order in their length",
-        });
+        verify("D10", format!("front of slip: {what} over the closed form"))
+            .absolute(0.005, "the source's; elements of 5 m and first order in their length")
+            .report(1.0, 1.0 + error);
     }
     assert!((coarse.0 / fine.0 - 2.0).abs() < 0.5, "{}", coarse.0 / fine.0);
     assert!(coarse.1.abs() > fine.1.abs());

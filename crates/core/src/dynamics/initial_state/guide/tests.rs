@@ -30,11 +30,9 @@ fn model(friction: f64) -> Model {
 /// rounding.
 #[test]
 fn a_turning_pipe_is_laid_where_it_climbs_to() {
-    let operation = Operation {
-        rotary_speed_rad_per_s: 7.0,
-        trip_speed_m_per_s: 0.0,
-        ..operation(OperationKind::RotateOffBottom, LENGTH_M)
-    };
+    let operation = operation(OperationKind::RotateOffBottom, LENGTH_M)
+        .rotary_speed_rad_per_s(7.0)
+        .trip_speed_m_per_s(0.0);
     let settings = DynamicsSettings::default();
     for friction in [0.0, 0.25, 0.6] {
         let model = model(friction);

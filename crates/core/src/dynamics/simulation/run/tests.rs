@@ -18,11 +18,8 @@ use crate::{
 const DEPTH_M: f64 = 300.0;
 
 /// Nothing at the bit.
-const REAM: Operation = Operation {
-    rotary_speed_rad_per_s: 7.0,
-    trip_speed_m_per_s: 0.2,
-    ..operation(OperationKind::Ream, DEPTH_M)
-};
+const REAM: Operation =
+    operation(OperationKind::Ream, DEPTH_M).rotary_speed_rad_per_s(7.0).trip_speed_m_per_s(0.2);
 
 /// Pipe in a hole that builds to 50 deg and turns.
 fn model(at_rest: f64) -> Model {

@@ -1,6 +1,6 @@
 //! Detournay and Defourny's law in its three regimes.
 
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::verify;
 
 use super::{
     regenerative::{identities, pressed},
@@ -34,14 +34,9 @@ fn turned(law: DetournayDefournyLaw, start_N: f64, speed: f64) -> Rig {
 }
 
 fn check(quantity: &str, expected: f64, computed: f64) {
-    report(&Row {
-        case: "E07",
-        quantity,
-        expected,
-        computed,
-        tolerance: Tolerance::Relative(1e-7),
-        reason: "rounding: 2e-13 m of a depth of 2000 m, over the 4 µm of a step",
-    });
+    verify("E07", quantity)
+        .relative(1e-7, "rounding: 2e-13 m of a depth of 2000 m, over the 4 µm of a step")
+        .report(expected, computed);
 }
 
 /// Led down at the rate of E07 and turned at its speed, the bit takes the weight and torque of E07
@@ -103,14 +98,9 @@ fn each_regime_drills_by_its_closed_form() {
             ("rate of penetration, m/s", rate, rig.chain.velocity(0).2),
         ] {
             let quantity = format!("regime {regime} under {:.0} kN: {quantity}", weight * 1e-3);
-            report(&Row {
-                case: "E07",
-                quantity: &quantity,
-                expected,
-                computed,
-                tolerance: Tolerance::Relative(1e-6),
-                reason: "rounding of a depth of 2000 m over a step of 1 µm",
-            });
+            verify("E07", &quantity)
+                .relative(1e-6, "rounding of a depth of 2000 m over a step of 1 µm")
+                .report(expected, computed);
         }
     }
 }

@@ -3,17 +3,14 @@
 use std::f64::consts::TAU;
 
 use super::*;
-use crate::dynamics::boundary::bit::{Band, BitLaw, Excitation, RateLaw};
+use crate::{
+    common::SMOOTH,
+    dynamics::boundary::bit::{Band, BitLaw, Excitation, RateLaw},
+};
 
 const SPIN: f64 = 7.0;
 
-const SMOOTH: Excitation = Excitation {
-    lobes: 0,
-    amplitude_m: 0.0,
-    roughness_m: 0.0,
-    torque_fluctuation: 0.0,
-    band: Band::PerRevolution(8.0),
-};
+const EVEN: Excitation = Excitation { lobes: 0, ..SMOOTH };
 
 fn settings(excitation: Option<Excitation>) -> BitSettings {
     BitSettings {
@@ -48,7 +45,7 @@ fn line(values: &[f64], waves_per_sample: f64) -> f64 {
 #[test]
 fn lobes_show_at_their_multiple_of_the_speed() {
     let amplitude = 0.1e-3;
-    let mut rig = led(Excitation { lobes: 3, amplitude_m: amplitude, ..SMOOTH });
+    let mut rig = led(Excitation { lobes: 3, amplitude_m: amplitude, ..EVEN });
     let dt = TAU / SPIN / 4000.0;
     for _ in 0..12_000 {
         rig.step(dt);
@@ -73,8 +70,8 @@ fn lobes_show_at_their_multiple_of_the_speed() {
 /// and the torque fluctuates by the fraction that was requested.
 #[test]
 fn roughness_shows_in_weight_and_torque() {
-    let operation = Operation { rate_of_penetration_m_per_s: 1e-6, ..OPERATION };
-    let rough = Excitation { roughness_m: 0.1e-3, torque_fluctuation: 0.2, ..SMOOTH };
+    let operation = OPERATION.rate_of_penetration_m_per_s(1e-6);
+    let rough = Excitation { roughness_m: 0.1e-3, torque_fluctuation: 0.2, ..EVEN };
     let mut rig = Rig::with(operation, settings(Some(rough)));
     node!(rig.chain, 0, inv_mass_axial = 0.0);
     node!(rig.chain, 0, inv_polar = 0.0);
@@ -102,7 +99,7 @@ fn roughness_shows_in_weight_and_torque() {
 /// Off is off: an excitation without amplitude gives the bits of none.
 #[test]
 fn without_amplitude_nothing_changes() {
-    let mut rigs = [None, Some(SMOOTH)].map(|e| Rig::with(OPERATION, settings(e)));
+    let mut rigs = [None, Some(EVEN)].map(|e| Rig::with(OPERATION, settings(e)));
     for rig in &mut rigs {
         rig.push = Vector(0.0, 0.0, 60e3);
         rig.turn = 3.2e3;
@@ -126,7 +123,7 @@ fn the_step_does_not_change_the_bottom() {
                 lobes: 3,
                 amplitude_m: 0.05e-3,
                 roughness_m: 0.1e-3,
-                ..SMOOTH
+                ..EVEN
             })),
         );
         node!(rig.chain, 0, inv_mass_axial = 1e-4);
@@ -163,11 +160,11 @@ fn the_step_does_not_change_the_bottom() {
 #[test]
 fn a_rough_bottom_keeps_the_books() {
     let rough = Excitation {
-        lobes: 3,
         amplitude_m: 0.5e-3,
         roughness_m: 0.5e-3,
         torque_fluctuation: 0.3,
         band: Band::PerSecond(50.0),
+        ..SMOOTH
     };
     let mut rig = Rig::with(OPERATION, settings(Some(rough)));
     assert_work_is_the_change_of_energy(&mut rig);

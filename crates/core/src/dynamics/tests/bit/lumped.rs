@@ -8,7 +8,7 @@ use super::{
     *,
 };
 use crate::dynamics::boundary::bit::{Cutters, RegenerativeLaw};
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::verify;
 
 const TAU: f64 = std::f64::consts::TAU;
 
@@ -134,14 +134,9 @@ fn steady_drilling_is_stable_where_the_characteristic_roots_say() {
             0.5 * (low + high) / exact - 1.0
         };
         let [fine, coarse] = [error(1e-4), error(2e-4)];
-        report(&Row {
-            case: "regenerative",
-            quantity: &format!("speed above which {blades} blades drill steadily, rad/s"),
-            expected: exact,
-            computed: exact * (1.0 + fine),
-            tolerance: Tolerance::Relative(5e-3),
-            reason: "twice the shift 2 dt/τ of a step of 0.1 ms, and the bisection",
-        });
+        verify("regenerative", format!("speed above which {blades} blades drill steadily, rad/s"))
+            .relative(5e-3, "twice the shift 2 dt/τ of a step of 0.1 ms, and the bisection")
+            .report(exact, exact * (1.0 + fine));
         assert!((1.7..2.3).contains(&(coarse / fine)), "{coarse:.2e} {fine:.2e}");
     }
 }
@@ -236,22 +231,12 @@ fn a_regular_stick_slip_has_the_period_of_an_independent_integration() {
         let (period, fastest) = case.expected();
         let (found, found_fastest) = case.found(1e-4);
         let what = format!("stick-slip at {rpm} rev/min and {cutting_N:e} N");
-        report(&Row {
-            case: "regenerative",
-            quantity: &format!("period of regular {what}, s"),
-            expected: period,
-            computed: found,
-            tolerance: Tolerance::Relative(2e-3),
-            reason: "three times what a step of 0.1 ms leaves, which halves with it",
-        });
-        report(&Row {
-            case: "regenerative",
-            quantity: &format!("largest spin of regular {what}, rad/s"),
-            expected: fastest,
-            computed: found_fastest,
-            tolerance: Tolerance::Relative(0.03),
-            reason: "as above: it comes from the start",
-        });
+        verify("regenerative", format!("period of regular {what}, s"))
+            .relative(2e-3, "three times what a step of 0.1 ms leaves, which halves with it")
+            .report(period, found);
+        verify("regenerative", format!("largest spin of regular {what}, rad/s"))
+            .relative(0.03, "as above: it comes from the start")
+            .report(fastest, found_fastest);
     }
 }
 
@@ -269,12 +254,7 @@ fn an_irregular_stick_slip_has_its_mean_period() {
         skipped: 100.0,
     };
     let ((period, _), (found, _)) = (case.expected(), case.found(2e-4));
-    report(&Row {
-        case: "regenerative",
-        quantity: "mean period of irregular stick-slip at 40 rev/min, s",
-        expected: period,
-        computed: found,
-        tolerance: Tolerance::Relative(0.02),
-        reason: "means over 500 cycles scatter by 0.5 %",
-    });
+    verify("regenerative", "mean period of irregular stick-slip at 40 rev/min, s")
+        .relative(0.02, "means over 500 cycles scatter by 0.5 %")
+        .report(period, found);
 }

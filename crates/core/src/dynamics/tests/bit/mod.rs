@@ -31,13 +31,11 @@ const MASS_KG: f64 = 150.0;
 const POLAR_KG_M2: f64 = 0.8;
 const DEPTH_M: f64 = 2000.0;
 
-const OPERATION: Operation = Operation {
-    rotary_speed_rad_per_s: 7.0,
-    weight_on_bit_N: 60e3,
-    bit_torque_N_m: 3e3,
-    rate_of_penetration_m_per_s: 0.003,
-    ..operation(OperationKind::Drill, DEPTH_M)
-};
+const OPERATION: Operation = operation(OperationKind::Drill, DEPTH_M)
+    .rotary_speed_rad_per_s(7.0)
+    .weight_on_bit_N(60e3)
+    .bit_torque_N_m(3e3)
+    .rate_of_penetration_m_per_s(0.003);
 
 /// A bit that forces push and turn.
 struct Rig {

@@ -1,6 +1,6 @@
 //! A mud motor between string and bit.
 
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::verify;
 
 use super::{
     regenerative::{LAW, pressed},
@@ -89,14 +89,9 @@ fn the_bit_turns_on_the_curve() {
             ("speed, rad/s", speed, step.motor_speed_rad_per_s),
             ("rate of penetration, m/s", rate, step.rate_of_penetration_m_per_s),
         ] {
-            report(&Row {
-                case: "E07",
-                quantity: &format!("mud motor under {:.0} kN: {quantity}", weight * 1e-3),
-                expected,
-                computed,
-                tolerance: Tolerance::Relative(1e-6),
-                reason: "rounding of a depth of 2000 m over a step of 1 µm",
-            });
+            verify("E07", format!("mud motor under {:.0} kN: {quantity}", weight * 1e-3))
+                .relative(1e-6, "rounding of a depth of 2000 m over a step of 1 µm")
+                .report(expected, computed);
         }
         let pressure = rig.bit.motor_pressure_Pa(step.torque_N_m).expect("known");
         assert!((pressure / (torque * TAU / (0.8 * 12e-3)) - 1.0).abs() < 1e-6);

@@ -1,7 +1,7 @@
 //! The regenerative law.
 
 use serde_json::Value;
-use wholestring_verification::{Row, Tolerance, report};
+use wholestring_verification::verify;
 
 use super::*;
 use crate::{
@@ -11,27 +11,14 @@ use crate::{
 
 const TAU: f64 = std::f64::consts::TAU;
 
-/// The bit of Richard, Germay and Detournay's examples.
-pub(super) const LAW: RegenerativeLaw = RegenerativeLaw {
-    cutters: Cutters {
-        radius_m: 0.108,
-        core_radius_m: 0.0,
-        intrinsic_specific_energy_Pa: 60e6,
-        cutter_inclination: 0.6,
-        wear_flat_m: 1.2e-3,
-        contact_strength_Pa: 60e6,
-        bit_geometry: 1.0,
-        friction: 0.6,
-    },
-    blades: 4,
-};
+pub(super) use crate::common::DRAG_BIT as LAW;
 
 pub(super) fn settings(law: RegenerativeLaw) -> BitSettings {
     BitSettings { law: BitLaw::Regenerative(law), ..BitSettings::default() }
 }
 
 pub(super) fn pressed(weight_on_bit_N: f64) -> Operation {
-    Operation { weight_on_bit_N, ..OPERATION }
+    OPERATION.weight_on_bit_N(weight_on_bit_N)
 }
 
 pub(super) fn identities() -> (RegenerativeLaw, Value) {
@@ -83,14 +70,9 @@ fn steady_drilling_takes_the_weight_and_torque_of_the_identities() {
         ("torque on bit, N·m", "TOB_Nm", step.torque_N_m),
         ("depth of cut, m", "depth_of_cut_per_rev_m", step.depth_of_cut_m),
     ] {
-        report(&Row {
-            case: "E07",
-            quantity,
-            expected: of(expected),
-            computed,
-            tolerance: Tolerance::Relative(1e-9),
-            reason: "rounding: 2e-13 m of a depth of 2000 m, over 4 mm",
-        });
+        verify("E07", quantity)
+            .relative(1e-9, "rounding: 2e-13 m of a depth of 2000 m, over 4 mm")
+            .report(of(expected), computed);
     }
 }
 

@@ -4,13 +4,11 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::{MASS_KG, OPERATION, POLAR_KG_M2};
 use crate::{
+    common::MOTOR,
     dynamics::{
         boundary::{
             anchor::Anchor,
-            bit::{
-                Bit, BitLaw, BitSettings, BitStep, Motor, MudMotor, RockLaw, RunIn, Standing,
-                StepStart,
-            },
+            bit::{Bit, BitLaw, BitSettings, BitStep, Motor, RockLaw, RunIn, Standing, StepStart},
             executor::RockExecutor,
         },
         kernel::chain::{Chain, node},
@@ -122,14 +120,7 @@ impl Slant {
 /// turns is the change of the string's energy.
 #[test]
 fn momentum_and_energy_pass_exactly() {
-    let displacement = Motor::Displacement(MudMotor {
-        displacement_m3: 12e-3,
-        rated_flow_m3_per_s: 30e-3,
-        max_pressure_Pa: 6e6,
-        slip: 0.1,
-        efficiency: 0.8,
-        stall_torque_N_m: 14e3,
-    });
+    let displacement = Motor::Displacement(MOTOR);
     for (spin, motor) in [
         (20.0, Motor::Speed(0.0)),
         (-8.0, Motor::Speed(0.0)),

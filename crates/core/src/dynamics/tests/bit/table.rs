@@ -1,8 +1,11 @@
 //! A law that was measured.
 
 use super::{regenerative::pressed, *};
-use crate::dynamics::boundary::bit::{
-    Band, BitLaw, BitTable, Excitation, RateLaw, TableFault, TableLaw, TablePoint,
+use crate::{
+    common::SMOOTH,
+    dynamics::boundary::bit::{
+        BitLaw, BitTable, Excitation, RateLaw, TableFault, TableLaw, TablePoint,
+    },
 };
 
 fn point(weight: f64, speed: f64, rate: f64, torque: f64) -> TablePoint {
@@ -105,11 +108,10 @@ fn the_bit_drills_as_the_table_says() {
 #[test]
 fn a_table_of_one_point_is_the_rate_law_below_it() {
     let excitation = Some(Excitation {
-        lobes: 3,
         amplitude_m: 0.1e-3,
         roughness_m: 0.05e-3,
         torque_fluctuation: 0.1,
-        band: Band::PerRevolution(8.0),
+        ..SMOOTH
     });
     // The rate law's operation is 60 kN at 7 rad/s; the point lies on its line, above all that
     // happens.
@@ -144,13 +146,7 @@ fn the_spread_is_the_tables() {
         weight_on_bit_std_N: Some(weight_std),
         ..point(weight, 7.0, 1.25e-11 * weight, torque)
     };
-    let smooth = Excitation {
-        lobes: 3,
-        amplitude_m: 0.0,
-        roughness_m: 0.0,
-        torque_fluctuation: 0.0,
-        band: Band::PerRevolution(8.0),
-    };
+    let smooth = SMOOTH;
     let table = [spread(40e3, 2e3, 100.0, 8e3), spread(80e3, 4e3, 500.0, 8e3)];
     let mut rig = rig(law(&table, Some(smooth)), 60e3);
     node!(rig.chain, 0, inv_mass_axial = 0.0);

@@ -74,7 +74,6 @@ fn a_bent_string_at_rest_loses_nothing() {
         simulation.advance(10.0).unwrap();
         let numerics = simulation.outcome().numerics;
         let energy = numerics.energy.unwrap();
-        println!("{:?} {:?}", numerics.energy_residual, energy);
         for loss_J in [
             energy.damping_loss_J,
             energy.friction_loss_J,
@@ -176,7 +175,6 @@ fn a_tool_face_holds_while_the_string_does_not_turn() {
     let before = toolface_rad(&simulation).to_degrees();
     simulation.advance(10.0).unwrap();
     let after = toolface_rad(&simulation).to_degrees();
-    println!("tool face {before:.2} then {after:.2} deg");
     assert!((before - 90.0).abs() < 0.3, "{before}");
     assert!((after - before).abs() < 0.3, "{after}");
 }
@@ -213,7 +211,6 @@ fn a_bent_string_turns() {
         }
     }
     let residual = simulation.outcome().numerics.energy_residual;
-    println!("turned {spun:.3} shown {shown:.3} fastest {fastest:.2} m/s residual {residual:.1e}");
     assert!((shown - spun).abs() < 0.05, "{shown} {spun}");
     assert!((spun / std::f64::consts::TAU - 15.0).abs() < 1.0);
     assert!(fastest < 3.0, "{fastest}");

@@ -96,7 +96,7 @@ fn a_bit_that_does_not_turn_rests_on_its_rock() {
     {
         let settings = DynamicsSettings { start, ..on_rock() };
         // The block stands still.
-        let still = Operation { rate_of_penetration_m_per_s: 0.0, ..drill(kind) };
+        let still = drill(kind).rate_of_penetration_m_per_s(0.0);
         let mut run = new_run(&model(0.25), &still, &settings);
         assert!(element!(run.chain, run.chain.nodes() - 2, twist) == 0.0);
         run.advance(0.02).unwrap();
