@@ -64,14 +64,16 @@
 //! |---|---|---|
 //! | law of the bit | [`dynamics::BitRockLaw`] | `bit_law` |
 //! | excitation of the bit | [`dynamics::BitRockLaw::shake`]; measured: [`dynamics::BitTable`] | `excitation` |
+//! | friction law | [`dynamics::FrictionCoefficient`] | `friction_law` |
 //! | friction along the hole | [`well::Hole::with_friction_profile`] | `friction` |
 //! | controller of the top drive | [`dynamics::TopDriveController`] | `top_drive_controller` |
 //! | observer of samples | [`dynamics::Observer`] | `observer` |
 //! | threads under solid rock | [`rock::Executor`] | |
 //!
-//! Laws of the bit and controllers act once a step at one node, and what they keep between steps
-//! goes to checkpoints. The laws of friction and contact are compiled into the inner loop: their
-//! coefficients are open, the laws themselves are not.
+//! Laws of the bit, excitations and controllers act once a step at one node, a friction law at each
+//! node on the wall, and what they keep between steps goes to checkpoints. How friction is shared
+//! between its two directions, how it stops a node, and the contact law are compiled into the inner
+//! loop: their coefficients are open, they themselves are not.
 //!
 //! # How it is put together
 //!

@@ -23,6 +23,7 @@ pub use boundary::{
         Shake, SteadyCut, TableFault, TableLaw, TablePoint, TableUse,
     },
     extension::AnotherExtension,
+    friction_coefficient::{CustomFriction, FrictionCoefficient, SlidingContact},
     top_drive_controller::{CustomTopDrive, TopDriveController, TopDriveReading},
 };
 pub use hook_load::{MAX_TUNING_RUNS, TunedHookLoad, TuningError, tune_hook_load};

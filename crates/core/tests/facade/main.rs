@@ -6,6 +6,7 @@
 mod bit_law;
 mod builders;
 mod examples;
+mod friction;
 mod setup;
 mod top_drive;
 mod whole_run;
