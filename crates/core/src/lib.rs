@@ -63,7 +63,7 @@
 //! | of one's own | by | example |
 //! |---|---|---|
 //! | law of the bit | [`dynamics::BitRockLaw`] | `bit_law` |
-//! | excitation of the bit | [`dynamics::BitRockLaw::shake`]; measured: [`dynamics::BitTable`] | `excitation` |
+//! | excitation of the bit | [`dynamics::BitExcitation`]; measured: [`dynamics::BitTable`] | `excitation` |
 //! | friction law | [`dynamics::FrictionCoefficient`] | `friction_law` |
 //! | friction along the hole | [`well::Hole::with_friction_profile`] | `friction` |
 //! | controller of the top drive | [`dynamics::TopDriveController`] | `top_drive_controller` |

@@ -18,9 +18,10 @@ pub use crate::outcome::{
 pub use assemble::{basis::Effort, error::SetupError};
 pub use boundary::{
     bit::{
-        Band, BitLaw, BitRockLaw, BitRockStep, BitSettings, BitTable, CustomLaw, Cutters,
-        DetournayDefournyLaw, Excitation, Motor, MudMotor, RateLaw, RegenerativeLaw, RockLaw,
-        Shake, SteadyCut, TableFault, TableLaw, TablePoint, TableUse,
+        Band, BitExcitation, BitLaw, BitRockLaw, BitRockStep, BitSettings, BitTable,
+        CustomExcitation, CustomLaw, Cutters, DetournayDefournyLaw, Excitation, Motor, MudMotor,
+        RateLaw, RegenerativeLaw, RockLaw, Shake, SteadyCut, TableFault, TableLaw, TablePoint,
+        TableUse,
     },
     extension::AnotherExtension,
     friction_coefficient::{CustomFriction, FrictionCoefficient, SlidingContact},

@@ -6,6 +6,7 @@
 mod bit_law;
 mod builders;
 mod examples;
+mod excitation;
 mod friction;
 mod setup;
 mod top_drive;

@@ -2,6 +2,7 @@
 
 mod bottom;
 mod custom;
+mod custom_excitation;
 mod cutters;
 mod detournay;
 mod excitation;
@@ -20,6 +21,7 @@ use serde::{Deserialize, Serialize};
 
 use self::{
     custom::CustomCut,
+    custom_excitation::CustomShaker,
     excitation::Shaker,
     front::{FrontCut, FrontLaw, Pressed},
     motor::Drive,
@@ -32,6 +34,7 @@ use self::{
 };
 pub use self::{
     custom::{BitRockLaw, BitRockStep, CustomLaw},
+    custom_excitation::{BitExcitation, CustomExcitation},
     cutters::{Cutters, SteadyCut},
     detournay::DetournayDefournyLaw,
     excitation::{Band, Excitation, Shake},
@@ -60,6 +63,8 @@ pub struct Bit {
     drive: Drive,
     /// None off bottom.
     cut: Option<Cut>,
+    /// What shakes it besides its law.
+    shaker: Option<CustomShaker>,
 }
 
 /// The rock under the bit by one of the laws.
@@ -71,11 +76,15 @@ enum Cut {
 }
 
 impl Bit {
-    /// Gives a bit that has been read back the law of these settings, where that is the caller's.
+    /// Gives a bit that has been read back law and excitation of these settings, where they are
+    /// the caller's.
     pub(in crate::dynamics) fn attach(
         &mut self,
         settings: &BitSettings,
     ) -> Result<(), AnotherExtension> {
+        if let (Some(shaker), Some(custom)) = (&mut self.shaker, &settings.excitation) {
+            shaker.attach(custom)?;
+        }
         match (&mut self.cut, &settings.law) {
             (Some(Cut::Front(front)), BitLaw::Custom(law)) => front.attach(law),
             _ => Ok(()),
@@ -84,6 +93,8 @@ impl Bit {
 
     /// Whether a stored bit is one of these settings.
     pub(in crate::dynamics) fn check(&self, settings: &BitSettings) -> Result<(), Damaged> {
+        let excitation = settings.excitation.as_ref().filter(|_| self.cut.is_some());
+        CustomShaker::check(self.shaker.as_ref(), excitation)?;
         match (&self.cut, &settings.law) {
             (None, _) => Ok(()),
             (Some(Cut::Front(front)), law) => front.check(law),
@@ -141,6 +152,7 @@ impl Bit {
             motor,
             drive,
             cut,
+            shaker: settings.excitation.as_ref().filter(|_| drills).map(CustomShaker::new),
         }
     }
 
@@ -229,6 +241,8 @@ impl Bit {
         let mut work = held.force_N.dot((step_start.velocity + velocity).scaled(0.5));
 
         let mut step = BitStep { force_N: held.force_N, ..BitStep::default() };
+        let turning = step_start.spin + self.drive.speed_rad_per_s();
+        let shaker = self.shaker.as_ref();
         let approach = Approach {
             depth_m: anchor.md_m + displacement.dot(tangent),
             velocity_m_per_s: velocity.dot(tangent),
@@ -236,6 +250,7 @@ impl Bit {
             spin_before_rad_per_s: step_start.spin,
             spin_rad_per_s: node!(chain, index, spin),
             turning_mobility: dt * node!(chain, index, inv_polar),
+            shake: shaker.map_or_else(Shake::default, |shaker| shaker.next(turning * dt, dt)),
             dt,
         };
         let reaction = match &mut self.cut {
@@ -251,6 +266,15 @@ impl Bit {
             rate_m_per_s,
         }) = reaction
         {
+            if let Some(shaker) = &mut self.shaker {
+                shaker.advance(&BitRockStep {
+                    dt_s: dt,
+                    weight_on_bit_N: weight,
+                    torque_N_m: torque,
+                    bit_speed_rad_per_s: spin + self.drive.speed_rad_per_s(),
+                    advance_m: rate_m_per_s * dt,
+                });
+            }
             let mobility = approach.axial_mobility_s_per_kg;
             velocity = velocity.minus(tangent, mobility * weight);
             displacement = displacement.minus(tangent, dt * mobility * weight);

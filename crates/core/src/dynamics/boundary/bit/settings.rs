@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    CustomLaw, DetournayDefournyLaw, Motor, RateLaw, RegenerativeLaw, RockLaw, SteadyCut, TableLaw,
+    CustomExcitation, CustomLaw, DetournayDefournyLaw, Motor, RateLaw, RegenerativeLaw, RockLaw,
+    SteadyCut, TableLaw,
 };
 use crate::operation::Operation;
 
@@ -20,6 +21,9 @@ pub struct BitSettings {
     pub steerability: f64,
     /// What turns the bit against the string.
     pub motor: Motor,
+    /// What shakes the bit besides its law, of the caller's own. Its name alone is serialised.
+    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
+    pub excitation: Option<CustomExcitation>,
 }
 
 impl Default for BitSettings {
@@ -31,6 +35,7 @@ impl Default for BitSettings {
             lateral_stiffness_N_per_m: 1e7,
             steerability: 0.0,
             motor: Motor::Speed(0.0),
+            excitation: None,
         }
     }
 }
@@ -40,7 +45,7 @@ impl BitSettings {
     /// counts.
     pub fn needs_motor_speed(&self) -> bool {
         match &self.law {
-            BitLaw::Rate(law) => law.excitation.is_some(),
+            BitLaw::Rate(law) => law.excitation.is_some() || self.excitation.is_some(),
             _ => true,
         }
     }
