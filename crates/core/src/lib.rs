@@ -68,7 +68,7 @@
 //! | friction along the hole | [`well::Hole::with_friction_profile`] | `friction` |
 //! | controller of the top drive | [`dynamics::TopDriveController`] | `top_drive_controller` |
 //! | observer of samples | [`dynamics::Observer`] | `observer` |
-//! | threads under solid rock | [`rock::Executor`] | |
+//! | threads under solid rock | [`rock::Executor`]; with the feature `rayon`, `rayon::ThreadPool` is one, and `Simulation::with_threads` starts some | |
 //!
 //! Laws of the bit, excitations and controllers act once a step at one node, a friction law at each
 //! node on the wall, and what they keep between steps goes to checkpoints. How friction is shared
@@ -79,8 +79,8 @@
 //!
 //! The data flows one way: a [`model::Model`] (well, string, mud, rig) and an
 //! [`operation::Operation`] go into a solver ([`statics::soft`], [`dynamics`]), and profiles and
-//! scalars come out. Nothing here reads files, prints or starts threads; everything is SI, angles
-//! in radians.
+//! scalars come out. Nothing here reads files, prints or starts threads (but for the feature
+//! `rayon`, off by default, where a program asks for them); everything is SI, angles in radians.
 //!
 //! Axes are north, east and down; measured depth (MD) grows towards the bit; a positive rotation is
 //! clockwise looking down the hole.

@@ -49,4 +49,7 @@ pub use simulation::{
     observer::Observer,
 };
 
+#[cfg(feature = "rayon")]
+pub use simulation::threads::ThreadsError;
+
 pub use crate::wall::contact::ContactLaw;

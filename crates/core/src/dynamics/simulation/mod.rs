@@ -13,6 +13,8 @@ pub mod settling;
 mod since_sample;
 mod speed;
 mod state;
+#[cfg(feature = "rayon")]
+pub mod threads;
 
 use std::sync::Arc;
 
