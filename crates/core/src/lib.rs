@@ -96,6 +96,8 @@ mod damage;
 pub mod dynamics;
 pub mod findings;
 mod finite;
+#[doc(hidden)]
+pub mod internals;
 pub mod model;
 pub mod mud;
 pub mod operation;

@@ -52,4 +52,6 @@ pub use simulation::{
 #[cfg(feature = "rayon")]
 pub use simulation::threads::ThreadsError;
 
+pub(crate) use simulation::kernel_speed;
+
 pub use crate::wall::contact::ContactLaw;

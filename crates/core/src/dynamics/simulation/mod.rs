@@ -4,7 +4,7 @@ mod balance;
 pub mod checkpoint;
 pub mod diverged;
 mod initialise;
-mod kernel_speed;
+pub mod kernel_speed;
 mod numbers;
 pub mod observer;
 mod run;
