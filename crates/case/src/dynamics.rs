@@ -243,6 +243,8 @@ impl DynamicsTable {
             },
             friction_law: *self.friction_law.get()?,
             stribeck_speed_m_per_s: *self.stribeck_speed.get()?,
+            // A program's own.
+            friction_coefficient: None,
             contact_law: contact_law?,
             damping: RodDamping {
                 mass_per_s: *damping.mass.get()?,

@@ -16,6 +16,7 @@ use std::{hint::black_box, time::Duration};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use wholestring::{
     dynamics::{Precision, Simulation},
+    internals::{KernelAccess, instruction_sets},
     rock::{Alone, Block, BlockSpec, Rock, Stepper},
 };
 
@@ -40,7 +41,7 @@ fn kernel(criterion: &mut Criterion) {
     for (name, precision) in [("double", Precision::Double), ("single", Precision::Single)] {
         let mut simulation = settled(precision);
         group.throughput(Throughput::Elements((STEPS * simulation.elements()) as u64));
-        for instructions in Simulation::instruction_sets() {
+        for instructions in instruction_sets() {
             simulation.use_instructions(instructions);
             group.bench_function(format!("{name}/{instructions}"), |bencher| {
                 bencher.iter(|| simulation.step_kernel(STEPS));

@@ -9,7 +9,7 @@ use std::error::Error;
 
 use wholestring::{
     dynamics::{
-        BitLaw, BitRockLaw, BitSettings, CustomLaw, Cutters, DetournayDefournyLaw, Shake, SteadyCut,
+        BitExcitation, BitLaw, BitSettings, CustomExcitation, Cutters, DetournayDefournyLaw, Shake,
     },
     prelude::*,
 };
@@ -17,18 +17,13 @@ use wholestring::{
 /// A bottom with cusps: `A |sin(m φ/2)|`, `m` of them per revolution.
 #[derive(Debug)]
 struct Cusps {
-    law: DetournayDefournyLaw,
     amplitude_m: f64,
     per_revolution: f64,
 }
 
-impl BitRockLaw for Cusps {
+impl BitExcitation for Cusps {
     fn name(&self) -> &str {
         "cusps"
-    }
-
-    fn cut(&self, _state: &[f64], weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
-        self.law.steady(weight_on_bit_N, rotary_speed_rad_per_s)
     }
 
     fn shake(&self, _state: &[f64], bit_angle_rad: f64, _time_s: f64) -> Shake {
@@ -39,8 +34,8 @@ impl BitRockLaw for Cusps {
     }
 }
 
-/// Standard deviation of the weight on bit, N, on cusps of an amplitude.
-fn weight_std_N(amplitude_m: f64) -> Result<f64, Box<dyn Error>> {
+/// Standard deviation of the weight on bit, N, on a smooth bottom or on cusps.
+fn weight_std_N(cusps: Option<Cusps>) -> Result<f64, Box<dyn Error>> {
     let law = DetournayDefournyLaw {
         cutters: Cutters {
             radius_m: 0.108,
@@ -57,9 +52,9 @@ fn weight_std_N(amplitude_m: f64) -> Result<f64, Box<dyn Error>> {
         rock_stiffness_N_per_m: 1e8,
         excitation: None,
     };
-    let cusps = Cusps { law, amplitude_m, per_revolution: 3.0 };
     let bit = BitSettings {
-        law: BitLaw::Custom(CustomLaw::new(cusps, law.rock_stiffness_N_per_m)),
+        law: BitLaw::DetournayDefourny(law),
+        excitation: cusps.map(CustomExcitation::new),
         ..BitSettings::default()
     };
     let drill = bit.drilling_steadily(common::drill());
@@ -70,7 +65,8 @@ fn weight_std_N(amplitude_m: f64) -> Result<f64, Box<dyn Error>> {
 }
 
 pub fn main() -> Result<(), Box<dyn Error>> {
-    let (smooth, cusps) = (weight_std_N(0.0)?, weight_std_N(0.5e-3)?);
+    let smooth = weight_std_N(None)?;
+    let cusps = weight_std_N(Some(Cusps { amplitude_m: 0.5e-3, per_revolution: 3.0 }))?;
     println!("standard deviation of the weight on bit: {smooth:.0} N, on cusps {cusps:.0} N");
     assert!(cusps > 2.0 * smooth, "{smooth} {cusps}");
     Ok(())

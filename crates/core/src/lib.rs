@@ -63,22 +63,24 @@
 //! | of one's own | by | example |
 //! |---|---|---|
 //! | law of the bit | [`dynamics::BitRockLaw`] | `bit_law` |
-//! | excitation of the bit | [`dynamics::BitRockLaw::shake`]; measured: [`dynamics::BitTable`] | `excitation` |
+//! | excitation of the bit | [`dynamics::BitExcitation`]; measured: [`dynamics::BitTable`] | `excitation` |
+//! | friction law | [`dynamics::FrictionCoefficient`] | `friction_law` |
 //! | friction along the hole | [`well::Hole::with_friction_profile`] | `friction` |
 //! | controller of the top drive | [`dynamics::TopDriveController`] | `top_drive_controller` |
 //! | observer of samples | [`dynamics::Observer`] | `observer` |
-//! | threads under solid rock | [`rock::Executor`] | |
+//! | threads under solid rock | [`rock::Executor`]; with the feature `rayon`, `rayon::ThreadPool` is one, and `Simulation::with_threads` starts some | |
 //!
-//! Laws of the bit and controllers act once a step at one node, and what they keep between steps
-//! goes to checkpoints. The laws of friction and contact are compiled into the inner loop: their
-//! coefficients are open, the laws themselves are not.
+//! Laws of the bit, excitations and controllers act once a step at one node, a friction law at each
+//! node on the wall, and what they keep between steps goes to checkpoints. How friction is shared
+//! between its two directions, how it stops a node, and the contact law are compiled into the inner
+//! loop: their coefficients are open, they themselves are not.
 //!
 //! # How it is put together
 //!
 //! The data flows one way: a [`model::Model`] (well, string, mud, rig) and an
 //! [`operation::Operation`] go into a solver ([`statics::soft`], [`dynamics`]), and profiles and
-//! scalars come out. Nothing here reads files, prints or starts threads; everything is SI, angles
-//! in radians.
+//! scalars come out. Nothing here reads files, prints or starts threads (but for the feature
+//! `rayon`, off by default, where a program asks for them); everything is SI, angles in radians.
 //!
 //! Axes are north, east and down; measured depth (MD) grows towards the bit; a positive rotation is
 //! clockwise looking down the hole.
@@ -94,6 +96,8 @@ mod damage;
 pub mod dynamics;
 pub mod findings;
 mod finite;
+#[doc(hidden)]
+pub mod internals;
 pub mod model;
 pub mod mud;
 mod named;

@@ -30,6 +30,8 @@ impl BitTable {
             lateral_stiffness_N_per_m: *self.lateral_stiffness.get()?,
             steerability: *self.steerability.get()?,
             motor: self.drive(around.flow_m3_per_s, reader)?,
+            // A program's own.
+            excitation: None,
         })
     }
 

@@ -1,7 +1,10 @@
 //! The inner loop alone, and what the processor could do at best.
 
 use serde::Serialize;
-use wholestring::{dynamics::Simulation, rod::counted::Flops};
+use wholestring::{
+    dynamics::Simulation,
+    internals::{Flops, KernelAccess, instruction_sets},
+};
 
 use super::{
     clock::{Clock, Spread},
@@ -38,7 +41,7 @@ struct Row {
 pub(crate) fn measure(bench: &Bench) -> Result<Kernel, Failure> {
     let case = bench.well.case(&[])?;
     let precisions = well::precisions(&case);
-    let sets = Simulation::instruction_sets();
+    let sets = instruction_sets();
     bench.begin(precisions.len() * sets.len());
     let mut kernel = Kernel::default();
     for (precision, name) in precisions {

@@ -2,7 +2,7 @@
 //! along, statistics.
 
 use serde::Serialize;
-use wholestring::dynamics::Simulation;
+use wholestring::internals::{KernelAccess, instruction_sets};
 
 use super::{clock::Spread, session::Bench, well};
 use crate::{failure::Failure, screen_table::Table};
@@ -18,7 +18,7 @@ pub(crate) struct Row {
 pub(crate) fn measure(bench: &Bench) -> Result<Vec<Row>, Failure> {
     let case = bench.well.case(&[])?;
     let precisions = well::precisions(&case);
-    let sets = Simulation::instruction_sets();
+    let sets = instruction_sets();
     bench.begin(precisions.len() * sets.len());
     let mut rows = Vec::new();
     for (precision, name) in precisions {

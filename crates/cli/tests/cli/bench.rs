@@ -1,7 +1,7 @@
 //! `wholestring bench`: what it measures and how it shows; never how fast this machine is.
 
 use serde_json::Value;
-use wholestring::{dynamics::Simulation, rock::Stepper};
+use wholestring::{internals::instruction_sets, rock::Stepper};
 
 use crate::desk::{Desk, args};
 
@@ -24,7 +24,7 @@ fn positive(number: &Value) -> bool {
 /// A row for each precision and each instruction set that this processor has, the fastest first.
 fn assert_every_instruction_set(rows: &Value) {
     let rows = rows.as_array().unwrap();
-    let sets = Simulation::instruction_sets();
+    let sets = instruction_sets();
     let expected: Vec<[&str; 2]> = ["double", "single"]
         .iter()
         .flat_map(|precision| sets.iter().map(|set| [*precision, *set]))

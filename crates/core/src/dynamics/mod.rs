@@ -18,10 +18,11 @@ pub use crate::outcome::{
 pub use assemble::{basis::Effort, error::SetupError};
 pub use boundary::{
     bit::{
-        Band, BitRockStep, BitSettings, BitTable, Cutters, Excitation, Motor, MudMotor, Shake,
-        SteadyCut, TableFault, TablePoint, TableUse, law::*,
+        Band, BitExcitation, BitRockStep, BitSettings, BitTable, CustomExcitation, Cutters,
+        Excitation, Motor, MudMotor, Shake, SteadyCut, TableFault, TablePoint, TableUse, law::*,
     },
     extension::AnotherExtension,
+    friction_coefficient::{CustomFriction, FrictionCoefficient, SlidingContact},
     top_drive_controller::{CustomTopDrive, TopDriveController, TopDriveReading},
 };
 pub use hook_load::{MAX_TUNING_RUNS, TunedHookLoad, TuningError, tune_hook_load};
@@ -45,5 +46,10 @@ pub use simulation::{
     diverged::Diverged,
     observer::Observer,
 };
+
+#[cfg(feature = "rayon")]
+pub use simulation::threads::ThreadsError;
+
+pub(crate) use simulation::kernel_speed;
 
 pub use crate::wall::contact::ContactLaw;

@@ -30,6 +30,8 @@ mod plasticity;
 mod press;
 mod stored;
 mod surface;
+#[cfg(feature = "rayon")]
+mod threads;
 mod trial;
 
 pub use block::{Block, BlockSpec, SurfaceNode};

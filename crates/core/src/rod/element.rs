@@ -129,13 +129,16 @@ impl<N: Number> Reaction<N> {
 /// Moment across a director: what bends, and a couple less what of it is about the director. Sums
 /// over the elements of a node serve as well as those of one element.
 #[inline(always)]
-pub fn across<N: Number>(bend: Vector<N>, couple: Vector<N>, director: Vector<N>) -> Vector<N> {
+pub(crate) fn across<N: Number>(
+    bend: Vector<N>,
+    couple: Vector<N>,
+    director: Vector<N>,
+) -> Vector<N> {
     bend.cross(director) + couple.minus(director, couple.dot(director))
 }
 
 /// Forces of an element that stands as `pose`, its twist first carried on by `dt`, with
-/// stiffness-proportional damping of time constant `beta`: its [`chord`], its [`strain`], its
-/// [`bend`] and its [`twist`].
+/// stiffness-proportional damping of time constant `beta`.
 ///
 /// The damping acts on the rates of the chord's length, of the twist and of the directors' rotation
 /// against one another, `w2 − w1`. None of them is there when a bent pipe spins in place, so the
@@ -161,7 +164,7 @@ pub fn react<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Reacti
 
 /// The chord of an element.
 #[derive(Debug, Clone, Copy)]
-pub struct Chord<N> {
+pub(crate) struct Chord<N> {
     /// Its direction `t`.
     pub direction: Vector<N>,
     /// `1/l`, 1/m.
@@ -172,7 +175,7 @@ pub struct Chord<N> {
 
 /// The chord between two nodes. The root and the division do not wait for one another.
 #[inline(always)]
-pub fn chord<N: Number>(k: &Stiffness<N>, p: &Pose<N>) -> Chord<N> {
+pub(crate) fn chord<N: Number>(k: &Stiffness<N>, p: &Pose<N>) -> Chord<N> {
     let r = p.anchor_chord + p.displacement;
     if N::Real::FINE {
         // Enough digits to take one length from the other.
@@ -201,7 +204,7 @@ pub fn chord<N: Number>(k: &Stiffness<N>, p: &Pose<N>) -> Chord<N> {
 /// `U`'s gradients are `b d2 − s1 t` and `b d1 − s2 t` on the directors, but for what lies along
 /// the own director, and `−(s1 d1 + s2 d2)/l` on the chord, but for what lies along it.
 #[derive(Debug, Clone, Copy)]
-pub struct Strain<N> {
+pub(crate) struct Strain<N> {
     /// `s1 = a c1 + b c2`, N·m.
     pub near1: N,
     /// `s2 = a c2 + b c1`, N·m.
@@ -214,7 +217,7 @@ pub struct Strain<N> {
 
 /// A strain, and what is taken down of it.
 #[derive(Debug, Clone, Copy)]
-pub struct Strained<N> {
+pub(crate) struct Strained<N> {
     /// What [`bend`] needs.
     pub strain: Strain<N>,
     /// As in [`Reaction`].
@@ -229,7 +232,7 @@ pub struct Strained<N> {
 /// `d1 − t`, `d2 − t` and `d2 − d1`, which are exact, and their squares `2(1 − cos)`; a cosine's
 /// own last digit is a large part of `1 − c²`. `apart`, `1 − c12`, comes from the [`twist`].
 #[inline(always)]
-pub fn strain<N: Number>(
+pub(crate) fn strain<N: Number>(
     k: &Stiffness<N>,
     chord: &Chord<N>,
     p: &Pose<N>,
@@ -274,7 +277,7 @@ pub fn strain<N: Number>(
 
 /// What tension and bending do.
 #[derive(Debug, Clone, Copy)]
-pub struct Bent<N> {
+pub(crate) struct Bent<N> {
     /// As in [`Reaction`].
     pub force: Vector<N>,
     /// As in [`Reaction`].
@@ -285,7 +288,7 @@ pub struct Bent<N> {
 
 /// What an element so strained does to its ends.
 #[inline(always)]
-pub fn bend<N: Number>(chord: &Chord<N>, p: &Pose<N>, strain: &Strain<N>) -> Bent<N> {
+pub(crate) fn bend<N: Number>(chord: &Chord<N>, p: &Pose<N>, strain: &Strain<N>) -> Bent<N> {
     let t = chord.direction;
     let part1 = (p.d1 - t).scaled(strain.near1);
     let part2 = (p.d2 - t).scaled(strain.near2);
@@ -299,7 +302,7 @@ pub fn bend<N: Number>(chord: &Chord<N>, p: &Pose<N>, strain: &Strain<N>) -> Ben
 
 /// What the twist does.
 #[derive(Debug, Clone, Copy)]
-pub struct Twisted<N> {
+pub(crate) struct Twisted<N> {
     /// As in [`Reaction`].
     pub couple: Vector<N>,
     /// As in [`Reaction`].
@@ -314,7 +317,7 @@ pub struct Twisted<N> {
 
 /// Twist, and the damping of bending: `τ' = s2 − s1 + (w2·d1 − w1·d2)/(1 + c12)`, rad/s.
 #[inline(always)]
-pub fn twist<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Twisted<N> {
+pub(crate) fn twist<N: Number>(k: &Stiffness<N>, p: &Pose<N>, dt: N, beta: N) -> Twisted<N> {
     let half = N::splat(0.5);
     let bend = p.d2 - p.d1;
     let e = half * bend.dot(bend);

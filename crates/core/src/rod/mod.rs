@@ -21,4 +21,9 @@ pub mod section;
 pub mod stability;
 pub mod torsion;
 
-pub use crate::simd::{counted, lanes, number, peak, vector};
+pub use crate::simd::vector;
+
+/// What the mechanics of an element is written over.
+pub mod number {
+    pub use crate::simd::number::{Number, Real};
+}

@@ -6,12 +6,12 @@ impl Hole {
     /// The same hole with a friction that is a function of measured depth, m: every section becomes
     /// pieces of equal length, no longer than `max_length_m`, each with the friction at its middle.
     ///
-    /// This is how a friction law of the caller's own enters: as coefficients along the hole,
-    /// sliding and at rest. How the coefficient falls with the sliding speed is
-    /// [`DynamicsSettings::stribeck_speed_m_per_s`](crate::dynamics::DynamicsSettings), and how the
-    /// friction is shared between the two directions
-    /// [`FrictionLaw`](crate::dynamics::FrictionLaw); the law itself is compiled into the inner
-    /// loop and is not open.
+    /// These are coefficients along the hole, sliding and at rest, for every solver. How the
+    /// coefficient falls with the sliding speed is
+    /// [`DynamicsSettings::stribeck_speed_m_per_s`](crate::dynamics::DynamicsSettings); in the
+    /// dynamics a coefficient may be any function of speed, force and depth, by a
+    /// [`FrictionCoefficient`](crate::dynamics::FrictionCoefficient). How friction is shared
+    /// between the two directions is [`FrictionLaw`](crate::dynamics::FrictionLaw).
     ///
     /// # Errors
     /// A coefficient that is negative, not finite, or less at rest than sliding; a length that is

@@ -164,6 +164,23 @@ fn what_the_rock_takes_the_top_gives() {
     assert!(deepest_m.abs() < 2.0 * SIZE_M, "{deepest_m}");
 }
 
+/// A run with threads of its own has the answer of one without.
+#[cfg(feature = "rayon")]
+#[test]
+fn a_run_with_threads_of_its_own_ends_with_the_same_bits() {
+    let mut case = case();
+    case.settings.settle_s = 0.0;
+    case.settings.duration_s = 0.05;
+    let (model, operation, settings) = (&case.model, &case.operation, &case.settings);
+    let three = std::num::NonZeroUsize::new(3).expect("three");
+    let mut threaded =
+        Simulation::with_threads(model, operation, settings, three).expect("threads");
+    let mut alone = case.start();
+    go(&mut threaded, 0.05);
+    go(&mut alone, 0.05);
+    assert_eq!(threaded.outcome(), alone.outcome());
+}
+
 /// Two threads.
 struct Pair;
 

@@ -8,6 +8,8 @@ mod bit_law;
 mod excitation;
 #[path = "../../examples/friction.rs"]
 mod friction;
+#[path = "../../examples/friction_law.rs"]
+mod friction_law;
 #[path = "../../examples/observer.rs"]
 mod observer;
 #[path = "../../examples/top_drive_controller.rs"]
@@ -28,6 +30,11 @@ fn an_excitation_of_ones_own() -> Outcome {
 #[test]
 fn a_friction_of_ones_own() -> Outcome {
     friction::main()
+}
+
+#[test]
+fn a_friction_law_of_ones_own() -> Outcome {
+    friction_law::main()
 }
 
 #[test]

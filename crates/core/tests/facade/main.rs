@@ -6,6 +6,8 @@
 mod bit_law;
 mod builders;
 mod examples;
+mod excitation;
+mod friction;
 mod setup;
 mod top_drive;
 mod whole_run;

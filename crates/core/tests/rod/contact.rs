@@ -1,6 +1,9 @@
 //! Normal contact: Hertz's constants, and blows against the wall step by step.
 
-use wholestring::wall::contact::{contact_modulus_Pa, hertz, hertz_stiffness, linear};
+use wholestring::{
+    internals::{hertz, linear},
+    wall::contact::{contact_modulus_Pa, hertz_stiffness},
+};
 
 use crate::common::{assert_close, number, report_worst, verification, verify};
 

@@ -2,11 +2,14 @@
 //! takes.
 
 use nalgebra::{Rotation3, Unit, Vector3};
-use wholestring::rod::{
-    element::{Pose, Reaction, Stiffness, energy, react, shear_factor},
-    number::{Fused, Number},
-    section::Section,
-    vector::Vector,
+use wholestring::{
+    internals::Fused,
+    rod::{
+        element::{Pose, Reaction, Stiffness, energy, react, shear_factor},
+        number::Number,
+        section::Section,
+        vector::Vector,
+    },
 };
 
 use crate::{common::assert_close, random::Random};

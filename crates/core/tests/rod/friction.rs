@@ -1,6 +1,6 @@
 //! Friction: the cone against its own implicit law, solved exactly.
 
-use wholestring::wall::friction::{independent, vector};
+use wholestring::internals::{independent, vector};
 
 use crate::random::Random;
 

@@ -4,7 +4,7 @@
 use nalgebra::{Rotation3, SMatrix, SVector, Vector3};
 use wholestring::rod::{
     dual::tangent,
-    element::{Pose, Stiffness, react, twist},
+    element::{Pose, Stiffness, react},
 };
 
 use crate::{element::pipe, random::Random};
@@ -72,7 +72,7 @@ impl Ends {
         Self {
             chord: self.chord + by * (part(2) - part(0)),
             d: [turned(0), turned(1)],
-            twist: self.twist + by * twist(k, &rates, 1.0, 0.0).twist,
+            twist: self.twist + by * react(k, &rates, 1.0, 0.0).twist,
         }
     }
 

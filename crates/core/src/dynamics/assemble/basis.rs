@@ -48,6 +48,7 @@ pub(in crate::dynamics) fn check(settings: &DynamicsSettings) -> Result<(), Setu
     }
     check_numbers(&drive_numbers(&settings.top_drive), &[])?;
     check_bit(&settings.bit)?;
+    check_shaken(&settings.bit)?;
     match settings.schedule.fault() {
         Some((index, fault)) => Err(SetupError::Schedule { line: index + 1, fault }),
         None => Ok(()),
@@ -122,6 +123,18 @@ pub(in crate::dynamics) fn first_bit_md_m(
     }
     let middle_s = settling.min_s() + 0.5 * settings.duration_s;
     operation.bit_depth_m - hoisting(operation, settings).1 * middle_s
+}
+
+/// Refuses an excitation of the caller's own under a law that has no rock front to shake.
+fn check_shaken(bit: &BitSettings) -> Result<(), SetupError> {
+    let reason = match &bit.law {
+        BitLaw::Regenerative(_) => "the bottom is what the bit's passage before has left",
+        BitLaw::Rock(_) => "the bottom is solid rock, as the bit has left it",
+        BitLaw::Rate(_) | BitLaw::DetournayDefourny(_) | BitLaw::Table(_) | BitLaw::Custom(_) => {
+            return Ok(());
+        }
+    };
+    bit.excitation.as_ref().map_or(Ok(()), |_| Err(SetupError::Excitation(reason)))
 }
 
 /// The string in elements, how it settles, and the step.

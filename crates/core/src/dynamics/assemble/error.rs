@@ -39,6 +39,9 @@ pub enum SetupError {
         /// Of the rock.
         rock: f64,
     },
+    /// An excitation of the caller's own under a law that has no rock front to shake.
+    #[error("the excitation of the bit does not act under its law: {0}")]
+    Excitation(&'static str),
     /// Single precision, where it does not serve.
     #[error("single precision does not serve here: {0}")]
     Precision(&'static str),

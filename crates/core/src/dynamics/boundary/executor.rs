@@ -23,7 +23,7 @@ impl Default for SharedExecutor {
 
 impl fmt::Debug for SharedExecutor {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Lent")
+        f.write_str("SharedExecutor")
     }
 }
 

@@ -12,7 +12,7 @@ use crate::{
         Bore, BorePoint,
         contact::{self, ContactLaw},
     },
-    well::Path,
+    well::{Friction, Path},
 };
 
 /// The hole around the chain: what a node takes up anew as it slides along.
@@ -127,6 +127,11 @@ impl Borehole {
     /// Diameter of the hole at a measured depth, m.
     pub fn hole_diameter_m(&self, md_m: f64) -> f64 {
         self.bore.section(md_m).diameter_m
+    }
+
+    /// The coefficients of friction at a measured depth, m.
+    pub fn friction(&self, md_m: f64) -> Friction {
+        self.bore.section(md_m).friction
     }
 
     /// Puts a node's anchor at `md_m`, the node itself staying where it is.

@@ -145,6 +145,11 @@ impl<R: Real> Chain<R> {
         self.lane_layout.place(index)
     }
 
+    /// The node at a row and a lane; none of the string's where the last lane is not full.
+    pub fn index(&self, row: usize, lane: usize) -> usize {
+        self.lane_layout.index((row, lane))
+    }
+
     /// Repeats the first row of states below the last, one lane lower. The last lane ends in
     /// itself.
     pub fn close(&mut self) {

@@ -58,6 +58,11 @@ impl LaneLayout {
         let lane = ((index as u64 * self.inverse) >> Self::PLACES) as usize;
         (index - lane * self.rows, lane)
     }
+
+    /// The node at a row and a lane; none of the string's where the last lane is not full.
+    pub fn index(self, (row, lane): (usize, usize)) -> usize {
+        lane * self.rows + row
+    }
 }
 
 impl TryFrom<usize> for LaneLayout {
@@ -152,6 +157,7 @@ mod tests {
             for lane in 0..SINGLES {
                 for row in [0, 1, rows / 2, rows - 1].map(|row| row.min(rows - 1)) {
                     assert_eq!(lane_layout.place(lane * rows + row), (row, lane));
+                    assert_eq!(lane_layout.index((row, lane)), lane * rows + row);
                 }
             }
         }

@@ -6,7 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     dynamics::{
-        boundary::{bit::BitSettings, top_drive_controller::CustomTopDrive},
+        boundary::{
+            bit::BitSettings, friction_coefficient::CustomFriction,
+            top_drive_controller::CustomTopDrive,
+        },
         output::probe::Probe,
         settings::schedule::Schedule,
     },
@@ -66,7 +69,9 @@ pub enum Precision {
 /// How wall friction combines its axial and circumferential parts.
 ///
 /// Both are compiled into the inner loop, and no other can be given: a friction of the caller's own
-/// enters by its coefficients, [`Hole::with_friction_profile`](crate::well::Hole).
+/// enters by its coefficients, along the hole by
+/// [`Hole::with_friction_profile`](crate::well::Hole), and by speed and force as well by
+/// [`FrictionCoefficient`](crate::dynamics::FrictionCoefficient).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum FrictionLaw {
     /// Coulomb's cone: the friction opposes the resultant sliding velocity.
@@ -249,6 +254,10 @@ pub struct DynamicsSettings {
     /// Raising it keeps more of the friction at rest in slow sliding; it matters only where the two
     /// differ.
     pub stribeck_speed_m_per_s: f64,
+    /// The coefficient of friction by a law of the caller's own; `None` takes the hole's. Its name
+    /// alone is serialised.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction_coefficient: Option<CustomFriction>,
     /// Contact law.
     pub contact_law: ContactLaw,
     /// Rayleigh damping.
@@ -323,6 +332,7 @@ impl Default for DynamicsSettings {
             friction_law: FrictionLaw::Vector,
             contact_law: ContactLaw::Hertz { dissipation_s_per_m: 0.5 },
             stribeck_speed_m_per_s: STRIBECK_SPEED_M_PER_S,
+            friction_coefficient: None,
             damping: RodDamping { mass_per_s: 0.1, stiffness_s: 1e-5 },
             hoist_control: None,
             lift_tolerance: WEIGHT_TOLERANCE,

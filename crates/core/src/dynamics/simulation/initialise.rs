@@ -17,6 +17,7 @@ use crate::{
             hole,
             mud::{squeezed::Squeezed, viscous::Viscous},
             top_drive::{TopDrive, TorsionalString},
+            wall_friction::WallFriction,
         },
         initial_state::{self, scene::Scene},
         kernel::{
@@ -165,6 +166,10 @@ impl<R: Registers> Run<R> {
             ledger: Ledger::default(),
             window_open: false,
             settled: None,
+            friction: settings
+                .friction_coefficient
+                .as_ref()
+                .map(|law| WallFriction::new(law, &chain)),
         };
         Ok(Self { executor, ..Self::of(model, operation, settings, basis, chain, state) })
     }

@@ -4,7 +4,7 @@ mod balance;
 pub mod checkpoint;
 pub mod diverged;
 mod initialise;
-mod kernel_speed;
+pub mod kernel_speed;
 mod numbers;
 pub mod observer;
 mod run;
@@ -13,6 +13,8 @@ pub mod settling;
 mod since_sample;
 mod speed;
 mod state;
+#[cfg(feature = "rayon")]
+pub mod threads;
 
 use std::sync::Arc;
 

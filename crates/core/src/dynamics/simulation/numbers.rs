@@ -1,7 +1,10 @@
 //! Whether the numbers of a run still mean anything.
 
 use super::{diverged::Diverged, run::Run};
-use crate::{dynamics::kernel::chain::node, simd::number::Real};
+use crate::{
+    dynamics::{boundary::wall_friction::WallFriction, kernel::chain::node},
+    simd::number::Real,
+};
 
 /// Speed beyond which a run has diverged, m/s: no drill string moves at that of a bullet.
 const DIVERGED_M_PER_S: f64 = 1e3;
@@ -12,6 +15,15 @@ const DIVERGED_RAD_PER_S: f64 = 1e5;
 impl<R: Real> Run<R> {
     /// Looks at every number; the run has diverged where one is too large or none.
     pub(super) fn check_numbers(&self) -> Result<(), Diverged> {
+        let friction = self.state.friction.as_ref();
+        if let Some((node, value)) = friction.and_then(WallFriction::fault) {
+            return Err(Diverged {
+                time_s: self.time_s(),
+                md_m: self.state.anchors[node].md_m,
+                quantity: "coefficient of friction",
+                value,
+            });
+        }
         // Not a number is too fast, too.
         let fast = |x: f64, limit: f64| x.is_nan() || x.abs() >= limit;
         // Every number is looked at: a loop that ends early is none that looks at eight at once.

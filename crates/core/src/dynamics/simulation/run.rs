@@ -14,6 +14,7 @@ use crate::{
             hoist::Target,
             hole::Borehole,
             mud::{squeezed::Squeezed, viscous::Viscous},
+            wall_friction::Surroundings,
         },
         kernel::{
             chain::{Chain, node},
@@ -186,6 +187,9 @@ impl<R: Real> Run<R> {
         let samples = (seconds / self.sample_interval_s()).round().max(1.0) as u64;
         for _ in 0..samples {
             // Until here they are what the last sample saw.
+            if let Some(friction) = &mut self.state.friction {
+                friction.sums_are_cleared(&self.chain);
+            }
             self.chain.clear_sums();
             for _ in 0..self.steps_per_sample {
                 self.step();
@@ -231,6 +235,11 @@ impl<R: Real> Run<R> {
         let step_start =
             StepStart { velocity: self.chain.velocity(last), spin: node!(self.chain, last, spin) };
 
+        if let Some(friction) = &mut self.state.friction {
+            let (borehole, anchors, mesh) = (&self.borehole, &self.state.anchors, &self.mesh);
+            let around = Surroundings { borehole, anchors, mesh };
+            friction.set_coefficients(&mut self.chain, around, dt);
+        }
         let before = self.state.body.push(&mut self.chain, &input, ramp);
         let mut losses = self.stepper.step(&mut self.chain, &input);
 

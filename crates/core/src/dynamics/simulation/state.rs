@@ -14,6 +14,7 @@ use crate::{
             hoist::Hoist,
             mud::{squeezed::Squeezed, viscous::Viscous},
             top_drive::TopDrive,
+            wall_friction::WallFriction,
         },
         kernel::{chain::Rows, layout::Layout},
         output::{energy::Ledger, record::Record, wear::Wear},
@@ -52,12 +53,18 @@ pub(super) struct State {
     pub(super) window_open: bool,
     /// How settling ended that was to end by itself; none as long as it continues.
     pub(super) settled: Option<Settled>,
+    /// The coefficient of friction where that is the caller's.
+    pub(super) friction: Option<WallFriction>,
 }
 
 impl State {
     /// Gives a state that has been read back the caller's laws of the settings.
     pub(super) fn attach(&mut self, settings: &DynamicsSettings) -> Result<(), AnotherExtension> {
         self.bit.attach(&settings.bit)?;
+        if let (Some(friction), Some(custom)) = (&mut self.friction, &settings.friction_coefficient)
+        {
+            friction.attach(custom, self.anchors.len())?;
+        }
         self.top_drive.attach(&settings.top_drive)
     }
 
@@ -82,6 +89,11 @@ impl State {
         self.body.check(&Body::new(model, mesh))?;
         self.top_drive.check(&settings.top_drive)?;
         self.bit.check(&settings.bit)?;
+        let same = self.friction.is_some() == settings.friction_coefficient.is_some();
+        ensure(same, "the coefficient of friction")?;
+        if let Some(friction) = &self.friction {
+            friction.check(nodes, layout)?;
+        }
         if let Some(viscous) = &self.viscous {
             viscous.check(mesh)?;
         }

@@ -98,7 +98,7 @@ impl Stepper {
     ///
     /// # Safety
     /// `fields` point to the state of a block of this grid, which nothing else uses.
-    pub unsafe fn begin(&self, fields: &Fields, grid: &Grid, dt: f64, slab: &Slab) {
+    pub(in crate::rock) unsafe fn begin(&self, fields: &Fields, grid: &Grid, dt: f64, slab: &Slab) {
         // SAFETY: the caller's; `all` lists only code whose instructions the processor was found to
         // have.
         unsafe { (self.begin)(fields, grid, dt, slab.from) }
@@ -109,7 +109,7 @@ impl Stepper {
     /// # Safety
     /// `fields` point to the state of a block of this grid, of which nothing else uses what is this
     /// slab's.
-    pub unsafe fn work(
+    pub(in crate::rock) unsafe fn work(
         &self,
         fields: &Fields,
         grid: &Grid,
@@ -124,7 +124,7 @@ impl Stepper {
     ///
     /// # Safety
     /// `fields` point to the state of a block of this grid, which nothing else uses.
-    pub unsafe fn end(
+    pub(in crate::rock) unsafe fn end(
         &self,
         fields: &Fields,
         grid: &Grid,

@@ -85,6 +85,13 @@ pub struct Shake {
     pub torque: f64,
 }
 
+impl Shake {
+    /// Both.
+    pub(super) fn plus(self, other: Self) -> Self {
+        Self { front_m: self.front_m + other.front_m, torque: self.torque + other.torque }
+    }
+}
+
 impl Shaker {
     pub(super) fn new(excitation: Excitation, seed: u64) -> Self {
         Self {

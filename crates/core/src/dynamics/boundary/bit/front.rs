@@ -220,7 +220,7 @@ impl<L: FrontRule> CutState for FrontCut<L> {
     fn meet(&mut self, at: &Approach, drive: &mut Drive) -> Option<RockReaction> {
         // The spin that the step gave without the rock is not the bit's: its torque is to come.
         let turning = at.spin_before_rad_per_s + drive.speed_rad_per_s();
-        let shake = self.shake(turning, turning * at.dt, at.dt);
+        let shake = self.shake(turning, turning * at.dt, at.dt).plus(at.shake);
         let press = Press {
             over_m: at.depth_m - (self.front_m + shake.front_m),
             stiffness_N_per_m: self.stiffness_N_per_m,

@@ -1,6 +1,7 @@
 //! The bit on the rock: what every law shares.
 
 mod bottom;
+mod custom_excitation;
 mod cutters;
 mod excitation;
 mod front;
@@ -15,7 +16,16 @@ mod table;
 
 use serde::{Deserialize, Serialize};
 
+use self::{
+    custom_excitation::CustomShaker,
+    law::{Cut, rules::CutStart},
+    motor::Drive,
+    rock::RockCut,
+    side::Side,
+    step::{Approach, RockReaction},
+};
 pub use self::{
+    custom_excitation::{BitExcitation, CustomExcitation},
     cutters::{Cutters, SteadyCut},
     excitation::{Band, Excitation, Shake},
     law::*,
@@ -24,13 +34,6 @@ pub use self::{
     settings::BitSettings,
     step::{BitRockStep, BitStep, StepStart},
     table::{BitTable, TableFault, TablePoint, TableUse},
-};
-use self::{
-    law::{Cut, rules::CutStart},
-    motor::Drive,
-    rock::RockCut,
-    side::Side,
-    step::{Approach, RockReaction},
 };
 use super::{anchor::Anchor, executor::RockExecutor, extension::AnotherExtension};
 use crate::{
@@ -49,19 +52,27 @@ pub struct Bit {
     drive: Drive,
     /// None off bottom.
     cut: Option<Cut>,
+    /// What shakes it besides its law.
+    shaker: Option<CustomShaker>,
 }
 
 impl Bit {
-    /// Gives a bit that has been read back the law of these settings, where that is the caller's.
+    /// Gives a bit that has been read back law and excitation of these settings, where they are
+    /// the caller's.
     pub(in crate::dynamics) fn attach(
         &mut self,
         settings: &BitSettings,
     ) -> Result<(), AnotherExtension> {
+        if let (Some(shaker), Some(custom)) = (&mut self.shaker, &settings.excitation) {
+            shaker.attach(custom)?;
+        }
         self.cut.as_mut().map_or(Ok(()), |cut| cut.attach(&settings.law))
     }
 
     /// Whether a stored bit is one of these settings.
     pub(in crate::dynamics) fn check(&self, settings: &BitSettings) -> Result<(), Damaged> {
+        let excitation = settings.excitation.as_ref().filter(|_| self.cut.is_some());
+        CustomShaker::check(self.shaker.as_ref(), excitation)?;
         self.cut.as_ref().map_or(Ok(()), |cut| cut.check(&settings.law))
     }
 
@@ -81,6 +92,7 @@ impl Bit {
             motor,
             drive,
             cut,
+            shaker: settings.excitation.as_ref().filter(|_| drills).map(CustomShaker::new),
         }
     }
 
@@ -166,6 +178,8 @@ impl Bit {
         let mut work = held.force_N.dot((step_start.velocity + velocity).scaled(0.5));
 
         let mut step = BitStep { force_N: held.force_N, ..BitStep::default() };
+        let turning = step_start.spin + self.drive.speed_rad_per_s();
+        let shaker = self.shaker.as_ref();
         let approach = Approach {
             depth_m: anchor.md_m + displacement.dot(tangent),
             velocity_m_per_s: velocity.dot(tangent),
@@ -173,6 +187,7 @@ impl Bit {
             spin_before_rad_per_s: step_start.spin,
             spin_rad_per_s: node!(chain, index, spin),
             turning_mobility: dt * node!(chain, index, inv_polar),
+            shake: shaker.map_or_else(Shake::default, |shaker| shaker.next(turning * dt, dt)),
             dt,
         };
         let reaction = self.cut.as_mut().and_then(|cut| cut.meet(&approach, &mut self.drive));
@@ -184,6 +199,15 @@ impl Bit {
             rate_m_per_s,
         }) = reaction
         {
+            if let Some(shaker) = &mut self.shaker {
+                shaker.advance(&BitRockStep {
+                    dt_s: dt,
+                    weight_on_bit_N: weight,
+                    torque_N_m: torque,
+                    bit_speed_rad_per_s: spin + self.drive.speed_rad_per_s(),
+                    advance_m: rate_m_per_s * dt,
+                });
+            }
             let mobility = approach.axial_mobility_s_per_kg;
             velocity = velocity.minus(tangent, mobility * weight);
             displacement = displacement.minus(tangent, dt * mobility * weight);

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
+    CustomExcitation,
     law::{BitLaw, RateLaw},
     motor::Motor,
 };
@@ -21,6 +22,9 @@ pub struct BitSettings {
     pub steerability: f64,
     /// What turns the bit against the string.
     pub motor: Motor,
+    /// What shakes the bit besides its law, of the caller's own. Its name alone is serialised.
+    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
+    pub excitation: Option<CustomExcitation>,
 }
 
 impl Default for BitSettings {
@@ -32,6 +36,7 @@ impl Default for BitSettings {
             lateral_stiffness_N_per_m: 1e7,
             steerability: 0.0,
             motor: Motor::Speed(0.0),
+            excitation: None,
         }
     }
 }
@@ -40,7 +45,7 @@ impl BitSettings {
     /// Whether the speed of a sliding string's motor makes a difference: where the bit's angle
     /// counts.
     pub fn needs_motor_speed(&self) -> bool {
-        self.law.counts_angle()
+        self.law.counts_angle() || self.excitation.is_some()
     }
 
     /// Rotary speed at which the bit drills an operation steadily, its motor's included, rad/s;

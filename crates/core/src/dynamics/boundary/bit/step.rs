@@ -1,5 +1,6 @@
 //! How the bit's node comes into a step and what bit and rock make of it.
 
+use super::excitation::Shake;
 use crate::simd::vector::Vector;
 
 /// How the bit's node came into a step.
@@ -26,6 +27,8 @@ pub(super) struct Approach {
     pub(super) spin_rad_per_s: f64,
     /// Spin per torque, 1/(N·m·s).
     pub(super) turning_mobility: f64,
+    /// What shakes the rock front besides the law.
+    pub(super) shake: Shake,
     /// Step, s.
     pub(super) dt: f64,
 }

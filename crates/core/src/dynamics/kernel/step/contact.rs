@@ -5,7 +5,7 @@ use super::{
     lane::{at, at3, put, put3},
     nodes::Prediction,
 };
-use crate::{dynamics::kernel::chain::NodeBlock, simd::number::Number, wall::contact};
+use crate::{dynamics::kernel::chain::NodeBlock, simd::number::Number, wall::normal_force};
 
 /// Contact forces of a row of nodes.
 #[inline(always)]
@@ -27,10 +27,10 @@ pub(super) fn normal_contact<N: Number, const HERTZ: bool>(
     let mobility = at::<N>(&prediction.mobility, lane);
     let force: N = if HERTZ {
         let dissipation = N::splat(input.dissipation);
-        contact::hertz(penetration, inward, stiffness, dissipation, dt * mobility)
+        normal_force::hertz(penetration, inward, stiffness, dissipation, dt * mobility)
     } else {
         let damping = at(&n.damping, lane);
-        contact::linear(penetration, inward, stiffness, damping, mobility, dt)
+        normal_force::linear(penetration, inward, stiffness, damping, mobility, dt)
     };
     put3(&mut prediction.normal, lane, offset.scaled(inverse));
     put(&mut prediction.normal_force, lane, force);

@@ -23,11 +23,12 @@ use crate::dynamics::{
 /// The rock front lies where the bit has cut to and is as stiff as [`CustomLaw`] says. In each step
 /// the engine finds the weight at which the front's compression and its advance agree, asks
 /// [`cut`](Self::cut) for rate and torque on the way, and never lets the rock pull the bit down or
-/// turn it back. The bit's side force, its motor and the noise of [`Excitation`] are the engine's.
+/// turn it back. The bit's side force, its motor and the noise of [`Excitation`] are the engine's; an
+/// excitation that does without the law is a [`BitExcitation`](crate::dynamics::BitExcitation).
 ///
 /// The law itself does not change. What it keeps between steps are numbers, its `state`, which the
-/// engine holds and writes to checkpoints: a run resumes with the same bits. See the examples
-/// `bit_law` and `excitation`.
+/// engine holds and writes to checkpoints: a run resumes with the same bits. See the example
+/// `bit_law`.
 pub trait BitRockLaw: fmt::Debug + Send + Sync {
     /// Name, by which a checkpoint knows the law again.
     fn name(&self) -> &str;

@@ -1,0 +1,11 @@
+//! What the project's own tests and benchmarks need of the kernels. No part of the public
+//! interface: names and signatures change without notice.
+
+pub use crate::{
+    dynamics::kernel_speed::{KernelAccess, instruction_sets},
+    simd::{counted::Flops, number::Fused},
+    wall::{
+        friction::{independent, vector},
+        normal_force::{hertz, linear},
+    },
+};
