@@ -33,11 +33,9 @@ const SLIDE_ROP_M_PER_S: f64 = 10.0 / 3600.0;
 table! {
     /// What the driller is doing.
     OperationTable in "[operation]" {
-        /// One operation, or a list that is solved one by one: "trip_out", "trip_in",
-        /// "rotate_off_bottom", "drill", "slide" (advance without rotating), "ream" and "back_ream"
-        /// (rotate while running in and pulling out, off bottom). Drillers' words are taken too:
-        /// "pick-up" and "POOH" for "trip_out", "slack-off" and "RIH" for "trip_in", "rotating off
-        /// bottom", "sliding", "back-reaming".
+        /// One operation by its name, or a list that is solved one by one. Drillers' words are
+        /// taken too: "pick-up" and "POOH" for "trip_out", "slack-off" and "RIH" for "trip_in",
+        /// "rotating off bottom", "sliding", "back-reaming".
         kind: Vec<Spanned<OperationKind>> = required(List {
             item: KindRule,
             or_one: true,
