@@ -1,7 +1,8 @@
 //! Chores of the repository: `cargo xtask test` runs everything that CI runs, `cargo xtask verify`
-//! the tests that take minutes too, `cargo xtask fuzz` reads damaged inputs for as long as is
-//! asked.
+//! the tests that take minutes too, `cargo xtask changes` tries the examples of changes, `cargo
+//! xtask fuzz` reads damaged inputs for as long as is asked.
 
+mod changes;
 mod command;
 mod count;
 mod cycles;
@@ -26,6 +27,10 @@ use folders::{root, target};
 const USAGE: &str = "\
 usage: cargo xtask test      run everything that CI runs
        cargo xtask cycles    name the circles between files
+       cargo xtask changes [--only NAME] [--tests] [--record NAME]
+                             apply the examples of changes in docs/changes to a copy and compile \
+       it; with their
+                             tests; or write the working tree's changes as the one of a name
        cargo xtask verify    run all tests, those that take minutes too, and write the book's \
        table of them
        cargo xtask fuzz [SECONDS | --inputs N] [--seed S] [READER...]
@@ -38,6 +43,7 @@ type Step = (&'static str, fn() -> Result<Finding, Failure>);
 const TEST: &[Step] = &[
     ("Formatting", formatting),
     ("Circles between files", no_cycles),
+    ("Table of changes", changes::check_table),
     ("Bundle of the report", page::bundle),
     ("Lints", lints),
     ("Tests", tests),
@@ -59,6 +65,13 @@ fn main() -> ExitCode {
         ["test"] => take(TEST),
         ["verify"] => take(VERIFY),
         ["cycles"] => exit_code(no_cycles()),
+        ["changes"] => exit_code(changes::try_out(None, false)),
+        ["changes", "--tests"] => exit_code(changes::try_out(None, true)),
+        ["changes", "--only", name] => exit_code(changes::try_out(Some(name), false)),
+        ["changes", "--only", name, "--tests"] | ["changes", "--tests", "--only", name] => {
+            exit_code(changes::try_out(Some(name), true))
+        }
+        ["changes", "--record", name] => exit_code(changes::record(name)),
         ["fuzz"] => exit_code(fuzz(&["3600"])),
         ["fuzz", ref fuzz_options @ ..] => exit_code(fuzz(fuzz_options)),
         ["--help" | "-h"] => {

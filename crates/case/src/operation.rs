@@ -33,11 +33,9 @@ const SLIDE_ROP_M_PER_S: f64 = 10.0 / 3600.0;
 table! {
     /// What the driller is doing.
     OperationTable in "[operation]" {
-        /// One operation, or a list that is solved one by one: "trip_out", "trip_in",
-        /// "rotate_off_bottom", "drill", "slide" (advance without rotating), "ream" and "back_ream"
-        /// (rotate while running in and pulling out, off bottom). Drillers' words are taken too:
-        /// "pick-up" and "POOH" for "trip_out", "slack-off" and "RIH" for "trip_in", "rotating off
-        /// bottom", "sliding", "back-reaming".
+        /// One operation by its name, or a list that is solved one by one. Drillers' words are
+        /// taken too: "pick-up" and "POOH" for "trip_out", "slack-off" and "RIH" for "trip_in",
+        /// "rotating off bottom", "sliding", "back-reaming".
         kind: Vec<Spanned<OperationKind>> = required(List {
             item: KindRule,
             or_one: true,
@@ -145,9 +143,7 @@ impl OperationTable {
         reader: &mut Reader,
     ) -> Option<()> {
         let flowing = *self.flow_rate.get()? > 0.0;
-        let circulates = |kind: &Spanned<OperationKind>| {
-            !matches!(kind.value, OperationKind::TripIn | OperationKind::TripOut)
-        };
+        let circulates = |kind: &Spanned<OperationKind>| kind.value.circulates();
         let (turns, acts) = (turns_motor, "acts on a mud with a rheology");
         let still = mud.rheology.is_none();
         let why = if still && !turns {
@@ -202,12 +198,9 @@ impl OperationTable {
         let find = |wanted: fn(OperationKind) -> bool| kinds.iter().find(|at| wanted(at.value));
         let rotating = find(OperationKind::rotates);
         let on_bottom = find(OperationKind::on_bottom);
-        let advancing = kinds.iter().find(|at| match at.value {
-            _ if !by_rate => false,
-            OperationKind::Drill => true,
-            OperationKind::Slide => ModelKind::any_in_time(models),
-            _ => false,
-        });
+        let in_time = ModelKind::any_in_time(models);
+        let advances = |of: OperationKind| by_rate && of.on_bottom() && (of.rotates() || in_time);
+        let advancing = kinds.iter().find(|at| advances(at.value));
         let rpm = set_point(&self.rpm, "rpm", "rpm = 70", rotating, reader);
         let wob = set_point(&self.wob, "wob", "wob = \"60 kN\"", on_bottom, reader);
         let rop = set_point(&self.rop, "rop", "rop = \"10 m/h\"", advancing, reader);

@@ -4,27 +4,112 @@ mod set_points;
 
 use serde::Serialize;
 
-use crate::named::named;
+/// How an operation moves the string along the hole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum AxialMotion {
+    /// Out of the hole, at the trip speed.
+    Out,
+    /// Into the hole, at the trip speed, off bottom.
+    In,
+    /// Not at all.
+    Still,
+    /// Into the rock, at the rate of penetration.
+    Drilling,
+}
 
-named! {
-    /// The operations that torque and drag are computed for.
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-    pub enum OperationKind {
-        /// Pulling the string out of the hole without rotation.
-        TripOut = "trip_out",
-        /// Running the string into the hole without rotation.
-        TripIn = "trip_in",
-        /// Rotating with the bit off bottom and no axial motion.
-        RotateOffBottom = "rotate_off_bottom",
-        /// Rotary drilling: rotating and advancing with weight on the bit.
-        Drill = "drill",
-        /// Advancing with weight on the bit without rotating the string (mud motor).
-        Slide = "slide",
-        /// Rotating while running in, off bottom.
-        Ream = "ream",
-        /// Rotating while pulling out, off bottom.
-        BackReam = "back_ream",
+impl AxialMotion {
+    /// Its direction: 1 towards the bit, -1 towards the surface.
+    pub(crate) const fn direction(self) -> f64 {
+        match self {
+            Self::Out => -1.0,
+            Self::Still => 0.0,
+            Self::In | Self::Drilling => 1.0,
+        }
     }
+}
+
+/// Declares the kinds of operation, each once: what it is and does with the string, its name in
+/// case files and results, which is that of its constructor too, and what else this one needs.
+macro_rules! operation_kinds {
+    ($(
+        $(#[$meaning:meta])*
+        $kind:ident = $name:ident {
+            moves: $motion:ident, rotates: $rotates:literal, circulates: $circulates:literal
+        } $(needs $needs:literal)?;
+    )+) => {
+        /// The operations that torque and drag are computed for.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+        pub enum OperationKind {
+            $($(#[$meaning])* $kind,)+
+        }
+
+        impl OperationKind {
+            /// Every operation, in the order in which reports list them.
+            pub const ALL: [Self; [$(stringify!($name)),+].len()] = [$(Self::$kind),+];
+
+            /// Name in case files and results: `trip_out`, `rotate_off_bottom`, ...
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$kind => stringify!($name),)+
+                }
+            }
+
+            /// How the string moves along the hole.
+            pub(crate) const fn axial_motion(self) -> AxialMotion {
+                match self {
+                    $(Self::$kind => AxialMotion::$motion,)+
+                }
+            }
+
+            /// Whether the whole string turns.
+            pub const fn rotates(self) -> bool {
+                match self {
+                    $(Self::$kind => $rotates,)+
+                }
+            }
+
+            /// Whether the pumps run: while the string trips without rotation the top drive is off
+            /// it.
+            pub const fn circulates(self) -> bool {
+                match self {
+                    $(Self::$kind => $circulates,)+
+                }
+            }
+        }
+
+        /// Each kind of operation, with the bit at a measured depth.
+        impl Operation {
+            $(
+                $(#[$meaning])*
+                ///
+                /// The bit is at a measured depth, m.
+                $(#[doc = concat!("It needs ", $needs, ".")])?
+                pub const fn $name(bit_depth_m: f64) -> Self {
+                    Self::new(OperationKind::$kind, bit_depth_m)
+                }
+            )+
+        }
+    };
+}
+
+operation_kinds! {
+    /// Pulling the string out of the hole without rotation.
+    TripOut = trip_out { moves: Out, rotates: false, circulates: false };
+    /// Running the string into the hole without rotation.
+    TripIn = trip_in { moves: In, rotates: false, circulates: false };
+    /// Rotating with the bit off bottom and no axial motion.
+    RotateOffBottom = rotate_off_bottom { moves: Still, rotates: true, circulates: true }
+        needs "a rotary speed";
+    /// Rotary drilling: rotating and advancing with weight on the bit.
+    Drill = drill { moves: Drilling, rotates: true, circulates: true }
+        needs "a rotary speed, and weight on bit, torque and rate of penetration of the bit";
+    /// Advancing with weight on the bit without rotating the string (mud motor).
+    Slide = slide { moves: Drilling, rotates: false, circulates: true }
+        needs "weight on bit, torque and rate of penetration of the bit";
+    /// Rotating while running in, off bottom.
+    Ream = ream { moves: In, rotates: true, circulates: true } needs "a rotary speed";
+    /// Rotating while pulling out, off bottom.
+    BackReam = back_ream { moves: Out, rotates: true, circulates: true } needs "a rotary speed";
 }
 
 impl OperationKind {
@@ -33,14 +118,24 @@ impl OperationKind {
         Self::ALL.into_iter().find(|kind| kind.name() == name)
     }
 
-    /// Whether the whole string turns.
-    pub const fn rotates(self) -> bool {
-        matches!(self, Self::RotateOffBottom | Self::Drill | Self::Ream | Self::BackReam)
-    }
-
     /// Whether the bit is on bottom and cuts.
     pub const fn on_bottom(self) -> bool {
-        matches!(self, Self::Drill | Self::Slide)
+        matches!(self.axial_motion(), AxialMotion::Drilling)
+    }
+
+    /// Whether the string moves at the trip speed.
+    pub const fn trips(self) -> bool {
+        matches!(self.axial_motion(), AxialMotion::Out | AxialMotion::In)
+    }
+
+    /// The operation that moves the string along the hole as this one does and does not turn it;
+    /// itself where there is none.
+    pub(crate) fn without_rotation(self) -> Self {
+        if !self.rotates() {
+            return self;
+        }
+        let alike = |of: &Self| !of.rotates() && of.axial_motion() == self.axial_motion();
+        Self::ALL.into_iter().find(alike).unwrap_or(self)
     }
 }
 
@@ -80,11 +175,11 @@ impl Operation {
 
     /// Axial speed of the string, m/s, positive towards the bit.
     pub fn axial_velocity_m_per_s(&self) -> f64 {
-        match self.kind {
-            OperationKind::TripOut | OperationKind::BackReam => -self.trip_speed_m_per_s,
-            OperationKind::TripIn | OperationKind::Ream => self.trip_speed_m_per_s,
-            OperationKind::RotateOffBottom => 0.0,
-            OperationKind::Drill | OperationKind::Slide => self.rate_of_penetration_m_per_s,
+        match self.kind.axial_motion() {
+            AxialMotion::Out => -self.trip_speed_m_per_s,
+            AxialMotion::In => self.trip_speed_m_per_s,
+            AxialMotion::Still => 0.0,
+            AxialMotion::Drilling => self.rate_of_penetration_m_per_s,
         }
     }
 
@@ -121,10 +216,7 @@ impl Operation {
     /// What the pumps deliver, m³/s; zero while the string trips without rotation, for the top
     /// drive is off it.
     pub fn flow_now_m3_per_s(&self) -> f64 {
-        match self.kind {
-            OperationKind::TripOut | OperationKind::TripIn => 0.0,
-            _ => self.flow_rate_m3_per_s,
-        }
+        if self.kind.circulates() { self.flow_rate_m3_per_s } else { 0.0 }
     }
 
     /// Pressure drop of a mud motor, Pa; zero off bottom, where the bit takes no torque.
@@ -139,5 +231,28 @@ impl Operation {
         } else {
             0.0
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::OperationKind::{
+        self, BackReam, Drill, Ream, RotateOffBottom, Slide, TripIn, TripOut,
+    };
+
+    #[test]
+    fn what_turns_has_an_operation_that_slides_the_same_way() {
+        let pairs = [(Drill, Slide), (Ream, TripIn), (BackReam, TripOut)];
+        for kind in OperationKind::ALL {
+            let pair = pairs.iter().find(|(turns, _)| *turns == kind);
+            assert_eq!(kind.without_rotation(), pair.map_or(kind, |(_, slides)| *slides));
+        }
+        assert_eq!(RotateOffBottom.without_rotation(), RotateOffBottom);
+    }
+
+    #[test]
+    fn the_pumps_stand_only_while_the_string_trips() {
+        let still = OperationKind::ALL.into_iter().filter(|kind| !kind.circulates());
+        assert_eq!(still.collect::<Vec<_>>(), [TripOut, TripIn]);
     }
 }

@@ -96,12 +96,12 @@ fn watch(arguments: &[&str]) -> Result<ExitCode, String> {
         match *argument {
             "--inputs" => amount = Amount::Inputs(value()?),
             "--seed" => seed = value()?,
-            name => match readers::NAMES.iter().find(|known| **known == name) {
-                Some(known) => chosen.push(*known),
+            name => match readers::names().into_iter().find(|known| *known == name) {
+                Some(known) => chosen.push(known),
                 None => match name.parse() {
                     Ok(seconds) => amount = Amount::Time(Duration::from_secs(seconds)),
                     Err(_) => {
-                        let known = readers::NAMES.join(", ");
+                        let known = readers::names().join(", ");
                         return Err(format!("`{name}` is no reader; there are {known}"));
                     }
                 },
@@ -109,7 +109,7 @@ fn watch(arguments: &[&str]) -> Result<ExitCode, String> {
         }
     }
     if chosen.is_empty() {
-        chosen = readers::NAMES.to_vec();
+        chosen = readers::names();
     }
     let outcomes = read_all(&chosen, &amount, seed)?;
     Ok(report(&outcomes, seed))

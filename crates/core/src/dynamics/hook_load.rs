@@ -12,7 +12,7 @@ use crate::{
         simulation::{Simulation, diverged::Diverged},
     },
     model::Model,
-    operation::{Operation, OperationKind},
+    operation::Operation,
     rock::Executor,
     statics::soft::{self, SoftError, SoftSettings},
 };
@@ -159,8 +159,8 @@ fn guess_N(
     settings: &DynamicsSettings,
 ) -> Result<f64, SoftError> {
     let mut operation = *operation;
-    if settings.friction_law == FrictionLaw::Independent && operation.kind == OperationKind::Drill {
-        operation.kind = OperationKind::Slide;
+    if settings.friction_law == FrictionLaw::Independent && operation.kind.on_bottom() {
+        operation.kind = operation.kind.without_rotation();
     }
     let profile = soft::solve(model, &operation, &SoftSettings::default())?;
     Ok(profile.scalars.hook_load_N.max(0.0))

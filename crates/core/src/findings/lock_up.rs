@@ -3,7 +3,7 @@
 use super::{Finding, Kind, Level, buckling::Line, hook_load::weight_N, window, window::Window};
 use crate::{
     model::Model,
-    operation::{Operation, OperationKind},
+    operation::Operation,
     statics::{
         buckling::{Criterion, Place, Pushed, Segment, push_through, weight_at_bit_N},
         soft::SoftProfile,
@@ -23,7 +23,7 @@ const STANDS: f64 = 0.1;
 const ARRIVES: f64 = 0.8;
 
 fn slides_down(operation: &Operation) -> bool {
-    matches!(operation.kind, OperationKind::TripIn | OperationKind::Slide)
+    !operation.kind.rotates() && operation.kind.axial_motion().direction() > 0.0
 }
 
 /// Of the soft string, which does not count what a helix presses against the wall: that is counted

@@ -2,18 +2,6 @@
 
 use super::{Operation, OperationKind};
 
-/// Declares the constructor of a kind of operation.
-macro_rules! constructors {
-    ($($(#[$meaning:meta])* $name:ident => $kind:ident,)+) => {
-        $(
-            $(#[$meaning])*
-            pub const fn $name(bit_depth_m: f64) -> Self {
-                Self::new(OperationKind::$kind, bit_depth_m)
-            }
-        )+
-    };
-}
-
 /// Declares methods that give an operation a set point, named as its field.
 macro_rules! set_points {
     ($($(#[$meaning:meta])* $field:ident,)+) => {
@@ -62,25 +50,6 @@ impl Operation {
             bit_pressure_drop_Pa: 0.0,
             motor_pressure_drop_Pa: 0.0,
         }
-    }
-
-    constructors! {
-        /// Pulling out with the bit at a measured depth, m.
-        trip_out => TripOut,
-        /// Running in with the bit at a measured depth, m.
-        trip_in => TripIn,
-        /// Rotating off bottom with the bit at a measured depth, m; needs a rotary speed.
-        rotate_off_bottom => RotateOffBottom,
-        /// Rotary drilling at a measured depth, m; needs a rotary speed, and weight on bit, torque
-        /// and rate of penetration of the bit.
-        drill => Drill,
-        /// Drilling at a measured depth, m, with a mud motor and a string that does not turn; needs
-        /// weight on bit, torque and rate of penetration of the bit.
-        slide => Slide,
-        /// Running in and rotating at a measured depth, m; needs a rotary speed.
-        ream => Ream,
-        /// Pulling out and rotating at a measured depth, m; needs a rotary speed.
-        back_ream => BackReam,
     }
 
     set_points! {

@@ -23,6 +23,8 @@ pub struct Method {
     /// Whether it answers in time: series, statistics over a window, spectra, frames; what a
     /// schedule changes on the way. The others answer with one state of equilibrium.
     pub in_time: bool,
+    /// Whether its forces hold the friction of a helix, which presses itself against the wall.
+    pub has_helix_friction: bool,
     /// How long it takes.
     pub cost: Cost,
 }
@@ -58,6 +60,7 @@ methods! {
         long_name: "soft string",
         curve_name: "soft string",
         in_time: false,
+        has_helix_friction: false,
         cost: Cost::Milliseconds,
     };
     /// Dynamics of the whole string in time.
@@ -66,6 +69,7 @@ methods! {
         long_name: "dynamics",
         curve_name: "dynamics, mean",
         in_time: true,
+        has_helix_friction: true,
         cost: Cost::Minutes,
     };
 }

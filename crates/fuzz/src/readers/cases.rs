@@ -4,7 +4,17 @@ use wholestring_case::{InMemory, Override, Report, Variation, parse};
 use wholestring_study::{self as study, ColumnName, Source};
 use wholestring_units::Dimension;
 
-use super::Reader;
+use super::reader::{New, Reader};
+
+/// The readers of this file.
+pub(super) const READERS: &[(&str, New)] = &[
+    ("case", case),
+    ("override", overrides),
+    ("vary", vary),
+    ("study", study),
+    ("bit-table", bit_table),
+    ("quantity", quantity),
+];
 
 const WORDS: &[&str] = &[
     "[",
@@ -89,7 +99,7 @@ fn printed<T>(read: Result<T, Report>) -> bool {
 }
 
 /// Case files.
-pub(super) fn case() -> Reader {
+fn case() -> Reader {
     let files = files();
     let seeds: [&[u8]; 6] = [
         VERTICAL,
@@ -107,7 +117,7 @@ pub(super) fn case() -> Reader {
 }
 
 /// `--set`: an argument a line.
-pub(super) fn overrides() -> Reader {
+fn overrides() -> Reader {
     let seeds: [&[u8]; 3] = [
         b"well.hole.0.friction=0.1\noperation.bit_depth = 300m\nrpm=120",
         b"friction=0.3\nwob=50kN\nmud.density=\"9.5 ppg\"\ndynamics.seed=7",
@@ -126,7 +136,7 @@ pub(super) fn overrides() -> Reader {
 }
 
 /// `--vary`: an argument a line.
-pub(super) fn vary() -> Reader {
+fn vary() -> Reader {
     let seeds: [&[u8]; 4] = [
         b"friction=0.1,0.2,0.3\nbit_depth=300m..1500m/300m",
         b"rpm=60..120/20\noperation.rop=10 m/h..20 m/h/5 m/h",
@@ -161,7 +171,7 @@ const COLUMNS: [ColumnName; 6] = {
 };
 
 /// Study files.
-pub(super) fn study() -> Reader {
+fn study() -> Reader {
     let seeds: [&[u8]; 2] = [
         b"name = \"Friction\"\n[[sweep]]\nname = \"friction\"\ncase = \"slant.toml\"\nvary = { \
          friction = [0.1, 0.2], bit_depth = \"300m..900m/300m\" }\n",
@@ -176,7 +186,7 @@ pub(super) fn study() -> Reader {
 }
 
 /// The file of a bit's table.
-pub(super) fn bit_table() -> Reader {
+fn bit_table() -> Reader {
     let case = String::from_utf8_lossy(VERTICAL).replace(
         "[bit]\ntorque = \"2.5 kN.m\"",
         "[bit]\nlaw = \"table\"\n[bit.table]\nfile = \"bit-table.csv\"",
@@ -195,7 +205,7 @@ pub(super) fn bit_table() -> Reader {
 }
 
 /// Numbers with units, and units.
-pub(super) fn quantity() -> Reader {
+fn quantity() -> Reader {
     let seeds: [&[u8]; 8] = [
         b"5-1/2 in",
         "8½\"".as_bytes(),

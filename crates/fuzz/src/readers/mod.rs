@@ -7,45 +7,23 @@ mod results;
 mod stored;
 mod surveys;
 
+use reader::New;
 pub(crate) use reader::Reader;
 
-/// Makes a reader ready.
-type New = fn() -> Reader;
-
-const READERS: [(&str, New); 17] = [
-    ("case", cases::case),
-    ("override", cases::overrides),
-    ("vary", cases::vary),
-    ("study", cases::study),
-    ("bit-table", cases::bit_table),
-    ("quantity", cases::quantity),
-    ("survey-csv", surveys::csv),
-    ("survey-tsv", surveys::tsv),
-    ("survey-fixed", surveys::fixed),
-    ("survey-xlsx", surveys::xlsx),
-    ("survey-xls", surveys::xls),
-    ("summary", results::summary),
-    ("parquet", results::parquet),
-    ("sweep-csv", results::csv),
-    ("checkpoint", stored::file),
-    ("simulation", stored::simulation),
-    ("trial", stored::trial),
-];
+/// All readers.
+fn all() -> impl Iterator<Item = (&'static str, New)> {
+    let lists = [cases::READERS, surveys::READERS, results::READERS, stored::READERS];
+    lists.into_iter().flatten().copied()
+}
 
 /// The names of all readers.
-pub(crate) const NAMES: [&str; READERS.len()] = {
-    let mut names = [""; READERS.len()];
-    let mut i = 0;
-    while i < names.len() {
-        names[i] = READERS[i].0;
-        i += 1;
-    }
-    names
-};
+pub(crate) fn names() -> Vec<&'static str> {
+    all().map(|(name, _)| name).collect()
+}
 
 /// The reader of that name.
 pub(crate) fn of(name: &str) -> Result<Reader, String> {
-    let found = READERS.iter().find(|(known, _)| *known == name);
+    let found = all().find(|(known, _)| *known == name);
     let (_, new) = found.ok_or_else(|| format!("`{name}` is no reader"))?;
     Ok(new())
 }
@@ -58,7 +36,7 @@ mod tests {
     #[test]
     fn every_seed_is_accepted() {
         let mut refused = Vec::new();
-        for (name, new) in READERS {
+        for (name, new) in all() {
             let mut reader = new();
             assert_eq!(reader.name, name);
             for index in 0..reader.seeds.len() {
@@ -73,7 +51,7 @@ mod tests {
 
     #[test]
     fn inputs_are_the_same_again() {
-        for (_, new) in READERS {
+        for (_, new) in all() {
             let [one, two] = [new(), new()];
             for number in 0..20 {
                 let inputs = [&one, &two].map(|reader| crate::worker::input(reader, 3, number));

@@ -4,6 +4,9 @@ use fastrand::Rng;
 
 use crate::mutation;
 
+/// Makes a reader ready.
+pub(super) type New = fn() -> Reader;
+
 /// What reads inputs; whether it accepts one.
 pub(super) type Read = Box<dyn FnMut(&[u8]) -> bool>;
 

@@ -9,7 +9,11 @@ use wholestring_results::{
     TIME, Table, WEAR,
 };
 
-use super::Reader;
+use super::reader::{New, Reader};
+
+/// The readers of this file.
+pub(super) const READERS: &[(&str, New)] =
+    &[("summary", summary), ("parquet", parquet), ("sweep-csv", csv)];
 
 /// A file that inputs are written to, since these readers read files.
 pub(super) struct Scratch {
@@ -64,7 +68,7 @@ const SUMMARY: &str = r#"{
 }"#;
 
 /// `summary.json`, and what a bit test leaves in its place.
-pub(super) fn summary() -> Reader {
+fn summary() -> Reader {
     let scratch = Scratch::new("summary.json");
     let words = &[
         "null",
@@ -120,7 +124,7 @@ fn table(specs: &[ColumnSpec], rows: usize) -> Table {
 }
 
 /// Parquet of each kind.
-pub(super) fn parquet() -> Reader {
+fn parquet() -> Reader {
     let scratch = Scratch::new("table.parquet");
     let mut seeds = Vec::new();
     for (specs, rows) in [(NODES, 40), (TIME, 60), (WEAR, 20), (CONTACT, 30), (WEAR, 0)] {
@@ -164,7 +168,7 @@ fn frames() -> Vec<u8> {
 }
 
 /// `sweep.csv` and the like.
-pub(super) fn csv() -> Reader {
+fn csv() -> Reader {
     let scratch = Scratch::new("sweep.csv");
     let seeds: [&[u8]; 2] = [
         b"friction,model,operation,bit_depth_m,hook_load_N,status,message,folder\n0.1,soft,drill,1500,1e5,complete,,friction=0.1\n0.2,soft,drill,1500,,failed,\"a, b\",friction=0.2\n",

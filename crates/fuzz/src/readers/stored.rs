@@ -9,10 +9,17 @@ use wholestring::{
 };
 use wholestring_case::{Case, InMemory, parse};
 
-use super::{Reader, results::Scratch};
+use super::{
+    reader::{New, Reader},
+    results::Scratch,
+};
+
+/// The readers of this file.
+pub(super) const READERS: &[(&str, New)] =
+    &[("checkpoint", file), ("simulation", simulation), ("trial", trial)];
 
 /// The file around a checkpoint.
-pub(super) fn file() -> Reader {
+fn file() -> Reader {
     type Content = (Vec<f64>, String, Option<u64>, Vec<Option<f64>>);
     let scratch = Scratch::new("checkpoint.bin");
     let content: Content = (vec![1.5; 30], "a word".into(), Some(7), vec![None; 20]);
@@ -75,7 +82,7 @@ fn short_case() -> Case {
 }
 
 /// A run of a string that is resumed, and continues.
-pub(super) fn simulation() -> Reader {
+fn simulation() -> Reader {
     let case = short_case();
     let operation = case.operations[0];
     let run = || Simulation::new(&case.model, &operation, &case.dynamics).expect("a run begins");
@@ -106,7 +113,7 @@ pub(super) fn simulation() -> Reader {
 }
 
 /// A trial of a bit on solid rock that is resumed, and continues.
-pub(super) fn trial() -> Reader {
+fn trial() -> Reader {
     let rock = Rock::for_drilling(60e6);
     let bit = BitShape::Pdc(wholestring::rock::bit_face::PdcBit::for_diameter(0.1));
     let drilling = DrillingSpec::new(rock, bit, 0.02).expect("a bit");

@@ -14,8 +14,17 @@ use wholestring_units::Dimension;
 use zip::{CompressionMethod, ZipWriter, write::SimpleFileOptions};
 
 use self::old_excel::Value;
-use super::reader::{Make, Reader};
+use super::reader::{Make, New, Reader};
 use crate::mutation;
+
+/// The readers of this file.
+pub(super) const READERS: &[(&str, New)] = &[
+    ("survey-csv", csv),
+    ("survey-tsv", tsv),
+    ("survey-fixed", fixed),
+    ("survey-xlsx", xlsx),
+    ("survey-xls", xls),
+];
 
 const WORDS: &[&str] = &[
     ",", ";", "\t", "  ", "\n", "\r\n", "\"", "\"\"", "(", ")", "MD", "MD (m)", "md_m", "Inc",
@@ -57,7 +66,7 @@ fn reads(name: &'static str) -> impl FnMut(&[u8]) -> bool {
 }
 
 /// Cells parted by commas and semicolons.
-pub(super) fn csv() -> Reader {
+fn csv() -> Reader {
     let seeds: [&[u8]; 5] = [
         b"Survey of S-1\nMD (m),Inc,Azi,TVD (m)\n,deg,deg,\n0,0,0,0\n30,1.5,45,30\n60,3,45,59.9\n",
         b"MD (ftKB),Inc (deg),Azi (deg),N/S (ft),E/W \
@@ -70,7 +79,7 @@ pub(super) fn csv() -> Reader {
 }
 
 /// Cells parted by tabs.
-pub(super) fn tsv() -> Reader {
+fn tsv() -> Reader {
     let seeds: [&[u8]; 3] = [
         b"Well S-1\r\n# made by \
          hand\r\n\r\n\"MD\n(m)\"\tInc[deg]\tAzi[deg]\r\n0\t0\t0\r\n\r\n\"1,030.5\"\t0.5\t45\r\nEnd\t\t\r\n",
@@ -81,7 +90,7 @@ pub(super) fn tsv() -> Reader {
 }
 
 /// Reports in columns of blanks.
-pub(super) fn fixed() -> Reader {
+fn fixed() -> Reader {
     let seeds: [&[u8]; 3] = [
         b"  Measured     Incl    Azimuth\n  Depth (ft)  (deg)    (deg)\n    0.0   0.0   0.0\n ! \
          1,500.0   1.0   2.0\n 1,600.0  1.5  2\n",
@@ -165,7 +174,7 @@ fn parts() -> Vec<(&'static str, Vec<u8>)> {
 }
 
 /// New workbooks: their parts damaged and packed again, and the archive damaged.
-pub(super) fn xlsx() -> Reader {
+fn xlsx() -> Reader {
     let whole = archive(&parts(), CompressionMethod::Deflated);
     let seeds = vec![whole.clone(), archive(&parts(), CompressionMethod::Stored)];
     let archives = seeds.clone();
@@ -187,7 +196,7 @@ pub(super) fn xlsx() -> Reader {
 }
 
 /// Old workbooks: damaged where their records are, or anywhere.
-pub(super) fn xls() -> Reader {
+fn xls() -> Reader {
     let mut cells = Vec::new();
     for (column, heading) in (0..).zip(["MD (m)", "Inc", "Azi"]) {
         cells.push((0, column, Value::Text(heading)));

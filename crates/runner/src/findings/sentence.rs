@@ -8,7 +8,6 @@ use std::f64::consts::TAU;
 use wholestring::{
     dynamics::{TableUse, Whirl},
     findings::{Finding, Kind, Level},
-    outcome::ModelKind,
     rig::Rig,
 };
 use wholestring_results::OperationSummary;
@@ -188,10 +187,8 @@ impl Words<'_> {
 
     fn lock_up(&self) -> String {
         let (asked_N, arrives_N) = (self.value(), self.limit());
-        let block_pushes = match self.of.model {
-            ModelKind::Soft => self.rig.block_weight_N.is_some_and(|block| block > 0.0),
-            ModelKind::Dynamic => false,
-        };
+        let has_block = self.rig.block_weight_N.is_some_and(|block| block > 0.0);
+        let block_pushes = has_block && !self.of.model.in_time();
         let pushed = match block_pushes {
             true => "with all of its weight slacked off and the block on it",
             false => "with all of its weight slacked off",
@@ -226,9 +223,10 @@ impl Words<'_> {
 
     fn buckled(&self, how: &str) -> String {
         let helix = self.found.kind == Kind::HelicalBuckling;
-        let more = match self.of.model {
-            ModelKind::Soft if helix => "; the soft string does not count the drag of the helix",
-            ModelKind::Soft | ModelKind::Dynamic => "",
+        let method = self.of.model.method();
+        let more = match helix && !method.has_helix_friction {
+            true => format!("; the {} does not count the drag of the helix", method.long_name),
+            false => String::new(),
         };
         format!(
             "{how}{}: compression of {} where {} is critical{more}",

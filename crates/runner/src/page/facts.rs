@@ -41,7 +41,7 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
             add("Bit torque", quantity(&bit["torque_N_m"], "torque"));
         }
     }
-    if any(|kind| !kind.on_bottom() && kind != OperationKind::RotateOffBottom) {
+    if any(OperationKind::trips) {
         let speed = &operation["trip_speed_m_per_s"];
         add("Trip speed", quantity(speed, "speed"));
     }

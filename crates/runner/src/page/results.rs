@@ -1,7 +1,7 @@
 //! The five numbers that an engineer looks for first, beside their limits.
 
 use serde_json::Value as Json;
-use wholestring::outcome::{Column, ModelKind, PROFILE, Quantity, Scalar};
+use wholestring::outcome::{Column, PROFILE, Quantity, Scalar};
 use wholestring_report::{Cell, Fact, KeyResult};
 use wholestring_results::{OperationSummary, Table};
 
@@ -54,29 +54,19 @@ pub(super) fn key_results(
         ..limited(rig("top_drive_torque_N_m"), "top drive's rated torque")
     };
     let side = side_force(solved, nodes);
-    match solved.model {
-        ModelKind::Dynamic => vec![
-            hook,
-            torque,
-            stress(solved, nodes),
-            stick_slip(solved).unwrap_or_else(|| drag(solved)),
-            side,
-        ],
-        ModelKind::Soft => vec![
-            hook,
-            torque,
-            drag(solved),
-            KeyResult {
-                label: NEUTRAL_POINT.label.into(),
-                value: scalars.neutral_point_m.map_or_else(
-                    || Cell::Text("none: all in tension".into()),
-                    |md| Cell::quantity(md, "length"),
-                ),
-                ..unlimited("measured depth")
-            },
-            side,
-        ],
+    if solved.model.in_time() {
+        let sticking = stick_slip(solved).unwrap_or_else(|| drag(solved));
+        return vec![hook, torque, stress(solved, nodes), sticking, side];
     }
+    let neutral_point = KeyResult {
+        label: NEUTRAL_POINT.label.into(),
+        value: scalars.neutral_point_m.map_or_else(
+            || Cell::Text("none: all in tension".into()),
+            |md| Cell::quantity(md, "length"),
+        ),
+        ..unlimited("measured depth")
+    };
+    vec![hook, torque, drag(solved), neutral_point, side]
 }
 
 fn words(of: &[&str]) -> Vec<String> {

@@ -6,7 +6,7 @@ use super::scene::Scene;
 use crate::{
     dynamics::settings::{DynamicsSettings, FrictionLaw, Start},
     model::Model,
-    operation::{Operation, OperationKind},
+    operation::Operation,
     statics::soft::{self, SoftError, SoftSettings},
 };
 
@@ -93,12 +93,7 @@ fn as_soft_string(scene: &Scene<'_>) -> (Model, Operation) {
             model.well.hole = frictionless;
         }
     } else if settings.friction_law == FrictionLaw::Independent {
-        operation.kind = match operation.kind {
-            OperationKind::Drill => OperationKind::Slide,
-            OperationKind::Ream => OperationKind::TripIn,
-            OperationKind::BackReam => OperationKind::TripOut,
-            same => same,
-        };
+        operation.kind = operation.kind.without_rotation();
     }
     (model, operation)
 }

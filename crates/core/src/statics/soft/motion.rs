@@ -1,6 +1,6 @@
 //! How friction divides between the axis and the circumference.
 
-use crate::operation::{Operation, OperationKind};
+use crate::operation::Operation;
 
 /// The string's motion over the wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,16 +15,13 @@ impl Sliding {
     /// A string that does not rotate slides the way its operation goes, whatever its speed: Coulomb
     /// friction does not depend on it.
     pub(super) fn of(operation: &Operation) -> Self {
-        match operation.kind {
-            OperationKind::TripOut => Self::Axial(-1.0),
-            OperationKind::TripIn | OperationKind::Slide => Self::Axial(1.0),
-            OperationKind::RotateOffBottom
-            | OperationKind::Drill
-            | OperationKind::Ream
-            | OperationKind::BackReam => Self::Rotating {
+        if operation.kind.rotates() {
+            Self::Rotating {
                 rotation_rad_per_s: operation.rotation_rad_per_s(),
                 axial_m_per_s: operation.axial_velocity_m_per_s(),
-            },
+            }
+        } else {
+            Self::Axial(operation.kind.axial_motion().direction())
         }
     }
 

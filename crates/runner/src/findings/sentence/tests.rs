@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use wholestring::outcome::Scalars;
+use wholestring::outcome::{ModelKind, Scalars};
 use wholestring_results::{Friction, Status};
 
 use super::*;

@@ -8,6 +8,7 @@ use crate::{
         kernel::step::StepInput,
         tests::bench::{Bench, PIPE_M},
     },
+    operation::OperationKind,
     well::{Friction, Interpolation, Well},
 };
 

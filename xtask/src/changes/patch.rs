@@ -1,0 +1,70 @@
+//! A patch: a head in words, then the difference that it makes.
+
+use std::{ffi::OsStr, fs, io, path::Path};
+
+/// A file's part of the difference begins so.
+const BEGIN: &str = "diff --git ";
+
+/// A line of the head that names tests: what stands behind `cargo test --workspace`.
+const TESTS: &str = "Tests: ";
+
+pub(super) struct Patch {
+    /// Its file's name, without the extension.
+    pub(super) name: String,
+    /// What stands above the difference.
+    pub(super) head: String,
+    /// The files that it touches.
+    pub(super) files: Vec<String>,
+}
+
+impl Patch {
+    /// The patches of a folder, by name.
+    pub(super) fn all_in(folder: &Path) -> io::Result<Vec<Self>> {
+        let entries: io::Result<Vec<_>> = fs::read_dir(folder)?.collect();
+        let mut paths: Vec<_> = entries?.iter().map(fs::DirEntry::path).collect();
+        paths.retain(|path| path.extension() == Some(OsStr::new("patch")));
+        paths.sort();
+        let read = |path: &std::path::PathBuf| {
+            let name = path.file_stem().unwrap_or_default().to_string_lossy();
+            Ok(Self::parse(&name, &fs::read_to_string(path)?))
+        };
+        paths.iter().map(read).collect()
+    }
+
+    pub(super) fn parse(name: &str, text: &str) -> Self {
+        let start = match text.starts_with(BEGIN) {
+            true => 0,
+            false => text.find(&format!("\n{BEGIN}")).map_or(text.len(), |end| end + 1),
+        };
+        let (head, difference) = text.split_at(start);
+        let file = |line: &str| Some(line.strip_prefix(BEGIN)?.split_once(" b/")?.1.to_owned());
+        Self {
+            name: name.to_owned(),
+            head: head.to_owned(),
+            files: difference.lines().filter_map(file).collect(),
+        }
+    }
+
+    /// Where it is, from the root of the repository.
+    pub(super) fn file(&self) -> String {
+        format!("{}/{}.patch", super::PATCHES, self.name)
+    }
+
+    /// The sources that somebody has to write by hand.
+    pub(super) fn by_hand(&self) -> Vec<&str> {
+        self.files.iter().map(String::as_str).filter(|file| is_by_hand(file)).collect()
+    }
+
+    /// What `cargo test --workspace` is to be given, for each line of tests in the head.
+    pub(super) fn tests(&self) -> impl Iterator<Item = &str> {
+        self.head.lines().filter_map(|line| line.strip_prefix(TESTS))
+    }
+}
+
+/// Whether a file counts: not what a command writes (the lock, snapshots), nor tests and pages, of
+/// which every change has its own.
+fn is_by_hand(file: &str) -> bool {
+    let is_test = file.split('/').any(|part| part == "tests" || part == "tests.rs");
+    let is_written = file.ends_with(".lock") || file.ends_with(".snap");
+    !is_test && !is_written && !file.ends_with(".md")
+}
