@@ -48,7 +48,7 @@ export function history(report, timePlots, follows) {
       const nodes = frames.md_m.length;
       const node = nearest(frames.md_m, state.depth);
       const { title, dimension, min_span } = report.node_channels.find(({ column }) => column === channel);
-      const values = Float32Array.from(frames.time_s, (_, k) => frames.channels[name][k * nodes + node]);
+      const values = Float32Array.from(frames.time_s, (_, k) => frames.channels[channel][k * nodes + node]);
       return {
         title: `${title} at ${quantity(frames.md_m[node], "length", 5)}`,
         dimension,
