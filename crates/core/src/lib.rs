@@ -100,7 +100,6 @@ mod finite;
 pub mod internals;
 pub mod model;
 pub mod mud;
-mod named;
 pub mod operation;
 pub mod outcome;
 pub mod prelude;
