@@ -161,12 +161,17 @@ pub fn model(
     }
 }
 
-/// A uniform plain string in air in one hole, the bit at the last station.
-pub fn uniform_model(stations_m_deg: &[[f64; 3]], w_N_per_m: f64, r_m: f64, mu: f64) -> Model {
+/// A model of arcs through stations, one friction, components from the bit up and a mud, with the
+/// bit at the last station.
+pub fn along(stations_m_deg: &[[f64; 3]], mu: f64, of: Vec<ComponentSpec>, mud: Mud) -> Model {
     let path = arcs(stations_m_deg);
     let bit_depth_m = path.last_md_m();
-    let components = vec![pipe(w_N_per_m, r_m, ComponentLength::ToSurface)];
-    model(path, hole(mu, bit_depth_m), components, mud(0.0), bit_depth_m)
+    model(path, hole(mu, bit_depth_m), of, mud, bit_depth_m)
+}
+
+/// A uniform plain string in air in one hole, the bit at the last station.
+pub fn uniform_model(stations_m_deg: &[[f64; 3]], w_N_per_m: f64, r_m: f64, mu: f64) -> Model {
+    along(stations_m_deg, mu, vec![pipe(w_N_per_m, r_m, ComponentLength::ToSurface)], mud(0.0))
 }
 
 /// The same in a straight hole of an inclination, deg.

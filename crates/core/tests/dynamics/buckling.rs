@@ -95,8 +95,7 @@ fn shape(row: &Pushed, load: f64, seconds: f64, ends: f64) -> Shape {
     // A constant force on the top leaves the load at the bit whatever the string does on the way.
     let lift_N = row.along_N_per_m * length_m - pushed_N;
     case.settings.hoist_control = Some(HoistControl::HookLoad(lift_N));
-    case.settings.settle_s = seconds;
-    case.settings.duration_s = 5.0;
+    case.lasts(seconds, 5.0);
     let mut simulation: Simulation = case.start();
     go(&mut simulation, seconds + 5.0);
     let outcome = simulation.outcome();

@@ -122,8 +122,7 @@ fn an_undamped_string_keeps_its_energy() {
 fn what_comes_in_goes_out() {
     let mut case = moderate(OperationKind::Ream, 0.3);
     case.settings.start = Start::Centred;
-    case.settings.settle_s = 0.0;
-    case.settings.duration_s = 60.0;
+    case.lasts(0.0, 60.0);
     let mut simulation = case.start();
     go(&mut simulation, 60.0);
     let outcome = simulation.outcome();

@@ -44,8 +44,7 @@ fn case(kind: OperationKind, mud: Mud) -> Case {
         .bit_pressure_drop_Pa(8e6)
         .motor_pressure_drop_Pa(0.0);
     let mut case = Case::new(model, operation);
-    case.settings.settle_s = 20.0;
-    case.settings.duration_s = 5.0;
+    case.lasts(20.0, 5.0);
     case
 }
 
@@ -166,8 +165,7 @@ fn dynamics_and_soft_string_agree_in_a_mud_that_flows() {
 #[test]
 fn the_pumps_lift_the_string() {
     let mut on = case(OperationKind::RotateOffBottom, heavy(BINGHAM));
-    on.settings.settle_s = 5.0;
-    on.settings.duration_s = 60.0;
+    on.lasts(5.0, 60.0);
     on.settings.hoist_control = Some(HoistControl::BlockVelocity(0.0));
     let mut off = on.clone();
     off.operation.flow_rate_m3_per_s = 0.0;

@@ -4,6 +4,7 @@ use wholestring::{
     dynamics::{DynamicOutcome, DynamicsSettings, Simulation},
     model::Model,
     operation::{Operation, OperationKind},
+    outcome::TimeSeries,
     statics::soft::{self, SoftProfile},
     string::{ComponentLength, ComponentSpec},
     well::{Hole, HoleKind, HoleSection, Interpolation, Path},
@@ -30,6 +31,12 @@ impl Case {
         let settings =
             DynamicsSettings { settle_s: 10.0, duration_s: 10.0, ..DynamicsSettings::default() };
         Self { model, operation, settings }
+    }
+
+    /// Gives it another time to settle and another window.
+    pub fn lasts(&mut self, settle_s: f64, duration_s: f64) {
+        self.settings.settle_s = settle_s;
+        self.settings.duration_s = duration_s;
     }
 
     pub fn start(&self) -> Simulation {
@@ -94,6 +101,12 @@ pub fn line(x: &[f64], y: &[f64]) -> (f64, f64) {
     let sxy: f64 = x.iter().zip(y).map(|(x, y)| (x - mx) * (y - my)).sum();
     let sxx: f64 = x.iter().map(|x| (x - mx) * (x - mx)).sum();
     (sxy / sxx, my - sxy / sxx * mx)
+}
+
+/// How fast the bit goes down from a time on, m/s.
+pub fn rate_from(series: &TimeSeries, from_s: f64) -> f64 {
+    let from = series.time_s.partition_point(|t| *t < from_s);
+    line(&series.time_s[from..], &series.bit_depth_m[from..]).0
 }
 
 /// A section of hole with the elastic constants of casing or of the article's rock.
