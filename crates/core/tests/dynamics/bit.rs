@@ -7,12 +7,12 @@ use wholestring::{
     },
     operation::OperationKind,
     string::ComponentLength,
-    well::{HoleKind, Interpolation},
+    well::{HoleSection, Interpolation},
 };
 
 use crate::{
     common::{DRAG_BIT, MOTOR, SMOOTH, operation, path, rpm, verify},
-    wells::{Case, between, model, np13, rate_from, section, tool},
+    wells::{Case, between, model, np13, rate_from, tool},
 };
 
 const DEPTH_M: f64 = 1000.0;
@@ -27,7 +27,7 @@ const LAW: RegenerativeLaw = RegenerativeLaw {
 fn vertical(revolutions_per_minute: f64) -> Case {
     let vertical = model(
         path(&[[0.0, 0.0, 0.0], [DEPTH_M + 20.0, 0.0, 0.0]], Interpolation::Spline),
-        vec![section(HoleKind::Open, 0.0, DEPTH_M + 20.0, 0.2159, 0.2)],
+        vec![HoleSection::open(0.0..(DEPTH_M + 20.0), 0.2159, 0.2)],
         vec![
             tool("bit", ComponentLength::Metres(0.3), 0.2159, 0.0),
             tool("collars", ComponentLength::Metres(100.0), 0.1651, 0.0714),

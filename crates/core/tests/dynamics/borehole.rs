@@ -5,12 +5,12 @@ use wholestring::{
     dynamics::HoistControl,
     operation::OperationKind,
     string::{ComponentLength, StringSpec},
-    well::{HoleKind, Interpolation, Path, Station, TieIn},
+    well::{HoleSection, Interpolation, Path, Station, TieIn},
 };
 
 use crate::{
     common::{assert_close, operation, path},
-    wells::{Case, STRAIGHT_DEG, each, go, mean_between, model, moderate, section, straight, tool},
+    wells::{Case, STRAIGHT_DEG, each, go, mean_between, model, moderate, straight, tool},
 };
 
 /// A block velocity that is requested as a setting is the string's speed: reaming 500 m at 0.5 m/s
@@ -115,7 +115,7 @@ fn a_build_from_the_surface_keeps_its_hook_load() {
     stations.push([600.0, 45.0, 40.0]);
     let model = model(
         path(&stations, Interpolation::Spline),
-        vec![section(HoleKind::Open, 0.0, 620.0, 0.2159, 0.25)],
+        vec![HoleSection::open(0.0..620.0, 0.2159, 0.25)],
         vec![tool("pipe", ComponentLength::ToSurface, 0.1397, 0.1186)],
         600.0,
     );

@@ -5,12 +5,12 @@ use wholestring::{
     dynamics::{DynamicsSettings, HoistControl, HoistLine, RodDamping, Simulation, Start},
     operation::OperationKind,
     string::ComponentLength,
-    well::{HoleKind, Interpolation},
+    well::{HoleSection, Interpolation},
 };
 
 use crate::{
     common::{mud, operation, path, verify},
-    wells::{Case, go, line, model, moderate, section, tool},
+    wells::{Case, go, line, model, moderate, tool},
 };
 
 const LENGTH_M: f64 = 1500.0;
@@ -19,7 +19,7 @@ const LENGTH_M: f64 = 1500.0;
 fn free_string() -> Simulation {
     let mut model = model(
         path(&[[0.0, 0.0, 0.0], [LENGTH_M, 0.0, 0.0]], Interpolation::Spline),
-        vec![section(HoleKind::Open, 0.0, LENGTH_M, 40.0, 0.3)],
+        vec![HoleSection::open(0.0..LENGTH_M, 40.0, 0.3)],
         vec![tool("pipe", ComponentLength::ToSurface, 0.1397, 0.1186)],
         LENGTH_M,
     );

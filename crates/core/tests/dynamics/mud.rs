@@ -8,12 +8,12 @@ use wholestring::{
     mud::{Mud, Rheology},
     operation::OperationKind,
     string::ComponentLength,
-    well::{HoleKind, Interpolation},
+    well::{HoleSection, Interpolation},
 };
 
 use crate::{
     common::{assert_close, mud_with_drag, operation, path, rpm},
-    wells::{Case, each, go, mean_between, model, section, tool},
+    wells::{Case, each, go, mean_between, model, tool},
 };
 
 const LENGTH_M: f64 = 1000.0;
@@ -29,7 +29,7 @@ fn case(kind: OperationKind, mud: Mud) -> Case {
     let stations = [[0.0, 20.0, 0.0], [LENGTH_M, 20.0, 0.0]];
     let mut model = model(
         path(&stations, Interpolation::Spline),
-        vec![section(HoleKind::Open, 0.0, LENGTH_M + 20.0, HOLE_M, 0.0)],
+        vec![HoleSection::open(0.0..(LENGTH_M + 20.0), HOLE_M, 0.0)],
         vec![tool("pipe", ComponentLength::ToSurface, OD_M, ID_M)],
         LENGTH_M,
     );

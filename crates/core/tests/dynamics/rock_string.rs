@@ -13,12 +13,12 @@ use wholestring::{
     operation::OperationKind,
     rock::{BitShape, DrillingSpec, Executor, Rock, bit_face::PdcBit},
     string::ComponentLength,
-    well::{HoleKind, Interpolation},
+    well::{HoleSection, Interpolation},
 };
 
 use crate::{
     common::{mud, operation, path, rpm, verify},
-    wells::{Case, each, go, line, model, section, tool},
+    wells::{Case, each, go, line, model, tool},
 };
 
 const DEPTH_M: f64 = 100.0;
@@ -40,7 +40,7 @@ fn law() -> RockLaw {
 fn case() -> Case {
     let mut vertical = model(
         path(&[[0.0, 0.0, 0.0], [DEPTH_M + 20.0, 0.0, 0.0]], Interpolation::Spline),
-        vec![section(HoleKind::Open, 0.0, DEPTH_M + 20.0, 0.06, 0.0)],
+        vec![HoleSection::open(0.0..(DEPTH_M + 20.0), 0.06, 0.0)],
         vec![
             tool("bit", ComponentLength::Metres(0.3), 0.06, 0.0),
             tool("collars", ComponentLength::Metres(60.0), 0.05, 0.01),
