@@ -402,34 +402,12 @@ fn mutate_structure(text: &str, keys: &[String], rng: &mut Rng) -> String {
 
 /// Numbers that computers and people write.
 fn number(rng: &mut Rng) -> String {
-    const EXTREMES: &[&str] = &[
-        "0",
-        "-0.0",
-        "1",
-        "-1",
-        "nan",
-        "-nan",
-        "inf",
-        "-inf",
-        "1e308",
-        "-1e308",
-        "1e-308",
-        "1e400",
-        "4.9e-324",
-        "9223372036854775807",
-        "-9223372036854775808",
-        "99999999999999999999",
-        "0xffffffff",
-        "1_000",
-        "1e-12",
-        "1e12",
-        "0.5",
-        "2",
-        "100",
-        "20000",
-    ];
+    const EXTREMES: &str = "\
+        0 -0.0 1 -1 nan -nan inf -inf 1e308 -1e308 1e-308 1e400 4.9e-324 9223372036854775807 \
+        -9223372036854775808 99999999999999999999 0xffffffff 1_000 1e-12 1e12 0.5 2 100 20000";
     if rng.bool() {
-        EXTREMES[rng.usize(..EXTREMES.len())].to_owned()
+        let extremes: Vec<&str> = EXTREMES.split(' ').collect();
+        extremes[rng.usize(..extremes.len())].to_owned()
     } else {
         let magnitude = rng.f64() * 24.0 - 12.0;
         format!("{:e}", 10_f64.powf(magnitude) * if rng.u8(..4) == 0 { -1.0 } else { 1.0 })

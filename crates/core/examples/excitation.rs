@@ -60,8 +60,7 @@ fn weight_std_N(cusps: Option<Cusps>) -> Result<f64, Box<dyn Error>> {
     let drill = bit.drilling_steadily(common::drill());
     let settings = DynamicsSettings { bit, ..common::settings() };
     let outcome = Simulation::new(&common::model()?, &drill, &settings)?.to_end()?;
-    let weight = outcome.statistics.iter().find(|(name, _)| *name == "weight_on_bit_N");
-    Ok(weight.map_or(0.0, |(_, statistic)| statistic.std))
+    Ok(outcome.statistic("weight_on_bit_N").map_or(0.0, |weight| weight.std))
 }
 
 pub fn main() -> Result<(), Box<dyn Error>> {

@@ -273,13 +273,8 @@ fn d09_hanging_stretch() {
     };
     let pipe = ComponentSpec::uniform("pipe", 0.14, 0.12, ComponentLength::ToSurface, material);
     for (key, density) in [("vacuum_m", 0.0), ("in_mud_open_ended_m", input("rho_m"))] {
-        let model = model(
-            arcs(&[[0.0, 0.0, 0.0], [length_m, 0.0, 0.0]]),
-            hole(0.3, length_m),
-            vec![pipe.clone()],
-            mud(density),
-            length_m,
-        );
+        let model =
+            along(&[[0.0, 0.0, 0.0], [length_m, 0.0, 0.0]], 0.3, vec![pipe.clone()], mud(density));
         let expected = data[key].as_f64().expect(key);
         verify("D09", format!("stretch of a hanging pipe in mud of {density} kg/m3, m"))
             .relative(1e-12, "rounding; the file prints all digits")
@@ -293,12 +288,11 @@ fn d09_hanging_stretch() {
 fn stretch_and_twist_of_a_slanted_string() {
     let (length_m, inclination, mu, radius_m, density) = (1800.0, 40.0_f64, 0.25, 0.07, 1300.0);
     let (sin, cos) = inclination.to_radians().sin_cos();
-    let model = model(
-        arcs(&[[0.0, inclination, 0.0], [length_m, inclination, 0.0]]),
-        hole(mu, length_m),
+    let model = along(
+        &[[0.0, inclination, 0.0], [length_m, inclination, 0.0]],
+        mu,
         vec![pipe(300.0, radius_m, ComponentLength::ToSurface)],
         mud(density),
-        length_m,
     );
     let pipe = &model.string.components()[0];
     let weight = pipe.buoyed_weight_per_length_N_per_m(density);
@@ -333,15 +327,14 @@ fn stretch_and_twist_of_a_slanted_string() {
 /// string off bottom has none; a horizontal one that is pushed has none either: all is compressed.
 #[test]
 fn neutral_point() {
-    let model = model(
-        arcs(&[[0.0, 0.0, 0.0], [2000.0, 0.0, 0.0]]),
-        hole(0.3, 2000.0),
+    let model = along(
+        &[[0.0, 0.0, 0.0], [2000.0, 0.0, 0.0]],
+        0.3,
         vec![
             pipe(1000.0, 0.1, ComponentLength::Metres(100.0)),
             pipe(250.0, 0.07, ComponentLength::ToSurface),
         ],
         mud(0.0),
-        2000.0,
     );
     let drill = pressing(Drill, 2000.0, 120e3);
     let found = solve(&model, &drill).scalars.neutral_point_m.expect("it passes zero");

@@ -188,12 +188,11 @@ fn jointed(joints: bool) -> ComponentSpec {
 /// A weightless string in an arc of 3 deg/30 m; what its bit bears is the tension everywhere.
 fn in_an_arc(joints: bool, tension_N: f64) -> (Model, SoftProfile) {
     let length_m = 600.0;
-    let model = model(
-        arcs(&[[0.0, 0.0, 0.0], [length_m, 60.0, 0.0]]),
-        hole(0.0, length_m),
+    let model = along(
+        &[[0.0, 0.0, 0.0], [length_m, 60.0, 0.0]],
+        0.0,
         vec![jointed(joints)],
         mud(steel().density_kg_per_m3),
-        length_m,
     );
     let drill = operation(Drill, length_m).weight_on_bit_N(-tension_N).bit_torque_N_m(5e3);
     let profile = solve(&model, &drill);
@@ -251,12 +250,11 @@ fn joints_magnify_the_bending_of_a_hole() {
 fn a_turn_climbs_to_its_inside() {
     for (to_deg, climb_rad) in [(90.0, FRAC_PI_2), (-90.0, -FRAC_PI_2)] {
         let length_m = 900.0;
-        let model = model(
-            arcs(&[[0.0, 90.0, 0.0], [length_m, 90.0, to_deg]]),
-            hole(0.0, length_m),
+        let model = along(
+            &[[0.0, 90.0, 0.0], [length_m, 90.0, to_deg]],
+            0.0,
             vec![jointed(true)],
             mud(steel().density_kg_per_m3),
-            length_m,
         );
         let drill = pressing(Drill, length_m, -100e3);
         let found = solve(&model, &drill).climb_rad[450].expect("it lies on a side");
@@ -278,13 +276,8 @@ fn pressures_and_the_force_in_the_metal() {
     let bingham = Rheology::Bingham { plastic_viscosity_Pa_s: 0.025, yield_point_Pa: 7.2 };
     for rheology in [None, Some(bingham)] {
         let mud = Mud { rheology, ..mud(1200.0) };
-        let model = model(
-            arcs(&[[0.0, 20.0, 0.0], [length_m, 20.0, 0.0]]),
-            hole(0.2, length_m),
-            vec![jointed(true)],
-            mud,
-            length_m,
-        );
+        let model =
+            along(&[[0.0, 20.0, 0.0], [length_m, 20.0, 0.0]], 0.2, vec![jointed(true)], mud);
         let rotate = operation(RotateOffBottom, length_m)
             .flow_rate_m3_per_s(flow_m3_per_s)
             .bit_pressure_drop_Pa(5e6);
@@ -363,13 +356,7 @@ fn flush_joints_and_unknown_strength() {
         material: Material { ..steel() },
         ..jointed(true)
     };
-    let model = model(
-        arcs(&[[0.0, 0.0, 0.0], [600.0, 60.0, 0.0]]),
-        hole(0.2, 600.0),
-        vec![flush],
-        mud(0.0),
-        600.0,
-    );
+    let model = along(&[[0.0, 0.0, 0.0], [600.0, 60.0, 0.0]], 0.2, vec![flush], mud(0.0));
     let profile = solve(&model, &operation(TripOut, 600.0));
     let pipe = &model.string.components()[0];
     let expected = pipe.bending_stiffness_N_m2() * 60.0_f64.to_radians() / 600.0;

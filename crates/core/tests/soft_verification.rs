@@ -267,13 +267,7 @@ fn a02_synthetic_well() {
     let mut found = Vec::new();
     for row in rows {
         let mu = number(&row["mu"]);
-        let model = model(
-            arcs(&survey),
-            hole(mu, depth_m),
-            components.clone(),
-            mud(number(&data["rho_mud"])),
-            depth_m,
-        );
+        let model = along(&survey, mu, components.clone(), mud(number(&data["rho_mud"])));
         let tvd_m = model.well.path.at(depth_m).position_m.z;
         assert_close("TVD", tvd_m, number(&data["TVD_m"]), 1e-9);
         for (name, kind, weight_on_bit_N, bit_torque_N_m) in [
@@ -358,13 +352,7 @@ fn a06_common_well() {
     assert_eq!(rows.len(), 4);
     for (name, expected) in rows {
         let mu: f64 = name.strip_prefix("A_mu").and_then(|mu| mu.parse().ok()).expect("A_mu0.1");
-        let model = model(
-            arcs(&survey),
-            hole(mu, depth_m),
-            vec![pipe.clone()],
-            mud(input("mud_kg_m3")),
-            depth_m,
-        );
+        let model = along(&survey, mu, vec![pipe.clone()], mud(input("mud_kg_m3")));
         let solve = |kind, weight_on_bit_N, bit_torque_N_m| {
             let operation = operation(kind, depth_m)
                 .weight_on_bit_N(weight_on_bit_N)

@@ -100,7 +100,10 @@ fn unwrap<T: DeserializeOwned>(bytes: &[u8], path: &Path) -> Result<T, ResultsEr
     let program = length.and_then(|length| rest.split_off(..usize::from(length)));
     let program = program.map(String::from_utf8_lossy).ok_or_else(damaged)?;
     if layout != Some(LAYOUT) || program != PROGRAM {
-        return Err(bad(format!("wholestring {program} wrote it, this is {PROGRAM}")));
+        let layout = layout.filter(|_| program == PROGRAM).map_or_else(String::new, |layout| {
+            format!(": its layout is {layout}, this program reads {LAYOUT}")
+        });
+        return Err(bad(format!("wholestring {program} wrote it, this is {PROGRAM}{layout}")));
     }
     let end = rest.len().checked_sub(16).ok_or_else(damaged)?;
     let (content, mut end) = rest.split_at(end);

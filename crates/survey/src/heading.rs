@@ -3,7 +3,7 @@
 use wholestring_units::{Dimension, Unit};
 
 use crate::column::Column;
-use crate::names::{BESIDE, NAMES, SUBSEA};
+use crate::names::{BESIDE, NAMES, SUBSEA, is_of};
 
 /// A heading that names a column.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,7 +40,7 @@ pub(crate) fn recognise(text: &str) -> Option<Heading> {
     let (name, brackets) = part_brackets(text);
     let words = words(&name);
     let inside: Vec<String> = brackets.iter().flat_map(|bracket| self::words(bracket)).collect();
-    if words.iter().chain(&inside).any(|word| SUBSEA.contains(&lower(word).as_str())) {
+    if words.iter().chain(&inside).any(|word| is_of(SUBSEA, &lower(word))) {
         return None;
     }
 
@@ -89,7 +89,7 @@ pub(crate) fn nearness(column: Column, text: &str) -> f64 {
     NAMES
         .iter()
         .filter(|(of, _, _)| *of == column)
-        .flat_map(|(_, _, names)| names.iter())
+        .flat_map(|(_, _, names)| names.split(' '))
         .map(|name| strsim::normalized_damerau_levenshtein(name, &written))
         .fold(0.0, f64::max)
 }
@@ -99,15 +99,12 @@ fn named(words: &[String]) -> Option<(Column, u8)> {
     let find = |joined: &str| {
         NAMES
             .iter()
-            .find(|(_, _, names)| names.contains(&joined))
+            .find(|(_, _, names)| is_of(names, joined))
             .map(|&(column, rank, _)| (column, rank))
     };
     let whole: String = words.iter().map(|word| lower(word)).collect();
-    let core: String = words
-        .iter()
-        .map(|word| lower(word))
-        .filter(|word| !BESIDE.contains(&word.as_str()))
-        .collect();
+    let core: String =
+        words.iter().map(|word| lower(word)).filter(|word| !is_of(BESIDE, word)).collect();
     find(&whole).or_else(|| find(&core))
 }
 
@@ -121,8 +118,7 @@ fn unit_in(column: Column, brackets: &[String]) -> HeadingUnit {
     let meant_otherwise = |bracket: &String| {
         let words = words(bracket);
         let beside = |word: &String| {
-            word.chars().count() == 1 && column == Column::Azimuth
-                || BESIDE.contains(&lower(word).as_str())
+            word.chars().count() == 1 && column == Column::Azimuth || is_of(BESIDE, &lower(word))
         };
         words.iter().all(beside) || named(&words).is_some()
     };

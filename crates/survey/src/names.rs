@@ -3,133 +3,47 @@
 use crate::column::Column;
 
 /// Names of columns, in small letters without blanks, with their rank.
-pub(crate) const NAMES: &[(Column, u8, &[&str])] = &[
+pub(crate) const NAMES: &[(Column, u8, &str)] = &[
     (
         Column::MeasuredDepth,
         0,
-        &[
-            "md",
-            "measureddepth",
-            "measdepth",
-            "mdepth",
-            "mddepth",
-            "depthmd",
-            "alongholedepth",
-            "ahd",
-            "ahdepth",
-            "mdrt",
-            "mdrkb",
-            "mdkb",
-            "mdbrt",
-            "mdrte",
-            "dmea",
-            "measureddepthmd",
-            "mdmeasureddepth",
-            "measuredepth",
-        ],
+        "md measureddepth measdepth mdepth mddepth depthmd alongholedepth ahd ahdepth mdrt mdrkb \
+         mdkb mdbrt mdrte dmea measureddepthmd mdmeasureddepth measuredepth",
     ),
-    (Column::MeasuredDepth, 1, &["depth", "dept"]),
+    (Column::MeasuredDepth, 1, "depth dept"),
     (
         Column::Inclination,
         0,
-        &[
-            "inc",
-            "incl",
-            "incli",
-            "inclin",
-            "inclination",
-            "inclangle",
-            "incangle",
-            "inclinationangle",
-            "drift",
-            "driftangle",
-            "dev",
-            "deviation",
-            "devi",
-            "holeangle",
-        ],
+        "inc incl incli inclin inclination inclangle incangle inclinationangle drift driftangle \
+         dev deviation devi holeangle",
     ),
     (
         Column::Azimuth,
         1,
-        &[
-            "azi",
-            "az",
-            "azim",
-            "azimuth",
-            "azimut",
-            "azm",
-            "azmth",
-            "azimuthangle",
-            "hazi",
-            "direction",
-            "holedirection",
-        ],
+        "azi az azim azimuth azimut azm azmth azimuthangle hazi direction holedirection",
     ),
     (
         Column::TrueVerticalDepth,
         0,
-        &[
-            "tvd",
-            "truevertical",
-            "verticaldepth",
-            "vertdepth",
-            "vdepth",
-            "tvdepth",
-            "tvddepth",
-            "tvdrt",
-            "tvdrkb",
-            "tvdkb",
-            "tvdbrt",
-            "verticaldepthtvd",
-        ],
+        "tvd truevertical verticaldepth vertdepth vdepth tvdepth tvddepth tvdrt tvdrkb tvdkb \
+         tvdbrt verticaldepthtvd",
     ),
-    (Column::North, 0, &["north", "ns", "n", "northsouth", "nsoffset", "northoffset"]),
-    (Column::North, 1, &["northing", "northings"]),
-    (Column::East, 0, &["east", "ew", "e", "eastwest", "ewoffset", "eastoffset"]),
-    (Column::East, 1, &["easting", "eastings"]),
+    (Column::North, 0, "north ns n northsouth nsoffset northoffset"),
+    (Column::North, 1, "northing northings"),
+    (Column::East, 0, "east ew e eastwest ewoffset eastoffset"),
+    (Column::East, 1, "easting eastings"),
 ];
 
 /// Words that a heading may have beside its name.
-pub(crate) const BESIDE: &[&str] = &[
-    "the",
-    "of",
-    "from",
-    "at",
-    "in",
-    "survey",
-    "station",
-    "hole",
-    "well",
-    "wellbore",
-    "borehole",
-    "rkb",
-    "kb",
-    "rt",
-    "rte",
-    "brt",
-    "ref",
-    "reference",
-    "grid",
-    "true",
-    "mag",
-    "magnetic",
-    "corr",
-    "corrected",
-    "map",
-    "local",
-    "gyro",
-    "mwd",
-    "value",
-    "data",
-    "calc",
-    "calculated",
-    "computed",
-    "final",
-    "tn",
-    "gn",
-    "mn",
-];
+pub(crate) const BESIDE: &str = "\
+    the of from at in survey station hole well wellbore borehole rkb kb rt rte brt ref reference \
+    grid true mag magnetic corr corrected map local gyro mwd value data calc calculated computed \
+    final tn gn mn";
 
 /// Words of depths below the sea and not below the rig floor: another column altogether.
-pub(crate) const SUBSEA: &[&str] = &["ss", "subsea", "msl", "sea", "tvdss", "sstvd"];
+pub(crate) const SUBSEA: &str = "ss subsea msl sea tvdss sstvd";
+
+/// Whether a word is one of a list, in which blanks part them.
+pub(crate) fn is_of(list: &str, word: &str) -> bool {
+    list.split(' ').any(|of| of == word)
+}

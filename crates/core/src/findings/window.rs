@@ -22,8 +22,7 @@ impl<'a> Window<'a> {
 
     /// The statistic of a quantity of [`DynamicOutcome::quantities`].
     pub fn statistic(&self, name: &str) -> Option<&Statistic> {
-        let mut all = self.outcome.statistics.iter();
-        all.find(|(of, _)| *of == name).map(|(_, of)| of)
+        self.outcome.statistic(name)
     }
 
     /// Mean and largest value of a quantity; zeros of one that is not known.

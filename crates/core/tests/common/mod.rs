@@ -14,7 +14,7 @@ use wholestring::{
     operation::{Operation, OperationKind},
     rig::Rig,
     string::{ComponentLength, ComponentSpec, Material, StringSpec},
-    well::{Friction, Hole, HoleKind, HoleSection, Interpolation, Path, Station, TieIn, Well},
+    well::{Friction, Hole, HoleSection, Interpolation, Path, Station, TieIn, Well},
 };
 pub use wholestring_verification::{Row, Tolerance, report_worst, verify};
 
@@ -58,8 +58,8 @@ pub fn arcs(stations_m_deg: &[[f64; 3]]) -> Path {
 
 /// A path through stations of MD in m, inclination and azimuth in degrees.
 pub fn path(stations_m_deg: &[[f64; 3]], interpolation: Interpolation) -> Path {
-    let in_rad = |[md_m, inclination_deg, azimuth_deg]: &[f64; 3]| {
-        [*md_m, inclination_deg.to_radians(), azimuth_deg.to_radians()]
+    let in_rad = |&[md_m, inclination_deg, azimuth_deg]: &[f64; 3]| {
+        [md_m, inclination_deg.to_radians(), azimuth_deg.to_radians()]
     };
     let stations: Vec<[f64; 3]> = stations_m_deg.iter().map(in_rad).collect();
     path_in_rad(&stations, interpolation)
@@ -99,26 +99,16 @@ pub fn open_hole(diameter_m: f64, friction: f64, to_md_m: f64) -> Hole {
 
 /// The same in the rock of the article, with any friction.
 pub fn article_hole(diameter_m: f64, friction: Friction, to_md_m: f64) -> Hole {
-    let section = HoleSection {
-        friction,
-        youngs_modulus_Pa: 51.5e9,
-        poisson_ratio: 0.33,
-        ..open_section(diameter_m, 0.0, to_md_m)
-    };
+    let section = HoleSection { friction, ..HoleSection::open(0.0..to_md_m, diameter_m, 0.0) };
     Hole::new(vec![section]).expect("a sound hole")
 }
 
 /// A section of open hole from the surface down, in rock of 50 GPa.
 pub fn open_section(diameter_m: f64, friction: f64, to_md_m: f64) -> HoleSection {
     HoleSection {
-        kind: HoleKind::Open,
-        from_md_m: 0.0,
-        to_md_m,
-        diameter_m,
-        friction: Friction::uniform(friction),
         youngs_modulus_Pa: 50e9,
         poisson_ratio: 0.3,
-        roughness: 1.0,
+        ..HoleSection::open(0.0..to_md_m, diameter_m, friction)
     }
 }
 
@@ -161,12 +151,17 @@ pub fn model(
     }
 }
 
-/// A uniform plain string in air in one hole, the bit at the last station.
-pub fn uniform_model(stations_m_deg: &[[f64; 3]], w_N_per_m: f64, r_m: f64, mu: f64) -> Model {
+/// A model of arcs through stations, one friction, components from the bit up and a mud, with the
+/// bit at the last station.
+pub fn along(stations_m_deg: &[[f64; 3]], mu: f64, of: Vec<ComponentSpec>, mud: Mud) -> Model {
     let path = arcs(stations_m_deg);
     let bit_depth_m = path.last_md_m();
-    let components = vec![pipe(w_N_per_m, r_m, ComponentLength::ToSurface)];
-    model(path, hole(mu, bit_depth_m), components, mud(0.0), bit_depth_m)
+    model(path, hole(mu, bit_depth_m), of, mud, bit_depth_m)
+}
+
+/// A uniform plain string in air in one hole, the bit at the last station.
+pub fn uniform_model(stations_m_deg: &[[f64; 3]], w_N_per_m: f64, r_m: f64, mu: f64) -> Model {
+    along(stations_m_deg, mu, vec![pipe(w_N_per_m, r_m, ComponentLength::ToSurface)], mud(0.0))
 }
 
 /// The same in a straight hole of an inclination, deg.

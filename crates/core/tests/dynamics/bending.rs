@@ -24,8 +24,7 @@ fn a_pipe_in_an_arc_bends_most_where_it_is_held() {
     let model = capstan_model([0.0, 0.0], [BUILD_DEG, 0.0], 0.0, RADIUS_M, TENSION_N);
     let depth_m = model.string.length_m();
     let mut case = Case::new(model, operation(OperationKind::RotateOffBottom, depth_m));
-    case.settings.settle_s = 6.0;
-    case.settings.duration_s = 2.0;
+    case.lasts(6.0, 2.0);
     let mesh_m = case.start().mesh().elements[20].length_m;
     let nodes = case.run().nodes;
 

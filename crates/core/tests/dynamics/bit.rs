@@ -7,12 +7,12 @@ use wholestring::{
     },
     operation::OperationKind,
     string::ComponentLength,
-    well::{HoleKind, Interpolation},
+    well::{HoleSection, Interpolation},
 };
 
 use crate::{
     common::{DRAG_BIT, MOTOR, SMOOTH, operation, path, rpm, verify},
-    wells::{Case, between, line, model, np13, section, tool},
+    wells::{Case, between, model, np13, rate_from, tool},
 };
 
 const DEPTH_M: f64 = 1000.0;
@@ -27,7 +27,7 @@ const LAW: RegenerativeLaw = RegenerativeLaw {
 fn vertical(revolutions_per_minute: f64) -> Case {
     let vertical = model(
         path(&[[0.0, 0.0, 0.0], [DEPTH_M + 20.0, 0.0, 0.0]], Interpolation::Spline),
-        vec![section(HoleKind::Open, 0.0, DEPTH_M + 20.0, 0.2159, 0.2)],
+        vec![HoleSection::open(0.0..(DEPTH_M + 20.0), 0.2159, 0.2)],
         vec![
             tool("bit", ComponentLength::Metres(0.3), 0.2159, 0.0),
             tool("collars", ComponentLength::Metres(100.0), 0.1651, 0.0714),
@@ -41,14 +41,12 @@ fn vertical(revolutions_per_minute: f64) -> Case {
         .weight_on_bit_N(60e3);
     let mut case = Case::new(vertical, bit.drilling_steadily(drill));
     case.settings.bit = bit;
-    case.settings.settle_s = 60.0;
-    case.settings.duration_s = 30.0;
+    case.lasts(60.0, 30.0);
     case
 }
 
 fn statistic(outcome: &DynamicOutcome, name: &str) -> Statistic {
-    let found = outcome.statistics.iter().find(|(n, _)| *n == name);
-    found.expect("a statistic").1
+    *outcome.statistic(name).expect(name)
 }
 
 /// Turning fast enough, a drag bit under a whole string drills steadily: weight, torque and rate of
@@ -63,8 +61,7 @@ fn a_fast_drag_bit_drills_steadily() {
     let depth_of_cut_m = cutting_N / (0.6 * 0.107_95 * 60e6);
     let torque = 0.5 * 0.107_95 * (cutting_N / 0.6 + 0.6 * (60e3 - cutting_N));
     let series = &outcome.series;
-    let from = series.time_s.partition_point(|t| *t < 60.0);
-    let (rate, _) = line(&series.time_s[from..], &series.bit_depth_m[from..]);
+    let rate = rate_from(series, 60.0);
     let spin = statistic(&outcome, "bit_rotary_speed_rad_per_s");
     let weight = statistic(&outcome, "weight_on_bit_N");
     for (quantity, expected, computed) in [
@@ -96,16 +93,14 @@ fn a_bit_without_history_drills_steadily() {
     };
     case.settings.bit.law = BitLaw::DetournayDefourny(law);
     case.operation = case.settings.bit.drilling_steadily(case.operation);
-    case.settings.settle_s = 30.0;
-    case.settings.duration_s = 15.0;
+    case.lasts(30.0, 15.0);
     let outcome = case.run();
     let cutting_N = 60e3 - 60e6 * 0.107_95 * 5e-3;
     let depth_of_cut_m = cutting_N / (0.6 * 0.107_95 * 60e6);
     let torque = 0.5 * 0.107_95 * (cutting_N / 0.6 + 0.6 * (60e3 - cutting_N));
     let rate = depth_of_cut_m * rpm(100.0) / std::f64::consts::TAU;
     let series = &outcome.series;
-    let from = series.time_s.partition_point(|t| *t < 30.0);
-    let (moved, _) = line(&series.time_s[from..], &series.bit_depth_m[from..]);
+    let moved = rate_from(series, 30.0);
     let mean = |name| statistic(&outcome, name).mean;
     for (quantity, expected, computed) in [
         ("weight on bit, N", 60e3, mean("weight_on_bit_N")),
@@ -145,8 +140,7 @@ fn a_motor_turns_the_bit_of_a_sliding_string() {
     case.operation.kind = OperationKind::Slide;
     case.operation.flow_rate_m3_per_s = 30e-3;
     case.operation = case.settings.bit.drilling_steadily(case.operation);
-    case.settings.settle_s = 30.0;
-    case.settings.duration_s = 15.0;
+    case.lasts(30.0, 15.0);
     let outcome = case.run();
     // Torque and speed meet where 3600 N·m less 1 for each rev/min is what the motor's speed
     // leaves.
@@ -188,8 +182,7 @@ fn a_slow_drag_bit_sticks_and_slips() {
     assert!(stuck > 0.02, "{stuck}");
     assert!(spin.max > 2.0 * rpm(40.0), "{spin:?}");
     assert!((spin.mean / rpm(40.0) - 1.0).abs() < 0.05, "{spin:?}");
-    let from = series.time_s.partition_point(|t| *t < 30.0);
-    let (rate, _) = line(&series.time_s[from..], &series.bit_depth_m[from..]);
+    let rate = rate_from(series, 30.0);
     let steady = case.operation.rate_of_penetration_m_per_s;
     assert!((rate / steady - 1.0).abs() < 0.1, "{rate} {steady}");
     let residual = outcome.numerics.energy_residual;

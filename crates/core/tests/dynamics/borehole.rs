@@ -5,12 +5,12 @@ use wholestring::{
     dynamics::HoistControl,
     operation::OperationKind,
     string::{ComponentLength, StringSpec},
-    well::{HoleKind, Interpolation, Path, Station, TieIn},
+    well::{HoleSection, Interpolation, Path, Station, TieIn},
 };
 
 use crate::{
     common::{assert_close, operation, path},
-    wells::{Case, STRAIGHT_DEG, each, go, mean_between, model, moderate, section, straight, tool},
+    wells::{Case, STRAIGHT_DEG, each, go, mean_between, model, moderate, straight, tool},
 };
 
 /// A block velocity that is requested as a setting is the string's speed: reaming 500 m at 0.5 m/s
@@ -25,8 +25,7 @@ fn a_block_velocity_is_the_trip_speed() {
         operation.trip_speed_m_per_s = named.unwrap_or(0.5);
         let mut case = Case::new(straight(500.0, 0.25), operation);
         case.settings.hoist_control = named.map(|_| HoistControl::BlockVelocity(0.5));
-        case.settings.settle_s = 5.0;
-        case.settings.duration_s = 5.0;
+        case.lasts(5.0, 5.0);
         case.run().scalars
     });
     let pair = |of: fn(&wholestring::outcome::Scalars) -> f64| [of(&found[1]), of(&found[0])];
@@ -46,8 +45,7 @@ fn a_trip_by_block_velocity_has_its_hook_load() {
         let mut case = moderate(OperationKind::TripOut, 0.25);
         case.operation.trip_speed_m_per_s = named.unwrap_or(0.5);
         case.settings.hoist_control = named.map(|_| HoistControl::BlockVelocity(-0.5));
-        case.settings.settle_s = 3.0;
-        case.settings.duration_s = 3.0;
+        case.lasts(3.0, 3.0);
         case.run().scalars.hook_load_N
     });
     // Where it starts, the friction around differs by the named speed; it has settled to 1e-4 after
@@ -117,7 +115,7 @@ fn a_build_from_the_surface_keeps_its_hook_load() {
     stations.push([600.0, 45.0, 40.0]);
     let model = model(
         path(&stations, Interpolation::Spline),
-        vec![section(HoleKind::Open, 0.0, 620.0, 0.2159, 0.25)],
+        vec![HoleSection::open(0.0..620.0, 0.2159, 0.25)],
         vec![tool("pipe", ComponentLength::ToSurface, 0.1397, 0.1186)],
         600.0,
     );
@@ -246,8 +244,7 @@ fn short_elements_hold_their_weight_on_bit() {
         .rate_of_penetration_m_per_s(10.0 / 3600.0);
     let mut case = Case::new(straight(400.0, 0.25), drill);
     case.settings.element_length_m = 0.5;
-    case.settings.settle_s = 0.0;
-    case.settings.duration_s = 12.0;
+    case.lasts(0.0, 12.0);
     let mut simulation = case.start();
     go(&mut simulation, 11.0);
     let series = simulation.outcome().series;

@@ -6,12 +6,12 @@ use wholestring::{
     mud::Mud,
     operation::{Operation, OperationKind},
     string::{ComponentLength, ComponentSpec, Material},
-    well::{HoleKind, Interpolation},
+    well::{HoleSection, Interpolation},
 };
 
 use crate::{
     common::{Row, operation, path, report_worst, verification, verify},
-    wells::{Case, each, go, model, section},
+    wells::{Case, each, go, model},
 };
 
 /// The string of one of C01's cases.
@@ -55,7 +55,7 @@ fn row(inclination_deg: f64, waves: f64) -> Pushed {
     };
     let mut model = model(
         path(&stations, Interpolation::Spline),
-        vec![section(HoleKind::Open, 0.0, length_m + 10.0, input("hole_m"), 0.0)],
+        vec![HoleSection::open(0.0..(length_m + 10.0), input("hole_m"), 0.0)],
         vec![pipe],
         length_m,
     );
@@ -95,8 +95,7 @@ fn shape(row: &Pushed, load: f64, seconds: f64, ends: f64) -> Shape {
     // A constant force on the top leaves the load at the bit whatever the string does on the way.
     let lift_N = row.along_N_per_m * length_m - pushed_N;
     case.settings.hoist_control = Some(HoistControl::HookLoad(lift_N));
-    case.settings.settle_s = seconds;
-    case.settings.duration_s = 5.0;
+    case.lasts(seconds, 5.0);
     let mut simulation: Simulation = case.start();
     go(&mut simulation, seconds + 5.0);
     let outcome = simulation.outcome();

@@ -77,8 +77,7 @@ fn a_front_of_slip_winds_the_string_up() {
     operation.rotary_speed_rad_per_s = 1.0;
     let mut case = Case::new(straight(length, mu), operation);
     case.settings.start = Start::Centred;
-    case.settings.settle_s = 0.0;
-    case.settings.duration_s = 8.0;
+    case.lasts(0.0, 8.0);
     let mut simulation = case.start();
     go(&mut simulation, 8.0);
     let series = simulation.outcome().series;

@@ -29,8 +29,7 @@ fn cases() -> [Case; 5] {
     measured.operation = measured.settings.bit.drilling_steadily(measured.operation);
     let mut cases = [np13(0.3), trip, slide, single, measured];
     for case in &mut cases {
-        case.settings.settle_s = 1.5;
-        case.settings.duration_s = 1.5;
+        case.lasts(1.5, 1.5);
     }
     cases
 }

@@ -5,12 +5,12 @@ use wholestring::{
     dynamics::{DynamicsSettings, HoistControl, HoistLine, RodDamping, Simulation, Start},
     operation::OperationKind,
     string::ComponentLength,
-    well::{HoleKind, Interpolation},
+    well::{HoleSection, Interpolation},
 };
 
 use crate::{
     common::{mud, operation, path, verify},
-    wells::{Case, go, line, model, moderate, section, tool},
+    wells::{Case, go, line, model, moderate, tool},
 };
 
 const LENGTH_M: f64 = 1500.0;
@@ -19,7 +19,7 @@ const LENGTH_M: f64 = 1500.0;
 fn free_string() -> Simulation {
     let mut model = model(
         path(&[[0.0, 0.0, 0.0], [LENGTH_M, 0.0, 0.0]], Interpolation::Spline),
-        vec![section(HoleKind::Open, 0.0, LENGTH_M, 40.0, 0.3)],
+        vec![HoleSection::open(0.0..LENGTH_M, 40.0, 0.3)],
         vec![tool("pipe", ComponentLength::ToSurface, 0.1397, 0.1186)],
         LENGTH_M,
     );
@@ -122,8 +122,7 @@ fn an_undamped_string_keeps_its_energy() {
 fn what_comes_in_goes_out() {
     let mut case = moderate(OperationKind::Ream, 0.3);
     case.settings.start = Start::Centred;
-    case.settings.settle_s = 0.0;
-    case.settings.duration_s = 60.0;
+    case.lasts(0.0, 60.0);
     let mut simulation = case.start();
     go(&mut simulation, 60.0);
     let outcome = simulation.outcome();

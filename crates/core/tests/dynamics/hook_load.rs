@@ -27,8 +27,7 @@ fn drilling(mu: f64) -> Case {
         .weight_on_bit_N(WEIGHT_N)
         .rate_of_penetration_m_per_s(10.0 / 3600.0);
     let mut case = Case::new(straight(LENGTH_M, mu), drill);
-    case.settings.settle_s = 2.0;
-    case.settings.duration_s = 5.0;
+    case.lasts(2.0, 5.0);
     case
 }
 

@@ -8,12 +8,12 @@ use wholestring::{
     mud::{Mud, Rheology},
     operation::OperationKind,
     string::ComponentLength,
-    well::{HoleKind, Interpolation},
+    well::{HoleSection, Interpolation},
 };
 
 use crate::{
     common::{assert_close, mud_with_drag, operation, path, rpm},
-    wells::{Case, each, go, mean_between, model, section, tool},
+    wells::{Case, each, go, mean_between, model, tool},
 };
 
 const LENGTH_M: f64 = 1000.0;
@@ -29,7 +29,7 @@ fn case(kind: OperationKind, mud: Mud) -> Case {
     let stations = [[0.0, 20.0, 0.0], [LENGTH_M, 20.0, 0.0]];
     let mut model = model(
         path(&stations, Interpolation::Spline),
-        vec![section(HoleKind::Open, 0.0, LENGTH_M + 20.0, HOLE_M, 0.0)],
+        vec![HoleSection::open(0.0..(LENGTH_M + 20.0), HOLE_M, 0.0)],
         vec![tool("pipe", ComponentLength::ToSurface, OD_M, ID_M)],
         LENGTH_M,
     );
@@ -44,8 +44,7 @@ fn case(kind: OperationKind, mud: Mud) -> Case {
         .bit_pressure_drop_Pa(8e6)
         .motor_pressure_drop_Pa(0.0);
     let mut case = Case::new(model, operation);
-    case.settings.settle_s = 20.0;
-    case.settings.duration_s = 5.0;
+    case.lasts(20.0, 5.0);
     case
 }
 
@@ -166,8 +165,7 @@ fn dynamics_and_soft_string_agree_in_a_mud_that_flows() {
 #[test]
 fn the_pumps_lift_the_string() {
     let mut on = case(OperationKind::RotateOffBottom, heavy(BINGHAM));
-    on.settings.settle_s = 5.0;
-    on.settings.duration_s = 60.0;
+    on.lasts(5.0, 60.0);
     on.settings.hoist_control = Some(HoistControl::BlockVelocity(0.0));
     let mut off = on.clone();
     off.operation.flow_rate_m3_per_s = 0.0;

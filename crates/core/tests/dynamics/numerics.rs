@@ -128,8 +128,7 @@ fn cases() -> Vec<Case> {
     ream.settings.friction_law = FrictionLaw::Independent;
     let mut cases = vec![np13(0.3), ream, moderate(OperationKind::Slide, 0.3)];
     for case in &mut cases {
-        case.settings.settle_s = 5.0;
-        case.settings.duration_s = 5.0;
+        case.lasts(5.0, 5.0);
     }
     cases
 }
@@ -172,8 +171,7 @@ fn a_run_is_sound() {
 fn the_same_case_gives_the_same_bits() {
     let mut cases = vec![np13(0.3), np13(0.3), np13(0.3)];
     for case in &mut cases {
-        case.settings.settle_s = 5.0;
-        case.settings.duration_s = 2.0;
+        case.lasts(5.0, 2.0);
     }
     cases[2].settings.seed = 2;
     let found = each(&cases, Case::run);

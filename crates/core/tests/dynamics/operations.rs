@@ -152,8 +152,7 @@ fn twist_and_stretch_of_the_nodes_end_in_the_scalars() {
             .rate_of_penetration_m_per_s(0.01);
         let mut case = Case::new(straight(300.0, 0.25), operation);
         case.settings.precision = precision;
-        case.settings.settle_s = 0.3;
-        case.settings.duration_s = 0.4;
+        case.lasts(0.3, 0.4);
         case
     };
     // Single precision is refused where the string does not turn.

@@ -137,10 +137,8 @@ fn a_shaken_string_has_the_same_statistics() {
         ("surface_torque_N_m", "torque, N·m"),
         ("weight_on_bit_N", "weight on bit, N"),
     ] {
-        let [double, single] = found.each_ref().map(|outcome| {
-            let found = outcome.statistics.iter().find(|(n, _)| *n == name);
-            found.expect("a statistic").1
-        });
+        let [double, single] =
+            found.each_ref().map(|outcome| *outcome.statistic(name).expect(name));
         let reason = "asked of it: another seed moves means by 0.1 %, deviations by 5 %";
         assert_same(
             &format!("shaken bit: mean {unit}"),

@@ -16,8 +16,7 @@ fn turning(probes: Vec<Probe>) -> Case {
     let turn = operation(OperationKind::RotateOffBottom, LENGTH_M);
     let mut case = Case::new(straight(LENGTH_M, 0.25), turn);
     case.operation.rotary_speed_rad_per_s = rpm(90.0);
-    case.settings.settle_s = 0.2;
-    case.settings.duration_s = 0.3;
+    case.lasts(0.2, 0.3);
     case.settings.probes = probes;
     case
 }

@@ -13,12 +13,12 @@ use wholestring::{
     operation::OperationKind,
     rock::{BitShape, DrillingSpec, Executor, Rock, bit_face::PdcBit},
     string::ComponentLength,
-    well::{HoleKind, Interpolation},
+    well::{HoleSection, Interpolation},
 };
 
 use crate::{
     common::{mud, operation, path, rpm, verify},
-    wells::{Case, each, go, line, model, section, tool},
+    wells::{Case, each, go, line, model, tool},
 };
 
 const DEPTH_M: f64 = 100.0;
@@ -40,7 +40,7 @@ fn law() -> RockLaw {
 fn case() -> Case {
     let mut vertical = model(
         path(&[[0.0, 0.0, 0.0], [DEPTH_M + 20.0, 0.0, 0.0]], Interpolation::Spline),
-        vec![section(HoleKind::Open, 0.0, DEPTH_M + 20.0, 0.06, 0.0)],
+        vec![HoleSection::open(0.0..(DEPTH_M + 20.0), 0.06, 0.0)],
         vec![
             tool("bit", ComponentLength::Metres(0.3), 0.06, 0.0),
             tool("collars", ComponentLength::Metres(60.0), 0.05, 0.01),
@@ -58,14 +58,12 @@ fn case() -> Case {
     let mut case = Case::new(vertical, drill);
     case.settings.bit = bit;
     case.settings.hoist_control = Some(HoistControl::BlockVelocity(rate_m_per_s));
-    case.settings.settle_s = 0.5;
-    case.settings.duration_s = 1.5;
+    case.lasts(0.5, 1.5);
     case
 }
 
 fn statistic(outcome: &DynamicOutcome, name: &str) -> Statistic {
-    let found = outcome.statistics.iter().find(|(n, _)| *n == name);
-    found.expect("a statistic").1
+    *outcome.statistic(name).expect(name)
 }
 
 /// Weight and torque of the rock are what the top of the string lacks and gives, the bit advances
@@ -203,8 +201,7 @@ fn a_run_on_rock_ends_with_the_same_bits_whoever_works_on_it() {
     let cases = [Precision::Double, Precision::Single].map(|precision| {
         let mut case = case();
         case.settings.precision = precision;
-        case.settings.settle_s = 0.1;
-        case.settings.duration_s = 0.1;
+        case.lasts(0.1, 0.1);
         case
     });
     let run = |case: &Case, stopped: &dyn Fn(Simulation) -> Simulation| {

@@ -29,8 +29,7 @@ fn reaming(radius_rms_m: f64, tortuosity_rms_m: f64, seed: u64) -> Case {
 }
 
 fn std(outcome: &DynamicOutcome, name: &str) -> f64 {
-    let found = outcome.statistics.iter().find(|(n, _)| *n == name);
-    found.expect("a statistic").1.std
+    outcome.statistic(name).expect(name).std
 }
 
 /// Standard deviation of the contact force of a node, over its mean, on average between 50 and 250

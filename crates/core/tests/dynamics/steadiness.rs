@@ -21,9 +21,7 @@ fn a_prepared_start_is_settled_in_ten_seconds() {
     let mut case = np13(0.3);
     case.settings.duration_s = 20.0;
     let outcome = case.run();
-    let of = |name: &str| {
-        outcome.statistics.iter().find(|(n, _)| *n == name).map(|(_, s)| *s).expect("a statistic")
-    };
+    let of = |name: &str| outcome.statistic(name).expect(name);
     let (torque, hook) = (of("surface_torque_N_m"), of("hook_load_N"));
     let weight = of("weight_on_bit_N");
     assert!(torque.std < 100.0, "torque varies by {} N·m", torque.std);
@@ -67,8 +65,7 @@ fn ten_minutes_of_quiet_rotation_do_not_drift() {
 fn drilling(bit_depth_m: f64, settle_s: f64, duration_s: f64) -> Case {
     let mut case = np13_at(0.3, bit_depth_m);
     case.settings.element_length_m = 4.8;
-    case.settings.settle_s = settle_s;
-    case.settings.duration_s = duration_s;
+    case.lasts(settle_s, duration_s);
     case.settings.sample_interval_s = 0.05;
     case
 }

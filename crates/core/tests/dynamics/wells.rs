@@ -4,15 +4,16 @@ use wholestring::{
     dynamics::{DynamicOutcome, DynamicsSettings, Simulation},
     model::Model,
     operation::{Operation, OperationKind},
+    outcome::TimeSeries,
     statics::soft::{self, SoftProfile},
     string::{ComponentLength, ComponentSpec},
-    well::{Hole, HoleKind, HoleSection, Interpolation, Path},
+    well::{Hole, HoleSection, Interpolation, Path},
 };
 
 use crate::common::{
     self,
     np13::{components, drill_pipe, heavy_weight},
-    open_section, operation, path,
+    operation, path,
 };
 pub use crate::common::{mud_with_drag as mud, np13::tool};
 
@@ -30,6 +31,12 @@ impl Case {
         let settings =
             DynamicsSettings { settle_s: 10.0, duration_s: 10.0, ..DynamicsSettings::default() };
         Self { model, operation, settings }
+    }
+
+    /// Gives it another time to settle and another window.
+    pub fn lasts(&mut self, settle_s: f64, duration_s: f64) {
+        self.settings.settle_s = settle_s;
+        self.settings.duration_s = duration_s;
     }
 
     pub fn start(&self) -> Simulation {
@@ -96,23 +103,10 @@ pub fn line(x: &[f64], y: &[f64]) -> (f64, f64) {
     (sxy / sxx, my - sxy / sxx * mx)
 }
 
-/// A section of hole with the elastic constants of casing or of the article's rock.
-pub fn section(
-    kind: HoleKind,
-    from_md_m: f64,
-    to_md_m: f64,
-    diameter_m: f64,
-    mu: f64,
-) -> HoleSection {
-    let (youngs_modulus_Pa, poisson_ratio) =
-        if kind == HoleKind::Casing { (210e9, 0.3) } else { (51.5e9, 0.33) };
-    HoleSection {
-        kind,
-        from_md_m,
-        youngs_modulus_Pa,
-        poisson_ratio,
-        ..open_section(diameter_m, mu, to_md_m)
-    }
+/// How fast the bit goes down from a time on, m/s.
+pub fn rate_from(series: &TimeSeries, from_s: f64) -> f64 {
+    let from = series.time_s.partition_point(|t| *t < from_s);
+    line(&series.time_s[from..], &series.bit_depth_m[from..]).0
 }
 
 /// A model of a path, sections of hole and components from the bit up, in the mud of [`mud`].
@@ -140,7 +134,7 @@ pub fn straight(length_m: f64, mu: f64) -> Model {
     let stations = [[0.0, STRAIGHT_DEG, 20.0], [length_m, STRAIGHT_DEG, 20.0]];
     model(
         path(&stations, Interpolation::Spline),
-        vec![section(HoleKind::Open, 0.0, length_m, 0.2159, mu)],
+        vec![HoleSection::open(0.0..length_m, 0.2159, mu)],
         vec![tool("pipe", ComponentLength::ToSurface, 0.1397, 0.1186)],
         length_m,
     )
@@ -160,8 +154,8 @@ pub fn np13(mu: f64) -> Case {
 /// The same with the bit at another depth.
 pub fn np13_at(mu: f64, bit_depth_m: f64) -> Case {
     let hole = vec![
-        section(HoleKind::Casing, 0.0, 2986.53, 0.22296, mu),
-        section(HoleKind::Open, 2986.53, NP13_M + 20.0, 0.2159, mu),
+        HoleSection::casing(0.0..2986.53, 0.22296, mu),
+        HoleSection::open(2986.53..(NP13_M + 20.0), 0.2159, mu),
     ];
     let path = path(&np13_survey(), Interpolation::Spline);
     let drill = operation(OperationKind::Drill, bit_depth_m)
@@ -209,8 +203,8 @@ pub fn moderate(kind: OperationKind, mu: f64) -> Case {
         drill_pipe(),
     ];
     let hole = vec![
-        section(HoleKind::Casing, 0.0, 700.0, 0.22296, mu),
-        section(HoleKind::Open, 700.0, MODERATE_M + 20.0, 0.2159, mu),
+        HoleSection::casing(0.0..700.0, 0.22296, mu),
+        HoleSection::open(700.0..(MODERATE_M + 20.0), 0.2159, mu),
     ];
     let operation = operation(kind, MODERATE_M)
         .weight_on_bit_N(40e3)

@@ -12,7 +12,7 @@ use wholestring::rod::{
 
 use crate::{
     common::{Tolerance, number, verification, verify},
-    plane::{order, section},
+    plane::{at_rest, order, section},
     random::Random,
     space::Space,
 };
@@ -67,16 +67,12 @@ impl Ends {
         let spin = [0, 1].map(|i| self.omega[i].dot(&self.d[i]));
         let w = [0, 1].map(|i| self.omega[i] - spin[i] * self.d[i]);
         let pose = Pose {
-            anchor_chord: chord.into(),
-            anchor_excess: chord.norm_squared() - LENGTH_M * LENGTH_M,
-            displacement: Vector::zero(),
             velocity: (self.v[1] - self.v[0]).into(),
-            d1: self.d[0].into(),
-            d2: self.d[1].into(),
             w1: w[0].into(),
             w2: w[1].into(),
             spin: spin[1] - spin[0],
             twist: self.twist,
+            ..at_rest(chord, LENGTH_M, self.d)
         };
         pose_below(&pose, spin[0], self.below())
     }

@@ -12,7 +12,7 @@ use wholestring::{
     },
 };
 
-use crate::{common::assert_close, random::Random};
+use crate::{common::assert_close, plane::at_rest, random::Random};
 
 type V = Vector3<f64>;
 
@@ -77,16 +77,13 @@ impl Ends {
         let anchor = (self.x[1] - self.x[0]) + V::new(0.011, -0.007, 0.004);
         let displacement = (self.x[1] - self.x[0]) - anchor;
         Pose {
-            anchor_chord: anchor.into(),
-            anchor_excess: anchor.norm_squared() - LENGTH_M * LENGTH_M,
             displacement: displacement.into(),
             velocity: (self.v[1] - self.v[0]).into(),
-            d1: self.d[0].into(),
-            d2: self.d[1].into(),
             w1: self.w[0].into(),
             w2: self.w[1].into(),
             spin: self.spin[1] - self.spin[0],
             twist: self.twist,
+            ..at_rest(anchor, LENGTH_M, self.d)
         }
     }
 
@@ -322,16 +319,10 @@ fn a_bent_pipe_that_whirls_rigidly_loses_next_to_nothing() {
     let d = [-0.5, 0.5].map(|part| V::new((part * bend).sin(), 0.0, (part * bend).cos()));
     let w = d.map(|d| omega - d * omega.dot(&d));
     let pose = Pose {
-        anchor_chord: Vector(0.0, 0.0, length),
-        anchor_excess: 0.0,
-        displacement: Vector::zero(),
-        velocity: Vector::zero(),
-        d1: d[0].into(),
-        d2: d[1].into(),
         w1: w[0].into(),
         w2: w[1].into(),
         spin: omega.dot(&(d[1] - d[0])),
-        twist: 0.0,
+        ..at_rest(V::new(0.0, 0.0, length), length, d)
     };
     let loss = react(&k, &pose, 0.0, 1e-5).damping_power;
     let by_hand = 1e-5 * k.bending * (w[1] - w[0]).norm_squared();

@@ -3,7 +3,7 @@
 //! The reactions are those of the engine; the tangent is their finite difference. It only steers
 //! the iteration: what is found is where the forces balance.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Vector3};
 use wholestring::rod::{
     element::{Pose, Stiffness, react},
     section::Section,
@@ -23,6 +23,22 @@ pub fn section(axial: f64, bending: f64, shear: f64) -> Section {
         polar_inertia_kg_m: 1.0,
         od_m: 0.1,
         pressure_strain_per_Pa: 0.0,
+    }
+}
+
+/// An element at rest on a chord between its anchors, without twist.
+pub fn at_rest(chord: Vector3<f64>, length_m: f64, d: [Vector3<f64>; 2]) -> Pose<f64> {
+    Pose {
+        anchor_chord: chord.into(),
+        anchor_excess: chord.norm_squared() - length_m * length_m,
+        displacement: Vector::zero(),
+        velocity: Vector::zero(),
+        d1: d[0].into(),
+        d2: d[1].into(),
+        w1: Vector::zero(),
+        w2: Vector::zero(),
+        spin: 0.0,
+        twist: 0.0,
     }
 }
 
@@ -64,33 +80,14 @@ impl Plane {
     }
 
     fn reaction(k: &Stiffness<f64>, q: &[f64; 2 * FREE]) -> [f64; 2 * FREE] {
-        let director = |turn: f64| Vector(turn.sin(), 0.0, turn.cos());
-        let r = react(
-            k,
-            &Pose {
-                anchor_chord: Vector(0.0, 0.0, k.length),
-                anchor_excess: 0.0,
-                displacement: Vector(q[3] - q[0], 0.0, q[4] - q[1]),
-                velocity: Vector::zero(),
-                d1: director(q[2]),
-                d2: director(q[5]),
-                w1: Vector::zero(),
-                w2: Vector::zero(),
-                spin: 0.0,
-                twist: 0.0,
-            },
-            0.0,
-            0.0,
-        );
+        let d = [q[2], q[5]].map(|turn| Vector3::new(turn.sin(), 0.0, turn.cos()));
+        let pose = Pose {
+            displacement: Vector(q[3] - q[0], 0.0, q[4] - q[1]),
+            ..at_rest(Vector3::new(0.0, 0.0, k.length), k.length, d)
+        };
+        let r = react(k, &pose, 0.0, 0.0);
         // A turn from z to x is positive about y.
-        [
-            -r.force.0,
-            -r.force.2,
-            r.moment1(director(q[2])).1,
-            r.force.0,
-            r.force.2,
-            r.moment2(director(q[5])).1,
-        ]
+        [-r.force.0, -r.force.2, r.moment1(pose.d1).1, r.force.0, r.force.2, r.moment2(pose.d2).1]
     }
 
     fn ends(&self, element: usize) -> [f64; 2 * FREE] {

@@ -12,6 +12,8 @@ use wholestring::rod::{
     vector::Vector,
 };
 
+use crate::plane::at_rest;
+
 type V = Vector3<f64>;
 
 /// What moves at a node: three displacements, three rotations.
@@ -92,16 +94,9 @@ impl Space {
         let d2 = Vector::from(two.director);
         let below = Vector::from(one.below());
         let pose = Pose {
-            anchor_chord: chord.into(),
             anchor_excess: (length - k.length) * (length + k.length),
-            displacement: Vector::zero(),
-            velocity: Vector::zero(),
-            d1: one.director.into(),
-            d2,
-            w1: Vector::zero(),
-            w2: Vector::zero(),
-            spin: 0.0,
             twist: twist(one.mark.into(), below, two.mark.into(), d2),
+            ..at_rest(chord, k.length, [one.director, two.director])
         };
         let r = react(k, &pose_below(&pose, 0.0, below), 0.0, 0.0);
         let (m1, m2) = (moment_above(&r, below), moment_below(&r, d2));

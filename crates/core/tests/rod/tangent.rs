@@ -7,7 +7,7 @@ use wholestring::rod::{
     element::{Pose, Stiffness, react},
 };
 
-use crate::{element::pipe, random::Random};
+use crate::{element::pipe, plane::at_rest, random::Random};
 
 type V = Vector3<f64>;
 type Matrix = SMatrix<f64, 12, 12>;
@@ -43,16 +43,9 @@ impl Ends {
     fn pose(&self) -> Pose<f64> {
         let anchor = self.chord + V::new(0.011, -0.007, 0.004);
         Pose {
-            anchor_chord: anchor.into(),
-            anchor_excess: anchor.norm_squared() - LENGTH_M * LENGTH_M,
             displacement: (self.chord - anchor).into(),
-            velocity: V::zeros().into(),
-            d1: self.d[0].into(),
-            d2: self.d[1].into(),
-            w1: V::zeros().into(),
-            w2: V::zeros().into(),
-            spin: 0.0,
             twist: self.twist,
+            ..at_rest(anchor, LENGTH_M, self.d)
         }
     }
 

@@ -16,65 +16,30 @@ pub(super) const READERS: &[(&str, New)] = &[
     ("quantity", quantity),
 ];
 
-const WORDS: &[&str] = &[
-    "[",
-    "]",
-    "[[",
-    "]]",
-    "{",
-    "}",
-    "=",
-    ",",
-    ".",
-    "\"",
-    "'",
-    "\"\"\"",
-    "#",
-    "\n",
-    "true",
-    "[well]",
-    "[[well.hole]]",
-    "[[string]]",
-    "[operation]",
-    "[dynamics]",
-    "[rig]",
-    "[mud]",
-    "[bit]",
-    "[rock]",
-    "[bit.face]",
-    "[bit_test]",
-    "[hoist]",
-    "[records]",
-    "[[schedule]]",
-    "\"to surface\"",
-    "\"open\"",
-    "\"5 in\"",
-    "\"9 5/8\\\"\"",
-    "\"1e3 m\"",
-    "\"-1 ft\"",
-    "\"0 kN\"",
-    "\"1e-305 N.m\"",
-    "\"12 ppg\"",
-    "\"nan\"",
-    "\"soft\"",
-    "\"dynamic\"",
-    "\"rock\"",
-    "\"table\"",
-    "\"regenerative\"",
-    "friction",
-    "survey_unit",
-    "stations",
-    "catalogue",
-    "length",
-    "joint_od",
-    "bend",
-    "eccentricity",
-    "element_length",
-    "duration",
-    "é",
-    "\u{feff}",
-    "\u{0}",
-];
+/// What stands in cases and studies.
+fn words() -> Vec<&'static str> {
+    let words = r#"
+        [ ] [[ ]] { } = , . " ' """ # true [well] [[well.hole]] [[string]] [operation] [dynamics]
+        [rig] [mud] [bit] [rock] [bit.face] [bit_test] [hoist] [records] [[schedule]] "open" "nan"
+        "soft" "dynamic" "rock" "table" "regenerative" friction survey_unit stations catalogue
+        length joint_od bend eccentricity element_length duration
+    "#;
+    let others = [
+        "\n",
+        "\"to surface\"",
+        "\"5 in\"",
+        "\"9 5/8\\\"\"",
+        "\"1e3 m\"",
+        "\"-1 ft\"",
+        "\"0 kN\"",
+        "\"1e-305 N.m\"",
+        "\"12 ppg\"",
+        "é",
+        "\u{feff}",
+        "\u{0}",
+    ];
+    words.split_whitespace().chain(others).collect()
+}
 
 const VERTICAL: &[u8] = include_bytes!("../../../../cases/vertical.toml");
 
@@ -109,7 +74,7 @@ fn case() -> Reader {
         include_bytes!("../../../../cases/iscwsa-04.toml"),
         include_bytes!("../../../../cases/np13-x1042-rock.toml"),
     ];
-    Reader::text("case", seeds, WORDS, move |input| {
+    Reader::text("case", seeds, &words(), move |input| {
         printed(parse("case.toml", input, &files, &[]).inspect(|case| {
             case.warnings.render(false);
         }))
@@ -124,7 +89,7 @@ fn overrides() -> Reader {
         b"operation.kind=[\"drill\", \"slide\"]\nmodel=soft\nmesh.element_length=9.6 \
          m\nrig.top_drive_torque=45 kN.m",
     ];
-    Reader::text("override", seeds, WORDS, |input| {
+    Reader::text("override", seeds, &words(), |input| {
         let text = String::from_utf8_lossy(input);
         let changes: Result<Vec<Override>, _> =
             text.lines().filter(|line| !line.trim().is_empty()).map(str::parse).collect();
@@ -143,7 +108,7 @@ fn vary() -> Reader {
         b"well.path=spline,minimum-curvature\nwob=1tf,2 tf",
         b"operation.kind=[\"drill\"],[\"slide\"]\nname=\"x,y\",z",
     ];
-    Reader::text("vary", seeds, WORDS, |input| {
+    Reader::text("vary", seeds, &words(), |input| {
         let text = String::from_utf8_lossy(input);
         let arguments: Vec<String> = text.lines().map(str::to_owned).collect();
         let read = Variation::read_all(&arguments);
@@ -178,7 +143,7 @@ fn study() -> Reader {
         b"[[sweep]]\nname = \"a\"\ncase = \"slant.toml\"\nset = { model \
          = \"soft\", \"operation.kind\" = \"drill\" }\nvary = { friction = \"0.1..0.4/0.1\" }\n",
     ];
-    let mut reader = Reader::text("study", seeds, WORDS, |input| {
+    let mut reader = Reader::text("study", seeds, &words(), |input| {
         printed(study::parse("study.toml", input, &COLUMNS))
     });
     reader.seeds.retain(|seed| study::parse("study.toml", seed, &COLUMNS).is_ok());

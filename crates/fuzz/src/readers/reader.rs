@@ -25,7 +25,7 @@ pub(super) enum Make {
 pub(crate) struct Reader {
     pub(crate) name: &'static str,
     pub(super) seeds: Vec<Vec<u8>>,
-    pub(super) words: &'static [&'static str],
+    pub(super) words: Vec<&'static str>,
     pub(super) make: Make,
     pub(super) read: Read,
 }
@@ -35,13 +35,13 @@ impl Reader {
     pub(super) fn text<const N: usize>(
         name: &'static str,
         seeds: [&[u8]; N],
-        words: &'static [&'static str],
+        words: &[&'static str],
         read: impl FnMut(&[u8]) -> bool + 'static,
     ) -> Self {
         Self {
             name,
             seeds: seeds.map(<[u8]>::to_vec).into(),
-            words,
+            words: words.to_vec(),
             make: Make::Damaged { is_text: true },
             read: Box::new(read),
         }
@@ -56,7 +56,7 @@ impl Reader {
         Self {
             name,
             seeds,
-            words: &[],
+            words: Vec::new(),
             make: Make::Damaged { is_text: false },
             read: Box::new(read),
         }
@@ -70,7 +70,7 @@ impl Reader {
             Make::Damaged { .. } if rng.u8(..100) == 0 => {
                 rng.choice(&self.seeds).cloned().unwrap_or_default()
             }
-            Make::Damaged { is_text } => mutation::damaged(&self.seeds, self.words, *is_text, rng),
+            Make::Damaged { is_text } => mutation::damaged(&self.seeds, &self.words, *is_text, rng),
             Make::Own(make) => make(rng),
         }
     }

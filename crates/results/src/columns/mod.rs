@@ -20,6 +20,21 @@ use wholestring::outcome;
 /// Name, unit and meaning of a column.
 pub type ColumnSpec = outcome::Quantity;
 
+/// Declares columns: name, kind of quantity or words, meaning, and where there is no value.
+macro_rules! specs {
+    (@one $name:literal, Words, $meaning:literal) => {
+        $crate::ColumnSpec::text($name, $meaning)
+    };
+    (@one $name:literal, $kind:ident, $meaning:literal) => {
+        $crate::ColumnSpec::number($name, wholestring::outcome::QuantityKind::$kind, $meaning)
+    };
+    ($($name:literal: $kind:ident, $meaning:literal $(, null_where $none:literal)?;)+) => {
+        &[$($crate::columns::specs!(@one $name, $kind, $meaning)$(.null_where($none))?),+]
+    };
+}
+
+use specs;
+
 /// Whose rows they are.
 const MODEL: ColumnSpec = ColumnSpec::text("model", outcome::ModelKind::LISTED);
 

@@ -72,6 +72,11 @@ impl DynamicOutcome {
     pub fn quantities() -> impl Iterator<Item = &'static str> {
         VARYING.into_iter().map(|column| column.quantity.name)
     }
+
+    /// The statistic of one of [`Self::quantities`].
+    pub fn statistic(&self, name: &str) -> Option<&Statistic> {
+        self.statistics.iter().find(|(of, _)| *of == name).map(|(_, statistic)| statistic)
+    }
 }
 
 /// Everything that a run answers.
