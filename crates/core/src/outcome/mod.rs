@@ -33,6 +33,6 @@ pub use scalars::{SCALARS, Scalar, Scalars, scalars_by_row};
 pub use signal::Signal;
 pub(crate) use signals::signals;
 pub use solution::{InTime, Solution};
-pub(crate) use time_series::VARYING;
 pub use time_series::{TIME_SERIES, TimeSeries};
+pub(crate) use time_series::{VARYING, varying_place};
 pub use well_path::{WELL_PATH, WellPath};

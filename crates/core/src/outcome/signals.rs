@@ -25,9 +25,11 @@ macro_rules! signals {
             /// What it is: the column's declaration.
             pub const fn quantity(self) -> &'static $crate::outcome::Quantity {
                 match self {
-                    $(Self::$signal => const {
-                        $crate::outcome::Column::declared($list, stringify!($column))
-                    },)*
+                    $(Self::$signal => {
+                        const DECLARED: &$crate::outcome::Quantity =
+                            $crate::outcome::Column::declared($list, stringify!($column));
+                        DECLARED
+                    })*
                 }
             }
 

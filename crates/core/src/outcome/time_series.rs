@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     column::{Column, DriftScale, columns},
     method::IN_TIME,
+    quantity::is_same,
 };
 use crate::{
     damage::{Damaged, ensure},
@@ -134,6 +135,21 @@ pub(crate) const VARYING: [&Column<TimeSeries>; COUNT] = {
     }
     found
 };
+
+/// The place of a column among [`VARYING`].
+///
+/// # Panics
+/// Where no statistics are taken of it: in a constant, the compiler says so.
+pub(crate) const fn varying_place(name: &str) -> usize {
+    let mut place = 0;
+    while place < COUNT {
+        if is_same(VARYING[place].quantity.name, name) {
+            return place;
+        }
+        place += 1;
+    }
+    panic!("no statistics are taken of a column of that name")
+}
 
 impl TimeSeries {
     /// Whether a stored series is one of so many nodes, all its columns of one length; how many

@@ -31,7 +31,7 @@ pub struct WallFriction {
 
 /// Where the nodes of a chain are.
 #[derive(Debug, Clone, Copy)]
-pub struct Surroundings<'a> {
+pub struct Placement<'a> {
     /// The hole.
     pub borehole: &'a Borehole,
     /// Where the nodes are in it.
@@ -88,7 +88,7 @@ impl WallFriction {
     pub fn set_coefficients<R: Real>(
         &mut self,
         chain: &mut Chain<R>,
-        around: Surroundings<'_>,
+        around: Placement<'_>,
         dt_s: f64,
     ) {
         let Some((law, state)) = self.law.get_mut() else {

@@ -19,7 +19,7 @@ use crate::{
     model::Model,
     mud::Hydraulics,
     operation::Operation,
-    outcome::{HoleWear, Profile, Scalars, hole_depths_m},
+    outcome::{HoleWear, Profile, Scalars, hole_depths_m, varying_place},
     rod::{mesh::Mesh, stability::StepPlan},
 };
 
@@ -45,6 +45,14 @@ pub struct Sources<'a> {
     pub settled: Option<Settled>,
 }
 
+/// The mean of a scalar whose statistics are taken; zero before the first sample.
+macro_rules! mean {
+    ($statistics:ident, $scalar:ident) => {{
+        const PLACE: usize = varying_place(stringify!($scalar));
+        $statistics.get(PLACE).map_or(0.0, |(_, of)| of.mean)
+    }};
+}
+
 /// The answer.
 pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
     let series = &s.record.series;
@@ -56,8 +64,6 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
         .zip(scales)
         .filter_map(|(of, scale)| Some((of.name, Statistic::on_scale(&of.samples[from..], scale)?)))
         .collect();
-    let mean_of =
-        |name: &str| statistics.iter().find(|(n, _)| *n == name).map_or(0.0, |(_, s)| s.mean);
     let nodes = profile(s, from);
     let bit_depths_m = &series.bit_depth_m[from..];
     let mean_bit_depth_m = mean(bit_depths_m);
@@ -66,15 +72,15 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
         _ => 0.0,
     };
     let scalars = Scalars {
-        hook_load_N: mean_of("hook_load_N"),
-        surface_torque_N_m: mean_of("surface_torque_N_m"),
-        friction_torque_N_m: mean_of("friction_torque_N_m"),
-        axial_friction_N: mean_of("axial_friction_N"),
-        side_force_total_N: mean_of("side_force_total_N"),
-        weight_on_bit_N: mean_of("weight_on_bit_N"),
-        bit_torque_N_m: mean_of("bit_torque_N_m"),
-        twist_rad: mean_of("twist_rad"),
-        stretch_m: mean_of("stretch_m"),
+        hook_load_N: mean!(statistics, hook_load_N),
+        surface_torque_N_m: mean!(statistics, surface_torque_N_m),
+        friction_torque_N_m: mean!(statistics, friction_torque_N_m),
+        axial_friction_N: mean!(statistics, axial_friction_N),
+        side_force_total_N: mean!(statistics, side_force_total_N),
+        weight_on_bit_N: mean!(statistics, weight_on_bit_N),
+        bit_torque_N_m: mean!(statistics, bit_torque_N_m),
+        twist_rad: mean!(statistics, twist_rad),
+        stretch_m: mean!(statistics, stretch_m),
         neutral_point_m: crate::outcome::neutral_point_m(&nodes.md_m, &nodes.tension_N),
         cutoff_depth_m: crate::outcome::cutoff_in_build_m(
             &s.model.well.path,

@@ -14,7 +14,7 @@ use crate::{
             hoist::Target,
             hole::Borehole,
             mud::{squeezed::Squeezed, viscous::Viscous},
-            wall_friction::Surroundings,
+            wall_friction::Placement,
         },
         kernel::{
             chain::{Chain, node},
@@ -237,7 +237,7 @@ impl<R: Real> Run<R> {
 
         if let Some(friction) = &mut self.state.friction {
             let (borehole, anchors, mesh) = (&self.borehole, &self.state.anchors, &self.mesh);
-            let around = Surroundings { borehole, anchors, mesh };
+            let around = Placement { borehole, anchors, mesh };
             friction.set_coefficients(&mut self.chain, around, dt);
         }
         let before = self.state.body.push(&mut self.chain, &input, ramp);

@@ -38,9 +38,11 @@ pub(crate) const RULES: Rules =
 
 /// The declaration of a column; the compiler names one that there is not.
 macro_rules! declared {
-    ($list:ident, $column:ident) => {
-        const { wholestring::outcome::Column::declared($list, stringify!($column)) }
-    };
+    ($list:ident, $column:ident) => {{
+        const DECLARED: &wholestring::outcome::Quantity =
+            wholestring::outcome::Column::declared($list, stringify!($column));
+        DECLARED
+    }};
 }
 use declared;
 

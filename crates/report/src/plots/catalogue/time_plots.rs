@@ -66,13 +66,15 @@ macro_rules! series {
     };
 }
 
+const HOOK_LOAD: &Scalar = Scalar::declared("hook_load_N");
+
 /// The histories of a run.
 pub(crate) fn time_plots() -> Vec<TimePlot> {
     vec![
         TimePlot {
             at_surface: Some(declared!(PROFILE, tension_N).name),
             ..TimePlot::of("time-hook-load", 2e4, &[own(series!(hook_load_N))])
-                .titled(const { Scalar::declared("hook_load_N").label })
+                .titled(HOOK_LOAD.label)
         },
         TimePlot {
             at_surface: Some(declared!(PROFILE, torque_N_m).name),
