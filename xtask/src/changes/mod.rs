@@ -67,7 +67,13 @@ pub(crate) fn try_out(only: Option<&str>, with_tests: bool) -> Result<Finding, F
             for test in patch.tests() {
                 let mut runner = tree.cargo();
                 runner.args(["test", "--quiet", "--workspace"]).args(test.split_whitespace());
-                count += run_counted(&mut runner)?;
+                let ran = run_counted(&mut runner)?;
+                if ran.passed == 0 {
+                    return Err(Failure::new(format!(
+                        "{file} names tests that are not there: {test}"
+                    )));
+                }
+                count += ran;
             }
         }
     }
