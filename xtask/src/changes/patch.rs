@@ -47,7 +47,7 @@ impl Patch {
 
     /// Where it is, from the root of the repository.
     pub(super) fn file(&self) -> String {
-        format!("{}/{}.patch", super::PATCHES, self.name)
+        format!("{}/{}.patch", super::places::PATCHES, self.name)
     }
 
     /// The sources that somebody has to write by hand.
