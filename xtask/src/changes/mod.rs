@@ -5,6 +5,7 @@
 //! compile and pass their tests, on demand: a patch ages with every edit of what it stands in.
 
 mod patch;
+mod places;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -20,13 +21,8 @@ use crate::{
 };
 
 use patch::Patch;
+use places::{PATCHES, TABLE};
 use tree::Tree;
-
-/// Folder of the patches.
-const PATCHES: &str = "docs/changes";
-
-/// File with the table.
-const TABLE: &str = "CONTRIBUTING.md";
 
 /// Lines around a change in a patch: few, so that it ages slowly.
 const CONTEXT: &str = "-U2";

@@ -1,6 +1,9 @@
 //! The table of what a change touches.
 
-use super::{PATCHES, TABLE, patch::Patch};
+use super::{
+    patch::Patch,
+    places::{PATCHES, TABLE},
+};
 
 /// What is wrong with the table or with a patch's head, each in a sentence.
 pub(super) fn faults(text: &str, patches: &[Patch]) -> Vec<String> {
