@@ -2,6 +2,8 @@
 
 use std::{ffi::OsStr, fs, io, path::Path};
 
+use super::places::PATCHES;
+
 /// A file's part of the difference begins so.
 const BEGIN: &str = "diff --git ";
 
@@ -47,7 +49,7 @@ impl Patch {
 
     /// Where it is, from the root of the repository.
     pub(super) fn file(&self) -> String {
-        format!("{}/{}.patch", super::places::PATCHES, self.name)
+        format!("{}/{}.patch", PATCHES, self.name)
     }
 
     /// The sources that somebody has to write by hand.

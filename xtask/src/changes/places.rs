@@ -1,4 +1,4 @@
-//! Where examples of changes are, and the table that counts their files.
+//! Where patches and table are, from the root of the repository.
 
 /// Folder of the patches.
 pub(super) const PATCHES: &str = "docs/changes";
