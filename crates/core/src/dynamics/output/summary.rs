@@ -46,7 +46,7 @@ pub struct Sources<'a> {
 }
 
 /// The mean of a scalar whose statistics are taken; zero before the first sample.
-macro_rules! mean {
+macro_rules! window_mean {
     ($statistics:ident, $scalar:ident) => {{
         const PLACE: usize = varying_place(stringify!($scalar));
         $statistics.get(PLACE).map_or(0.0, |(_, of)| of.mean)
@@ -72,15 +72,15 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
         _ => 0.0,
     };
     let scalars = Scalars {
-        hook_load_N: mean!(statistics, hook_load_N),
-        surface_torque_N_m: mean!(statistics, surface_torque_N_m),
-        friction_torque_N_m: mean!(statistics, friction_torque_N_m),
-        axial_friction_N: mean!(statistics, axial_friction_N),
-        side_force_total_N: mean!(statistics, side_force_total_N),
-        weight_on_bit_N: mean!(statistics, weight_on_bit_N),
-        bit_torque_N_m: mean!(statistics, bit_torque_N_m),
-        twist_rad: mean!(statistics, twist_rad),
-        stretch_m: mean!(statistics, stretch_m),
+        hook_load_N: window_mean!(statistics, hook_load_N),
+        surface_torque_N_m: window_mean!(statistics, surface_torque_N_m),
+        friction_torque_N_m: window_mean!(statistics, friction_torque_N_m),
+        axial_friction_N: window_mean!(statistics, axial_friction_N),
+        side_force_total_N: window_mean!(statistics, side_force_total_N),
+        weight_on_bit_N: window_mean!(statistics, weight_on_bit_N),
+        bit_torque_N_m: window_mean!(statistics, bit_torque_N_m),
+        twist_rad: window_mean!(statistics, twist_rad),
+        stretch_m: window_mean!(statistics, stretch_m),
         neutral_point_m: crate::outcome::neutral_point_m(&nodes.md_m, &nodes.tension_N),
         cutoff_depth_m: crate::outcome::cutoff_in_build_m(
             &s.model.well.path,
