@@ -9,6 +9,9 @@ pub(crate) const SAFETY: f64 = 0.99;
 /// Largest part of the string's axial mass that short elements may be given (mass scaling) in sum.
 const MAX_ADDED_MASS: f64 = 0.003;
 
+/// Part by which a step must be longer than that found for its search to have told them apart.
+const STEP_MARGIN: f64 = 1e-6;
+
 /// Lateral rotary inertia of each end of an element as a part of `m L²`: the diagonal of the
 /// consistent mass matrix scaled to the element's mass (Hinton, Rock and Zienkiewicz 1976). It
 /// vanishes with refinement as the mesh's own error does, and keeps the rotation of slender pipe,
@@ -28,6 +31,40 @@ pub struct ElementInertia {
     pub rotary_kg_m2: f64,
 }
 
+/// A motion of an element whose frequency bounds the step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Motion {
+    /// Along the string.
+    Axial,
+    /// About its axis.
+    Torsion,
+    /// Across it.
+    Bending,
+}
+
+impl Motion {
+    /// Name in messages.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Axial => "axial",
+            Self::Torsion => "torsional",
+            Self::Bending => "bending",
+        }
+    }
+}
+
+/// The element that keeps the step from being longer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct StepHolder {
+    /// Its index, from the top.
+    pub element: usize,
+    /// Its motion with the highest frequency.
+    pub motion: Motion,
+    /// Whether mass scaling has given it what the string may have in sum: without that limit it
+    /// would let the step be longer.
+    pub scaled: bool,
+}
+
 /// The step, and the inertia with which it is stable.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepPlan {
@@ -37,6 +74,8 @@ pub struct StepPlan {
     pub inertia: Vec<ElementInertia>,
     /// Axial mass added by scaling to short elements over that of the string.
     pub added_axial_mass_fraction: f64,
+    /// What keeps the step from being longer; none of a string without elements.
+    pub holder: Option<StepHolder>,
 }
 
 /// Chooses the longest step at which the string is stable with no more than 0.3 % of its mass added
@@ -67,7 +106,7 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
     let total: f64 = bare.iter().map(|(_, i)| i.axial_kg).sum();
     let lend_all = |dt: f64| -> Option<Vec<ElementInertia>> {
         let limit = frequency_limit(dt, stiffness_damping_s);
-        bare.iter().map(|(k, i)| scaled_inertia(k, i, limit)).collect()
+        bare.iter().map(|(k, i)| scaled_inertia(k, i, limit).ok()).collect()
     };
     let added =
         |inertia: &[ElementInertia]| inertia.iter().map(|i| i.axial_kg).sum::<f64>() / total - 1.0;
@@ -82,7 +121,8 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
         carried += kg;
         carried >= 0.5 * total
     });
-    let (mut low, mut high) = (0.0, most.map_or(0.0, |(dt, _)| *dt));
+    let cap = most.map_or(0.0, |(dt, _)| *dt);
+    let (mut low, mut high) = (0.0, cap);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
         if fits(middle) {
@@ -93,7 +133,36 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
     }
     let inertia = lend_all(low).unwrap_or_else(|| bare.iter().map(|(_, i)| *i).collect());
     let added_axial_mass_fraction = added(&inertia).max(0.0);
-    StepPlan { dt_s: low, inertia, added_axial_mass_fraction }
+    let beyond = high * (1.0 + STEP_MARGIN);
+    let holder = if fits(beyond) {
+        // Nothing but what the ordinary pipe carries by itself.
+        let own = |(k, i): &(Stiffness<f64>, ElementInertia)| own_step(k, i, stiffness_damping_s);
+        let element = bare.iter().position(|one| own(one) >= cap);
+        element.map(|element| StepHolder { element, motion: Motion::Axial, scaled: false })
+    } else {
+        holder(&bare, beyond, stiffness_damping_s)
+    };
+    StepPlan { dt_s: low, inertia, added_axial_mass_fraction, holder }
+}
+
+/// What does not let the step be as long as `dt`: the element that no added mass makes stable, or
+/// that with the most added mass; where none has any, that with the shortest step of its own.
+fn holder(bare: &[(Stiffness<f64>, ElementInertia)], dt: f64, beta: f64) -> Option<StepHolder> {
+    let limit = frequency_limit(dt, beta);
+    let mut most: Option<(f64, StepHolder)> = None;
+    for (element, (k, inertia)) in bare.iter().enumerate() {
+        let (added, holder) = match scaled_inertia(k, inertia, limit) {
+            Err(motion) => return Some(StepHolder { element, motion, scaled: false }),
+            Ok(scaled) => {
+                let added = scaled.axial_kg - inertia.axial_kg;
+                (added, StepHolder { element, motion: Motion::Axial, scaled: added > 0.0 })
+            }
+        };
+        if most.is_none_or(|(before, _)| added > before) {
+            most = Some((added, holder));
+        }
+    }
+    most.map(|(_, holder)| holder)
 }
 
 /// Longest step of an element that gets no added mass, by its axial frequency, s.
@@ -110,13 +179,17 @@ fn frequency_limit(dt: f64, beta: f64) -> f64 {
     bare / (1.0 + bare * beta).sqrt()
 }
 
-/// The inertia with which an element stays below `limit`, rad/s; none where only a shorter step
-/// helps.
-fn scaled_inertia(k: &Stiffness<f64>, bare: &ElementInertia, limit: f64) -> Option<ElementInertia> {
+/// The inertia with which an element stays below `limit`, rad/s; where only a shorter step helps,
+/// the motion that asks for it.
+fn scaled_inertia(
+    k: &Stiffness<f64>,
+    bare: &ElementInertia,
+    limit: f64,
+) -> Result<ElementInertia, Motion> {
     let square = limit * limit;
     let over_length = 1.0 / k.length;
     if 4.0 * k.twist > square * bare.polar_kg_m2 {
-        return None;
+        return Err(Motion::Torsion);
     }
     let axial_kg = bare.axial_kg.max(4.0 * k.axial / square);
     let lateral_kg = bare.lateral_kg.max(axial_kg);
@@ -124,9 +197,9 @@ fn scaled_inertia(k: &Stiffness<f64>, bare: &ElementInertia, limit: f64) -> Opti
     let shear = 2.0 * (k.bending_near() + k.bending_far);
     let budget = square / shear - 4.0 * over_length * over_length / lateral_kg;
     if budget <= 0.0 {
-        return None;
+        return Err(Motion::Bending);
     }
     let rotary_kg_m2 =
         bare.rotary_kg_m2.max(0.5 / budget).max((k.bending_near() - k.bending_far) / square);
-    Some(ElementInertia { axial_kg, lateral_kg, polar_kg_m2: bare.polar_kg_m2, rotary_kg_m2 })
+    Ok(ElementInertia { axial_kg, lateral_kg, polar_kg_m2: bare.polar_kg_m2, rotary_kg_m2 })
 }
