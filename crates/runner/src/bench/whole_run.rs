@@ -5,17 +5,22 @@ use serde::Serialize;
 use wholestring::internals::{KernelAccess, instruction_sets};
 
 use super::{clock::Spread, session::Bench, well};
-use crate::{failure::Failure, screen_table::Table};
+use crate::Error;
 
-#[derive(Serialize)]
-pub(crate) struct Row {
-    precision: &'static str,
-    instructions: &'static str,
-    ns_per_element_step: Spread,
-    real_time_factor: f64,
+/// A whole run with one instruction set.
+#[derive(Debug, Serialize)]
+pub struct RunRow {
+    /// `double` or `single`.
+    pub precision: &'static str,
+    /// The instruction set.
+    pub instructions: &'static str,
+    /// Time of a step, over the elements.
+    pub ns_per_element_step: Spread,
+    /// Simulated over processor time.
+    pub real_time_factor: f64,
 }
 
-pub(crate) fn measure(bench: &Bench) -> Result<Vec<Row>, Failure> {
+pub(super) fn measure(bench: &Bench) -> Result<Vec<RunRow>, Error> {
     let case = bench.well.case(&[])?;
     let precisions = well::precisions(&case);
     let sets = instruction_sets();
@@ -29,7 +34,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Vec<Row>, Failure> {
             simulation.use_instructions(instructions);
             let run_s = bench.repeat(|| bench.well.run_s(&case, &simulation))?;
             let element_steps_per_s = simulation.elements() as f64 / simulation.time_step_s();
-            rows.push(Row {
+            rows.push(RunRow {
                 precision: name,
                 instructions,
                 ns_per_element_step: run_s.times(1e9 / element_steps_per_s),
@@ -38,23 +43,4 @@ pub(crate) fn measure(bench: &Bench) -> Result<Vec<Row>, Failure> {
         }
     }
     Ok(rows)
-}
-
-pub(crate) fn text(rows: &[Row]) -> String {
-    let mut table = Table::new(
-        "A whole run",
-        2,
-        &["precision", "instructions", "ns per element-step", "least to most", "× real time"],
-    );
-    for row in rows {
-        let [median, spread] = row.ns_per_element_step.cells(1);
-        table.row(vec![
-            row.precision.to_owned(),
-            row.instructions.to_owned(),
-            median,
-            spread,
-            format!("{:.1}", row.real_time_factor),
-        ]);
-    }
-    table.text()
 }

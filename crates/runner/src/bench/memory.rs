@@ -7,26 +7,32 @@ use std::{
 
 use serde::Serialize;
 
-use super::{process, session::Bench};
-use crate::failure::{Failure, failed};
+use super::{
+    process,
+    session::{Bench, failed},
+};
+use crate::Error;
 
 /// Whether this system reports the memory of another process.
-pub(crate) const IS_MEASURED: bool = cfg!(target_os = "linux");
+pub const MEASURES_MEMORY: bool = cfg!(target_os = "linux");
 
 /// Time between two checks of the process.
 const POLL_INTERVAL: Duration = Duration::from_millis(5);
 
-#[derive(Serialize)]
-pub(crate) struct Memory {
-    simulated_s: f64,
-    wall_time_s: f64,
+/// What a run took.
+#[derive(Debug, Serialize)]
+pub struct Memory {
+    /// Simulated time, all operations together.
+    pub simulated_s: f64,
+    /// Time on the clock.
+    pub wall_time_s: f64,
     /// Largest resident memory.
-    peak_MB: f64,
+    pub peak_MB: f64,
 }
 
-pub(crate) fn measure(bench: &Bench) -> Result<Memory, Failure> {
-    if !IS_MEASURED {
-        return Err(Failure::BadInput("error: memory is measured on Linux only".to_owned()));
+pub(super) fn measure(bench: &Bench) -> Result<Memory, Error> {
+    if !MEASURES_MEMORY {
+        return Err(Error::BadInput("memory is measured on Linux only".to_owned()));
     }
     bench.begin(1);
     bench.next("memory of a run")?;
@@ -34,13 +40,13 @@ pub(crate) fn measure(bench: &Bench) -> Result<Memory, Failure> {
     let (file, folder) = (bench.well.file(), bench.well.folder());
     let arguments = ["run", &file.to_string_lossy(), "-o", &folder.to_string_lossy()];
     let start = Instant::now();
-    let mut child = process::start(&arguments, bench.well.changes())?;
+    let mut child = process::start(bench, &arguments, bench.well.changes())?;
     let mut peak_MB: f64 = 0.0;
     let status = loop {
         if let Some(now_MB) = resident_MB(child.id()) {
             peak_MB = peak_MB.max(now_MB);
         }
-        if let Some(status) = child.try_wait().map_err(|error| failed(&error))? {
+        if let Some(status) = child.try_wait().map_err(failed)? {
             break status;
         }
         thread::sleep(POLL_INTERVAL);
@@ -59,14 +65,4 @@ fn resident_MB(process: u32) -> Option<f64> {
     let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
     let kB: f64 = line.split_whitespace().nth(1)?.parse().ok()?;
     Some(kB * 1024e-6)
-}
-
-impl Memory {
-    pub(crate) fn text(&self) -> String {
-        format!(
-            "`wholestring run` of {:.0} s, results written: {:.1} s on the clock, {:.1} MB of \
-             memory at most\n",
-            self.simulated_s, self.wall_time_s, self.peak_MB
-        )
-    }
 }

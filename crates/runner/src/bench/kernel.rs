@@ -11,7 +11,7 @@ use super::{
     session::Bench,
     well::{self, TIMED_S},
 };
-use crate::{failure::Failure, screen_table::Table};
+use crate::Error;
 
 /// Steps after which caches and the prediction of branches know the loop.
 const WARM_STEPS: usize = 20;
@@ -19,26 +19,34 @@ const WARM_STEPS: usize = 20;
 /// Rounds of the loop that finds the processor's peak: some milliseconds.
 const PEAK_ROUNDS: usize = 1_000_000;
 
-/// What was found.
-#[derive(Default, Serialize)]
-pub(crate) struct Kernel {
+/// What was found of the inner loop.
+#[derive(Debug, Default, Serialize)]
+pub struct Kernel {
     /// Arithmetic of one step in double precision.
-    flops: Flops,
+    pub flops: Flops,
+    /// Elements of the string that it is of.
     #[serde(skip)]
-    elements: usize,
-    rows: Vec<Row>,
+    pub elements: usize,
+    /// A row for each precision and instruction set.
+    pub rows: Vec<KernelRow>,
 }
 
-#[derive(Serialize)]
-struct Row {
-    precision: &'static str,
-    instructions: &'static str,
-    ns_per_element_step: Spread,
-    gflop_per_s: f64,
-    peak_gflop_per_s: f64,
+/// The inner loop with one instruction set.
+#[derive(Debug, Serialize)]
+pub struct KernelRow {
+    /// `double` or `single`.
+    pub precision: &'static str,
+    /// The instruction set.
+    pub instructions: &'static str,
+    /// Time of a step, over the elements.
+    pub ns_per_element_step: Spread,
+    /// Speed of its arithmetic.
+    pub gflop_per_s: f64,
+    /// What the same registers multiply and add at best.
+    pub peak_gflop_per_s: f64,
 }
 
-pub(crate) fn measure(bench: &Bench) -> Result<Kernel, Failure> {
+pub(super) fn measure(bench: &Bench) -> Result<Kernel, Error> {
     let case = bench.well.case(&[])?;
     let precisions = well::precisions(&case);
     let sets = instruction_sets();
@@ -56,7 +64,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Kernel, Failure> {
             simulation.use_instructions(instructions);
             let step_s = step_s(bench, &simulation)?;
             let peak = peak(bench, &simulation)?;
-            kernel.rows.push(Row {
+            kernel.rows.push(KernelRow {
                 precision: name,
                 instructions,
                 ns_per_element_step: step_s.times(1e9 / elements as f64),
@@ -69,7 +77,7 @@ pub(crate) fn measure(bench: &Bench) -> Result<Kernel, Failure> {
 }
 
 /// Time of one step, s.
-fn step_s(bench: &Bench, simulation: &Simulation) -> Result<Spread, Failure> {
+fn step_s(bench: &Bench, simulation: &Simulation) -> Result<Spread, Error> {
     let steps = (TIMED_S / simulation.time_step_s()).ceil() as usize;
     bench.repeat(|| {
         let mut simulation = simulation.clone();
@@ -81,58 +89,11 @@ fn step_s(bench: &Bench, simulation: &Simulation) -> Result<Spread, Failure> {
 }
 
 /// Floating-point operations per second that the processor does at best.
-fn peak(bench: &Bench, simulation: &Simulation) -> Result<f64, Failure> {
+fn peak(bench: &Bench, simulation: &Simulation) -> Result<f64, Error> {
     let s_per_flop = bench.repeat(|| {
         let clock = Clock::begin();
         let flops = simulation.work_at_peak(PEAK_ROUNDS);
         Ok(clock.elapsed_s() / flops as f64)
     })?;
     Ok(1.0 / s_per_flop.least)
-}
-
-impl Kernel {
-    pub(crate) fn text(&self) -> String {
-        let mut table = Table::new(
-            "The inner loop",
-            2,
-            &[
-                "precision",
-                "instructions",
-                "ns per element-step",
-                "least to most",
-                "Gflop/s",
-                "peak",
-                "of it",
-            ],
-        );
-        for row in &self.rows {
-            let [median, spread] = row.ns_per_element_step.cells(1);
-            let share = row.gflop_per_s / row.peak_gflop_per_s;
-            table.row(vec![
-                row.precision.to_owned(),
-                row.instructions.to_owned(),
-                median,
-                spread,
-                format!("{:.1}", row.gflop_per_s),
-                format!("{:.1}", row.peak_gflop_per_s),
-                format!("{:.0} %", 100.0 * share),
-            ]);
-        }
-        let each = |count: u64| count as f64 / self.elements as f64;
-        let flops = self.flops;
-        format!(
-            "{}An element-step is {:.0} flop: {:.0} multiplications with addition (two each), \
-             {:.0} multiplications, \
-             {:.0} additions,\n{:.1} divisions and {:.1} roots (one each). The peak is what the \
-             same registers \
-             multiply and add at best.\n",
-            table.text(),
-            each(flops.total()),
-            each(flops.multiply_additions),
-            each(flops.multiplications),
-            each(flops.additions),
-            each(flops.divisions),
-            each(flops.roots),
-        )
-    }
 }

@@ -4,32 +4,42 @@ use std::{thread, time::Instant};
 
 use serde::Serialize;
 
-use super::{process, session::Bench, well};
-use crate::{
-    failure::{Failure, failed},
-    screen_table::Table,
+use super::{
+    process,
+    session::{Bench, failed},
+    well,
 };
+use crate::Error;
 
 const DEPTHS: &str = "bit_depth=300m..4305m/300m";
 const FRICTIONS: &str = "friction=0.1,0.2,0.3,0.4";
 const CASES: usize = 15 * 4;
 
-#[derive(Serialize)]
-pub(crate) struct Sweeps {
-    cores: usize,
-    cases: usize,
-    rows: Vec<Row>,
+/// What was found of sweeps.
+#[derive(Debug, Serialize)]
+pub struct Sweeps {
+    /// Cores of the machine.
+    pub cores: usize,
+    /// Cases of a sweep.
+    pub cases: usize,
+    /// A row for each sweep.
+    pub rows: Vec<SweepRow>,
 }
 
-#[derive(Serialize)]
-struct Row {
-    precision: &'static str,
-    friction_law: &'static str,
-    wall_time_s: f64,
-    simulated_s: f64,
+/// One sweep.
+#[derive(Debug, Serialize)]
+pub struct SweepRow {
+    /// `double` or `single`.
+    pub precision: &'static str,
+    /// The law of friction.
+    pub friction_law: &'static str,
+    /// Time on the clock.
+    pub wall_time_s: f64,
+    /// Simulated time, all cases together.
+    pub simulated_s: f64,
 }
 
-pub(crate) fn measure(bench: &Bench) -> Result<Sweeps, Failure> {
+pub(super) fn measure(bench: &Bench) -> Result<Sweeps, Error> {
     const LAWS: [&str; 2] = ["vector", "independent"];
     let case = bench.well.case(&[])?;
     let precisions = well::precisions(&case);
@@ -45,13 +55,13 @@ pub(crate) fn measure(bench: &Bench) -> Result<Sweeps, Failure> {
             for key in
                 [format!("dynamics.precision={precision}"), format!("dynamics.friction_law={law}")]
             {
-                changes.push(key.parse().map_err(|error| failed(&error))?);
+                changes.push(key.parse().map_err(failed)?);
             }
             let arguments = ["sweep", &file, "--vary", DEPTHS, "--vary", FRICTIONS, "-o", &folder];
             let start = Instant::now();
-            let mut child = process::start(&arguments, &changes)?;
-            process::check(child.wait().map_err(|error| failed(&error))?)?;
-            rows.push(Row {
+            let mut child = process::start(bench, &arguments, &changes)?;
+            process::check(child.wait().map_err(failed)?)?;
+            rows.push(SweepRow {
                 precision,
                 friction_law: law,
                 wall_time_s: start.elapsed().as_secs_f64(),
@@ -60,26 +70,4 @@ pub(crate) fn measure(bench: &Bench) -> Result<Sweeps, Failure> {
         }
     }
     Ok(Sweeps { cores: thread::available_parallelism().map_or(1, usize::from), cases: CASES, rows })
-}
-
-impl Sweeps {
-    pub(crate) fn text(&self) -> String {
-        let title =
-            format!("A sweep of {} cases on {} cores, results written", self.cases, self.cores);
-        let mut table = Table::new(
-            &title,
-            2,
-            &["precision", "friction", "simulated, s", "on the clock, s", "× real time"],
-        );
-        for row in &self.rows {
-            table.row(vec![
-                row.precision.to_owned(),
-                row.friction_law.to_owned(),
-                format!("{:.0}", row.simulated_s),
-                format!("{:.1}", row.wall_time_s),
-                format!("{:.1}", row.simulated_s / row.wall_time_s),
-            ]);
-        }
-        table.text()
-    }
 }
