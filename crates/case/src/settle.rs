@@ -3,15 +3,7 @@
 use serde_json::{Value as Json, json};
 use wholestring_units::Dimension;
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::{nearest, short},
-    node::{Node, Value},
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::Rule,
-};
+use wholestring_config::prelude::*;
 
 /// What stands for as long as it takes.
 pub(crate) const AUTO: &str = "auto";
