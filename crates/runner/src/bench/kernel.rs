@@ -46,34 +46,40 @@ pub struct KernelRow {
     pub peak_gflop_per_s: f64,
 }
 
-pub(super) fn measure(bench: &Bench) -> Result<Kernel, Error> {
-    let case = bench.well.case(&[])?;
-    let precisions = well::precisions(&case);
-    let sets = instruction_sets();
-    bench.begin(precisions.len() * sets.len());
-    let mut kernel = Kernel::default();
-    for (precision, name) in precisions {
-        let settled = well::initialise(&case, precision)?;
-        let (flops, elements) = (settled.clone().count_kernel(), settled.elements());
-        if kernel.rows.is_empty() {
-            (kernel.flops, kernel.elements) = (flops, elements);
+impl Bench<'_> {
+    /// The inner loop alone, and what the processor could do at best.
+    ///
+    /// # Errors
+    /// As for all parts: the case has no simulation, or the user stopped it.
+    pub fn kernel(&self) -> Result<Kernel, Error> {
+        let case = self.well.case(&[])?;
+        let precisions = well::precisions(&case);
+        let sets = instruction_sets();
+        self.begin(precisions.len() * sets.len());
+        let mut kernel = Kernel::default();
+        for (precision, name) in precisions {
+            let settled = well::initialise(&case, precision)?;
+            let (flops, elements) = (settled.clone().count_kernel(), settled.elements());
+            if kernel.rows.is_empty() {
+                (kernel.flops, kernel.elements) = (flops, elements);
+            }
+            for instructions in &sets {
+                self.next(&format!("inner loop, {name} precision, {instructions}"))?;
+                let mut simulation = settled.clone();
+                simulation.use_instructions(instructions);
+                let step_s = step_s(self, &simulation)?;
+                let peak = peak(self, &simulation)?;
+                kernel.rows.push(KernelRow {
+                    precision: name,
+                    instructions,
+                    ns_per_element_step: step_s.times(1e9 / elements as f64),
+                    gflop_per_s: 1e-9 * flops.total() as f64 / step_s.median,
+                    peak_gflop_per_s: 1e-9 * peak,
+                });
+            }
         }
-        for instructions in &sets {
-            bench.next(&format!("inner loop, {name} precision, {instructions}"))?;
-            let mut simulation = settled.clone();
-            simulation.use_instructions(instructions);
-            let step_s = step_s(bench, &simulation)?;
-            let peak = peak(bench, &simulation)?;
-            kernel.rows.push(KernelRow {
-                precision: name,
-                instructions,
-                ns_per_element_step: step_s.times(1e9 / elements as f64),
-                gflop_per_s: 1e-9 * flops.total() as f64 / step_s.median,
-                peak_gflop_per_s: 1e-9 * peak,
-            });
-        }
+        Ok(kernel)
     }
-    Ok(kernel)
 }
 
 /// Time of one step, s.

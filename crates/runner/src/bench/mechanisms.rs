@@ -102,33 +102,39 @@ pub struct MechanismRow {
     pub time_ratio: Spread,
 }
 
-pub(super) fn measure(bench: &Bench) -> Result<Mechanisms, Error> {
-    bench.begin(1 + MECHANISMS.len());
-    let plain_case = bench.well.case(&[])?;
-    let plain = well::initialise(&plain_case, plain_case.dynamics.precision)?;
-    let mut plain_s = Vec::new();
-    let mut rows = Vec::new();
-    bench.next("a run without any mechanism")?;
-    for mechanism in MECHANISMS {
-        bench.next(mechanism.name)?;
-        let case = bench.well.case(mechanism.keys)?;
-        let simulation = well::initialise(&case, case.dynamics.precision)?;
-        let mut run_s = Vec::new();
-        // By turns: a processor that grows slower does so for both.
-        let ratio = bench.repeat(|| {
-            let without = bench.well.run_s(&plain_case, &plain)?;
-            let with = bench.well.run_s(&case, &simulation)?;
-            plain_s.push(without);
-            run_s.push(with);
-            Ok(with / without)
-        })?;
-        rows.push(MechanismRow {
-            mechanism: mechanism.name,
-            ns_per_element_step: ns(&simulation, run_s),
-            time_ratio: ratio,
-        });
+impl Bench<'_> {
+    /// What each mechanism costs when it is switched on.
+    ///
+    /// # Errors
+    /// As [`Self::kernel`].
+    pub fn mechanisms(&self) -> Result<Mechanisms, Error> {
+        self.begin(1 + MECHANISMS.len());
+        let plain_case = self.well.case(&[])?;
+        let plain = well::initialise(&plain_case, plain_case.dynamics.precision)?;
+        let mut plain_s = Vec::new();
+        let mut rows = Vec::new();
+        self.next("a run without any mechanism")?;
+        for mechanism in MECHANISMS {
+            self.next(mechanism.name)?;
+            let case = self.well.case(mechanism.keys)?;
+            let simulation = well::initialise(&case, case.dynamics.precision)?;
+            let mut run_s = Vec::new();
+            // By turns: a processor that grows slower does so for both.
+            let ratio = self.repeat(|| {
+                let without = self.well.run_s(&plain_case, &plain)?;
+                let with = self.well.run_s(&case, &simulation)?;
+                plain_s.push(without);
+                run_s.push(with);
+                Ok(with / without)
+            })?;
+            rows.push(MechanismRow {
+                mechanism: mechanism.name,
+                ns_per_element_step: ns(&simulation, run_s),
+                time_ratio: ratio,
+            });
+        }
+        Ok(Mechanisms { ns_per_element_step: ns(&plain, plain_s), rows })
     }
-    Ok(Mechanisms { ns_per_element_step: ns(&plain, plain_s), rows })
 }
 
 /// Nanoseconds per element and step of runs that took so many seconds for one.

@@ -7,10 +7,7 @@ use std::{
 
 use serde::Serialize;
 
-use super::{
-    process,
-    session::{Bench, failed},
-};
+use super::{process, session::Bench};
 use crate::Error;
 
 /// Whether this system reports the memory of another process.
@@ -30,33 +27,39 @@ pub struct Memory {
     pub peak_MB: f64,
 }
 
-pub(super) fn measure(bench: &Bench) -> Result<Memory, Error> {
-    if !MEASURES_MEMORY {
-        return Err(Error::BadInput("memory is measured on Linux only".to_owned()));
+impl Bench<'_> {
+    /// What a run takes from its start to its end.
+    ///
+    /// # Errors
+    /// As [`Self::kernel`]; the system reports no memory, or the program failed.
+    pub fn memory(&self) -> Result<Memory, Error> {
+        if !MEASURES_MEMORY {
+            return Err(Error::BadInput("memory is measured on Linux only".to_owned()));
+        }
+        self.begin(1);
+        self.next("memory of a run")?;
+        let case = self.well.case(&[])?;
+        let (file, folder) = (self.well.file(), self.well.folder());
+        let arguments = ["run", &file.to_string_lossy(), "-o", &folder.to_string_lossy()];
+        let start = Instant::now();
+        let mut child = process::start(&self.program, &arguments, self.well.changes())?;
+        let mut peak_MB: f64 = 0.0;
+        let status = loop {
+            if let Some(now_MB) = resident_MB(child.id()) {
+                peak_MB = peak_MB.max(now_MB);
+            }
+            if let Some(status) = child.try_wait().map_err(Error::failed)? {
+                break status;
+            }
+            thread::sleep(POLL_INTERVAL);
+        };
+        process::check(status)?;
+        Ok(Memory {
+            simulated_s: case.operations.len() as f64 * case.dynamics.longest_s(),
+            wall_time_s: start.elapsed().as_secs_f64(),
+            peak_MB,
+        })
     }
-    bench.begin(1);
-    bench.next("memory of a run")?;
-    let case = bench.well.case(&[])?;
-    let (file, folder) = (bench.well.file(), bench.well.folder());
-    let arguments = ["run", &file.to_string_lossy(), "-o", &folder.to_string_lossy()];
-    let start = Instant::now();
-    let mut child = process::start(bench, &arguments, bench.well.changes())?;
-    let mut peak_MB: f64 = 0.0;
-    let status = loop {
-        if let Some(now_MB) = resident_MB(child.id()) {
-            peak_MB = peak_MB.max(now_MB);
-        }
-        if let Some(status) = child.try_wait().map_err(failed)? {
-            break status;
-        }
-        thread::sleep(POLL_INTERVAL);
-    };
-    process::check(status)?;
-    Ok(Memory {
-        simulated_s: case.operations.len() as f64 * case.dynamics.longest_s(),
-        wall_time_s: start.elapsed().as_secs_f64(),
-        peak_MB,
-    })
 }
 
 /// Largest resident memory of a process so far; nothing once it has ended.

@@ -1,27 +1,29 @@
 //! The command, run as a user runs it.
 
-use std::process::{Child, Command, ExitStatus, Stdio};
+use std::{
+    path::Path,
+    process::{Child, Command, ExitStatus, Stdio},
+};
 
 use wholestring_case::Override;
 
-use super::session::{Bench, failed};
 use crate::Error;
 
 /// Starts the command with these arguments and changes of the case. It says nothing but why it
 /// failed.
 pub(super) fn start(
-    bench: &Bench<'_>,
+    program: &Path,
     arguments: &[&str],
     changes: &[Override],
 ) -> Result<Child, Error> {
-    let mut command = Command::new(&bench.program);
+    let mut command = Command::new(program);
     // One measurement after the other goes to the same folder.
     command.args(arguments).args(["--quiet", "--overwrite"]);
     for Override { key, value, .. } in changes {
         command.arg("--set").arg(format!("{key}={value}"));
     }
     command.stdout(Stdio::null());
-    command.spawn().map_err(failed)
+    command.spawn().map_err(Error::failed)
 }
 
 /// Whether it did what it should.

@@ -8,7 +8,7 @@ use wholestring::rock::{
 
 use super::{
     clock::{Clock, Spread},
-    session::{Bench, failed},
+    session::Bench,
 };
 use crate::Error;
 
@@ -74,47 +74,53 @@ pub struct RockRow {
     pub touching_nodes: usize,
 }
 
-pub(super) fn measure(bench: &Bench) -> Result<RockSpeed, Error> {
-    let steppers = Stepper::all();
-    bench.begin(2 * (1 + steppers.len()));
-    let mut speed = RockSpeed {
-        hexahedra: CELLS.iter().product(),
-        cells: CELLS,
-        edge_m: EDGE_M,
-        bit_m: BIT_M,
-        rows: Vec::new(),
-    };
-    for (name, set_up) in
-        [("under a bit", cut as fn() -> Result<Scene, Error>), ("all of it yielding", squeezed)]
-    {
-        bench.next(&format!("solid rock, {name}"))?;
-        let scene = set_up()?;
-        let yielding = scene.clone().yielding();
-        for stepper in &steppers {
-            bench.next(&format!("solid rock, {name}, {}", stepper.instructions))?;
-            let each_ns = 1e9 / (TIMED_STEPS * speed.hexahedra) as f64;
-            let mut contact_s = Vec::new();
-            let mut touching_nodes = 0;
-            let time_s = bench.repeat(|| {
-                let mut scene = scene.clone();
-                scene.go(stepper, WARM_STEPS);
-                let clock = Clock::begin();
-                contact_s.push(scene.go(stepper, TIMED_STEPS));
-                let time_s = clock.elapsed_s();
-                touching_nodes = scene.bit.touching;
-                Ok(time_s)
-            })?;
-            speed.rows.push(RockRow {
-                rock: name,
-                instructions: stepper.instructions,
-                ns_per_hexahedron_step: time_s.times(each_ns),
-                contact_ns_per_hexahedron_step: each_ns * Spread::of(contact_s).median,
-                yielding,
-                touching_nodes,
-            });
+impl Bench<'_> {
+    /// The solid rock under a bit.
+    ///
+    /// # Errors
+    /// As [`Self::kernel`].
+    pub fn rock(&self) -> Result<RockSpeed, Error> {
+        let steppers = Stepper::all();
+        self.begin(2 * (1 + steppers.len()));
+        let mut speed = RockSpeed {
+            hexahedra: CELLS.iter().product(),
+            cells: CELLS,
+            edge_m: EDGE_M,
+            bit_m: BIT_M,
+            rows: Vec::new(),
+        };
+        for (name, set_up) in
+            [("under a bit", cut as fn() -> Result<Scene, Error>), ("all of it yielding", squeezed)]
+        {
+            self.next(&format!("solid rock, {name}"))?;
+            let scene = set_up()?;
+            let yielding = scene.clone().yielding();
+            for stepper in &steppers {
+                self.next(&format!("solid rock, {name}, {}", stepper.instructions))?;
+                let each_ns = 1e9 / (TIMED_STEPS * speed.hexahedra) as f64;
+                let mut contact_s = Vec::new();
+                let mut touching_nodes = 0;
+                let time_s = self.repeat(|| {
+                    let mut scene = scene.clone();
+                    scene.go(stepper, WARM_STEPS);
+                    let clock = Clock::begin();
+                    contact_s.push(scene.go(stepper, TIMED_STEPS));
+                    let time_s = clock.elapsed_s();
+                    touching_nodes = scene.bit.touching;
+                    Ok(time_s)
+                })?;
+                speed.rows.push(RockRow {
+                    rock: name,
+                    instructions: stepper.instructions,
+                    ns_per_hexahedron_step: time_s.times(each_ns),
+                    contact_ns_per_hexahedron_step: each_ns * Spread::of(contact_s).median,
+                    yielding,
+                    touching_nodes,
+                });
+            }
         }
+        Ok(speed)
     }
-    Ok(speed)
 }
 
 /// A bit in a block.
@@ -174,9 +180,9 @@ impl Scene {
         );
         let face = PdcBit::for_diameter(BIT_M).face();
         Ok(Self {
-            block: Block::new(&spec).map_err(failed)?,
+            block: Block::new(&spec).map_err(Error::failed)?,
             bit: Bit {
-                face: face.map_err(failed)?,
+                face: face.map_err(Error::failed)?,
                 law: ContactLaw::for_rock(rock.ucs_Pa(), EDGE_M),
                 pose: pose.moving(
                     down.map(|part| DOWN_M_PER_S * part).into(),

@@ -1,12 +1,12 @@
 //! How measurements are taken, and watched while they are.
 
-use std::{fmt, path::PathBuf};
+use std::path::PathBuf;
 
 use wholestring_case::Override;
 
 use super::{
-    Kernel, MeasuredWell, Mechanisms, Memory, RockSpeed, RunRow, Spread, Sweeps, kernel,
-    mechanisms, memory, rock, sweep, well::Well, whole_run,
+    clock::Spread,
+    well::{MeasuredWell, Well},
 };
 use crate::{CancellationToken, Error};
 
@@ -54,54 +54,6 @@ impl<'a> Bench<'a> {
         self.well.about()
     }
 
-    /// The inner loop alone, and what the processor could do at best.
-    ///
-    /// # Errors
-    /// As for all parts: the case has no simulation, or the user stopped it.
-    pub fn kernel(&self) -> Result<Kernel, Error> {
-        kernel::measure(self)
-    }
-
-    /// All that a run does in its window.
-    ///
-    /// # Errors
-    /// As [`Self::kernel`].
-    pub fn run(&self) -> Result<Vec<RunRow>, Error> {
-        whole_run::measure(self)
-    }
-
-    /// What a run takes from its start to its end.
-    ///
-    /// # Errors
-    /// As [`Self::kernel`]; the system reports no memory, or the program failed.
-    pub fn memory(&self) -> Result<Memory, Error> {
-        memory::measure(self)
-    }
-
-    /// What each mechanism costs when it is switched on.
-    ///
-    /// # Errors
-    /// As [`Self::kernel`].
-    pub fn mechanisms(&self) -> Result<Mechanisms, Error> {
-        mechanisms::measure(self)
-    }
-
-    /// The solid rock under a bit.
-    ///
-    /// # Errors
-    /// As [`Self::kernel`].
-    pub fn rock(&self) -> Result<RockSpeed, Error> {
-        rock::measure(self)
-    }
-
-    /// Sweeps on all cores.
-    ///
-    /// # Errors
-    /// As [`Self::kernel`]; the program failed.
-    pub fn sweep(&self) -> Result<Sweeps, Error> {
-        sweep::measure(self)
-    }
-
     /// Begins to measure `count` things.
     pub(super) fn begin(&self, count: usize) {
         self.watcher.begun(count);
@@ -127,9 +79,4 @@ impl<'a> Bench<'a> {
         }
         Ok(Spread::of(found))
     }
-}
-
-/// A failure that the error says all of.
-pub(super) fn failed(error: impl fmt::Display) -> Error {
-    Error::Failed(error.to_string())
 }

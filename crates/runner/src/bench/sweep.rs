@@ -4,11 +4,7 @@ use std::{thread, time::Instant};
 
 use serde::Serialize;
 
-use super::{
-    process,
-    session::{Bench, failed},
-    well,
-};
+use super::{process, session::Bench, well};
 use crate::Error;
 
 const DEPTHS: &str = "bit_depth=300m..4305m/300m";
@@ -39,35 +35,48 @@ pub struct SweepRow {
     pub simulated_s: f64,
 }
 
-pub(super) fn measure(bench: &Bench) -> Result<Sweeps, Error> {
-    const LAWS: [&str; 2] = ["vector", "independent"];
-    let case = bench.well.case(&[])?;
-    let precisions = well::precisions(&case);
-    bench.begin(precisions.len() * LAWS.len());
-    let (file, folder) = (bench.well.file(), bench.well.folder());
-    let (file, folder) = (file.to_string_lossy(), folder.to_string_lossy());
-    let mut rows = Vec::new();
-    for (_, precision) in precisions {
-        for law in LAWS {
-            bench
-                .next(&format!("sweep of {CASES} cases, {precision} precision, {law} friction"))?;
-            let mut changes = bench.well.changes().to_vec();
-            for key in
-                [format!("dynamics.precision={precision}"), format!("dynamics.friction_law={law}")]
-            {
-                changes.push(key.parse().map_err(failed)?);
+impl Bench<'_> {
+    /// Sweeps on all cores.
+    ///
+    /// # Errors
+    /// As [`Self::kernel`]; the program failed.
+    pub fn sweep(&self) -> Result<Sweeps, Error> {
+        const LAWS: [&str; 2] = ["vector", "independent"];
+        let case = self.well.case(&[])?;
+        let precisions = well::precisions(&case);
+        self.begin(precisions.len() * LAWS.len());
+        let (file, folder) = (self.well.file(), self.well.folder());
+        let (file, folder) = (file.to_string_lossy(), folder.to_string_lossy());
+        let mut rows = Vec::new();
+        for (_, precision) in precisions {
+            for law in LAWS {
+                self.next(&format!(
+                    "sweep of {CASES} cases, {precision} precision, {law} friction"
+                ))?;
+                let mut changes = self.well.changes().to_vec();
+                for key in [
+                    format!("dynamics.precision={precision}"),
+                    format!("dynamics.friction_law={law}"),
+                ] {
+                    changes.push(key.parse().map_err(Error::failed)?);
+                }
+                let arguments =
+                    ["sweep", &file, "--vary", DEPTHS, "--vary", FRICTIONS, "-o", &folder];
+                let start = Instant::now();
+                let mut child = process::start(&self.program, &arguments, &changes)?;
+                process::check(child.wait().map_err(Error::failed)?)?;
+                rows.push(SweepRow {
+                    precision,
+                    friction_law: law,
+                    wall_time_s: start.elapsed().as_secs_f64(),
+                    simulated_s: CASES as f64 * case.dynamics.longest_s(),
+                });
             }
-            let arguments = ["sweep", &file, "--vary", DEPTHS, "--vary", FRICTIONS, "-o", &folder];
-            let start = Instant::now();
-            let mut child = process::start(bench, &arguments, &changes)?;
-            process::check(child.wait().map_err(failed)?)?;
-            rows.push(SweepRow {
-                precision,
-                friction_law: law,
-                wall_time_s: start.elapsed().as_secs_f64(),
-                simulated_s: CASES as f64 * case.dynamics.longest_s(),
-            });
         }
+        Ok(Sweeps {
+            cores: thread::available_parallelism().map_or(1, usize::from),
+            cases: CASES,
+            rows,
+        })
     }
-    Ok(Sweeps { cores: thread::available_parallelism().map_or(1, usize::from), cases: CASES, rows })
 }

@@ -8,7 +8,7 @@ use wholestring::dynamics::{DynamicsSettings, Effort, Precision, Simulation};
 use wholestring_case::{Case, Override, Template};
 use wholestring_results::ResultsFolder;
 
-use super::{clock::Clock, session::failed};
+use super::clock::Clock;
 use crate::Error;
 
 const CASE: (&str, &str) = ("np13-x1042.toml", include_str!("../../../../cases/np13-x1042.toml"));
@@ -44,10 +44,12 @@ pub struct MeasuredWell {
 impl Well {
     /// The case with the user's changes.
     pub(super) fn new(changes: &[Override]) -> Result<Self, Error> {
-        let scratch =
-            tempfile::Builder::new().prefix("wholestring-bench-").tempdir().map_err(failed)?;
+        let scratch = tempfile::Builder::new()
+            .prefix("wholestring-bench-")
+            .tempdir()
+            .map_err(Error::failed)?;
         for (name, text) in [CASE, SURVEY] {
-            fs::write(scratch.path().join(name), text).map_err(failed)?;
+            fs::write(scratch.path().join(name), text).map_err(Error::failed)?;
         }
         Ok(Self {
             template: Template::read(&scratch.path().join(CASE.0))?,
@@ -75,7 +77,7 @@ impl Well {
     pub(super) fn case(&self, keys: &[&str]) -> Result<Case, Error> {
         let mut changes = self.changes.clone();
         for key in keys {
-            changes.push(key.parse().map_err(failed)?);
+            changes.push(key.parse().map_err(Error::failed)?);
         }
         Ok(self.template.case(&changes)?)
     }
@@ -84,7 +86,7 @@ impl Well {
         let case = self.case(&[])?;
         let operation = &case.operations[0];
         let effort = Effort::of(&case.model, operation, &case.dynamics);
-        let effort = effort.map_err(failed)?;
+        let effort = effort.map_err(Error::failed)?;
         Ok(MeasuredWell {
             bit_depth_m: operation.bit_depth_m,
             case: case.name,
@@ -101,13 +103,13 @@ impl Well {
         let begin_s = simulation.time_s();
         let clock = Clock::begin();
         match case.records.frame_interval_s {
-            None => simulation.advance(TIMED_S).map_err(failed)?,
+            None => simulation.advance(TIMED_S).map_err(Error::failed)?,
             Some(interval_s) => {
                 let mut frames = folder.frames(&case.records.channels)?;
                 let sample_s = simulation.sample_interval_s();
                 let every_s = (interval_s / sample_s).round().max(1.0) * sample_s;
                 while simulation.time_s() - begin_s < TIMED_S - 0.5 * every_s {
-                    simulation.advance(every_s).map_err(failed)?;
+                    simulation.advance(every_s).map_err(Error::failed)?;
                     frames.push(case.operations[0].kind.name(), &simulation.frame())?;
                 }
                 frames.write()?;
@@ -122,10 +124,10 @@ pub(super) fn initialise(case: &Case, precision: Precision) -> Result<Simulation
     let settings =
         DynamicsSettings { precision, settle_s: SETTLED_S, steady: None, ..case.dynamics.clone() };
     let simulation = Simulation::new(&case.model, &case.operations[0], &settings);
-    let mut simulation = simulation.map_err(failed)?;
+    let mut simulation = simulation.map_err(Error::failed)?;
     // The window begins with the first sample after the settling.
     let beyond_s = SETTLED_S + 2.0 * simulation.sample_interval_s();
-    simulation.advance(beyond_s).map_err(failed)?;
+    simulation.advance(beyond_s).map_err(Error::failed)?;
     Ok(simulation)
 }
 
