@@ -3,9 +3,8 @@
 
 use wholestring::{
     dynamics::HoistControl,
-    operation::OperationKind,
-    string::{ComponentLength, StringSpec},
-    well::{HoleSection, Interpolation, Path, Station, TieIn},
+    prelude::*,
+    well::{Interpolation, TieIn},
 };
 
 use crate::{
