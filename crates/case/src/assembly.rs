@@ -4,9 +4,7 @@ use wholestring::string::{AssemblyError, ComponentLength, DrillString, Material,
 
 use wholestring_units::number_text;
 
-use wholestring_config::{
-    diagnostic::Diagnostic, names::short, reader::Reader, rule::Spanned, source::Span,
-};
+use wholestring_config::prelude::*;
 
 use crate::component::ComponentTable;
 

@@ -1,14 +1,7 @@
 //! A quantity, or "auto": what the program chooses by itself.
 
 use serde_json::{Value as Json, json};
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::{nearest, short},
-    node::{Node, Value},
-    quantity::Quantity,
-    reader::Reader,
-    rule::Rule,
-};
+use wholestring_config::prelude::*;
 
 /// What stands for a value that the program chooses.
 pub(crate) const AUTO: &str = "auto";

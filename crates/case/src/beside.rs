@@ -1,8 +1,6 @@
 //! Files that a case names, which stand beside it.
 
-use wholestring_config::{
-    diagnostic::Diagnostic, names::short, reader::Reader, rule::Spanned, source::Files,
-};
+use wholestring_config::prelude::*;
 
 /// What the file contains. `noun` says what it is; one that cannot be read is a mistake of the case.
 pub(crate) fn read_beside(

@@ -11,16 +11,7 @@ use wholestring::{
 };
 use wholestring_units::{Dimension, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    number::Number,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::{List, Spanned},
-    source::Span,
-    table::{Field, default, optional, table},
-};
+use wholestring_config::prelude::*;
 
 /// The grid where the case does not say, over the operation's weight on bit and the speed of its
 /// bit.
@@ -40,25 +31,23 @@ table! {
     BitTestTable in "[bit_test]" {
         /// Weights on bit. Default: a quarter, a half, one, one and a half and two times the
         /// operation's.
-        wob: Vec<Spanned<f64>> = optional(List {
-            item: Quantity::si(Dimension::Force, Range::positive_to(5e6).usual(1e3, 7e5), "60 kN"),
-            or_one: true,
-            noun: "weights on bit",
-            most: MAX,
-        });
+        wob: Vec<Spanned<f64>> = optional(List::or_one(
+            Quantity::si(Dimension::Force, Range::positive_to(5e6).usual(1e3, 7e5), "60 kN"),
+            "weights on bit",
+            MAX,
+        ));
         /// Rotary speeds of the bit; bare numbers are in rev/min. Default: a half, one and one and
         /// a half times that of the bit in the operation.
-        rpm: Vec<Spanned<f64>> = optional(List {
-            item: Quantity::si(
+        rpm: Vec<Spanned<f64>> = optional(List::or_one(
+            Quantity::si(
                 Dimension::RotarySpeed,
                 Range::from_to(PI / 30.0, 1000.0 * PI / 30.0),
                 "120 rpm",
             )
             .bare("rev/min", PI / 30.0),
-            or_one: true,
-            noun: "rotary speeds",
-            most: MAX,
-        });
+            "rotary speeds",
+            MAX,
+        ));
         /// Revolutions before those that count. Raising it forgets more of the beginning.
         settle_revolutions: f64 = default(number(0.0, 1000.0), SETTLE);
         /// Revolutions that count. Raising it makes the means surer.

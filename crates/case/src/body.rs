@@ -83,8 +83,7 @@ impl ComponentTable {
 /// A key that means nothing without another one.
 fn alone<T>(given: Option<&Spanned<T>>, name: &str, partner: &str, reader: &mut Reader) {
     if let Some(given) = given {
-        Diagnostic::warning(format!("`{name}` has no effect here"))
-            .at(given.place, format!("used with `{partner}`, which is not given"))
-            .report(reader);
+        let why = format!("used with `{partner}`, which is not given");
+        reader.report(Diagnostic::idle(name, given.place, why));
     }
 }

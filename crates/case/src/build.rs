@@ -4,16 +4,7 @@ use std::path::Path as FilePath;
 
 use wholestring::{dynamics::RockLaw, model::Model, outcome::ModelKind, well::Well};
 
-use wholestring_config::{
-    diagnostic::Report,
-    file::tree,
-    kind::Kind,
-    node::{Entries, Value},
-    reader::Reader,
-    rule::{Table, once_each},
-    source::{Files, Span},
-    usual,
-};
+use wholestring_config::{diagnostic::Report, file::tree, kind::Kind, prelude::*, usual};
 
 use crate::{
     assembly,

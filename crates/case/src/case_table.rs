@@ -3,11 +3,7 @@
 use wholestring::outcome::ModelKind;
 use wholestring_units::UnitSet;
 
-use wholestring_config::{
-    rule::{List, Section, Spanned, Text},
-    source::Span,
-    table::{default, optional, required, table},
-};
+use wholestring_config::prelude::*;
 
 use crate::{
     bit::BitTable,
@@ -36,7 +32,7 @@ table! {
         /// "soft" (statics without bending stiffness), "dynamic" (the whole string in time), or a
         /// list that is solved one by one.
         model: Vec<Spanned<ModelKind>> = default(
-            List { item: ModelRule, or_one: true, noun: "models", most: MODELS.len() },
+            List::or_one(ModelRule, "models", MODELS.len()),
             vec![Spanned { value: ModelKind::Soft, place: Span::default() }],
         );
         /// Units that people are shown: "si" (m, kN, kN.m, mm, kg/m3), "metric" (m, t, kN.m, mm,
@@ -49,12 +45,9 @@ table! {
         /// The metal of the string, wherever a component does not say otherwise.
         steel: SteelTable = optional(Section::<SteelTable>::RULE);
         /// The string, component by component from the bit up.
-        string: Vec<Spanned<ComponentTable>> = required(List {
-            item: Section::<ComponentTable>::RULE,
-            or_one: false,
-            noun: "components ([[string]])",
-            most: 5000,
-        });
+        string: Vec<Spanned<ComponentTable>> = required(List::tables::<ComponentTable>(
+            "components ([[string]])", 5000,
+        ));
         /// The bit on the rock.
         bit: BitTable = optional(Section::<BitTable>::RULE);
         /// Solid rock under the bit.

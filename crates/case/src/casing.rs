@@ -6,9 +6,7 @@ use wholestring::well::{
 };
 use wholestring_units::{Dimension, UnitSet};
 
-use wholestring_config::{
-    diagnostic::Diagnostic, names::short, reader::Reader, rule::Spanned, source::Span,
-};
+use wholestring_config::prelude::*;
 
 use crate::hole::HoleTable;
 

@@ -3,17 +3,7 @@
 use wholestring::string::{Cavity, ComponentLength};
 use wholestring_units::{Dimension, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::{nearest, short},
-    node::{Node, Value},
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::{Choice, Rule, Text},
-    source::Span,
-    table::{optional, required, table},
-};
+use wholestring_config::prelude::*;
 
 use crate::steel::{density, modulus};
 

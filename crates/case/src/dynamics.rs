@@ -11,16 +11,7 @@ use wholestring::{
 };
 use wholestring_units::{Dimension, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    number::{Number, Whole},
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::{Choice, Section},
-    source::Span,
-    table::{default, optional, table},
-};
+use wholestring_config::prelude::*;
 
 use crate::{
     auto::{AutoOr, AutoOrQuantity},
@@ -291,9 +282,8 @@ impl DynamicsTable {
         if let Some(given) = self.stribeck_speed.given()
             && !hole.sections().iter().any(decays)
         {
-            Diagnostic::warning("`stribeck_speed` has no effect here")
-                .at(given.place, "used with `static` friction above `kinetic` in a hole section")
-                .report(reader);
+            let why = "used with `static` friction above `kinetic` in a hole section";
+            reader.report(Diagnostic::idle("stribeck_speed", given.place, why));
         }
     }
 
@@ -302,44 +292,27 @@ impl DynamicsTable {
         if self.start.get() != Some(&Start::Prepared) {
             return;
         }
-        let keys = [
-            (self.start_tension.given().map(|at| at.place), "start_tension"),
-            (self.start_ramp.given().map(|at| at.place), "start_ramp"),
-        ];
-        for (place, name) in keys {
+        for (place, name) in
+            [(self.start_tension.place(), "start_tension"), (self.start_ramp.place(), "start_ramp")]
+        {
             let Some(place) = place else { continue };
-            let diagnostic = Diagnostic::warning(format!("`{name}` has no effect here"))
-                .at(place, "used with start = \"centred\"");
-            reader.report(match self.start.given() {
-                Some(start) => diagnostic.at(start.place, "the start"),
-                None => diagnostic.help("the start is \"prepared\" where none is given"),
-            });
+            Diagnostic::idle(name, place, "used with start = \"centred\"")
+                .chosen("the start", self.start.place(), "prepared")
+                .report(reader);
         }
     }
 
     fn contact(&self, reader: &mut Reader) -> Option<ContactLaw> {
         let law = self.contact_law.at()?;
-        let belongs = [
-            (&self.contact_stiffness, "contact_stiffness", Contact::Linear),
-            (&self.contact_damping_ratio, "contact_damping_ratio", Contact::Linear),
-            (&self.hertz_dissipation, "hertz_dissipation", Contact::Hertz),
-        ];
-        for (field, name, owner) in belongs {
-            let Some(given) = field.given() else { continue };
-            if owner == law.value {
-                continue;
-            }
-            let word = match owner {
-                Contact::Hertz => "hertz",
-                Contact::Linear => "linear",
-            };
-            let mut diagnostic = Diagnostic::warning(format!("`{name}` has no effect here"))
-                .at(given.place, format!("used with contact_law = \"{word}\""));
-            diagnostic = match self.contact_law.given() {
-                Some(law) => diagnostic.at(law.place, "the contact law"),
-                None => diagnostic.help("the contact law is \"hertz\" where none is given"),
-            };
-            reader.report(diagnostic);
+        for (field, name, owner, word) in [
+            (&self.contact_stiffness, "contact_stiffness", Contact::Linear, "linear"),
+            (&self.contact_damping_ratio, "contact_damping_ratio", Contact::Linear, "linear"),
+            (&self.hertz_dissipation, "hertz_dissipation", Contact::Hertz, "hertz"),
+        ] {
+            let Some(given) = field.given().filter(|_| owner != law.value) else { continue };
+            Diagnostic::idle(name, given.place, format!("used with contact_law = \"{word}\""))
+                .chosen("the contact law", self.contact_law.place(), "hertz")
+                .report(reader);
         }
         Some(match law.value {
             Contact::Hertz => {

@@ -4,9 +4,7 @@ use wholestring::{mud::Mud, string::DrillString, well::Hole};
 
 use wholestring_units::number_text;
 
-use wholestring_config::{
-    diagnostic::Diagnostic, names::short, reader::Reader, rule::Spanned, source::Span,
-};
+use wholestring_config::prelude::*;
 
 use crate::{
     component::{ComponentTable, mm},

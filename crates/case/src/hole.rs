@@ -3,17 +3,7 @@
 use wholestring::well::{Friction, Hole, HoleError, HoleKind, HoleSection};
 use wholestring_units::{Dimension, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    node::{Node, Value},
-    number::Number,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::{Choice, Rule, Spanned, Table, Text},
-    source::Span,
-    table::{default, optional, required, required_unless, table},
-};
+use wholestring_config::{prelude::*, table::required_unless};
 
 use crate::roughness::RoughnessTable;
 
@@ -264,9 +254,8 @@ fn warn_of_sections(
     }
     for section in sections {
         if let Some(given) = section.value.roughness.given() {
-            Diagnostic::warning("`roughness` has no effect here")
-                .at(given.place, "used with `rms` or `tortuosity` of [well.roughness]")
-                .report(reader);
+            let why = "used with `rms` or `tortuosity` of [well.roughness]";
+            reader.report(Diagnostic::idle("roughness", given.place, why));
         }
     }
 }

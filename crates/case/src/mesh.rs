@@ -1,14 +1,7 @@
 //! `[mesh]`.
 
 use wholestring::dynamics::{Accuracy, DynamicsSettings, ElementLength};
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::Choice,
-    table::{default, table},
-};
+use wholestring_config::prelude::*;
 use wholestring_units::Dimension;
 
 use crate::auto::{AUTO, AutoOr, AutoOrQuantity};

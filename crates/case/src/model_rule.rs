@@ -1,13 +1,7 @@
 //! Models by name.
 
 use wholestring::outcome::ModelKind;
-use wholestring_config::{
-    Json,
-    diagnostic::Diagnostic,
-    node::{Node, Value},
-    reader::Reader,
-    rule::{Choice, Rule},
-};
+use wholestring_config::{Json, prelude::*};
 
 /// The models that can solve a case.
 pub(crate) const MODELS: &[(&str, ModelKind)] = &{

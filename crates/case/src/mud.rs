@@ -3,15 +3,7 @@
 use wholestring::mud::{CYLINDER_DRAG_COEFFICIENT, Mud, Rheology};
 use wholestring_units::Dimension;
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    number::Number,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::{Choice, Spanned, Table},
-    table::{Field, default, optional, required, table},
-};
+use wholestring_config::prelude::*;
 
 /// The rheologies, without their numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -115,8 +107,8 @@ impl MudTable {
         for key in self.written() {
             // Density and drag belong to every mud.
             let [owner] = key.used_with[..] else { continue };
-            let diagnostic = Diagnostic::warning(format!("`{}` has no effect here", key.name))
-                .at(key.place, format!("used with rheology = \"{owner}\""));
+            let why = format!("used with rheology = \"{owner}\"");
+            let diagnostic = Diagnostic::idle(key.name, key.place, why);
             match chosen {
                 Some(flow) if key.is_used_with(flow.value.word()) => {}
                 Some(flow) => reader.report(diagnostic.at(flow.place, "the rheology")),

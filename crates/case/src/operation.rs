@@ -10,15 +10,7 @@ use wholestring::{
 };
 use wholestring_units::Dimension;
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::{List, Section, Spanned, once_each},
-    source::Span,
-    table::{Field, default, optional, required, table},
-};
+use wholestring_config::prelude::*;
 
 use crate::{
     bit::{BitTable, Given},
@@ -36,12 +28,9 @@ table! {
         /// One operation by its name, or a list that is solved one by one. Drillers' words are
         /// taken too: "pick-up" and "POOH" for "trip_out", "slack-off" and "RIH" for "trip_in",
         /// "rotating off bottom", "sliding", "back-reaming".
-        kind: Vec<Spanned<OperationKind>> = required(List {
-            item: KindRule,
-            or_one: true,
-            noun: "operations",
-            most: OperationKind::ALL.len(),
-        });
+        kind: Vec<Spanned<OperationKind>> = required(List::or_one(
+            KindRule, "operations", OperationKind::ALL.len(),
+        ));
         /// Measured depth of the bit, m unless a unit is given. Default: the last survey station.
         /// Deeper than that, the hole continues in its last direction.
         bit_depth: f64 = optional(Quantity::si(
@@ -93,12 +82,9 @@ table! {
         );
         /// What the driller changes during a dynamic run, line by line in the order of
         /// time. One operation alone can have a schedule.
-        schedule: Vec<Spanned<StepTable>> = optional(List {
-            item: Section::<StepTable>::RULE,
-            or_one: false,
-            noun: "lines ([[operation.schedule]])",
-            most: 5000,
-        });
+        schedule: Vec<Spanned<StepTable>> = optional(List::tables::<StepTable>(
+            "lines ([[operation.schedule]])", 5000,
+        ));
     }
 }
 
@@ -169,15 +155,13 @@ impl OperationTable {
         ];
         for (field, name, why) in keys {
             if let (Some(given), false) = (field.given(), why.is_empty()) {
-                let message = format!("`{name}` has no effect here");
-                reader.report(Diagnostic::warning(message).at(given.place, why));
+                reader.report(Diagnostic::idle(name, given.place, why));
             }
         }
         let lines = self.schedule.optional()?.map_or(&[][..], |at| &at.value);
         let scheduled = lines.iter().find_map(|line| line.value.flow_rate.given());
         if let (Some(given), false) = (scheduled, why.is_empty()) {
-            let message = "`flow_rate` has no effect here";
-            reader.report(Diagnostic::warning(message).at(given.place, why));
+            reader.report(Diagnostic::idle("flow_rate", given.place, why));
         }
         Some(())
     }

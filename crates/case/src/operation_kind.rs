@@ -4,11 +4,8 @@ use serde_json::{Value as Json, json};
 use wholestring::operation::OperationKind;
 
 use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::{all_near, any_of, same, short},
-    node::{Node, Value},
-    reader::Reader,
-    rule::{Choice, Rule},
+    names::{all_near, same},
+    prelude::*,
 };
 
 use crate::words::words;

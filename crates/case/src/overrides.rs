@@ -3,12 +3,9 @@
 use std::{ops::Range, sync::Arc};
 
 use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::{nearest, short},
-    node::{Entries, Key, Node, Value, parse_value},
-    reader::Reader,
+    node::{Key, parse_value},
+    prelude::*,
     schema::{homes_of, top_level},
-    source::{COMMAND_LINE, Span},
 };
 
 /// One `--set KEY=VALUE`.

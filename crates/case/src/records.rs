@@ -4,15 +4,7 @@ use serde::Serialize;
 use wholestring::dynamics::{Channel, DynamicsSettings, NodeSignal, Probe, Signal};
 use wholestring_units::{Dimension, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::{Choice, List, Spanned, once_each},
-    source::Span,
-    table::{default, optional, table},
-};
+use wholestring_config::prelude::*;
 
 /// Depths whose signals are kept: they stay in memory until the run ends.
 const MAX_DEPTHS: usize = 10;
@@ -43,41 +35,35 @@ table! {
         /// twist), "tilt" (against the hole), "contact", "friction", "force" (tension, torque),
         /// "stress" (bending moment, von Mises).
         channels: Vec<Spanned<Channel>> = default(
-            List {
-                item: Choice { noun: "a channel", words: Channel::BY_NAME },
-                or_one: true,
-                noun: "channels",
-                most: Channel::BY_NAME.len(),
-            },
+            List::or_one(
+                Choice { noun: "a channel", words: Channel::BY_NAME },
+                "channels",
+                Channel::BY_NAME.len(),
+            ),
             usual(),
         );
         /// Scalars whose power spectral density over the window goes to `spectra.parquet`, by the
         /// names of their columns in `time.parquet` without the unit; none where it is not given.
-        spectra: Vec<Spanned<Signal>> = optional(List {
-            item: Choice { noun: "a signal", words: Signal::BY_NAME },
-            or_one: true,
-            noun: "signals",
-            most: Signal::BY_NAME.len(),
-        });
+        spectra: Vec<Spanned<Signal>> = optional(List::or_one(
+            Choice { noun: "a signal", words: Signal::BY_NAME }, "signals", Signal::BY_NAME.len(),
+        ));
         /// Quantities of single nodes whose spectra go there too, at each depth of
         /// `node_spectra_at`: "tension", "torque", "bending_moment", "von_mises_stress",
         /// "contact_force", "offset_high" and "offset_right" (from the hole's axis),
         /// "velocity_high", "velocity_right", "axial_velocity", "rotary_speed"; none where it is
         /// not given.
-        node_spectra: Vec<Spanned<NodeSignal>> = optional(List {
-            item: Choice { noun: "a signal of a node", words: NodeSignal::BY_NAME },
-            or_one: true,
-            noun: "signals of nodes",
-            most: NodeSignal::BY_NAME.len(),
-        });
+        node_spectra: Vec<Spanned<NodeSignal>> = optional(List::or_one(
+            Choice { noun: "a signal of a node", words: NodeSignal::BY_NAME },
+            "signals of nodes",
+            NodeSignal::BY_NAME.len(),
+        ));
         /// Measured depths of them with the bit at `bit_depth`. The node that is nearest then is
         /// taken, and stays the same as the string moves.
-        node_spectra_at: Vec<Spanned<f64>> = optional(List {
-            item: Quantity::si(Dimension::Length, Range::from_to(0.0, 20_000.0), "4290 m"),
-            or_one: true,
-            noun: "depths",
-            most: MAX_DEPTHS,
-        });
+        node_spectra_at: Vec<Spanned<f64>> = optional(List::or_one(
+            Quantity::si(Dimension::Length, Range::from_to(0.0, 20_000.0), "4290 m"),
+            "depths",
+            MAX_DEPTHS,
+        ));
         /// Length of the segments whose periodograms a spectrum is the mean of; they overlap by
         /// half. Default: a quarter of the window. A longer one separates closer frequencies (they
         /// are one over it apart), a shorter one gives a smoother spectrum.
@@ -120,14 +106,13 @@ impl RecordsTable {
         let probes = self.probes(bit_depth_m, reader)?;
         let none = spectra.is_empty() && probes.is_empty();
         if let (None, Some(given)) = (frames, self.channels.given()) {
-            Diagnostic::warning("`channels` has no effect here")
-                .at(given.place, "what a frame holds")
+            Diagnostic::idle("channels", given.place, "what a frame holds")
                 .help("no frames are kept: add frames = \"10 Hz\" to [records]")
                 .report(reader);
         }
         if let (true, Some(given)) = (none, segment) {
-            Diagnostic::warning("`spectrum_segment` has no effect here")
-                .at(given.place, "length of the segments of a spectrum")
+            let what = "length of the segments of a spectrum";
+            Diagnostic::idle("spectrum_segment", given.place, what)
                 .help("no spectra are kept: add spectra = \"surface_torque\" to [records]")
                 .report(reader);
         }
@@ -184,8 +169,7 @@ impl RecordsTable {
                     .refuse(reader);
             }
             (None, Some(depths)) => {
-                Diagnostic::warning("`node_spectra_at` has no effect here")
-                    .at(depths.place, "depths of signals of nodes")
+                Diagnostic::idle("node_spectra_at", depths.place, "depths of signals of nodes")
                     .help(
                         "no signal is named: add node_spectra = \"bending_moment\" to \
                                [records]",

@@ -10,15 +10,7 @@ use wholestring::{
 };
 use wholestring_units::{Dimension, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    number::Number,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::{Choice, Table},
-    table::{Field, default, optional, table},
-};
+use wholestring_config::prelude::*;
 
 /// Part of the block's weight by which its mass may be off: what rounding leaves.
 const SAME_BLOCK: f64 = 0.05;
@@ -238,15 +230,12 @@ impl HoistTable {
             if control == Some(word) || later == Some(word) {
                 continue;
             }
-            let mut diagnostic = Diagnostic::warning(format!("`{}` has no effect here", key.name))
-                .at(key.place, format!("used with control = \"{word}\""));
-            match chosen {
-                Some(chosen) => diagnostic = diagnostic.at(chosen.place, "the control"),
-                None => {
-                    diagnostic = diagnostic.help(format!("add control = \"{word}\" to [hoist]"))
-                }
-            }
-            reader.report(diagnostic);
+            let why = format!("used with control = \"{word}\"");
+            let diagnostic = Diagnostic::idle(key.name, key.place, why);
+            reader.report(match chosen {
+                Some(chosen) => diagnostic.at(chosen.place, "the control"),
+                None => diagnostic.help(format!("add control = \"{word}\" to [hoist]")),
+            });
         }
         let Some(chosen) = chosen else {
             return Some(None);

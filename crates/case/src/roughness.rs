@@ -8,16 +8,7 @@ use wholestring::{
 };
 use wholestring_units::{Dimension, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::short,
-    number::Whole,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    source::Span,
-    table::{Field, default, table},
-};
+use wholestring_config::prelude::*;
 
 use crate::component::mm;
 

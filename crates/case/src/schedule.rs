@@ -9,15 +9,7 @@ use wholestring::{
 };
 use wholestring_units::{Dimension, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::{Spanned, Text},
-    source::Span,
-    table::{default, optional, required, table},
-};
+use wholestring_config::prelude::*;
 
 table! {
     /// A line of the plan: what changes, when, and how fast. What it does not name stays as it is.

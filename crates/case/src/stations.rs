@@ -5,16 +5,7 @@ use wholestring::well::{Station, TieIn};
 use wholestring_survey::{Said, SurveyError, read_as};
 use wholestring_units::{Dimension, Unit, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::short,
-    node::{Node, Value},
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::{Rule, Spanned},
-    source::{Files, Span},
-};
+use wholestring_config::prelude::*;
 
 use crate::beside::read_beside;
 

@@ -3,14 +3,7 @@
 use wholestring::string::Material;
 use wholestring_units::{Dimension, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    source::Span,
-    table::{default, table},
-};
+use wholestring_config::prelude::*;
 
 pub(crate) fn density() -> Quantity {
     Quantity::si(

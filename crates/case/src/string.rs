@@ -3,9 +3,7 @@
 use wholestring::string::{ComponentSpec, Material, catalogue};
 use wholestring_units::{Dimension, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic, names::short, reader::Reader, rule::Spanned, source::Span,
-};
+use wholestring_config::prelude::*;
 
 use crate::{
     component::{ComponentTable, mm},

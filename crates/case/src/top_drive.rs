@@ -3,15 +3,7 @@
 use wholestring::dynamics::{SpeedController, TopDriveSettings};
 use wholestring_units::Dimension;
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    number::Number,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::{Choice, Table, Written},
-    table::{default, optional, table},
-};
+use wholestring_config::prelude::*;
 
 /// The controls, without their numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -124,12 +116,10 @@ impl TopDriveTable {
 
     fn warn(&self, key: &Written, reader: &mut Reader) {
         let words: Vec<String> = key.used_with.iter().map(|word| format!("\"{word}\"")).collect();
-        let diagnostic = Diagnostic::warning(format!("`{}` has no effect here", key.name))
-            .at(key.place, format!("used with control = {}", words.join(", ")));
-        reader.report(match self.control.given() {
-            Some(control) => diagnostic.at(control.place, "the control"),
-            None => diagnostic.help("the control is \"constant\" where none is given"),
-        });
+        let why = format!("used with control = {}", words.join(", "));
+        Diagnostic::idle(key.name, key.place, why)
+            .chosen("the control", self.control.place(), "constant")
+            .report(reader);
     }
 }
 

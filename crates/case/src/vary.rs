@@ -1,11 +1,6 @@
 //! Values that a sweep gives to a key, one after the other.
 
-use wholestring_config::{
-    diagnostic::{Diagnostic, Report},
-    names::short,
-    reader::Reader,
-    source::{COMMAND_LINE, Span},
-};
+use wholestring_config::{diagnostic::Report, prelude::*};
 
 use crate::overrides::{Override, Quote};
 

@@ -4,16 +4,7 @@ use wholestring::well::{Hole, Interpolation, Path, PathError, TieIn};
 use wholestring_survey::{Said, under_origin};
 use wholestring_units::{Dimension, Unit, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::short,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::{Choice, List, Section, Spanned, Text},
-    source::{Files, Span},
-    table::{optional, required, table},
-};
+use wholestring_config::prelude::*;
 
 use crate::{
     hole::HoleTable,
@@ -47,12 +38,7 @@ table! {
         /// Survey file beside the case, CSV or Excel, with columns md, inc and azi.
         survey: String = optional(Text);
         /// The survey itself, instead of a file: a list of [md, inc, azi] in m, deg and deg.
-        stations: Vec<Spanned<[f64; 3]>> = optional(List {
-            item: StationRule,
-            or_one: false,
-            noun: "stations",
-            most: 100_000,
-        });
+        stations: Vec<Spanned<[f64; 3]>> = optional(List::of(StationRule, "stations", 100_000));
         /// Unit of the lengths in the survey file, such as "m" or "ft", where the file does not
         /// tell it. Without one, such a file is refused.
         survey_unit: &'static Unit = optional(LengthUnit);
@@ -74,12 +60,9 @@ table! {
         /// Roughness and micro-tortuosity of the wall. Default: a smooth wall.
         roughness: RoughnessTable = optional(Section::<RoughnessTable>::RULE);
         /// Sections of the hole from the surface down to the bit or deeper.
-        hole: Vec<Spanned<HoleTable>> = required(List {
-            item: Section::<HoleTable>::RULE,
-            or_one: false,
-            noun: "hole sections ([[well.hole]])",
-            most: 1000,
-        });
+        hole: Vec<Spanned<HoleTable>> = required(List::tables::<HoleTable>(
+            "hole sections ([[well.hole]])", 1000,
+        ));
     }
 }
 

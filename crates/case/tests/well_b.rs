@@ -6,11 +6,7 @@
 use std::{fs, ops::Range, path::Path};
 
 use serde_json::Value;
-use wholestring::{
-    dynamics::{Simulation, TimeSeries},
-    model::Model,
-    string::{ComponentLength, ComponentSpec, DrillString, StringSpec},
-};
+use wholestring::{dynamics::TimeSeries, prelude::*, string::DrillString};
 use wholestring_case::{Case, Override, load};
 use wholestring_verification::{Tolerance, verify};
 

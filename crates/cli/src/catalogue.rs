@@ -1,48 +1,20 @@
 //! `wholestring catalogue`: the tubulars that a case can name.
 
 use wholestring::{
-    string::catalogue::{self, CatalogueEntry, TubularKind, describes},
-    well::casing::{self, Casing},
+    string::catalogue::{CatalogueEntry, TubularKind},
+    well::casing::Casing,
 };
 use wholestring_case::STEEL_DENSITY_KG_PER_M3;
+use wholestring_runner::Tubulars;
 use wholestring_units::{Dimension, Unit, UnitSet};
 
 use crate::{args::CatalogueArgs, failure::Failure, screen_table::Table, terminal::print_stdout};
 
-/// The kinds of tubulars of a string: their heading, and the words by which they are found.
-const KINDS: [(TubularKind, &str, &str); 3] = [
-    (TubularKind::DrillPipe, "Drill pipe", "drill pipe dp"),
-    (TubularKind::HeavyWeight, "Heavy-weight drill pipe", "heavy-weight drill pipe hwdp hwt"),
-    (TubularKind::Collar, "Drill collars", "drill collars dc"),
-];
-
-/// The words by which casing is found.
-const CASING_WORDS: &str = "casing csg liner";
-
 pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
     let query = args.words.join(" ");
     let units = args.units.unwrap_or(UnitSet::Si);
-    let mut tables = Vec::new();
-    let mut sources: Vec<&'static str> = Vec::new();
-    let entries = catalogue::entries();
-    for (kind, heading, words) in KINDS {
-        let found: Vec<&CatalogueEntry> = entries
-            .iter()
-            .filter(|entry| entry.kind == kind)
-            .filter(|entry| describes(&description(entry, words), &query))
-            .collect();
-        if !found.is_empty() {
-            sources.extend(found.iter().map(|entry| entry.source));
-            tables.push(tubulars(heading, &found, units));
-        }
-    }
-    let mut casings = casing::entries();
-    casings.retain(|one| describes(&format!("{} {CASING_WORDS}", one.designation), &query));
-    if !casings.is_empty() {
-        sources.push(casing::SOURCE);
-        tables.push(casing_table(&casings, units));
-    }
-    if tables.is_empty() {
+    let found = Tubulars::described(&query);
+    if found.is_empty() {
         return Err(Failure::BadInput(format!(
             "error: the catalogue has nothing of `{query}`\n\
              help: search by size, weight, grade or kind, such as 5-1/2, 21.9, S-135, hwdp, \
@@ -50,8 +22,14 @@ pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
              without a word everything is listed"
         )));
     }
-    sources.dedup();
-    let sources: Vec<String> = sources.iter().map(|source| format!("  {source}\n")).collect();
+    let string = found.string.iter();
+    let mut tables: Vec<String> =
+        string.map(|(kind, entries)| tubulars(heading(*kind), entries, units)).collect();
+    if !found.casings.is_empty() {
+        tables.push(casing_table(&found.casings, units));
+    }
+    let sources: Vec<String> =
+        found.sources().iter().map(|source| format!("  {source}\n")).collect();
     print_stdout(&format!(
         "{}\n\
          In a case: catalogue = \"NAME\" under [[string]]; casing = \"NAME\" under [[well.hole]]\n\
@@ -61,12 +39,15 @@ pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
     ))
 }
 
-fn description(entry: &CatalogueEntry, words: &str) -> String {
-    let connection = entry.joints.map_or("", |joints| joints.connection);
-    format!("{} {words} {connection}", entry.designation)
+fn heading(kind: TubularKind) -> &'static str {
+    match kind {
+        TubularKind::DrillPipe => "Drill pipe",
+        TubularKind::HeavyWeight => "Heavy-weight drill pipe",
+        TubularKind::Collar => "Drill collars",
+    }
 }
 
-fn tubulars(heading: &str, entries: &[&CatalogueEntry], units: UnitSet) -> String {
+fn tubulars(heading: &str, entries: &[CatalogueEntry], units: UnitSet) -> String {
     let [across, mass, strength] =
         [Dimension::Diameter, Dimension::MassPerLength, Dimension::Pressure]
             .map(|dimension| dimension.unit_in(units));

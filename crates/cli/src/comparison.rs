@@ -1,8 +1,7 @@
 //! The table at the end of a run: models and operations side by side, in the user's units.
 
-use wholestring::outcome::scalars_by_row;
 use wholestring_results::{Numerics, OperationSummary, Status, Summary};
-use wholestring_runner::findings::quantities::{deviation, shown, symbol};
+use wholestring_runner::{ComparedRow, Comparison, findings::quantities::deviation};
 use wholestring_units::{Dimension, UnitSet};
 
 mod drift;
@@ -26,15 +25,14 @@ struct Column {
 /// The whole table. Where the operations do not fit in `width` columns of the screen they continue
 /// below, with the labels again.
 pub(crate) fn table(summary: &Summary, units: UnitSet, width: Option<usize>) -> String {
-    let rows = scalars_by_row();
-    let labels: Vec<String> = rows.iter().map(|row| row.label.to_owned()).collect();
-    let symbols: Vec<&str> = rows.iter().map(|row| symbol(row.quantity.kind, units)).collect();
-    let label_width = labels.iter().map(|label| label.len()).max().unwrap_or(0);
-    let symbol_width = symbols.iter().map(|symbol| symbol.len()).max().unwrap_or(0);
+    let comparison = Comparison::of(summary, units);
+    let rows = &comparison.rows;
+    let label_width = rows.iter().map(|row| row.label.len()).max().unwrap_or(0);
+    let symbol_width = rows.iter().map(|row| row.symbol.len()).max().unwrap_or(0);
     let stub = label_width + NARROW + symbol_width;
 
     let mut text = String::new();
-    for block in blocks(columns(&summary.operations, units), stub, width) {
+    for block in blocks(columns(&comparison), stub, width) {
         if !text.is_empty() {
             text.push('\n');
         }
@@ -53,7 +51,7 @@ pub(crate) fn table(summary: &Summary, units: UnitSet, width: Option<usize>) -> 
         }
         text += &format!("{}\n{}\n", operations.trim_end(), headings.trim_end());
         text += &format!("{}\n", "─".repeat(line));
-        for (row, (label, symbol)) in labels.iter().zip(&symbols).enumerate() {
+        for (row, ComparedRow { label, symbol, .. }) in rows.iter().enumerate() {
             let mut cells = format!("{label:label_width$}{:NARROW$}{symbol:symbol_width$}", "");
             for column in &block {
                 cells += &format!("{:1$}", "", column.gap());
@@ -112,36 +110,9 @@ impl Column {
 }
 
 /// The columns of every operation and model, with the deviations of the dynamic ones.
-fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
-    let rows = scalars_by_row();
-    // Rows of one kind show the same decimals, so that they can be added up.
-    let decimals: Vec<usize> = rows
-        .iter()
-        .map(|row| {
-            let kind = row.quantity.kind;
-            let alike = rows.iter().filter(|other| other.quantity.kind == kind);
-            decimals(alike.flat_map(|row| {
-                let values = operations.iter().filter_map(|solved| (row.of)(&solved.scalars));
-                values.map(|value| shown(kind, value, units))
-            }))
-        })
-        .collect();
-    let cell = |row: usize, value: Option<f64>| match value {
-        Some(value) if value.is_finite() => {
-            let decimals = decimals[row];
-            let text = format!("{:.decimals$}", shown(rows[row].quantity.kind, value, units));
-            // What rounds to zero has no sign.
-            match text.strip_prefix('-') {
-                Some(digits) if digits.bytes().all(|byte| matches!(byte, b'0' | b'.')) => {
-                    digits.to_owned()
-                }
-                _ => text,
-            }
-        }
-        _ => "–".to_owned(),
-    };
+fn columns(comparison: &Comparison<'_>) -> Vec<Column> {
     let mut columns: Vec<Column> = Vec::new();
-    for solved in operations {
+    for solved in &comparison.columns {
         let operation = solved.operation.replace('_', " ");
         let mut push = |heading: String, cells: Vec<String>, across: usize| {
             let joined = columns.last().is_some_and(|last| last.operation == operation);
@@ -154,21 +125,18 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
                 cells,
             });
         };
-        let incomplete = if solved.status == Status::Complete { "" } else { "*" };
+        let incomplete = if solved.is_complete { "" } else { "*" };
         let heading = format!("{}{incomplete}", solved.model.name());
-        let values = rows.iter().enumerate();
-        let cells = values.map(|(row, scalar)| cell(row, (scalar.of)(&solved.scalars)));
+        let values = solved.values.iter().zip(&comparison.rows);
+        let cells = values.map(|(value, row)| cell(*value, row.decimals));
         // The name of an operation needs the room of its one column where it has only one.
-        let alone = operations.iter().filter(|other| other.operation == solved.operation);
+        let all = comparison.columns.iter();
+        let alone = all.filter(|other| other.operation == solved.operation);
         let across = if alone.count() == 1 { operation.len() } else { 0 };
         push(heading, cells.collect(), across);
-        if let Some(statistics) = &solved.statistics {
-            let deviations = rows.iter().map(|scalar| match statistics.get(scalar.quantity.name) {
-                Some(statistic) => {
-                    let std = shown(scalar.quantity.kind, statistic.std, units);
-                    let shown = deviation(std);
-                    format!("{shown}{}", drift::mark(statistic))
-                }
+        if let Some(deviations) = &solved.deviations {
+            let deviations = deviations.iter().map(|of| match of {
+                Some(of) => format!("{}{}", deviation(of.std), drift::mark(of.drift)),
                 None => String::new(),
             });
             push("± std".to_owned(), drift::aligned(deviations.collect()), 0);
@@ -177,17 +145,20 @@ fn columns(operations: &[OperationSummary], units: UnitSet) -> Vec<Column> {
     columns
 }
 
-fn heading_width(heading: &str) -> usize {
-    heading.chars().count()
+fn cell(value: Option<f64>, decimals: usize) -> String {
+    let Some(value) = value.filter(|value| value.is_finite()) else {
+        return "–".to_owned();
+    };
+    let text = format!("{value:.decimals$}");
+    // What rounds to zero has no sign.
+    match text.strip_prefix('-') {
+        Some(digits) if digits.bytes().all(|byte| matches!(byte, b'0' | b'.')) => digits.to_owned(),
+        _ => text,
+    }
 }
 
-/// Decimals that show five digits of the largest value, three at most.
-fn decimals(values: impl Iterator<Item = f64>) -> usize {
-    let largest = values.filter(|value| value.is_finite()).fold(0.0, |a: f64, b| a.max(b.abs()));
-    if largest == 0.0 {
-        return 1;
-    }
-    (4.0 - largest.log10().floor()).clamp(0.0, 3.0) as usize
+fn heading_width(heading: &str) -> usize {
+    heading.chars().count()
 }
 
 /// Columns in blocks that fit the screen; an operation is not torn apart.

@@ -55,6 +55,19 @@ impl Diagnostic {
         Self { severity: Severity::Warning, ..Self::error(message) }
     }
 
+    /// A key that is sound and has no effect where it stands; `why` stands beside it.
+    pub fn idle(key: &str, place: Span, why: impl Into<String>) -> Self {
+        Self::warning(format!("`{key}` has no effect here")).at(place, why)
+    }
+
+    /// Underlines the word that was chosen, or says which one is taken where none is given.
+    pub fn chosen(self, what: &str, chosen: Option<Span>, default: &str) -> Self {
+        match chosen {
+            Some(place) => self.at(place, what),
+            None => self.help(format!("{what} is \"{default}\" where none is given")),
+        }
+    }
+
     /// Underlines a place; `text` stands beside the line.
     pub fn at(mut self, place: Span, text: impl Into<String>) -> Self {
         self.labels.push(Label { place, text: text.into() });

@@ -57,6 +57,7 @@ pub mod names;
 mod nesting;
 pub mod node;
 pub mod number;
+pub mod prelude;
 pub mod quantity;
 pub mod range;
 pub mod reader;

@@ -187,6 +187,25 @@ pub struct List<R> {
     pub most: usize,
 }
 
+impl<R> List<R> {
+    /// At most so many, in brackets.
+    pub const fn of(item: R, noun: &'static str, most: usize) -> Self {
+        Self { item, or_one: false, noun, most }
+    }
+
+    /// At most so many; one may stand without brackets.
+    pub const fn or_one(item: R, noun: &'static str, most: usize) -> Self {
+        Self { item, or_one: true, noun, most }
+    }
+}
+
+impl List<()> {
+    /// At most so many tables of one kind.
+    pub const fn tables<T>(noun: &'static str, most: usize) -> List<Section<T>> {
+        List::of(Section::<T>::RULE, noun, most)
+    }
+}
+
 impl<R: Rule> Rule for List<R> {
     type Value = Vec<Spanned<R::Value>>;
 

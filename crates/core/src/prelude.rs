@@ -1,7 +1,7 @@
 //! What a program of torque, drag and dynamics needs, under one import.
 
 pub use crate::{
-    dynamics::{DynamicOutcome, DynamicsSettings, Simulation},
+    dynamics::{Accuracy, DynamicOutcome, DynamicsSettings, ElementLength, Simulation},
     model::Model,
     mud::Mud,
     operation::{Operation, OperationKind},

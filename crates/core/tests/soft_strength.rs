@@ -8,15 +8,12 @@ use common::*;
 use serde_json::Value;
 use wholestring::{
     GRAVITY_M_PER_S2,
-    model::Model,
-    mud::{Mud, Rheology},
-    operation::{Operation, OperationKind::*},
+    mud::Rheology,
+    operation::OperationKind::*,
     outcome::HOLE_STEP_M,
-    statics::{
-        soft::{self, SoftProfile, SoftSettings},
-        span::{BodyContact, JointSpan},
-    },
-    string::{BodySection, Component, ComponentLength, ComponentSpec, Material, ToolJoints},
+    prelude::*,
+    statics::{soft, soft::SoftSettings, span::BodyContact, span::JointSpan},
+    string::{BodySection, Component, ToolJoints},
 };
 
 fn solve(model: &Model, operation: &Operation) -> SoftProfile {

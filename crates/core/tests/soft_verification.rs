@@ -6,11 +6,10 @@ mod common;
 use common::*;
 use serde_json::Value;
 use wholestring::{
-    model::Model,
-    operation::{Operation, OperationKind, OperationKind::*},
+    operation::OperationKind::*,
     outcome::Scalars,
-    statics::soft::{self, SoftProfile, SoftSettings},
-    string::{ComponentLength, ComponentSpec, Material},
+    prelude::*,
+    statics::{soft, soft::SoftSettings},
 };
 
 /// Fine enough that the kink of `|q|` where the pipe changes sides costs less than 1e-7.

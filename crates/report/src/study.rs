@@ -204,7 +204,7 @@ pub fn address(path: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::{Axis, Direction, Ink, Layout, Mark, Panel, Range, Stroke};
+    use crate::figure::{Axis, Ink, Layout, Mark, Panel, Range, Stroke};
 
     #[test]
     fn no_text_becomes_markup() {
@@ -272,22 +272,16 @@ mod tests {
             title: "Said by the page".into(),
             subtitle: String::new(),
             keys: Vec::new(),
-            layout: Layout {
-                direction: Direction::Across,
-                columns: 1,
-                width_mm: 85.0,
-                panel_mm: 50.0,
-            },
+            layout: Layout::across(1, 85.0, 50.0),
             shared: Axis::new("x", Range::Tight),
-            panels: vec![Panel {
-                axis: Axis::new("y", Range::Zero),
-                marks: vec![Mark::Curve {
+            panels: vec![Panel::new(
+                Axis::new("y", Range::Zero),
+                vec![Mark::Curve {
                     ink: Ink::Line(0),
                     stroke: Stroke::Solid,
                     points: vec![(0.0, 0.0), (1.0, 1.0)],
                 }],
-                keys: Vec::new(),
-            }],
+            )],
             hole: Vec::new(),
         }
     }

@@ -33,6 +33,34 @@ pub struct BitTestSummary {
     pub points: Vec<BitTestPoint>,
 }
 
+/// Kinetic energy of the rock, over the work of its deformation, from where it is reported.
+const MUCH_KINETIC: f64 = 0.05;
+
+impl BitTestSummary {
+    /// What is to be wary of: points at which the bit does not drill, or the rock is moved rather
+    /// than deformed; a sentence for each.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut warnings = Vec::new();
+        for of in &self.points {
+            let Some(outcome) = &of.outcome else {
+                continue;
+            };
+            if outcome.bricks_broken == 0 {
+                warnings.push(format!("{}: the bit does not drill", of.point));
+            }
+            if outcome.kinetic_fraction > MUCH_KINETIC {
+                warnings.push(format!(
+                    "{}: the rock's kinetic energy is {:.0} % of the work of its deformation: \
+                     lower rock.density_factor",
+                    of.point,
+                    100.0 * outcome.kinetic_fraction
+                ));
+            }
+        }
+        warnings
+    }
+}
+
 /// One weight at one speed in the summary.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BitTestPoint {

@@ -1,5 +1,7 @@
 //! Why work was not done.
 
+use std::fmt;
+
 use thiserror::Error as Explained;
 use wholestring_case::Report;
 use wholestring_results::ResultsError;
@@ -44,6 +46,13 @@ pub enum Error {
     /// The [`CancellationToken`](crate::CancellationToken) was used.
     #[error("interrupted")]
     Interrupted,
+}
+
+impl Error {
+    /// A failure that another error says all of.
+    pub(crate) fn failed(error: impl fmt::Display) -> Self {
+        Self::Failed(error.to_string())
+    }
 }
 
 /// Mistakes in case files.

@@ -12,7 +12,10 @@
 //! | [`sweep`] | a case with all combinations of some values |
 //! | [`study`] | cases and sweeps, with the figures and tables to make of them |
 //! | [`bit_test`] | the bit alone on its rock |
+//! | [`mod@bench`] | the measurement of a machine's speed at all this |
 //!
+//! [`Comparison`] has the answers of a run side by side, [`survey`] the positions along a survey, and
+//! [`Tubulars`] what a case can name.
 //! [`write_report`] and [`pictures()`] make the page and the pictures of what lies in a folder
 //! again.
 //!
@@ -39,11 +42,14 @@
 #![warn(missing_docs)]
 
 mod batch;
+pub mod bench;
 pub mod bit_test;
 mod cancellation;
+mod catalogue;
 mod checkpoint;
 mod claim;
 mod column;
+mod comparison;
 mod cores;
 mod error;
 pub mod findings;
@@ -60,11 +66,14 @@ mod results_kind;
 pub mod run;
 mod shard;
 pub mod study;
+pub mod survey;
 pub mod sweep;
 
 pub use batch::{BatchOptions, BatchOutcome, CaseWithErrors, FailedCase};
 pub use cancellation::CancellationToken;
+pub use catalogue::Tubulars;
 pub use claim::FolderRefused;
+pub use comparison::{ComparedColumn, ComparedRow, Comparison, Deviation, Drift};
 pub use error::{Error, Unsound};
 pub use keep::Keep;
 pub use observer::{BatchSize, CaseEnded, Observer, Progress, Silent, Task, Trial};

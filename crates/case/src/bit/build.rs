@@ -5,9 +5,7 @@ use wholestring::{
     rock::BitShape,
 };
 
-use wholestring_config::{
-    diagnostic::Diagnostic, names::any_of, reader::Reader, rule::Table, table::Field,
-};
+use wholestring_config::prelude::*;
 
 use super::{
     around::Around,
@@ -85,14 +83,13 @@ impl BitTable {
             if is_used(&key.used_with) || key.name == "core_diameter" {
                 continue;
             }
-            let name = key.name;
-            let mut diagnostic = Diagnostic::warning(format!("`{name}` has no effect here"))
-                .at(key.place, format!("used with law = {}", any_of(&key.used_with)));
-            diagnostic = match self.laws.law.given() {
-                Some(law) => diagnostic.at(law.place, "the law of the bit"),
-                None => diagnostic.help("the law of the bit is \"rate\" where none is given"),
-            };
-            if name == "face" {
+            let why = format!("used with law = {}", any_of(&key.used_with));
+            let mut diagnostic = Diagnostic::idle(key.name, key.place, why).chosen(
+                "the law of the bit",
+                self.laws.law.place(),
+                "rate",
+            );
+            if key.name == "face" {
                 diagnostic = diagnostic.help("a bit test, [bit_test], uses it with any law");
             }
             reader.report(diagnostic);
@@ -102,10 +99,8 @@ impl BitTable {
         };
         let cuts = is_used(&Laws::users_of("core_diameter"));
         if !cuts || self.laws.kind.kind.get() != Some(&Kind::Core) {
-            reader.report(
-                Diagnostic::warning("`core_diameter` has no effect here")
-                    .at(core.place, "used with kind = \"core\" and a law of cutters or rock"),
-            );
+            let why = "used with kind = \"core\" and a law of cutters or rock";
+            reader.report(Diagnostic::idle("core_diameter", core.place, why));
         }
     }
 }

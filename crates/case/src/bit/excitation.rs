@@ -3,14 +3,7 @@
 use wholestring::dynamics::{Band, BitTable as Points, Excitation};
 use wholestring_units::Dimension;
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    number::{Count, Number},
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    table::{default, optional, table},
-};
+use wholestring_config::prelude::*;
 
 /// Where the case does not say: three lobes of a tricone bit; noise up to eight waves per
 /// revolution.
@@ -101,8 +94,7 @@ impl ExcitationTable {
             (self.frequency.place(), "frequency", noisy, noise),
         ] {
             if let Some(place) = place.filter(|_| !used) {
-                let message = format!("`{name}` has no effect here");
-                reader.report(Diagnostic::warning(message).at(place, with));
+                reader.report(Diagnostic::idle(name, place, with));
             }
         }
         Some((lobed || noisy).then_some(excitation))

@@ -4,13 +4,7 @@ use std::{f64::consts::PI, ops::Range as ByteRange};
 
 use wholestring::dynamics::TablePoint;
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::{nearest, short},
-    reader::Reader,
-    rule::Spanned,
-    source::{Files, Span},
-};
+use wholestring_config::prelude::*;
 
 use crate::beside::read_beside;
 

@@ -2,14 +2,7 @@
 
 use wholestring_units::{Dimension, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::Choice,
-    table::{default, keys, optional},
-};
+use wholestring_config::prelude::*;
 
 /// How a bit breaks rock.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

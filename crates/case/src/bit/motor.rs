@@ -3,16 +3,7 @@
 use wholestring::dynamics::MudMotor;
 use wholestring_units::{Dimension, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    number::Number,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::Spanned,
-    source::Span,
-    table::{Field, default, optional, table},
-};
+use wholestring_config::prelude::*;
 
 /// Where the case does not say: part of the flow that leaks at the largest pressure drop, part of
 /// the ideal torque, and the stall torque over that at the largest pressure drop.

@@ -7,16 +7,7 @@ use wholestring::dynamics::{BitTable as Points, TableFault, TablePoint};
 use wholestring_units::{Dimension, number_text};
 
 use super::file::{self, MAX};
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    node::{Node, Value},
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::{List, Rule, Spanned, Text},
-    source::{Files, Span},
-    table::{optional, table},
-};
+use wholestring_config::prelude::*;
 
 table! {
     /// A law that was measured: rate of penetration and torque against weight on bit and rotary
@@ -31,12 +22,7 @@ table! {
         /// The same in the case, in place of a file: [weight, speed, rate, torque], or with the
         /// standard deviation of the torque, or of torque and weight, after them. Bare numbers are
         /// in N, rev/min, m/h, N.m, N.m and N.
-        points: Vec<Spanned<TablePoint>> = optional(List {
-            item: PointRule,
-            or_one: false,
-            noun: "points",
-            most: MAX,
-        });
+        points: Vec<Spanned<TablePoint>> = optional(List::of(PointRule, "points", MAX));
     }
 }
 

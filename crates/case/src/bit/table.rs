@@ -5,13 +5,7 @@ use std::f64::consts::PI;
 use wholestring::dynamics::BitSettings;
 use wholestring_units::Dimension;
 
-use wholestring_config::{
-    number::Number,
-    quantity::Quantity,
-    range::Range,
-    rule::Section,
-    table::{default, optional, table},
-};
+use wholestring_config::prelude::*;
 
 use super::{law::Laws, motor::MotorTable};
 

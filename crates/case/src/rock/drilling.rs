@@ -2,9 +2,7 @@
 
 use wholestring::rock::DrillingSpec;
 
-use wholestring_config::{
-    diagnostic::Diagnostic, reader::Reader, rule::Spanned, source::Span, table::Field,
-};
+use wholestring_config::prelude::*;
 
 use super::{elements::Places, table::RockTable};
 use crate::bit::BitTable;

@@ -2,12 +2,7 @@
 
 use wholestring_units::Dimension;
 
-use wholestring_config::{
-    number::Number,
-    quantity::Quantity,
-    range::Range,
-    table::{default, optional, table},
-};
+use wholestring_config::prelude::*;
 
 /// Factor on the density where the case does not say.
 const DENSITY_FACTOR: f64 = 400.0;

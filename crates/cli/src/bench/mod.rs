@@ -1,28 +1,25 @@
 //! `wholestring bench`: the machine's speed at this work.
 
-mod clock;
-mod kernel;
-mod mechanisms;
-mod memory;
-mod process;
-mod rock;
-mod scratch;
-mod session;
-mod sweep;
-mod well;
-mod whole_run;
+mod screen;
 
-use std::{fs, path::Path};
+use std::{env, fs, path::Path};
 
+use indicatif::ProgressBar;
 use serde::Serialize;
+use wholestring_runner::{
+    Error,
+    bench::{
+        Bench, Kernel, MEASURES_MEMORY, MeasuredWell, Mechanisms, Memory, RockSpeed, RunRow,
+        Sweeps, TIME, Watcher,
+    },
+};
 
 use crate::{
     args::{BenchArgs, BenchPart},
     failure::{Failure, failed},
     interrupt, progress,
+    terminal::print_stdout,
 };
-use session::Bench;
-use well::Well;
 
 /// What was measured, for `--json`; a part that was not requested is not there.
 #[derive(Serialize)]
@@ -30,59 +27,68 @@ struct Numbers {
     version: &'static str,
     time: &'static str,
     #[serde(flatten)]
-    well: well::About,
+    well: MeasuredWell,
     #[serde(skip_serializing_if = "Option::is_none")]
-    kernel: Option<kernel::Kernel>,
+    kernel: Option<Kernel>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    run: Option<Vec<whole_run::Row>>,
+    run: Option<Vec<RunRow>>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    mechanisms: Option<mechanisms::Mechanisms>,
+    mechanisms: Option<Mechanisms>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    rock: Option<rock::RockSpeed>,
+    rock: Option<RockSpeed>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    memory: Option<memory::Memory>,
+    memory: Option<Memory>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    sweep: Option<sweep::Sweeps>,
+    sweep: Option<Sweeps>,
+}
+
+/// The bar that shows what is measured.
+struct Screen(ProgressBar);
+
+impl Watcher for Screen {
+    fn begun(&self, count: usize) {
+        self.0.set_position(0);
+        self.0.set_length(count as u64);
+    }
+
+    fn next(&self, what: &str) {
+        self.0.set_message(what.to_owned());
+        self.0.inc(1);
+    }
+}
+
+impl Screen {
+    fn print(&self, text: &str) -> Result<(), Failure> {
+        self.0.suspend(|| print_stdout(&format!("{text}\n")))
+    }
 }
 
 pub(crate) fn bench(args: &BenchArgs) -> Result<(), Failure> {
-    let cancellation = interrupt::listen();
-    let well = Well::new(&args.overrides)?;
+    let screen = Screen(progress::bar(0, false));
+    let program = env::current_exe().map_err(|error| failed(&error))?;
     let bench =
-        Bench { well, count: args.repeat.get(), cancellation, bar: progress::bar(0, false) };
-    bench.bar.set_prefix("bench");
-    let measured = measure(&bench, args);
-    bench.bar.finish_and_clear();
+        Bench::new(&args.overrides, args.repeat.get(), program, &screen, interrupt::listen())?;
+    screen.0.set_prefix("bench");
+    let measured = measure(&bench, args, &screen);
+    screen.0.finish_and_clear();
     measured
 }
 
-fn measure(bench: &Bench, args: &BenchArgs) -> Result<(), Failure> {
-    use BenchPart::{Kernel, Mechanisms, Memory, Rock, Run, Sweep};
-    let requested = |part: BenchPart| {
-        if args.parts.is_empty() {
-            part != Sweep && (part != Memory || memory::IS_MEASURED)
-        } else {
-            args.parts.contains(&part)
-        }
-    };
-    let about = bench.well.about()?;
-    bench.print(&about.sentence(bench.count))?;
+fn measure(bench: &Bench<'_>, args: &BenchArgs, screen: &Screen) -> Result<(), Failure> {
+    let well = bench.well()?;
+    screen.print(&screen::sentence(&well, args.repeat.get()))?;
+    let parts = Parts { bench, requested: &args.parts, screen };
     // In the order in which they are shown.
     let numbers = Numbers {
         version: env!("CARGO_PKG_VERSION"),
-        time: clock::KIND,
-        well: about,
-        kernel: part(bench, requested(Kernel), kernel::measure, kernel::Kernel::text)?,
-        run: part(bench, requested(Run), whole_run::measure, |rows| whole_run::text(rows))?,
-        memory: part(bench, requested(Memory), memory::measure, memory::Memory::text)?,
-        mechanisms: part(
-            bench,
-            requested(Mechanisms),
-            mechanisms::measure,
-            mechanisms::Mechanisms::text,
-        )?,
-        rock: part(bench, requested(Rock), rock::measure, rock::RockSpeed::text)?,
-        sweep: part(bench, requested(Sweep), sweep::measure, sweep::Sweeps::text)?,
+        time: TIME,
+        well,
+        kernel: parts.show(BenchPart::Kernel, Bench::kernel, screen::kernel)?,
+        run: parts.show(BenchPart::Run, Bench::run, |rows| screen::runs(rows))?,
+        memory: parts.show(BenchPart::Memory, Bench::memory, screen::memory)?,
+        mechanisms: parts.show(BenchPart::Mechanisms, Bench::mechanisms, screen::mechanisms)?,
+        rock: parts.show(BenchPart::Rock, Bench::rock, screen::rock)?,
+        sweep: parts.show(BenchPart::Sweep, Bench::sweep, screen::sweeps)?,
     };
     match &args.json {
         Some(path) => write(path, &numbers),
@@ -90,19 +96,36 @@ fn measure(bench: &Bench, args: &BenchArgs) -> Result<(), Failure> {
     }
 }
 
-/// Measures a part that is requested, and shows it.
-fn part<T>(
-    bench: &Bench,
-    requested: bool,
-    measure: fn(&Bench) -> Result<T, Failure>,
-    text: fn(&T) -> String,
-) -> Result<Option<T>, Failure> {
-    if !requested {
-        return Ok(None);
+/// The parts to measure, and where they are shown.
+struct Parts<'a> {
+    bench: &'a Bench<'a>,
+    requested: &'a [BenchPart],
+    screen: &'a Screen,
+}
+
+impl<'a> Parts<'a> {
+    /// Measures a part that is requested, and shows it.
+    fn show<T>(
+        &self,
+        part: BenchPart,
+        measure: fn(&Bench<'a>) -> Result<T, Error>,
+        text: fn(&T) -> String,
+    ) -> Result<Option<T>, Failure> {
+        let requested = if self.requested.is_empty() {
+            part != BenchPart::Sweep && (part != BenchPart::Memory || MEASURES_MEMORY)
+        } else {
+            self.requested.contains(&part)
+        };
+        if !requested {
+            return Ok(None);
+        }
+        let measured = measure(self.bench).map_err(|error| match error {
+            Error::Interrupted => Failure::Interrupted("interrupted".to_owned()),
+            _ => error.into(),
+        })?;
+        self.screen.print(&text(&measured))?;
+        Ok(Some(measured))
     }
-    let measured = measure(bench)?;
-    bench.print(&text(&measured))?;
-    Ok(Some(measured))
 }
 
 fn write(path: &Path, numbers: &Numbers) -> Result<(), Failure> {

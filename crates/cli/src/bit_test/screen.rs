@@ -6,9 +6,6 @@ use wholestring_units::{Dimension, UnitSet};
 
 use crate::screen_table::Table;
 
-/// Kinetic energy of the rock, over the work of its deformation, from where it is reported.
-const MUCH_KINETIC: f64 = 0.05;
-
 /// A column: what people call the quantity, what it is measured in, and its value with its error,
 /// where there are such.
 type Column = (&'static str, Dimension, fn(&TrialOutcome) -> Option<Value>);
@@ -57,7 +54,8 @@ pub(super) fn text(summary: &BitTestSummary, units: UnitSet) -> String {
     if !any {
         return String::new();
     }
-    format!("{}{}{}\n", table.text(), common(summary), warnings(summary))
+    let warnings = summary.warnings().into_iter().map(|text| format!("warning: {text}\n"));
+    format!("{}{}{}\n", table.text(), common(summary), warnings.collect::<String>())
 }
 
 /// Lines about all points together.
@@ -80,27 +78,6 @@ fn common(summary: &BitTestSummary) -> String {
             "Weight over a blade's depth of cut, all points: rock_stiffness = \"{stiffness:.2e} \
              N/m\" with the table\n"
         );
-    }
-    text
-}
-
-fn warnings(summary: &BitTestSummary) -> String {
-    let mut text = String::new();
-    for point in &summary.points {
-        let Some(outcome) = &point.outcome else {
-            continue;
-        };
-        if outcome.bricks_broken == 0 {
-            text += &format!("warning: {}: the bit does not drill\n", point.point);
-        }
-        if outcome.kinetic_fraction > MUCH_KINETIC {
-            text += &format!(
-                "warning: {}: the rock's kinetic energy is {:.0} % of the work of its \
-                 deformation: lower rock.density_factor\n",
-                point.point,
-                100.0 * outcome.kinetic_fraction
-            );
-        }
     }
     text
 }

@@ -1,13 +1,13 @@
 //! Marks in the table beside means that do not stand still.
 
-use wholestring_results::Statistic;
+use wholestring_runner::Drift;
 
 /// The mark beside the deviation of what drifts.
-pub(super) fn mark(statistic: &Statistic) -> &'static str {
-    match (statistic.drifts, statistic.drift < 0.0) {
-        (false, _) => "",
-        (true, false) => " ↗",
-        (true, true) => " ↘",
+pub(super) fn mark(drift: Drift) -> &'static str {
+    match drift {
+        Drift::None => "",
+        Drift::Upwards => " ↗",
+        Drift::Downwards => " ↘",
     }
 }
 

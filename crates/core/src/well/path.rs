@@ -7,6 +7,7 @@ use super::{
     Interpolation, Station,
     curve::{self, Piece},
     kick_off,
+    station::angle_between,
     vertical::NearVertical,
 };
 
@@ -62,6 +63,11 @@ impl PathPoint {
     pub fn azimuth_rad(&self) -> f64 {
         let azimuth = self.tangent.y.atan2(self.tangent.x);
         if azimuth < 0.0 { azimuth + std::f64::consts::TAU } else { azimuth }
+    }
+
+    /// Dogleg between two points, rad: the angle between their directions, 0 to π.
+    pub fn dogleg_rad(&self, other: &Self) -> f64 {
+        angle_between(&self.tangent, &other.tangent)
     }
 
     /// High side: the unit vector across the hole that points up; `None` where the hole is vertical

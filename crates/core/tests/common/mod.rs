@@ -9,12 +9,9 @@ use serde_json::Value;
 use wholestring::{
     GRAVITY_M_PER_S2,
     dynamics::{Band, Cutters, Excitation, MudMotor, RegenerativeLaw},
-    model::Model,
-    mud::{Mud, Rheology},
-    operation::{Operation, OperationKind},
-    rig::Rig,
-    string::{ComponentLength, ComponentSpec, Material, StringSpec},
-    well::{Friction, Hole, HoleSection, Interpolation, Path, Station, TieIn, Well},
+    mud::Rheology,
+    prelude::*,
+    well::{Interpolation, TieIn},
 };
 pub use wholestring_verification::{Row, Tolerance, report_worst, verify};
 

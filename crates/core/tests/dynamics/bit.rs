@@ -2,17 +2,16 @@
 
 use wholestring::{
     dynamics::{
-        BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, DynamicOutcome, Excitation,
-        Motor, RateLaw, RegenerativeLaw, Statistic, TableLaw, TablePoint,
+        BitLaw, BitSettings, BitTable, Cutters, DetournayDefournyLaw, Excitation, Motor, RateLaw,
+        RegenerativeLaw, TableLaw, TablePoint,
     },
-    operation::OperationKind,
-    string::ComponentLength,
-    well::{HoleSection, Interpolation},
+    prelude::*,
+    well::Interpolation,
 };
 
 use crate::{
     common::{DRAG_BIT, MOTOR, SMOOTH, operation, path, rpm, verify},
-    wells::{Case, between, model, np13, rate_from, tool},
+    wells::{Case, between, model, np13, rate_from, statistic, tool},
 };
 
 const DEPTH_M: f64 = 1000.0;
@@ -43,10 +42,6 @@ fn vertical(revolutions_per_minute: f64) -> Case {
     case.settings.bit = bit;
     case.lasts(60.0, 30.0);
     case
-}
-
-fn statistic(outcome: &DynamicOutcome, name: &str) -> Statistic {
-    *outcome.statistic(name).expect(name)
 }
 
 /// Turning fast enough, a drag bit under a whole string drills steadily: weight, torque and rate of

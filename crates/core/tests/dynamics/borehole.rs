@@ -4,9 +4,8 @@
 use wholestring::{
     dynamics::ElementLength,
     dynamics::HoistControl,
-    operation::OperationKind,
-    string::{ComponentLength, StringSpec},
-    well::{HoleSection, Interpolation, Path, Station, TieIn},
+    prelude::*,
+    well::{Interpolation, TieIn},
 };
 
 use crate::{

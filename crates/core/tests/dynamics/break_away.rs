@@ -1,12 +1,8 @@
 //! A string that friction holds, and what it takes to move it.
 
 use wholestring::{
-    dynamics::{
-        CustomFriction, ElementLength, FrictionCoefficient, HoistControl, Simulation,
-        SlidingContact,
-    },
-    operation::OperationKind,
-    well::{Friction, HoleSection},
+    dynamics::{CustomFriction, FrictionCoefficient, HoistControl, SlidingContact},
+    prelude::*,
 };
 
 use crate::{

@@ -1,13 +1,7 @@
 //! A string under load in a straight hole: straight below the load of Dawson and Paslay, buckled
 //! above it.
 
-use wholestring::{
-    dynamics::{ElementLength, HoistControl, Simulation},
-    mud::Mud,
-    operation::{Operation, OperationKind},
-    string::{ComponentLength, ComponentSpec, Material},
-    well::{HoleSection, Interpolation},
-};
+use wholestring::{dynamics::HoistControl, prelude::*, well::Interpolation};
 
 use crate::{
     common::{Row, operation, path, report_worst, verification, verify},

@@ -2,10 +2,9 @@
 
 use nalgebra::Vector3;
 use wholestring::{
-    dynamics::{DynamicsSettings, HoistControl, HoistLine, RodDamping, Simulation, Start},
-    operation::OperationKind,
-    string::ComponentLength,
-    well::{HoleSection, Interpolation},
+    dynamics::{HoistControl, HoistLine, RodDamping, Start},
+    prelude::*,
+    well::Interpolation,
 };
 
 use crate::{

@@ -1,9 +1,8 @@
 //! Friction that differs along the hole and around it, and what it wears.
 
 use wholestring::{
-    dynamics::{CustomFriction, DynamicOutcome, FrictionCoefficient, FrictionLaw, SlidingContact},
-    operation::OperationKind,
-    well::{Friction, HoleSection},
+    dynamics::{CustomFriction, FrictionCoefficient, FrictionLaw, SlidingContact},
+    prelude::*,
 };
 
 use crate::{

@@ -5,10 +5,9 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use wholestring::{
     GRAVITY_M_PER_S2,
     dynamics::{HoistControl, Motor, MudMotor, ScheduleStep},
-    mud::{Mud, Rheology},
-    operation::OperationKind,
-    string::ComponentLength,
-    well::{HoleSection, Interpolation},
+    mud::Rheology,
+    prelude::*,
+    well::Interpolation,
 };
 
 use crate::{

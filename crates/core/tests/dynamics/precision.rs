@@ -1,11 +1,8 @@
 //! Single precision: the answer of double precision where it serves, a refusal where it does not.
 
 use wholestring::{
-    dynamics::{
-        Band, BitLaw, DynamicOutcome, ElementLength, Excitation, Precision, RateLaw, Schedule,
-        ScheduleStep, SetupError, Simulation,
-    },
-    operation::OperationKind,
+    dynamics::{Band, BitLaw, Excitation, Precision, RateLaw, Schedule, ScheduleStep, SetupError},
+    prelude::*,
 };
 
 use crate::{

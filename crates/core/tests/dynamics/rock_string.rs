@@ -6,19 +6,15 @@ use std::sync::{
 };
 
 use wholestring::{
-    dynamics::{
-        BitLaw, BitSettings, Checkpoint, DynamicOutcome, HoistControl, Precision, RockLaw,
-        SetupError, Simulation, Statistic,
-    },
-    operation::OperationKind,
+    dynamics::{BitLaw, BitSettings, Checkpoint, HoistControl, Precision, RockLaw, SetupError},
+    prelude::*,
     rock::{BitShape, DrillingSpec, Executor, Rock, bit_face::PdcBit},
-    string::ComponentLength,
-    well::{HoleSection, Interpolation},
+    well::Interpolation,
 };
 
 use crate::{
     common::{mud, operation, path, rpm, verify},
-    wells::{Case, each, go, line, model, tool},
+    wells::{Case, each, go, line, model, statistic, tool},
 };
 
 const DEPTH_M: f64 = 100.0;
@@ -60,10 +56,6 @@ fn case() -> Case {
     case.settings.hoist_control = Some(HoistControl::BlockVelocity(rate_m_per_s));
     case.lasts(0.5, 1.5);
     case
-}
-
-fn statistic(outcome: &DynamicOutcome, name: &str) -> Statistic {
-    *outcome.statistic(name).expect(name)
 }
 
 /// Weight and torque of the rock are what the top of the string lacks and gives, the bit advances

@@ -1,10 +1,6 @@
 //! A rough wall makes a quiet run noisy, and costs no energy of its own.
 
-use wholestring::{
-    dynamics::DynamicOutcome,
-    operation::OperationKind,
-    well::{HoleSection, Roughness},
-};
+use wholestring::{prelude::*, well::Roughness};
 
 use crate::{
     common::{assert_close, operation},

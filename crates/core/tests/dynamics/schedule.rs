@@ -2,10 +2,9 @@
 
 use wholestring::{
     dynamics::{
-        HoistSetPoint, Schedule, ScheduleFault, ScheduleStep, Simulation, SpeedController,
-        TopDriveSettings,
+        HoistSetPoint, Schedule, ScheduleFault, ScheduleStep, SpeedController, TopDriveSettings,
     },
-    operation::OperationKind,
+    prelude::*,
 };
 
 use crate::{

@@ -1,13 +1,7 @@
 //! The wells and strings of these tests, and how they are run.
 
 use wholestring::{
-    dynamics::{DynamicOutcome, DynamicsSettings, Simulation},
-    model::Model,
-    operation::{Operation, OperationKind},
-    outcome::TimeSeries,
-    statics::soft::{self, SoftProfile},
-    string::{ComponentLength, ComponentSpec},
-    well::{Hole, HoleSection, Interpolation, Path},
+    dynamics::Statistic, outcome::TimeSeries, prelude::*, statics::soft, well::Interpolation,
 };
 
 use crate::common::{
@@ -101,6 +95,11 @@ pub fn line(x: &[f64], y: &[f64]) -> (f64, f64) {
     let sxy: f64 = x.iter().zip(y).map(|(x, y)| (x - mx) * (y - my)).sum();
     let sxx: f64 = x.iter().map(|x| (x - mx) * (x - mx)).sum();
     (sxy / sxx, my - sxy / sxx * mx)
+}
+
+/// What is known of a quantity over the window.
+pub fn statistic(outcome: &DynamicOutcome, name: &str) -> Statistic {
+    *outcome.statistic(name).expect(name)
 }
 
 /// How fast the bit goes down from a time on, m/s.

@@ -2,10 +2,10 @@
 
 use wholestring::dynamics::{
     Band, BitLaw, BitRockLaw, BitRockStep, BitSettings, CustomLaw, DynamicsSettings, Excitation,
-    RateLaw, ResumeError, Shake, SteadyCut,
+    RateLaw, Shake, SteadyCut,
 };
 
-use crate::setup::{checkpoint, drill, resumed, run, settings};
+use crate::setup::{assert_refused, assert_resumes, drill, run, settings};
 
 const STIFFNESS_N_PER_M: f64 = 1e8;
 
@@ -133,28 +133,15 @@ fn excitation_shakes_a_law_of_ones_own() {
 #[test]
 fn a_law_of_ones_own_resumes_with_the_same_bits() {
     let blunting = || custom(OwnRate { blunting: 0.5, ..OWN });
-    let whole = run(&blunting());
-    // A new program: settings that are equal, and not the same.
-    let again = resumed(&blunting(), &checkpoint(&blunting())).expect("the same law");
-    assert_eq!(whole, again);
-    let sharp = run(&custom(OWN));
-    assert_ne!(whole.series, sharp.series);
+    let whole = assert_resumes(blunting);
+    assert_ne!(whole.series, run(&custom(OWN)).series);
 }
 
 /// Another law of one's own, and a law that the engine has, are refused with a sentence.
 #[test]
 fn a_checkpoint_of_another_law_is_refused() {
-    let bytes = checkpoint(&custom(OWN));
     let other = custom(OwnRate { name: "other", ..OWN });
-    let error = resumed(&other, &bytes).expect_err("another law");
-    assert_eq!(
-        error.to_string(),
-        "the checkpoint was written with `own` (state of length 1) as the law of the bit, the settings have `other` (state of length 1)"
-    );
-    let error = resumed(&settings(), &bytes).expect_err("another law");
-    assert!(matches!(error, ResumeError::Damaged(_)), "{error}");
-    let error = resumed(&custom(OWN), &checkpoint(&settings())).expect_err("another law");
-    assert!(matches!(error, ResumeError::Damaged(_)), "{error}");
+    assert_refused("the law of the bit", 1, [&custom(OWN), &other, &settings()]);
 }
 
 /// The record of a run names the law.

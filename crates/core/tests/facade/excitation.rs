@@ -3,12 +3,12 @@
 use wholestring::{
     dynamics::{
         Band, BitExcitation, BitLaw, BitRockStep, BitSettings, CustomExcitation, Cutters,
-        DynamicsSettings, Excitation, RateLaw, RegenerativeLaw, ResumeError, SetupError, Shake,
+        Excitation, RateLaw, RegenerativeLaw, SetupError, Shake,
     },
     prelude::*,
 };
 
-use crate::setup::{checkpoint, drill, model, resumed, run, settings};
+use crate::setup::{assert_refused, assert_resumes, drill, model, run, settings};
 
 const LOBES: u32 = 3;
 const AMPLITUDE_M: f64 = 0.2e-3;
@@ -71,27 +71,15 @@ fn the_engines_lobes_as_ones_own_give_the_same_bits() {
 #[test]
 fn an_excitation_of_ones_own_resumes_with_the_same_bits() {
     let worn = || with(rate(None), Some(OwnLobes { wear_per_m: 100.0, ..OWN }));
-    let whole = run(&worn());
-    let again = resumed(&worn(), &checkpoint(&worn())).expect("the same excitation");
-    assert_eq!(whole, again);
+    let whole = assert_resumes(worn);
     assert_ne!(whole.series, run(&with(rate(None), Some(OWN))).series);
 }
 
 #[test]
 fn a_checkpoint_of_another_excitation_is_refused() {
-    let bytes = checkpoint(&with(rate(None), Some(OWN)));
-    let other = with(rate(None), Some(OwnLobes { name: "other", ..OWN }));
-    let error = resumed(&other, &bytes).expect_err("another excitation");
-    assert_eq!(
-        error.to_string(),
-        "the checkpoint was written with `own` (state of length 1) as the excitation of the bit, \
-         the settings have `other` (state of length 1)"
-    );
-    let error = resumed(&with(rate(None), None), &bytes).expect_err("no excitation");
-    assert!(matches!(error, ResumeError::Damaged(_)), "{error}");
-    let plain = checkpoint(&with(rate(None), None));
-    let error = resumed(&with(rate(None), Some(OWN)), &plain).expect_err("an excitation");
-    assert!(matches!(error, ResumeError::Damaged(_)), "{error}");
+    let with = |own| with(rate(None), own);
+    let other = with(Some(OwnLobes { name: "other", ..OWN }));
+    assert_refused("the excitation of the bit", 1, [&with(Some(OWN)), &other, &with(None)]);
 }
 
 /// A law that knows more of the bottom than its depth has no front to shake.

@@ -1,14 +1,12 @@
 //! A coefficient of friction of the caller's own, against that of the hole.
 
 use wholestring::{
-    dynamics::{
-        CustomFriction, DynamicsSettings, FrictionCoefficient, Precision, ResumeError, Simulation,
-        SlidingContact,
-    },
+    dynamics::{CustomFriction, FrictionCoefficient, Precision, SlidingContact},
+    prelude::*,
     rod::mesh::Mesh,
 };
 
-use crate::setup::{BIT_DEPTH_M, checkpoint, drill, model, resumed, run, settings};
+use crate::setup::{BIT_DEPTH_M, assert_refused, assert_resumes, drill, model, run, settings};
 
 /// The hole's own coefficient, which the work of friction at a node lowers.
 #[derive(Debug)]
@@ -59,9 +57,7 @@ fn the_holes_own_coefficient_gives_the_same_bits() {
 #[test]
 fn a_coefficient_of_ones_own_resumes_with_the_same_bits() {
     let polished = || custom(Polished { half_life_J: 100.0, ..OWN });
-    let whole = run(&polished());
-    let again = resumed(&polished(), &checkpoint(&polished())).expect("the same law");
-    assert_eq!(whole, again);
+    let whole = assert_resumes(polished);
     let plain = run(&settings());
     let torque = |series: &[f64]| series[series.len() - 1];
     let [polished, plain] = [&whole, &plain].map(|o| torque(&o.series.friction_torque_N_m));
@@ -71,20 +67,9 @@ fn a_coefficient_of_ones_own_resumes_with_the_same_bits() {
 /// Another law, and a checkpoint with the hole's friction, are refused with a sentence.
 #[test]
 fn a_checkpoint_of_another_coefficient_is_refused() {
-    let bytes = checkpoint(&custom(OWN));
     let nodes = Mesh::uniform(&model().string, 3.2).nodes.len();
-    let error = resumed(&custom(Polished { name: "other", ..OWN }), &bytes).expect_err("another");
-    assert_eq!(
-        error.to_string(),
-        format!(
-            "the checkpoint was written with `own` (state of length {nodes}) as the coefficient of \
-             friction, the settings have `other` (state of length {nodes})"
-        )
-    );
-    let error = resumed(&settings(), &bytes).expect_err("another law");
-    assert!(matches!(error, ResumeError::Damaged(_)), "{error}");
-    let error = resumed(&custom(OWN), &checkpoint(&settings())).expect_err("another law");
-    assert!(matches!(error, ResumeError::Damaged(_)), "{error}");
+    let other = custom(Polished { name: "other", ..OWN });
+    assert_refused("the coefficient of friction", nodes, [&custom(OWN), &other, &settings()]);
 }
 
 /// A coefficient that no wall has ends the run, and says where.

@@ -49,6 +49,35 @@ pub fn checkpoint(settings: &DynamicsSettings) -> Vec<u8> {
     postcard::to_stdvec(&simulation.checkpoint()).expect("plain data")
 }
 
+/// What a run answers; one that is resumed by a new program, whose settings are equal and not the
+/// same, answers so to the bit.
+#[track_caller]
+pub fn assert_resumes(settings: impl Fn() -> DynamicsSettings) -> DynamicOutcome {
+    let whole = run(&settings());
+    let again = resumed(&settings(), &checkpoint(&settings())).expect("the same law");
+    assert_eq!(whole, again);
+    whole
+}
+
+/// A checkpoint of the law `own`, which keeps so many numbers, is refused with a sentence where the
+/// settings have one called `other` as `what` or none of one's own, and so is one without it.
+#[track_caller]
+pub fn assert_refused(what: &str, numbers: usize, [own, other, plain]: [&DynamicsSettings; 3]) {
+    let bytes = checkpoint(own);
+    let error = resumed(other, &bytes).expect_err("another law");
+    let of = format!("(state of length {numbers})");
+    assert_eq!(
+        error.to_string(),
+        format!(
+            "the checkpoint was written with `own` {of} as {what}, the settings have `other` {of}"
+        )
+    );
+    for (settings, bytes) in [(plain, bytes), (own, checkpoint(plain))] {
+        let error = resumed(settings, &bytes).expect_err("another law");
+        assert!(matches!(error, ResumeError::Damaged(_)), "{error}");
+    }
+}
+
 /// What a run answers that is resumed from the bytes of a checkpoint.
 pub fn resumed(settings: &DynamicsSettings, bytes: &[u8]) -> Result<DynamicOutcome, ResumeError> {
     let checkpoint: Checkpoint<'static> = postcard::from_bytes(bytes).expect("a whole checkpoint");

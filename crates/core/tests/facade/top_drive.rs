@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use wholestring::dynamics::{
-    CustomTopDrive, DynamicsSettings, ResumeError, SpeedController, TopDriveController,
-    TopDriveReading, TopDriveSettings,
+    CustomTopDrive, DynamicsSettings, SpeedController, TopDriveController, TopDriveReading,
+    TopDriveSettings,
 };
 
-use crate::setup::{checkpoint, resumed, run, settings};
+use crate::setup::{assert_refused, assert_resumes, run, settings};
 
 const INERTIA_KG_M2: f64 = 2000.0;
 const PROPORTIONAL_N_M_S: f64 = 20e3;
@@ -86,20 +86,11 @@ fn the_limit_holds() {
 
 #[test]
 fn a_controller_of_ones_own_resumes_with_the_same_bits() {
-    let whole = run(&custom("own", None));
-    let again = resumed(&custom("own", None), &checkpoint(&custom("own", None)));
-    assert_eq!(whole, again.expect("the same controller"));
+    assert_resumes(|| custom("own", None));
 }
 
 #[test]
 fn a_checkpoint_of_another_controller_is_refused() {
-    let bytes = checkpoint(&custom("own", None));
-    let error = resumed(&custom("other", None), &bytes).expect_err("another controller");
-    assert_eq!(
-        error.to_string(),
-        "the checkpoint was written with `own` (state of length 1) as the controller of the top drive, \
-         the settings have `other` (state of length 1)"
-    );
-    let error = resumed(&built_in(None), &bytes).expect_err("another controller");
-    assert!(matches!(error, ResumeError::Damaged(_)), "{error}");
+    let [own, other] = ["own", "other"].map(|name| custom(name, None));
+    assert_refused("the controller of the top drive", 1, [&own, &other, &built_in(None)]);
 }

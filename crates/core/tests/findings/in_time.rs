@@ -2,12 +2,11 @@
 
 use wholestring::{
     dynamics::{
-        DynamicOutcome, DynamicsSettings, HoistControl, SpeedController, Statistic, StickSlip,
-        TableUse, TopDriveSettings, Whirl,
+        HoistControl, SpeedController, Statistic, StickSlip, TableUse, TopDriveSettings, Whirl,
     },
     findings::{Finding, Kind, Level, of_dynamic},
-    model::Model,
-    operation::{Operation, OperationKind, OperationKind::*},
+    operation::OperationKind::*,
+    prelude::*,
 };
 
 use crate::judged::*;

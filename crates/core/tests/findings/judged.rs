@@ -2,10 +2,8 @@
 
 use wholestring::{
     findings::{Finding, Kind, of_soft},
-    model::Model,
-    operation::{Operation, OperationKind},
-    statics::soft::{self, SoftSettings},
-    string::{ComponentLength, ComponentSpec},
+    prelude::*,
+    statics::{soft, soft::SoftSettings},
 };
 
 use crate::common::*;

@@ -2,10 +2,9 @@
 
 use wholestring::{
     findings::{Finding, Kind, Level},
-    model::Model,
     operation::OperationKind::*,
-    rig::Rig,
-    statics::soft::{self, SoftSettings},
+    prelude::*,
+    statics::{soft, soft::SoftSettings},
 };
 
 use crate::{

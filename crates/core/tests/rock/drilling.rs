@@ -7,7 +7,10 @@ use wholestring::rock::{
     bit_face::{ContactLaw, Cutter, InsertBit, PdcBit, Pose},
 };
 
-use crate::{common::verify, setup::elastic};
+use crate::{
+    common::verify,
+    setup::{elastic, small_bit},
+};
 
 /// The step of a string, s.
 const STEP_S: f64 = 0.64e-3;
@@ -27,10 +30,7 @@ fn rock() -> Rock {
 
 /// A bit of 60 mm on elements of a tenth of that.
 fn small(rock: Rock) -> DrillingSpec {
-    let bit = BitShape::Pdc(PdcBit::for_diameter(0.06));
-    let mut spec = DrillingSpec::new(rock, bit, SIZE_M).expect("a sound face");
-    spec.block.numerics.density_factor = 400.0;
-    spec
+    small_bit(rock, SIZE_M)
 }
 
 fn weight(weight_N: f64) -> Driver {

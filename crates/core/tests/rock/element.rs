@@ -87,36 +87,25 @@ fn plastic_cycles_close() {
     // Shear at constant volume under a mean pressure: the loop is that of an ideally plastic rock.
     let squeezed = Matrix3::identity() * (1.0 - 1e-3);
     let (cycles, steps) = (50, 400);
-    let mut peaks = Vec::new();
-    for cycle in 0..cycles {
+    // The largest shear stress of a cycle.
+    let peak = |block: &mut Block| {
         let mut peak: f64 = 0.0;
         for n in 1..=steps {
             let phase = f64::from(n) / f64::from(steps) * std::f64::consts::TAU;
             let shear = matrix([0.0, 0.0, 0.0, 4e-3 * phase.sin(), 0.0, 0.0]);
-            lead(&mut block, &stepper, squeezed + shear);
+            lead(block, &stepper, squeezed + shear);
             peak = peak.max(block.stress_Pa([0, 0, 0])[3]);
         }
-        if cycle >= 1 {
-            peaks.push(peak);
-        }
-    }
+        peak
+    };
+    let peaks: Vec<f64> = (0..cycles).map(|_| peak(&mut block)).skip(1).collect();
     // Dilation makes the pressure grow from loop to loop where it is kept in; without it, loops
     // repeat.
     let grows = peaks.windows(2).all(|pair| pair[1] >= pair[0] * (1.0 - 1e-9));
     assert!(grows, "{peaks:?}");
     let rock = wholestring::rock::Rock { dilation_angle_rad: 0.0, ..rock };
     let mut block = led(rock);
-    let mut peaks = Vec::new();
-    for _ in 0..cycles {
-        let mut peak: f64 = 0.0;
-        for n in 1..=steps {
-            let phase = f64::from(n) / f64::from(steps) * std::f64::consts::TAU;
-            let shear = matrix([0.0, 0.0, 0.0, 4e-3 * phase.sin(), 0.0, 0.0]);
-            lead(&mut block, &stepper, squeezed + shear);
-            peak = peak.max(block.stress_Pa([0, 0, 0])[3]);
-        }
-        peaks.push(peak);
-    }
+    let peaks: Vec<f64> = (0..cycles).map(|_| peak(&mut block)).collect();
     verify("rock", "peak shear stress of the 50th plastic cycle, part of the 2nd's")
         .relative(
             1e-3,

@@ -1,6 +1,8 @@
 //! Blocks that several tests use.
 
-use wholestring::rock::{Alone, Block, BlockSpec, Edge, Rock, Stepper};
+use wholestring::rock::{
+    Alone, BitShape, Block, BlockSpec, DrillingSpec, Edge, Rock, Stepper, bit_face::PdcBit,
+};
 
 /// A rock that never fails: 60 GPa, 0.25.
 pub fn elastic() -> Rock {
@@ -21,6 +23,14 @@ pub fn ductile(rock: Rock) -> Rock {
         compressive_fracture_energy_J_per_m2: 1e30,
         ..rock
     }
+}
+
+/// A bit of 60 mm on elements of a size, of rock 400 times as dense.
+pub fn small_bit(rock: Rock, size_m: f64) -> DrillingSpec {
+    let bit = BitShape::Pdc(PdcBit::for_diameter(0.06));
+    let mut spec = DrillingSpec::new(rock, bit, size_m).expect("a sound face");
+    spec.block.numerics.density_factor = 400.0;
+    spec
 }
 
 /// One element of 1 mm with its faces −x, +x, −y, +y, −z, +z.

@@ -3,12 +3,15 @@
 use std::f64::consts::{PI, TAU};
 
 use wholestring::rock::{
-    Advance, Alone, BitShape, Drilling, DrillingSpec, Driver, Rock, Stepper, Trial, TrialError,
-    TrialOutcome, TrialSpec,
+    Advance, Alone, Drilling, DrillingSpec, Driver, Rock, Stepper, Trial, TrialError, TrialOutcome,
+    TrialSpec,
     bit_face::{ContactLaw, PdcBit},
 };
 
-use crate::{common::verify, setup::elastic};
+use crate::{
+    common::verify,
+    setup::{elastic, small_bit},
+};
 
 /// Elements of the rock, m: coarse, for the books and not for the forces.
 const SIZE_M: f64 = 8e-3;
@@ -20,10 +23,7 @@ fn weak() -> Rock {
 
 /// A bit of 60 mm on a rock.
 fn small(rock: Rock) -> DrillingSpec {
-    let bit = BitShape::Pdc(PdcBit::for_diameter(0.06));
-    let mut spec = DrillingSpec::new(rock, bit, SIZE_M).expect("a sound face");
-    spec.block.numerics.density_factor = 400.0;
-    spec
+    small_bit(rock, SIZE_M)
 }
 
 /// Three and a half revolutions of which three count, at 300 rev/min.

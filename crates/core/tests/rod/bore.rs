@@ -1,9 +1,6 @@
 //! The hole's radius: cones instead of steps.
 
-use wholestring::{
-    wall::Bore,
-    well::{Hole, HoleSection},
-};
+use wholestring::{prelude::*, wall::Bore};
 
 use crate::common::open_section;
 

@@ -3,9 +3,7 @@
 use super::{BitTest, BitTestPoint};
 use crate::{
     BottomPicture, Plot,
-    figure::{
-        Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke,
-    },
+    figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::{Shown, bottoms_figure},
 };
 
@@ -129,7 +127,7 @@ impl Drawing<'_> {
     }
 
     fn panel(&self, shared: &Quantity, own: &Quantity) -> Panel {
-        Panel { axis: self.axis(own), marks: self.marks(shared, own), keys: Vec::new() }
+        Panel::new(self.axis(own), self.marks(shared, own))
     }
 
     fn figure(&self, shared: &Quantity, panels: Vec<Panel>, keys: Vec<Key>) -> Figure {
@@ -137,12 +135,11 @@ impl Drawing<'_> {
             title: self.test.title.clone(),
             subtitle: self.conditions(),
             keys,
-            layout: Layout {
-                direction: Direction::Across,
-                columns: panels.len(),
-                width_mm: if panels.len() > 1 { 180.0 } else { 120.0 },
-                panel_mm: 70.0,
-            },
+            layout: Layout::across(
+                panels.len(),
+                if panels.len() > 1 { 180.0 } else { 120.0 },
+                70.0,
+            ),
             shared: self.axis(shared),
             panels,
             hole: Vec::new(),

@@ -50,6 +50,13 @@ pub struct Layout {
     pub panel_mm: f64,
 }
 
+impl Layout {
+    /// Panels over a shared axis that points across the page.
+    pub const fn across(columns: usize, width_mm: f64, panel_mm: f64) -> Self {
+        Self { direction: Direction::Across, columns, width_mm, panel_mm }
+    }
+}
+
 /// Which way the axis that panels share points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
@@ -132,6 +139,13 @@ pub struct Panel {
     pub marks: Vec<Mark>,
     /// What its colours and strokes mean, where that is not the same in all panels.
     pub keys: Vec<Key>,
+}
+
+impl Panel {
+    /// A panel without a legend of its own.
+    pub fn new(axis: Axis, marks: Vec<Mark>) -> Self {
+        Self { axis, marks, keys: Vec::new() }
+    }
 }
 
 /// What is drawn in a panel. Points are a value of the shared axis and one of the panel's own.

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::{
-    run::{Plot, Run, timed, title},
+    run::{Drawn, Plot, title},
     shown::Shown,
 };
 use crate::{
@@ -76,14 +76,10 @@ pub(crate) fn bottoms_figure(
 }
 
 /// The bottoms that an operation of some runs left.
-pub(super) fn plots(
-    runs: &[Run<'_>],
-    operation: &str,
-    shown: Shown<'_>,
-    subtitle: &str,
-    suffix: &str,
-) -> Vec<Plot> {
-    let bottoms: Vec<(String, &BottomPicture)> = timed(runs, operation)
+pub(super) fn plots(drawn: Drawn<'_>) -> Vec<Plot> {
+    let (runs, shown) = (drawn.runs, drawn.shown);
+    let bottoms: Vec<(String, &BottomPicture)> = drawn
+        .timed()
         .filter_map(|(place, timed)| {
             let name = if runs.len() > 1 { runs[place].name } else { "" };
             Some((name.to_owned(), timed.bottom.as_ref()?))
@@ -92,10 +88,9 @@ pub(super) fn plots(
     if bottoms.is_empty() {
         return Vec::new();
     }
-    vec![Plot {
-        name: format!("bottom-hole{suffix}"),
-        figure: bottoms_figure(title(runs), subtitle.to_owned(), &bottoms, SIDES, shown),
-    }]
+    let subtitle = drawn.subtitle.to_owned();
+    let figure = bottoms_figure(title(runs), subtitle, &bottoms, SIDES, shown);
+    vec![drawn.plot("bottom-hole", figure)]
 }
 
 fn deepest_m(bottom: &BottomPicture) -> f64 {

@@ -2,12 +2,12 @@
 
 use super::{
     catalogue::{ContactPlot, Shows, contact_plots},
-    run::{self, Plot, Run, timed},
+    run::{self, Drawn, Plot, Run},
     shown::Shown,
 };
 use crate::{
     ContactPicture, Packed,
-    figure::{Axis, Direction, Figure, Hue, Layout, Map, Mark, Panel, Range},
+    figure::{Axis, Figure, Hue, Layout, Map, Mark, Panel, Range},
 };
 
 /// Contact over depth and time of one run, in the reader's units.
@@ -61,17 +61,14 @@ pub fn contact_figure(
         let shoes = map.shoes.into_iter().filter(|at| *at < deepest);
         marks.extend(shoes.map(|at| Mark::OwnRule { at, label: "casing shoe".into() }));
         marks.extend(map.marks);
-        Panel {
-            axis: Axis { down: true, ..Axis::new(map.label, Range::Fixed(0.0, deepest)) },
-            marks,
-            keys: Vec::new(),
-        }
+        let axis = Axis::new(map.label, Range::Fixed(0.0, deepest));
+        Panel::new(Axis { down: true, ..axis }, marks)
     };
     Figure {
         title,
         subtitle,
         keys: Vec::new(),
-        layout: Layout { direction: Direction::Across, columns: 1, width_mm: 180.0, panel_mm },
+        layout: Layout::across(1, 180.0, panel_mm),
         shared: Axis::new("Time, s", Range::Tight),
         panels: maps.into_iter().map(panel).collect(),
         hole: Vec::new(),
@@ -79,14 +76,10 @@ pub fn contact_figure(
 }
 
 /// Side force by side, and contact force, each as a map: of two runs one below the other.
-pub(super) fn plots(
-    runs: &[Run<'_>],
-    operation: &str,
-    shown: Shown<'_>,
-    subtitle: &str,
-    suffix: &str,
-) -> Vec<Plot> {
-    let pictures: Vec<(&Run<'_>, f64, &ContactPicture)> = timed(runs, operation)
+pub(super) fn plots(drawn: Drawn<'_>) -> Vec<Plot> {
+    let (runs, shown) = (drawn.runs, drawn.shown);
+    let pictures: Vec<(&Run<'_>, f64, &ContactPicture)> = drawn
+        .timed()
         .filter_map(|(place, timed)| Some((&runs[place], timed.window_s, timed.contact.as_ref()?)))
         .collect();
     if pictures.is_empty() {
@@ -116,13 +109,12 @@ pub(super) fn plots(
         };
         contact_figure(
             run::title(runs),
-            subtitle.to_owned(),
+            drawn.subtitle.to_owned(),
             (&shown.label(title, dimension), if of.sides { Hue::Side } else { Hue::Amount }),
             pictures.iter().map(map).collect(),
         )
     };
-    let plot = |of: &ContactPlot| Plot { name: format!("{}{suffix}", of.name), figure: figure(of) };
-    contact_plots().iter().map(plot).collect()
+    contact_plots().iter().map(|of| drawn.plot(of.name, figure(of))).collect()
 }
 
 /// The value that nearly all sizes stay below: the few largest must not take the colour from the

@@ -4,25 +4,16 @@ use wholestring::outcome::ModelKind;
 
 use super::{
     catalogue::{TimePlot, bit_plots, time_plots},
-    run::{Plot, Run, timed, title},
-    shown::Shown,
+    run::{Drawn, Plot},
 };
 use crate::{
     TimeRun,
-    figure::{
-        Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke,
-    },
+    figure::{Axis, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
 };
 
 /// Each history in a figure of its own, and all in one; those of the bit apart.
-pub(super) fn plots(
-    runs: &[Run<'_>],
-    operation: &str,
-    shown: Shown<'_>,
-    subtitle: &str,
-    suffix: &str,
-) -> Vec<Plot> {
-    let timed: Vec<(usize, &TimeRun)> = timed(runs, operation).collect();
+pub(super) fn plots(drawn: Drawn<'_>) -> Vec<Plot> {
+    let timed: Vec<(usize, &TimeRun)> = drawn.timed().collect();
     let ends = timed.iter().filter_map(|(_, run)| end_s(run));
     let end_s = ends.fold(0.0, f64::max);
     let drills = timed.iter().any(|(_, run)| run.drill_off.is_some());
@@ -30,11 +21,9 @@ pub(super) fn plots(
     [("time", time_plots()), ("bit", bit)]
         .into_iter()
         .flat_map(|(name, plots)| {
-            let panels: Vec<(&TimePlot, Panel)> = plots
-                .iter()
-                .filter_map(|plot| Some((plot, panel(plot, runs, &timed, operation, shown)?)))
-                .collect();
-            group(name, &panels, end_s, runs, subtitle, suffix)
+            let panels: Vec<(&TimePlot, Panel)> =
+                plots.iter().filter_map(|plot| Some((plot, panel(plot, &timed, drawn)?))).collect();
+            group(name, &panels, end_s, drawn)
         })
         .collect()
 }
@@ -45,45 +34,19 @@ fn end_s(run: &TimeRun) -> Option<f64> {
 }
 
 /// All panels in one figure of this name, and each in one of its own.
-fn group(
-    name: &str,
-    panels: &[(&TimePlot, Panel)],
-    end_s: f64,
-    runs: &[Run<'_>],
-    subtitle: &str,
-    suffix: &str,
-) -> Vec<Plot> {
+fn group(name: &str, panels: &[(&TimePlot, Panel)], end_s: f64, drawn: Drawn<'_>) -> Vec<Plot> {
     if panels.is_empty() {
         return Vec::new();
     }
-    let figure = |panels: &[(&TimePlot, Panel)], panel_mm| Figure {
-        title: title(runs),
-        subtitle: subtitle.to_owned(),
-        keys: run_keys(runs),
-        layout: Layout { direction: Direction::Across, columns: 1, width_mm: 180.0, panel_mm },
-        shared: Axis::new("Time, s", Range::Fixed(0.0, end_s)),
-        panels: panels.iter().map(|(_, panel)| panel.clone()).collect(),
-        hole: Vec::new(),
+    let figure = |panels: &[(&TimePlot, Panel)], panel_mm| {
+        let time = Axis::new("Time, s", Range::Fixed(0.0, end_s));
+        let panels = panels.iter().map(|(_, panel)| panel.clone()).collect();
+        drawn.figure(Layout::across(1, 180.0, panel_mm), time, panels)
     };
-    let all = Plot { name: format!("{name}{suffix}"), figure: figure(panels, 26.0) };
-    let single = panels.iter().map(|panel| Plot {
-        name: format!("{}{suffix}", panel.0.name),
-        figure: figure(std::slice::from_ref(panel), 55.0),
-    });
+    let all = drawn.plot(name, figure(panels, 26.0));
+    let single =
+        panels.iter().map(|of| drawn.plot(of.0.name, figure(std::slice::from_ref(of), 55.0)));
     std::iter::once(all).chain(single).collect()
-}
-
-/// Which colour is whose; nothing of one run.
-pub(super) fn run_keys(runs: &[Run<'_>]) -> Vec<Key> {
-    if runs.len() == 1 {
-        return Vec::new();
-    }
-    let keys = runs.iter().enumerate();
-    keys.map(|(index, run)| Key {
-        name: run.name.to_owned(),
-        sample: Sample::Line(Ink::Line(index), Stroke::Solid),
-    })
-    .collect()
 }
 
 /// How a column looks: of one run columns differ by colour, of two by stroke; what was set is
@@ -104,10 +67,8 @@ fn style(runs: usize, run: usize, place: usize, name: &str) -> (Ink, Stroke) {
 
 fn panel(
     plot: &TimePlot,
-    runs: &[Run<'_>],
     timed: &[(usize, &TimeRun)],
-    operation: &str,
-    shown: Shown<'_>,
+    Drawn { runs, operation, shown, .. }: Drawn<'_>,
 ) -> Option<Panel> {
     let mut curves = Vec::new();
     let mut keys: Vec<Key> = Vec::new();

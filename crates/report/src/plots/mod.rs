@@ -13,7 +13,6 @@ mod spectra;
 mod styles;
 mod tracks;
 
-use self::styles::CurveStyles;
 pub(crate) use self::{
     bottom::bottoms_figure,
     shown::{SETS, Shown},
@@ -25,6 +24,7 @@ pub use self::{
     run::{Plot, Run, Spectrum, common_operations},
     spectra::spectrum_dimension,
 };
+use self::{run::Drawn, styles::CurveStyles};
 use crate::{Fact, Report, figure::Figure};
 
 /// Every picture of one run, or of two on the same axes, in a set of units (`si`, `metric` or
@@ -58,12 +58,12 @@ pub fn plots(runs: &[Run<'_>], units: &str) -> Vec<Plot> {
         plots.extend(tracks::plots(runs, &styles, shown, &subtitle, ""));
     }
     for operation in &operations {
-        let suffix = suffix(operation);
-        let subtitle = common_facts(runs, shown, Some(operation));
+        let (suffix, subtitle) = (suffix(operation), common_facts(runs, shown, Some(operation)));
+        let drawn = Drawn { runs, operation, shown, subtitle: &subtitle, suffix: &suffix };
         for draw in
             [histories::plots, drill_off::plots, bottom::plots, contact::plots, spectra::plots]
         {
-            plots.extend(draw(runs, operation, shown, &subtitle, &suffix));
+            plots.extend(draw(drawn));
         }
     }
     plots

@@ -1,6 +1,10 @@
 //! What pictures are drawn of: runs, and what they have in common.
 
-use crate::{Report, TimeRun, figure::Figure};
+use super::shown::Shown;
+use crate::{
+    Report, TimeRun,
+    figure::{Axis, Figure, Ink, Key, Layout, Panel, Sample, Stroke},
+};
 
 /// A run whose pictures are drawn.
 #[derive(Debug, Clone, Copy)]
@@ -39,6 +43,58 @@ pub struct Plot {
     pub figure: Figure,
 }
 
+/// What the figures of an operation have in common.
+#[derive(Clone, Copy)]
+pub(super) struct Drawn<'a> {
+    pub(super) runs: &'a [Run<'a>],
+    pub(super) operation: &'a str,
+    pub(super) shown: Shown<'a>,
+    pub(super) subtitle: &'a str,
+    /// What the names of its files end with.
+    pub(super) suffix: &'a str,
+}
+
+impl<'a> Drawn<'a> {
+    /// What the runs did in time, each with the place of the run among them.
+    pub(super) fn timed(&self) -> impl Iterator<Item = (usize, &'a TimeRun)> {
+        let operation = self.operation;
+        self.runs.iter().enumerate().filter_map(move |(place, run)| {
+            let mut timed = run.report.runs.iter();
+            Some((place, timed.find(|timed| timed.operation == operation)?))
+        })
+    }
+
+    /// A figure under the operation's title, with a key for each run.
+    pub(super) fn figure(&self, layout: Layout, shared: Axis, panels: Vec<Panel>) -> Figure {
+        Figure {
+            title: title(self.runs),
+            subtitle: self.subtitle.to_owned(),
+            keys: self.run_keys(),
+            layout,
+            shared,
+            panels,
+            hole: Vec::new(),
+        }
+    }
+
+    /// Which colour is whose; nothing of one run.
+    pub(super) fn run_keys(&self) -> Vec<Key> {
+        if self.runs.len() == 1 {
+            return Vec::new();
+        }
+        let keys = self.runs.iter().enumerate();
+        keys.map(|(index, run)| Key {
+            name: run.name.to_owned(),
+            sample: Sample::Line(Ink::Line(index), Stroke::Solid),
+        })
+        .collect()
+    }
+
+    pub(super) fn plot(&self, name: &str, figure: Figure) -> Plot {
+        Plot { name: format!("{name}{}", self.suffix), figure }
+    }
+}
+
 /// The operations that every one of some runs solved, in the order of the first.
 pub fn common_operations<'a>(runs: &[Run<'a>]) -> Vec<&'a str> {
     let mut common: Vec<&str> = Vec::new();
@@ -50,18 +106,6 @@ pub fn common_operations<'a>(runs: &[Run<'a>]) -> Vec<&'a str> {
         }
     }
     common
-}
-
-/// What runs did in time in an operation, each with the place of the run among them.
-pub(super) fn timed<'a>(
-    runs: &[Run<'a>],
-    operation: &str,
-) -> impl Iterator<Item = (usize, &'a TimeRun)> {
-    let runs = runs.iter().enumerate();
-    runs.filter_map(move |(place, run)| {
-        let mut timed = run.report.runs.iter();
-        Some((place, timed.find(|timed| timed.operation == operation)?))
-    })
 }
 
 /// The name of the case, where all runs are of the same.

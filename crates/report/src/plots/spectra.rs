@@ -7,31 +7,22 @@ use wholestring::{
 
 use super::{
     catalogue::shown_dimension,
-    histories::run_keys,
-    run::{Plot, Run, title},
-    shown::Shown,
+    run::{Drawn, Plot},
     styles::readable,
 };
 use crate::{
     Spectrum,
-    figure::{
-        Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Stroke,
-    },
+    figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Stroke},
 };
 
 /// A figure for each signal; nodes of different depth stand in the same.
-pub(super) fn plots(
-    runs: &[Run<'_>],
-    operation: &str,
-    shown: Shown<'_>,
-    subtitle: &str,
-    suffix: &str,
-) -> Vec<Plot> {
-    let all: Vec<(usize, &Spectrum)> = runs
+pub(super) fn plots(drawn: Drawn<'_>) -> Vec<Plot> {
+    let all: Vec<(usize, &Spectrum)> = drawn
+        .runs
         .iter()
         .enumerate()
         .flat_map(|(place, run)| run.spectra.iter().map(move |of| (place, of)))
-        .filter(|(_, of)| of.operation == operation)
+        .filter(|(_, of)| of.operation == drawn.operation)
         .collect();
     let mut signals: Vec<(&str, bool)> = Vec::new();
     for (_, of) in &all {
@@ -47,21 +38,14 @@ pub(super) fn plots(
                 all.iter().filter(|(_, of)| of.signal == signal && of.md_m.is_some() == of_nodes);
             let mine: Vec<&(usize, &Spectrum)> = mine.collect();
             let node = if of_nodes { "-nodes" } else { "" };
-            Plot {
-                name: format!("spectrum-{}{node}{suffix}", signal.replace('_', "-")),
-                figure: figure(signal, &mine, runs, shown, subtitle),
-            }
+            let name = format!("spectrum-{}{node}", signal.replace('_', "-"));
+            drawn.plot(&name, figure(signal, &mine, drawn))
         })
         .collect()
 }
 
-fn figure(
-    signal: &str,
-    spectra: &[&(usize, &Spectrum)],
-    runs: &[Run<'_>],
-    shown: Shown<'_>,
-    subtitle: &str,
-) -> Figure {
+fn figure(signal: &str, spectra: &[&(usize, &Spectrum)], drawn: Drawn<'_>) -> Figure {
+    let (runs, shown) = (drawn.runs, drawn.shown);
     let unit = spectra.first().map_or("", |(_, of)| of.unit.as_str());
     let of_nodes = spectra.first().is_some_and(|(_, of)| of.md_m.is_some());
     let dimension = spectrum_dimension(signal, of_nodes);
@@ -98,7 +82,7 @@ fn figure(
             points: points.filter(|(frequency, _)| *frequency > 0.0).collect(),
         }
     });
-    let mut keys = run_keys(runs);
+    let mut keys = drawn.run_keys();
     if depths.len() > 1 || (overlaid && !depths.is_empty()) {
         keys.extend(depths.iter().map(|md| {
             let (ink, stroke) = style(0, Some(*md));
@@ -115,24 +99,10 @@ fn figure(
         [md] => format!(" at {}", shown.quantity(md, "length")),
         _ => String::new(),
     };
-    Figure {
-        title: title(runs),
-        subtitle: subtitle.to_owned(),
-        keys,
-        layout: Layout {
-            direction: Direction::Across,
-            columns: 1,
-            width_mm: 120.0,
-            panel_mm: 70.0,
-        },
-        shared: logarithmic("Frequency, Hz".into(), Range::Tight),
-        panels: vec![Panel {
-            axis: logarithmic(format!("Density of {name}{at}, {squared}"), Range::Near),
-            marks: marks.collect(),
-            keys: Vec::new(),
-        }],
-        hole: Vec::new(),
-    }
+    let frequency = logarithmic("Frequency, Hz".into(), Range::Tight);
+    let density = logarithmic(format!("Density of {name}{at}, {squared}"), Range::Near);
+    let panels = vec![Panel::new(density, marks.collect())];
+    Figure { keys, ..drawn.figure(Layout::across(1, 120.0, 70.0), frequency, panels) }
 }
 
 /// The dimension of a signal, of nodes or of the whole string, by its declaration; none of a signal

@@ -39,8 +39,7 @@ impl FaceTable {
                 }
                 _ => continue,
             };
-            let message = format!("`{}` has no effect here", key.name);
-            reader.report(Diagnostic::warning(message).at(key.place, why));
+            reader.report(Diagnostic::idle(key.name, key.place, why));
         }
     }
 }

@@ -2,13 +2,7 @@
 
 use wholestring_units::Dimension;
 
-use wholestring_config::{
-    number::{Count, Number},
-    quantity::Quantity,
-    range::Range,
-    rule::Choice,
-    table::{default, optional, table},
-};
+use wholestring_config::prelude::*;
 
 use crate::bit::kind::{CORE, INSERTS, PDC};
 

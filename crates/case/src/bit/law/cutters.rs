@@ -3,14 +3,7 @@
 use wholestring::dynamics::Cutters;
 use wholestring_units::{Dimension, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    number::Number,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    table::{Field, default, keys, optional},
-};
+use wholestring_config::prelude::*;
 
 use crate::bit::kind::{Kind, KindKeys};
 

@@ -3,16 +3,7 @@
 use wholestring::dynamics::{BitLaw, DetournayDefournyLaw};
 use wholestring_units::{Dimension, number_text};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::Spanned,
-    source::Span,
-    table::{default, keys, optional},
-    tagged::Variant,
-};
+use wholestring_config::prelude::*;
 
 use super::{
     cutters::{CuttersKeys, kilonewtons},

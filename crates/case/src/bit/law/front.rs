@@ -3,13 +3,7 @@
 use wholestring::dynamics::{BitTable as Points, Excitation};
 use wholestring_units::Dimension;
 
-use wholestring_config::{
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::Section,
-    table::{default, keys, optional},
-};
+use wholestring_config::prelude::*;
 
 use crate::bit::excitation::ExcitationTable;
 

@@ -41,7 +41,7 @@ pub(crate) trait LawKeys {
     /// Warns of set points that the law makes nothing of.
     fn warn_of_set_points(&self, law: &BitLaw, given: &Given<'_>, reader: &mut Reader) {
         if let Some((finds, rop)) = self.finds_rate().zip(given.rop) {
-            reader.report(Diagnostic::warning("`rop` has no effect here").at(rop.place, finds));
+            reader.report(Diagnostic::idle("rop", rop.place, finds));
         }
         if let Some(wob) = given.wob {
             self.warn_of_weight(law, wob, reader);

@@ -3,14 +3,7 @@
 use wholestring::dynamics::{BitLaw, RateLaw};
 use wholestring_units::Dimension;
 
-use wholestring_config::{
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    source::Span,
-    table::{keys, optional},
-    tagged::Variant,
-};
+use wholestring_config::prelude::*;
 
 use super::{front::FrontKeys, law_keys::LawKeys};
 use crate::bit::around::Around;

@@ -2,15 +2,7 @@
 
 use wholestring::dynamics::{BitLaw, RegenerativeLaw};
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    number::Count,
-    reader::Reader,
-    rule::Spanned,
-    source::Span,
-    table::{default, keys},
-    tagged::Variant,
-};
+use wholestring_config::prelude::*;
 
 use super::{
     cutters::{CuttersKeys, kilonewtons},

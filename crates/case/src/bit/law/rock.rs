@@ -5,14 +5,7 @@ use wholestring::{
     rock::BitShape,
 };
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    reader::Reader,
-    rule::Section,
-    source::Span,
-    table::{keys, optional},
-    tagged::Variant,
-};
+use wholestring_config::prelude::*;
 
 use super::law_keys::LawKeys;
 use crate::bit::{

@@ -8,14 +8,7 @@ use wholestring::{
 };
 use wholestring_units::number_text;
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    reader::Reader,
-    rule::Section,
-    source::{Files, Span},
-    table::{Field, keys, optional},
-    tagged::Variant,
-};
+use wholestring_config::prelude::*;
 
 use super::{front::FrontKeys, law_keys::LawKeys};
 use crate::bit::{around::Around, given::Given, points::PointsTable};

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use serde::Serialize;
 
-/// What is measured.
-pub(crate) const KIND: &str = kind::NAME;
+/// What a [`Spread`] of times is of: the processor or the clock.
+pub const TIME: &str = kind::NAME;
 
 #[cfg(any(target_os = "linux", target_os = "macos", target_os = "freebsd"))]
 mod kind {
@@ -40,29 +40,32 @@ mod kind {
 }
 
 /// Time since it was begun.
-pub(crate) struct Clock(Duration);
+pub(super) struct Clock(Duration);
 
 impl Clock {
-    pub(crate) fn begin() -> Self {
+    pub(super) fn begin() -> Self {
         Self(kind::now())
     }
 
-    pub(crate) fn elapsed_s(&self) -> f64 {
+    pub(super) fn elapsed_s(&self) -> f64 {
         (kind::now() - self.0).as_secs_f64()
     }
 }
 
 /// What repeated measurements gave.
 #[derive(Debug, Clone, Copy, Serialize)]
-pub(crate) struct Spread {
-    pub(crate) median: f64,
-    pub(crate) least: f64,
-    pub(crate) most: f64,
+pub struct Spread {
+    /// The middle one, or half-way between the two in the middle.
+    pub median: f64,
+    /// The least.
+    pub least: f64,
+    /// The most.
+    pub most: f64,
 }
 
 impl Spread {
     /// Of at least one number.
-    pub(crate) fn of(mut found: Vec<f64>) -> Self {
+    pub(super) fn of(mut found: Vec<f64>) -> Self {
         found.sort_by(f64::total_cmp);
         let middle = found.len() / 2;
         let median = if found.len() % 2 == 1 {
@@ -73,14 +76,8 @@ impl Spread {
         Self { median, least: found[0], most: found[found.len() - 1] }
     }
 
-    pub(crate) fn times(self, factor: f64) -> Self {
+    pub(super) fn times(self, factor: f64) -> Self {
         Self { median: factor * self.median, least: factor * self.least, most: factor * self.most }
-    }
-
-    /// Median, and least to most beside it.
-    pub(crate) fn cells(self, decimals: usize) -> [String; 2] {
-        let Self { median, least, most } = self;
-        [format!("{median:.decimals$}"), format!("{least:.decimals$} to {most:.decimals$}")]
     }
 }
 

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::{clock::Spread, session::Bench, well};
-use crate::{failure::Failure, screen_table::Table};
+use crate::Error;
 
 /// Something that a case can require: keys of the case, as for `--set`.
 struct Mechanism {
@@ -82,80 +82,63 @@ const MECHANISMS: &[Mechanism] = &[
     with("frames, 10 in a second", &["records.frames=10 Hz"]),
 ];
 
-/// What was found.
-#[derive(Serialize)]
-pub(crate) struct Mechanisms {
+/// What was found of the mechanisms.
+#[derive(Debug, Serialize)]
+pub struct Mechanisms {
     /// Without any of them.
-    ns_per_element_step: f64,
-    rows: Vec<Row>,
+    pub ns_per_element_step: f64,
+    /// A row for each mechanism.
+    pub rows: Vec<MechanismRow>,
 }
 
-#[derive(Serialize)]
-struct Row {
-    mechanism: &'static str,
-    ns_per_element_step: f64,
+/// What one mechanism costs.
+#[derive(Debug, Serialize)]
+pub struct MechanismRow {
+    /// Its name.
+    pub mechanism: &'static str,
+    /// Time of a step with it, over the elements.
+    pub ns_per_element_step: f64,
     /// Processor time for the same simulated time, over that without it.
-    time_ratio: Spread,
+    pub time_ratio: Spread,
 }
 
-pub(crate) fn measure(bench: &Bench) -> Result<Mechanisms, Failure> {
-    bench.begin(1 + MECHANISMS.len());
-    let plain_case = bench.well.case(&[])?;
-    let plain = well::initialise(&plain_case, plain_case.dynamics.precision)?;
-    let mut plain_s = Vec::new();
-    let mut rows = Vec::new();
-    bench.next("a run without any mechanism")?;
-    for mechanism in MECHANISMS {
-        bench.next(mechanism.name)?;
-        let case = bench.well.case(mechanism.keys)?;
-        let simulation = well::initialise(&case, case.dynamics.precision)?;
-        let mut run_s = Vec::new();
-        // By turns: a processor that grows slower does so for both.
-        let ratio = bench.repeat(|| {
-            let without = bench.well.run_s(&plain_case, &plain)?;
-            let with = bench.well.run_s(&case, &simulation)?;
-            plain_s.push(without);
-            run_s.push(with);
-            Ok(with / without)
-        })?;
-        rows.push(Row {
-            mechanism: mechanism.name,
-            ns_per_element_step: ns(&simulation, run_s),
-            time_ratio: ratio,
-        });
+impl Bench<'_> {
+    /// What each mechanism costs when it is switched on.
+    ///
+    /// # Errors
+    /// As [`Self::kernel`].
+    pub fn mechanisms(&self) -> Result<Mechanisms, Error> {
+        self.begin(1 + MECHANISMS.len());
+        let plain_case = self.well.case(&[])?;
+        let plain = well::initialise(&plain_case, plain_case.dynamics.precision)?;
+        let mut plain_s = Vec::new();
+        let mut rows = Vec::new();
+        self.next("a run without any mechanism")?;
+        for mechanism in MECHANISMS {
+            self.next(mechanism.name)?;
+            let case = self.well.case(mechanism.keys)?;
+            let simulation = well::initialise(&case, case.dynamics.precision)?;
+            let mut run_s = Vec::new();
+            // By turns: a processor that grows slower does so for both.
+            let ratio = self.repeat(|| {
+                let without = self.well.run_s(&plain_case, &plain)?;
+                let with = self.well.run_s(&case, &simulation)?;
+                plain_s.push(without);
+                run_s.push(with);
+                Ok(with / without)
+            })?;
+            rows.push(MechanismRow {
+                mechanism: mechanism.name,
+                ns_per_element_step: ns(&simulation, run_s),
+                time_ratio: ratio,
+            });
+        }
+        Ok(Mechanisms { ns_per_element_step: ns(&plain, plain_s), rows })
     }
-    Ok(Mechanisms { ns_per_element_step: ns(&plain, plain_s), rows })
 }
 
 /// Nanoseconds per element and step of runs that took so many seconds for one.
 fn ns(simulation: &wholestring::dynamics::Simulation, run_s: Vec<f64>) -> f64 {
     let element_steps_per_s = simulation.elements() as f64 / simulation.time_step_s();
     1e9 * Spread::of(run_s).median / element_steps_per_s
-}
-
-impl Mechanisms {
-    pub(crate) fn text(&self) -> String {
-        let mut table = Table::new(
-            "What a mechanism costs a whole run",
-            1,
-            &["switched on", "ns per element-step", "costs", "least to most"],
-        );
-        table.row(vec![
-            "nothing".to_owned(),
-            format!("{:.1}", self.ns_per_element_step),
-            String::new(),
-            String::new(),
-        ]);
-        for row in &self.rows {
-            let percent = |ratio: f64| format!("{:+.0} %", 100.0 * (ratio - 1.0));
-            let Spread { median, least, most } = row.time_ratio;
-            table.row(vec![
-                row.mechanism.to_owned(),
-                format!("{:.1}", row.ns_per_element_step),
-                percent(median),
-                format!("{} to {}", percent(least), percent(most)),
-            ]);
-        }
-        table.text()
-    }
 }

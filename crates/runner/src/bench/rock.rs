@@ -10,10 +10,7 @@ use super::{
     clock::{Clock, Spread},
     session::Bench,
 };
-use crate::{
-    failure::{Failure, failed},
-    screen_table::Table,
-};
+use crate::Error;
 
 /// Diameter of the bit, m: 8½ in.
 const BIT_M: f64 = 0.2159;
@@ -42,60 +39,88 @@ const TOUGH_J_PER_M2: f64 = 1e6;
 const WARM_STEPS: usize = 3;
 const TIMED_STEPS: usize = 20;
 
-/// What was found.
-#[derive(Serialize)]
-pub(crate) struct RockSpeed {
-    hexahedra: usize,
-    rows: Vec<Row>,
+/// What was found of the solid rock.
+#[derive(Debug, Serialize)]
+pub struct RockSpeed {
+    /// Hexahedra of the block.
+    pub hexahedra: usize,
+    /// Hexahedra along x, y and z.
+    #[serde(skip)]
+    pub cells: [usize; 3],
+    /// Their edge, m.
+    #[serde(skip)]
+    pub edge_m: f64,
+    /// Diameter of the bit, m.
+    #[serde(skip)]
+    pub bit_m: f64,
+    /// A row for each state of the rock and instruction set.
+    pub rows: Vec<RockRow>,
 }
 
-#[derive(Serialize)]
-struct Row {
-    rock: &'static str,
-    instructions: &'static str,
-    ns_per_hexahedron_step: Spread,
+/// The rock in one state with one instruction set.
+#[derive(Debug, Serialize)]
+pub struct RockRow {
+    /// What happens to it.
+    pub rock: &'static str,
+    /// The instruction set.
+    pub instructions: &'static str,
+    /// Time of a step, over the hexahedra.
+    pub ns_per_hexahedron_step: Spread,
     /// What the bit takes of it, its nodes found and pushed.
-    contact_ns_per_hexahedron_step: f64,
+    pub contact_ns_per_hexahedron_step: f64,
     /// Part of the hexahedra that yield in a step.
-    yielding: f64,
-    touching_nodes: usize,
+    pub yielding: f64,
+    /// Nodes that touch the bit.
+    pub touching_nodes: usize,
 }
 
-pub(crate) fn measure(bench: &Bench) -> Result<RockSpeed, Failure> {
-    let steppers = Stepper::all();
-    bench.begin(2 * (1 + steppers.len()));
-    let mut speed = RockSpeed { hexahedra: CELLS.iter().product(), rows: Vec::new() };
-    for (name, set_up) in
-        [("under a bit", cut as fn() -> Result<Scene, Failure>), ("all of it yielding", squeezed)]
-    {
-        bench.next(&format!("solid rock, {name}"))?;
-        let scene = set_up()?;
-        let yielding = scene.clone().yielding();
-        for stepper in &steppers {
-            bench.next(&format!("solid rock, {name}, {}", stepper.instructions))?;
-            let each_ns = 1e9 / (TIMED_STEPS * speed.hexahedra) as f64;
-            let mut contact_s = Vec::new();
-            let mut touching_nodes = 0;
-            let time_s = bench.repeat(|| {
-                let mut scene = scene.clone();
-                scene.go(stepper, WARM_STEPS);
-                let clock = Clock::begin();
-                contact_s.push(scene.go(stepper, TIMED_STEPS));
-                let time_s = clock.elapsed_s();
-                touching_nodes = scene.bit.touching;
-                Ok(time_s)
-            })?;
-            speed.rows.push(Row {
-                rock: name,
-                instructions: stepper.instructions,
-                ns_per_hexahedron_step: time_s.times(each_ns),
-                contact_ns_per_hexahedron_step: each_ns * Spread::of(contact_s).median,
-                yielding,
-                touching_nodes,
-            });
+impl Bench<'_> {
+    /// The solid rock under a bit.
+    ///
+    /// # Errors
+    /// As [`Self::kernel`].
+    pub fn rock(&self) -> Result<RockSpeed, Error> {
+        let steppers = Stepper::all();
+        self.begin(2 * (1 + steppers.len()));
+        let mut speed = RockSpeed {
+            hexahedra: CELLS.iter().product(),
+            cells: CELLS,
+            edge_m: EDGE_M,
+            bit_m: BIT_M,
+            rows: Vec::new(),
+        };
+        for (name, set_up) in
+            [("under a bit", cut as fn() -> Result<Scene, Error>), ("all of it yielding", squeezed)]
+        {
+            self.next(&format!("solid rock, {name}"))?;
+            let scene = set_up()?;
+            let yielding = scene.clone().yielding();
+            for stepper in &steppers {
+                self.next(&format!("solid rock, {name}, {}", stepper.instructions))?;
+                let each_ns = 1e9 / (TIMED_STEPS * speed.hexahedra) as f64;
+                let mut contact_s = Vec::new();
+                let mut touching_nodes = 0;
+                let time_s = self.repeat(|| {
+                    let mut scene = scene.clone();
+                    scene.go(stepper, WARM_STEPS);
+                    let clock = Clock::begin();
+                    contact_s.push(scene.go(stepper, TIMED_STEPS));
+                    let time_s = clock.elapsed_s();
+                    touching_nodes = scene.bit.touching;
+                    Ok(time_s)
+                })?;
+                speed.rows.push(RockRow {
+                    rock: name,
+                    instructions: stepper.instructions,
+                    ns_per_hexahedron_step: time_s.times(each_ns),
+                    contact_ns_per_hexahedron_step: each_ns * Spread::of(contact_s).median,
+                    yielding,
+                    touching_nodes,
+                });
+            }
         }
+        Ok(speed)
     }
-    Ok(speed)
 }
 
 /// A bit in a block.
@@ -116,14 +141,14 @@ struct Bit {
 }
 
 /// Softening rock with more of it around, and a bit that has come into it.
-fn cut() -> Result<Scene, Failure> {
+fn cut() -> Result<Scene, Error> {
     let mut scene = Scene::new(Rock::of_strength(STRENGTH_PA), Edge::Open)?;
     scene.go(&Stepper::default(), CUTTING_STEPS);
     Ok(scene)
 }
 
 /// Rock that is squeezed along x and stretched along y in every step, all of it, and the bit in it.
-fn squeezed() -> Result<Scene, Failure> {
+fn squeezed() -> Result<Scene, Error> {
     let rock = Rock {
         tensile_fracture_energy_J_per_m2: TOUGH_J_PER_M2,
         compressive_fracture_energy_J_per_m2: TOUGH_J_PER_M2,
@@ -141,7 +166,7 @@ fn squeezed() -> Result<Scene, Failure> {
 
 impl Scene {
     /// A block under a bit that touches it, with its other faces as `around` says.
-    fn new(rock: Rock, around: Edge) -> Result<Self, Failure> {
+    fn new(rock: Rock, around: Edge) -> Result<Self, Error> {
         let mut spec = BlockSpec::new(rock, CELLS, EDGE_M);
         spec.edges = [around; 6];
         spec.edges[4] = Edge::Free;
@@ -155,9 +180,9 @@ impl Scene {
         );
         let face = PdcBit::for_diameter(BIT_M).face();
         Ok(Self {
-            block: Block::new(&spec).map_err(|error| failed(&error))?,
+            block: Block::new(&spec).map_err(Error::failed)?,
             bit: Bit {
-                face: face.map_err(|error| failed(&error))?,
+                face: face.map_err(Error::failed)?,
                 law: ContactLaw::for_rock(rock.ucs_Pa(), EDGE_M),
                 pose: pose.moving(
                     down.map(|part| DOWN_M_PER_S * part).into(),
@@ -200,42 +225,5 @@ impl Bit {
         let pressed = block.press(&self.face, &self.pose, &self.law);
         self.touching = pressed.load.touching;
         self.pose = self.pose.after(block.dt_s());
-    }
-}
-
-impl RockSpeed {
-    pub(crate) fn text(&self) -> String {
-        let [x, y, z] = CELLS;
-        let title = format!(
-            "Solid rock, {x} × {y} × {z} hexahedra of {:.0} mm under a bit of {:.0} mm",
-            1e3 * EDGE_M,
-            1e3 * BIT_M
-        );
-        let mut table = Table::new(
-            &title,
-            2,
-            &[
-                "rock",
-                "instructions",
-                "ns per hexahedron-step",
-                "least to most",
-                "contact of it",
-                "yielding",
-                "nodes touching",
-            ],
-        );
-        for row in &self.rows {
-            let [median, spread] = row.ns_per_hexahedron_step.cells(1);
-            table.row(vec![
-                row.rock.to_owned(),
-                row.instructions.to_owned(),
-                median,
-                spread,
-                format!("{:.1}", row.contact_ns_per_hexahedron_step),
-                format!("{:.0} %", 100.0 * row.yielding),
-                row.touching_nodes.to_string(),
-            ]);
-        }
-        table.text()
     }
 }

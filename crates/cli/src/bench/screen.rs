@@ -1,0 +1,174 @@
+//! What is shown of the measurements.
+
+use wholestring_runner::bench::{
+    Kernel, MeasuredWell, Mechanisms, Memory, RockSpeed, RunRow, Spread, Sweeps, TIME,
+};
+
+use crate::screen_table::Table;
+
+pub(super) fn sentence(well: &MeasuredWell, count: usize) -> String {
+    let MeasuredWell { case, bit_depth_m, elements, time_step_s } = well;
+    let step_ms = 1e3 * time_step_s;
+    format!(
+        "{case}: bit at {bit_depth_m:.0} m, {elements} elements, steps of {step_ms:.3} ms; \
+         contact, friction and statistics on\n\
+         {TIME}, median of {count}\n"
+    )
+}
+
+pub(super) fn kernel(of: &Kernel) -> String {
+    let mut table = Table::new(
+        "The inner loop",
+        2,
+        &[
+            "precision",
+            "instructions",
+            "ns per element-step",
+            "least to most",
+            "Gflop/s",
+            "peak",
+            "of it",
+        ],
+    );
+    for row in &of.rows {
+        let [median, spread] = cells(row.ns_per_element_step, 1);
+        let share = row.gflop_per_s / row.peak_gflop_per_s;
+        table.row(vec![
+            row.precision.to_owned(),
+            row.instructions.to_owned(),
+            median,
+            spread,
+            format!("{:.1}", row.gflop_per_s),
+            format!("{:.1}", row.peak_gflop_per_s),
+            format!("{:.0} %", 100.0 * share),
+        ]);
+    }
+    let each = |count: u64| count as f64 / of.elements as f64;
+    let flops = of.flops;
+    format!(
+        "{}An element-step is {:.0} flop: {:.0} multiplications with addition (two each), \
+         {:.0} multiplications, \
+         {:.0} additions,\n{:.1} divisions and {:.1} roots (one each). The peak is what the \
+         same registers \
+         multiply and add at best.\n",
+        table.text(),
+        each(flops.total()),
+        each(flops.multiply_additions),
+        each(flops.multiplications),
+        each(flops.additions),
+        each(flops.divisions),
+        each(flops.roots),
+    )
+}
+
+pub(super) fn runs(rows: &[RunRow]) -> String {
+    let mut table = Table::new(
+        "A whole run",
+        2,
+        &["precision", "instructions", "ns per element-step", "least to most", "× real time"],
+    );
+    for row in rows {
+        let [median, spread] = cells(row.ns_per_element_step, 1);
+        table.row(vec![
+            row.precision.to_owned(),
+            row.instructions.to_owned(),
+            median,
+            spread,
+            format!("{:.1}", row.real_time_factor),
+        ]);
+    }
+    table.text()
+}
+
+pub(super) fn memory(of: &Memory) -> String {
+    format!(
+        "`wholestring run` of {:.0} s, results written: {:.1} s on the clock, {:.1} MB of \
+         memory at most\n",
+        of.simulated_s, of.wall_time_s, of.peak_MB
+    )
+}
+
+pub(super) fn mechanisms(of: &Mechanisms) -> String {
+    let mut table = Table::new(
+        "What a mechanism costs a whole run",
+        1,
+        &["switched on", "ns per element-step", "costs", "least to most"],
+    );
+    table.row(vec![
+        "nothing".to_owned(),
+        format!("{:.1}", of.ns_per_element_step),
+        String::new(),
+        String::new(),
+    ]);
+    for row in &of.rows {
+        let percent = |ratio: f64| format!("{:+.0} %", 100.0 * (ratio - 1.0));
+        let Spread { median, least, most } = row.time_ratio;
+        table.row(vec![
+            row.mechanism.to_owned(),
+            format!("{:.1}", row.ns_per_element_step),
+            percent(median),
+            format!("{} to {}", percent(least), percent(most)),
+        ]);
+    }
+    table.text()
+}
+
+pub(super) fn rock(of: &RockSpeed) -> String {
+    let [x, y, z] = of.cells;
+    let title = format!(
+        "Solid rock, {x} × {y} × {z} hexahedra of {:.0} mm under a bit of {:.0} mm",
+        1e3 * of.edge_m,
+        1e3 * of.bit_m
+    );
+    let mut table = Table::new(
+        &title,
+        2,
+        &[
+            "rock",
+            "instructions",
+            "ns per hexahedron-step",
+            "least to most",
+            "contact of it",
+            "yielding",
+            "nodes touching",
+        ],
+    );
+    for row in &of.rows {
+        let [median, spread] = cells(row.ns_per_hexahedron_step, 1);
+        table.row(vec![
+            row.rock.to_owned(),
+            row.instructions.to_owned(),
+            median,
+            spread,
+            format!("{:.1}", row.contact_ns_per_hexahedron_step),
+            format!("{:.0} %", 100.0 * row.yielding),
+            row.touching_nodes.to_string(),
+        ]);
+    }
+    table.text()
+}
+
+pub(super) fn sweeps(of: &Sweeps) -> String {
+    let title = format!("A sweep of {} cases on {} cores, results written", of.cases, of.cores);
+    let mut table = Table::new(
+        &title,
+        2,
+        &["precision", "friction", "simulated, s", "on the clock, s", "× real time"],
+    );
+    for row in &of.rows {
+        table.row(vec![
+            row.precision.to_owned(),
+            row.friction_law.to_owned(),
+            format!("{:.0}", row.simulated_s),
+            format!("{:.1}", row.wall_time_s),
+            format!("{:.1}", row.simulated_s / row.wall_time_s),
+        ]);
+    }
+    table.text()
+}
+
+/// Median, and least to most beside it.
+fn cells(spread: Spread, decimals: usize) -> [String; 2] {
+    let Spread { median, least, most } = spread;
+    [format!("{median:.decimals$}"), format!("{least:.decimals$} to {most:.decimals$}")]
+}

@@ -1,0 +1,15 @@
+//! What a declaration of tables is written with, under one import.
+
+pub use crate::{
+    diagnostic::Diagnostic,
+    names::{any_of, nearest, short},
+    node::{Entries, Node, Value},
+    number::{Count, Number, Whole},
+    quantity::Quantity,
+    range::Range,
+    reader::Reader,
+    rule::{Choice, List, Prose, Rule, Section, Spanned, Table, Text, Written, once_each},
+    source::{COMMAND_LINE, Files, Span},
+    table::{Field, default, keys, optional, required, table},
+    tagged::{Variant, tagged},
+};

@@ -1,0 +1,105 @@
+//! The inner loop alone, and what the processor could do at best.
+
+use serde::Serialize;
+use wholestring::{
+    dynamics::Simulation,
+    internals::{Flops, KernelAccess, instruction_sets},
+};
+
+use super::{
+    clock::{Clock, Spread},
+    session::Bench,
+    well::{self, TIMED_S},
+};
+use crate::Error;
+
+/// Steps after which caches and the prediction of branches know the loop.
+const WARM_STEPS: usize = 20;
+
+/// Rounds of the loop that finds the processor's peak: some milliseconds.
+const PEAK_ROUNDS: usize = 1_000_000;
+
+/// What was found of the inner loop.
+#[derive(Debug, Default, Serialize)]
+pub struct Kernel {
+    /// Arithmetic of one step in double precision.
+    pub flops: Flops,
+    /// Elements of the string that it is of.
+    #[serde(skip)]
+    pub elements: usize,
+    /// A row for each precision and instruction set.
+    pub rows: Vec<KernelRow>,
+}
+
+/// The inner loop with one instruction set.
+#[derive(Debug, Serialize)]
+pub struct KernelRow {
+    /// `double` or `single`.
+    pub precision: &'static str,
+    /// The instruction set.
+    pub instructions: &'static str,
+    /// Time of a step, over the elements.
+    pub ns_per_element_step: Spread,
+    /// Speed of its arithmetic.
+    pub gflop_per_s: f64,
+    /// What the same registers multiply and add at best.
+    pub peak_gflop_per_s: f64,
+}
+
+impl Bench<'_> {
+    /// The inner loop alone, and what the processor could do at best.
+    ///
+    /// # Errors
+    /// As for all parts: the case has no simulation, or the user stopped it.
+    pub fn kernel(&self) -> Result<Kernel, Error> {
+        let case = self.well.case(&[])?;
+        let precisions = well::precisions(&case);
+        let sets = instruction_sets();
+        self.begin(precisions.len() * sets.len());
+        let mut kernel = Kernel::default();
+        for (precision, name) in precisions {
+            let settled = well::initialise(&case, precision)?;
+            let (flops, elements) = (settled.clone().count_kernel(), settled.elements());
+            if kernel.rows.is_empty() {
+                (kernel.flops, kernel.elements) = (flops, elements);
+            }
+            for instructions in &sets {
+                self.next(&format!("inner loop, {name} precision, {instructions}"))?;
+                let mut simulation = settled.clone();
+                simulation.use_instructions(instructions);
+                let step_s = step_s(self, &simulation)?;
+                let peak = peak(self, &simulation)?;
+                kernel.rows.push(KernelRow {
+                    precision: name,
+                    instructions,
+                    ns_per_element_step: step_s.times(1e9 / elements as f64),
+                    gflop_per_s: 1e-9 * flops.total() as f64 / step_s.median,
+                    peak_gflop_per_s: 1e-9 * peak,
+                });
+            }
+        }
+        Ok(kernel)
+    }
+}
+
+/// Time of one step, s.
+fn step_s(bench: &Bench, simulation: &Simulation) -> Result<Spread, Error> {
+    let steps = (TIMED_S / simulation.time_step_s()).ceil() as usize;
+    bench.repeat(|| {
+        let mut simulation = simulation.clone();
+        simulation.step_kernel(WARM_STEPS);
+        let clock = Clock::begin();
+        simulation.step_kernel(steps);
+        Ok(clock.elapsed_s() / steps as f64)
+    })
+}
+
+/// Floating-point operations per second that the processor does at best.
+fn peak(bench: &Bench, simulation: &Simulation) -> Result<f64, Error> {
+    let s_per_flop = bench.repeat(|| {
+        let clock = Clock::begin();
+        let flops = simulation.work_at_peak(PEAK_ROUNDS);
+        Ok(clock.elapsed_s() / flops as f64)
+    })?;
+    Ok(1.0 / s_per_flop.least)
+}

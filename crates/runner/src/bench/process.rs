@@ -1,0 +1,37 @@
+//! The command, run as a user runs it.
+
+use std::{
+    path::Path,
+    process::{Child, Command, ExitStatus, Stdio},
+};
+
+use wholestring_case::Override;
+
+use crate::Error;
+
+/// Starts the command with these arguments and changes of the case. It says nothing but why it
+/// failed.
+pub(super) fn start(
+    program: &Path,
+    arguments: &[&str],
+    changes: &[Override],
+) -> Result<Child, Error> {
+    let mut command = Command::new(program);
+    // One measurement after the other goes to the same folder.
+    command.args(arguments).args(["--quiet", "--overwrite"]);
+    for Override { key, value, .. } in changes {
+        command.arg("--set").arg(format!("{key}={value}"));
+    }
+    command.stdout(Stdio::null());
+    command.spawn().map_err(Error::failed)
+}
+
+/// Whether it did what it should.
+pub(super) fn check(status: ExitStatus) -> Result<(), Error> {
+    match status.code() {
+        Some(0) => Ok(()),
+        Some(130) | None => Err(Error::Interrupted),
+        // It has said why.
+        Some(_) => Err(Error::Failed(format!("it ended with {status}"))),
+    }
+}

@@ -1,0 +1,124 @@
+//! Position and dogleg severity along a survey.
+
+use std::{io, path::Path};
+
+use wholestring::well::{Interpolation, Path as WellPath, PathError, PathPoint};
+use wholestring_case::{Diagnostic, Label, Report, Severity, Source, Span, read_file};
+pub use wholestring_survey::{ImportedSurvey, Said};
+use wholestring_survey::{SurveyError, read_as};
+
+use crate::Error;
+
+/// Columns of [`to_csv`]. Surveys are in degrees everywhere, so that this one is too; it is a survey
+/// that can be read again.
+const COLUMNS: [&str; 7] = [
+    "md_m",
+    "inclination_deg",
+    "azimuth_deg",
+    "tvd_m",
+    "north_m",
+    "east_m",
+    "dogleg_severity_deg_per_30m",
+];
+
+/// Reads a survey from a file in any of its formats.
+///
+/// # Errors
+/// It cannot be read, or is no survey.
+pub fn read(file: &Path, said: &Said) -> Result<ImportedSurvey, Error> {
+    let name = file.display().to_string();
+    let bytes = read_file(file).map_err(|error| {
+        let reason = match error.kind() {
+            io::ErrorKind::NotFound => "there is no such file".to_owned(),
+            _ => error.to_string(),
+        };
+        Error::BadInput(format!("the survey {name} cannot be read: {reason}"))
+    })?;
+    read_as(&bytes, &name, said).map_err(|error| match report(&error) {
+        Some(report) => report.into(),
+        None => Error::BadInput(error.to_string()),
+    })
+}
+
+/// The mistake underlined in the survey, where it is a text.
+fn report(error: &SurveyError) -> Option<Report> {
+    let (text, span) = error.text().zip(error.span())?;
+    let sentence = error.kind().to_string();
+    let (message, expected) = sentence.split_once("; ").unwrap_or((&sentence, ""));
+    Some(Report {
+        sources: vec![Source { name: error.file().to_owned(), text: text.to_owned() }],
+        diagnostics: vec![Diagnostic {
+            severity: Severity::Error,
+            message: message.to_owned(),
+            labels: vec![Label {
+                place: Span { source: 0, start: span.start, end: span.end },
+                text: expected.to_owned(),
+            }],
+            help: Vec::new(),
+        }],
+    })
+}
+
+/// A point along a survey.
+#[derive(Debug, Clone, Copy)]
+pub struct Position {
+    /// Measured depth, m.
+    pub md_m: f64,
+    /// Where it is and which way the hole goes there.
+    pub point: PathPoint,
+    /// Dogleg severity since the point above, rad/m; zero at the first.
+    pub dogleg_severity_rad_per_m: f64,
+}
+
+/// Every station of a survey, and every multiple of `step_m` between them, on the curve that goes
+/// through the stations.
+///
+/// # Errors
+/// There is no path through them.
+pub fn positions(
+    survey: &ImportedSurvey,
+    interpolation: Interpolation,
+    step_m: Option<f64>,
+) -> Result<Vec<Position>, PathError> {
+    let path = WellPath::new(&survey.stations, interpolation, survey.start())?;
+    let mut depths: Vec<f64> = path.stations().iter().map(|station| station.md_m).collect();
+    if let Some(step_m) = step_m {
+        let first = (path.first_md_m() / step_m).ceil() as i64;
+        let last = (path.last_md_m() / step_m).floor() as i64;
+        depths.extend((first..=last).map(|index| index as f64 * step_m));
+        depths.sort_by(f64::total_cmp);
+        // A multiple that is a station but for rounding.
+        depths.dedup_by(|b, a| *b - *a < 1e-6);
+    }
+    let mut above: Option<(f64, PathPoint)> = None;
+    let positions = depths.into_iter().map(|md_m| {
+        let point = path.at(md_m);
+        let dogleg_severity_rad_per_m = above.map_or(0.0, |(md_above_m, point_above)| {
+            point_above.dogleg_rad(&point) / (md_m - md_above_m)
+        });
+        above = Some((md_m, point));
+        Position { md_m, point, dogleg_severity_rad_per_m }
+    });
+    Ok(positions.collect())
+}
+
+/// The positions as CSV: to micrometres and millionths of a degree.
+pub fn to_csv(positions: &[Position]) -> String {
+    let mut text = COLUMNS.join(",") + "\n";
+    for Position { md_m, point, dogleg_severity_rad_per_m } in positions {
+        let [north, east, tvd] = point.position_m.into();
+        let cells = [
+            *md_m,
+            point.inclination_rad().to_degrees(),
+            point.azimuth_rad().to_degrees(),
+            tvd,
+            north,
+            east,
+            dogleg_severity_rad_per_m.to_degrees() * 30.0,
+        ];
+        // Without the sign of a rounded zero.
+        let cells = cells.map(|value| format!("{value:.6}").replace("-0.000000", "0.000000"));
+        text += &(cells.join(",") + "\n");
+    }
+    text
+}
