@@ -1,8 +1,6 @@
 //! How long a dynamic run settles before its window.
 
 use serde_json::{Value as Json, json};
-use wholestring_units::Dimension;
-
 use wholestring_config::prelude::*;
 
 /// What stands for as long as it takes.
