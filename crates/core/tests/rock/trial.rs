@@ -3,9 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use wholestring::rock::{
-    Advance, Alone, BitShape, Drilling, DrillingSpec, Driver, Rock, Stepper, Trial, TrialError,
-    TrialOutcome, TrialSpec,
-    bit_face::{ContactLaw, PdcBit},
+    Advance, Alone, Drilling, DrillingSpec, Driver, Rock, Stepper, Trial, TrialError, TrialOutcome,
+    TrialSpec, bit_face::ContactLaw,
 };
 
 use crate::{
