@@ -2,8 +2,6 @@
 
 use wholestring::string::{AssemblyError, ComponentLength, DrillString, Material, StringSpec};
 
-use wholestring_units::number_text;
-
 use wholestring_config::prelude::*;
 
 use crate::component::ComponentTable;

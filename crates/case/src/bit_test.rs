@@ -9,8 +9,6 @@ use wholestring::{
     operation::Operation,
     rock::DrillingSpec,
 };
-use wholestring_units::{Dimension, number_text};
-
 use wholestring_config::prelude::*;
 
 /// The grid where the case does not say, over the operation's weight on bit and the speed of its

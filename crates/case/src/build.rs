@@ -3,7 +3,6 @@
 use std::path::Path as FilePath;
 
 use wholestring::{dynamics::RockLaw, model::Model, outcome::ModelKind, well::Well};
-
 use wholestring_config::{diagnostic::Report, file::tree, kind::Kind, prelude::*, usual};
 
 use crate::{

@@ -1,9 +1,8 @@
 //! The top level of a case file.
 
 use wholestring::outcome::ModelKind;
-use wholestring_units::UnitSet;
-
 use wholestring_config::prelude::*;
+use wholestring_units::UnitSet;
 
 use crate::{
     bit::BitTable,

@@ -4,9 +4,8 @@ use wholestring::well::{
     HoleKind,
     casing::{self, Casing},
 };
-use wholestring_units::{Dimension, UnitSet};
-
 use wholestring_config::prelude::*;
+use wholestring_units::UnitSet;
 
 use crate::hole::HoleTable;
 

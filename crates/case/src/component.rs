@@ -1,8 +1,6 @@
 //! The keys of `[[string]]`.
 
 use wholestring::string::{Cavity, ComponentLength};
-use wholestring_units::{Dimension, number_text};
-
 use wholestring_config::prelude::*;
 
 use crate::steel::{density, modulus};

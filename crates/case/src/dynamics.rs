@@ -9,8 +9,6 @@ use wholestring::{
     operation::Operation,
     well::{Hole, HoleSection},
 };
-use wholestring_units::{Dimension, number_text};
-
 use wholestring_config::prelude::*;
 
 use crate::{

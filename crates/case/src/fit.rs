@@ -2,8 +2,6 @@
 
 use wholestring::{mud::Mud, string::DrillString, well::Hole};
 
-use wholestring_units::number_text;
-
 use wholestring_config::prelude::*;
 
 use crate::{

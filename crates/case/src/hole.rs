@@ -1,8 +1,6 @@
 //! `[[well.hole]]`: the hole around the path.
 
 use wholestring::well::{Friction, Hole, HoleError, HoleKind, HoleSection};
-use wholestring_units::{Dimension, number_text};
-
 use wholestring_config::{prelude::*, table::required_unless};
 
 use crate::roughness::RoughnessTable;

@@ -1,8 +1,6 @@
 //! `[mud]`.
 
 use wholestring::mud::{CYLINDER_DRAG_COEFFICIENT, Mud, Rheology};
-use wholestring_units::Dimension;
-
 use wholestring_config::prelude::*;
 
 /// The rheologies, without their numbers.
@@ -22,7 +20,7 @@ impl Flow {
         &[(NEWTONIAN, Self::Newtonian), (BINGHAM, Self::Bingham), (POWER_LAW, Self::PowerLaw)];
 
     fn word(self) -> &'static str {
-        Self::WORDS.iter().find(|(_, flow)| *flow == self).map_or("", |(word, _)| word)
+        word_of(Self::WORDS, &self)
     }
 }
 

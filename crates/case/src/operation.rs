@@ -8,8 +8,6 @@ use wholestring::{
     operation::{Operation, OperationKind},
     outcome::ModelKind,
 };
-use wholestring_units::Dimension;
-
 use wholestring_config::prelude::*;
 
 use crate::{

@@ -2,7 +2,6 @@
 
 use serde_json::{Value as Json, json};
 use wholestring::operation::OperationKind;
-
 use wholestring_config::{
     names::{all_near, same},
     prelude::*,

@@ -2,8 +2,6 @@
 
 use serde::Serialize;
 use wholestring::dynamics::{Channel, DynamicsSettings, NodeSignal, Probe, Signal};
-use wholestring_units::{Dimension, number_text};
-
 use wholestring_config::prelude::*;
 
 /// Depths whose signals are kept: they stay in memory until the run ends.

@@ -8,8 +8,6 @@ use wholestring::{
     operation::Operation,
     rig::Rig,
 };
-use wholestring_units::{Dimension, number_text};
-
 use wholestring_config::prelude::*;
 
 /// Part of the block's weight by which its mass may be off: what rounding leaves.
@@ -73,7 +71,7 @@ const BLOCK_VELOCITY: &str = "block-velocity";
 const HOOK_LOAD: &str = "hook-load";
 
 impl Control {
-    const WORDS: &[(&str, Self)] = &[
+    const WORDS: &[(&'static str, Self)] = &[
         (AUTODRILLER, Self::Autodriller),
         (BLOCK_VELOCITY, Self::BlockVelocity),
         (HOOK_LOAD, Self::HookLoad),
@@ -211,7 +209,7 @@ impl HoistTable {
 
     /// The word of the control that was chosen.
     pub(crate) fn control_word(&self) -> Option<&'static str> {
-        self.control.given().map(|control| word_of(control.value))
+        self.control.given().map(|control| word_of(Control::WORDS, &control.value))
     }
 
     /// The control that was chosen, if one was. A schedule may put the autodriller in control
@@ -222,7 +220,7 @@ impl HoistTable {
         reader: &mut Reader,
     ) -> Option<Option<HoistControl>> {
         let chosen = self.control.optional()?;
-        let control = chosen.map(|at| word_of(at.value));
+        let control = chosen.map(|at| word_of(Control::WORDS, &at.value));
         let later = schedule.holds_a_weight().then_some(AUTODRILLER);
         for key in self.written() {
             // The line that carries the string belongs to every control.
@@ -287,11 +285,6 @@ impl HoistTable {
             )
             .refuse(reader)
     }
-}
-
-fn word_of(control: Control) -> &'static str {
-    let found = Control::WORDS.iter().find(|(_, one)| *one == control);
-    found.map_or("", |(word, _)| word)
 }
 
 fn needed(

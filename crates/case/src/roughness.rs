@@ -6,8 +6,6 @@ use wholestring::{
     string::DrillString,
     well::{Hole, Roughness},
 };
-use wholestring_units::{Dimension, number_text};
-
 use wholestring_config::prelude::*;
 
 use crate::component::mm;

@@ -7,8 +7,6 @@ use wholestring::{
     operation::OperationKind,
     outcome::ModelKind,
 };
-use wholestring_units::{Dimension, number_text};
-
 use wholestring_config::prelude::*;
 
 table! {

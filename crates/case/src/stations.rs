@@ -2,10 +2,9 @@
 
 use serde_json::json;
 use wholestring::well::{Station, TieIn};
-use wholestring_survey::{Said, SurveyError, read_as};
-use wholestring_units::{Dimension, Unit, number_text};
-
 use wholestring_config::prelude::*;
+use wholestring_survey::{Said, SurveyError, read_as};
+use wholestring_units::Unit;
 
 use crate::beside::read_beside;
 

@@ -1,8 +1,6 @@
 //! `[steel]`.
 
 use wholestring::string::Material;
-use wholestring_units::{Dimension, number_text};
-
 use wholestring_config::prelude::*;
 
 pub(crate) fn density() -> Quantity {

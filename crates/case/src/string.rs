@@ -1,8 +1,6 @@
 //! Components of the string, from their keys.
 
 use wholestring::string::{ComponentSpec, Material, catalogue};
-use wholestring_units::{Dimension, number_text};
-
 use wholestring_config::prelude::*;
 
 use crate::{

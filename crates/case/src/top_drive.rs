@@ -1,8 +1,6 @@
 //! `[top_drive]`.
 
 use wholestring::dynamics::{SpeedController, TopDriveSettings};
-use wholestring_units::Dimension;
-
 use wholestring_config::prelude::*;
 
 /// The controls, without their numbers.
@@ -86,7 +84,7 @@ impl TopDriveTable {
         use Control::{Constant, Pi, SoftTorque, ZTorque};
         let control = self.control.get()?;
         for key in self.written() {
-            if !key.is_used_with(word_of(*control)) {
+            if !key.is_used_with(word_of(WORDS, control)) {
                 self.warn(&key, reader);
             }
         }
@@ -121,9 +119,4 @@ impl TopDriveTable {
             .chosen("the control", self.control.place(), "constant")
             .report(reader);
     }
-}
-
-fn word_of(control: Control) -> &'static str {
-    let found = WORDS.iter().find(|(_, one)| *one == control);
-    found.map_or("", |(word, _)| word)
 }

@@ -1,10 +1,9 @@
 //! `[well]`: the survey, the path through it, and the hole around it.
 
 use wholestring::well::{Hole, Interpolation, Path, PathError, TieIn};
-use wholestring_survey::{Said, under_origin};
-use wholestring_units::{Dimension, Unit, number_text};
-
 use wholestring_config::prelude::*;
+use wholestring_survey::{Said, under_origin};
+use wholestring_units::Unit;
 
 use crate::{
     hole::HoleTable,

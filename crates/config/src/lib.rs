@@ -8,11 +8,7 @@
 //! own: cases and studies declare theirs.
 //!
 //! ```
-//! use wholestring_config::{
-//!     Json, diagnostic::Report, file, kind::Kind, number::Number, quantity::Quantity, range::Range,
-//!     rule::Table, source::Span, table::{default, required, table},
-//! };
-//! use wholestring_units::Dimension;
+//! use wholestring_config::{Json, diagnostic::Report, file, kind::Kind, prelude::*};
 //!
 //! table! {
 //!     /// A pump.

@@ -8,8 +8,9 @@ pub use crate::{
     quantity::Quantity,
     range::Range,
     reader::Reader,
-    rule::{Choice, List, Prose, Rule, Section, Spanned, Table, Text, Written, once_each},
+    rule::{Choice, List, Prose, Rule, Section, Spanned, Table, Text, Written, once_each, word_of},
     source::{COMMAND_LINE, Files, Span},
     table::{Field, default, keys, optional, required, table},
     tagged::{Variant, tagged},
 };
+pub use wholestring_units::{Dimension, number_text};

@@ -175,6 +175,11 @@ pub fn once_each<T: Copy + PartialEq>(
     Some(())
 }
 
+/// The word of a value among those of a [`Choice`].
+pub fn word_of<T: PartialEq>(words: &[(&'static str, T)], value: &T) -> &'static str {
+    words.iter().find(|(_, one)| one == value).map_or("", |(word, _)| word)
+}
+
 /// A list, each item by the same rule.
 pub struct List<R> {
     /// The rule of an item.

@@ -6,10 +6,7 @@
 //! and checked, and have no effect.
 //!
 //! ```
-//! use wholestring_config::{
-//!     node::Entries, number::Number, reader::Reader, rule::{Choice, Table}, source::Span,
-//!     table::{default, keys, required, table}, tagged::{Variant, tagged},
-//! };
+//! use wholestring_config::prelude::*;
 //!
 //! /// What each damping makes of its keys.
 //! trait Damping {

@@ -4,7 +4,8 @@
 use std::{collections::BTreeMap, f64::consts::TAU, fs, path::PathBuf};
 
 use wholestring_report::{
-    BitTest, BitTestPoint, BottomPicture, Cell, DisplayUnit, Fact, bit_test_html, bit_test_plots,
+    BitTest, BitTestPoint, BottomPicture, Cell, DisplayUnit, Fact, PageHead, bit_test_html,
+    bit_test_plots,
 };
 
 const RADIUS_M: f64 = 0.108;
@@ -51,14 +52,16 @@ fn test() -> BitTest {
         value: Cell::quantity(value, dimension),
     };
     BitTest {
-        program: "wholestring".into(),
-        title: "</script><script>window.harmed = 1</script> & <b>bit</b>".into(),
-        units: "si".into(),
-        dimensions: dimensions(),
-        facts: vec![
-            fact("Bit", 2.0 * RADIUS_M, "diameter"),
-            fact("Strength of the rock", STRENGTH_PA, "specific energy"),
-        ],
+        head: PageHead {
+            program: "wholestring".into(),
+            title: "</script><script>window.harmed = 1</script> & <b>bit</b>".into(),
+            units: "si".into(),
+            dimensions: dimensions(),
+            facts: vec![
+                fact("Bit", 2.0 * RADIUS_M, "diameter"),
+                fact("Strength of the rock", STRENGTH_PA, "specific energy"),
+            ],
+        },
         strength_Pa: STRENGTH_PA,
         radius_m: RADIUS_M,
         torque_by_weight: Some([0.55 * RADIUS_M, 60.0]),

@@ -27,8 +27,8 @@ pub use plots::{
     drill_off_columns, frame_columns, plots, profile, shown_dimension, spectrum_dimension,
 };
 pub use report::{
-    ContactPicture, DisplayUnit, DrillOff, Fact, Frames, KeyResult, PageTable, Part, Place, Report,
-    Section, Solved, SpectrumPicture, TimeRun, Well,
+    ContactPicture, DisplayUnit, DrillOff, Fact, Frames, KeyResult, PageHead, PageTable, Part,
+    Place, Report, Section, Solved, SpectrumPicture, TimeRun, Well,
 };
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};

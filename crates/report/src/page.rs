@@ -1,12 +1,10 @@
 //! The pages of a run, of a sweep and of a bit test, each one file that needs nothing else.
 
-use std::collections::BTreeMap;
-
 use serde::Serialize;
 use wholestring::outcome::Method;
 
 use crate::{
-    BitTest, BottomPicture, DisplayUnit, Fact, PageTable, Plot, Report, Sweep, bit_test_plots,
+    BitTest, BottomPicture, PageHead, PageTable, Plot, Report, Sweep, bit_test_plots,
     draw::palette,
     plots::{
         SETS,
@@ -92,11 +90,8 @@ fn licences() -> String {
 /// What the program of a sweep's page reads.
 #[derive(Serialize)]
 struct SweepData<'a> {
-    program: &'a str,
-    title: &'a str,
-    units: &'a str,
-    dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>,
-    facts: &'a [Fact],
+    #[serde(flatten)]
+    head: &'a PageHead,
     page_table: PageTable,
     rows: Vec<Spot<'a>>,
 }
@@ -115,11 +110,7 @@ struct Spot<'a> {
 /// No name in it can end the element that it stands in, whatever it holds.
 pub fn sweep_html(sweep: &Sweep) -> String {
     let data = SweepData {
-        program: &sweep.program,
-        title: &sweep.title,
-        units: &sweep.units,
-        dimensions: &sweep.dimensions,
-        facts: &sweep.facts,
+        head: &sweep.head,
         page_table: sweep.page_table(),
         rows: sweep
             .rows
@@ -136,7 +127,7 @@ pub fn sweep_html(sweep: &Sweep) -> String {
         template("figure", units, plot)
     });
     let rest = figures.join("\n");
-    page(&sweep.title, &sweep.program, &data, &rest, SWEEP_PROGRAM)
+    page(&sweep.head.title, &sweep.head.program, &data, &rest, SWEEP_PROGRAM)
 }
 
 /// A picture in a set of units, ready to be shown under a name.
@@ -154,11 +145,8 @@ fn template(name: &str, units: &str, plot: Option<Plot>) -> String {
 /// What the program of a bit test's page reads.
 #[derive(Serialize)]
 struct BitTestData<'a> {
-    program: &'a str,
-    title: &'a str,
-    units: &'a str,
-    dimensions: &'a BTreeMap<String, [DisplayUnit; 3]>,
-    facts: &'a [Fact],
+    #[serde(flatten)]
+    head: &'a PageHead,
     message: Option<&'a str>,
     page_tables: Vec<PageTable>,
     bottoms: Vec<TestedBottom<'a>>,
@@ -186,11 +174,7 @@ pub fn bit_test_html(test: &BitTest) -> String {
     });
     let page_tables = std::iter::once(test.page_table()).chain(test.page_tables.iter().cloned());
     let data = BitTestData {
-        program: &test.program,
-        title: &test.title,
-        units: &test.units,
-        dimensions: &test.dimensions,
-        facts: &test.facts,
+        head: &test.head,
         message: test.message.as_deref(),
         page_tables: page_tables.collect(),
         bottoms: bottoms.collect(),
@@ -205,7 +189,7 @@ pub fn bit_test_html(test: &BitTest) -> String {
             }
         }
     }
-    page(&test.title, &test.program, &data, &rest, PROGRAM)
+    page(&test.head.title, &test.head.program, &data, &rest, PROGRAM)
 }
 
 /// What stands on the page where JavaScript does not run.

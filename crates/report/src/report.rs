@@ -39,6 +39,21 @@ pub struct Report {
     pub page_tables: Vec<PageTable>,
 }
 
+/// What the page of a sweep or of a bit test says first.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PageHead {
+    /// Name and version of the program.
+    pub program: String,
+    /// What stands over it.
+    pub title: String,
+    /// Units that it opens with: `si`, `metric` or `field`.
+    pub units: String,
+    /// By dimension: its unit in SI, metric and field units.
+    pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
+    /// The facts that hold of all cases or points.
+    pub facts: Vec<Fact>,
+}
+
 /// A unit as people see it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DisplayUnit {

@@ -53,6 +53,20 @@ pub struct Column {
 }
 
 impl Column {
+    /// Words that their name says all of.
+    pub fn words(name: impl Into<String>, words: Vec<String>) -> Self {
+        Self::named(name, Data::Text(words))
+    }
+
+    /// Numbers that their name says all of.
+    pub fn numbers(name: impl Into<String>, numbers: Vec<Option<f64>>) -> Self {
+        Self::named(name, Data::Number(numbers))
+    }
+
+    fn named(name: impl Into<String>, data: Data) -> Self {
+        Self { name: name.into(), unit: String::new(), meaning: String::new(), data }
+    }
+
     /// A column without rows.
     fn empty(spec: &ColumnSpec) -> Self {
         Self {
@@ -301,12 +315,7 @@ impl Table {
             }
         }
         let columns = names.iter().zip(columns);
-        let column = |(name, words): (&str, Vec<String>)| Column {
-            name: formula::unguarded(name).to_owned(),
-            unit: String::new(),
-            meaning: String::new(),
-            data: Data::Text(words),
-        };
+        let column = |(name, words)| Column::words(formula::unguarded(name), words);
         Ok(Self::new(columns.map(column).collect()))
     }
 

@@ -104,12 +104,7 @@ fn formulas_in_csv_are_text() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("sweep.csv");
     let words = ["=1+2", "-5 m", "@x", "'=y", "drill", "-5", "+1e3", ""];
-    let table = Table::new(vec![Column {
-        name: "=key".into(),
-        unit: String::new(),
-        meaning: String::new(),
-        data: Data::Text(words.map(str::to_owned).into()),
-    }]);
+    let table = Table::new(vec![Column::words("=key", words.map(str::to_owned).into())]);
     table.write_csv(&path).unwrap();
     let text = fs::read_to_string(&path).unwrap();
     for line in text.lines() {

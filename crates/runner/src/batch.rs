@@ -1,8 +1,13 @@
 //! What all cases of a sweep or a study, and all points of a bit test, have in common.
 
-use std::{num::NonZeroUsize, path::PathBuf, thread, time::Duration};
+use std::{
+    num::NonZeroUsize,
+    path::{Path, PathBuf},
+    thread,
+    time::{Duration, Instant},
+};
 
-use crate::{error::Error, output::Output, shard::Shard};
+use crate::{cancellation::CancellationToken, error::Error, output::Output, shard::Shard};
 
 /// How many cases are solved.
 #[derive(Debug, Clone, Default)]
@@ -66,6 +71,19 @@ pub struct CaseWithErrors {
 }
 
 impl BatchOutcome {
+    /// Of so many cases, none of which has been counted yet.
+    pub(crate) fn begin(folder: &Path, all: usize, since: Instant, of: &CancellationToken) -> Self {
+        Self {
+            folder: folder.to_owned(),
+            all,
+            finished: 0,
+            failed: Vec::new(),
+            with_errors: Vec::new(),
+            cancelled: of.is_cancelled(),
+            took: since.elapsed(),
+        }
+    }
+
     /// Whether cases were left out because it was cancelled.
     pub fn is_interrupted(&self) -> bool {
         self.cancelled && self.finished + self.failed.len() < self.all

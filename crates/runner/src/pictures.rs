@@ -27,14 +27,14 @@ pub fn pictures(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Vec<Plot>
     let plots = match (folders, &are_sweeps[..]) {
         ([folder], _) if are_bit_tests => {
             let test = bit_test::gather(folder, units).map_err(bad)?;
-            bit_test_plots(&test, &test.units)
+            bit_test_plots(&test, &test.head.units)
         }
         _ if are_bit_tests => {
             return Err(bad("a bit test cannot be overlaid with anything"));
         }
         ([folder], [true]) => {
             let sweep = sweep::gather(folder, units).map_err(bad)?;
-            sweep_plots(&sweep, &sweep.units)
+            sweep_plots(&sweep, &sweep.head.units)
         }
         ([first, second], [a, b]) if a != b => {
             let (sweep, run) = if *a { (first, second) } else { (second, first) };

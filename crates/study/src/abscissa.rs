@@ -1,12 +1,6 @@
 //! The horizontal axis of a figure that has a point for each case.
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::{nearest, short},
-    reader::Reader,
-    rule::Spanned,
-};
-use wholestring_units::Dimension;
+use wholestring_config::prelude::*;
 
 use crate::{chosen::Chosen, sweep::Sweep};
 

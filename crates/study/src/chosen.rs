@@ -2,25 +2,12 @@
 
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_case::rules::{KindRule, ModelRule};
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::{nearest, short},
-    reader::Reader,
-    rule::{List, Spanned, Text},
-    source::Span,
-    table::Field,
+use wholestring_config::prelude::*;
+
+use crate::{
+    selection::{Selection, SelectionRule},
+    sweep::Sweep,
 };
-
-use crate::{selection::Selection, sweep::Sweep};
-
-pub(crate) const NAMES: List<Text> =
-    List { item: Text, or_one: true, noun: "names of sweeps", most: 100 };
-
-pub(crate) const MODELS: List<ModelRule> =
-    List { item: ModelRule, or_one: true, noun: "models", most: 10 };
-
-pub(crate) const OPERATIONS: List<KindRule> =
-    List { item: KindRule, or_one: true, noun: "operations", most: 7 };
 
 /// Whose results a figure or a number shows.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,15 +22,25 @@ pub struct Chosen {
     pub only: Selection,
 }
 
-/// The keys that choose cases, as a figure, a table and a row have them.
-pub(crate) struct Choosing<'a> {
-    pub(crate) sweeps: &'a Field<Vec<Spanned<String>>>,
-    pub(crate) models: &'a Field<Vec<Spanned<ModelKind>>>,
-    pub(crate) operations: &'a Field<Vec<Spanned<OperationKind>>>,
-    pub(crate) only: &'a Field<Selection>,
+keys! {
+    /// The keys that choose cases, as a figure, a table and a row have them.
+    ChoosingKeys {
+        /// Sweeps whose cases it shows, in a table a column each. Default: all, in a row those of
+        /// the table.
+        sweeps: Vec<Spanned<String>> = optional(List::or_one(Text, "names of sweeps", 100));
+        /// Models that it shows. Default: all that were solved, in a row those of the table.
+        models: Vec<Spanned<ModelKind>> = optional(List::or_one(ModelRule, "models", 10));
+        /// Operations that it shows. Default: all that were solved, in a row those of the table.
+        operations: Vec<Spanned<OperationKind>> =
+            optional(List::or_one(KindRule, "operations", 7));
+        /// Cases that it shows, by values of varied keys: single, listed or in a range such as
+        /// "..1200 m". Default: all. A row shows a number of one case: keys that it leaves out are
+        /// those of the table, and all that are varied need a value.
+        only: Selection = optional(SelectionRule);
+    }
 }
 
-impl Choosing<'_> {
+impl ChoosingKeys {
     /// What is chosen; all of `outer` where a key is not given.
     pub(crate) fn within(
         &self,
@@ -113,8 +110,7 @@ pub(crate) fn unheeded(
 ) {
     for (name, place) in fields {
         if let Some(place) = place {
-            let message = format!("`{name}` has no effect here");
-            reader.report(Diagnostic::warning(message).at(place, why));
+            reader.report(Diagnostic::idle(name, place, why));
         }
     }
 }

@@ -1,15 +1,7 @@
 //! What a figure or a number of a table is made of: a column of a case's results.
 
 use serde_json::{Value as Json, json};
-use wholestring_units::{Dimension, number_text};
-
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::{nearest, short},
-    node::{Node, Value},
-    reader::Reader,
-    rule::{Choice, Rule, Spanned},
-};
+use wholestring_config::prelude::*;
 
 /// Results of a case that have columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

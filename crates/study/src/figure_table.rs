@@ -1,26 +1,16 @@
 //! `[[figure]]` as files write it.
 
-use wholestring::{operation::OperationKind, outcome::ModelKind};
-
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::short,
-    reader::Reader,
-    rule::{Choice, List, Prose, Section, Spanned, Text},
-    source::Span,
-    table::{default, optional, required, table},
-};
+use wholestring_config::prelude::*;
 
 use crate::{
     abscissa::Abscissa,
-    chosen::{Choosing, Chosen, MODELS, NAMES, OPERATIONS, unheeded},
+    chosen::{ChoosingKeys, Chosen, unheeded},
     column::{
         Amount, AmountRule, ColumnName, Quantity, SOURCES, Source, Statistic, StatisticRule,
         check_summarised,
     },
     figure::{Figure, FigureData, Level, Pointing},
     file_name::FileName,
-    selection::{Selection, SelectionRule},
     sweep::Sweep,
     times_and_depths::{MAX, depths, times, two_times, window},
 };
@@ -34,15 +24,7 @@ table! {
         name: String = optional(FileName);
         /// What stands under it on the page.
         caption: String = optional(Prose);
-        /// Sweeps whose cases it shows. Default: all.
-        sweeps: Vec<Spanned<String>> = optional(NAMES);
-        /// Models that it shows. Default: all that were solved.
-        models: Vec<Spanned<ModelKind>> = optional(MODELS);
-        /// Operations that it shows. Default: all that were solved.
-        operations: Vec<Spanned<OperationKind>> = optional(OPERATIONS);
-        /// Cases that it shows, by values of varied keys: single, listed or in a range such as
-        /// "..1200 m". Default: all.
-        only: Selection = optional(SelectionRule);
+        ..choosing: ChoosingKeys;
         /// Part of the results that it is drawn from: "summary" (a number for each case), "nodes"
         /// (along the string), "wear" (along the hole), "time" (scalars against time), "frames"
         /// (the whole string against time, where the case records frames), "contact" (over depth
@@ -56,23 +38,13 @@ table! {
         x_axis: Pointing = default(POINTING, Pointing::Across);
         /// Columns on the vertical axis, all of one unit; of |tension_N| the sign is dropped. A
         /// depth points down.
-        y: Vec<Spanned<String>> = required(List {
-            item: Text,
-            or_one: true,
-            noun: "columns",
-            most: MAX,
-        });
+        y: Vec<Spanned<String>> = required(List::or_one(Text, "columns", MAX));
         /// Column that colours a map of "contact", over x = "time_s" and y = "md_m". A sign is a
         /// side of the hole, but of |side_force_N_per_m| it is dropped.
         colour: String = optional(Text);
         /// What is shown of a quantity that varies over the window of a dynamic model: "mean",
         /// "std", "mean+std", "min", "max", "p05" or "p95". For "summary". Default: the mean.
-        statistic: Vec<Spanned<Statistic>> = optional(List {
-            item: StatisticRule,
-            or_one: true,
-            noun: "statistics",
-            most: 7,
-        });
+        statistic: Vec<Spanned<Statistic>> = optional(List::or_one(StatisticRule, "statistics", 7));
         /// Times of the frames that are drawn, a curve for each.
         times: Vec<Spanned<f64>> = optional(times());
         /// Measured depths of the nodes whose frames are drawn against time, a curve for each. The
@@ -83,12 +55,9 @@ table! {
         /// Default: the whole run.
         window: Vec<Spanned<f64>> = optional(two_times());
         /// Values of `y` to compare the curves with, or to mark on a map.
-        level: Vec<Spanned<LevelTable>> = optional(List {
-            item: Section::<LevelTable>::RULE,
-            or_one: false,
-            noun: "levels ([[figure.level]])",
-            most: MAX,
-        });
+        level: Vec<Spanned<LevelTable>> = optional(List::tables::<LevelTable>(
+            "levels ([[figure.level]])", MAX,
+        ));
     }
 }
 
@@ -116,13 +85,7 @@ impl FigureTable {
         columns: &[ColumnName],
         reader: &mut Reader,
     ) -> Option<Figure> {
-        let choosing = Choosing {
-            sweeps: &self.sweeps,
-            models: &self.models,
-            operations: &self.operations,
-            only: &self.only,
-        };
-        let chosen = choosing.within(&Chosen::all(sweeps), sweeps, reader);
+        let chosen = self.choosing.within(&Chosen::all(sweeps), sweeps, reader);
         let source = *self.from.get()?;
         let y: Option<Vec<Quantity>> =
             self.y.get()?.iter().map(|at| Quantity::named(at, source, columns, reader)).collect();

@@ -1,14 +1,7 @@
 //! Names of files.
 
 use serde_json::json;
-use wholestring_config::{
-    Json,
-    diagnostic::Diagnostic,
-    names::short,
-    node::Node,
-    reader::Reader,
-    rule::{Rule, Text},
-};
+use wholestring_config::{Json, prelude::*};
 
 /// The name of a file without its ending: what every system takes.
 pub(crate) struct FileName;

@@ -1,20 +1,13 @@
 //! `[[table]]` as files write it.
 
-use wholestring::{operation::OperationKind, outcome::ModelKind};
-
-use wholestring_config::{
-    reader::Reader,
-    rule::{List, Prose, Section, Spanned, Text},
-    table::{optional, required, table},
-};
+use wholestring_config::prelude::*;
 
 use crate::{
-    chosen::{Choosing, Chosen, MODELS, NAMES, OPERATIONS},
+    chosen::{ChoosingKeys, Chosen},
     column::ColumnName,
     file_name::FileName,
     numbers::{NumberTable, Row},
     row_table::RowTable,
-    selection::{Selection, SelectionRule},
     sweep::Sweep,
 };
 
@@ -27,21 +20,11 @@ table! {
         name: String = optional(FileName);
         /// What stands under it on the page.
         caption: String = optional(Prose);
-        /// Sweeps that it compares, a column each. Default: all.
-        sweeps: Vec<Spanned<String>> = optional(NAMES);
-        /// Models that it compares. Default: all that were solved.
-        models: Vec<Spanned<ModelKind>> = optional(MODELS);
-        /// Operations that it compares. Default: all that were solved.
-        operations: Vec<Spanned<OperationKind>> = optional(OPERATIONS);
-        /// Cases that its rows are about, by values of varied keys.
-        only: Selection = optional(SelectionRule);
+        ..choosing: ChoosingKeys;
         /// Its rows, a number each.
-        row: Vec<Spanned<RowTable>> = required(List {
-            item: Section::<RowTable>::RULE,
-            or_one: false,
-            noun: "rows ([[table.row]])",
-            most: 1000,
-        });
+        row: Vec<Spanned<RowTable>> = required(List::tables::<RowTable>(
+            "rows ([[table.row]])", 1000,
+        ));
     }
 }
 
@@ -53,13 +36,7 @@ impl NumbersTable {
         columns: &[ColumnName],
         reader: &mut Reader,
     ) -> Option<NumberTable> {
-        let choosing = Choosing {
-            sweeps: &self.sweeps,
-            models: &self.models,
-            operations: &self.operations,
-            only: &self.only,
-        };
-        let chosen = choosing.within(&Chosen::all(sweeps), sweeps, reader)?;
+        let chosen = self.choosing.within(&Chosen::all(sweeps), sweeps, reader)?;
         let tables = self.row.get()?;
         let rows: Vec<Row> = tables
             .iter()

@@ -1,19 +1,9 @@
 //! `[[table.row]]` as files write it.
 
-use wholestring::{operation::OperationKind, outcome::ModelKind};
-use wholestring_units::Dimension;
-
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::short,
-    reader::Reader,
-    rule::{Choice, Spanned, Text},
-    source::Span,
-    table::{default, optional, required, table},
-};
+use wholestring_config::prelude::*;
 
 use crate::{
-    chosen::{Choosing, Chosen, MODELS, NAMES, OPERATIONS, unheeded},
+    chosen::{ChoosingKeys, Chosen, unheeded},
     column::{
         Amount, AmountRule, ColumnName, Quantity, SOURCES, Source, Statistic, StatisticRule,
         check_positive, check_summarised,
@@ -31,15 +21,7 @@ table! {
         label: String = required(Text);
         /// Where the given number comes from.
         source: String = optional(Text);
-        /// Sweeps that the row is about. Default: those of the table.
-        sweeps: Vec<Spanned<String>> = optional(NAMES);
-        /// Models that the row is about. Default: those of the table.
-        models: Vec<Spanned<ModelKind>> = optional(MODELS);
-        /// Operations that the row is about. Default: those of the table.
-        operations: Vec<Spanned<OperationKind>> = optional(OPERATIONS);
-        /// The case that the number is taken from, by a value of every varied key. Keys that are
-        /// left out are those of the table.
-        only: Selection = optional(SelectionRule);
+        ..choosing: ChoosingKeys;
         /// Part of the results that it is taken from: "summary", "nodes" (along the string), "wear"
         /// (along the hole), "time" (scalars against time), "frames" (the whole string against
         /// time), "contact" (over depth and time) or "path" (the well).
@@ -98,19 +80,13 @@ impl RowTable {
         columns: &[ColumnName],
         reader: &mut Reader,
     ) -> Option<Row> {
-        let choosing = Choosing {
-            sweeps: &self.sweeps,
-            models: &self.models,
-            operations: &self.operations,
-            only: &self.only,
-        };
         let along = self.along(reader)?;
         let mut outer = outer.clone();
         if let Some((key, _)) = &along {
             // What the table says of it would leave one number.
             outer.only = outer.only.without(key);
         }
-        let chosen = choosing.within(&outer, sweeps, reader);
+        let chosen = self.choosing.within(&outer, sweeps, reader);
         let source = *self.from.get()?;
         let quantity = Quantity::named(self.column.at()?, source, columns, reader)?;
         let number = self.number(source, quantity, at, reader)?;

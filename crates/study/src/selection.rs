@@ -4,16 +4,7 @@ use std::cmp::Ordering;
 
 use serde_json::{Value as Json, json};
 use wholestring_case::Variation;
-use wholestring_units::Dimension;
-
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::{nearest, short},
-    node::{Entries, Node, Value},
-    reader::Reader,
-    rule::Rule,
-    source::Span,
-};
+use wholestring_config::prelude::*;
 
 /// Cases of a sweep: by varied key, the values that count.
 #[derive(Debug, Clone, PartialEq, Default)]

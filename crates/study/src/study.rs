@@ -6,14 +6,10 @@ use serde_json::json;
 use wholestring_case::rules::UNIT_SETS;
 use wholestring_config::{
     Json,
-    diagnostic::{Diagnostic, Report},
+    diagnostic::Report,
     file::{read_file, tree},
     kind::Kind,
-    names::short,
-    reader::Reader,
-    rule::{List, Prose, Section, Spanned, Table, Text},
-    source::Span,
-    table::{Field, default, optional, required, table},
+    prelude::*,
 };
 use wholestring_units::UnitSet;
 
@@ -37,26 +33,17 @@ table! {
         /// sg) or "field" (ft, klbf, ft-lbf, in, ppg). Their data as CSV are SI always.
         units: UnitSet = default(UNIT_SETS, UnitSet::Si);
         /// The cases to solve.
-        sweep: Vec<Spanned<SweepTable>> = required(List {
-            item: Section::<SweepTable>::RULE,
-            or_one: false,
-            noun: "sweeps ([[sweep]])",
-            most: 100,
-        });
+        sweep: Vec<Spanned<SweepTable>> = required(List::tables::<SweepTable>(
+            "sweeps ([[sweep]])", 100,
+        ));
         /// The figures, in the order of the page.
-        figure: Vec<Spanned<FigureTable>> = optional(List {
-            item: Section::<FigureTable>::RULE,
-            or_one: false,
-            noun: "figures ([[figure]])",
-            most: 500,
-        });
+        figure: Vec<Spanned<FigureTable>> = optional(List::tables::<FigureTable>(
+            "figures ([[figure]])", 500,
+        ));
         /// The tables, in the order of the page.
-        table: Vec<Spanned<NumbersTable>> = optional(List {
-            item: Section::<NumbersTable>::RULE,
-            or_one: false,
-            noun: "tables ([[table]])",
-            most: 100,
-        });
+        table: Vec<Spanned<NumbersTable>> = optional(List::tables::<NumbersTable>(
+            "tables ([[table]])", 100,
+        ));
     }
 }
 

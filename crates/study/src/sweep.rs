@@ -4,16 +4,7 @@ use std::sync::Arc;
 
 use serde_json::{Value as Json, json};
 use wholestring_case::{Override, Quote, Variation};
-
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    names::short,
-    node::{Node, Value},
-    reader::Reader,
-    rule::{List, Rule, Section, Spanned, Text},
-    source::Span,
-    table::{Field, optional, required, table},
-};
+use wholestring_config::prelude::*;
 
 use crate::{
     file_name::FileName,
@@ -35,12 +26,9 @@ table! {
         /// one case.
         vary: Vec<Variation> = optional(Varied);
         /// What is different in some of its cases; where several say so, the last one counts.
-        r#where: Vec<Spanned<WhereTable>> = optional(List {
-            item: Section::<WhereTable>::RULE,
-            or_one: false,
-            noun: "exceptions ([[sweep.where]])",
-            most: 100,
-        });
+        r#where: Vec<Spanned<WhereTable>> = optional(List::tables::<WhereTable>(
+            "exceptions ([[sweep.where]])", 100,
+        ));
     }
 }
 

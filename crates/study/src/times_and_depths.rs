@@ -1,13 +1,6 @@
 //! Times and depths that figures and tables of a study name.
 
-use wholestring_config::{
-    diagnostic::Diagnostic,
-    quantity::Quantity,
-    range::Range,
-    reader::Reader,
-    rule::{List, Spanned},
-};
-use wholestring_units::Dimension;
+use wholestring_config::prelude::*;
 
 /// Times or depths of one figure: nobody distinguishes more curves.
 pub(crate) const MAX: usize = 12;
@@ -24,17 +17,17 @@ pub(crate) fn depth() -> Quantity {
 
 /// Times, one or several.
 pub(crate) fn times() -> List<Quantity> {
-    List { item: time(), or_one: true, noun: "times", most: MAX }
+    List::or_one(time(), "times", MAX)
 }
 
 /// Measured depths, one or several.
 pub(crate) fn depths() -> List<Quantity> {
-    List { item: depth(), or_one: true, noun: "depths", most: MAX }
+    List::or_one(depth(), "depths", MAX)
 }
 
 /// A first and a last time.
 pub(crate) fn two_times() -> List<Quantity> {
-    List { item: time(), or_one: false, noun: "times", most: 2 }
+    List::of(time(), "times", 2)
 }
 
 /// First and last time.

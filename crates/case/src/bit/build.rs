@@ -4,7 +4,6 @@ use wholestring::{
     dynamics::{BitSettings, Motor},
     rock::BitShape,
 };
-
 use wholestring_config::prelude::*;
 
 use super::{

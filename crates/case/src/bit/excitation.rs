@@ -1,8 +1,6 @@
 //! `[bit.excitation]`.
 
 use wholestring::dynamics::{Band, BitTable as Points, Excitation};
-use wholestring_units::Dimension;
-
 use wholestring_config::prelude::*;
 
 /// Where the case does not say: three lobes of a tricone bit; noise up to eight waves per

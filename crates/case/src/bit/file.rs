@@ -3,7 +3,6 @@
 use std::{f64::consts::PI, ops::Range as ByteRange};
 
 use wholestring::dynamics::TablePoint;
-
 use wholestring_config::prelude::*;
 
 use crate::beside::read_beside;

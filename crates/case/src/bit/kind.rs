@@ -1,7 +1,5 @@
 //! Kinds of bits by name.
 
-use wholestring_units::{Dimension, number_text};
-
 use wholestring_config::prelude::*;
 
 /// How a bit breaks rock.
@@ -19,7 +17,7 @@ pub(crate) const CORE: &str = "core";
 pub(crate) const INSERTS: &str = "inserts";
 
 impl Kind {
-    pub(crate) const WORDS: &[(&str, Self)] = &[
+    pub(crate) const WORDS: &[(&'static str, Self)] = &[
         (PDC, Self::Pdc),
         (ROLLER_CONE, Self::RollerCone),
         (CORE, Self::Core),
@@ -45,8 +43,7 @@ impl Kind {
     }
 
     pub(crate) fn word(self) -> &'static str {
-        let found = Self::WORDS.iter().find(|(_, kind)| *kind == self);
-        found.map_or("", |(word, _)| word)
+        word_of(Self::WORDS, &self)
     }
 }
 

@@ -1,8 +1,6 @@
 //! `[bit.motor]`.
 
 use wholestring::dynamics::MudMotor;
-use wholestring_units::{Dimension, number_text};
-
 use wholestring_config::prelude::*;
 
 /// Where the case does not say: part of the flow that leaks at the largest pressure drop, part of

@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 
 use serde_json::json;
 use wholestring::dynamics::{BitTable as Points, TableFault, TablePoint};
-use wholestring_units::{Dimension, number_text};
 
 use super::file::{self, MAX};
 use wholestring_config::prelude::*;

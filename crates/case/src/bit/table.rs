@@ -3,8 +3,6 @@
 use std::f64::consts::PI;
 
 use wholestring::dynamics::BitSettings;
-use wholestring_units::Dimension;
-
 use wholestring_config::prelude::*;
 
 use super::{law::Laws, motor::MotorTable};

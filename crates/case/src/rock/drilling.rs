@@ -1,7 +1,6 @@
 //! What the bit drills.
 
 use wholestring::rock::DrillingSpec;
-
 use wholestring_config::prelude::*;
 
 use super::{elements::Places, table::RockTable};

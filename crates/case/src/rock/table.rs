@@ -1,7 +1,5 @@
 //! The keys of `[rock]`.
 
-use wholestring_units::Dimension;
-
 use wholestring_config::prelude::*;
 
 /// Factor on the density where the case does not say.

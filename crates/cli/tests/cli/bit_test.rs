@@ -4,9 +4,7 @@ use std::{
     collections::{BTreeMap, BTreeSet},
     fs,
     path::Path,
-    process::Stdio,
-    thread::sleep,
-    time::{Duration, Instant},
+    time::Duration,
 };
 
 use insta::assert_snapshot;
@@ -173,24 +171,11 @@ fn threads_leave_the_numbers_alone() {
 fn a_killed_test_goes_on() {
     let desk = desk();
     let first = ["-o", "killed", "-j", "1", "--checkpoint", "0.01 s"];
-    let mut child = desk
-        .command(&bit_test(&first))
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
     let any = |name: &str| {
         let mut points = POINTS.iter();
         points.any(|point| desk.path("killed").join(point).join(name).exists())
     };
-    let start = Instant::now();
-    while !any("point.json") || !any("checkpoint.bin") {
-        assert!(start.elapsed() < Duration::from_secs(120), "nothing done");
-        assert!(child.try_wait().unwrap().is_none(), "done too soon");
-        sleep(Duration::from_millis(2));
-    }
-    child.kill().unwrap();
-    child.wait().unwrap();
+    desk.killed(&bit_test(&first), || any("point.json") && any("checkpoint.bin"));
     assert!(!desk.path("killed/bit-table.csv").exists());
     let written = |point: &str| {
         let file = desk.path("killed").join(point).join("point.json");

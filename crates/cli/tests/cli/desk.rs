@@ -3,11 +3,7 @@
 use std::{
     fs,
     path::{Path, PathBuf},
-    process::{Command, Output},
-};
-#[cfg(unix)]
-use std::{
-    process::Stdio,
+    process::{Child, Command, Output, Stdio},
     thread::sleep,
     time::{Duration, Instant},
 };
@@ -63,6 +59,28 @@ impl Desk {
         Table::read_parquet(&self.path(name)).unwrap()
     }
 
+    /// Begins a command, and waits until it has come `so_far`, which it must before it ends.
+    #[track_caller]
+    pub(crate) fn begun(&self, arguments: &[&str], so_far: impl Fn() -> bool) -> Child {
+        let mut command = self.command(arguments);
+        let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        let start = Instant::now();
+        while !so_far() {
+            assert!(start.elapsed() < Duration::from_secs(120), "nothing done");
+            assert!(child.try_wait().unwrap().is_none(), "done too soon");
+            sleep(Duration::from_millis(2));
+        }
+        child
+    }
+
+    /// Kills a command as soon as it has come `so_far`.
+    #[track_caller]
+    pub(crate) fn killed(&self, arguments: &[&str], so_far: impl Fn() -> bool) {
+        let mut child = self.begun(arguments, so_far);
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+
     /// What is printed on standard error by a command that is interrupted, as by Ctrl-C, so long
     /// after it has come `so_far`.
     #[cfg(unix)]
@@ -72,14 +90,7 @@ impl Desk {
         so_far: impl Fn() -> bool,
         then: Duration,
     ) -> String {
-        let mut command = self.command(arguments);
-        command.stdout(Stdio::piped()).stderr(Stdio::piped());
-        let child = command.spawn().unwrap();
-        let start = Instant::now();
-        while !so_far() {
-            assert!(start.elapsed() < Duration::from_secs(120), "nothing done");
-            sleep(Duration::from_millis(1));
-        }
+        let child = self.begun(arguments, so_far);
         sleep(then);
         let id = child.id().to_string();
         let sent = Command::new("kill").args(["-INT", &id]).status();

@@ -1,12 +1,7 @@
 //! Whose a folder is: results are not replaced by those of another case, and no two programs write
 //! to one folder.
 
-use std::{
-    fs,
-    process::{Child, Output, Stdio},
-    thread::sleep,
-    time::{Duration, Instant},
-};
+use std::{fs, process::Output};
 
 use crate::desk::{Desk, args};
 
@@ -22,16 +17,12 @@ fn soft(desk: &Desk, more: &[&str]) -> (i32, String, String) {
     words(&desk.run(&[&["run", "slant.toml"], &SOFT[..], more].concat()))
 }
 
-fn begin(desk: &Desk, arguments: &[&str]) -> Child {
-    desk.command(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
-}
-
-fn wait_for(desk: &Desk, name: &str) {
-    let begin = Instant::now();
-    while !desk.path(name).exists() {
-        assert!(begin.elapsed() < Duration::from_secs(120), "no {name}");
-        sleep(Duration::from_millis(1));
-    }
+/// What a command says that is refused.
+#[track_caller]
+fn refused(desk: &Desk, arguments: &[&str]) -> String {
+    let (status, _, said) = words(&desk.run(arguments));
+    assert_eq!(status, 2, "{said}");
+    said
 }
 
 #[test]
@@ -89,8 +80,7 @@ fn a_named_folder_with_another_case_is_refused() {
     assert!(desk.path("results/notes.txt").exists());
     // A run is no sweep.
     let sweep = args("sweep slant.toml --vary friction=0.1 -o results");
-    let (status, _, said) = words(&desk.run(&[&sweep[..], &SOFT].concat()));
-    assert_eq!(status, 2);
+    let said = refused(&desk, &[&sweep[..], &SOFT].concat());
     assert!(said.contains("results holds the run of another case"), "{said}");
     // Results of a version that did not say of which case they are.
     let path = desk.path("results/summary.json");
@@ -166,25 +156,22 @@ fn a_run_that_ended_before_its_first_checkpoint_is_not_finished() {
     desk.done(&["run", "slant.toml", "-o", "results", "--quiet"]);
     let path = desk.path("results/summary.json");
     let mut summary: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
-    let resume = || words(&desk.run(&["run", "slant.toml", "--resume", "results"]));
-    let (status, _, said) = resume();
-    assert_eq!(status, 2);
+    let resume = || refused(&desk, &["run", "slant.toml", "--resume", "results"]);
+    let said = resume();
     assert!(said.contains("is finished: nothing is left to do"), "{said}");
     summary["operations"].as_array_mut().unwrap().truncate(1);
     assert_eq!(summary["operations"][0]["status"], "complete");
     fs::write(&path, summary.to_string()).unwrap();
-    let (status, _, said) = resume();
-    assert_eq!(status, 2);
     assert_eq!(
-        said,
+        resume(),
         "error: there is no checkpoint in results: the run ended before its first one, with 1 of 4 answers\n\
          run the case without --resume to begin anew\n"
     );
-    let (status, _, said) = words(&desk.run(&args(
+    let other = args(
         "run slant.toml --resume results --set 'string.0.bend=1 deg' \
          --set 'string.0.bend_at=20 m'",
-    )));
-    assert_eq!(status, 2);
+    );
+    let said = refused(&desk, &other);
     assert!(said.contains("`string.0.bend_at_m` is not given there and 20.0 here"), "{said}");
     assert!(!said.contains("is finished"), "{said}");
 }
@@ -194,28 +181,22 @@ fn a_second_program_is_kept_out_and_an_unfinished_run_is_kept() {
     let desk = Desk::new();
     let long = args("run slant.toml -o results --set 'dynamics.duration=4000 s'");
     let often = [&long[..], &["--checkpoint", "0.01 s"]].concat();
-    let mut child = begin(&desk, &often);
-    wait_for(&desk, "results/checkpoint.bin");
-    let (status, _, said) = words(&desk.run(&long));
-    assert_eq!(status, 2);
+    let mut child = desk.begun(&often, || desk.path("results/checkpoint.bin").exists());
     assert_eq!(
-        said,
+        refused(&desk, &long),
         "error: another run is writing to results\n\
          wait until it has ended, or name another folder with -o\n"
     );
     // Nor may it be replaced, or continued.
-    assert_eq!(desk.run(&[&long[..], &["--overwrite"]].concat()).status.code(), Some(2));
+    refused(&desk, &[&long[..], &["--overwrite"]].concat());
     let resume = args("run slant.toml --resume results --set 'dynamics.duration=4000 s'");
-    let (status, _, said) = words(&desk.run(&resume));
-    assert_eq!(status, 2);
+    let said = refused(&desk, &resume);
     assert!(said.contains("another run is writing"), "{said}");
     child.kill().unwrap();
     child.wait().unwrap();
     let kept = fs::read(desk.path("results/checkpoint.bin")).unwrap();
-    let (status, _, said) = words(&desk.run(&long));
-    assert_eq!(status, 2);
     assert_eq!(
-        said,
+        refused(&desk, &long),
         "error: results holds an unfinished run of this case\n\
          to continue with it, run the case with --resume results; to begin anew, add --overwrite\n"
     );

@@ -12,7 +12,7 @@ use insta::assert_snapshot;
 use serde_json::Value;
 use wholestring_results::{Data, Table};
 
-use crate::desk::{Desk, transcript};
+use crate::desk::{Desk, args, transcript};
 
 /// All that a run leaves but for the time that it took: every file but the summary and the page
 /// that reports it to the byte.
@@ -177,10 +177,8 @@ fn what_cannot_be_resumed_is_refused() {
     desk.done(&[&["run", "slant.toml", "-o", "results"], &soft[..]].concat());
     assert_snapshot!("resume_a_finished_run", resume(&soft));
 
-    let mut child = begin(&desk, &["run", "slant.toml", "-o", "killed", "--checkpoint", "0.01 s"]);
-    assert!(checkpointed(&desk, &mut child, SystemTime::UNIX_EPOCH));
-    child.kill().unwrap();
-    child.wait().unwrap();
+    let often = args("run slant.toml -o killed --checkpoint '0.01 s'");
+    desk.killed(&often, || desk.path("killed/checkpoint.bin").exists());
     let checkpoint = fs::read(desk.path("killed/checkpoint.bin")).unwrap();
     let put = |bytes: &[u8]| fs::write(desk.path("results/checkpoint.bin"), bytes).unwrap();
     put(&checkpoint);

@@ -193,64 +193,34 @@ impl Rock {
     /// # Errors
     /// The first of them.
     pub fn check(&self) -> Result<(), RockError> {
-        let positive = |x: f64| x > 0.0 && x.is_finite();
-        let right = std::f64::consts::FRAC_PI_2;
+        let above_zero = |quantity, value: f64, expected| (quantity, value, value > 0.0, expected);
+        let positive = |quantity, value: f64, expected| {
+            (quantity, value, value > 0.0 && value.is_finite(), expected)
+        };
+        let [friction, dilation] = [self.friction_angle_rad, self.dilation_angle_rad];
+        let acute = friction > 0.0 && friction < std::f64::consts::FRAC_PI_2;
+        let dilates = (0.0..=friction).contains(&dilation);
+        let poisson = (0.0..0.5).contains(&self.poisson_ratio);
+        let crushing = self.crushing_energy_J_per_m3;
         let checks = [
-            (
-                "the density",
-                self.density_kg_per_m3,
-                positive(self.density_kg_per_m3),
-                "more than 0 kg/m3",
-            ),
-            (
-                "Young's modulus",
-                self.youngs_modulus_Pa,
-                positive(self.youngs_modulus_Pa),
-                "more than 0 Pa",
-            ),
-            (
-                "Poisson's ratio",
-                self.poisson_ratio,
-                (0.0..0.5).contains(&self.poisson_ratio),
-                "from 0 to below 0.5",
-            ),
-            ("the cohesion", self.cohesion_Pa, positive(self.cohesion_Pa), "more than 0 Pa"),
-            (
-                "the friction angle",
-                self.friction_angle_rad,
-                self.friction_angle_rad > 0.0 && self.friction_angle_rad < right,
-                "between 0 and 90 deg",
-            ),
-            (
-                "the dilation angle",
-                self.dilation_angle_rad,
-                (0.0..=self.friction_angle_rad).contains(&self.dilation_angle_rad),
-                "from 0 to the friction angle",
-            ),
-            (
-                "the tensile strength",
-                self.tensile_strength_Pa,
-                self.tensile_strength_Pa > 0.0,
-                "more than 0 Pa",
-            ),
-            (
+            positive("the density", self.density_kg_per_m3, "more than 0 kg/m3"),
+            positive("Young's modulus", self.youngs_modulus_Pa, "more than 0 Pa"),
+            ("Poisson's ratio", self.poisson_ratio, poisson, "from 0 to below 0.5"),
+            positive("the cohesion", self.cohesion_Pa, "more than 0 Pa"),
+            ("the friction angle", friction, acute, "between 0 and 90 deg"),
+            ("the dilation angle", dilation, dilates, "from 0 to the friction angle"),
+            above_zero("the tensile strength", self.tensile_strength_Pa, "more than 0 Pa"),
+            above_zero(
                 "the fracture energy in tension",
                 self.tensile_fracture_energy_J_per_m2,
-                self.tensile_fracture_energy_J_per_m2 > 0.0,
                 "more than 0 J/m2",
             ),
-            (
+            above_zero(
                 "the fracture energy in compression",
                 self.compressive_fracture_energy_J_per_m2,
-                self.compressive_fracture_energy_J_per_m2 > 0.0,
                 "more than 0 J/m2",
             ),
-            (
-                "the crushing energy",
-                self.crushing_energy_J_per_m3,
-                self.crushing_energy_J_per_m3 >= 0.0,
-                "0 J/m3 or more",
-            ),
+            ("the crushing energy", crushing, crushing >= 0.0, "0 J/m3 or more"),
         ];
         match checks.into_iter().find(|(_, _, valid, _)| !valid) {
             None => Ok(()),

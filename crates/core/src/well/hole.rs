@@ -169,31 +169,12 @@ impl Hole {
     /// single one of any height.
     pub fn with_roughness(self, roughness: Option<Roughness>) -> Result<Self, HoleError> {
         if let Some(r) = roughness {
+            let broad = r.longest_m.is_finite() && r.longest_m >= NARROWEST_BAND * r.shortest_m;
             for (quantity, value, valid, expected) in [
-                (
-                    "rms of the radius",
-                    r.radius_rms_m,
-                    r.radius_rms_m.is_finite() && r.radius_rms_m >= 0.0,
-                    "zero or more",
-                ),
-                (
-                    "rms of the tortuosity",
-                    r.tortuosity_rms_m,
-                    r.tortuosity_rms_m.is_finite() && r.tortuosity_rms_m >= 0.0,
-                    "zero or more",
-                ),
-                (
-                    "shortest wavelength",
-                    r.shortest_m,
-                    r.shortest_m.is_finite() && r.shortest_m > 0.0,
-                    "more than zero",
-                ),
-                (
-                    "longest wavelength",
-                    r.longest_m,
-                    r.longest_m.is_finite() && r.longest_m >= NARROWEST_BAND * r.shortest_m,
-                    "at least 1.2 times the shortest",
-                ),
+                not_negative("rms of the radius", r.radius_rms_m),
+                not_negative("rms of the tortuosity", r.tortuosity_rms_m),
+                positive("shortest wavelength", r.shortest_m),
+                ("longest wavelength", r.longest_m, broad, "at least 1.2 times the shortest"),
             ] {
                 if !valid {
                     return Err(HoleError::Roughness { quantity, value, expected });
@@ -239,45 +220,33 @@ impl Hole {
     }
 }
 
+/// A number, whether it is in its range, and that range.
+type Checked = (&'static str, f64, bool, &'static str);
+
+fn positive(quantity: &'static str, value: f64) -> Checked {
+    (quantity, value, value > 0.0 && value.is_finite(), "more than zero")
+}
+
+fn not_negative(quantity: &'static str, value: f64) -> Checked {
+    (quantity, value, value >= 0.0 && value.is_finite(), "zero or more")
+}
+
 impl HoleSection {
     fn check(&self, index: usize) -> Result<(), HoleError> {
         let Friction { kinetic, at_rest, around } = self.friction;
-        let positive = |value: f64| value > 0.0 && value.is_finite();
+        let finite = |quantity, value: f64| (quantity, value, value.is_finite(), "a finite depth");
+        let holds = at_rest >= kinetic && at_rest.is_finite();
+        let poisson = (0.0..0.5).contains(&self.poisson_ratio);
         for (quantity, value, valid, expected) in [
-            ("beginning", self.from_md_m, self.from_md_m.is_finite(), "a finite depth"),
-            ("end", self.to_md_m, self.to_md_m.is_finite(), "a finite depth"),
-            ("diameter", self.diameter_m, positive(self.diameter_m), "more than zero"),
-            ("kinetic friction", kinetic, kinetic >= 0.0 && kinetic.is_finite(), "zero or more"),
-            (
-                "friction at rest",
-                at_rest,
-                at_rest >= kinetic && at_rest.is_finite(),
-                "at least the kinetic one",
-            ),
-            (
-                "ratio of friction around the hole to that along it",
-                around,
-                around >= 0.0 && around.is_finite(),
-                "zero or more",
-            ),
-            (
-                "Young's modulus",
-                self.youngs_modulus_Pa,
-                positive(self.youngs_modulus_Pa),
-                "more than zero",
-            ),
-            (
-                "Poisson's ratio",
-                self.poisson_ratio,
-                (0.0..0.5).contains(&self.poisson_ratio),
-                "from 0 to below 0.5",
-            ),
-            (
-                "roughness",
-                self.roughness,
-                self.roughness >= 0.0 && self.roughness.is_finite(),
-                "zero or more",
-            ),
+            finite("beginning", self.from_md_m),
+            finite("end", self.to_md_m),
+            positive("diameter", self.diameter_m),
+            not_negative("kinetic friction", kinetic),
+            ("friction at rest", at_rest, holds, "at least the kinetic one"),
+            not_negative("ratio of friction around the hole to that along it", around),
+            positive("Young's modulus", self.youngs_modulus_Pa),
+            ("Poisson's ratio", self.poisson_ratio, poisson, "from 0 to below 0.5"),
+            not_negative("roughness", self.roughness),
         ] {
             if !valid {
                 return Err(HoleError::OutOfRange { index, quantity, value, expected });

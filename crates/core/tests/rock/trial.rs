@@ -4,8 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use wholestring::rock::{
     Advance, Alone, Drilling, DrillingSpec, Driver, Rock, Stepper, Trial, TrialError, TrialOutcome,
-    TrialSpec,
-    bit_face::{ContactLaw, PdcBit},
+    TrialSpec, bit_face::ContactLaw,
 };
 
 use crate::{

@@ -15,43 +15,37 @@ struct Quantity {
     std: Option<fn(&BitTestPoint) -> f64>,
 }
 
+impl Quantity {
+    const fn new(
+        title: &'static str,
+        dimension: &'static str,
+        value: fn(&BitTestPoint) -> f64,
+    ) -> Self {
+        Self { title, dimension, value, std: None }
+    }
+}
+
 const WEIGHT: Quantity = Quantity {
-    title: "Weight on bit",
-    dimension: "force",
-    value: |of| of.weight_N,
     std: Some(|of| of.weight_std_N),
-};
-const RATE: Quantity = Quantity {
-    title: "Rate of penetration",
-    dimension: "rate of penetration",
-    value: |of| of.rate_m_per_s,
-    std: None,
+    ..Quantity::new("Weight on bit", "force", |of| of.weight_N)
 };
 const TORQUE: Quantity = Quantity {
-    title: "Torque",
-    dimension: "torque",
-    value: |of| of.torque_N_m,
     std: Some(|of| of.torque_std_N_m),
+    ..Quantity::new("Torque", "torque", |of| of.torque_N_m)
 };
-const DEPTH_OF_CUT: Quantity = Quantity {
-    title: "Depth of cut per revolution",
-    dimension: "diameter",
-    value: |of| of.depth_of_cut_m,
-    std: None,
-};
-const ENERGY: Quantity = Quantity {
-    title: "Specific energy",
-    dimension: "specific energy",
-    value: |of| of.specific_energy_Pa,
-    std: None,
-};
+const RATE: Quantity =
+    Quantity::new("Rate of penetration", "rate of penetration", |of| of.rate_m_per_s);
+const DEPTH_OF_CUT: Quantity =
+    Quantity::new("Depth of cut per revolution", "diameter", |of| of.depth_of_cut_m);
+const ENERGY: Quantity =
+    Quantity::new("Specific energy", "specific energy", |of| of.specific_energy_Pa);
 
 /// Every picture of a bit test, in a set of units (`si`, `metric` or `field`): `drill-off` (rate of
 /// penetration and torque against weight), `specific-energy` (against depth of cut) and
 /// `bottom-hole`; none where no point is there.
 pub fn bit_test_plots(test: &BitTest, units: &str) -> Vec<Plot> {
     let drawing =
-        Drawing { test, shown: Shown::new(&test.dimensions, units), points: test.sorted() };
+        Drawing { test, shown: Shown::new(&test.head.dimensions, units), points: test.sorted() };
     if drawing.points.is_empty() {
         return Vec::new();
     }
@@ -132,7 +126,7 @@ impl Drawing<'_> {
 
     fn figure(&self, shared: &Quantity, panels: Vec<Panel>, keys: Vec<Key>) -> Figure {
         Figure {
-            title: self.test.title.clone(),
+            title: self.test.head.title.clone(),
             subtitle: self.conditions(),
             keys,
             layout: Layout::across(
@@ -148,7 +142,7 @@ impl Drawing<'_> {
 
     /// Bit and rock.
     fn conditions(&self) -> String {
-        let facts = self.test.facts.iter();
+        let facts = self.test.head.facts.iter();
         let conditions = facts.filter_map(|fact| self.shown.fact(fact));
         conditions.collect::<Vec<_>>().join("; ")
     }
@@ -212,7 +206,7 @@ impl Drawing<'_> {
             self.points.iter().filter_map(|of| Some((name(of), of.bottom.as_ref()?))).collect();
         // A bit alone knows no high side.
         let sides = ["Across", "Across"];
-        let (title, conditions) = (self.test.title.clone(), self.conditions());
+        let (title, conditions) = (self.test.head.title.clone(), self.conditions());
         (!bottoms.is_empty())
             .then(|| bottoms_figure(title, conditions, &bottoms, sides, self.shown))
     }

@@ -4,23 +4,13 @@ mod figures;
 
 pub use figures::bit_test_plots;
 
-use std::collections::BTreeMap;
-
-use crate::{BottomPicture, Cell, DisplayUnit, Fact, PageTable, Place};
+use crate::{BottomPicture, Cell, PageHead, PageTable, Place};
 
 /// A bit test as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BitTest {
-    /// Name and version of the program.
-    pub program: String,
-    /// Name of the test.
-    pub title: String,
-    /// Units that the page opens with: `si`, `metric` or `field`.
-    pub units: String,
-    /// By dimension: its unit in SI, metric and field units.
-    pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
-    /// Bit and rock in a few facts.
-    pub facts: Vec<Fact>,
+    /// Under the name of the case.
+    pub head: PageHead,
     /// Uniaxial compressive strength of the rock, Pa.
     pub strength_Pa: f64,
     /// Radius of the bit, m.

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::*;
-use crate::Plot;
+use crate::{DisplayUnit, Fact, Plot};
 use crate::{
     bit_test_html,
     figure::{Mark, Sample},
@@ -52,11 +52,16 @@ fn test() -> BitTest {
         }
     }
     BitTest {
-        program: "wholestring".into(),
-        title: "A </script> bit".into(),
-        units: "si".into(),
-        dimensions: dimensions.map(|(name, units)| (name.to_owned(), units)).into(),
-        facts: vec![Fact { label: "Rock".into(), value: Cell::quantity(60e6, "specific energy") }],
+        head: PageHead {
+            program: "wholestring".into(),
+            title: "A </script> bit".into(),
+            units: "si".into(),
+            dimensions: dimensions.map(|(name, units)| (name.to_owned(), units)).into(),
+            facts: vec![Fact {
+                label: "Rock".into(),
+                value: Cell::quantity(60e6, "specific energy"),
+            }],
+        },
         strength_Pa: 60e6,
         radius_m: RADIUS_M,
         torque_by_weight: Some([0.6 * RADIUS_M, 50.0]),

@@ -3,7 +3,6 @@
 use super::{
     catalogue::{ContactPlot, Shows, contact_plots},
     run::{self, Drawn, Plot, Run},
-    shown::Shown,
 };
 use crate::{
     ContactPicture, Packed,

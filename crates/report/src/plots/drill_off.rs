@@ -3,7 +3,6 @@
 use super::{
     catalogue::{DrillOffPlot, drill_off_plots},
     run::{Drawn, Plot},
-    shown::Shown,
 };
 use crate::{
     DrillOff, Packed,

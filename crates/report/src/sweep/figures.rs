@@ -10,7 +10,7 @@ use crate::{
 /// Every picture of a sweep, in a set of units (`si`, `metric` or `field`): all quantities in one,
 /// then each in one of its own; those with nothing to show are left out.
 pub fn sweep_plots(sweep: &Sweep, units: &str) -> Vec<Plot> {
-    let shown = Shown::new(&sweep.dimensions, units);
+    let shown = Shown::new(&sweep.head.dimensions, units);
     let drawing = Drawing::new(sweep, shown);
     let panels: Vec<(&Drawn, Panel)> =
         DRAWN.iter().filter_map(|of| Some((of, drawing.panel(of)?))).collect();
@@ -28,9 +28,9 @@ pub fn sweep_plots(sweep: &Sweep, units: &str) -> Vec<Plot> {
 impl Drawing<'_> {
     fn figure(&self, panels: &[(&Drawn, Panel)], columns: usize, width_mm: f64) -> Figure {
         let down = matches!(self.varied, Varied::Depth);
-        let subtitle_text = subtitle(&self.sweep.facts, self.shown);
+        let subtitle_text = subtitle(&self.sweep.head.facts, self.shown);
         Figure {
-            title: self.sweep.title.clone(),
+            title: self.sweep.head.title.clone(),
             subtitle: subtitle_text,
             keys: self.keys(),
             layout: Layout {

@@ -12,21 +12,13 @@ use std::collections::BTreeMap;
 
 use wholestring::outcome::{ModelKind, Scalar};
 
-use crate::{Cell, DisplayUnit, Fact, PageTable, Place, plots::readable, shown_dimension};
+use crate::{Cell, PageHead, PageTable, Place, plots::readable, shown_dimension};
 
 /// A sweep as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep {
-    /// Name and version of the program.
-    pub program: String,
-    /// Name of the case.
-    pub title: String,
-    /// Units that the page opens with: `si`, `metric` or `field`.
-    pub units: String,
-    /// By dimension: its unit in SI, metric and field units.
-    pub dimensions: BTreeMap<String, [DisplayUnit; 3]>,
-    /// The facts that hold of all cases.
-    pub facts: Vec<Fact>,
+    /// Under the name of the case.
+    pub head: PageHead,
     /// The keys that were varied, as they were named.
     pub keys: Vec<String>,
     /// What was solved: a row for each model and operation of each case.

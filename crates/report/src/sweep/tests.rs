@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::{
-    Level,
+    DisplayUnit, Level,
     figure::{Direction, Figure, Mark, Sample, Scale, Stroke},
 };
 
@@ -40,14 +40,16 @@ fn sweep(keys: [&str; 2], values: [&[&str]; 2]) -> Sweep {
         }
     }
     Sweep {
-        program: "wholestring".into(),
-        title: "A well".into(),
-        units: "si".into(),
-        dimensions: BTreeMap::from([
-            ("force".into(), [unit("kN", 1e3), unit("t", 9806.65), unit("klbf", 4448.2216)]),
-            ("length".into(), [unit("m", 1.0), unit("m", 1.0), unit("ft", 0.3048)]),
-        ]),
-        facts: Vec::new(),
+        head: PageHead {
+            program: "wholestring".into(),
+            title: "A well".into(),
+            units: "si".into(),
+            dimensions: BTreeMap::from([
+                ("force".into(), [unit("kN", 1e3), unit("t", 9806.65), unit("klbf", 4448.2216)]),
+                ("length".into(), [unit("m", 1.0), unit("m", 1.0), unit("ft", 0.3048)]),
+            ]),
+            facts: Vec::new(),
+        },
         keys: keys.map(String::from).to_vec(),
         rows,
     }
@@ -192,7 +194,7 @@ fn the_table_has_every_case() {
 fn the_page_of_a_sweep_is_whole() {
     let nasty = "</template><script>alert(1)</script> & \"x\"";
     let mut sweep = sweep(["friction", "bit_depth"], [&["0.1", nasty], &["300m", "600m"]]);
-    sweep.title = nasty.into();
+    sweep.head.title = nasty.into();
     let page = crate::sweep_html(&sweep);
     assert_eq!(page.matches("<svg class=\"figure\"").count(), 3);
     assert_eq!(page.matches("</template").count(), 3);

@@ -14,9 +14,7 @@ use super::{
     points::common,
     tables::{BOTTOM, OPERATION, POINTS},
 };
-use crate::page::{
-    FILE, PROGRAM, dimensions, history::bottom, inputs::page_tables, table, write_picture,
-};
+use crate::page::{self, FILE, history::bottom, inputs::page_tables, table, write_picture};
 
 /// The picture that is drawn unasked.
 const DRILL_OFF: &str = "drill-off";
@@ -28,7 +26,7 @@ pub(crate) fn is_bit_test(folder: &Path) -> bool {
 
 /// Writes the page of a test and the picture of its drill-off; neither where no point is finished.
 pub(crate) fn write(folder: &ResultsFolder, test: &BitTest) -> Result<(), ResultsError> {
-    let plots = bit_test_plots(test, &test.units);
+    let plots = bit_test_plots(test, &test.head.units);
     let Some(drill_off) = plots.iter().find(|plot| plot.name == DRILL_OFF) else {
         folder.remove(FILE)?;
         return folder.remove(&format!("{DRILL_OFF}.svg"));
@@ -55,16 +53,9 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<BitTest, R
         let all = summary.points.len();
         format!("{missing} of {all} points are missing, {failed} of them failed.")
     });
-    let units = match units {
-        Some(units) => units.name(),
-        None => settings["units"].as_str().unwrap_or("si"),
-    };
+    let title = format!("{}: bit test", summary.case);
     Ok(BitTest {
-        program: PROGRAM.into(),
-        title: format!("{}: bit test", summary.case),
-        units: units.into(),
-        dimensions: dimensions::all(),
-        facts: facts(&summary),
+        head: page::head(title, units, Some(settings), facts(&summary)),
         strength_Pa: summary.rock_strength_Pa,
         radius_m: summary.bit_radius_m,
         torque_by_weight: summary

@@ -1,9 +1,7 @@
 //! The tables of a bit test.
 
 use wholestring::rock::{TrialOutcome, bit_face::BottomHole};
-use wholestring_results::{
-    BOTTOM_HOLE, BitTestPoint, Column, Data, ResultsError, ResultsFolder, Table,
-};
+use wholestring_results::{BOTTOM_HOLE, BitTestPoint, Column, ResultsError, ResultsFolder, Table};
 
 use super::points::rpm;
 use crate::record::rows::bottom_rows;
@@ -46,11 +44,8 @@ fn law(outcomes: &[TrialOutcome]) -> Table {
         ("torque_std_N_m", |of| of.torque_std_N_m),
         ("weight_on_bit_std_N", |of| of.weight_on_bit_std_N),
     ];
-    let column = |(name, of): Number| Column {
-        name: name.to_owned(),
-        unit: String::new(),
-        meaning: String::new(),
-        data: Data::Number(outcomes.iter().map(|outcome| Some(of(outcome))).collect()),
+    let column = |(name, of): Number| {
+        Column::numbers(name, outcomes.iter().map(|outcome| Some(of(outcome))).collect())
     };
     Table::new(columns.map(column).into())
 }

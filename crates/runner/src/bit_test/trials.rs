@@ -259,15 +259,8 @@ impl<'a> Trials<'a> {
     /// How it went.
     pub(super) fn outcome(self) -> BatchOutcome {
         let endings = std::mem::take(&mut *lock(&self.endings));
-        let mut outcome = BatchOutcome {
-            folder: self.folder.path().to_owned(),
-            all: self.mine.len(),
-            finished: 0,
-            failed: Vec::new(),
-            with_errors: Vec::new(),
-            cancelled: self.cancellation.is_cancelled(),
-            took: self.start.elapsed(),
-        };
+        let (folder, all) = (self.folder.path(), self.mine.len());
+        let mut outcome = BatchOutcome::begin(folder, all, self.start, self.cancellation);
         for point in &self.mine {
             match &endings[*point] {
                 Some(Ok(_)) => outcome.finished += 1,

@@ -5,6 +5,7 @@ pub(crate) mod facts;
 mod file;
 mod findings;
 mod frames;
+mod head;
 pub(crate) mod history;
 pub(crate) mod inputs;
 mod page_tables;
@@ -18,6 +19,7 @@ mod tables;
 pub(crate) mod well;
 
 pub(crate) use file::{FILE, PROGRAM};
+pub(crate) use head::head;
 pub use picture::write_picture;
 pub(crate) use profile::{PROFILE, write_profile};
 pub(crate) use run::{along_the_hole, complete, gather, lacking, page, write};

@@ -9,7 +9,9 @@ use wholestring_units::UnitSet;
 use super::{
     dimensions, facts,
     file::{FILE, PROGRAM},
-    findings, frames, history, inputs, page_tables,
+    findings, frames,
+    head::opening_units,
+    history, inputs, page_tables,
     profile::{PROFILE, write_profile},
     results,
     rows::columns,
@@ -144,11 +146,8 @@ pub(crate) fn along_the_hole(
     Ok(Report {
         program: PROGRAM.into(),
         title: summary.case.clone(),
-        units: match units {
-            Some(units) => units.name().into(),
-            None => settings["units"].as_str().unwrap_or("si").into(),
-        },
-        message_units: settings["units"].as_str().unwrap_or("si").into(),
+        units: opening_units(units, Some(settings)),
+        message_units: opening_units(None, Some(settings)),
         dimensions: dimensions::all(),
         facts: facts::facts(summary),
         solved: summary.operations.iter().map(along).collect::<Result<_, ResultsError>>()?,

@@ -1,6 +1,6 @@
 //! The data of a figure as a table.
 
-use wholestring_results::{Column, Data, Table};
+use wholestring_results::{Column, Table};
 use wholestring_study::{Figure, FigureData};
 
 use super::{
@@ -19,17 +19,11 @@ pub(super) fn table(
     for curve in curves {
         points.extend(curve.points.iter().map(|(x, y)| (curve, *x, *y)));
     }
-    let text = |name: &str, of: &dyn Fn(&Curve) -> String| Column {
-        name: name.to_owned(),
-        unit: String::new(),
-        meaning: String::new(),
-        data: Data::Text(points.iter().map(|(curve, ..)| of(curve)).collect()),
+    let text = |name: &str, of: &dyn Fn(&Curve) -> String| {
+        Column::words(name, points.iter().map(|(curve, ..)| of(curve)).collect())
     };
-    let number = |name: &str, values: Vec<f64>| Column {
-        name: name.to_owned(),
-        unit: String::new(),
-        meaning: String::new(),
-        data: Data::Number(values.into_iter().map(Some).collect()),
+    let number = |name: &str, values: Vec<f64>| {
+        Column::numbers(name, values.into_iter().map(Some).collect())
     };
     let mut columns = vec![
         text("sweep", &|curve| sweeps[curve.series.0].clone()),

@@ -1,7 +1,7 @@
 //! A table of a study: as data, as Markdown, and for its page.
 
 use wholestring_report::{Grid, Head, Verdict};
-use wholestring_results::{Column, Data, Table};
+use wholestring_results::{Column, Table};
 use wholestring_study::{Row, Wanted};
 use wholestring_units::UnitSet;
 
@@ -20,8 +20,6 @@ pub(super) fn data(computed: &Computed<'_>, sweeps: &[String]) -> Table {
             numbers.filter_map(move |(series, number)| Some((row, series, (*number)?)))
         })
         .collect();
-    let text = |name: &str, texts: Vec<String>| column(name, Data::Text(texts));
-    let number = |name: &str, numbers: Vec<Option<f64>>| column(name, Data::Number(numbers));
     let each = |of: &dyn Fn(&Row) -> Option<f64>| cells.iter().map(|(row, ..)| of(row)).collect();
     let agrees = |(row, _, value): &(&Row, _, f64)| match agrees(row, *value) {
         Some(true) => "yes".to_owned(),
@@ -29,28 +27,24 @@ pub(super) fn data(computed: &Computed<'_>, sweeps: &[String]) -> Table {
         None => String::new(),
     };
     Table::new(vec![
-        text("label", cells.iter().map(|(row, ..)| row.label.clone()).collect()),
-        text("source", cells.iter().map(|(row, ..)| row.source.clone()).collect()),
-        text("sweep", cells.iter().map(|(_, of, _)| sweeps[of.0].clone()).collect()),
-        text("model", cells.iter().map(|(_, of, _)| of.1.name().to_owned()).collect()),
-        text("operation", cells.iter().map(|(_, of, _)| of.2.clone()).collect()),
-        text(
+        Column::words("label", cells.iter().map(|(row, ..)| row.label.clone()).collect()),
+        Column::words("source", cells.iter().map(|(row, ..)| row.source.clone()).collect()),
+        Column::words("sweep", cells.iter().map(|(_, of, _)| sweeps[of.0].clone()).collect()),
+        Column::words("model", cells.iter().map(|(_, of, _)| of.1.name().to_owned()).collect()),
+        Column::words("operation", cells.iter().map(|(_, of, _)| of.2.clone()).collect()),
+        Column::words(
             "unit",
             cells
                 .iter()
                 .map(|(row, ..)| row.dimension().map_or("", |of| of.si_symbol()).to_owned())
                 .collect(),
         ),
-        number("expected", each(&|row| row.wanted.expected)),
-        number("least", each(&|row| row.wanted.least)),
-        number("most", each(&|row| row.wanted.most)),
-        number("computed", cells.iter().map(|(.., value)| Some(*value)).collect()),
-        text("agrees", cells.iter().map(agrees).collect()),
+        Column::numbers("expected", each(&|row| row.wanted.expected)),
+        Column::numbers("least", each(&|row| row.wanted.least)),
+        Column::numbers("most", each(&|row| row.wanted.most)),
+        Column::numbers("computed", cells.iter().map(|(.., value)| Some(*value)).collect()),
+        Column::words("agrees", cells.iter().map(agrees).collect()),
     ])
-}
-
-fn column(name: &str, data: Data) -> Column {
-    Column { name: name.to_owned(), unit: String::new(), meaning: String::new(), data }
 }
 
 /// The table for people.

@@ -264,15 +264,8 @@ impl<'a> Batch<'a> {
     /// How it went; its results are in `place`.
     pub(crate) fn outcome(self, place: &Path) -> BatchOutcome {
         let endings = std::mem::take(&mut lock(&self.progress).endings);
-        let mut outcome = BatchOutcome {
-            folder: place.to_owned(),
-            all: self.mine.len(),
-            finished: 0,
-            failed: Vec::new(),
-            with_errors: Vec::new(),
-            cancelled: self.cancellation.is_cancelled(),
-            took: self.start.elapsed(),
-        };
+        let mut outcome =
+            BatchOutcome::begin(place, self.mine.len(), self.start, self.cancellation);
         for (point, ending) in self.points.iter().zip(&endings) {
             let Some(Ending { solved, why, .. }) = ending else {
                 continue;

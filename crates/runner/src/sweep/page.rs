@@ -7,7 +7,7 @@ use wholestring_results::{Column, Data, ResultsError, ResultsFolder, Summary, Ta
 use wholestring_units::UnitSet;
 
 use super::table::{FILE, SCALARS};
-use crate::page::{self, dimensions, facts};
+use crate::page::{self, facts};
 
 /// Whether a folder is one that a sweep wrote to.
 pub(crate) fn is_sweep(folder: &Path) -> bool {
@@ -95,15 +95,9 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, Res
     let others = facts(&last);
     common.retain(|fact| others.contains(fact));
     let settings = first.as_ref().map(|first| &first.settings);
+    let title = first.as_ref().map_or_else(|| "Sweep".into(), |first| first.case.clone());
     Ok(Sweep {
-        program: page::PROGRAM.into(),
-        title: first.as_ref().map_or_else(|| "Sweep".into(), |first| first.case.clone()),
-        units: match units {
-            Some(units) => units.name().into(),
-            None => settings.and_then(|settings| settings["units"].as_str()).unwrap_or("si").into(),
-        },
-        dimensions: dimensions::all(),
-        facts: common,
+        head: page::head(title, units, settings, common),
         keys: varied.iter().map(|column| column.name.clone()).collect(),
         rows,
     })

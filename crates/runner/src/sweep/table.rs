@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 use wholestring::{dynamics::DynamicOutcome, outcome};
-use wholestring_results::{Column, Data, Level, OperationSummary, Table};
+use wholestring_results::{Column, Level, OperationSummary, Table};
 
 /// Name of the file.
 pub const FILE: &str = "sweep.csv";
@@ -101,11 +101,8 @@ impl SweepTable {
     /// The table: varied keys, model and operation, scalars, statistics, where the window begins
     /// and what drifts in it, the lift, findings, how it ended, and where the rest of it lies.
     pub(crate) fn table(&self) -> Table {
-        let text = |name: &str, of: &dyn Fn(&Row) -> String| Column {
-            name: name.to_owned(),
-            unit: String::new(),
-            meaning: String::new(),
-            data: Data::Text(self.rows.iter().map(of).collect()),
+        let text = |name: &str, of: &dyn Fn(&Row) -> String| {
+            Column::words(name, self.rows.iter().map(of).collect())
         };
         let word = |name: &str| {
             text(name, &|row| {
@@ -113,11 +110,8 @@ impl SweepTable {
                 word.unwrap_or_default().to_owned()
             })
         };
-        let number = |name: String, of: &dyn Fn(&Row) -> Option<f64>| Column {
-            name,
-            unit: String::new(),
-            meaning: String::new(),
-            data: Data::Number(self.rows.iter().map(of).collect()),
+        let number = |name: String, of: &dyn Fn(&Row) -> Option<f64>| {
+            Column::numbers(name, self.rows.iter().map(of).collect())
         };
         let mut columns = Vec::new();
         for (i, key) in self.keys.iter().enumerate() {

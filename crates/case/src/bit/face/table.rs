@@ -1,7 +1,5 @@
 //! The keys of `[bit.face]`.
 
-use wholestring_units::Dimension;
-
 use wholestring_config::prelude::*;
 
 use crate::bit::kind::{CORE, INSERTS, PDC};

@@ -1,8 +1,6 @@
 //! Cutters and wear flats, for the laws of Detournay and Defourny's kind.
 
 use wholestring::dynamics::Cutters;
-use wholestring_units::{Dimension, number_text};
-
 use wholestring_config::prelude::*;
 
 use crate::bit::kind::{Kind, KindKeys};

@@ -1,8 +1,6 @@
 //! Detournay and Defourny's law.
 
 use wholestring::dynamics::{BitLaw, DetournayDefournyLaw};
-use wholestring_units::{Dimension, number_text};
-
 use wholestring_config::prelude::*;
 
 use super::{

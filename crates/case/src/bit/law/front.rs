@@ -1,8 +1,6 @@
 //! The rock front of the laws that know no more of the bottom than its depth.
 
 use wholestring::dynamics::{BitTable as Points, Excitation};
-use wholestring_units::Dimension;
-
 use wholestring_config::prelude::*;
 
 use crate::bit::excitation::ExcitationTable;

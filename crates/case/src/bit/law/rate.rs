@@ -1,8 +1,6 @@
 //! The rate law.
 
 use wholestring::dynamics::{BitLaw, RateLaw};
-use wholestring_units::Dimension;
-
 use wholestring_config::prelude::*;
 
 use super::{front::FrontKeys, law_keys::LawKeys};

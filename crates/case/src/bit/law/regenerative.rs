@@ -1,7 +1,6 @@
 //! The regenerative law.
 
 use wholestring::dynamics::{BitLaw, RegenerativeLaw};
-
 use wholestring_config::prelude::*;
 
 use super::{

@@ -4,7 +4,6 @@ use wholestring::{
     dynamics::{BitLaw, RockLaw},
     rock::BitShape,
 };
-
 use wholestring_config::prelude::*;
 
 use super::law_keys::LawKeys;

@@ -6,8 +6,6 @@ use wholestring::{
     dynamics::{BitLaw, BitSettings, TableLaw},
     operation::Operation,
 };
-use wholestring_units::number_text;
-
 use wholestring_config::prelude::*;
 
 use super::{front::FrontKeys, law_keys::LawKeys};
