@@ -210,6 +210,7 @@ impl DynamicsTable {
         let damping = self.damping.get()?;
         Some(DynamicsSettings {
             element_length: mesh.element_length()?,
+            mesh_refinement: mesh.refinement()?,
             duration_s: *self.duration.get()?,
             settle_s: self.settle.get()?.given().unwrap_or(0.0),
             steady: match *self.settle.get()? {

@@ -37,6 +37,12 @@ table! {
             },
             Accuracy::default(),
         ).used_with(&[AUTO]);
+        /// What every length is divided by, given or chosen by itself: for convergence studies, such
+        /// as `--vary mesh.refinement=1,2`. `run --converge` compares the case with twice of it.
+        refinement: u64 = default(
+            Count { from: 1, to: 16 },
+            u64::from(DynamicsSettings::default().mesh_refinement),
+        );
     }
 }
 
@@ -55,6 +61,11 @@ impl MeshTable {
             AutoOr::Auto => ElementLength::Auto(*self.accuracy.get()?),
             AutoOr::Given(length_m) => ElementLength::Uniform(length_m),
         })
+    }
+
+    /// What every length is divided by.
+    pub(crate) fn refinement(&self) -> Option<u32> {
+        u32::try_from(*self.refinement.get()?).ok()
     }
 
     /// Warns of an accuracy beside a length that is given.

@@ -98,6 +98,11 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "TIME", value_parser = interval)]
     pub(crate) checkpoint: Option<Duration>,
 
+    /// Run the case again with every element halved, in the folder `halved` beside its results, and
+    /// print what that changes
+    #[arg(long, conflicts_with_all = ["resume", "json"])]
+    pub(crate) converge: bool,
+
     /// Threads that work on solid rock under the bit; the answer is the same
     /// [default: one per core]
     #[arg(short, long, value_name = "N")]

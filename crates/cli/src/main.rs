@@ -8,6 +8,7 @@ mod check;
 mod color;
 mod comparison;
 mod conclusion;
+mod convergence;
 mod failure;
 mod findings;
 mod input;

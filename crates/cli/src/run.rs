@@ -9,12 +9,15 @@ use wholestring_runner::{
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
-    args::RunArgs, color::screen_color, comparison, failure::Failure, findings, input::load,
-    interrupt, progress::RunScreen, terminal::print_stdout,
+    args::RunArgs, color::screen_color, comparison, convergence, failure::Failure, findings,
+    input::load, interrupt, progress::RunScreen, terminal::print_stdout,
 };
 
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let case = load(&args.case, args.quiet)?;
+    if args.converge {
+        convergence::check(&case)?;
+    }
     let units = args.units.unwrap_or(case.units);
     let request = Request {
         case: &case,
@@ -35,10 +38,11 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         show(&case, &outcome, units)?;
     }
     match outcome.stopped.take() {
-        Some(stop) => Err(stopped(stop, &outcome)),
-        None if args.strict => refuse(&outcome.summary),
-        None => Ok(()),
+        Some(stop) => return Err(stopped(stop, &outcome)),
+        None if args.converge => convergence::halve(args, &case, &outcome, units)?,
+        None => {}
     }
+    if args.strict { refuse(&outcome.summary) } else { Ok(()) }
 }
 
 /// Prints the table and what is to be known about it.
@@ -77,7 +81,7 @@ fn subtitle(case: &Case, summary: &Summary, units: UnitSet) -> String {
 }
 
 /// Why the run did not come to its end, and where what it computed lies.
-fn stopped(stop: Stop, outcome: &Outcome) -> Failure {
+pub(crate) fn stopped(stop: Stop, outcome: &Outcome) -> Failure {
     let place = outcome.folder.display();
     match stop {
         Stop::Interrupted => {

@@ -9,7 +9,13 @@ use crate::{auto::AUTO, records::Records};
 pub(super) fn run(dynamics: &DynamicsSettings, checkpoint_interval_s: Option<f64>) -> Fields {
     let fields = Fields::of(dynamics)
         // These stand in tables of their own.
-        .without(["element_length", "hoist_control", "autodriller", "hoist_line"])
+        .without([
+            "element_length",
+            "mesh_refinement",
+            "hoist_control",
+            "autodriller",
+            "hoist_line",
+        ])
         .without(["lift_tolerance", "top_drive", "schedule", "bit", "probes"])
         .without(["steady"])
         .spread("centred", "start_")
@@ -34,11 +40,15 @@ pub(super) fn run(dynamics: &DynamicsSettings, checkpoint_interval_s: Option<f64
 
 /// `mesh` in the record of a run.
 pub(super) fn mesh(dynamics: &DynamicsSettings) -> Fields {
-    match dynamics.element_length {
+    let fields = match dynamics.element_length {
         ElementLength::Uniform(length_m) => Fields::empty().with("element_length_m", length_m),
         ElementLength::Auto(accuracy) => {
             Fields::empty().with("element_length_m", AUTO).with("accuracy", word(&accuracy))
         }
+    };
+    match dynamics.mesh_refinement {
+        1 => fields,
+        refinement => fields.with("refinement", refinement),
     }
 }
 

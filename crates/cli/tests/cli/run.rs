@@ -5,7 +5,7 @@ use std::{collections::BTreeSet, f64::consts::PI, fs};
 use crate::desk::{Desk, masked, transcript};
 use insta::assert_snapshot;
 use wholestring::outcome::ModelKind;
-use wholestring_results::{Status, Table};
+use wholestring_results::{Status, Summary, Table};
 
 /// The soft string alone, which is quick.
 pub(crate) const SOFT: [&str; 2] = ["--set", "model=soft"];
@@ -155,4 +155,41 @@ fn quiet_prints_nothing() {
     let desk = Desk::new();
     let output = desk.done(&[&["run", "slant.toml", "--quiet"], &SOFT[..]].concat());
     assert!(output.stdout.is_empty() && output.stderr.is_empty());
+}
+
+/// The case and the case with twice the elements, each in its folder, and what differs: a straight
+/// string's weight does not.
+#[test]
+fn converge_halves_every_element() {
+    let desk = Desk::new();
+    let case = ["run", "slant.toml", "--converge", "-o", "both", "--set", "dynamics.duration=1s"];
+    let printed = transcript(&desk.done(&case));
+    let [given, halved] = ["both", "both/halved"].map(|folder| desk.summary(folder));
+    let elements = |of: &Summary| of.operations[1].numerics.as_ref().unwrap().run.elements;
+    // 600 m in elements of 3.2 m leave half of one.
+    assert!(elements(&halved).abs_diff(2 * elements(&given)) <= 1);
+    assert_eq!(given.settings["mesh"]["refinement"], serde_json::Value::Null);
+    assert_eq!(halved.settings["mesh"]["refinement"], 2);
+    let expected =
+        format!("trip_out: {} elements as given, {} halved", elements(&given), elements(&halved));
+    assert!(printed.contains(&expected), "{printed}");
+    let hook_load = printed.lines().filter(|line| line.starts_with("Hook load"));
+    let changes: Vec<f64> = hook_load
+        .skip(1)
+        .map(|line| {
+            let change = line.split(" %").next().unwrap().split_whitespace().last().unwrap();
+            change.parse().unwrap_or_else(|_| panic!("{line}"))
+        })
+        .collect();
+    assert_eq!(changes.len(), 2, "{printed}");
+    assert!(changes.iter().all(|percent: &f64| percent.abs() < 0.1), "{printed}");
+    assert!(printed.ends_with("Results with halved elements in both/halved\n"), "{printed}");
+}
+
+#[test]
+fn converge_requires_elements() {
+    let desk = Desk::new();
+    let output = desk.run(&[&["run", "slant.toml", "--converge"], &SOFT[..]].concat());
+    assert_snapshot!(transcript(&output));
+    assert!(!desk.path("out").exists());
 }

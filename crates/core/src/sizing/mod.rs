@@ -83,6 +83,15 @@ impl Sizing {
         Self { intervals: vec![SizedInterval { from_bit_m: 0.0, element_length_m, reason }] }
     }
 
+    /// The same with every length divided by `refinement`: for convergence studies.
+    #[must_use]
+    pub fn refined(mut self, refinement: u32) -> Self {
+        for one in &mut self.intervals {
+            one.element_length_m /= f64::from(refinement.max(1));
+        }
+        self
+    }
+
     /// The intervals, from the bit up.
     pub fn intervals(&self) -> &[SizedInterval] {
         &self.intervals

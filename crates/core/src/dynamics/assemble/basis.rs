@@ -166,7 +166,8 @@ fn mesh_and_plan(
     operation: &Operation,
     settings: &DynamicsSettings,
 ) -> Result<(Mesh, Settling, StepPlan), SoftError> {
-    let mesh = Mesh::new(&model.string, &sizing(model, operation, settings)?);
+    let sizing = sizing(model, operation, settings)?.refined(settings.mesh_refinement);
+    let mesh = Mesh::new(&model.string, &sizing);
     let settling = Settling::of(operation, settings, &mesh);
     let bit_md_m = first_bit_md_m(operation, settings, &settling);
     let lateral = chain::lateral_mass_kg_per_m(model, &mesh, bit_md_m);

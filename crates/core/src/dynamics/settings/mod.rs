@@ -238,6 +238,8 @@ pub struct DynamicsSettings {
     /// Length of the elements. A node stands on tool joints and stabilisers; between them the
     /// elements are as near to this as whole numbers allow, rather longer than shorter.
     pub element_length: ElementLength,
+    /// What every length is divided by, given or chosen: 1, and more for convergence studies.
+    pub mesh_refinement: u32,
     /// Length of the window that the statistics cover, s.
     pub duration_s: f64,
     /// Simulated time before that window, s; at least, where it is to be steady.
@@ -325,6 +327,7 @@ impl Default for DynamicsSettings {
     fn default() -> Self {
         Self {
             element_length: ElementLength::Uniform(3.2),
+            mesh_refinement: 1,
             duration_s: 60.0,
             settle_s: 20.0,
             steady: None,

@@ -1,0 +1,148 @@
+//! `wholestring run --converge`: what an answer changes by when every element is halved.
+
+use wholestring::outcome::ModelKind;
+use wholestring_case::{Case, Override};
+use wholestring_results::{OperationSummary, Summary};
+use wholestring_runner::{
+    ComparedColumn, Comparison, Output,
+    run::{self, Outcome, Request},
+};
+use wholestring_units::UnitSet;
+
+use crate::{
+    args::{CaseArgs, RunArgs},
+    failure::Failure,
+    input::load,
+    interrupt,
+    progress::RunScreen,
+    run::stopped,
+    screen_table::Table,
+    terminal::print_stdout,
+};
+
+/// Folder of the finer run, in that of the run.
+const HALVED: &str = "halved";
+
+/// Refuses a case that has no elements to halve.
+pub(crate) fn check(case: &Case) -> Result<(), Failure> {
+    if ModelKind::any_in_time(&case.models) {
+        return Ok(());
+    }
+    Err(Failure::BadInput(
+        "error: --converge halves elements, and no model of the case has any: `model` is \"soft\""
+            .to_owned(),
+    ))
+}
+
+/// Runs a case again, of which `given` is the answer, with every element halved, and prints both
+/// side by side.
+pub(crate) fn halve(
+    args: &RunArgs,
+    case: &Case,
+    given: &Outcome,
+    units: UnitSet,
+) -> Result<(), Failure> {
+    let refinement: Override = format!("mesh.refinement={}", 2 * case.dynamics.mesh_refinement)
+        .parse()
+        .expect("a key and its value");
+    let mut overrides = args.case.overrides.clone();
+    overrides.push(refinement);
+    let finer = load(&CaseArgs { case: args.case.case.clone(), overrides }, true)?;
+    let output = Output { folder: Some(given.folder.join(HALVED)), ..args.output() };
+    let request = Request {
+        output,
+        units: Some(units),
+        jobs: args.jobs,
+        checkpoint_every: args.checkpoint,
+        csv: args.csv,
+        ..Request::new(&finer)
+    };
+    let screen = RunScreen::new(args.quiet, true);
+    let mut halved = run::run(&request, &screen, &interrupt::listen())?;
+    if let Some(stop) = halved.stopped.take() {
+        return Err(stopped(stop, &halved));
+    }
+    if args.quiet {
+        return Ok(());
+    }
+    print_stdout(&format!(
+        "{}Results with halved elements in {}\n",
+        tables(&given.summary, &halved.summary, units),
+        halved.folder.display()
+    ))
+}
+
+/// A table for each operation that has elements.
+fn tables(given: &Summary, halved: &Summary, units: UnitSet) -> String {
+    let [one, two] = [given, halved].map(|summary| Comparison::of(summary, units));
+    let operations = given.operations.iter().zip(&halved.operations);
+    let columns = one.columns.iter().zip(&two.columns);
+    let mut text = String::new();
+    for ((given, halved), (before, after)) in operations.zip(columns) {
+        let [Some(coarse), Some(fine)] = [given, halved].map(elements) else {
+            continue;
+        };
+        let title = format!("{}: {coarse} elements as given, {fine} halved", given.operation);
+        text += &table(&title, &one, before, after);
+        text.push('\n');
+    }
+    text
+}
+
+fn elements(operation: &OperationSummary) -> Option<usize> {
+    Some(operation.numerics.as_ref()?.run.elements)
+}
+
+fn table(
+    title: &str,
+    rows: &Comparison<'_>,
+    given: &ComparedColumn<'_>,
+    halved: &ComparedColumn<'_>,
+) -> String {
+    let headings = ["", "", "as given", "halved", "change", "std as given", "std halved"];
+    let mut table = Table::new(title, 2, &headings);
+    for (index, row) in rows.rows.iter().enumerate() {
+        let (Some(before), Some(after)) = (given.values[index], halved.values[index]) else {
+            continue;
+        };
+        let number = |value: f64| format!("{value:.0$}", row.decimals);
+        let std = |column: &ComparedColumn<'_>| {
+            let deviation = column.deviations.as_ref().and_then(|of| of[index]);
+            deviation.map_or_else(String::new, |of| format!("{:.1$}", of.std, row.decimals + 1))
+        };
+        table.row(vec![
+            row.label.to_owned(),
+            row.symbol.to_owned(),
+            number(before),
+            number(after),
+            change(before, after, row.decimals),
+            std(given),
+            std(halved),
+        ]);
+    }
+    table.text()
+}
+
+/// A change in percent of what was; of what shows as zero, none.
+fn change(before: f64, after: f64, decimals: usize) -> String {
+    let least = 0.5 * 0.1_f64.powi(decimals as i32);
+    if before.abs() < least {
+        String::new()
+    } else {
+        format!("{:+.2} %", 100.0 * (after - before) / before.abs())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_change_is_of_what_was() {
+        assert_eq!(change(200.0, 201.0, 1), "+0.50 %");
+        assert_eq!(change(-200.0, -201.0, 1), "-0.50 %");
+        assert_eq!(change(3.0, 3.0, 1), "+0.00 %");
+        assert_eq!(change(0.0, 1.0, 1), "");
+        assert_eq!(change(0.0004, -0.0004, 3), "");
+    }
+}
