@@ -1,6 +1,7 @@
 //! Chores of the repository: `cargo xtask test` runs everything that CI runs, `cargo xtask verify`
 //! the tests that take minutes too, `cargo xtask changes` tries the examples of changes, `cargo
-//! xtask fuzz` reads damaged inputs for as long as is asked.
+//! xtask fuzz` reads damaged inputs for as long as is asked, `cargo xtask peers` measures other
+//! programs beside this one.
 
 mod changes;
 mod command;
@@ -9,6 +10,7 @@ mod cycles;
 mod finding;
 mod folders;
 mod page;
+mod peers;
 mod python;
 mod verification;
 
@@ -35,7 +37,10 @@ usage: cargo xtask test      run everything that CI runs
        table of them
        cargo xtask fuzz [SECONDS | --inputs N] [--seed S] [READER...]
                              read damaged inputs with every reader, for an hour where nothing is \
-                             said";
+                             said
+       cargo xtask peers [--write]
+                             measure other programs beside this one; write the tables into the \
+       book";
 
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
 
@@ -72,6 +77,8 @@ fn main() -> ExitCode {
             exit_code(changes::try_out(Some(name), true))
         }
         ["changes", "--record", name] => exit_code(changes::record(name)),
+        ["peers"] => exit_code(peers::side_by_side(false)),
+        ["peers", "--write"] => exit_code(peers::side_by_side(true)),
         ["fuzz"] => exit_code(fuzz(&["3600"])),
         ["fuzz", ref fuzz_options @ ..] => exit_code(fuzz(fuzz_options)),
         ["--help" | "-h"] => {

@@ -1,6 +1,10 @@
-//! The Python example, run on the results of a small case.
+//! Python: an interpreter that is new enough, virtual environments, and the example, run on the
+//! results of a small case.
 
-use std::{path::PathBuf, process::Command};
+use std::{
+    path::{Path, PathBuf},
+    process::Command,
+};
 
 use crate::{
     command::{Failure, cargo, run, succeeds},
@@ -13,10 +17,11 @@ const OLDEST: &str = "3.9";
 const LIBRARY: &str = "polars>=1.0,<2";
 
 pub(crate) fn example() -> Result<Finding, Failure> {
-    let Some(python) = python() else {
+    let Some(python) = python(OLDEST) else {
         return Ok(Finding::Skipped(format!("there is no Python {OLDEST} or newer here")));
     };
-    let Some(python) = with_library(python) else {
+    let inside = environment(python, &target().join("python"), "import polars", &[LIBRARY]);
+    let Some(python) = inside else {
         return Ok(Finding::Skipped(format!(
             "`{LIBRARY}` cannot be installed in a virtual environment here"
         )));
@@ -37,9 +42,9 @@ pub(crate) fn example() -> Result<Finding, Failure> {
     Ok(Finding::Done)
 }
 
-/// A Python that is new enough.
-fn python() -> Option<Command> {
-    let check = format!("import sys; sys.exit(sys.version_info < ({}))", OLDEST.replace('.', ", "));
+/// A Python that is as new as `oldest`, such as 3.9.
+pub(crate) fn python(oldest: &str) -> Option<Command> {
+    let check = format!("import sys; sys.exit(sys.version_info < ({}))", oldest.replace('.', ", "));
     [&["python3"][..], &["python"], &["py", "-3"]]
         .into_iter()
         .map(|words| {
@@ -56,16 +61,23 @@ fn python() -> Option<Command> {
         })
 }
 
-/// The Python of a virtual environment that has the library; made once and kept.
-fn with_library(mut python: Command) -> Option<PathBuf> {
-    let environment = target().join("python");
-    let inside = environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
-    let has_library = || succeeds(Command::new(&inside).args(["-c", "import polars"]));
-    if !has_library() {
-        succeeds(python.args(["-m", "venv"]).arg(&environment));
-        succeeds(Command::new(&inside).args(["-m", "pip", "install", "--quiet", LIBRARY]));
+/// The Python of a virtual environment in which `check` runs, with what `pip install` is told to
+/// install; made once and kept.
+pub(crate) fn environment(
+    mut python: Command,
+    folder: &Path,
+    check: &str,
+    install: &[&str],
+) -> Option<PathBuf> {
+    let inside = folder.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
+    let is_complete = || succeeds(Command::new(&inside).current_dir(root()).args(["-c", check]));
+    if !is_complete() {
+        succeeds(python.args(["-m", "venv"]).arg(folder));
+        let mut pip = Command::new(&inside);
+        pip.current_dir(root()).args(["-m", "pip", "install", "--quiet"]).args(install);
+        succeeds(&mut pip);
     }
-    has_library().then_some(inside)
+    is_complete().then_some(inside)
 }
 
 fn copy(command: &Command) -> Command {
