@@ -3,11 +3,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{block_sample::BlockSample, lane::Lane};
 use crate::{
     damage::{Damaged, ensure},
     dynamics::output::statistic::percentile,
-    simd::lanes::DOUBLES,
+    simd::{lanes::DOUBLES, number::Doubles},
 };
 
 /// What is kept of every node.
@@ -60,20 +59,14 @@ pub struct Reservoir {
 pub struct ReservoirRow<'a>([&'a mut [f32]; QUANTITIES]);
 
 impl ReservoirRow<'_> {
-    /// Puts the values of a block.
+    /// Puts the values of a block's lanes from `lane` on, one number a quantity.
     #[inline(always)]
-    pub fn put(&mut self, block: usize, sample: &BlockSample) {
-        // By the side on which the node lies, as the sums count it; what does not touch is +0.
-        let side: Lane = std::array::from_fn(|lane| {
-            let normal = sample.normal[lane];
-            if sample.up[lane] < 0.0 { 0.0 - normal } else { normal }
-        });
-        let values = [&sample.tension, &sample.torque, &side, &sample.bending];
+    pub fn put<N: Doubles>(&mut self, block: usize, lane: usize, values: [N; QUANTITIES]) {
+        let from = block * DOUBLES + lane;
         for (row, values) in self.0.iter_mut().zip(values) {
-            let lanes = &mut row[block * DOUBLES..(block + 1) * DOUBLES];
-            for lane in 0..DOUBLES {
-                lanes[lane] = values[lane] as f32;
-            }
+            let kept = &mut row[from..from + N::WIDTH];
+            // SAFETY: there is room for so many numbers.
+            unsafe { values.narrow(kept.as_mut_ptr()) };
         }
     }
 }
