@@ -25,6 +25,7 @@ pub use blocks::{ElementBlock, NO_WALL_M, NodeBlock, StateBlock};
 pub(crate) use numbers::{element, node, number};
 use rows::CopyLane;
 pub use rows::{Row, Rows};
+pub use upkeep::Motions;
 
 /// The whole chain.
 #[derive(Debug, Clone, Serialize, Deserialize)]

@@ -25,6 +25,16 @@ impl<R: Real> Chain<R> {
         with_fastest_instruction_set!(find_drag(self, R::from_f64(dt)))
     }
 
+    /// Axial velocity, m/s, and spin, rad/s, of each node, from the top down.
+    pub fn motions(&self) -> Motions {
+        let nodes = vec![0.0; R::LANES * self.lane_layout.rows()];
+        let mut motions = Motions { axial_m_per_s: nodes.clone(), spin_rad_per_s: nodes };
+        with_fastest_instruction_set!(motions(self, &mut motions));
+        motions.axial_m_per_s.truncate(self.nodes);
+        motions.spin_rad_per_s.truncate(self.nodes);
+        motions
+    }
+
     /// The upper pieces in whose elements the effective tension was more than `min_N` at the last
     /// step.
     pub fn lanes_above_N(&self, min_N: f64) -> usize {
@@ -75,6 +85,15 @@ impl<R: Real> Chain<R> {
     }
 }
 
+/// How the nodes move along the hole and about its axis, from the top down.
+#[derive(Debug, Clone)]
+pub struct Motions {
+    /// Velocity along the hole, m/s.
+    pub axial_m_per_s: Vec<f64>,
+    /// Spin, rad/s.
+    pub spin_rad_per_s: Vec<f64>,
+}
+
 macro_rules! compiled_for {
     ($set:ident, $number:ident, $fused:expr $(, $features:literal)?) => {
         mod $set {
@@ -89,6 +108,11 @@ macro_rules! compiled_for {
             $(#[target_feature(enable = $features)])?
             pub(super) fn find_drag<R: Real>(chain: &mut Chain<R>, dt: R) {
                 super::find_drag(chain, dt);
+            }
+
+            $(#[target_feature(enable = $features)])?
+            pub(super) fn motions<R: Real>(chain: &Chain<R>, motions: &mut Motions) {
+                super::motions::<R, Lanes>(chain, motions);
             }
 
             $(#[target_feature(enable = $features)])?
@@ -147,6 +171,31 @@ fn find_drag<R: Real>(chain: &mut Chain<R>, dt: R) {
             // At most half: explicit drag must not turn the velocity round.
             node.slowed.0[lane] = Number::min(slowed, half);
         }
+    }
+}
+
+#[inline(always)]
+fn motions<R: Real, N: Doubles>(chain: &Chain<R>, motions: &mut Motions) {
+    let rows = chain.lane_layout.rows();
+    let Motions { axial_m_per_s, spin_rad_per_s } = motions;
+    for (row, (node, state)) in chain.node_blocks.iter().zip(&chain.states).enumerate() {
+        for lane in (0..R::LANES).step_by(N::WIDTH) {
+            let along = doubles::<R, N>(&node.tangent, lane).dot(doubles(&state.v, lane));
+            spread(axial_m_per_s, lane * rows + row, rows, along);
+            spread(spin_rad_per_s, lane * rows + row, rows, part::<R, N>(&state.spin, lane));
+        }
+    }
+}
+
+/// Puts the numbers of lanes where each piece of the chain has its node.
+#[inline(always)]
+fn spread<N: Doubles>(into: &mut [f64], first: usize, rows: usize, numbers: N) {
+    let mut lanes = [0.0; SINGLES];
+    assert!(N::WIDTH <= SINGLES);
+    // SAFETY: there is room for so many numbers.
+    unsafe { numbers.store(lanes.as_mut_ptr()) };
+    for (at, number) in into[first..].iter_mut().step_by(rows).zip(&lanes[..N::WIDTH]) {
+        *at = *number;
     }
 }
 
