@@ -42,9 +42,8 @@ impl<R: Real> Scene<'_, R> {
         let last = chain.nodes() - 1;
         let mut frame = Frame { time_s: self.time_s, ..Frame::default() };
         let bent = BentNode::all(self.body, chain);
-        let source = self.source(&bent);
-        for i in 0..=last {
-            let view = View { scene: self, node: i, sample: LazyCell::new(|| source.node(i)) };
+        for (i, sample) in self.source(&bent).nodes().into_iter().enumerate() {
+            let view = View { scene: self, node: i, sample: LazyCell::new(|| sample) };
             let anchor = &self.anchors[i];
             let (tangent, high, right) = view.directions();
             let moved = chain.displacement(i);
@@ -57,9 +56,8 @@ impl<R: Real> Scene<'_, R> {
             frame.tvd_m.push(anchor.position_m.z + moved.2);
             frame.tilt_high_rad.push(tilt.dot(high));
             frame.tilt_right_rad.push(tilt.dot(right));
-            let [axial_N, torque_N_m] = view.sample.friction;
-            frame.axial_friction_N.push(-axial_N);
-            frame.friction_torque_N_m.push(torque_N_m);
+            frame.axial_friction_N.push(-sample.axial);
+            frame.friction_torque_N_m.push(sample.friction_torque);
             for (signal, values) in [
                 (NodeSignal::OffsetHigh, &mut frame.offset_high_m),
                 (NodeSignal::OffsetRight, &mut frame.offset_right_m),
@@ -118,12 +116,12 @@ impl<R: Real, F: FnOnce() -> NodeSample> View<'_, R, F> {
         match signal {
             NodeSignal::Tension => self.at_ends(|i| element!(chain, i, tension)),
             NodeSignal::Torque => self.at_ends(|i| -element!(chain, i, torque)),
-            NodeSignal::BendingMoment => sample.bearing.bending,
-            NodeSignal::VonMisesStress => sample.bearing.stress,
-            NodeSignal::ContactForce if sample.direction.up < 0.0 => -sample.normal,
+            NodeSignal::BendingMoment => sample.bending,
+            NodeSignal::VonMisesStress => sample.stress,
+            NodeSignal::ContactForce if sample.up < 0.0 => -sample.normal,
             NodeSignal::ContactForce => sample.normal,
-            NodeSignal::OffsetHigh => sample.place.offset * sample.direction.up,
-            NodeSignal::OffsetRight => sample.place.offset * sample.direction.right,
+            NodeSignal::OffsetHigh => sample.offset * sample.up,
+            NodeSignal::OffsetRight => sample.offset * sample.right,
             NodeSignal::VelocityHigh => velocity.dot(high),
             NodeSignal::VelocityRight => velocity.dot(right),
             NodeSignal::AxialVelocity => velocity.dot(tangent),

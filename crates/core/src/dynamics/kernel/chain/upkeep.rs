@@ -58,13 +58,7 @@ impl<R: Real> Chain<R> {
     /// Adds the work that friction has done at each node since the last sample to that node's, from
     /// the top down, J; all of it, J.
     pub fn take_up_wear(&self, each_J: &mut [f64]) -> f64 {
-        // Most rows lie between the joints and touch nothing: nothing is added of them.
-        let rubbed: Vec<usize> = (0..self.node_blocks.len())
-            .filter(|row| {
-                let works = self.node_blocks[*row].sum_wear.0.as_ref();
-                works.iter().fold(false, |any, work| any | (*work != R::default()))
-            })
-            .collect();
+        let rubbed = with_fastest_instruction_set!(rubbed(self));
         let (mut all, nodes) = (0.0, self.nodes.min(each_J.len()));
         let rows = self.lane_layout.rows();
         for lane in 0..R::LANES {
@@ -118,6 +112,11 @@ macro_rules! compiled_for {
             $(#[target_feature(enable = $features)])?
             pub(super) fn above_N<R: Real>(chain: &Chain<R>, least: R) -> [bool; SINGLES] {
                 super::above_N(chain, least)
+            }
+
+            $(#[target_feature(enable = $features)])?
+            pub(super) fn rubbed<R: Real>(chain: &Chain<R>) -> Vec<usize> {
+                super::rubbed(chain)
             }
 
             $(#[target_feature(enable = $features)])?
@@ -208,6 +207,23 @@ fn above_N<R: Real>(chain: &Chain<R>, least: R) -> [bool; SINGLES] {
         }
     }
     above
+}
+
+/// Rows in which friction has worked. Most lie between the joints and touch nothing: nothing is
+/// added of them.
+#[inline(always)]
+fn rubbed<R: Real>(chain: &Chain<R>) -> Vec<usize> {
+    let mut rubbed = Vec::with_capacity(chain.node_blocks.len());
+    for (row, node) in chain.node_blocks.iter().enumerate() {
+        let mut any = false;
+        for lane in 0..R::LANES {
+            any |= node.sum_wear.0[lane] != R::default();
+        }
+        if any {
+            rubbed.push(row);
+        }
+    }
+    rubbed
 }
 
 #[inline(always)]

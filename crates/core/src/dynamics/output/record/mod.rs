@@ -332,8 +332,11 @@ impl Record {
             coherence: over(moment * moment, offset_square * speed_square),
         }
     }
-    /// 5th, 50th and 95th percentile of a quantity at a node, or of its element below.
-    pub fn percentiles(&self, quantity: Quantity, index: usize) -> [f64; 3] {
-        self.reservoir.percentiles(quantity, self.layout.place(index))
+    /// 5th, 50th and 95th percentile of a quantity at each node, or of its element below, from the
+    /// top down.
+    pub fn percentiles(&self, quantity: Quantity) -> Vec<[f64; 3]> {
+        let places = self.reservoir.percentiles(quantity);
+        let nodes = self.squeezed_m.len() + 1;
+        self.layout.places().take(nodes).map(|(block, lane)| places[block][lane]).collect()
     }
 }

@@ -2,7 +2,7 @@
 //! for the record.
 
 use super::{
-    lane::{Lane, at, at3},
+    lane::{Lane, at, at3, put},
     strength::{Metal, Strength},
 };
 use crate::{
@@ -14,6 +14,8 @@ use crate::{
         },
     },
     simd::{
+        apart::Apart,
+        dispatch::{for_each_instruction_set, with_fastest_instruction_set},
         lanes::DOUBLES,
         number::{Doubles, Real},
         vector::Vector,
@@ -100,32 +102,81 @@ pub struct Bearing<N> {
 }
 
 /// A single node, and the element below it.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct NodeSample {
     /// Contact force, N.
     pub normal: f64,
-    /// Axial friction on the wall, N, along the hole, and friction torque, N·m.
-    pub friction: [f64; 2],
-    /// How it lies in the hole.
-    pub place: Place<f64>,
-    /// Where it lies around the hole's axis.
-    pub direction: Direction<f64>,
-    /// What the string carries there.
-    pub bearing: Bearing<f64>,
+    /// Axial friction on the wall, N, along the hole.
+    pub axial: f64,
+    /// Friction torque, N·m.
+    pub friction_torque: f64,
+    /// Distance from the hole's axis, m.
+    pub offset: f64,
+    /// Cosine of the direction of the offset with the high side.
+    pub up: f64,
+    /// Cosine of the direction of the offset with the right side, looking down the hole.
+    pub right: f64,
+    /// Bending moment, N·m.
+    pub bending: f64,
+    /// Von Mises stress of the weakest body around, Pa.
+    pub stress: f64,
 }
 
 impl<R: Real> Source<'_, R> {
     /// A single node.
     pub fn node(&self, index: usize) -> NodeSample {
         let (block, lane) = self.chain.layout().place(index);
-        let place = self.place(block, lane);
-        NodeSample {
-            normal: self.normal(block, lane),
-            friction: self.friction(block, lane),
-            direction: self.direction(&place, block, lane),
-            bearing: self.bearing(block, lane),
-            place,
+        let [normal, axial, friction_torque, offset, up, right, bending, stress] =
+            self.shown::<f64>(block, lane);
+        NodeSample { normal, axial, friction_torque, offset, up, right, bending, stress }
+    }
+
+    /// All nodes, from the top down, by the widest instructions that the processor has.
+    pub fn nodes(&self) -> Vec<NodeSample> {
+        with_fastest_instruction_set!(nodes(self))
+    }
+
+    #[inline(always)]
+    fn nodes_in<N: Doubles>(&self) -> Vec<NodeSample> {
+        let mut samples = vec![NodeSample::default(); self.chain.nodes()];
+        for block in 0..self.chain.layout().blocks() {
+            let (row, part) = Layout::row_of::<R>(block);
+            let mut lanes = [[0.0; DOUBLES]; 8];
+            for lane in (0..DOUBLES).step_by(N::WIDTH) {
+                for (lanes, shown) in lanes.iter_mut().zip(self.shown::<N>(block, lane)) {
+                    put(lanes, lane, shown);
+                }
+            }
+            for lane in 0..DOUBLES {
+                let index = self.chain.index(row, part * DOUBLES + lane);
+                if let Some(sample) = samples.get_mut(index) {
+                    let [normal, axial, friction_torque, offset, up, right, bending, stress] =
+                        lanes.map(|numbers| numbers[lane]);
+                    *sample = NodeSample {
+                        normal,
+                        axial,
+                        friction_torque,
+                        offset,
+                        up,
+                        right,
+                        bending,
+                        stress,
+                    };
+                }
+            }
         }
+        samples
+    }
+
+    /// The numbers of [`NodeSample`]s.
+    #[inline(always)]
+    fn shown<N: Doubles>(&self, block: usize, lane: usize) -> [N; 8] {
+        let place = self.place(block, lane);
+        let [axial, friction_torque] = self.friction(block, lane);
+        let Direction { up, right } = self.direction(&place, block, lane);
+        let Bearing { bending, stress, .. } = self.bearing(block, lane);
+        let normal = self.normal(block, lane);
+        [normal, axial, friction_torque, place.offset, up, right, bending, stress]
     }
 
     /// Contact force, N, averaged over the steps since the last sample.
@@ -249,6 +300,20 @@ impl<R: Real> Source<'_, R> {
     }
 }
 
+macro_rules! compiled_for {
+    ($set:ident, $number:ident, $fused:expr $(, $features:literal)?) => {
+        mod $set {
+            use super::*;
+
+            $(#[target_feature(enable = $features)])?
+            pub(super) fn nodes<R: Real>(source: &Source<'_, R>) -> Vec<NodeSample> {
+                source.nodes_in::<Apart<crate::simd::dispatch::$number<f64>>>()
+            }
+        }
+    };
+}
+for_each_instruction_set!(compiled_for);
+
 /// Vectors of which one is another.
 #[cold]
 #[inline(always)]
@@ -256,7 +321,7 @@ fn replaced<N: Doubles>(vectors: Vector<N>, index: usize, other: [f64; 3]) -> Ve
     let Vector(x, y, z) = vectors;
     let [x, y, z] = [(x, other[0]), (y, other[1]), (z, other[2])].map(|(numbers, number)| {
         let mut lanes: Lane = [0.0; DOUBLES];
-        super::lane::put(&mut lanes, 0, numbers);
+        put(&mut lanes, 0, numbers);
         lanes[index] = number;
         at(&lanes, 0)
     });

@@ -117,9 +117,9 @@ impl Strength {
 
     /// Presses the bodies by what the pressure inside has over that outside at each node, Pa.
     pub fn press(&mut self, difference_Pa: impl Fn(usize) -> f64) {
-        for index in 0..self.yield_Pa.len() {
-            let (block, lane) = self.layout.place(index);
-            self.blocks[block].burst_square[lane] = difference_Pa(index).powi(2);
+        for (index, (block, lane)) in self.layout.places().take(self.yield_Pa.len()).enumerate() {
+            let difference_Pa = difference_Pa(index);
+            self.blocks[block].burst_square[lane] = difference_Pa * difference_Pa;
         }
     }
 
