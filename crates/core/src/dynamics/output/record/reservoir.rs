@@ -168,14 +168,16 @@ impl Reservoir {
         if self.rows == 0 {
             return places;
         }
-        // The samples of a place lie far apart: those of a block are read together.
+        // The samples of a place lie far apart: those of a block are read together, as many rows
+        // at a time as fill a line of the cache.
         let mut samples = vec![0; DOUBLES * self.rows];
         for (block, places) in places.iter_mut().enumerate() {
-            for (row, values) in values.chunks_exact(self.width).enumerate() {
-                let lanes = &values[block * DOUBLES..(block + 1) * DOUBLES];
-                for (lane, value) in lanes.iter().enumerate() {
-                    let value = if magnitude { value.abs() } else { *value };
-                    samples[lane * self.rows + row] = ordinal(value);
+            for (first, rows) in (0..).step_by(DOUBLES).zip(values.chunks(DOUBLES * self.width)) {
+                for (lane, samples) in samples.chunks_exact_mut(self.rows).enumerate() {
+                    let rows = rows.chunks_exact(self.width).map(|row| row[block * DOUBLES + lane]);
+                    for (sample, value) in samples[first..].iter_mut().zip(rows) {
+                        *sample = ordinal(if magnitude { value.abs() } else { value });
+                    }
                 }
             }
             for (place, samples) in places.iter_mut().zip(samples.chunks_exact_mut(self.rows)) {
