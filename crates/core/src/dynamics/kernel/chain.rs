@@ -10,7 +10,7 @@
 mod blocks;
 mod numbers;
 mod rows;
-mod upkeep;
+pub mod upkeep;
 
 use serde::{Deserialize, Serialize};
 
@@ -25,7 +25,6 @@ pub use blocks::{ElementBlock, NO_WALL_M, NodeBlock, StateBlock};
 pub(crate) use numbers::{element, node, number};
 use rows::CopyLane;
 pub use rows::{Row, Rows};
-pub use upkeep::Motions;
 
 /// The whole chain.
 #[derive(Debug, Clone, Serialize, Deserialize)]
