@@ -108,6 +108,15 @@ impl Layout {
         self.lane_layout.rows() * self.parts
     }
 
+    /// Block and lane of each node in turn, from the top down.
+    pub fn places(self) -> impl Iterator<Item = (usize, usize)> {
+        let rows = self.lane_layout.rows();
+        (0..self.parts * DOUBLES).flat_map(move |lane| {
+            let (part, lane) = (lane / DOUBLES, lane % DOUBLES);
+            (0..rows).map(move |row| (row * self.parts + part, lane))
+        })
+    }
+
     /// Block and lane of a node, and of the element below it.
     #[inline]
     pub fn place(&self, index: usize) -> (usize, usize) {
@@ -131,6 +140,7 @@ mod tests {
                 assert!(block < layout.blocks());
                 let (row, part) = Layout::row_of::<R>(block);
                 assert_eq!(chain.place(index), (row, part * DOUBLES + lane));
+                assert_eq!(layout.places().nth(index), Some((block, lane)));
             }
         }
     }
