@@ -17,6 +17,7 @@ pub mod bent;
 pub mod dual;
 pub mod element;
 pub mod mesh;
+pub mod regions;
 pub mod section;
 pub mod stability;
 pub mod torsion;

@@ -7,7 +7,7 @@ use super::{element::Stiffness, mesh::Mesh};
 pub(crate) const SAFETY: f64 = 0.99;
 
 /// Largest part of the string's axial mass that short elements may be given (mass scaling) in sum.
-const MAX_ADDED_MASS: f64 = 0.003;
+pub(super) const MAX_ADDED_MASS: f64 = 0.003;
 
 /// Lateral rotary inertia of each end of an element as a part of `m L²`: the diagonal of the
 /// consistent mass matrix scaled to the element's mass (Hinton, Rock and Zienkiewicz 1976). It
@@ -31,24 +31,65 @@ pub struct ElementInertia {
 /// The step, and the inertia with which it is stable.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepPlan {
-    /// Step, s.
+    /// Step, s; that of the upper region, where there are two.
     pub dt_s: f64,
     /// Inertia of each element, the added mass included.
     pub inertia: Vec<ElementInertia>,
     /// Axial mass added by scaling to short elements over that of the string.
     pub added_axial_mass_fraction: f64,
+    /// The regions with steps of their own, where there are two.
+    pub subcycling: Option<Subcycling>,
 }
 
-/// Chooses the longest step at which the string is stable with no more than 0.3 % of its mass added
-/// by scaling, and that to less than half of it: ordinary pipe keeps its mass and its wave speed.
-///
-/// The highest frequency of a chain with lumped masses lies below the highest of its elements taken
-/// alone (Irons and Treharne 1971). `lateral_kg_per_m` is the lateral mass per length of each
-/// element, `stiffness_damping_s` the time constant `β` of the damping, which shortens the limit.
-/// Theory: `docs/src/theory/time-stepping.md`.
-pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> StepPlan {
-    let bare: Vec<(Stiffness<f64>, ElementInertia)> = mesh
-        .elements
+impl StepPlan {
+    /// The shortest step of any region, s.
+    pub fn shortest_s(&self) -> f64 {
+        self.subcycling.map_or(self.dt_s, |s| self.dt_s / f64::from(s.parts))
+    }
+}
+
+/// A string whose lower region takes several steps in one of the upper one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Subcycling {
+    /// The border node: the lowest of the upper region.
+    pub border_node: usize,
+    /// Steps of the lower region in one of the upper one.
+    pub parts: u32,
+    /// What the linear motion of the border node within a step lacks of inertia, added to the node
+    /// below it: along the hole, kg.
+    pub axial_kg: f64,
+    /// The same about the axis, kg·m².
+    pub polar_kg_m2: f64,
+    /// What holds the step of the upper and of the lower region.
+    pub held_by: [StepHolder; 2],
+}
+
+/// What keeps a step from being longer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepHolder {
+    /// The element, counted from the top.
+    pub element: usize,
+    /// The motion of it that no longer step carries.
+    pub motion: ElementMotion,
+}
+
+/// Motions of an element that bound the step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ElementMotion {
+    /// Its ends against one another along it.
+    Axial,
+    /// Its ends against one another about it.
+    Torsion,
+    /// Its directors, against one another or both against its chord.
+    Bending,
+}
+
+/// An element with the inertia that it has by itself.
+pub(super) type BareElement = (Stiffness<f64>, ElementInertia);
+
+/// The elements of `mesh` with their own inertia; `lateral_kg_per_m` as for [`plan`].
+pub(super) fn bare_elements(mesh: &Mesh, lateral_kg_per_m: &[f64]) -> Vec<BareElement> {
+    mesh.elements
         .iter()
         .zip(lateral_kg_per_m)
         .map(|(e, lateral)| {
@@ -63,26 +104,30 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
             };
             (Stiffness::new(&e.section, length), inertia)
         })
-        .collect();
-    let total: f64 = bare.iter().map(|(_, i)| i.axial_kg).sum();
-    let lend_all = |dt: f64| -> Option<Vec<ElementInertia>> {
-        let limit = frequency_limit(dt, stiffness_damping_s);
-        bare.iter().map(|(k, i)| scaled_inertia(k, i, limit)).collect()
-    };
-    let added =
-        |inertia: &[ElementInertia]| inertia.iter().map(|i| i.axial_kg).sum::<f64>() / total - 1.0;
-    let fits = |dt: f64| lend_all(dt).is_some_and(|i| added(&i) <= MAX_ADDED_MASS);
+        .collect()
+}
 
-    // Only the few are given to: no longer a step than half of the string's mass carries by itself.
-    let mut own: Vec<(f64, f64)> =
-        bare.iter().map(|(k, i)| (own_step(k, i, stiffness_damping_s), i.axial_kg)).collect();
-    own.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut carried = 0.0;
-    let most = own.iter().find(|(_, kg)| {
-        carried += kg;
-        carried >= 0.5 * total
-    });
-    let (mut low, mut high) = (0.0, most.map_or(0.0, |(dt, _)| *dt));
+/// Axial mass of elements, kg.
+pub(super) fn axial_kg<'a>(inertia: impl IntoIterator<Item = &'a ElementInertia>) -> f64 {
+    inertia.into_iter().map(|i| i.axial_kg).sum()
+}
+
+/// The inertia with which all elements bear a step; none where one of them does not, whatever its
+/// mass.
+pub(super) fn lend_all(
+    elements: &[BareElement],
+    dt: f64,
+    beta: f64,
+) -> Option<Vec<ElementInertia>> {
+    let limit = frequency_limit(dt, beta);
+    elements.iter().map(|(k, i)| scaled_inertia(k, i, limit)).collect()
+}
+
+/// The longest step that all elements bear with an axial mass, kg, that `affords` accepts, but no
+/// longer than half of their mass carries by itself: only the few are given to.
+pub(super) fn longest_s(elements: &[BareElement], beta: f64, affords: impl Fn(f64) -> bool) -> f64 {
+    let fits = |dt: f64| lend_all(elements, dt, beta).is_some_and(|i| affords(axial_kg(&i)));
+    let (mut low, mut high) = (0.0, half_carries_s(elements, beta));
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
         if fits(middle) {
@@ -91,20 +136,53 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
             high = middle;
         }
     }
-    let inertia = lend_all(low).unwrap_or_else(|| bare.iter().map(|(_, i)| *i).collect());
-    let added_axial_mass_fraction = added(&inertia).max(0.0);
-    StepPlan { dt_s: low, inertia, added_axial_mass_fraction }
+    low
+}
+
+/// The longest step that half of the elements' mass carries by itself, s.
+pub(super) fn half_carries_s(elements: &[BareElement], beta: f64) -> f64 {
+    let total = axial_kg(elements.iter().map(|(_, i)| i));
+    let mut own: Vec<(f64, f64)> =
+        elements.iter().map(|(k, i)| (own_step(k, i, beta), i.axial_kg)).collect();
+    own.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut carried = 0.0;
+    let most = own.iter().find(|(_, kg)| {
+        carried += kg;
+        carried >= 0.5 * total
+    });
+    most.map_or(0.0, |(dt, _)| *dt)
+}
+
+/// Chooses the longest step at which the string is stable with no more than 0.3 % of its mass added
+/// by scaling, and that to less than half of it: ordinary pipe keeps its mass and its wave speed.
+///
+/// The highest frequency of a chain with lumped masses lies below the highest of its elements taken
+/// alone (Irons and Treharne 1971). `lateral_kg_per_m` is the lateral mass per length of each
+/// element, `stiffness_damping_s` the time constant `β` of the damping, which shortens the limit.
+/// Theory: `docs/src/theory/time-stepping.md`.
+pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> StepPlan {
+    let bare = bare_elements(mesh, lateral_kg_per_m);
+    let total = axial_kg(bare.iter().map(|(_, i)| i));
+    let dt_s = longest_s(&bare, stiffness_damping_s, |kg| kg / total - 1.0 <= MAX_ADDED_MASS);
+    let inertia = lend_all(&bare, dt_s, stiffness_damping_s)
+        .unwrap_or_else(|| bare.iter().map(|(_, i)| *i).collect());
+    let added_axial_mass_fraction = (axial_kg(&inertia) / total - 1.0).max(0.0);
+    StepPlan { dt_s, inertia, added_axial_mass_fraction, subcycling: None }
 }
 
 /// Longest step of an element that gets no added mass, by its axial frequency, s.
-fn own_step(k: &Stiffness<f64>, bare: &ElementInertia, beta: f64) -> f64 {
-    let omega = (4.0 * k.axial / bare.axial_kg).sqrt();
+pub(super) fn own_step(k: &Stiffness<f64>, bare: &ElementInertia, beta: f64) -> f64 {
+    step_of((4.0 * k.axial / bare.axial_kg).sqrt(), beta)
+}
+
+/// Longest step that carries an angular frequency, s.
+pub(super) fn step_of(omega: f64, beta: f64) -> f64 {
     let xi = 0.5 * beta * omega;
     2.0 * SAFETY / omega * ((1.0 + xi * xi).sqrt() - xi)
 }
 
 /// Highest angular frequency that a step carries, rad/s.
-fn frequency_limit(dt: f64, beta: f64) -> f64 {
+pub(super) fn frequency_limit(dt: f64, beta: f64) -> f64 {
     // dt ω/2 = S(√(1 + ξ²) − ξ) with ξ = βω/2 solves to ω = 2S/dt / √(1 + 2Sβ/dt).
     let bare = 2.0 * SAFETY / dt;
     bare / (1.0 + bare * beta).sqrt()
@@ -112,7 +190,11 @@ fn frequency_limit(dt: f64, beta: f64) -> f64 {
 
 /// The inertia with which an element stays below `limit`, rad/s; none where only a shorter step
 /// helps.
-fn scaled_inertia(k: &Stiffness<f64>, bare: &ElementInertia, limit: f64) -> Option<ElementInertia> {
+pub(super) fn scaled_inertia(
+    k: &Stiffness<f64>,
+    bare: &ElementInertia,
+    limit: f64,
+) -> Option<ElementInertia> {
     let square = limit * limit;
     let over_length = 1.0 / k.length;
     if 4.0 * k.twist > square * bare.polar_kg_m2 {

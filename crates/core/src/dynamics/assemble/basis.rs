@@ -4,20 +4,27 @@
 use super::{chain, error::SetupError, hoisting::hoisting, numbers::check_numbers};
 use crate::{
     dynamics::{
+        body::Body,
         boundary::{
             bit::{BitLaw, BitSettings, Motor, MudMotor},
             hole::Borehole,
         },
         initial_state,
-        kernel::step::{Abilities, Laws, Stepper},
-        settings::{DynamicsSettings, FrictionLaw, SpeedController, Start, TopDriveSettings},
+        kernel::{
+            places::Border,
+            step::{Abilities, Laws, Stepper},
+        },
+        settings::{
+            DynamicsSettings, FrictionLaw, Regions, SpeedController, Start, TopDriveSettings,
+        },
         simulation::settling::Settling,
     },
     model::Model,
     operation::Operation,
     rod::{
         mesh::Mesh,
-        stability::{self, StepPlan},
+        regions,
+        stability::{self, StepPlan, Subcycling},
     },
     simd::{number::Real, wide::Registers},
     wall::contact::ContactLaw,
@@ -137,18 +144,22 @@ fn check_shaken(bit: &BitSettings) -> Result<(), SetupError> {
     bit.excitation.as_ref().map_or(Ok(()), |_| Err(SetupError::Excitation(reason)))
 }
 
-/// The string in elements, how it settles, and the step.
-fn mesh_and_plan(
+/// How a string of these elements settles, and the step.
+fn settling_and_plan(
     model: &Model,
     operation: &Operation,
     settings: &DynamicsSettings,
-) -> (Mesh, Settling, StepPlan) {
-    let mesh = Mesh::new(&model.string, settings.element_length_m);
-    let settling = Settling::of(operation, settings, &mesh);
+    mesh: &Mesh,
+) -> (Settling, StepPlan) {
+    let settling = Settling::of(operation, settings, mesh);
     let bit_md_m = first_bit_md_m(operation, settings, &settling);
-    let lateral = chain::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
-    let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
-    (mesh, settling, plan)
+    let lateral = chain::lateral_mass_kg_per_m(model, mesh, bit_md_m);
+    let beta = settings.damping.stiffness_s;
+    let plan = match settings.regions {
+        Regions::One => stability::plan(mesh, &lateral, beta),
+        Regions::Auto => regions::plan(mesh, &lateral, beta, Body::new(model, mesh).highest()),
+    };
+    (settling, plan)
 }
 
 /// What the model, the operation and the settings of a run determine: the same at its start and
@@ -163,6 +174,14 @@ pub(in crate::dynamics) struct Basis<R: Real> {
     pub(in crate::dynamics) steps_per_sample: u64,
 }
 
+impl<R: Real> Basis<R> {
+    /// Where the chain is divided.
+    pub(in crate::dynamics) fn border(&self) -> Option<Border> {
+        let of = |s: Subcycling| Border { node: s.border_node, parts: s.parts };
+        self.plan.subcycling.map(of)
+    }
+}
+
 impl<R: Registers> Basis<R> {
     pub(in crate::dynamics) fn new(
         model: &Model,
@@ -172,7 +191,19 @@ impl<R: Registers> Basis<R> {
         check(settings)?;
         let served = settings.precision.serves(operation, settings);
         served.map_err(SetupError::Precision)?;
-        let (mesh, settling, plan) = mesh_and_plan(model, operation, settings);
+        let mesh = Mesh::new(&model.string, settings.element_length_m);
+        let (settling, plan) = settling_and_plan(model, operation, settings, &mesh);
+        Self::on(model, settings, mesh, settling, plan)
+    }
+
+    /// The same with a ready mesh and a ready plan.
+    pub(in crate::dynamics) fn on(
+        model: &Model,
+        settings: &DynamicsSettings,
+        mesh: Mesh,
+        settling: Settling,
+        plan: StepPlan,
+    ) -> Result<Self, SetupError> {
         check_weight_of_bit(settings, &plan)?;
         let borehole = Borehole::new(model, &mesh, settings.contact_law);
         let abilities = Abilities {
@@ -240,7 +271,8 @@ impl Effort {
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
         check(settings)?;
-        let (mesh, settling, plan) = mesh_and_plan(model, operation, settings);
+        let mesh = Mesh::new(&model.string, settings.element_length_m);
+        let (settling, plan) = settling_and_plan(model, operation, settings, &mesh);
         check_weight_of_bit(settings, &plan)?;
         let laying_s = match settings.start {
             Start::Prepared => initial_state::SETTLING_S,

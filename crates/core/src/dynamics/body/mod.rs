@@ -92,6 +92,13 @@ impl Body {
         Self { bends, imbalances, loads: Loads::default() }
     }
 
+    /// The highest node that anything acts on; beyond every one where there is nothing.
+    pub fn highest(&self) -> usize {
+        let bends = self.bends.iter().map(|bend| bend.index);
+        let masses = self.imbalances.iter().map(|one| one.index);
+        bends.chain(masses).min().unwrap_or(usize::MAX)
+    }
+
     /// Whether there is nothing to do.
     pub fn is_empty(&self) -> bool {
         self.bends.is_empty() && self.imbalances.is_empty()

@@ -9,11 +9,15 @@
 
 mod blocks;
 mod numbers;
+mod region;
 mod rows;
 
 use serde::{Deserialize, Serialize};
 
-use super::layout::{LaneLayout, Layout};
+use super::{
+    layout::Layout,
+    places::{Border, Places},
+};
 use crate::{
     damage::{Damaged, ensure},
     rod::element::{Pose, Stiffness},
@@ -26,6 +30,7 @@ use crate::{
 
 pub use blocks::{ElementBlock, NO_WALL_M, NodeBlock, StateBlock};
 pub(crate) use numbers::{element, node, number};
+pub use region::RegionRows;
 use rows::CopyLane;
 pub use rows::{Row, Rows};
 
@@ -36,12 +41,12 @@ pub struct Chain<R: Real = f64> {
     nodes: usize,
     /// Number of nodes after which the string looks the same: from joint to joint.
     pattern: usize,
-    lane_layout: LaneLayout,
+    places: Places,
     /// Rest length of each element, m: however the chain keeps its numbers, its chords are compared
     /// with these.
     lengths_m: Vec<f64>,
-    /// How the nodes move, row by row; the last row repeats the first one lane lower, for the
-    /// elements where pieces end.
+    /// How the nodes move, row by row; the row after the last of a region repeats its first one
+    /// lane lower, for the elements where pieces end.
     pub states: Vec<StateBlock<R>>,
     /// Nodes, row by row.
     pub node_blocks: Vec<NodeBlock<R>>,
@@ -84,31 +89,43 @@ impl Chain {
 
 impl<R: Real> Chain<R> {
     fn idle(nodes: usize, pattern: usize) -> Self {
-        Self::in_lanes(nodes, pattern, LaneLayout::new(nodes, R::LANES, pattern))
+        Self::divided(nodes, pattern, None)
     }
 
-    fn in_lanes(nodes: usize, pattern: usize, lane_layout: LaneLayout) -> Self {
-        let rows = lane_layout.rows();
-        Self {
+    fn divided(nodes: usize, pattern: usize, border: Option<Border>) -> Self {
+        Self::in_places(nodes, pattern, Places::new(nodes, R::LANES, pattern, border))
+    }
+
+    fn in_places(nodes: usize, pattern: usize, places: Places) -> Self {
+        let rows = places.rows();
+        let mut chain = Self {
             nodes,
             pattern,
-            lane_layout,
+            places,
             lengths_m: vec![1.0; nodes],
             states: vec![StateBlock::at_rest(); rows + 1],
             node_blocks: vec![NodeBlock::idle(); rows],
             element_blocks: vec![ElementBlock::idle(); rows],
-        }
+        };
+        chain.unbind_ghosts();
+        chain
     }
 
     /// The same chain in another kind of number.
     pub fn converted<S: Real>(&self) -> Chain<S> {
-        self.moved_into(Chain::idle(self.nodes, self.pattern))
+        self.divided_at(self.border())
+    }
+
+    /// The same chain in another kind of number and divided elsewhere, or not at all.
+    pub fn divided_at<S: Real>(&self, border: Option<Border>) -> Chain<S> {
+        self.moved_into(Chain::divided(self.nodes, self.pattern, border))
     }
 
     /// The same chain in pieces of so many rows.
     #[cfg(test)]
     pub fn in_rows(&self, rows: usize) -> Self {
-        self.moved_into(Self::in_lanes(self.nodes, self.pattern, LaneLayout::of(rows)))
+        let places = Places::whole(super::lane_layout::LaneLayout::of(rows));
+        self.moved_into(Self::in_places(self.nodes, self.pattern, places))
     }
 
     fn moved_into<S: Real>(&self, mut chain: Chain<S>) -> Chain<S> {
@@ -119,14 +136,23 @@ impl<R: Real> Chain<R> {
             chain.node_blocks[row].copy_lane(lane, &self.node_blocks[from], from_lane);
             chain.element_blocks[row].copy_lane(lane, &self.element_blocks[from], from_lane);
         }
+        if let Some((border, [_, (row, lane)])) = chain.border().zip(chain.ghosts()) {
+            let (from, from_lane) = self.lower_place_of_element(border.node);
+            chain.element_blocks[row].copy_lane(lane, &self.element_blocks[from], from_lane);
+        }
         chain
     }
 
-    /// Whether a stored chain is one of so many nodes with this pattern.
-    pub(crate) fn check(&self, nodes: usize, pattern: usize) -> Result<(), Damaged> {
-        let lane_layout = LaneLayout::new(nodes, R::LANES, pattern);
-        let rows = lane_layout.rows();
-        let fits = (self.nodes, self.pattern, self.lane_layout) == (nodes, pattern, lane_layout)
+    /// Whether a stored chain is one of so many nodes with this pattern, divided here.
+    pub(crate) fn check(
+        &self,
+        nodes: usize,
+        pattern: usize,
+        border: Option<Border>,
+    ) -> Result<(), Damaged> {
+        let places = Places::new(nodes, R::LANES, pattern, border);
+        let rows = places.rows();
+        let fits = (self.nodes, self.pattern, self.places) == (nodes, pattern, places)
             && self.lengths_m.len() == nodes
             && self.states.len() == rows + 1
             && self.node_blocks.len() == rows
@@ -136,31 +162,18 @@ impl<R: Real> Chain<R> {
 
     /// Where what is kept of its nodes in double precision lies.
     pub fn layout(&self) -> Layout {
-        Layout::beside::<R>(self.lane_layout)
+        Layout::beside::<R>(self.places)
     }
 
     /// Row and lane of a node, and of the element below it.
     #[inline]
     pub fn place(&self, index: usize) -> (usize, usize) {
-        self.lane_layout.place(index)
+        self.places.place(index)
     }
 
     /// The node at a row and a lane; none of the string's where the last lane is not full.
     pub fn index(&self, row: usize, lane: usize) -> usize {
-        self.lane_layout.index((row, lane))
-    }
-
-    /// Repeats the first row of states below the last, one lane lower. The last lane ends in
-    /// itself.
-    pub fn close(&mut self) {
-        let rows = self.node_blocks.len();
-        let (above, close) = self.states.split_at_mut(rows);
-        let (first, last) = (above[0].rows(), above[rows - 1].rows());
-        for ((row, first), last) in close[0].rows_mut().zip(first).zip(last) {
-            let end = R::LANES - 1;
-            row.0.as_mut()[..end].copy_from_slice(&first.0.as_ref()[1..]);
-            row.0[end] = last.0[end];
-        }
+        self.places.index(row, lane)
     }
 
     /// How the lower ends of a row of elements move, if the states were closed since: after a step
@@ -184,11 +197,14 @@ impl<R: Real> Chain<R> {
         slid
     }
 
-    /// Finds what the mud's lateral drag takes of the nodes' velocities in a step of `dt`, as they
-    /// move now. A hundredth in any mud; a brake still at any speed.
+    /// Finds what the mud's lateral drag takes of the nodes' velocities in a step of their region,
+    /// as they move now; that of the uppermost is `dt`. A hundredth in any mud; a brake still at any
+    /// speed.
     pub fn find_drag(&mut self, dt: f64) {
-        let (dt, half) = (R::from_f64(dt), R::from_f64(0.5));
-        for (node, state) in self.node_blocks.iter_mut().zip(&self.states) {
+        let half = R::from_f64(0.5);
+        let rows = self.node_blocks.iter_mut().zip(&self.states).enumerate();
+        for (row, (node, state)) in rows {
+            let dt = R::from_f64(dt / f64::from(self.places.parts_at(row)));
             for lane in 0..R::LANES {
                 let part = |rows: &Rows<R>, axis: usize| rows[axis].0[lane];
                 let dot = |a: &Rows<R>, b: &Rows<R>| {
@@ -211,7 +227,7 @@ impl<R: Real> Chain<R> {
     pub fn lanes_above_N(&self, min_N: f64) -> usize {
         let least = R::from_f64(min_N);
         let mut above = [true; SINGLES];
-        for block in &self.element_blocks {
+        for block in &self.element_blocks[self.places.rows_of(0)] {
             for (above, tension) in above.iter_mut().zip(block.tension.0.as_ref()) {
                 *above &= *tension > least;
             }
@@ -222,22 +238,19 @@ impl<R: Real> Chain<R> {
     /// Effective tension of each element at the last step, from the first of a piece down, N, and
     /// its index.
     pub fn tensions_N(&self, lane: usize) -> impl Iterator<Item = (usize, f64)> {
-        let along = |lane| {
-            let blocks = self.element_blocks.iter();
-            blocks.map(move |block: &ElementBlock<R>| block.tension.0[lane].to_f64())
-        };
-        let first = lane * self.lane_layout.rows();
-        let tensions = (lane..R::LANES).flat_map(along);
-        (first..self.elements()).zip(tensions)
+        let of = |row: usize, lane: usize| self.element_blocks[row].tension.0[lane].to_f64();
+        let upper = self.places.nodes_of(0, self.elements()).end;
+        let first = (lane * self.places.rows_of(0).len()).min(upper);
+        let above = (first..upper).zip(self.along(0, lane, of));
+        above.chain((upper..self.elements()).zip(self.along(1, 0, of).skip(1)))
     }
 
     /// Work that friction has done at each node since the last sample, from the top down, J.
     pub fn wear_J(&self) -> impl Iterator<Item = f64> {
-        let along = |lane| {
-            let blocks = self.node_blocks.iter();
-            blocks.map(move |block: &NodeBlock<R>| block.sum_wear.0[lane].to_f64())
-        };
-        (0..R::LANES).flat_map(along).take(self.nodes)
+        let of = |row: usize, lane: usize| self.node_blocks[row].sum_wear.0[lane].to_f64();
+        let upper = self.places.nodes_of(0, self.nodes).end;
+        let below = self.along(1, 0, of).skip(1).take(self.nodes - upper);
+        self.along(0, 0, of).take(upper).chain(below)
     }
 
     /// Number of nodes.
@@ -272,6 +285,7 @@ impl<R: Real> Chain<R> {
         element!(self, index, bow_far = k.bow_far);
         element!(self, index, torsion = k.twist);
         element!(self, index, bending = k.bending);
+        self.share_element(index);
     }
 
     /// The stiffness of an element.
@@ -331,5 +345,6 @@ impl<R: Real> Chain<R> {
         // |a|² − L² = (|a| − L)(|a| + L), exact to the last digits of the chord.
         let a = chord.dot(chord).sqrt();
         element!(self, index, excess = (a - length) * (a + length));
+        self.share_element(index);
     }
 }

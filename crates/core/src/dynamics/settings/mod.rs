@@ -66,6 +66,23 @@ pub enum Precision {
     Single,
 }
 
+/// Whether parts of the string have steps of their own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub enum Regions {
+    /// One step for the whole string.
+    #[default]
+    One,
+    /// Two regions where that takes less time: the bottom-hole assembly, meshed finer than the
+    /// pipe, takes several steps in one of the pipe (multirate time stepping, subcycling).
+    Auto,
+}
+
+impl Regions {
+    fn is_one(&self) -> bool {
+        *self == Self::One
+    }
+}
+
 /// How wall friction combines its axial and circumferential parts.
 ///
 /// Both are compiled into the inner loop, and no other can be given: a friction of the caller's own
@@ -237,6 +254,9 @@ pub struct DynamicsSettings {
     /// Length of the elements, m. A node stands on tool joints and stabilisers; between them the
     /// elements are as near to this as whole numbers allow, rather longer than shorter.
     pub element_length_m: f64,
+    /// Whether parts of the string have steps of their own.
+    #[serde(skip_serializing_if = "Regions::is_one")]
+    pub regions: Regions,
     /// Length of the window that the statistics cover, s.
     pub duration_s: f64,
     /// Simulated time before that window, s; at least, where it is to be steady.
@@ -315,7 +335,7 @@ impl DynamicsSettings {
 }
 
 impl Default for DynamicsSettings {
-    /// Elements of 3.2 m; 60 s after 20 s of settling, steady or not, sampled every 10 ms; a
+    /// Elements of 3.2 m, one step for all of them; 60 s after 20 s of settling, steady or not, sampled every 10 ms; a
     /// prepared start, or a centred one with its static tension and a ramp of 1 s; vector friction
     /// that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping of 0.1
     /// 1/s by mass and 10 µs by stiffness; the hoist control that the operation requires on a line
@@ -324,6 +344,7 @@ impl Default for DynamicsSettings {
     fn default() -> Self {
         Self {
             element_length_m: 3.2,
+            regions: Regions::One,
             duration_s: 60.0,
             settle_s: 20.0,
             steady: None,

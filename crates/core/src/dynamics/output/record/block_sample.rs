@@ -117,6 +117,7 @@ impl BlockSample {
     ) {
         let (row, part) = Layout::row_of::<R>(block);
         let (nodes, state) = (&chain.node_blocks[row], &chain.states[row]);
+        let per_step = per_step / chain.parts_at(row);
         let high = parts(&high[block], 0);
         let (u, v) = (parts(&state.u, part), parts(&state.v, part));
         let tangents = parts(&nodes.tangent, part);

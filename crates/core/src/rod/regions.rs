@@ -1,0 +1,184 @@
+//! The plan of a string in two regions, whose lower one takes several steps in one of the upper one.
+//!
+//! Multirate time stepping (subcycling) serves strings whose bottom-hole assembly is meshed finer
+//! than their pipe: the pipe need not go by the steps of the assembly. Theory:
+//! `docs/src/theory/time-stepping.md`.
+
+use super::{
+    element::Stiffness,
+    mesh::Mesh,
+    stability::{
+        self, BareElement, ElementInertia, ElementMotion, MAX_ADDED_MASS, StepHolder, StepPlan,
+        Subcycling, axial_kg, frequency_limit, half_carries_s, lend_all, longest_s, own_step,
+        scaled_inertia,
+    },
+};
+
+/// Elements of the upper region's length that the lower region begins with. They let nothing
+/// through to the border that its longer step cannot carry: without them the coupling gains energy.
+const BUFFER: usize = 3;
+
+/// Most steps in one.
+const MAX_PARTS: u32 = 20;
+
+/// Least elements of the upper region.
+const MIN_UPPER: usize = 8;
+
+/// What an element costs in a short chain over one in a long chain: not all of its lanes are full.
+const SHORT_CHAIN: f64 = 1.12;
+
+/// What bit and boundaries cost in a step, in elements.
+const PER_STEP: f64 = 45.0;
+
+/// Two regions must be so much cheaper than one.
+const WORTH_IT: f64 = 0.95;
+
+/// Steps of the upper region that are tried, in parts of what its mass carries.
+const TRIED: [f64; 8] = [1.0, 0.95, 0.9, 0.85, 0.8, 0.7, 0.6, 0.5];
+
+/// The cheapest plan for `mesh`: in two regions where that pays, else [`stability::plan`]'s.
+///
+/// The border lies above the node `highest_lower`: what acts on that node, and below, belongs to
+/// the lower region. `lateral_kg_per_m` and `stiffness_damping_s` as there.
+pub fn plan(
+    mesh: &Mesh,
+    lateral_kg_per_m: &[f64],
+    stiffness_damping_s: f64,
+    highest_lower: usize,
+) -> StepPlan {
+    let one = stability::plan(mesh, lateral_kg_per_m, stiffness_damping_s);
+    let string = BareString {
+        elements: stability::bare_elements(mesh, lateral_kg_per_m),
+        beta: stiffness_damping_s,
+        highest_lower,
+    };
+    let cost_of_one = (mesh.elements.len() as f64 + PER_STEP) / one.dt_s;
+    let carried_s = half_carries_s(&string.elements, string.beta);
+    TRIED
+        .iter()
+        .filter_map(|part| string.divided(part * carried_s))
+        .min_by(|a, b| cost(a).total_cmp(&cost(b)))
+        .filter(|two| cost(two) < WORTH_IT * cost_of_one)
+        .unwrap_or(one)
+}
+
+/// What a plan in two regions takes for a second, in elements of a long chain.
+fn cost(plan: &StepPlan) -> f64 {
+    let Some(Subcycling { border_node, parts, .. }) = plan.subcycling else {
+        return f64::INFINITY;
+    };
+    let (upper, lower) = (border_node + 1, plan.inertia.len() - border_node);
+    let within = f64::from(parts) * (SHORT_CHAIN * lower as f64 + PER_STEP);
+    (upper as f64 + within) / plan.dt_s
+}
+
+/// A string before any mass is added to it.
+struct BareString {
+    elements: Vec<BareElement>,
+    beta: f64,
+    highest_lower: usize,
+}
+
+impl BareString {
+    /// The string in two regions, the upper one with a step of `dt_s` or a little longer; none
+    /// where that leaves no upper region.
+    fn divided(&self, dt_s: f64) -> Option<StepPlan> {
+        let total_kg = axial_kg(self.elements.iter().map(|(_, i)| i));
+        let budget_kg = MAX_ADDED_MASS * total_kg;
+        let border = self.border(dt_s, 0.5 * budget_kg)?;
+        let (upper, lower) = (&self.elements[..=border], &self.elements[border..]);
+        let bare_kg = |of: &[BareElement]| axial_kg(of.iter().map(|(_, i)| i));
+        let upper_kg = bare_kg(upper);
+        let affords = |kg: f64| kg - upper_kg <= 0.5 * budget_kg;
+        let buffer = lower[..=BUFFER].iter().map(|e| self.bears_s(e)).fold(f64::INFINITY, f64::min);
+        let dt_s = longest_s(upper, self.beta, affords).min(buffer);
+        let upper_inertia = lend_all(upper, dt_s, self.beta)?;
+        let left_kg = budget_kg - (axial_kg(&upper_inertia) - upper_kg);
+        let lower_kg = bare_kg(lower);
+        let own_s = longest_s(lower, self.beta, |kg| kg - lower_kg <= left_kg);
+        let parts = (dt_s / own_s).ceil();
+        if !(2.0..=f64::from(MAX_PARTS)).contains(&parts) {
+            return None;
+        }
+        let lower_s = dt_s / parts;
+        let lower_inertia = lend_all(lower, lower_s, self.beta)?;
+        let held_by = [(0, upper, dt_s, &upper_inertia), (border, lower, lower_s, &lower_inertia)]
+            .map(|(first, of, dt_s, inertia)| self.holder(first, of, dt_s, inertia));
+        let inertia: Vec<_> = upper_inertia.iter().chain(&lower_inertia[1..]).copied().collect();
+        let k = &self.elements[border].0;
+        // The chord over a path that is curved by an acceleration lies, on average over the step, by
+        // `DT²/12 (1 − 1/M²)` of it beside the path.
+        let beside_s2 = dt_s * dt_s / 12.0 * (1.0 - 1.0 / (parts * parts));
+        Some(StepPlan {
+            dt_s,
+            added_axial_mass_fraction: (axial_kg(&inertia) / total_kg - 1.0).max(0.0),
+            inertia,
+            subcycling: Some(Subcycling {
+                border_node: border,
+                parts: parts as u32,
+                axial_kg: k.axial * beside_s2,
+                polar_kg_m2: k.twist * beside_s2,
+                held_by,
+            }),
+        })
+    }
+
+    /// The border node of an upper region with a step of `dt_s` and no more than `lent_kg` of added
+    /// mass: above the first element that does not bear that, and its buffer.
+    fn border(&self, dt_s: f64, mut lent_kg: f64) -> Option<usize> {
+        let limit = frequency_limit(dt_s, self.beta);
+        let first_fine = self.elements.iter().position(|(k, bare)| {
+            let Some(scaled) = scaled_inertia(k, bare, limit) else {
+                return true;
+            };
+            lent_kg -= scaled.axial_kg - bare.axial_kg;
+            lent_kg < 0.0
+        })?;
+        let bears = |e: &BareElement| self.bears_s(e) >= dt_s;
+        // The border element, and those of the buffer below it.
+        let highest = first_fine.saturating_sub(BUFFER + 1);
+        let highest = highest.min(self.highest_lower.saturating_sub(2));
+        (MIN_UPPER..=highest)
+            .rev()
+            .find(|border| self.elements[*border..=border + BUFFER].iter().all(bears))
+    }
+
+    /// The longest step that an element bears with its own mass along and about the axis, s.
+    fn bears_s(&self, (k, bare): &BareElement) -> f64 {
+        own_step(k, bare, self.beta).min(twisting_step(k, bare, self.beta))
+    }
+
+    /// What holds a step of a region: the element that twists too fast for a longer one, the one
+    /// that no mass could slow down across, or the one that was given the most.
+    fn holder(
+        &self,
+        first: usize,
+        of: &[BareElement],
+        dt_s: f64,
+        inertia: &[ElementInertia],
+    ) -> StepHolder {
+        let least = |step: &dyn Fn(&BareElement) -> f64| {
+            let steps = of.iter().map(step).enumerate();
+            steps.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::INFINITY))
+        };
+        let (twisting, twisting_s) = least(&|(k, i)| twisting_step(k, i, self.beta));
+        // A step that is longer by a millionth: what does not bear it holds this one.
+        let limit = frequency_limit(dt_s * (1.0 + 1e-6), self.beta);
+        if twisting_s <= dt_s * (1.0 + 1e-6) {
+            return StepHolder { element: first + twisting, motion: ElementMotion::Torsion };
+        }
+        let bends = of.iter().position(|(k, i)| scaled_inertia(k, i, limit).is_none());
+        if let Some(bending) = bends {
+            return StepHolder { element: first + bending, motion: ElementMotion::Bending };
+        }
+        let given = of.iter().zip(inertia).map(|((_, bare), i)| i.axial_kg - bare.axial_kg);
+        let (most, kg) = given.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0));
+        let element = if kg > 0.0 { most } else { least(&|(k, i)| own_step(k, i, self.beta)).0 };
+        StepHolder { element: first + element, motion: ElementMotion::Axial }
+    }
+}
+
+/// Longest step of an element by its torsional frequency, s: polar inertia is never added.
+fn twisting_step(k: &Stiffness<f64>, bare: &ElementInertia, beta: f64) -> f64 {
+    stability::step_of((4.0 * k.twist / bare.polar_kg_m2).sqrt(), beta)
+}
