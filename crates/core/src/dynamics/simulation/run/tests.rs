@@ -3,6 +3,7 @@
 mod body;
 mod contact_map;
 mod initialise;
+mod regions;
 mod top;
 
 use super::*;
