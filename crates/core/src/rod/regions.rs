@@ -13,10 +13,14 @@ use super::{
         scaled_inertia,
     },
 };
+use crate::simd::lanes::SINGLES;
 
 /// Elements of the upper region's length that the lower region begins with. They let nothing
 /// through to the border that its longer step cannot carry: without them the coupling gains energy.
 const BUFFER: usize = 3;
+
+/// What the ratio of two steps may be off by.
+const ROUNDING: f64 = 1e-9;
 
 /// Most steps in one.
 const MAX_PARTS: u32 = 20;
@@ -24,10 +28,10 @@ const MAX_PARTS: u32 = 20;
 /// Least elements of the upper region.
 const MIN_UPPER: usize = 8;
 
-/// What an element costs in a short chain over one in a long chain: not all of its lanes are full.
+/// What an element costs in a chain of a few rows over one in a long chain.
 const SHORT_CHAIN: f64 = 1.12;
 
-/// What bit and boundaries cost in a step, in elements.
+/// What bit and boundaries cost in a step, in elements: 0.4 µs.
 const PER_STEP: f64 = 45.0;
 
 /// Two regions must be so much cheaper than one.
@@ -47,19 +51,27 @@ pub fn plan(
     highest_lower: usize,
 ) -> StepPlan {
     let one = stability::plan(mesh, lateral_kg_per_m, stiffness_damping_s);
+    let cost_of_one = (mesh.elements.len() as f64 + PER_STEP) / one.dt_s;
+    divided(mesh, lateral_kg_per_m, stiffness_damping_s, highest_lower)
+        .filter(|two| cost(two) < WORTH_IT * cost_of_one)
+        .unwrap_or(one)
+}
+
+/// The cheapest plan in two regions, if there is one, whatever one region costs.
+pub(crate) fn divided(
+    mesh: &Mesh,
+    lateral_kg_per_m: &[f64],
+    stiffness_damping_s: f64,
+    highest_lower: usize,
+) -> Option<StepPlan> {
     let string = BareString {
         elements: stability::bare_elements(mesh, lateral_kg_per_m),
         beta: stiffness_damping_s,
         highest_lower,
     };
-    let cost_of_one = (mesh.elements.len() as f64 + PER_STEP) / one.dt_s;
     let carried_s = half_carries_s(&string.elements, string.beta);
-    TRIED
-        .iter()
-        .filter_map(|part| string.divided(part * carried_s))
-        .min_by(|a, b| cost(a).total_cmp(&cost(b)))
-        .filter(|two| cost(two) < WORTH_IT * cost_of_one)
-        .unwrap_or(one)
+    let tried = TRIED.iter().filter_map(|part| string.divided(part * carried_s));
+    tried.min_by(|a, b| cost(a).total_cmp(&cost(b)))
 }
 
 /// What a plan in two regions takes for a second, in elements of a long chain.
@@ -68,7 +80,9 @@ fn cost(plan: &StepPlan) -> f64 {
         return f64::INFINITY;
     };
     let (upper, lower) = (border_node + 1, plan.inertia.len() - border_node);
-    let within = f64::from(parts) * (SHORT_CHAIN * lower as f64 + PER_STEP);
+    // A row takes as long whether all of its lanes are full or not; with a ghost.
+    let rows = (lower + 1).next_multiple_of(SINGLES);
+    let within = f64::from(parts) * (SHORT_CHAIN * rows as f64 + PER_STEP);
     (upper as f64 + within) / plan.dt_s
 }
 
@@ -95,15 +109,17 @@ impl BareString {
         let upper_inertia = lend_all(upper, dt_s, self.beta)?;
         let left_kg = budget_kg - (axial_kg(&upper_inertia) - upper_kg);
         let lower_kg = bare_kg(lower);
-        let own_s = longest_s(lower, self.beta, |kg| kg - lower_kg <= left_kg);
-        let parts = (dt_s / own_s).ceil();
+        let longest_lower_s = longest_s(lower, self.beta, |kg| kg - lower_kg <= left_kg);
+        let parts = (dt_s / longest_lower_s - ROUNDING).ceil();
         if !(2.0..=f64::from(MAX_PARTS)).contains(&parts) {
             return None;
         }
-        let lower_s = dt_s / parts;
-        let lower_inertia = lend_all(lower, lower_s, self.beta)?;
-        let held_by = [(0, upper, dt_s, &upper_inertia), (border, lower, lower_s, &lower_inertia)]
-            .map(|(first, of, dt_s, inertia)| self.holder(first, of, dt_s, inertia));
+        let lower_inertia = lend_all(lower, dt_s / parts, self.beta)?;
+        let held_by = [
+            self.holder(0, upper, dt_s)?,
+            // What would hold it were it not a whole part of the other.
+            self.holder(border, lower, longest_lower_s)?,
+        ];
         let inertia: Vec<_> = upper_inertia.iter().chain(&lower_inertia[1..]).copied().collect();
         let k = &self.elements[border].0;
         // The chord over a path that is curved by an acceleration lies, on average over the step, by
@@ -148,33 +164,25 @@ impl BareString {
         own_step(k, bare, self.beta).min(twisting_step(k, bare, self.beta))
     }
 
-    /// What holds a step of a region: the element that twists too fast for a longer one, the one
-    /// that no mass could slow down across, or the one that was given the most.
-    fn holder(
-        &self,
-        first: usize,
-        of: &[BareElement],
-        dt_s: f64,
-        inertia: &[ElementInertia],
-    ) -> StepHolder {
-        let least = |step: &dyn Fn(&BareElement) -> f64| {
-            let steps = of.iter().map(step).enumerate();
-            steps.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::INFINITY))
+    /// What holds the longest step of a region: the element that twists too fast for a longer one,
+    /// the one that no mass could slow down across, or the one that is the stiffest along it.
+    fn holder(&self, first: usize, of: &[BareElement], dt_s: f64) -> Option<StepHolder> {
+        let longer_s = dt_s * (1.0 + 1e-6);
+        let limit = frequency_limit(longer_s, self.beta);
+        let least = |steps: &mut dyn Iterator<Item = f64>| {
+            steps.enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
         };
-        let (twisting, twisting_s) = least(&|(k, i)| twisting_step(k, i, self.beta));
-        // A step that is longer by a millionth: what does not bear it holds this one.
-        let limit = frequency_limit(dt_s * (1.0 + 1e-6), self.beta);
-        if twisting_s <= dt_s * (1.0 + 1e-6) {
-            return StepHolder { element: first + twisting, motion: ElementMotion::Torsion };
+        let mut twisting = of.iter().map(|(k, i)| twisting_step(k, i, self.beta));
+        let (element, twisting_s) = least(&mut twisting)?;
+        if twisting_s <= longer_s {
+            return Some(StepHolder { element: first + element, motion: ElementMotion::Torsion });
         }
-        let bends = of.iter().position(|(k, i)| scaled_inertia(k, i, limit).is_none());
-        if let Some(bending) = bends {
-            return StepHolder { element: first + bending, motion: ElementMotion::Bending };
+        if let Some(bends) = of.iter().position(|(k, i)| scaled_inertia(k, i, limit).is_none()) {
+            return Some(StepHolder { element: first + bends, motion: ElementMotion::Bending });
         }
-        let given = of.iter().zip(inertia).map(|((_, bare), i)| i.axial_kg - bare.axial_kg);
-        let (most, kg) = given.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0));
-        let element = if kg > 0.0 { most } else { least(&|(k, i)| own_step(k, i, self.beta)).0 };
-        StepHolder { element: first + element, motion: ElementMotion::Axial }
+        let mut stretching = of.iter().map(|(k, i)| own_step(k, i, self.beta));
+        let (element, _) = least(&mut stretching)?;
+        Some(StepHolder { element: first + element, motion: ElementMotion::Axial })
     }
 }
 

@@ -2,34 +2,24 @@
 
 use wholestring_verification::verify;
 
-use super::{LONG_M, rod_of};
+use super::equal;
 use crate::{
     dynamics::{kernel::chain::node, tests::bench::Support},
-    rod::stability::{ElementMotion, StepHolder, Subcycling},
     simd::vector::Vector,
 };
 
 const UPPER: usize = 12;
 
+const TIME_S: f64 = 0.2;
+
 /// A pipe struck along, across in two planes and about its axis, its lower half in three steps for
 /// one: where nodes around the border are after a fifth of a second, with `part` of the longest
 /// step. The inertia that the coupling lacks goes by the step.
 fn struck(part: f64) -> Vec<f64> {
-    let time_s = 0.2;
-    let rod = rod_of(&[LONG_M; 2 * UPPER], |plan, k| {
-        let steps = (time_s / (part * plan.dt_s)).round();
-        plan.dt_s = time_s / steps;
-        let beside = plan.dt_s.powi(2) / 12.0 * (1.0 - 1.0 / 9.0);
-        let none = StepHolder { element: 0, motion: ElementMotion::Axial };
-        plan.subcycling = Some(Subcycling {
-            border_node: UPPER,
-            parts: 3,
-            axial_kg: k.axial * beside,
-            polar_kg_m2: k.twist * beside,
-            held_by: [none; 2],
-        });
-    });
-    let mut rod = rod.divided();
+    let longest_s = equal(2 * UPPER, UPPER, 3, [1.0; 2]).plan.dt_s;
+    let steps = (TIME_S / (part * longest_s)).round();
+    let part = TIME_S / steps / longest_s;
+    let mut rod = equal(2 * UPPER, UPPER, 3, [part, 1.0]).divided();
     rod.support(0, Support::PINNED);
     let k = 1.5 * std::f64::consts::PI / rod.mesh.length_m();
     for i in 1..rod.chain.nodes() {
@@ -40,7 +30,7 @@ fn struck(part: f64) -> Vec<f64> {
         rod.chain.set_turning(i, Vector(-2.0 * tilt, 3.0 * tilt, 0.0));
         node!(rod.chain, i, spin = 2.0 * wave);
     }
-    for _ in 0..(time_s / rod.input.dt).round() as usize {
+    for _ in 0..steps as usize {
         rod.step();
     }
     let places = [UPPER - 3, UPPER, UPPER + 1, UPPER + 4, 2 * UPPER];

@@ -1,13 +1,12 @@
 //! What the border throws back of a wave that runs through it.
 
-use super::{LONG_M, rod_of};
+use super::{LONG_M, equal};
 use crate::{
     dynamics::{
         kernel::chain::{element, node},
         output::energy,
         tests::bench::Bench,
     },
-    rod::stability::{ElementMotion, StepHolder, Subcycling},
     simd::vector::Vector,
 };
 
@@ -41,19 +40,7 @@ fn burst(along: f64) -> f64 {
 /// A pipe of equal elements with a border in the middle, whose lower region takes `parts` steps in
 /// one, and a burst that runs down towards it; with the inertia that the coupling lacks or without.
 fn struck(kind: Kind, frequency_Hz: f64, parts: u32, corrected: bool) -> Bench {
-    let mut rod = rod_of(&[LONG_M; UPPER + LOWER], |plan, k| {
-        let m = f64::from(parts);
-        let beside = plan.dt_s.powi(2) / 12.0 * (1.0 - 1.0 / (m * m));
-        let added = if corrected { beside } else { 0.0 };
-        let none = StepHolder { element: 0, motion: ElementMotion::Axial };
-        plan.subcycling = Some(Subcycling {
-            border_node: UPPER,
-            parts,
-            axial_kg: k.axial * added,
-            polar_kg_m2: k.twist * added,
-            held_by: [none; 2],
-        });
-    });
+    let mut rod = equal(UPPER + LOWER, UPPER, parts, [1.0, if corrected { 1.0 } else { 0.0 }]);
     let c = speed_m_per_s(kind);
     let length_m = 3.0 * c / frequency_Hz;
     // Its front is a hundred metres above the border.
