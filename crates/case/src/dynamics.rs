@@ -1,4 +1,4 @@
-//! `[mesh]` and `[dynamics]`.
+//! `[dynamics]`.
 
 use wholestring::{
     dynamics::{
@@ -23,8 +23,9 @@ use wholestring_config::{
 };
 
 use crate::{
+    auto::{AutoOr, AutoOrQuantity},
+    mesh::MeshTable,
     rig::HoistTable,
-    settle::{Settle, SettleRule},
 };
 
 /// Time on the clock between checkpoints where the case does not say, s: what one can bear to lose.
@@ -32,18 +33,6 @@ const CHECKPOINT_INTERVAL_S: f64 = 30.0;
 
 /// Rows that a run keeps in its tables; more fill memory and disk, not insight.
 const MAX_SAMPLES: f64 = 2e6;
-
-table! {
-    /// How finely the string is cut.
-    MeshTable in "[mesh]" {
-        /// Length of the elements, at most a quarter longer where joints require it: a node stands
-        /// on tool joints and stabilisers. Halving it makes a dynamic run four times slower.
-        element_length: f64 = default(
-            Quantity::si(Dimension::Length, Range::from_to(0.2, 30.0).usual(0.3, 30.0), "3.2 m"),
-            DynamicsSettings::default().element_length_m,
-        );
-    }
-}
 
 /// The contact laws, without their numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,7 +68,14 @@ table! {
         /// Simulated time before that window, or "auto": until the string is steady, 120 s at most.
         /// With a schedule it lasts beyond the end of the last line, and the 120 s count from
         /// there.
-        settle: Settle = default(SettleRule, Settle::Auto);
+        settle: AutoOr = default(
+            AutoOrQuantity {
+                quantity: Quantity::si(Dimension::Time, Range::from_to(0.0, 86_400.0), "20 s"),
+                noun: "a time",
+                auto: "Until the string is steady.",
+            },
+            AutoOr::Auto,
+        );
         /// How the string lies at time zero: "prepared" (on its contact side with the soft string's
         /// tension and torque) or "centred" (on the hole's axis, untwisted, at rest).
         start: Start = default(
@@ -200,10 +196,7 @@ pub(crate) struct GivenSettings<'a> {
 impl DynamicsTable {
     /// Where the run ends, s, if the case says it.
     pub(crate) fn end_s(&self) -> Option<f64> {
-        match self.settle.get()? {
-            Settle::Auto => None,
-            Settle::Seconds(settle_s) => Some(settle_s + *self.duration.get()?),
-        }
+        Some(self.settle.get()?.given()? + *self.duration.get()?)
     }
 
     /// Time between samples, s.
@@ -219,6 +212,7 @@ impl DynamicsTable {
     ) -> Option<DynamicsSettings> {
         let GivenSettings { hoist, bit, top_drive, schedule } = given_settings;
         self.warn_of_centred_keys(reader);
+        mesh.warn_of_idle_keys(reader);
         let contact_law = self.contact(reader);
         let plan = schedule.clone().unwrap_or_default();
         let hoist_control = hoist.control(&plan, reader);
@@ -226,15 +220,12 @@ impl DynamicsTable {
         self.check_samples(reader)?;
         let damping = self.damping.get()?;
         Some(DynamicsSettings {
-            element_length_m: *mesh.element_length.get()?,
+            element_length: mesh.element_length()?,
             duration_s: *self.duration.get()?,
-            settle_s: match *self.settle.get()? {
-                Settle::Auto => 0.0,
-                Settle::Seconds(settle_s) => settle_s,
-            },
+            settle_s: self.settle.get()?.given().unwrap_or(0.0),
             steady: match *self.settle.get()? {
-                Settle::Auto => Some(UntilSteady::default()),
-                Settle::Seconds(_) => None,
+                AutoOr::Auto => Some(UntilSteady::default()),
+                AutoOr::Given(_) => None,
             },
             start: *self.start.get()?,
             centred: CentredStart {
@@ -365,8 +356,8 @@ impl DynamicsTable {
         let duration = self.duration.at()?;
         let interval = self.sample_interval.at()?;
         let settle_s = match *self.settle.get()? {
-            Settle::Auto => UntilSteady::default().max_s,
-            Settle::Seconds(settle_s) => settle_s,
+            AutoOr::Auto => UntilSteady::default().max_s,
+            AutoOr::Given(settle_s) => settle_s,
         };
         let given = |preferred: Span, is_given: bool, other: Span| {
             if is_given { preferred } else { other }

@@ -40,8 +40,8 @@ pub(crate) fn check_effort(
             return refused(&error, case).refuse(reader);
         }
     };
-    let elements = efforts.first()?.elements;
-    let shortest_s = efforts.iter().map(|effort| effort.time_step_s).fold(f64::INFINITY, f64::min);
+    let elements = efforts.iter().map(|effort| effort.mesh.elements.len()).max()?;
+    let shortest_s = efforts.iter().map(|effort| effort.plan.dt_s).fold(f64::INFINITY, f64::min);
     let steps: f64 = efforts.iter().map(|effort| effort.steps).sum();
     let message = if elements > MAX_ELEMENTS {
         format!("the string would be cut into {elements} elements")

@@ -18,6 +18,7 @@
 #![warn(missing_docs)]
 
 mod assembly;
+mod auto;
 mod beside;
 mod bit;
 mod bit_test;
@@ -35,6 +36,7 @@ mod fit;
 mod hole;
 mod identity;
 mod joints;
+mod mesh;
 mod model_rule;
 mod mud;
 mod operation;
@@ -48,7 +50,6 @@ pub mod rules;
 mod schedule;
 mod schema;
 mod settings;
-mod settle;
 mod stations;
 mod steel;
 mod string;

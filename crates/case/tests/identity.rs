@@ -44,6 +44,7 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("dynamics.start_tension", ["static", "cold"]),
     ("hoist.control", ["autodriller", "tuned-lift"]),
     ("hoist.max_speed", ["60 m/h", "61 m/h"]),
+    ("mesh.accuracy", ["coarse", "fine"]),
     ("model", ["soft", "dynamic"]),
     ("mud.flow_behaviour_index", ["0.7", "0.71"]),
     ("mud.rheology", ["newtonian", "bingham"]),
@@ -193,6 +194,7 @@ fn bases() -> Vec<String> {
         )),
         with("contact_law = \"hertz\"", "contact_law = \"linear\""),
         with("start = \"prepared\"", "start = \"centred\""),
+        with("element_length = \"3.2 m\"", "element_length = \"auto\""),
         with("friction = 0.3\n[[well", "friction = { kinetic = 0.3, static = 0.35 }\n[[well"),
     ]
 }

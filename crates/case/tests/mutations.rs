@@ -14,7 +14,7 @@ use common::schema_check;
 use fastrand::Rng;
 use toml::de::{DeTable, DeValue};
 use wholestring::{
-    dynamics::{BitLaw, DynamicOutcome, Simulation},
+    dynamics::{BitLaw, DynamicOutcome, ElementLength, Simulation},
     operation::Operation,
     statics::soft::{self, SoftSettings},
 };
@@ -162,8 +162,9 @@ fn check_accepted(case: &Case) {
             Err(error) => assert!(!error.to_string().is_empty()),
         }
     }
-    let nodes = string.length_m() / case.dynamics.element_length_m;
-    assert!(nodes <= 1e5);
+    if let ElementLength::Uniform(length_m) = case.dynamics.element_length {
+        assert!(string.length_m() / length_m <= 1e5);
+    }
     assert!(case.dynamics.duration_s / case.dynamics.sample_interval_s <= 2e6);
     let settings = case.settings.to_string();
     assert!(settings.len() < 64 << 20);
@@ -177,7 +178,11 @@ fn run_dynamics(case: &Case, operation: &Operation) {
     const LONGEST_S: f64 = 0.05;
     let mut settings = case.dynamics.clone();
     let length_m = case.model.string.length_m();
-    settings.element_length_m = settings.element_length_m.max(length_m / MAX_ELEMENTS);
+    let longest_m = length_m / MAX_ELEMENTS;
+    settings.element_length = ElementLength::Uniform(match settings.element_length {
+        ElementLength::Uniform(own_m) => own_m.max(longest_m),
+        ElementLength::Auto(_) => longest_m,
+    });
     // A bit on solid rock is run in before the string begins, for seconds.
     if matches!(settings.bit.law, BitLaw::Rock(_)) {
         return;

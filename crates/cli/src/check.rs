@@ -3,9 +3,10 @@
 use std::f64::consts::TAU;
 
 use wholestring::{
-    dynamics::BitLaw,
+    dynamics::{BitLaw, Effort},
     outcome::ModelKind,
     rock::{BitShape, DrillingSpec},
+    sizing::SizeReason,
 };
 use wholestring_case::{BitTest, Case};
 use wholestring_units::Dimension;
@@ -15,9 +16,10 @@ use crate::{args::CheckArgs, failure::Failure, input::load, terminal::print_stdo
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let case = load(&args.case, false)?;
     print_stdout(&format!(
-        "{} is sound: {}\n{}{}{}",
+        "{} is sound: {}\n{}{}{}{}",
         args.case.case.display(),
         outline(&case),
+        meshes(&case),
         survey(&case),
         case.drilling().map_or_else(String::new, |spec| rock(spec, &case)),
         case.bit_test.as_ref().map_or_else(String::new, |test| points(test, &case)),
@@ -35,6 +37,64 @@ fn outline(case: &Case) -> String {
         list(models),
         Dimension::Length.format(depth, case.units),
     )
+}
+
+/// How the string of each operation is cut, and what holds its step.
+fn meshes(case: &Case) -> String {
+    if !ModelKind::any_in_time(&case.models) {
+        return String::new();
+    }
+    let several = case.operations.len() > 1;
+    let mut text = String::new();
+    for operation in &case.operations {
+        let Ok(effort) = Effort::of(&case.model, operation, &case.dynamics) else {
+            continue;
+        };
+        if several {
+            text += &format!("{}: ", operation.kind.name());
+        }
+        text += &mesh(&effort, case);
+    }
+    text
+}
+
+/// The elements by what asked for their length, and the one that holds the step.
+fn mesh(effort: &Effort, case: &Case) -> String {
+    let length = |si_m: f64| Dimension::Length.format(si_m, case.units);
+    let elements = &effort.mesh.elements;
+    let lengths_m = || elements.iter().map(|one| one.length_m);
+    let by_reason = SizeReason::ALL.iter().filter_map(|reason| {
+        let count = elements.iter().filter(|one| one.reason == *reason).count();
+        (count > 0).then(|| format!("{count} {}", reason.name()))
+    });
+    let mut text = format!(
+        "{} elements of {} to {} ({}), steps of {:.3} ms\n",
+        elements.len(),
+        length(lengths_m().fold(f64::INFINITY, f64::min)),
+        length(lengths_m().fold(0.0, f64::max)),
+        by_reason.collect::<Vec<_>>().join(", "),
+        1e3 * effort.plan.dt_s,
+    );
+    if let Some(holder) = effort.plan.holder {
+        let lower_m = effort.mesh.nodes[holder.element + 1].from_bit_m;
+        let element = &elements[holder.element];
+        let (_, component) = case.model.string.component_at(lower_m + 0.5 * element.length_m);
+        text += &format!(
+            "the step is held by the {} motion of the element of {} at {} above the bit ({})",
+            holder.motion.name(),
+            length(element.length_m),
+            length(lower_m),
+            component.name,
+        );
+        if holder.scaled {
+            text += &format!(
+                ", to which mass scaling has given what the string may have in sum, {:.1} %",
+                100.0 * effort.plan.added_axial_mass_fraction,
+            );
+        }
+        text.push('\n');
+    }
+    text
 }
 
 /// How the survey was understood.

@@ -108,6 +108,7 @@ pub mod rig;
 pub mod rock;
 pub mod rod;
 mod simd;
+pub mod sizing;
 pub mod statics;
 pub mod string;
 pub mod wall;

@@ -152,7 +152,8 @@ impl Table {
     }
 
     /// Adds rows of what the engine declares: `words` as in [`Table::append`], and the columns of
-    /// `of`, which a method has made.
+    /// `of`, which a method has made. What it does not know is `None` of numbers, and of words
+    /// an empty one.
     ///
     /// # Panics
     /// As [`Table::append`], and if a column is not there although the method knows it, or is there
@@ -164,19 +165,16 @@ impl Table {
         of: &T,
         model: ModelKind,
     ) {
-        let values = declared.iter().map(|column| (&column.quantity, (column.of)(of))).filter(
-            |(quantity, values)| {
-                let known = quantity.is_known_by(model);
-                let name = quantity.name;
-                assert!(known || values.is_empty(), "{model:?} knows no `{name}`");
-                known
-            },
-        );
+        let values = declared.iter().map(|column| (&column.quantity, (column.of)(of)));
         let values: Vec<_> = values.collect();
         let mut words = words.to_vec();
         let mut numbers: Vec<(&str, &[f64])> = Vec::new();
         for (quantity, values) in &values {
+            let known = quantity.is_known_by(model);
+            assert!(known || values.is_empty(), "{model:?} knows no `{}`", quantity.name);
             match values {
+                Values::Words(_) if !known => words.push((quantity.name, &[""])),
+                Values::Numbers(_) if !known => {}
                 Values::Numbers(values) => numbers.push((quantity.name, values)),
                 Values::Words(values) => words.push((quantity.name, values)),
             }

@@ -87,6 +87,7 @@ fn appended_rows_leave_the_other_columns_null() {
             ("operation", &["drill"]),
             ("contact_class", &["none", "continuous"]),
             ("contact_side", &["none", "low"]),
+            ("element_size", &[""]),
         ],
         &[("md_m", &[0.0, 10.0]), ("tension_N", &[1e6, f64::NAN])],
     );
@@ -96,6 +97,7 @@ fn appended_rows_leave_the_other_columns_null() {
             ("operation", &["drill"]),
             ("contact_class", &["intermittent"]),
             ("contact_side", &["high"]),
+            ("element_size", &["given"]),
         ],
         &[("md_m", &[0.0]), ("contact_force_std_N", &[3.0])],
     );

@@ -1,15 +1,15 @@
 //! `dynamics` and `records` in the record of a run.
 
 use serde_json::{Value as Json, json};
-use wholestring::dynamics::{ContactLaw, DynamicsSettings};
+use wholestring::dynamics::{ContactLaw, DynamicsSettings, ElementLength};
 
-use super::fields::Fields;
-use crate::{records::Records, settle::AUTO};
+use super::fields::{Fields, word};
+use crate::{auto::AUTO, records::Records};
 
 pub(super) fn run(dynamics: &DynamicsSettings, checkpoint_interval_s: Option<f64>) -> Fields {
     let fields = Fields::of(dynamics)
         // These stand in tables of their own.
-        .without(["element_length_m", "hoist_control", "autodriller", "hoist_line"])
+        .without(["element_length", "hoist_control", "autodriller", "hoist_line"])
         .without(["lift_tolerance", "top_drive", "schedule", "bit", "probes"])
         .without(["steady"])
         .spread("centred", "start_")
@@ -29,6 +29,16 @@ pub(super) fn run(dynamics: &DynamicsSettings, checkpoint_interval_s: Option<f64
         // A word where the run finds it: what it was stands in the numerics of each operation.
         Some(_) => fields.with("settle_s", AUTO),
         None => fields,
+    }
+}
+
+/// `mesh` in the record of a run.
+pub(super) fn mesh(dynamics: &DynamicsSettings) -> Fields {
+    match dynamics.element_length {
+        ElementLength::Uniform(length_m) => Fields::empty().with("element_length_m", length_m),
+        ElementLength::Auto(accuracy) => {
+            Fields::empty().with("element_length_m", AUTO).with("accuracy", word(&accuracy))
+        }
     }
 }
 

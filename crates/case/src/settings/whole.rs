@@ -1,6 +1,6 @@
 //! All tables of the record of a run.
 
-use serde_json::{Value as Json, json};
+use serde_json::Value as Json;
 use wholestring::{
     dynamics::DynamicsSettings, model::Model, operation::Operation, outcome::ModelKind,
     rock::DrillingSpec,
@@ -51,7 +51,7 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
         .with("hoist", hoist::hoist(dynamics, operations, case.hoist.get()))
         .with("top_drive", hoist::top_drive(&dynamics.top_drive))
         .with("operation", operation::operation(operations, &dynamics.schedule))
-        .with("mesh", json!({ "element_length_m": dynamics.element_length_m }))
+        .with("mesh", run::mesh(dynamics))
         .with("dynamics", run::run(dynamics, checkpoint_interval_s.copied()))
         .with("records", run::records(records));
     if let Some(drilling) = drilling {

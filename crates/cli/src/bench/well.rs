@@ -86,8 +86,8 @@ impl Well {
         Ok(About {
             bit_depth_m: operation.bit_depth_m,
             case: case.name,
-            elements: effort.elements,
-            time_step_s: effort.time_step_s,
+            elements: effort.mesh.elements.len(),
+            time_step_s: effort.plan.dt_s,
         })
     }
 

@@ -52,4 +52,7 @@ pub use simulation::threads::ThreadsError;
 
 pub(crate) use simulation::kernel_speed;
 
-pub use crate::wall::contact::ContactLaw;
+pub use crate::{
+    sizing::{Accuracy, ElementLength},
+    wall::contact::ContactLaw,
+};

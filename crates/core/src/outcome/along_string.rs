@@ -4,6 +4,7 @@ use super::{
     column::{columns, unlike_declared},
     method::{IN_TIME, ModelKind},
 };
+use crate::sizing::SizeReason;
 
 columns! {
     /// The profile along the string, from the surface to the bit: a row per node.
@@ -109,6 +110,15 @@ columns! {
             "How much of the lateral motion that whirl is, from 0 to 1", known_by IN_TIME;
         lateral_speed_rms_m_per_s: Vec<f64> => Speed,
             "Root mean square of the lateral speed", known_by IN_TIME;
+        element_length_m: Vec<f64> => Length,
+            "Length of the element below the node; at the bit, of the one above", known_by IN_TIME;
+        element_size = size_reasons => Ratio,
+            "What asked for that length: `given`, or where the mesh chooses itself `joint to joint`, \
+             `plain pipe`, `assembly`, `body contact` or `compression`", known_by IN_TIME;
+    }
+    beside {
+        /// What asked for the length of each node's element.
+        element_size: Vec<SizeReason>;
     }
 }
 
@@ -148,6 +158,10 @@ impl ContactClass {
 fn contact_classes(of: &Profile) -> Vec<&'static str> {
     let class = |fraction: &f64| ContactClass::of(*fraction).name();
     of.contact_fraction.iter().map(class).collect()
+}
+
+fn size_reasons(of: &Profile) -> Vec<&'static str> {
+    of.element_size.iter().map(|reason| reason.name()).collect()
 }
 
 fn contact_sides(of: &Profile) -> Vec<&'static str> {

@@ -8,8 +8,8 @@ use super::{
     element::Stiffness,
     mesh::Mesh,
     stability::{
-        self, BareElement, ElementInertia, ElementMotion, MAX_ADDED_MASS, StepHolder, StepPlan,
-        Subcycling, axial_kg, frequency_limit, half_carries_s, lend_all, longest_s, own_step,
+        self, BareElement, ElementInertia, Longest, MAX_ADDED_MASS, Motion, StepHolder, StepPlan,
+        Subcycling, axial_kg, frequency_limit, half_carries_s, lend_all, longest, own_step,
         scaled_inertia,
     },
 };
@@ -104,22 +104,24 @@ impl BareString {
         let bare_kg = |of: &[BareElement]| axial_kg(of.iter().map(|(_, i)| i));
         let upper_kg = bare_kg(upper);
         let affords = |kg: f64| kg - upper_kg <= 0.5 * budget_kg;
-        let buffer = lower[..=BUFFER].iter().map(|e| self.bears_s(e)).fold(f64::INFINITY, f64::min);
-        let dt_s = longest_s(upper, self.beta, affords).min(buffer);
+        let mut held = longest(upper, self.beta, affords);
+        for (index, element) in lower[..=BUFFER].iter().enumerate() {
+            let (dt_s, motion) = self.bears(element);
+            if dt_s < held.dt_s {
+                let holder = StepHolder { element: border + index, motion, scaled: false };
+                held = Longest { dt_s, holder: Some(holder) };
+            }
+        }
+        let Longest { dt_s, holder } = held;
         let upper_inertia = lend_all(upper, dt_s, self.beta)?;
         let left_kg = budget_kg - (axial_kg(&upper_inertia) - upper_kg);
         let lower_kg = bare_kg(lower);
-        let longest_lower_s = longest_s(lower, self.beta, |kg| kg - lower_kg <= left_kg);
-        let parts = (dt_s / longest_lower_s - ROUNDING).ceil();
+        let below = longest(lower, self.beta, |kg| kg - lower_kg <= left_kg);
+        let parts = (dt_s / below.dt_s - ROUNDING).ceil();
         if !(2.0..=f64::from(MAX_PARTS)).contains(&parts) {
             return None;
         }
         let lower_inertia = lend_all(lower, dt_s / parts, self.beta)?;
-        let held_by = [
-            self.holder(0, upper, dt_s)?,
-            // What would hold it were it not a whole part of the other.
-            self.holder(border, lower, longest_lower_s)?,
-        ];
         let inertia: Vec<_> = upper_inertia.iter().chain(&lower_inertia[1..]).copied().collect();
         let k = &self.elements[border].0;
         // The chord over a path that is curved by an acceleration lies, on average over the step, by
@@ -129,12 +131,15 @@ impl BareString {
             dt_s,
             added_axial_mass_fraction: (axial_kg(&inertia) / total_kg - 1.0).max(0.0),
             inertia,
+            holder,
             subcycling: Some(Subcycling {
                 border_node: border,
                 parts: parts as u32,
                 axial_kg: k.axial * beside_s2,
                 polar_kg_m2: k.twist * beside_s2,
-                held_by,
+                holder: below
+                    .holder
+                    .map(|holder| StepHolder { element: border + holder.element, ..holder }),
             }),
         })
     }
@@ -144,13 +149,13 @@ impl BareString {
     fn border(&self, dt_s: f64, mut lent_kg: f64) -> Option<usize> {
         let limit = frequency_limit(dt_s, self.beta);
         let first_fine = self.elements.iter().position(|(k, bare)| {
-            let Some(scaled) = scaled_inertia(k, bare, limit) else {
+            let Ok(scaled) = scaled_inertia(k, bare, limit) else {
                 return true;
             };
             lent_kg -= scaled.axial_kg - bare.axial_kg;
             lent_kg < 0.0
         })?;
-        let bears = |e: &BareElement| self.bears_s(e) >= dt_s;
+        let bears = |e: &BareElement| self.bears(e).0 >= dt_s;
         // The border element, and those of the buffer below it.
         let highest = first_fine.saturating_sub(BUFFER + 1);
         let highest = highest.min(self.highest_lower.saturating_sub(2));
@@ -159,30 +164,16 @@ impl BareString {
             .find(|border| self.elements[*border..=border + BUFFER].iter().all(bears))
     }
 
-    /// The longest step that an element bears with its own mass along and about the axis, s.
-    fn bears_s(&self, (k, bare): &BareElement) -> f64 {
-        own_step(k, bare, self.beta).min(twisting_step(k, bare, self.beta))
-    }
-
-    /// What holds the longest step of a region: the element that twists too fast for a longer one,
-    /// the one that no mass could slow down across, or the one that is the stiffest along it.
-    fn holder(&self, first: usize, of: &[BareElement], dt_s: f64) -> Option<StepHolder> {
-        let longer_s = dt_s * (1.0 + 1e-6);
-        let limit = frequency_limit(longer_s, self.beta);
-        let least = |steps: &mut dyn Iterator<Item = f64>| {
-            steps.enumerate().min_by(|a, b| a.1.total_cmp(&b.1))
-        };
-        let mut twisting = of.iter().map(|(k, i)| twisting_step(k, i, self.beta));
-        let (element, twisting_s) = least(&mut twisting)?;
-        if twisting_s <= longer_s {
-            return Some(StepHolder { element: first + element, motion: ElementMotion::Torsion });
+    /// The longest step that an element bears with its own mass along and about the axis, s, and the
+    /// motion that bounds it.
+    fn bears(&self, (k, bare): &BareElement) -> (f64, Motion) {
+        let stretching_s = own_step(k, bare, self.beta);
+        let twisting_s = twisting_step(k, bare, self.beta);
+        if twisting_s < stretching_s {
+            (twisting_s, Motion::Torsion)
+        } else {
+            (stretching_s, Motion::Axial)
         }
-        if let Some(bends) = of.iter().position(|(k, i)| scaled_inertia(k, i, limit).is_none()) {
-            return Some(StepHolder { element: first + bends, motion: ElementMotion::Bending });
-        }
-        let mut stretching = of.iter().map(|(k, i)| own_step(k, i, self.beta));
-        let (element, _) = least(&mut stretching)?;
-        Some(StepHolder { element: first + element, motion: ElementMotion::Axial })
     }
 }
 

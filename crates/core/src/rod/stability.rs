@@ -9,6 +9,9 @@ pub(crate) const SAFETY: f64 = 0.99;
 /// Largest part of the string's axial mass that short elements may be given (mass scaling) in sum.
 pub(super) const MAX_ADDED_MASS: f64 = 0.003;
 
+/// Part by which a step must be longer than that found for its search to have told them apart.
+const STEP_MARGIN: f64 = 1e-6;
+
 /// Lateral rotary inertia of each end of an element as a part of `m L²`: the diagonal of the
 /// consistent mass matrix scaled to the element's mass (Hinton, Rock and Zienkiewicz 1976). It
 /// vanishes with refinement as the mesh's own error does, and keeps the rotation of slender pipe,
@@ -28,6 +31,40 @@ pub struct ElementInertia {
     pub rotary_kg_m2: f64,
 }
 
+/// A motion of an element whose frequency bounds the step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Motion {
+    /// Along the string.
+    Axial,
+    /// About its axis.
+    Torsion,
+    /// Across it.
+    Bending,
+}
+
+impl Motion {
+    /// Name in messages.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Axial => "axial",
+            Self::Torsion => "torsional",
+            Self::Bending => "bending",
+        }
+    }
+}
+
+/// The element that keeps the step from being longer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct StepHolder {
+    /// Its index, from the top.
+    pub element: usize,
+    /// Its motion with the highest frequency.
+    pub motion: Motion,
+    /// Whether mass scaling has given it what the string may have in sum: without that limit it
+    /// would let the step be longer.
+    pub scaled: bool,
+}
+
 /// The step, and the inertia with which it is stable.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepPlan {
@@ -37,6 +74,8 @@ pub struct StepPlan {
     pub inertia: Vec<ElementInertia>,
     /// Axial mass added by scaling to short elements over that of the string.
     pub added_axial_mass_fraction: f64,
+    /// What keeps the step from being longer; none of a string without elements.
+    pub holder: Option<StepHolder>,
     /// The regions with steps of their own, where there are two.
     pub subcycling: Option<Subcycling>,
 }
@@ -60,28 +99,8 @@ pub struct Subcycling {
     pub axial_kg: f64,
     /// The same about the axis, kg·m².
     pub polar_kg_m2: f64,
-    /// What holds the step of the upper and of the lower region.
-    pub held_by: [StepHolder; 2],
-}
-
-/// What keeps a step from being longer.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StepHolder {
-    /// The element, counted from the top.
-    pub element: usize,
-    /// The motion of it that no longer step carries.
-    pub motion: ElementMotion,
-}
-
-/// Motions of an element that bound the step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ElementMotion {
-    /// Its ends against one another along it.
-    Axial,
-    /// Its ends against one another about it.
-    Torsion,
-    /// Its directors, against one another or both against its chord.
-    Bending,
+    /// What keeps the lower region's step from being longer, but that `parts` is a whole number.
+    pub holder: Option<StepHolder>,
 }
 
 /// An element with the inertia that it has by itself.
@@ -120,14 +139,27 @@ pub(super) fn lend_all(
     beta: f64,
 ) -> Option<Vec<ElementInertia>> {
     let limit = frequency_limit(dt, beta);
-    elements.iter().map(|(k, i)| scaled_inertia(k, i, limit)).collect()
+    elements.iter().map(|(k, i)| scaled_inertia(k, i, limit).ok()).collect()
+}
+
+/// A longest step.
+pub(super) struct Longest {
+    /// It, s.
+    pub(super) dt_s: f64,
+    /// What keeps it from being longer.
+    pub(super) holder: Option<StepHolder>,
 }
 
 /// The longest step that all elements bear with an axial mass, kg, that `affords` accepts, but no
 /// longer than half of their mass carries by itself: only the few are given to.
-pub(super) fn longest_s(elements: &[BareElement], beta: f64, affords: impl Fn(f64) -> bool) -> f64 {
+pub(super) fn longest(
+    elements: &[BareElement],
+    beta: f64,
+    affords: impl Fn(f64) -> bool,
+) -> Longest {
     let fits = |dt: f64| lend_all(elements, dt, beta).is_some_and(|i| affords(axial_kg(&i)));
-    let (mut low, mut high) = (0.0, half_carries_s(elements, beta));
+    let cap = half_carries_s(elements, beta);
+    let (mut low, mut high) = (0.0, cap);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
         if fits(middle) {
@@ -136,7 +168,15 @@ pub(super) fn longest_s(elements: &[BareElement], beta: f64, affords: impl Fn(f6
             high = middle;
         }
     }
-    low
+    let beyond = high * (1.0 + STEP_MARGIN);
+    let holder = if fits(beyond) {
+        // Nothing but what the ordinary pipe carries by itself.
+        let element = elements.iter().position(|(k, i)| own_step(k, i, beta) >= cap);
+        element.map(|element| StepHolder { element, motion: Motion::Axial, scaled: false })
+    } else {
+        holder(elements, beyond, beta)
+    };
+    Longest { dt_s: low, holder }
 }
 
 /// The longest step that half of the elements' mass carries by itself, s.
@@ -163,11 +203,32 @@ pub(super) fn half_carries_s(elements: &[BareElement], beta: f64) -> f64 {
 pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> StepPlan {
     let bare = bare_elements(mesh, lateral_kg_per_m);
     let total = axial_kg(bare.iter().map(|(_, i)| i));
-    let dt_s = longest_s(&bare, stiffness_damping_s, |kg| kg / total - 1.0 <= MAX_ADDED_MASS);
+    let affords = |kg: f64| kg / total - 1.0 <= MAX_ADDED_MASS;
+    let Longest { dt_s, holder } = longest(&bare, stiffness_damping_s, affords);
     let inertia = lend_all(&bare, dt_s, stiffness_damping_s)
         .unwrap_or_else(|| bare.iter().map(|(_, i)| *i).collect());
     let added_axial_mass_fraction = (axial_kg(&inertia) / total - 1.0).max(0.0);
-    StepPlan { dt_s, inertia, added_axial_mass_fraction, subcycling: None }
+    StepPlan { dt_s, inertia, added_axial_mass_fraction, holder, subcycling: None }
+}
+
+/// What does not let the step be as long as `dt`: the element that no added mass makes stable, or
+/// that with the most added mass; where none has any, that with the shortest step of its own.
+fn holder(bare: &[BareElement], dt: f64, beta: f64) -> Option<StepHolder> {
+    let limit = frequency_limit(dt, beta);
+    let mut most: Option<(f64, StepHolder)> = None;
+    for (element, (k, inertia)) in bare.iter().enumerate() {
+        let (added, holder) = match scaled_inertia(k, inertia, limit) {
+            Err(motion) => return Some(StepHolder { element, motion, scaled: false }),
+            Ok(scaled) => {
+                let added = scaled.axial_kg - inertia.axial_kg;
+                (added, StepHolder { element, motion: Motion::Axial, scaled: added > 0.0 })
+            }
+        };
+        if most.is_none_or(|(before, _)| added > before) {
+            most = Some((added, holder));
+        }
+    }
+    most.map(|(_, holder)| holder)
 }
 
 /// Longest step of an element that gets no added mass, by its axial frequency, s.
@@ -188,17 +249,17 @@ pub(super) fn frequency_limit(dt: f64, beta: f64) -> f64 {
     bare / (1.0 + bare * beta).sqrt()
 }
 
-/// The inertia with which an element stays below `limit`, rad/s; none where only a shorter step
-/// helps.
+/// The inertia with which an element stays below `limit`, rad/s; where only a shorter step helps,
+/// the motion that asks for it.
 pub(super) fn scaled_inertia(
     k: &Stiffness<f64>,
     bare: &ElementInertia,
     limit: f64,
-) -> Option<ElementInertia> {
+) -> Result<ElementInertia, Motion> {
     let square = limit * limit;
     let over_length = 1.0 / k.length;
     if 4.0 * k.twist > square * bare.polar_kg_m2 {
-        return None;
+        return Err(Motion::Torsion);
     }
     let axial_kg = bare.axial_kg.max(4.0 * k.axial / square);
     let lateral_kg = bare.lateral_kg.max(axial_kg);
@@ -206,9 +267,9 @@ pub(super) fn scaled_inertia(
     let shear = 2.0 * (k.bending_near() + k.bending_far);
     let budget = square / shear - 4.0 * over_length * over_length / lateral_kg;
     if budget <= 0.0 {
-        return None;
+        return Err(Motion::Bending);
     }
     let rotary_kg_m2 =
         bare.rotary_kg_m2.max(0.5 / budget).max((k.bending_near() - k.bending_far) / square);
-    Some(ElementInertia { axial_kg, lateral_kg, polar_kg_m2: bare.polar_kg_m2, rotary_kg_m2 })
+    Ok(ElementInertia { axial_kg, lateral_kg, polar_kg_m2: bare.polar_kg_m2, rotary_kg_m2 })
 }

@@ -1,7 +1,10 @@
 //! A string that friction holds, and what it takes to move it.
 
 use wholestring::{
-    dynamics::{CustomFriction, FrictionCoefficient, HoistControl, Simulation, SlidingContact},
+    dynamics::{
+        CustomFriction, ElementLength, FrictionCoefficient, HoistControl, Simulation,
+        SlidingContact,
+    },
     operation::OperationKind,
     well::{Friction, HoleSection},
 };
@@ -58,7 +61,7 @@ fn case(at_rest: f64) -> Case {
     // A string that is damped by its mass is pulled by the damping, too.
     case.settings.damping.mass_per_s = 0.0;
     case.settings.settle_s = 0.0;
-    case.settings.element_length_m = 0.8;
+    case.settings.element_length = ElementLength::Uniform(0.8);
     case
 }
 

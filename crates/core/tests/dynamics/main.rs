@@ -21,6 +21,7 @@ mod friction;
 mod hold;
 mod hook_load;
 mod independent;
+mod mesh;
 mod mud;
 mod np13;
 mod numerics;

@@ -2,8 +2,8 @@
 
 use wholestring::{
     dynamics::{
-        Band, BitLaw, DynamicOutcome, Excitation, Precision, RateLaw, Schedule, ScheduleStep,
-        SetupError, Simulation,
+        Band, BitLaw, DynamicOutcome, ElementLength, Excitation, Precision, RateLaw, Schedule,
+        ScheduleStep, SetupError, Simulation,
     },
     operation::OperationKind,
 };
@@ -188,6 +188,6 @@ fn it_is_refused_where_it_does_not_serve() {
     assert_refused(&scheduled(-5.0), "does not turn");
     scheduled(5.0).start();
     let mut fine = single(OperationKind::Drill);
-    fine.settings.element_length_m = 0.5;
+    fine.settings.element_length = ElementLength::Uniform(0.5);
     assert_refused(&fine, "shorter than 1 m");
 }

@@ -1,7 +1,10 @@
 //! A quiet string settles and stays.
 
 use wholestring::{
-    dynamics::{DynamicOutcome, HoistSetPoint, Schedule, ScheduleStep, Simulation, UntilSteady},
+    dynamics::{
+        DynamicOutcome, ElementLength, HoistSetPoint, Schedule, ScheduleStep, Simulation,
+        UntilSteady,
+    },
     operation::OperationKind,
 };
 
@@ -64,7 +67,7 @@ fn ten_minutes_of_quiet_rotation_do_not_drift() {
 /// middle.
 fn drilling(bit_depth_m: f64, settle_s: f64, duration_s: f64) -> Case {
     let mut case = np13_at(0.3, bit_depth_m);
-    case.settings.element_length_m = 4.8;
+    case.settings.element_length = ElementLength::Uniform(4.8);
     case.lasts(settle_s, duration_s);
     case.settings.sample_interval_s = 0.05;
     case

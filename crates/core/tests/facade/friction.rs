@@ -72,7 +72,7 @@ fn a_coefficient_of_ones_own_resumes_with_the_same_bits() {
 #[test]
 fn a_checkpoint_of_another_coefficient_is_refused() {
     let bytes = checkpoint(&custom(OWN));
-    let nodes = Mesh::new(&model().string, settings().element_length_m).nodes.len();
+    let nodes = Mesh::uniform(&model().string, 3.2).nodes.len();
     let error = resumed(&custom(Polished { name: "other", ..OWN }), &bytes).expect_err("another");
     assert_eq!(
         error.to_string(),

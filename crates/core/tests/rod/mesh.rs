@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use wholestring::{
-    rod::mesh::Mesh,
+    rod::mesh::{Mesh, MeshNode},
     string::{Blades, ComponentLength, ComponentSpec, DrillString, StringSpec, ToolJoints},
 };
 
@@ -32,10 +32,10 @@ fn node_at(mesh: &Mesh, from_bit_m: f64) -> Option<f64> {
 #[test]
 fn joints_come_after_as_many_nodes() {
     let string = np13();
-    let found = [1.6, 3.2, 4.8].map(|length| Mesh::new(&string, length).nodes_per_joint());
+    let found = [1.6, 3.2, 4.8].map(|length| Mesh::uniform(&string, length).nodes_per_joint());
     assert_eq!(found, [6, 3, 2]);
     let plain = self::string(vec![tube(0.127, ToSurface)], 300.0);
-    assert_eq!(Mesh::new(&plain, 3.2).nodes_per_joint(), 1);
+    assert_eq!(Mesh::uniform(&plain, 3.2).nodes_per_joint(), 1);
 }
 
 /// Stabiliser, jar and every joint of the heavy-weight and of the drill pipe carry a node with
@@ -44,16 +44,20 @@ fn joints_come_after_as_many_nodes() {
 fn nodes_of_a_bottom_hole_assembly_stand_where_it_touches() {
     let string = np13();
     for element_length in [1.6, 3.2, 4.8] {
-        let mesh = Mesh::new(&string, element_length);
+        let mesh = Mesh::uniform(&string, element_length);
         assert_eq!(node_at(&mesh, 0.0), Some(0.10795));
         assert_eq!(node_at(&mesh, 0.34 + 7.69 + 0.5 + 0.765), Some(0.103));
         let jar = 0.34 + 7.69 + 0.5 + 1.53 + 9.09 + 2.17 + 9.47 + 84.53;
         // The jar is no thicker than the joint above it by a millimetre: it has no node of its own,
-        // the joint at its upper end has.
+        // the joints at its ends have, or where elements are longer than it, a node between them.
         let above = jar + 3.57;
-        assert_eq!(node_at(&mesh, above), Some(0.0889));
-        for joint in 0..9 {
+        let touches = |n: &&MeshNode| n.contact_radius_m == 0.0889;
+        let at_jar = |n: &&MeshNode| (jar - 1.6..=above + 1e-6).contains(&n.from_bit_m);
+        assert!(mesh.nodes.iter().filter(at_jar).any(|n| touches(&n)), "{element_length}");
+        for joint in 0..8 {
             assert_eq!(node_at(&mesh, jar - 84.53 + 9.39 * f64::from(joint)), Some(0.0889));
+        }
+        for joint in 1..9 {
             assert_eq!(node_at(&mesh, above + 9.39 * f64::from(joint)), Some(0.0889));
         }
         // The uppermost joint of the heavy-weight, 0.02 m below the first of the drill pipe, shares
@@ -62,6 +66,7 @@ fn nodes_of_a_bottom_hole_assembly_stand_where_it_touches() {
         for joint in 1..420 {
             assert_eq!(node_at(&mesh, pipe + 9.6 * f64::from(joint)), Some(0.0889));
         }
+        // The last, 2.38 m below the top, gives way where that is less than 0.8 of an element.
         let bodies = mesh.nodes.iter().filter(|n| n.contact_radius_m == 0.06985).count();
         assert!(bodies * 3 > mesh.nodes.len());
     }
@@ -76,7 +81,7 @@ fn an_element_of_several_components_is_their_row() {
     let length: f64 = 6.2;
     let components = parts.iter().map(|&(od, length)| tube(od, Metres(length))).collect();
     let string = string(components, length);
-    let mesh = Mesh::new(&string, length);
+    let mesh = Mesh::uniform(&string, length);
     assert_eq!(mesh.elements.len(), 1);
     let section = &mesh.elements[0].section;
     let sum = |f: &dyn Fn(f64, f64) -> f64| parts.iter().map(|&(od, l)| f(od, l)).sum::<f64>();
@@ -112,7 +117,7 @@ fn an_element_of_several_components_is_their_row() {
 
 /// Everything that any string must fulfil.
 fn is_sound(string: &DrillString, element_length: f64) -> Result<(), TestCaseError> {
-    let mesh = Mesh::new(string, element_length);
+    let mesh = Mesh::uniform(string, element_length);
     let length = string.length_m();
     prop_assert_eq!(mesh.nodes.len(), mesh.elements.len() + 1);
     prop_assert_eq!(mesh.nodes[mesh.elements.len()].from_bit_m, 0.0);
@@ -143,26 +148,15 @@ fn is_sound(string: &DrillString, element_length: f64) -> Result<(), TestCaseErr
     prop_assert!((tributary - length).abs() < 1e-9 * length);
     prop_assert!((steel - string.mass_kg()).abs() < 1e-9 * steel);
 
-    // Every joint has a node, or one closer than half an element and two metres.
-    let near = (0.5 * element_length).min(2.0) * (1.0 + 1e-9);
-    let mut bottom = 0.0;
-    for component in string.components() {
-        let top = bottom + component.length_m;
-        if let Some(joints) = component.joints {
-            let mut at = bottom;
-            while at < top {
-                prop_assert!(mesh.nodes.iter().any(|n| (n.from_bit_m - at).abs() <= near));
-                at += joints.spacing_m;
-            }
-        }
-        bottom = top;
-    }
-    // Every node touches with the radius of a component at it or beside it.
-    for node in &mesh.nodes {
+    // Every node touches with the radius of a component at it, or where a joint gave way in one of
+    // the elements beside it.
+    for (i, node) in mesh.nodes.iter().enumerate() {
+        let highest = mesh.nodes[i.saturating_sub(1)].from_bit_m + 1e-6;
+        let lowest = mesh.nodes[(i + 1).min(mesh.elements.len())].from_bit_m - 1e-6;
         let mut bottom = 0.0;
         let known = string.components().iter().any(|c| {
             let top = bottom + c.length_m;
-            let within = (bottom - 1e-6..=top + 1e-6).contains(&node.from_bit_m);
+            let within = bottom <= highest && top >= lowest;
             bottom = top;
             within && [c.contact_radius_m(), c.od_m / 2.0].contains(&node.contact_radius_m)
         });
@@ -206,6 +200,55 @@ fn the_shipped_string_is_cut_soundly() {
     }
 }
 
+/// Whatever is left of a joint at the top and however long a jar is: no element of pipe is shorter
+/// than 0.8 of those that a joint of it is cut into, and none longer than 1.25 of what is requested, but for those between the bit and the stabiliser, which stay where they are.
+#[test]
+fn no_joint_makes_a_short_element() {
+    let above_stabiliser_m = 0.34 + 7.69 + 0.5 + 0.765 - 1e-6;
+    for tenth in 0..=96 {
+        let length_m = 4300.0 + 0.1 * f64::from(tenth);
+        for jar in 0..=12 {
+            let mut parts = components();
+            let is_jar = |part: &&mut ComponentSpec| part.name == "jar";
+            parts.iter_mut().find(is_jar).expect("a jar").length =
+                Metres(0.8 * f64::from(jar) + 0.3);
+            let string = string(parts, length_m);
+            for element_m in [2.4, 3.2, 4.8, 9.6, 12.0] {
+                let mesh = Mesh::uniform(&string, element_m);
+                let unit_m = 9.39 / (9.39_f64 / element_m).round().max(1.0);
+                for (i, element) in mesh.elements.iter().enumerate() {
+                    if mesh.nodes[i + 1].from_bit_m < above_stabiliser_m {
+                        continue;
+                    }
+                    let within =
+                        0.8 * unit_m * (1.0 - 1e-9)..=1.25 * element_m.min(9.6) * (1.0 + 1e-9);
+                    assert!(
+                        within.contains(&element.length_m),
+                        "{length_m} m, jar {jar}, {element_m} m: {} m at {} m",
+                        element.length_m,
+                        mesh.nodes[i + 1].from_bit_m
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// A joint that gives way touches at the node in its place: between two that are a jar apart one
+/// node with their radius.
+#[test]
+fn a_joint_that_gives_way_touches_beside() {
+    let mesh = Mesh::uniform(&np13(), 9.6);
+    let jar_m = 0.34 + 7.69 + 0.5 + 1.53 + 9.09 + 2.17 + 9.47 + 84.53;
+    let near = |n: &&MeshNode| (jar_m - 5.0..jar_m + 8.0).contains(&n.from_bit_m);
+    let nodes: Vec<&MeshNode> = mesh.nodes.iter().filter(near).collect();
+    // 9.39 + 3.59 + 9.39 m in two elements.
+    assert_eq!(nodes.len(), 1);
+    assert_close("node at the jar", nodes[0].from_bit_m, jar_m - 0.02 + 3.59 / 2.0, 1e-6);
+    // The jar itself, 0.1 mm more than the joints.
+    assert_eq!(nodes[0].contact_radius_m, 0.089);
+}
+
 /// Blades touch at both edges where the mesh resolves them, at their middle where it does not;
 /// between the edges, and only there, a node carries their radius.
 #[test]
@@ -236,10 +279,10 @@ fn blades_touch_at_their_edges() {
         places.reverse();
         places
     };
-    assert_eq!(blades(&Mesh::new(&string_of(1.2), 3.2)), [11.0]);
-    assert_eq!(blades(&Mesh::new(&string_of(0.4), 0.5)), [11.0]);
-    assert_eq!(blades(&Mesh::new(&string_of(1.2), 1.6)), [10.4, 11.6]);
-    assert_eq!(blades(&Mesh::new(&string_of(1.2), 0.4)), [10.4, 10.8, 11.2, 11.6]);
+    assert_eq!(blades(&Mesh::uniform(&string_of(1.2), 3.2)), [11.0]);
+    assert_eq!(blades(&Mesh::uniform(&string_of(0.4), 0.5)), [11.0]);
+    assert_eq!(blades(&Mesh::uniform(&string_of(1.2), 1.6)), [10.4, 11.6]);
+    assert_eq!(blades(&Mesh::uniform(&string_of(1.2), 0.4)), [10.4, 10.8, 11.2, 11.6]);
     // Two stabilisers on each other: their blades' edges are one node.
     let double = string(
         vec![
@@ -251,7 +294,7 @@ fn blades_touch_at_their_edges() {
         ],
         200.0,
     );
-    let mesh = Mesh::new(&double, 3.2);
+    let mesh = Mesh::uniform(&double, 3.2);
     assert_eq!(blades(&mesh), [10.0, 12.0, 14.0]);
     assert!(mesh.elements.iter().all(|e| e.length_m > 0.3));
 }

@@ -27,13 +27,17 @@ use crate::{
         stability::{self, StepPlan, Subcycling},
     },
     simd::{number::Real, wide::Registers},
+    sizing::{ElementLength, Sizing},
+    statics::soft::SoftError,
     wall::contact::ContactLaw,
 };
 
 /// Refuses settings that no run can use.
 pub(in crate::dynamics) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
+    if let ElementLength::Uniform(length_m) = settings.element_length {
+        check_numbers(&[("element_length_m", length_m)], &[])?;
+    }
     let positive = [
-        ("element_length_m", settings.element_length_m),
         ("duration_s", settings.duration_s),
         ("sample_interval_s", settings.sample_interval_s),
         ("stribeck_speed_m_per_s", settings.stribeck_speed_m_per_s),
@@ -144,22 +148,41 @@ fn check_shaken(bit: &BitSettings) -> Result<(), SetupError> {
     bit.excitation.as_ref().map_or(Ok(()), |_| Err(SetupError::Excitation(reason)))
 }
 
-/// How a string of these elements settles, and the step.
-fn settling_and_plan(
+/// How long the elements are: of a length of its own choice, by what the operation does to the
+/// string, and where a schedule may stop its rotation, by what sliding would do.
+fn sizing(
     model: &Model,
     operation: &Operation,
     settings: &DynamicsSettings,
-    mesh: &Mesh,
-) -> (Settling, StepPlan) {
-    let settling = Settling::of(operation, settings, mesh);
+) -> Result<Sizing, SoftError> {
+    let accuracy = match settings.element_length {
+        ElementLength::Uniform(length_m) => return Ok(Sizing::uniform(length_m)),
+        ElementLength::Auto(accuracy) => accuracy,
+    };
+    let slid = Operation { kind: operation.kind.without_rotation(), ..*operation };
+    let mut operations = vec![*operation];
+    if !settings.schedule.is_empty() && slid.kind != operation.kind {
+        operations.push(slid);
+    }
+    Sizing::auto(model, &operations, accuracy)
+}
+
+/// The string in elements, how it settles, and the step.
+fn mesh_and_plan(
+    model: &Model,
+    operation: &Operation,
+    settings: &DynamicsSettings,
+) -> Result<(Mesh, Settling, StepPlan), SoftError> {
+    let mesh = Mesh::new(&model.string, &sizing(model, operation, settings)?);
+    let settling = Settling::of(operation, settings, &mesh);
     let bit_md_m = first_bit_md_m(operation, settings, &settling);
-    let lateral = chain::lateral_mass_kg_per_m(model, mesh, bit_md_m);
+    let lateral = chain::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
     let beta = settings.damping.stiffness_s;
     let plan = match settings.regions {
-        Regions::One => stability::plan(mesh, &lateral, beta),
-        Regions::Auto => regions::plan(mesh, &lateral, beta, Body::new(model, mesh).highest()),
+        Regions::One => stability::plan(&mesh, &lateral, beta),
+        Regions::Auto => regions::plan(&mesh, &lateral, beta, Body::new(model, &mesh).highest()),
     };
-    (settling, plan)
+    Ok((mesh, settling, plan))
 }
 
 /// What the model, the operation and the settings of a run determine: the same at its start and
@@ -191,8 +214,7 @@ impl<R: Registers> Basis<R> {
         check(settings)?;
         let served = settings.precision.serves(operation, settings);
         served.map_err(SetupError::Precision)?;
-        let mesh = Mesh::new(&model.string, settings.element_length_m);
-        let (settling, plan) = settling_and_plan(model, operation, settings, &mesh);
+        let (mesh, settling, plan) = mesh_and_plan(model, operation, settings)?;
         Self::on(model, settings, mesh, settling, plan)
     }
 
@@ -248,12 +270,12 @@ fn check_weight_of_bit(settings: &DynamicsSettings, plan: &StepPlan) -> Result<(
 }
 
 /// What a run would cost.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Effort {
-    /// Number of elements.
-    pub elements: usize,
-    /// Step, s.
-    pub time_step_s: f64,
+    /// The string cut into elements.
+    pub mesh: Mesh,
+    /// The step, and what holds it.
+    pub plan: StepPlan,
     /// Simulated time from the start to the end of the window, s, at most.
     pub end_s: f64,
     /// Steps from the initialisation of the string to the end of the window, at most.
@@ -271,18 +293,17 @@ impl Effort {
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
         check(settings)?;
-        let mesh = Mesh::new(&model.string, settings.element_length_m);
-        let (settling, plan) = settling_and_plan(model, operation, settings, &mesh);
+        let (mesh, settling, plan) = mesh_and_plan(model, operation, settings)?;
         check_weight_of_bit(settings, &plan)?;
         let laying_s = match settings.start {
             Start::Prepared => initial_state::SETTLING_S,
             Start::Centred => 0.0,
         };
         Ok(Self {
-            elements: mesh.elements.len(),
-            time_step_s: plan.dt_s,
             end_s: settling.max_s() + settings.duration_s,
             steps: (laying_s + settling.max_s() + settings.duration_s) / plan.dt_s,
+            mesh,
+            plan,
         })
     }
 }

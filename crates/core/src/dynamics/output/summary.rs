@@ -163,6 +163,9 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
         let (torque, torque_std) = at_node(i, &|e| record.torque(e));
         let normal = record.normal(i);
         p.md_m.push(s.anchors[i].md_m - back_m);
+        let element = &s.mesh.elements[i.min(n - 2)];
+        p.element_length_m.push(element.length_m);
+        p.element_size.push(element.reason);
         p.tension_N.push(tension);
         p.tension_std_N.push(tension_std);
         let [low, middle, high] = percentiles(&tensions, i);

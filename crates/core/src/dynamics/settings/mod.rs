@@ -13,6 +13,7 @@ use crate::{
         output::probe::Probe,
         settings::schedule::Schedule,
     },
+    sizing::ElementLength,
     wall::{contact::ContactLaw, friction::STRIBECK_SPEED_M_PER_S},
 };
 
@@ -251,9 +252,9 @@ impl Default for UntilSteady {
 /// Everything that a dynamic run needs beside the model and the operation.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DynamicsSettings {
-    /// Length of the elements, m. A node stands on tool joints and stabilisers; between them the
+    /// Length of the elements. A node stands on tool joints and stabilisers; between them the
     /// elements are as near to this as whole numbers allow, rather longer than shorter.
-    pub element_length_m: f64,
+    pub element_length: ElementLength,
     /// Whether parts of the string have steps of their own.
     #[serde(skip_serializing_if = "Regions::is_one")]
     pub regions: Regions,
@@ -343,7 +344,7 @@ impl Default for DynamicsSettings {
     /// probes; rock of 1e8 N/m and 1e7 N/m across; seed 1; double precision.
     fn default() -> Self {
         Self {
-            element_length_m: 3.2,
+            element_length: ElementLength::Uniform(3.2),
             regions: Regions::One,
             duration_s: 60.0,
             settle_s: 20.0,

@@ -37,6 +37,7 @@ use crate::{
     outcome::TimeSeries,
     rock::{Alone, Executor, bit_face::BottomHole},
     rod::mesh::{Mesh, MeshNode},
+    sizing::ElementLength,
 };
 
 /// Shortest elements that single precision serves, m. Positions are known to 2e-9 m, and what that
@@ -73,7 +74,8 @@ impl Precision {
                  buckles, is decided in digits that single precision does not have",
             );
         }
-        if settings.element_length_m < SHORTEST_M {
+        if matches!(settings.element_length, ElementLength::Uniform(length_m) if length_m < SHORTEST_M)
+        {
             return Err(
                 "the elements are shorter than 1 m: the last digit of a position strains them by \
                  newtons",

@@ -107,7 +107,7 @@ impl Bench {
         let path = arcs(&[[0.0; 3], [length_m, 0.0, 0.0]]);
         let hole = open_hole(hole_m, 0.0, length_m);
         let model = common::model(path, hole, components, mud, length_m);
-        let mesh = Mesh::new(&model.string, element_length_m);
+        let mesh = Mesh::uniform(&model.string, element_length_m);
         let lateral = chain::lateral_mass_kg_per_m(&model, &mesh, length_m);
         let plan = stability::plan(&mesh, &lateral, stiffness_damping_s);
         Self::of_mesh(model, mesh, plan, stiffness_damping_s)

@@ -49,7 +49,7 @@ fn model() -> Model {
 /// Radius, slope, position of the axis and its direction at a depth, as node 10 of a mesh meets
 /// them.
 fn met(model: &Model, element_length_m: f64, md_m: f64, along_m: f64) -> [f64; 8] {
-    let mesh = Mesh::new(&model.string, element_length_m);
+    let mesh = Mesh::uniform(&model.string, element_length_m);
     let settings = DynamicsSettings::default();
     let lateral = chain::lateral_mass_kg_per_m(model, &mesh, LENGTH_M);
     let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);

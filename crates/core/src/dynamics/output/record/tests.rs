@@ -28,7 +28,7 @@ fn model() -> Model {
 /// The string at rest on the hole's axis, and the high side of a vertical hole: north.
 fn string() -> (Model, Mesh, Chain, Vec<Rows<f64>>) {
     let model = model();
-    let mesh = Mesh::new(&model.string, 3.0);
+    let mesh = Mesh::uniform(&model.string, 3.0);
     let lateral = chain::lateral_mass_kg_per_m(&model, &mesh, 120.0);
     let plan = stability::plan(&mesh, &lateral, 0.0);
     let mut chain = chain::chain(&model, &mesh, &plan);

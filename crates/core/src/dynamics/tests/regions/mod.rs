@@ -16,8 +16,9 @@ use crate::{
         mesh::{Mesh, MeshElement, MeshNode},
         regions,
         section::Section,
-        stability::{self, ElementMotion, StepHolder, StepPlan, Subcycling},
+        stability::{self, StepPlan, Subcycling},
     },
+    sizing::SizeReason,
     string::{ComponentLength, ComponentSpec},
 };
 
@@ -33,7 +34,7 @@ fn mesh_of(model: &Model, lengths_m: &[f64]) -> Mesh {
     for &length_m in lengths_m {
         let low = from_bit_m - length_m;
         let section = Section::between(&model.string, low, from_bit_m);
-        mesh.elements.push(MeshElement { length_m, section });
+        mesh.elements.push(MeshElement { length_m, section, reason: SizeReason::Given });
         mesh.nodes.push(node(low));
         from_bit_m = low;
     }
@@ -60,13 +61,12 @@ fn equal(elements: usize, border_node: usize, parts: u32, of: [f64; 2]) -> Bench
         let k = Stiffness::new(&mesh.elements[0].section, LONG_M);
         let m = f64::from(parts);
         let beside_s2 = part_of_inertia * plan.dt_s.powi(2) / 12.0 * (1.0 - 1.0 / (m * m));
-        let holder = StepHolder { element: 0, motion: ElementMotion::Axial };
         plan.subcycling = Some(Subcycling {
             border_node,
             parts,
             axial_kg: k.axial * beside_s2,
             polar_kg_m2: k.twist * beside_s2,
-            held_by: [holder; 2],
+            holder: None,
         });
         plan
     })

@@ -6,7 +6,7 @@ use crate::{
     rod::{
         element::Stiffness,
         regions,
-        stability::{self, ElementMotion, StepPlan},
+        stability::{self, Motion, StepPlan},
     },
 };
 
@@ -76,10 +76,10 @@ fn the_plan_says_which_element_holds_each_step() {
     lengths[220] = 1.0;
     let plan = plan(&lengths, usize::MAX);
     let found = plan.subcycling.expect("regions");
-    let [upper, lower] = found.held_by;
-    assert_eq!(upper.motion, ElementMotion::Axial);
+    let (upper, lower) = (plan.holder.expect("a holder"), found.holder.expect("a holder"));
+    assert_eq!(upper.motion, Motion::Axial);
     assert!(upper.element <= found.border_node);
-    assert_eq!((lower.element, lower.motion), (220, ElementMotion::Torsion));
+    assert_eq!((lower.element, lower.motion), (220, Motion::Torsion));
     let own_s = 0.99 / 3178.35;
     let dt_s = plan.shortest_s();
     // `M` steps in one of the pipe may be a little shorter each.

@@ -15,6 +15,7 @@ use crate::{
         section::Section,
     },
     simd::wide::Registers,
+    sizing::{ElementLength, SizeReason},
     string::{BodyBend, Cavity, Eccentricity, StringSpec},
 };
 
@@ -57,6 +58,7 @@ fn refined(model: &Model, joints: usize, parts: usize) -> Mesh {
     let element = |pair: &[f64]| MeshElement {
         length_m: pair[0] - pair[1],
         section: Section::between(&model.string, pair[1], pair[0]),
+        reason: SizeReason::Given,
     };
     Mesh {
         nodes: ends.iter().map(node).collect(),
@@ -243,7 +245,7 @@ fn the_plan_divides_a_string_where_that_is_asked_for() {
         Operation { trip_speed_m_per_s: 0.1, ..operation(OperationKind::Ream, depth_m(JOINTS)) };
     let [one, two] = [Regions::One, Regions::Auto].map(|regions| {
         let settings = DynamicsSettings {
-            element_length_m: PIPE_M,
+            element_length: ElementLength::Uniform(PIPE_M),
             regions,
             settle_s: 5.0,
             duration_s: 10.0,

@@ -1,0 +1,81 @@
+//! `[mesh]`.
+
+use wholestring::dynamics::{Accuracy, DynamicsSettings, ElementLength};
+use wholestring_config::{
+    diagnostic::Diagnostic,
+    quantity::Quantity,
+    range::Range,
+    reader::Reader,
+    rule::Choice,
+    table::{default, table},
+};
+use wholestring_units::Dimension;
+
+use crate::auto::{AUTO, AutoOr, AutoOrQuantity};
+
+table! {
+    /// How finely the string is cut.
+    MeshTable in "[mesh]" {
+        /// Length of the elements, at most a quarter longer where joints require it: a node stands
+        /// on tool joints and stabilisers. Halving it makes a dynamic run four times slower.
+        /// "auto": from joint to joint, finer where something asks for it, as `accuracy` has it.
+        element_length: AutoOr = default(
+            AutoOrQuantity {
+                quantity: Quantity::si(
+                    Dimension::Length, Range::from_to(0.2, 30.0).usual(0.3, 30.0), "3.2 m",
+                ),
+                noun: "a length",
+                auto: "From joint to joint, finer where something asks for it.",
+            },
+            default_length(),
+        );
+        /// How accurate elements that choose their length are to be: "coarse" (from joint to joint,
+        /// the bottom-hole assembly too), "standard" (the assembly at 3 m, more where the body
+        /// touches between joints and where compression nears buckling) or "fine" (half of the
+        /// standard lengths).
+        accuracy: Accuracy = default(
+            Choice {
+                noun: "an accuracy",
+                words: &[
+                    ("coarse", Accuracy::Coarse),
+                    ("standard", Accuracy::Standard),
+                    ("fine", Accuracy::Fine),
+                ],
+            },
+            Accuracy::default(),
+        ).used_with(&[AUTO]);
+    }
+}
+
+/// What the engine takes where nobody says.
+fn default_length() -> AutoOr {
+    match DynamicsSettings::default().element_length {
+        ElementLength::Uniform(length_m) => AutoOr::Given(length_m),
+        ElementLength::Auto(_) => AutoOr::Auto,
+    }
+}
+
+impl MeshTable {
+    /// What the engine is told.
+    pub(crate) fn element_length(&self) -> Option<ElementLength> {
+        Some(match *self.element_length.get()? {
+            AutoOr::Auto => ElementLength::Auto(*self.accuracy.get()?),
+            AutoOr::Given(length_m) => ElementLength::Uniform(length_m),
+        })
+    }
+
+    /// Warns of an accuracy beside a length that is given.
+    pub(crate) fn warn_of_idle_keys(&self, reader: &mut Reader) {
+        let (Some(accuracy), Some(AutoOr::Given(_))) =
+            (self.accuracy.given(), self.element_length.get())
+        else {
+            return;
+        };
+        let diagnostic = Diagnostic::warning("`accuracy` has no effect here")
+            .at(accuracy.place, "used with element_length = \"auto\"");
+        reader.report(match self.element_length.given() {
+            Some(length) => diagnostic.at(length.place, "the length"),
+            None => diagnostic.help("the length is given where no other is"),
+        });
+    }
+}

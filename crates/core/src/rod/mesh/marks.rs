@@ -1,0 +1,147 @@
+//! The places where nodes must stand: ends, blades, bends, and joints where they can.
+
+use crate::{
+    sizing::Sizing,
+    string::{Blades, Component, DrillString, NEAREST_BEND_M},
+};
+
+/// A place where a node must stand.
+pub(super) struct Mark {
+    pub(super) from_bit_m: f64,
+    pub(super) contact_radius_m: f64,
+    /// The ends, the stabilisers and the bends never give way; joints do, where they crowd.
+    pub(super) fixed: bool,
+}
+
+/// Blades that are shorter than this touch at their middle, m: the tilt that they allow in their
+/// clearance is more than a string bends over their length.
+const SHORT_BLADE_M: f64 = 0.5;
+
+/// A component without blades of its own that stands out over both its neighbours and is no longer
+/// than this touches as one point, at its middle, m.
+const LONGEST_BLADE_M: f64 = 4.0;
+
+/// A joint nearer to the bit, the top, a stabiliser or the joint below than this part of the
+/// element length, and than [`CROWDED_M`], has no node of its own.
+const CROWDED: f64 = 0.5;
+
+/// Longest distance over which joints share the node of another one, m.
+const CROWDED_M: f64 = 2.0;
+
+/// A blade's edge nearer than this to another one or to an end of the string shares its node, m.
+const SAME_M: f64 = 0.05;
+
+/// How far a blade stands out over its neighbours, m.
+pub(super) const BLADE_HEIGHT_M: f64 = 1e-3;
+
+/// What touches between marks: the blades, where they are, or the body.
+pub(super) fn body_radius_m(string: &DrillString, from_bit_m: f64) -> f64 {
+    let (index, component) = string.component_at(from_bit_m);
+    if let Some(blades) = component.blades
+        && let Some(span) = string.spans().nth(index)
+    {
+        let middle = 0.5 * (span.from_bit_m + span.to_bit_m);
+        if (from_bit_m - middle).abs() <= 0.5 * blades.length_m {
+            return 0.5 * blades.od_m;
+        }
+    }
+    component.od_m / 2.0
+}
+
+/// Where the blades of a component touch that reaches from `bottom` to `top`: distances from the
+/// bit, m.
+fn blade_places_m(blades: &Blades, bottom: f64, top: f64, element_length_m: f64) -> Vec<f64> {
+    let middle = 0.5 * (bottom + top);
+    let half = 0.5 * blades.length_m;
+    if blades.length_m > SHORT_BLADE_M.max(CROWDED * element_length_m) {
+        vec![middle - half, middle + half]
+    } else {
+        vec![middle]
+    }
+}
+
+/// The marks of a string from the bit up, without the joints that crowd another mark.
+pub(super) fn of(string: &DrillString, sizing: &Sizing) -> Vec<Mark> {
+    let components = string.components();
+    let length = string.length_m();
+    let mut marks = vec![
+        Mark { from_bit_m: 0.0, contact_radius_m: components[0].contact_radius_m(), fixed: true },
+        Mark {
+            from_bit_m: length,
+            contact_radius_m: components[components.len() - 1].contact_radius_m(),
+            fixed: true,
+        },
+    ];
+    let mut bottom = 0.0;
+    for (index, component) in components.iter().enumerate() {
+        let top = bottom + component.length_m;
+        let radius = component.contact_radius_m();
+        if let Some(joints) = component.joints {
+            let mut from_bit_m = bottom;
+            while from_bit_m < top {
+                marks.push(Mark { from_bit_m, contact_radius_m: radius, fixed: false });
+                from_bit_m += joints.spacing_m;
+            }
+        } else if let Some(blades) = &component.blades {
+            let element_length_m = sizing.at(0.5 * (bottom + top)).element_length_m;
+            for from_bit_m in blade_places_m(blades, bottom, top, element_length_m) {
+                let near = |m: &&mut Mark| (m.from_bit_m - from_bit_m).abs() < SAME_M;
+                match marks.iter_mut().filter(|m| m.fixed).find(near) {
+                    Some(mark) => mark.contact_radius_m = mark.contact_radius_m.max(radius),
+                    None => marks.push(Mark { from_bit_m, contact_radius_m: radius, fixed: true }),
+                }
+            }
+        } else if is_blade(components, index) {
+            let from_bit_m = 0.5 * (bottom + top);
+            marks.push(Mark { from_bit_m, contact_radius_m: radius, fixed: true });
+        }
+        bottom = top;
+    }
+    // A bend takes the node of a bit or a blade that is next to it.
+    for span in string.spans() {
+        let Some(bend) = span.component.bend else {
+            continue;
+        };
+        let from_bit_m = span.from_bit_m + bend.from_lower_end_m;
+        let taken = |m: &Mark| m.fixed && (m.from_bit_m - from_bit_m).abs() < NEAREST_BEND_M;
+        if !marks.iter().any(taken) {
+            marks.push(Mark {
+                from_bit_m,
+                contact_radius_m: body_radius_m(string, from_bit_m),
+                fixed: true,
+            });
+        }
+    }
+    marks.sort_by(|a, b| a.from_bit_m.total_cmp(&b.from_bit_m));
+    thin(marks, sizing)
+}
+
+/// Whether a component stands out over both its neighbours over a short length: a stabiliser, a
+/// reamer. The bit is no neighbour to stand out from, and is none itself.
+fn is_blade(components: &[Component], index: usize) -> bool {
+    let radius = components[index].contact_radius_m();
+    let over = |other: Option<&Component>| {
+        other.is_none_or(|c| radius > c.contact_radius_m() + BLADE_HEIGHT_M)
+    };
+    index > 0
+        && components[index].length_m <= LONGEST_BLADE_M
+        && over(if index == 1 { None } else { components.get(index - 1) })
+        && over(components.get(index + 1))
+}
+
+/// Drops joints that crowd a fixed mark or the joint below.
+fn thin(marks: Vec<Mark>, sizing: &Sizing) -> Vec<Mark> {
+    let fixed: Vec<f64> = marks.iter().filter(|m| m.fixed).map(|m| m.from_bit_m).collect();
+    let mut kept: Vec<Mark> = Vec::with_capacity(marks.len());
+    for mark in marks {
+        let length_m = sizing.at(mark.from_bit_m).element_length_m;
+        let near = (CROWDED * length_m).min(CROWDED_M);
+        let crowds_fixed = !mark.fixed && fixed.iter().any(|f| (f - mark.from_bit_m).abs() < near);
+        let crowds_last =
+            !mark.fixed && kept.last().is_some_and(|last| mark.from_bit_m - last.from_bit_m < near);
+        if !crowds_fixed && !crowds_last {
+            kept.push(mark);
+        }
+    }
+    kept
+}

@@ -1,0 +1,121 @@
+//! Where the nodes stand.
+
+mod cut;
+mod marks;
+
+use super::section::Section;
+use crate::{
+    sizing::{SizeReason, Sizing},
+    string::DrillString,
+};
+
+use marks::BLADE_HEIGHT_M;
+
+/// A node of the string.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshNode {
+    /// Distance from the bit along the unloaded string, m.
+    pub from_bit_m: f64,
+    /// Radius that touches the wall here: of the joint, of the stabiliser or of the body, m.
+    pub contact_radius_m: f64,
+}
+
+/// An element between two nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshElement {
+    /// Length of the unloaded element, m.
+    pub length_m: f64,
+    /// Its mean section.
+    pub section: Section,
+    /// What asked for its length; nodes that must stand where they do make it shorter.
+    pub reason: SizeReason,
+}
+
+/// The string cut into elements, from the surface down to the bit: node 0 is the top, the last node
+/// the bit, element `i` lies between nodes `i` and `i + 1`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    /// Nodes, one more than elements.
+    pub nodes: Vec<MeshNode>,
+    /// Elements.
+    pub elements: Vec<MeshElement>,
+}
+
+impl Mesh {
+    /// Cuts `string` into elements of about the lengths of `sizing`, with a node at the bit, at the
+    /// top, on every stabiliser, at every bend of a body and on the tool joints.
+    ///
+    /// Elements are between 0.8 and 1.25 of those lengths wherever tool joints alone stand in the
+    /// way: a joint that would leave a shorter element gives way to nodes at equal distances. Only
+    /// ends, stabilisers and bends make shorter ones.
+    ///
+    /// Blades touch at both edges where they are longer than half a metre and half an element, so
+    /// that a stabiliser resists tilting in its hole; shorter ones touch at their middle.
+    pub fn new(string: &DrillString, sizing: &Sizing) -> Self {
+        let mut nodes = cut::nodes(string, marks::of(string, sizing), sizing);
+        nodes.reverse();
+        let elements = nodes
+            .windows(2)
+            .map(|pair| {
+                let (top_m, bottom_m) = (pair[0].from_bit_m, pair[1].from_bit_m);
+                MeshElement {
+                    length_m: top_m - bottom_m,
+                    section: Section::between(string, bottom_m, top_m),
+                    reason: sizing.at(0.5 * (top_m + bottom_m)).reason,
+                }
+            })
+            .collect();
+        Self { nodes, elements }
+    }
+
+    /// Cuts `string` into elements of about `element_length_m` everywhere.
+    pub fn uniform(string: &DrillString, element_length_m: f64) -> Self {
+        Self::new(string, &Sizing::uniform(element_length_m))
+    }
+
+    /// The node nearest to a place.
+    pub fn nearest_node(&self, from_bit_m: f64) -> usize {
+        // The distances go down along the nodes.
+        let below = self.nodes.partition_point(|n| n.from_bit_m >= from_bit_m);
+        let above = below.saturating_sub(1);
+        let below = below.min(self.nodes.len() - 1);
+        let off = |i: usize| (self.nodes[i].from_bit_m - from_bit_m).abs();
+        if off(below) < off(above) { below } else { above }
+    }
+
+    /// The node nearest to a place between the ends, the ends left out.
+    ///
+    /// # Panics
+    /// Where the mesh has no node but the ends.
+    pub fn nearest_inner_node(&self, from_bit_m: f64) -> usize {
+        let off = |i: &usize| (self.nodes[*i].from_bit_m - from_bit_m).abs();
+        (1..self.nodes.len() - 1)
+            .min_by(|a, b| off(a).total_cmp(&off(b)))
+            .expect("a bend has a node between the ends")
+    }
+
+    /// From how many nodes to how many most of the string has a node that stands out over the one
+    /// below it, as tool joints do; one where there is no such rule.
+    pub fn nodes_per_joint(&self) -> usize {
+        let stands_out = |pair: &[MeshNode]| {
+            pair[0].contact_radius_m > pair[1].contact_radius_m + BLADE_HEIGHT_M
+        };
+        let pairs = self.nodes.windows(2).enumerate();
+        let joints: Vec<usize> = pairs.filter(|(_, p)| stands_out(p)).map(|(i, _)| i).collect();
+        let gaps = || joints.windows(2).map(|pair| pair[1] - pair[0]);
+        let many = |gap: usize| gaps().filter(|g| *g == gap).count() * gap;
+        gaps().find(|gap| 2 * many(*gap) > self.nodes.len()).unwrap_or(1)
+    }
+
+    /// Length of the unloaded string, m.
+    pub fn length_m(&self) -> f64 {
+        self.nodes[0].from_bit_m
+    }
+
+    /// Half of each neighbouring element: the length that a node answers for, m.
+    pub fn tributary_length_m(&self, node: usize) -> f64 {
+        let above = if node > 0 { self.elements[node - 1].length_m } else { 0.0 };
+        let below = self.elements.get(node).map_or(0.0, |e| e.length_m);
+        0.5 * (above + below)
+    }
+}

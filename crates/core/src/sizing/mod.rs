@@ -1,0 +1,125 @@
+//! Mesh sizing: how long the elements are to be along the string, and what asked for that.
+//!
+//! Theory, and the convergence study that the rule comes from: `docs/src/theory/mesh.md`.
+
+mod rule;
+
+pub use rule::{Accuracy, Demand};
+
+use serde::{Deserialize, Serialize};
+
+/// How long the elements of a run are.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum ElementLength {
+    /// About so long everywhere, m.
+    Uniform(f64),
+    /// As long as the answer allows: from joint to joint, finer where something asks for it.
+    Auto(Accuracy),
+}
+
+/// Why elements are as long as they are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum SizeReason {
+    /// The length is given.
+    Given,
+    /// Pipe that hangs or lies between its tool joints.
+    JointToJoint,
+    /// Pipe without tool joints.
+    PlainPipe,
+    /// The bottom-hole assembly.
+    Assembly,
+    /// The body touches the wall between the joints.
+    BodyContact,
+    /// Compression near or beyond the critical load of sinusoidal buckling.
+    Compression,
+}
+
+impl SizeReason {
+    /// Every reason.
+    pub const ALL: [Self; 6] = [
+        Self::Given,
+        Self::JointToJoint,
+        Self::PlainPipe,
+        Self::Assembly,
+        Self::BodyContact,
+        Self::Compression,
+    ];
+
+    /// Name in results.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Given => "given",
+            Self::JointToJoint => "joint to joint",
+            Self::PlainPipe => "plain pipe",
+            Self::Assembly => "assembly",
+            Self::BodyContact => "body contact",
+            Self::Compression => "compression",
+        }
+    }
+}
+
+/// A stretch of the string whose elements are to be of one length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SizedInterval {
+    /// Lower end, measured from the bit, m.
+    pub from_bit_m: f64,
+    /// Length of its elements, m.
+    pub element_length_m: f64,
+    /// What asked for that.
+    pub reason: SizeReason,
+}
+
+/// The length of elements along the string: intervals from the bit up, each up to the next, the
+/// last without end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sizing {
+    intervals: Vec<SizedInterval>,
+}
+
+impl Sizing {
+    /// Elements of about `element_length_m` everywhere.
+    pub fn uniform(element_length_m: f64) -> Self {
+        let reason = SizeReason::Given;
+        Self { intervals: vec![SizedInterval { from_bit_m: 0.0, element_length_m, reason }] }
+    }
+
+    /// The intervals, from the bit up.
+    pub fn intervals(&self) -> &[SizedInterval] {
+        &self.intervals
+    }
+
+    /// The interval at a distance from the bit, m.
+    pub fn at(&self, from_bit_m: f64) -> &SizedInterval {
+        let above = self.intervals.partition_point(|one| one.from_bit_m <= from_bit_m);
+        &self.intervals[above.saturating_sub(1)]
+    }
+
+    /// How many elements of the intervals' lengths fit between two distances from the bit, m.
+    pub fn lengths_between(&self, low_m: f64, high_m: f64) -> f64 {
+        let mut lengths = 0.0;
+        for (index, one) in self.intervals.iter().enumerate() {
+            let end_m = self.intervals.get(index + 1).map_or(f64::INFINITY, |next| next.from_bit_m);
+            let covered_m = high_m.min(end_m) - low_m.max(one.from_bit_m);
+            lengths += covered_m.max(0.0) / one.element_length_m;
+        }
+        lengths
+    }
+
+    /// The distance from the bit, m, up to which so many `lengths` of elements fit above `low_m`.
+    pub fn place_above(&self, low_m: f64, mut lengths: f64) -> f64 {
+        let mut place_m = low_m;
+        for (index, one) in self.intervals.iter().enumerate() {
+            let end_m = self.intervals.get(index + 1).map_or(f64::INFINITY, |next| next.from_bit_m);
+            if end_m <= place_m {
+                continue;
+            }
+            let fit = (end_m - place_m) / one.element_length_m;
+            if lengths <= fit {
+                return place_m + lengths * one.element_length_m;
+            }
+            lengths -= fit;
+            place_m = end_m;
+        }
+        place_m
+    }
+}

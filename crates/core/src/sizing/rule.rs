@@ -1,0 +1,221 @@
+//! The rule by which elements choose their length.
+
+use serde::{Deserialize, Serialize};
+
+use super::{SizeReason, SizedInterval, Sizing};
+use crate::{
+    model::Model,
+    operation::Operation,
+    statics::{
+        buckling::{Criterion, Place},
+        soft::{self, SoftError, SoftProfile, SoftSettings},
+        span::{BodyContact, JointSpan},
+    },
+    string::Component,
+};
+
+/// How accurate a mesh that chooses itself is to be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum Accuracy {
+    /// From joint to joint, the assembly too: for sweeps and for what comes at many times real
+    /// time.
+    Coarse,
+    /// From joint to joint where pipe hangs or lies between its joints, the assembly in elements of
+    /// 3 m.
+    #[default]
+    Standard,
+    /// Half of the standard elements, everywhere.
+    Fine,
+}
+
+/// Longest element between joints, m: a joint of range 3. Longer spacings are cut.
+const MAX_JOINT_M: f64 = 14.0;
+
+/// Shortest spacing of joints that are taken for a pipe's, m; shorter ones share elements.
+const MIN_JOINT_M: f64 = 5.0;
+
+/// Elements of pipe without joints, m: a joint of range 2.
+const PLAIN_M: f64 = 9.6;
+
+/// Elements of the assembly, m.
+const ASSEMBLY_M: f64 = 3.0;
+
+/// Elements for a joint whose body touches between its ends: a node at the middle and on either
+/// side of it.
+const PER_TOUCHING_JOINT: f64 = 4.0;
+
+/// Elements for a half wave of sinusoidal buckling.
+const PER_HALF_WAVE: f64 = 4.0;
+
+/// Part of the critical load from which a compressed stretch is resolved.
+const NEAR_CRITICAL: f64 = 0.8;
+
+/// How much heavier than the lightest jointed pipe a component of the assembly is, per length.
+const HEAVY: f64 = 1.5;
+
+/// Length from which a stretch of light jointed pipe ends the assembly, m.
+const PIPE_M: f64 = 60.0;
+
+/// Side force below which pipe hangs: less than a tenth of its weight lies on the wall, N/m.
+const LIGHT_N_PER_M: f64 = 10.0;
+
+/// Step of the soft string that the rule asks, m.
+const STEP_M: f64 = 4.0;
+
+/// A length that a stretch of the string asks for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Demand {
+    /// Lower and upper end, measured from the bit, m.
+    pub from_bit_m: [f64; 2],
+    /// Longest element, m.
+    pub element_length_m: f64,
+    /// What asks.
+    pub reason: SizeReason,
+}
+
+impl Sizing {
+    /// The lengths that a string asks for in one operation or several that it goes through, by the
+    /// rule of `docs/src/theory/mesh.md`: what lies against the wall and what is compressed is
+    /// known from the soft string.
+    ///
+    /// # Errors
+    /// A soft string without solution.
+    pub fn auto(
+        model: &Model,
+        operations: &[Operation],
+        accuracy: Accuracy,
+    ) -> Result<Self, SoftError> {
+        let mut demands = ordinary(model, accuracy);
+        for operation in operations {
+            let profile = soft::solve(model, operation, &SoftSettings { step_m: STEP_M })?;
+            loaded(model, operation, &profile, accuracy, &mut demands);
+        }
+        Ok(Self::of_demands(&demands))
+    }
+
+    /// The shortest length that anything asks for, everywhere.
+    fn of_demands(demands: &[Demand]) -> Self {
+        let mut places: Vec<f64> = demands.iter().flat_map(|one| one.from_bit_m).collect();
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        let mut intervals: Vec<SizedInterval> = Vec::new();
+        for pair in places.windows(2) {
+            let middle_m = 0.5 * (pair[0] + pair[1]);
+            let here = demands.iter().filter(|one| {
+                let [low_m, high_m] = one.from_bit_m;
+                (low_m..high_m).contains(&middle_m)
+            });
+            let Some(least) = here.min_by(|a, b| a.element_length_m.total_cmp(&b.element_length_m))
+            else {
+                continue;
+            };
+            let Demand { element_length_m, reason, .. } = *least;
+            let same = |last: &SizedInterval| {
+                (last.element_length_m, last.reason) == (element_length_m, reason)
+            };
+            if !intervals.last().is_some_and(same) {
+                intervals.push(SizedInterval { from_bit_m: pair[0], element_length_m, reason });
+            }
+        }
+        Self { intervals }
+    }
+}
+
+/// What the components ask for whatever loads them.
+fn ordinary(model: &Model, accuracy: Accuracy) -> Vec<Demand> {
+    let assembly_top_m = assembly_top_m(model);
+    let halved = if accuracy == Accuracy::Fine { 0.5 } else { 1.0 };
+    let spans = model.string.spans();
+    spans
+        .map(|span| {
+            let assembly = span.to_bit_m <= assembly_top_m && accuracy != Accuracy::Coarse;
+            let (element_length_m, reason) = match joint_m(span.component) {
+                _ if assembly => (ASSEMBLY_M, SizeReason::Assembly),
+                Some(joint_m) => (joint_m, SizeReason::JointToJoint),
+                None => (PLAIN_M, SizeReason::PlainPipe),
+            };
+            Demand {
+                from_bit_m: [span.from_bit_m, span.to_bit_m],
+                element_length_m: halved * element_length_m,
+                reason,
+            }
+        })
+        .collect()
+}
+
+/// Element from joint to joint of a component, m; none where it has no joints of a pipe.
+fn joint_m(component: &Component) -> Option<f64> {
+    let spacing_m = component.joints?.spacing_m;
+    (spacing_m >= MIN_JOINT_M).then(|| spacing_m / (spacing_m / MAX_JOINT_M).ceil())
+}
+
+/// Upper end of the bottom-hole assembly, from the bit, m: where ordinary drill pipe begins. None
+/// of a string that is the same from end to end is an assembly.
+fn assembly_top_m(model: &Model) -> f64 {
+    let jointed = model.string.components().iter().filter(|one| joint_m(one).is_some());
+    let lightest = jointed.map(|one| one.mass_per_length_kg_per_m).fold(f64::INFINITY, f64::min);
+    let is_pipe = |one: &Component| {
+        one.length_m >= PIPE_M
+            && joint_m(one).is_some()
+            && one.mass_per_length_kg_per_m < HEAVY * lightest
+    };
+    let mut spans = model.string.spans();
+    spans.find(|span| is_pipe(span.component)).map_or(0.0, |pipe| pipe.from_bit_m)
+}
+
+/// What the loads ask for: joints whose body touches, and stretches that buckle.
+fn loaded(
+    model: &Model,
+    operation: &Operation,
+    profile: &SoftProfile,
+    accuracy: Accuracy,
+    demands: &mut Vec<Demand>,
+) {
+    let finer = match accuracy {
+        Accuracy::Coarse => 2.0,
+        Accuracy::Standard => 1.0,
+        Accuracy::Fine => 0.5,
+    };
+    let bit_depth_m = operation.bit_depth_m;
+    for (row, &md_m) in profile.md_m.iter().enumerate() {
+        let from_bit_m = bit_depth_m - md_m;
+        let (_, component) = model.string.component_at(from_bit_m);
+        let (tension_N, load_N_per_m) =
+            (profile.tension_N[row], profile.side_force_N_per_m[row].abs());
+        let joint = joint_m(component);
+        let mut ask = |element_length_m: f64, reason: SizeReason| {
+            // Whole parts of a joint, and a joint to either side.
+            let joint_m = joint.unwrap_or(PLAIN_M);
+            let element_length_m = joint_m / (joint_m / (finer * element_length_m)).ceil();
+            let stretch_m = [(from_bit_m - joint_m).max(0.0), from_bit_m + joint_m];
+            match demands.last_mut() {
+                Some(last)
+                    if (last.reason, last.element_length_m) == (reason, element_length_m)
+                        && last.from_bit_m[0] <= stretch_m[1] =>
+                {
+                    last.from_bit_m[0] = stretch_m[0];
+                }
+                _ => demands.push(Demand { from_bit_m: stretch_m, element_length_m, reason }),
+            }
+        };
+        if let (Some(joint_m), Some(span)) = (joint, JointSpan::of(component))
+            && load_N_per_m > LIGHT_N_PER_M
+            && span.bending(tension_N, load_N_per_m).contact != BodyContact::None
+        {
+            ask(joint_m / PER_TOUCHING_JOINT, SizeReason::BodyContact);
+        }
+        if tension_N < 0.0 {
+            let place = Place::of(model, bit_depth_m, md_m);
+            let wall_load = place.wall_load_N_per_m(-tension_N);
+            if -tension_N > NEAR_CRITICAL * place.threshold_N(Criterion::Sinusoidal, wall_load) {
+                ask(half_wave_m(&place, -tension_N) / PER_HALF_WAVE, SizeReason::Compression);
+            }
+        }
+    }
+}
+
+/// Half a wave of the sinusoid at the critical load, and half a pitch of the helix beyond it,
+/// `π √(2 EI/F)`, m (Lubinski, Althouse and Logan 1962).
+fn half_wave_m(place: &Place, compression_N: f64) -> f64 {
+    std::f64::consts::PI * (2.0 * place.bending_stiffness_N_m2 / compression_N).sqrt()
+}
