@@ -44,18 +44,16 @@ fn meshes(case: &Case) -> String {
     if !ModelKind::any_in_time(&case.models) {
         return String::new();
     }
-    let several = case.operations.len() > 1;
-    let mut text = String::new();
-    for operation in &case.operations {
-        let Ok(effort) = Effort::of(&case.model, operation, &case.dynamics) else {
-            continue;
-        };
-        if several {
-            text += &format!("{}: ", operation.kind.name());
-        }
-        text += &mesh(&effort, case);
+    let each = case.operations.iter().filter_map(|operation| {
+        let effort = Effort::of(&case.model, operation, &case.dynamics).ok()?;
+        Some((operation.kind.name(), mesh(&effort, case)))
+    });
+    let each: Vec<(&str, String)> = each.collect();
+    match each.as_slice() {
+        // One mesh serves them all.
+        [(_, first), others @ ..] if others.iter().all(|(_, text)| text == first) => first.clone(),
+        each => each.iter().map(|(operation, text)| format!("{operation}: {text}")).collect(),
     }
-    text
 }
 
 /// The elements by what asked for their length, and the one that holds the step.
@@ -67,11 +65,15 @@ fn mesh(effort: &Effort, case: &Case) -> String {
         let count = elements.iter().filter(|one| one.reason == *reason).count();
         (count > 0).then(|| format!("{count} {}", reason.name()))
     });
+    let shortest = length(lengths_m().fold(f64::INFINITY, f64::min));
+    let longest = length(lengths_m().fold(0.0, f64::max));
+    let lengths = match shortest == longest {
+        true => shortest,
+        false => format!("{shortest} to {longest}"),
+    };
     let mut text = format!(
-        "{} elements of {} to {} ({}), steps of {:.3} ms\n",
+        "{} elements of {lengths} ({}), steps of {:.3} ms\n",
         elements.len(),
-        length(lengths_m().fold(f64::INFINITY, f64::min)),
-        length(lengths_m().fold(0.0, f64::max)),
         by_reason.collect::<Vec<_>>().join(", "),
         1e3 * effort.plan.dt_s,
     );
