@@ -42,8 +42,8 @@ const TRIED: [f64; 8] = [1.0, 0.95, 0.9, 0.85, 0.8, 0.7, 0.6, 0.5];
 
 /// The cheapest plan for `mesh`: in two regions where that pays, else [`stability::plan`]'s.
 ///
-/// The border lies above the node `highest_lower`: what acts on that node, and below, belongs to
-/// the lower region. `lateral_kg_per_m` and `stiffness_damping_s` as there.
+/// The border element lies above the node `highest_lower`, and not at it: what acts on that node and
+/// on the elements at it belongs to the lower region. `lateral_kg_per_m` and `stiffness_damping_s` as there.
 pub fn plan(
     mesh: &Mesh,
     lateral_kg_per_m: &[f64],

@@ -8,6 +8,7 @@
 //! from each node's own anchor on the hole's axis.
 
 mod blocks;
+mod imbalance;
 mod numbers;
 mod region;
 mod rows;
@@ -28,7 +29,8 @@ use crate::{
     },
 };
 
-pub use blocks::{ElementBlock, NO_WALL_M, NodeBlock, StateBlock};
+pub use blocks::{ElementBlock, ImbalanceBlock, NO_WALL_M, NodeBlock, StateBlock};
+pub use imbalance::NodeImbalance;
 pub(crate) use numbers::{element, node, number};
 pub use region::RegionRows;
 use rows::CopyLane;
@@ -52,6 +54,8 @@ pub struct Chain<R: Real = f64> {
     pub node_blocks: Vec<NodeBlock<R>>,
     /// Elements, as many rows as nodes have.
     pub element_blocks: Vec<ElementBlock<R>>,
+    /// Imbalances of the nodes, row by row; none where none is eccentric.
+    pub imbalance_blocks: Vec<ImbalanceBlock<R>>,
 }
 
 macro_rules! vector_access {
@@ -106,6 +110,7 @@ impl<R: Real> Chain<R> {
             states: vec![StateBlock::at_rest(); rows + 1],
             node_blocks: vec![NodeBlock::idle(); rows],
             element_blocks: vec![ElementBlock::idle(); rows],
+            imbalance_blocks: Vec::new(),
         };
         chain.unbind_ghosts();
         chain
@@ -130,11 +135,17 @@ impl<R: Real> Chain<R> {
 
     fn moved_into<S: Real>(&self, mut chain: Chain<S>) -> Chain<S> {
         chain.lengths_m.clone_from(&self.lengths_m);
+        if !self.imbalance_blocks.is_empty() {
+            chain.make_room_for_imbalances();
+        }
         for index in 0..self.nodes {
             let ((row, lane), (from, from_lane)) = (chain.place(index), self.place(index));
             chain.states[row].copy_lane(lane, &self.states[from], from_lane);
             chain.node_blocks[row].copy_lane(lane, &self.node_blocks[from], from_lane);
             chain.element_blocks[row].copy_lane(lane, &self.element_blocks[from], from_lane);
+            if let Some(imbalances) = self.imbalance_blocks.get(from) {
+                chain.imbalance_blocks[row].copy_lane(lane, imbalances, from_lane);
+            }
         }
         if let Some((border, [_, (row, lane)])) = chain.border().zip(chain.ghosts()) {
             let (from, from_lane) = self.lower_place_of_element(border.node);
@@ -156,7 +167,8 @@ impl<R: Real> Chain<R> {
             && self.lengths_m.len() == nodes
             && self.states.len() == rows + 1
             && self.node_blocks.len() == rows
-            && self.element_blocks.len() == rows;
+            && self.element_blocks.len() == rows
+            && [0, rows].contains(&self.imbalance_blocks.len());
         ensure(fits, "the string")
     }
 

@@ -1,6 +1,6 @@
 //! The regions of a chain that is divided, and the ghosts by which they are coupled.
 
-use super::{Chain, ElementBlock, NodeBlock, StateBlock, rows::CopyLane};
+use super::{Chain, ElementBlock, ImbalanceBlock, NodeBlock, StateBlock, rows::CopyLane};
 use crate::{dynamics::kernel::places::Border, simd::number::Real};
 
 /// The rows of a region.
@@ -11,6 +11,8 @@ pub struct RegionRows<'a, R: Real> {
     pub node_blocks: &'a mut [NodeBlock<R>],
     /// Its elements.
     pub element_blocks: &'a mut [ElementBlock<R>],
+    /// Imbalances of its nodes; none where none of the chain is eccentric.
+    pub imbalance_blocks: &'a mut [ImbalanceBlock<R>],
 }
 
 impl<R: Real> RegionRows<'_, R> {
@@ -42,10 +44,12 @@ impl<R: Real> Chain<R> {
     /// The rows of a region: 0 is the upper one, or the whole.
     pub fn region(&mut self, region: usize) -> RegionRows<'_, R> {
         let rows = self.places.rows_of(region);
+        let eccentric = if self.imbalance_blocks.is_empty() { 0..0 } else { rows.clone() };
         RegionRows {
             states: &mut self.states[rows.start..=rows.end],
             node_blocks: &mut self.node_blocks[rows.clone()],
             element_blocks: &mut self.element_blocks[rows],
+            imbalance_blocks: &mut self.imbalance_blocks[eccentric],
         }
     }
 
