@@ -15,12 +15,12 @@ use std::{hint::black_box, time::Duration};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use wholestring::{
-    dynamics::{Precision, Simulation},
+    dynamics::{NodeSignal, Precision, Probe, Simulation},
     internals::{KernelAccess, instruction_sets},
     rock::{Alone, Block, BlockSpec, Rock, Stepper},
 };
 
-use wells::{Case, go, np13, np13_eccentric};
+use wells::{Case, NP13_M, go, np13, np13_eccentric};
 
 /// Steps of the inner loop that are timed at once: between two followings of the nodes.
 const STEPS: usize = 16;
@@ -66,6 +66,51 @@ fn records(criterion: &mut Criterion) {
     });
     group.bench_function("frame", |bencher| bencher.iter(|| settled.frame()));
     group.bench_function("outcome", |bencher| bencher.iter(|| settled.outcome()));
+    group.finish();
+}
+
+/// Whole runs beside their inner loop, per element and step, by the length of the elements, the
+/// precision and the interval between samples: what statistics and the ends of the string add.
+fn runs(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("run");
+    let precisions = [("double", Precision::Double), ("single", Precision::Single)];
+    for (element_m, (name, precision)) in
+        [3.2, 9.6].into_iter().flat_map(|m| precisions.map(|precision| (m, precision)))
+    {
+        let sampled = |interval_s: f64, probes: &[Probe]| {
+            let mut case = np13(0.3);
+            case.settings.element_length_m = element_m;
+            case.settings.precision = precision;
+            case.settings.sample_interval_s = interval_s;
+            case.settings.settle_s = 1.0;
+            case.settings.probes = probes.to_vec();
+            let mut simulation = case.start();
+            go(&mut simulation, 1.1);
+            simulation
+        };
+        let probes = [NodeSignal::BendingMoment, NodeSignal::ContactForce, NodeSignal::Tension]
+            .map(|signal| Probe { md_m: NP13_M - 20.0, signal });
+        let mut kernel = sampled(0.01, &[]);
+        let elements = kernel.elements();
+        group.throughput(Throughput::Elements((STEPS * elements) as u64));
+        group.bench_function(format!("{element_m} m/{name}/inner loop"), |bencher| {
+            bencher.iter(|| kernel.step_kernel(STEPS));
+        });
+        for (what, mut simulation) in [
+            ("every 10 ms", sampled(0.01, &[])),
+            ("every 1 ms", sampled(0.001, &[])),
+            ("every 1 ms with probes", sampled(0.001, &probes)),
+        ] {
+            // As much as a whole number of samples: 0.1 s or a little more or less.
+            let samples = (0.1 / simulation.sample_interval_s()).round();
+            let seconds = samples * simulation.sample_interval_s();
+            let steps = (seconds / simulation.time_step_s()).round() as usize;
+            group.throughput(Throughput::Elements((steps * elements) as u64));
+            group.bench_function(format!("{element_m} m/{name}/{what}"), |bencher| {
+                bencher.iter(|| go(&mut simulation, seconds));
+            });
+        }
+    }
     group.finish();
 }
 
@@ -123,6 +168,6 @@ fn squeezed(cells: [usize; 3]) -> Block {
 criterion_group! {
     name = benches;
     config = Criterion::default().measurement_time(Duration::from_secs(3));
-    targets = kernel, records, statics, rock
+    targets = kernel, records, runs, statics, rock
 }
 criterion_main!(benches);

@@ -56,4 +56,25 @@ macro_rules! available_instruction_sets {
     }};
 }
 
-pub(crate) use {available_instruction_sets, for_each_instruction_set};
+/// Calls a function of the module of the fastest instruction set that this processor has.
+macro_rules! with_fastest_instruction_set {
+    ($function:ident($($argument:expr),* $(,)?)) => {{
+        #[cfg(target_arch = "x86_64")]
+        let done = if $crate::simd::wide::has_avx512() {
+            // SAFETY: the processor has what the function is compiled for.
+            unsafe { avx512::$function($($argument),*) }
+        } else if $crate::simd::wide::has_avx2() {
+            // SAFETY: as above.
+            unsafe { avx2::$function($($argument),*) }
+        } else {
+            baseline::$function($($argument),*)
+        };
+        #[cfg(not(target_arch = "x86_64"))]
+        let done = baseline::$function($($argument),*);
+        done
+    }};
+}
+
+pub(crate) use {
+    available_instruction_sets, for_each_instruction_set, with_fastest_instruction_set,
+};

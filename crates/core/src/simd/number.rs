@@ -31,6 +31,16 @@ pub trait Real: Number<Real = Self> + Default + PartialOrd + Debug + Send + Sync
     fn from_f64(value: f64) -> Self;
     /// Its value.
     fn to_f64(self) -> f64;
+    /// Several of them as doubles.
+    ///
+    /// # Safety
+    /// `from` points to `D::WIDTH` numbers.
+    unsafe fn doubles<D: Doubles>(from: *const Self) -> D;
+    /// Keeps doubles, each as the nearest of these numbers.
+    ///
+    /// # Safety
+    /// `to` points to room for `D::WIDTH` numbers.
+    unsafe fn keep_doubles<D: Doubles>(doubles: D, to: *mut Self);
 }
 
 impl Real for f64 {
@@ -49,6 +59,16 @@ impl Real for f64 {
     fn to_f64(self) -> f64 {
         self
     }
+    #[inline(always)]
+    unsafe fn doubles<D: Doubles>(from: *const Self) -> D {
+        // SAFETY: the caller's.
+        unsafe { D::load(from) }
+    }
+    #[inline(always)]
+    unsafe fn keep_doubles<D: Doubles>(doubles: D, to: *mut Self) {
+        // SAFETY: the caller's.
+        unsafe { doubles.store(to) }
+    }
 }
 
 impl Real for f32 {
@@ -66,6 +86,16 @@ impl Real for f32 {
     #[inline(always)]
     fn to_f64(self) -> f64 {
         f64::from(self)
+    }
+    #[inline(always)]
+    unsafe fn doubles<D: Doubles>(from: *const Self) -> D {
+        // SAFETY: the caller's.
+        unsafe { D::widen(from) }
+    }
+    #[inline(always)]
+    unsafe fn keep_doubles<D: Doubles>(doubles: D, to: *mut Self) {
+        // SAFETY: the caller's.
+        unsafe { doubles.narrow(to) }
     }
 }
 
@@ -121,6 +151,46 @@ pub trait Number:
     #[inline(always)]
     fn neg_mul_add(self, factor: Self, term: Self) -> Self {
         (-self).mul_add(factor, term)
+    }
+}
+
+/// Doubles, which can be read from singles and kept as such.
+pub trait Doubles: Number<Real = f64> {
+    /// From where singles are kept.
+    ///
+    /// # Safety
+    /// `from` points to `WIDTH` numbers.
+    unsafe fn widen(from: *const f32) -> Self;
+    /// To where singles are kept: the nearest ones.
+    ///
+    /// # Safety
+    /// `to` points to room for `WIDTH` numbers.
+    unsafe fn narrow(self, to: *mut f32);
+}
+
+impl Doubles for f64 {
+    #[inline(always)]
+    unsafe fn widen(from: *const f32) -> Self {
+        // SAFETY: the caller's `from` points to a number.
+        unsafe { Self::from(*from) }
+    }
+    #[inline(always)]
+    unsafe fn narrow(self, to: *mut f32) {
+        // SAFETY: the caller's `to` points to room for a number.
+        unsafe { *to = self as f32 }
+    }
+}
+
+impl Doubles for Fused<f64> {
+    #[inline(always)]
+    unsafe fn widen(from: *const f32) -> Self {
+        // SAFETY: the caller's `from` points to a number.
+        unsafe { Self(f64::from(*from)) }
+    }
+    #[inline(always)]
+    unsafe fn narrow(self, to: *mut f32) {
+        // SAFETY: the caller's `to` points to room for a number.
+        unsafe { *to = self.0 as f32 }
     }
 }
 

@@ -6,7 +6,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::number::{Fused, Number, Real};
+use super::number::{Doubles, Fused, Number, Real};
 
 /// What a kind of number is worked on in: for code that is compiled for a processor and runs where
 /// it is that one.
@@ -142,6 +142,22 @@ impl<N: Number> Number for Pair<N> {
     }
 }
 
+impl<N: Doubles> Doubles for Pair<N> {
+    #[inline(always)]
+    unsafe fn widen(from: *const f32) -> Self {
+        // SAFETY: the caller's `from` points to `WIDTH` numbers.
+        unsafe { Self(N::widen(from), N::widen(from.add(N::WIDTH))) }
+    }
+    #[inline(always)]
+    unsafe fn narrow(self, to: *mut f32) {
+        // SAFETY: the caller's `to` points to room for `WIDTH` numbers.
+        unsafe {
+            self.0.narrow(to);
+            self.1.narrow(to.add(N::WIDTH));
+        }
+    }
+}
+
 /// Registers of x86.
 ///
 /// Their operations are compiled into code of the same instruction set and nowhere else: a value
@@ -156,7 +172,7 @@ mod x86 {
         ops::{Add, Div, Mul, Neg, Sub},
     };
 
-    use super::Number;
+    use super::{Doubles, Number};
 
     macro_rules! operator {
         ($name:ident, $trait:ident, $method:ident, $with:ident) => {
@@ -332,4 +348,33 @@ mod x86 {
         },
         |x| _mm_movemask_ps(_mm_cmpgt_ps(x, _mm_setzero_ps())) != 0
     );
+
+    macro_rules! widened {
+        ($name:ident, |$from:ident| $widen:expr, |$x:ident, $to:ident| $narrow:expr) => {
+            impl Doubles for $name {
+                #[inline(always)]
+                unsafe fn widen($from: *const f32) -> Self {
+                    // SAFETY: see the module; the caller's `from` points to `WIDTH` numbers.
+                    unsafe { Self($widen) }
+                }
+                #[inline(always)]
+                unsafe fn narrow(self, $to: *mut f32) {
+                    let $x = self.0;
+                    // SAFETY: see the module; the caller's `to` points to room for them.
+                    unsafe { $narrow }
+                }
+            }
+        };
+    }
+    widened!(Zmm64, |from| _mm512_cvtps_pd(_mm256_loadu_ps(from)), |x, to| _mm256_storeu_ps(
+        to,
+        _mm512_cvtpd_ps(x)
+    ));
+    widened!(Ymm64, |from| _mm256_cvtps_pd(_mm_loadu_ps(from)), |x, to| _mm_storeu_ps(
+        to,
+        _mm256_cvtpd_ps(x)
+    ));
+    widened!(Xmm64, |from| _mm_cvtps_pd(_mm_castpd_ps(_mm_load_sd(from.cast()))), |x, to| {
+        _mm_store_sd(to.cast(), _mm_castps_pd(_mm_cvtpd_ps(x)))
+    });
 }

@@ -1,18 +1,19 @@
 //! What the metal of a component's body bears.
 
 use super::Component;
+use crate::simd::number::Number;
 
 /// The section of a body, as its stresses need it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BodySection {
+pub struct BodySection<N = f64> {
     /// Inverse of the metal's area, 1/m².
-    pub per_area_m2: f64,
+    pub per_area_m2: N,
     /// Inverse of the section modulus `I/(D/2)`, 1/m³.
-    pub per_modulus_m3: f64,
+    pub per_modulus_m3: N,
     /// Inner over outer diameter.
-    pub bore_part: f64,
+    pub bore_part: N,
     /// Area of the bore over that of the metal.
-    pub bore_per_area: f64,
+    pub bore_per_area: N,
 }
 
 impl BodySection {
@@ -25,7 +26,9 @@ impl BodySection {
             bore_per_area: component.inner_area_m2() / component.area_m2(),
         }
     }
+}
 
+impl<N: Number> BodySection<N> {
     /// Von Mises stress, Pa, on the outside of the bend, at the outer or the inner surface,
     /// whichever bears more, of a body that carries an effective tension `T`, N, a bending moment
     /// `M` and a torque `M_t`, N·m. `burst_square_Pa2` is the square of what the pressure inside
@@ -40,22 +43,27 @@ impl BodySection {
     #[inline(always)]
     pub fn von_mises_Pa(
         &self,
-        tension_N: f64,
-        bending_N_m: f64,
-        torque_N_m: f64,
-        burst_square_Pa2: f64,
-    ) -> f64 {
-        let pulled = tension_N.abs() * self.per_area_m2;
+        tension_N: N,
+        bending_N_m: N,
+        torque_N_m: N,
+        burst_square_Pa2: N,
+    ) -> N {
+        let one = N::splat(1.0);
+        let pulled = tension_N.max(-tension_N) * self.per_area_m2;
         let bent = bending_N_m * self.per_modulus_m3;
-        let sheared = 0.5 * torque_N_m * self.per_modulus_m3;
-        let square = |part: f64, area: f64| {
-            let (normal, shear) = (pulled + part * bent, part * sheared);
-            normal * normal + 3.0 * (shear * shear + area * area * burst_square_Pa2)
-        };
-        let bore = self.bore_per_area;
-        let (outer, inner) = (square(1.0, bore), square(self.bore_part, 1.0 + bore));
-        if inner > outer { inner } else { outer }.sqrt()
+        let sheared = N::splat(0.5) * torque_N_m * self.per_modulus_m3;
+        let (part, bore) = (self.bore_part, self.bore_per_area);
+        let outer = stress_square(pulled + bent, sheared, bore, burst_square_Pa2);
+        let inner =
+            stress_square(pulled + part * bent, part * sheared, one + bore, burst_square_Pa2);
+        inner.max(outer).sqrt()
     }
+}
+
+/// Square of the von Mises stress of a normal stress, a shear stress and that of a pressure.
+#[inline(always)]
+fn stress_square<N: Number>(normal_Pa: N, shear_Pa: N, area: N, burst_square_Pa2: N) -> N {
+    normal_Pa * normal_Pa + N::splat(3.0) * (shear_Pa * shear_Pa + area * area * burst_square_Pa2)
 }
 
 impl Component {

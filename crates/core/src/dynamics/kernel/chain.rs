@@ -12,6 +12,7 @@ mod imbalance;
 mod numbers;
 mod region;
 mod rows;
+mod upkeep;
 
 use serde::{Deserialize, Serialize};
 
@@ -22,11 +23,7 @@ use super::{
 use crate::{
     damage::{Damaged, ensure},
     rod::element::{Pose, Stiffness},
-    simd::{
-        lanes::SINGLES,
-        number::{Number, Real},
-        vector::Vector,
-    },
+    simd::{number::Real, vector::Vector},
 };
 
 pub use blocks::{ElementBlock, ImbalanceBlock, NO_WALL_M, NodeBlock, StateBlock};
@@ -35,6 +32,7 @@ pub(crate) use numbers::{element, node, number};
 pub use region::RegionRows;
 use rows::CopyLane;
 pub use rows::{Row, Rows};
+pub use upkeep::Motions;
 
 /// The whole chain.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -194,59 +192,6 @@ impl<R: Real> Chain<R> {
         &self.states[row + 1]
     }
 
-    /// Whether a node has slid further along the hole than `reach_m` from its anchor.
-    pub fn slid(&self, reach_m: f64) -> bool {
-        let reach = R::from_f64(reach_m);
-        let mut slid = false;
-        // Every number is looked at: a loop that ends early is none that looks at eight at once.
-        for (state, node) in self.states.iter().zip(&self.node_blocks) {
-            for lane in 0..R::LANES {
-                let [x, y, z] = [0, 1, 2].map(|a| state.u[a].0[lane] * node.tangent[a].0[lane]);
-                let along = x + y + z;
-                slid |= along > reach || along < -reach;
-            }
-        }
-        slid
-    }
-
-    /// Finds what the mud's lateral drag takes of the nodes' velocities in a step of their region,
-    /// as they move now; that of the uppermost is `dt`. A hundredth in any mud; a brake still at any
-    /// speed.
-    pub fn find_drag(&mut self, dt: f64) {
-        let half = R::from_f64(0.5);
-        let rows = self.node_blocks.iter_mut().zip(&self.states).enumerate();
-        for (row, (node, state)) in rows {
-            let dt = R::from_f64(dt / f64::from(self.places.parts_at(row)));
-            for lane in 0..R::LANES {
-                let part = |rows: &Rows<R>, axis: usize| rows[axis].0[lane];
-                let dot = |a: &Rows<R>, b: &Rows<R>| {
-                    part(a, 0) * part(b, 0) + part(a, 1) * part(b, 1) + part(a, 2) * part(b, 2)
-                };
-                let along = dot(&node.tangent, &state.v);
-                let square = dot(&state.v, &state.v) - along * along;
-                let speed = Number::max(square, R::default()).sqrt();
-                // c + ½ ρ C_d D |v|, both parts times the length.
-                let drag = node.drag_linear.0[lane] + node.drag_quadratic.0[lane] * speed;
-                let slowed = dt * node.inv_mass_lateral.0[lane] * drag;
-                // At most half: explicit drag must not turn the velocity round.
-                node.slowed.0[lane] = Number::min(slowed, half);
-            }
-        }
-    }
-
-    /// The upper pieces in whose elements the effective tension was more than `min_N` at the last
-    /// step.
-    pub fn lanes_above_N(&self, min_N: f64) -> usize {
-        let least = R::from_f64(min_N);
-        let mut above = [true; SINGLES];
-        for block in &self.element_blocks[self.places.rows_of(0)] {
-            for (above, tension) in above.iter_mut().zip(block.tension.0.as_ref()) {
-                *above &= *tension > least;
-            }
-        }
-        above[..R::LANES].iter().take_while(|above| **above).count()
-    }
-
     /// Effective tension of each element at the last step, from the first of a piece down, N, and
     /// its index.
     pub fn tensions_N(&self, lane: usize) -> impl Iterator<Item = (usize, f64)> {
@@ -255,14 +200,6 @@ impl<R: Real> Chain<R> {
         let first = (lane * self.places.rows_of(0).len()).min(upper);
         let above = (first..upper).zip(self.along(0, lane, of));
         above.chain((upper..self.elements()).zip(self.along(1, 0, of).skip(1)))
-    }
-
-    /// Work that friction has done at each node since the last sample, from the top down, J.
-    pub fn wear_J(&self) -> impl Iterator<Item = f64> {
-        let of = |row: usize, lane: usize| self.node_blocks[row].sum_wear.0[lane].to_f64();
-        let upper = self.places.nodes_of(0, self.nodes).end;
-        let below = self.along(1, 0, of).skip(1).take(self.nodes - upper);
-        self.along(0, 0, of).take(upper).chain(below)
     }
 
     /// Number of nodes.
@@ -327,26 +264,6 @@ impl<R: Real> Chain<R> {
             w2: self.turning(two),
             spin: node!(self, two, spin) - node!(self, one, spin),
             twist: element!(self, index, twist),
-        }
-    }
-
-    /// Takes out what rounding has added to the directors' lengths and to the angular velocities
-    /// along them. The step preserves both but for the damping of bending: once in a hundred steps
-    /// is plenty.
-    pub fn renormalise(&mut self) {
-        for index in 0..self.nodes {
-            let d = self.director(index);
-            let unit = d.scaled(1.0 / d.dot(d).sqrt());
-            let w = self.turning(index);
-            self.set_director(index, unit);
-            self.set_turning(index, w.minus(unit, w.dot(unit)));
-        }
-    }
-
-    /// Clears what is summed up between samples.
-    pub fn clear_sums(&mut self) {
-        for block in &mut self.node_blocks {
-            block.clear_sums();
         }
     }
 

@@ -31,6 +31,13 @@ impl Layout {
         self.places.rows() * self.parts
     }
 
+    /// Block and lane of each node in turn, from the top down.
+    pub fn places(self) -> impl Iterator<Item = (usize, usize)> {
+        let block =
+            move |(row, lane): (usize, usize)| (row * self.parts + lane / DOUBLES, lane % DOUBLES);
+        self.places.in_order(self.parts * DOUBLES).map(block)
+    }
+
     /// Block and lane of a node, and of the element below it.
     #[inline]
     pub fn place(&self, index: usize) -> (usize, usize) {
@@ -54,6 +61,7 @@ mod tests {
                 assert!(block < layout.blocks());
                 let (row, part) = Layout::row_of::<R>(block);
                 assert_eq!(chain.place(index), (row, part * DOUBLES + lane));
+                assert_eq!(layout.places().nth(index), Some((block, lane)));
             }
         }
     }

@@ -87,15 +87,36 @@ impl Places {
         }
     }
 
-    /// The node at a row and a lane, for a ghost the one that it stands for; none of the string's
-    /// where the last lane of a region is not full, and in the row of nobody's.
+    /// The node at a row and a lane; none of the string's for a ghost, where the last lane of a
+    /// region is not full, and in the row of nobody's.
     pub fn index(&self, row: usize, lane: usize) -> usize {
-        match &self.lower {
-            Some((border, lower)) if row > self.upper.rows() => {
-                border.node + lower.index((row - self.upper.rows() - 1, lane))
+        const NONE: usize = usize::MAX;
+        let Some((border, lower)) = &self.lower else {
+            return self.upper.index((row, lane));
+        };
+        let above = self.upper.rows();
+        if row < above {
+            let index = self.upper.index((row, lane));
+            if index <= border.node { index } else { NONE }
+        } else if row == above {
+            NONE
+        } else {
+            match lower.index((row - above - 1, lane)) {
+                0 => NONE,
+                below => border.node + below,
             }
-            _ => self.upper.index((row, lane)),
         }
+    }
+
+    /// Row and lane of each node in turn, from the top down, where there are so many lanes: on into
+    /// the lanes that no node fills.
+    pub fn in_order(self, lanes: usize) -> impl Iterator<Item = (usize, usize)> {
+        let of = move |region: usize| {
+            let rows = if region < self.regions() { self.rows_of(region) } else { 0..0 };
+            (0..lanes).flat_map(move |lane| rows.clone().map(move |row| (row, lane)))
+        };
+        let upper = self.nodes_of(0, usize::MAX).end;
+        of(0).take(upper).chain(of(1).skip(1))
     }
 
     /// Row and lane of the ghosts of the upper and of the lower region. The border element has its
@@ -127,13 +148,13 @@ mod tests {
                 let border = Border { node, parts: 3 };
                 let places = Places::new(nodes, lanes, 1, Some(border));
                 let mut taken: Vec<_> = places.ghosts().expect("a border").into();
-                let stands_for =
-                    [0, 1].map(|ghost: usize| places.index(taken[ghost].0, taken[ghost].1));
-                assert_eq!(stands_for, [node + 1, node]);
+                assert!(taken.iter().all(|(row, lane)| places.index(*row, *lane) >= nodes));
+                let in_order: Vec<_> = places.in_order(lanes).take(nodes).collect();
                 for region in 0..2 {
                     for index in places.nodes_of(region, nodes) {
                         let (row, lane) = places.place(index);
                         assert_eq!(places.index(row, lane), index);
+                        assert_eq!(in_order[index], (row, lane));
                         assert!(places.rows_of(region).contains(&row) && lane < lanes);
                         assert_eq!(places.parts_at(row), if region == 0 { 1 } else { 3 });
                         taken.push((row, lane));

@@ -1,9 +1,11 @@
 //! The whole string as it is at a moment, and the frame and the signals that are read from it.
 
+use std::cell::LazyCell;
+
 use super::{
     frame::Frame,
     probe::NodeSignal,
-    record::{BlockSample, Strength},
+    record::{BentNode, NodeSample, Source, Strength},
 };
 use crate::{
     dynamics::{
@@ -27,12 +29,11 @@ pub(in crate::dynamics) struct Scene<'a, R: Real> {
 }
 
 /// A node of a scene.
-struct View<'a, R: Real> {
+struct View<'a, R: Real, F> {
     scene: &'a Scene<'a, R>,
     node: usize,
-    /// The node's block.
-    sample: &'a BlockSample,
-    lane: usize,
+    /// What a sample says of it: not every signal is there.
+    sample: LazyCell<NodeSample, F>,
 }
 
 impl<R: Real> Scene<'_, R> {
@@ -40,11 +41,9 @@ impl<R: Real> Scene<'_, R> {
         let chain = self.chain;
         let last = chain.nodes() - 1;
         let mut frame = Frame { time_s: self.time_s, ..Frame::default() };
-        let samples: Vec<BlockSample> =
-            (0..chain.layout().blocks()).map(|block| self.sample(block)).collect();
-        for i in 0..=last {
-            let (block, lane) = chain.layout().place(i);
-            let view = View { scene: self, node: i, sample: &samples[block], lane };
+        let bent = BentNode::all(self.body, chain);
+        for (i, sample) in self.source(&bent).nodes().into_iter().enumerate() {
+            let view = View { scene: self, node: i, sample: LazyCell::new(|| sample) };
             let anchor = &self.anchors[i];
             let (tangent, high, right) = view.directions();
             let moved = chain.displacement(i);
@@ -57,8 +56,8 @@ impl<R: Real> Scene<'_, R> {
             frame.tvd_m.push(anchor.position_m.z + moved.2);
             frame.tilt_high_rad.push(tilt.dot(high));
             frame.tilt_right_rad.push(tilt.dot(right));
-            frame.axial_friction_N.push(-view.sample.axial[lane]);
-            frame.friction_torque_N_m.push(view.sample.friction_torque[lane]);
+            frame.axial_friction_N.push(-sample.axial);
+            frame.friction_torque_N_m.push(sample.friction_torque);
             for (signal, values) in [
                 (NodeSignal::OffsetHigh, &mut frame.offset_high_m),
                 (NodeSignal::OffsetRight, &mut frame.offset_right_m),
@@ -90,18 +89,18 @@ impl<R: Real> Scene<'_, R> {
             NodeSignal::VonMisesStress => node.min(self.chain.nodes() - 2),
             _ => node,
         };
-        let (block, lane) = self.chain.layout().place(node);
-        let view = View { scene: self, node, sample: &self.sample(block), lane };
-        view.signal(signal)
+        let sample =
+            LazyCell::new(|| self.source(&BentNode::all(self.body, self.chain)).node(node));
+        View { scene: self, node, sample }.signal(signal)
     }
 
-    fn sample(&self, block: usize) -> BlockSample {
-        let per_step = 1.0 / self.summed_steps as f64;
-        BlockSample::at(self.chain, self.high, self.body, self.strength, block, per_step)
+    fn source<'a>(&'a self, bent: &'a [BentNode]) -> Source<'a, R> {
+        let Self { chain, high, strength, summed_steps, .. } = *self;
+        Source { chain, high, strength, bent, per_step: 1.0 / summed_steps as f64 }
     }
 }
 
-impl<R: Real> View<'_, R> {
+impl<R: Real, F: FnOnce() -> NodeSample> View<'_, R, F> {
     /// Along the hole, to its high side and to the right of it.
     fn directions(&self) -> (Vector<f64>, Vector<f64>, Vector<f64>) {
         let tangent = self.scene.chain.tangent(self.node);
@@ -110,19 +109,19 @@ impl<R: Real> View<'_, R> {
     }
 
     fn signal(&self, signal: NodeSignal) -> f64 {
-        let Self { scene, node, sample, lane } = *self;
+        let Self { scene, node, ref sample } = *self;
         let chain = scene.chain;
         let (tangent, high, right) = self.directions();
         let velocity = chain.velocity(node);
         match signal {
             NodeSignal::Tension => self.at_ends(|i| element!(chain, i, tension)),
             NodeSignal::Torque => self.at_ends(|i| -element!(chain, i, torque)),
-            NodeSignal::BendingMoment => sample.bending[lane],
-            NodeSignal::VonMisesStress => sample.stress[lane],
-            NodeSignal::ContactForce if sample.up[lane] < 0.0 => -sample.normal[lane],
-            NodeSignal::ContactForce => sample.normal[lane],
-            NodeSignal::OffsetHigh => sample.offset[lane] * sample.up[lane],
-            NodeSignal::OffsetRight => sample.offset[lane] * sample.right[lane],
+            NodeSignal::BendingMoment => sample.bending,
+            NodeSignal::VonMisesStress => sample.stress,
+            NodeSignal::ContactForce if sample.up < 0.0 => -sample.normal,
+            NodeSignal::ContactForce => sample.normal,
+            NodeSignal::OffsetHigh => sample.offset * sample.up,
+            NodeSignal::OffsetRight => sample.offset * sample.right,
             NodeSignal::VelocityHigh => velocity.dot(high),
             NodeSignal::VelocityRight => velocity.dot(right),
             NodeSignal::AxialVelocity => velocity.dot(tangent),

@@ -148,15 +148,13 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
         let [above, below] = ends(i).map(of);
         (0.5 * (above.mean + below.mean), 0.5 * (above.std + below.std))
     };
-    let of_elements = |quantity: Quantity| -> Vec<[f64; 3]> {
-        (0..n - 1).map(|e| record.percentiles(quantity, e)).collect()
-    };
     let percentiles = |of_elements: &[[f64; 3]], i: usize| {
         let [above, below] = ends(i).map(|e| of_elements[e]);
         [0, 1, 2].map(|k| 0.5 * (above[k] + below[k]))
     };
-    let tensions = of_elements(Quantity::Tension);
-    let torques = of_elements(Quantity::Torque);
+    let tensions = record.percentiles(Quantity::Tension);
+    let torques = record.percentiles(Quantity::Torque);
+    let contacts = record.percentiles(Quantity::Contact);
     let mut p = Profile::default();
     for i in 0..n {
         let (tension, tension_std) = at_node(i, &|e| record.tension(e));
@@ -182,7 +180,7 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
         p.contact_force_N.push(normal.mean);
         p.contact_force_std_N.push(normal.std);
         p.contact_force_max_N.push(record.normal_max(i));
-        let [low, middle, high] = record.percentiles(Quantity::Contact, i);
+        let [low, middle, high] = contacts[i];
         p.contact_force_p05_N.push(low);
         p.contact_force_p50_N.push(middle);
         p.contact_force_p95_N.push(high);
@@ -204,7 +202,7 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
     (p.tension_N[n - 1], p.tension_std_N[n - 1]) = (-weight - jet, weight_std);
     let contact_spans = contact_length::contact_spans(s.mesh, |i| record.normal(i).mean > 0.0);
     p.side_force_N_per_m = contact_length::spread(&contact_spans, n, |i| record.signed(i));
-    let sides: Vec<[f64; 3]> = (0..n).map(|i| record.percentiles(Quantity::Side, i)).collect();
+    let sides = record.percentiles(Quantity::Side);
     [p.side_force_p05_N_per_m, p.side_force_p50_N_per_m, p.side_force_p95_N_per_m] =
         [0, 1, 2].map(|k| contact_length::spread(&contact_spans, n, |i| sides[i][k]));
     p.axial_friction_N_per_m = contact_length::spread(&contact_spans, n, |i| -record.axial(i));
@@ -260,6 +258,7 @@ fn load(s: &Sources<'_>, p: &mut Profile) {
     let strength = record.strength();
     let mud = s.model.mud_column();
     let last = s.mesh.nodes.len() - 1;
+    let bendings = s.record.percentiles(Quantity::Bending);
     for (i, node) in s.mesh.nodes.iter().enumerate() {
         let (_, component) = s.model.string.component_at(node.from_bit_m);
         let at_rest_Pa = mud.pressure_Pa(s.model.well.path.at(p.md_m[i]).position_m.z);
@@ -282,7 +281,7 @@ fn load(s: &Sources<'_>, p: &mut Profile) {
         let bending = record.bending(i);
         p.bending_moment_N_m.push(bending);
         p.bending_moment_max_N_m.push(record.bending_max(i));
-        let [low, middle, high] = record.percentiles(Quantity::Bending, i);
+        let [low, middle, high] = bendings[i];
         p.bending_moment_p05_N_m.push(low);
         p.bending_moment_p50_N_m.push(middle);
         p.bending_moment_p95_N_m.push(high);

@@ -53,11 +53,7 @@ impl Wear {
     /// Takes up what the chain has summed since its last sample, before that is cleared; all of it,
     /// J. `md_m` gives the measured depth of a node.
     pub fn sample(&mut self, chain: &Chain<impl Real>, md_m: impl Fn(usize) -> f64) -> f64 {
-        let mut all = 0.0;
-        for (work, rubbed) in self.string_J.iter_mut().zip(chain.wear_J()) {
-            *work += rubbed;
-            all += rubbed;
-        }
+        let all = chain.take_up_wear(&mut self.string_J);
         let bit_md_m = md_m(self.string_J.len() - 1);
         if (bit_md_m - self.bit_md_m).abs() >= HOLE_STEP_M {
             self.deposit(md_m);

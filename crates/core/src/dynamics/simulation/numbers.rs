@@ -26,19 +26,7 @@ impl<R: Real> Run<R> {
         }
         // Not a number is too fast, too.
         let fast = |x: f64, limit: f64| x.is_nan() || x.abs() >= limit;
-        // Every number is looked at: a loop that ends early is none that looks at eight at once.
-        let mut valid = true;
-        for state in &self.chain.states {
-            for axis in &state.v {
-                for v in axis.0.as_ref() {
-                    valid &= v.to_f64().abs() < DIVERGED_M_PER_S;
-                }
-            }
-            for spin in state.spin.0.as_ref() {
-                valid &= spin.to_f64().abs() < DIVERGED_RAD_PER_S;
-            }
-        }
-        if valid {
+        if self.chain.slower_than(DIVERGED_M_PER_S, DIVERGED_RAD_PER_S) {
             return Ok(());
         }
         let speed = |i: usize| {

@@ -22,7 +22,7 @@ use crate::{
             anchor::{Anchor, middle_m},
             hole::Borehole,
         },
-        kernel::chain::{Chain, node},
+        kernel::chain::{Chain, Motions, node},
     },
     model::Model,
     mud::{Annulus, AnnulusDrag, Hydraulics, Motion, Mud, bore, hydraulics::pressure_strain},
@@ -65,11 +65,6 @@ struct Passage {
     drag: AnnulusDrag,
     /// What friction took from the pressure in the annulus at the last sample, Pa.
     annulus_loss_Pa: f64,
-}
-
-/// Speed of a node along the hole, m/s.
-fn axial_m_per_s(chain: &Chain<impl Real>, index: usize) -> f64 {
-    chain.tangent(index).dot(chain.velocity(index))
 }
 
 /// The mud that drags on the whole string.
@@ -182,16 +177,15 @@ impl Viscous {
         borehole: &Borehole,
         dt: f64,
     ) {
-        let mut above = (axial_m_per_s(chain, 0), node!(chain, 0, spin));
+        let Motions { axial_m_per_s, spin_rad_per_s } = chain.motions();
+        let mean = |of: &[f64], index: usize| 0.5 * (of[index] + of[index + 1]);
         let mut changed_above = false;
         for index in 0..self.passages.len() {
-            let below = (axial_m_per_s(chain, index + 1), node!(chain, index + 1, spin));
             let motion = Motion {
-                axial_m_per_s: 0.5 * (above.0 + below.0),
-                spin_rad_per_s: 0.5 * (above.1 + below.1),
+                axial_m_per_s: mean(&axial_m_per_s, index),
+                spin_rad_per_s: mean(&spin_rad_per_s, index),
                 flow_m3_per_s: self.flow_m3_per_s,
             };
-            above = below;
             let passage = &mut self.passages[index];
             let md_m = 0.5 * (anchors[index].md_m + anchors[index + 1].md_m);
             let changed = passage.is_stale(&motion, md_m);
@@ -278,11 +272,12 @@ impl Viscous {
             motor_loss_Pa,
             ..Hydraulics::default()
         };
-        let along = |i| chain.tangent(i).dot(chain.velocity(i));
-        for (i, passage) in self.passages.iter_mut().enumerate() {
-            let velocity = 0.5 * (along(i) + along(i + 1));
+        let Motions { axial_m_per_s, spin_rad_per_s } = chain.motions();
+        let of_elements = axial_m_per_s.windows(2).zip(spin_rad_per_s.windows(2));
+        for (passage, (axial, spin)) in self.passages.iter_mut().zip(of_elements) {
+            let velocity = 0.5 * (axial[0] + axial[1]);
             passage.annulus_loss_Pa = passage.length_m * passage.gradient_Pa_per_m(velocity);
-            let spin = 0.5 * (node!(chain, i, spin) + node!(chain, i + 1, spin));
+            let spin = 0.5 * (spin[0] + spin[1]);
             now.mud_drag_N += passage.length_m * passage.drag.axial_N_per_m(velocity);
             now.mud_torque_N_m -= passage.length_m * passage.drag.torque_N(spin);
             now.annulus_loss_Pa += passage.annulus_loss_Pa;

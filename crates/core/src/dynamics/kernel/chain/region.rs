@@ -58,6 +58,18 @@ impl<R: Real> Chain<R> {
         self.places.rows_of(region)
     }
 
+    /// The nodes of a region.
+    pub fn nodes_of(&self, region: usize) -> std::ops::Range<usize> {
+        self.places.nodes_of(region, self.nodes)
+    }
+
+    /// Places of a region's nodes among all of its places, lane by lane: the lower region begins
+    /// with its ghost.
+    pub(super) fn places_in_region(&self, region: usize) -> std::ops::Range<usize> {
+        let nodes = self.nodes_of(region).len();
+        if region == 0 { 0..nodes } else { 1..1 + nodes }
+    }
+
     /// Steps of the lowest region in one of the uppermost.
     pub fn parts(&self) -> u32 {
         self.border().map_or(1, |border| border.parts)

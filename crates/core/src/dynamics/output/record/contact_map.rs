@@ -132,12 +132,19 @@ impl MapKeeper {
     fn per_metre(&self, forces: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let top_m = self.from_bit_m.first().copied().unwrap_or(0.0);
         let mut shares = vec![[0.0; 2]; self.intervals.len()];
+        let mut first = 0;
         for reach in contact_lengths(&self.from_bit_m, |i| forces[i][1] > 0.0) {
             let ContactLength { contact, above_m, below_m } = reach;
             let at_m = self.from_bit_m[contact];
             let (high_m, low_m) = ((at_m + above_m).min(top_m), (at_m - below_m).max(0.0));
-            // Stretches follow each other from the surface down.
-            let first = self.intervals.partition_point(|of| of.bottom_m >= high_m);
+            // Stretches follow each other from the surface down, and so do contacts: the first
+            // stretch that reaches above is the last contact's or one below.
+            while self.intervals.get(first).is_some_and(|of| of.bottom_m >= high_m) {
+                first += 1;
+            }
+            while first > 0 && self.intervals[first - 1].bottom_m < high_m {
+                first -= 1;
+            }
             let intervals = self.intervals[first..].iter().zip(&mut shares[first..]);
             for (of, share) in intervals.take_while(|(of, _)| of.top_m > low_m) {
                 let both_m = of.top_m.min(high_m) - of.bottom_m.max(low_m);

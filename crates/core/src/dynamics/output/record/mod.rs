@@ -1,9 +1,9 @@
 //! What is kept of a run while it goes on: sums per node, samples of the scalars.
 
-mod block_sample;
 mod contact_map;
 mod depths;
 mod lane;
+mod node_sample;
 mod reservoir;
 mod strength;
 mod sums;
@@ -34,8 +34,8 @@ use lane::Lane;
 use reservoir::Reservoir;
 use sums::{Pass, SumBlock, TotalBlock};
 
-pub use block_sample::BlockSample;
 pub use depths::neutral_point_m;
+pub use node_sample::{BentNode, NodeSample, Source};
 pub use reservoir::Quantity;
 pub use strength::Strength;
 pub use sums::Totals;
@@ -138,11 +138,13 @@ impl Record {
         let mut totals = TotalBlock::EMPTY;
         Pass {
             sums: &mut self.sums,
-            chain,
-            high,
-            body,
-            strength: &self.strength,
-            per_step: 1.0 / steps as f64,
+            source: Source {
+                chain,
+                high,
+                strength: &self.strength,
+                bent: &BentNode::all(body, chain),
+                per_step: 1.0 / steps as f64,
+            },
             first: self.samples == 0,
             reservoir: self.reservoir.next(),
             totals: &mut totals,
@@ -330,8 +332,11 @@ impl Record {
             coherence: over(moment * moment, offset_square * speed_square),
         }
     }
-    /// 5th, 50th and 95th percentile of a quantity at a node, or of its element below.
-    pub fn percentiles(&self, quantity: Quantity, index: usize) -> [f64; 3] {
-        self.reservoir.percentiles(quantity, self.layout.place(index))
+    /// 5th, 50th and 95th percentile of a quantity at each node, or of its element below, from the
+    /// top down.
+    pub fn percentiles(&self, quantity: Quantity) -> Vec<[f64; 3]> {
+        let places = self.reservoir.percentiles(quantity);
+        let nodes = self.squeezed_m.len() + 1;
+        self.layout.places().take(nodes).map(|(block, lane)| places[block][lane]).collect()
     }
 }

@@ -3,11 +3,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{block_sample::BlockSample, lane::Lane};
 use crate::{
     damage::{Damaged, ensure},
-    dynamics::output::statistic::percentile,
-    simd::lanes::DOUBLES,
+    simd::{lanes::DOUBLES, number::Doubles},
 };
 
 /// What is kept of every node.
@@ -26,6 +24,9 @@ pub enum Quantity {
 }
 
 const QUANTITIES: usize = 4;
+
+/// Percentiles that are told of each.
+const PARTS: [f64; 3] = [0.05, 0.5, 0.95];
 
 /// Numbers kept of one quantity: 3 MB.
 const MAX_NUMBERS: usize = 3 << 18;
@@ -60,20 +61,14 @@ pub struct Reservoir {
 pub struct ReservoirRow<'a>([&'a mut [f32]; QUANTITIES]);
 
 impl ReservoirRow<'_> {
-    /// Puts the values of a block.
+    /// Puts the values of a block's lanes from `lane` on, one number a quantity.
     #[inline(always)]
-    pub fn put(&mut self, block: usize, sample: &BlockSample) {
-        // By the side on which the node lies, as the sums count it; what does not touch is +0.
-        let side: Lane = std::array::from_fn(|lane| {
-            let normal = sample.normal[lane];
-            if sample.up[lane] < 0.0 { 0.0 - normal } else { normal }
-        });
-        let values = [&sample.tension, &sample.torque, &side, &sample.bending];
+    pub fn put<N: Doubles>(&mut self, block: usize, lane: usize, values: [N; QUANTITIES]) {
+        let from = block * DOUBLES + lane;
         for (row, values) in self.0.iter_mut().zip(values) {
-            let lanes = &mut row[block * DOUBLES..(block + 1) * DOUBLES];
-            for lane in 0..DOUBLES {
-                lanes[lane] = values[lane] as f32;
-            }
+            let kept = &mut row[from..from + N::WIDTH];
+            // SAFETY: there is room for so many numbers.
+            unsafe { values.narrow(kept.as_mut_ptr()) };
         }
     }
 }
@@ -161,22 +156,86 @@ impl Reservoir {
         self.random >> 33
     }
 
-    /// 5th, 50th and 95th percentile of a quantity at a node's place; zeros where nothing was kept.
-    pub fn percentiles(&self, quantity: Quantity, (block, lane): (usize, usize)) -> [f64; 3] {
+    /// 5th, 50th and 95th percentile of a quantity at every place, block by block; zeros where
+    /// nothing was kept.
+    pub fn percentiles(&self, quantity: Quantity) -> Vec<[[f64; 3]; DOUBLES]> {
         let (of, magnitude) = match quantity {
             Quantity::Contact => (Quantity::Side, true),
             other => (other, false),
         };
         let values = &self.values[of as usize];
-        let mut reservoir: Vec<f32> = (0..self.rows)
-            .map(|row| values[row * self.width + block * DOUBLES + lane])
-            .map(|value| if magnitude { value.abs() } else { value })
-            .collect();
-        if reservoir.is_empty() {
-            return [0.0; 3];
+        let mut places = vec![[[0.0; 3]; DOUBLES]; self.width / DOUBLES];
+        if self.rows == 0 {
+            return places;
         }
-        [0.05, 0.5, 0.95].map(|part| percentile(&mut reservoir, part))
+        // The samples of a place lie far apart: those of a block are read together, as many rows
+        // at a time as fill a line of the cache.
+        let mut samples = vec![0; DOUBLES * self.rows];
+        for (block, places) in places.iter_mut().enumerate() {
+            for (first, rows) in (0..).step_by(DOUBLES).zip(values.chunks(DOUBLES * self.width)) {
+                for (lane, samples) in samples.chunks_exact_mut(self.rows).enumerate() {
+                    let rows = rows.chunks_exact(self.width).map(|row| row[block * DOUBLES + lane]);
+                    for (sample, value) in samples[first..].iter_mut().zip(rows) {
+                        *sample = ordinal(if magnitude { value.abs() } else { value });
+                    }
+                }
+            }
+            for (place, samples) in places.iter_mut().zip(samples.chunks_exact_mut(self.rows)) {
+                *place = percentiles(samples);
+            }
+        }
+        places
     }
+}
+
+/// A number whose order among others is [`f32::total_cmp`]'s, and which is compared faster.
+fn ordinal(value: f32) -> i32 {
+    let bits = value.to_bits() as i32;
+    bits ^ (((bits >> 31) as u32) >> 1) as i32
+}
+
+/// The value that an ordinal is of.
+fn value_of(ordinal: i32) -> f64 {
+    let bits = ordinal ^ (((ordinal >> 31) as u32) >> 1) as i32;
+    f64::from(f32::from_bits(bits as u32))
+}
+
+/// Fewer samples are sorted.
+const FEW: usize = 64;
+
+/// 5th, 50th and 95th percentile of samples, at least one, by their ordinals, as
+/// [`percentile`](crate::dynamics::output::statistic::percentile) has them.
+fn percentiles(samples: &mut [i32]) -> [f64; 3] {
+    let last = samples.len() - 1;
+    let places = PARTS.map(|part| part * last as f64);
+    let [low, middle, high] = places.map(|place| place.floor() as usize);
+    let first = samples[0];
+    if samples.iter().fold(true, |same, sample| same & (*sample == first)) {
+        // A negative zero becomes a positive one, as it does between two.
+        return [value_of(first) + 0.0; 3];
+    }
+    let between = if samples.len() < FEW {
+        samples.sort_unstable();
+        [low, middle, high].map(|at| [samples[at], samples[(at + 1).min(last)]])
+    } else {
+        // The others lie on either side of the median.
+        let (below, median, above) = samples.select_nth_unstable(middle);
+        let next = least(above, *median);
+        let middle_pair = [*median, next];
+        let (_, at, beyond) = below.select_nth_unstable(low);
+        let low_pair = [*at, least(beyond, *median)];
+        let (_, at, beyond) = above.select_nth_unstable(high - middle - 1);
+        [low_pair, middle_pair, [*at, least(beyond, *at)]]
+    };
+    std::array::from_fn(|k| {
+        let [at, next] = between[k].map(value_of);
+        at + (places[k] - places[k].floor()) * (next - at)
+    })
+}
+
+/// The least of some samples, or another where there are none.
+fn least(samples: &[i32], otherwise: i32) -> i32 {
+    samples.iter().copied().min().unwrap_or(otherwise)
 }
 
 /// The smallest power of two of which so many samples fill no more rows than there are.
@@ -189,5 +248,28 @@ impl ReservoirRow<'_> {
     /// The same value for every quantity and node.
     pub fn fill(&mut self, value: f32) {
         self.0.iter_mut().for_each(|row| row.fill(value));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{dynamics::output::statistic::percentile, random::Random};
+
+    /// However many samples there are, few or many, alike or not: as found one by one.
+    #[test]
+    fn percentiles_of_a_place_are_those_of_its_samples() {
+        let mut random = Random::new(7);
+        for count in 1..300 {
+            for values in [1.0, 3.0, 1e6] {
+                let samples: Vec<f32> =
+                    (0..count).map(|_| (values * random.signed()).round() as f32).collect();
+                let mut ordinals: Vec<i32> = samples.iter().copied().map(ordinal).collect();
+                let mut samples = samples;
+                let expected = PARTS.map(|part| percentile(&mut samples, part));
+                let found = percentiles(&mut ordinals);
+                assert_eq!(found.map(f64::to_bits), expected.map(f64::to_bits), "{count}");
+            }
+        }
     }
 }

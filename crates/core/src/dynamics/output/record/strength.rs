@@ -2,13 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::lane::Lane;
+use super::lane::{Lane, at};
 use crate::{
     damage::{Damaged, ensure},
     dynamics::kernel::layout::Layout,
     model::Model,
     rod::mesh::Mesh,
-    simd::lanes::DOUBLES,
+    simd::{lanes::DOUBLES, number::Doubles},
     string::BodySection,
 };
 
@@ -23,6 +23,7 @@ pub struct Strength {
 
 /// The metal at a block of nodes, and of the elements below them.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[repr(C, align(64))]
 pub struct Metal {
     /// Inverse of the metal's area, 1/m².
     pub per_area: Lane,
@@ -41,16 +42,22 @@ pub struct Metal {
 }
 
 impl Metal {
-    /// [`BodySection::von_mises_Pa`] of the body at a lane.
+    /// [`BodySection::von_mises_Pa`] of the bodies at lanes.
     #[inline(always)]
-    pub fn stress_Pa(&self, lane: usize, tension_N: f64, bending_N_m: f64, torque_N_m: f64) -> f64 {
+    pub fn stress_Pa<N: Doubles>(
+        &self,
+        lane: usize,
+        tension_N: N,
+        bending_N_m: N,
+        torque_N_m: N,
+    ) -> N {
         let section = BodySection {
-            per_area_m2: self.per_area[lane],
-            per_modulus_m3: self.per_modulus[lane],
-            bore_part: self.bore_part[lane],
-            bore_per_area: self.bore_per_area[lane],
+            per_area_m2: at(&self.per_area, lane),
+            per_modulus_m3: at(&self.per_modulus, lane),
+            bore_part: at(&self.bore_part, lane),
+            bore_per_area: at(&self.bore_per_area, lane),
         };
-        section.von_mises_Pa(tension_N, bending_N_m, torque_N_m, self.burst_square[lane])
+        section.von_mises_Pa(tension_N, bending_N_m, torque_N_m, at(&self.burst_square, lane))
     }
 }
 
@@ -110,9 +117,9 @@ impl Strength {
 
     /// Presses the bodies by what the pressure inside has over that outside at each node, Pa.
     pub fn press(&mut self, difference_Pa: impl Fn(usize) -> f64) {
-        for index in 0..self.yield_Pa.len() {
-            let (block, lane) = self.layout.place(index);
-            self.blocks[block].burst_square[lane] = difference_Pa(index).powi(2);
+        for (index, (block, lane)) in self.layout.places().take(self.yield_Pa.len()).enumerate() {
+            let difference_Pa = difference_Pa(index);
+            self.blocks[block].burst_square[lane] = difference_Pa * difference_Pa;
         }
     }
 

@@ -2,17 +2,22 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{block_sample::BlockSample, lane::Lane, reservoir::ReservoirRow, strength::Strength};
-use crate::{
-    dynamics::{
-        body::Body,
-        kernel::chain::{Chain, Rows},
-    },
-    simd::{lanes::DOUBLES, number::Real},
+use super::{
+    lane::{Lane, add, at, keep_larger, put},
+    node_sample::{Bearing, Direction, Place, Source},
+    reservoir::ReservoirRow,
+};
+use crate::simd::{
+    apart::Apart,
+    dispatch::{for_each_instruction_set, with_fastest_instruction_set},
+    lanes::DOUBLES,
+    number::{Doubles, Real},
+    wide::Pair,
 };
 
 /// Sums over the window for a block of nodes, and for the elements below them.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[repr(C, align(64))]
 pub struct SumBlock {
     /// Tension and torque of the first sample: squares are summed about them, so that a small
     /// spread about a large mean keeps its digits.
@@ -66,44 +71,58 @@ impl SumBlock {
     };
 
     #[inline(always)]
-    fn add(&mut self, sample: &BlockSample, first: bool) {
+    fn lie<N: Doubles>(&mut self, lane: usize, place: &Place<N>) {
+        add(&mut self.offset, lane, place.offset);
+        add(&mut self.offset_square, lane, place.offset * place.offset);
+        add(&mut self.circling, lane, place.circling);
+        add(&mut self.speed_square, lane, place.speed_square);
+    }
+
+    #[inline(always)]
+    fn touch<N: Doubles>(&mut self, lane: usize, contact: &Contact<N>) {
+        let Contact { normal, friction: [axial, torque], direction: Direction { up, right } } =
+            *contact;
+        square_up(&mut self.normal, lane, normal);
+        keep_larger(&mut self.normal_max, lane, normal);
+        add(&mut self.touched, lane, normal.if_positive(N::splat(1.0), N::zero()));
+        add(&mut self.signed, lane, (-up).if_positive(-normal, normal));
+        add(&mut self.up, lane, normal * up);
+        add(&mut self.right, lane, normal * right);
+        add(&mut self.axial, lane, axial);
+        add(&mut self.friction_torque, lane, torque);
+    }
+
+    #[inline(always)]
+    fn bear<N: Doubles>(&mut self, lane: usize, bearing: &Bearing<N>, first: bool) {
+        let [about_tension, about_torque] = &mut self.about;
         if first {
-            self.about = [sample.tension, sample.torque];
+            put(about_tension, lane, bearing.tension);
+            put(about_torque, lane, bearing.torque);
         }
-        for lane in 0..DOUBLES {
-            let tension = sample.tension[lane] - self.about[0][lane];
-            let torque = sample.torque[lane] - self.about[1][lane];
-            let normal = sample.normal[lane];
-            self.tension[0][lane] += tension;
-            self.tension[1][lane] += tension * tension;
-            self.torque[0][lane] += torque;
-            self.torque[1][lane] += torque * torque;
-            self.normal[0][lane] += normal;
-            self.normal[1][lane] += normal * normal;
-            self.normal_max[lane] = larger(self.normal_max[lane], normal);
-            self.touched[lane] += if normal > 0.0 { 1.0 } else { 0.0 };
-            self.signed[lane] += if sample.up[lane] < 0.0 { -normal } else { normal };
-            self.up[lane] += normal * sample.up[lane];
-            self.right[lane] += normal * sample.right[lane];
-            self.axial[lane] += sample.axial[lane];
-            self.friction_torque[lane] += sample.friction_torque[lane];
-            self.offset[lane] += sample.offset[lane];
-            self.offset_square[lane] += sample.offset[lane] * sample.offset[lane];
-            self.circling[lane] += sample.circling[lane];
-            self.speed_square[lane] += sample.speed_square[lane];
-            self.bending[lane] += sample.bending[lane];
-            self.bending_max[lane] = larger(self.bending_max[lane], sample.bending[lane]);
-            self.stress[lane] += sample.stress[lane];
-            self.stress_max[lane] = larger(self.stress_max[lane], sample.stress[lane]);
-            self.twist[lane] += sample.twist[lane];
-        }
+        let (tension, torque) = (at::<N, f64>(about_tension, lane), at(about_torque, lane));
+        square_up(&mut self.tension, lane, bearing.tension - tension);
+        square_up(&mut self.torque, lane, bearing.torque - torque);
+        add(&mut self.bending, lane, bearing.bending);
+        keep_larger(&mut self.bending_max, lane, bearing.bending);
+        add(&mut self.stress, lane, bearing.stress);
+        keep_larger(&mut self.stress_max, lane, bearing.stress);
+        add(&mut self.twist, lane, bearing.twist);
     }
 }
 
-/// One instruction, where `f64::max` handles not-a-number too.
+/// Adds numbers and their squares.
 #[inline(always)]
-fn larger(a: f64, b: f64) -> f64 {
-    if b > a { b } else { a }
+fn square_up<N: Doubles>([first, second]: &mut [Lane; 2], lane: usize, value: N) {
+    add(first, lane, value);
+    add(second, lane, value * value);
+}
+
+/// What a wall does to nodes, some of which at least touch it.
+#[derive(Debug, Clone, Copy)]
+struct Contact<N> {
+    normal: N,
+    friction: [N; 2],
+    direction: Direction<N>,
 }
 
 /// Sums over nodes of one sample.
@@ -148,27 +167,14 @@ impl TotalBlock {
         longer: NONE,
     };
 
-    #[inline(always)]
-    fn add(&mut self, sample: &BlockSample) {
-        for lane in 0..DOUBLES {
-            self.normal[lane] += sample.normal[lane];
-            self.axial[lane] += sample.axial[lane];
-            self.torque[lane] += sample.friction_torque[lane];
-            self.twist[lane] += sample.twist[lane];
-            self.longer[lane] += sample.longer[lane];
-            self.penetration[lane] = larger(self.penetration[lane], sample.penetration[lane]);
-            self.tension[lane] = larger(self.tension[lane], sample.tension[lane].abs());
-        }
-    }
-
     /// Of all lanes.
     pub fn sum(&self) -> Totals {
         Totals {
             normal_N: self.normal.iter().sum(),
             axial_N: self.axial.iter().sum(),
             torque_N_m: self.torque.iter().sum(),
-            penetration_m: self.penetration.iter().copied().fold(0.0, larger),
-            tension_N: self.tension.iter().copied().fold(0.0, larger),
+            penetration_m: self.penetration.iter().copied().fold(0.0, f64::max),
+            tension_N: self.tension.iter().copied().fold(0.0, f64::max),
             twist_rad: self.twist.iter().sum(),
             longer_m: self.longer.iter().sum(),
         }
@@ -178,11 +184,7 @@ impl TotalBlock {
 /// A sample of the whole string on its way into the sums.
 pub struct Pass<'a, R: Real> {
     pub sums: &'a mut [SumBlock],
-    pub chain: &'a Chain<R>,
-    pub high: &'a [Rows<f64>],
-    pub body: &'a Body,
-    pub strength: &'a Strength,
-    pub per_step: f64,
+    pub source: Source<'a, R>,
     /// Whether it is the first sample of the window.
     pub first: bool,
     /// Where its values are kept, if they are.
@@ -195,48 +197,54 @@ impl<R: Real> Pass<'_, R> {
     /// Adds the sample, with the widest instructions that the processor has: the arithmetic is the
     /// same, operation by operation, and so are its bits.
     pub fn add(self) {
-        #[cfg(target_arch = "x86_64")]
-        {
-            if is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512dq") {
-                // SAFETY: the processor has what the function is compiled for.
-                return unsafe { avx512(self) };
-            }
-            if is_x86_feature_detected!("avx2") {
-                // SAFETY: as above.
-                return unsafe { avx2(self) };
-            }
-        }
-        self.add_all()
+        with_fastest_instruction_set!(add(self));
     }
 
     #[inline(always)]
-    fn add_all(mut self) {
+    fn add_in<N: Doubles>(mut self) {
         for (block, sums) in self.sums.iter_mut().enumerate() {
-            let sample = BlockSample::at(
-                self.chain,
-                self.high,
-                self.body,
-                self.strength,
-                block,
-                self.per_step,
-            );
-            self.totals.add(&sample);
-            sums.add(&sample, self.first);
-            if let Some(reservoir) = &mut self.reservoir {
-                reservoir.put(block, &sample);
+            for lane in (0..DOUBLES).step_by(N::WIDTH) {
+                let normal: N = self.source.normal(block, lane);
+                let place = self.source.place(block, lane);
+                sums.lie(lane, &place);
+                keep_larger(&mut self.totals.penetration, lane, place.penetration);
+                let bearing = self.source.bearing::<N>(block, lane);
+                sums.bear(lane, &bearing, self.first);
+                let Bearing { tension, twist, longer, .. } = bearing;
+                keep_larger(&mut self.totals.tension, lane, tension.max(-tension));
+                add(&mut self.totals.twist, lane, twist);
+                add(&mut self.totals.longer, lane, longer);
+                let mut side = N::zero();
+                // To what does not touch nothing is added.
+                if normal.any_positive() {
+                    let friction @ [axial, torque] = self.source.friction(block, lane);
+                    let direction = self.source.direction(&place, block, lane);
+                    sums.touch(lane, &Contact { normal, friction, direction });
+                    add(&mut self.totals.normal, lane, normal);
+                    add(&mut self.totals.axial, lane, axial);
+                    add(&mut self.totals.torque, lane, torque);
+                    // By the side on which the node lies, as the sums count it; what does not
+                    // touch is +0.
+                    side = (-direction.up).if_positive(N::zero() - normal, normal);
+                }
+                if let Some(reservoir) = &mut self.reservoir {
+                    reservoir.put(block, lane, [tension, bearing.torque, side, bearing.bending]);
+                }
             }
         }
     }
 }
 
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512dq,avx2")]
-fn avx512<R: Real>(pass: Pass<'_, R>) {
-    pass.add_all()
-}
+macro_rules! compiled_for {
+    ($set:ident, $number:ident, $fused:expr $(, $features:literal)?) => {
+        mod $set {
+            use super::*;
 
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
-fn avx2<R: Real>(pass: Pass<'_, R>) {
-    pass.add_all()
+            $(#[target_feature(enable = $features)])?
+            pub(super) fn add<R: Real>(pass: Pass<'_, R>) {
+                pass.add_in::<Apart<Pair<crate::simd::dispatch::$number<f64>>>>();
+            }
+        }
+    };
 }
+for_each_instruction_set!(compiled_for);

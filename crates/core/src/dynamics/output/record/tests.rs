@@ -205,10 +205,10 @@ fn contact_is_averaged_and_signed() {
         close(record.touched(index), 2.0 / 3.0);
         close(record.signed(index), sign * 40.0 / 3.0);
         close(record.friction_torque(index), 4.0 / 3.0);
-        assert_eq!(record.percentiles(Quantity::Contact, index)[1], 10.0, "the median");
+        assert_eq!(record.percentiles(Quantity::Contact)[index][1], 10.0, "the median");
         // Between nothing, 10 and 30 N a tenth of the way from either end.
         let expected = if sign > 0.0 { [1.0, 10.0, 28.0] } else { [-28.0, -10.0, -1.0] };
-        for (found, expected) in record.percentiles(Quantity::Side, index).into_iter().zip(expected)
+        for (found, expected) in record.percentiles(Quantity::Side)[index].into_iter().zip(expected)
         {
             // Kept in single precision.
             assert!((found - expected).abs() < 1e-5, "{found} for {expected}");
@@ -230,9 +230,9 @@ fn filled(samples: u32, value: impl Fn(u32) -> f64) -> Reservoir {
 #[test]
 fn percentiles_of_few_samples_are_exact() {
     let reservoir = filled(4001, |sample| f64::from((sample * 1234) % 4001));
-    let found = reservoir.percentiles(Quantity::Bending, (0, 5));
+    let found = reservoir.percentiles(Quantity::Bending)[0][5];
     assert_eq!(found, [200.0, 2000.0, 3800.0]);
-    assert_eq!(Reservoir::new(1, 0).percentiles(Quantity::Torque, (0, 0)), [0.0; 3]);
+    assert_eq!(Reservoir::new(1, 0).percentiles(Quantity::Torque)[0][0], [0.0; 3]);
 }
 
 /// Whatever the length of a run, 2048 to 4096 samples of each node of a short string are kept. A
@@ -243,7 +243,7 @@ fn percentiles_of_few_samples_are_exact() {
 fn percentiles_of_many_samples_do_not_beat_with_a_period() {
     const SAMPLES: u32 = 100_000;
     let sine = |sample: u32| (TAU * f64::from(sample) / 64.0 + 0.3).sin();
-    let found = filled(SAMPLES, sine).percentiles(Quantity::Tension, (0, 0));
+    let found = filled(SAMPLES, sine).percentiles(Quantity::Tension)[0][0];
     for (value, part, error) in
         [(found[0], 0.05, 0.005), (found[1], 0.5, 0.011), (found[2], 0.95, 0.005)]
     {

@@ -187,7 +187,7 @@ impl Steps {
             sums(|s| s.losses.contact),
             sums(|s| s.losses.mud),
             sums(|s| s.losses.damping),
-            sums(|s| s.chain.wear_J().sum()),
+            sums(|s| s.chain.take_up_wear(&mut vec![0.0; s.chain.nodes()])),
         ]
     }
 }
