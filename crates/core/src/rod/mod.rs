@@ -16,6 +16,7 @@
 pub mod bent;
 pub mod dual;
 pub mod element;
+pub(crate) mod imbalance;
 pub mod mesh;
 pub mod section;
 pub mod stability;

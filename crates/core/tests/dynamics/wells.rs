@@ -6,7 +6,7 @@ use wholestring::{
     operation::{Operation, OperationKind},
     outcome::TimeSeries,
     statics::soft::{self, SoftProfile},
-    string::{ComponentLength, ComponentSpec},
+    string::{Cavity, ComponentLength, ComponentSpec, Eccentricity, StringSpec},
     well::{Hole, HoleSection, Interpolation, Path},
 };
 
@@ -163,6 +163,19 @@ pub fn np13_at(mu: f64, bit_depth_m: f64) -> Case {
         .bit_torque_N_m(3100.0)
         .rate_of_penetration_m_per_s(10.0 / 3600.0);
     Case::new(model(path, hole, components(), bit_depth_m), drill)
+}
+
+/// The same with a string that is eccentric all along, by a millimetre.
+pub fn np13_eccentric(mu: f64) -> Case {
+    let mut case = np13(mu);
+    let mut components = components();
+    for component in &mut components {
+        let cavity = Cavity::Mud;
+        component.eccentricity = Some(Eccentricity { offset_m: 1e-3, phase_rad: 0.0, cavity });
+    }
+    let string = StringSpec { components }.assemble(case.operation.bit_depth_m);
+    case.model.string = string.expect("a sound string");
+    case
 }
 
 /// The survey that the case file reads: MD in m, inclination and azimuth in degrees under a header.

@@ -13,7 +13,10 @@ use crate::{
     dynamics::{
         body::{bend::Bend, imbalance::Imbalance, loads::Loads},
         boundary::anchor::Anchor,
-        kernel::{chain::Chain, step::StepInput},
+        kernel::{
+            chain::{Chain, NodeImbalance},
+            step::StepInput,
+        },
     },
     model::Model,
     rod::{bent::transported, element::Pose, mesh::Mesh},
@@ -36,20 +39,24 @@ pub struct BodyStep {
 pub struct Body {
     /// From the top down, at most one at a node.
     pub bends: Vec<Bend>,
-    /// From the top down, at most one at a node.
-    pub imbalances: Vec<Imbalance>,
+    /// From the top down, at most one at a node. From the first step on the chain has those that
+    /// the step itself takes care of.
+    imbalances: Vec<Imbalance>,
     loads: Loads,
 }
 
 impl Body {
-    /// Whether stored bends and masses stand where those of the model do.
-    pub(super) fn check(&self, fresh: &Self) -> Result<(), Damaged> {
+    /// Whether stored bends and masses, and those of the stored chain, stand where those of the
+    /// model do.
+    pub(super) fn check(&self, chain: &Chain<impl Real>, fresh: &Self) -> Result<(), Damaged> {
         let bends = |of: &Self| of.bends.iter().map(|bend| bend.index).collect::<Vec<_>>();
-        let masses = |of: &Self| of.imbalances.iter().map(|one| one.index).collect::<Vec<_>>();
+        let own = |of: &Self| of.imbalances.iter().map(|one| one.index).collect::<Vec<_>>();
+        let mut masses: Vec<_> =
+            own(self).into_iter().chain(chain.imbalances().map(|(index, _)| index)).collect();
+        masses.sort_unstable();
         // Loads are of one step: they are made anew in the next.
-        let fits = bends(self) == bends(fresh)
-            && masses(self) == masses(fresh)
-            && self.loads.loads.is_empty();
+        let fits =
+            bends(self) == bends(fresh) && masses == own(fresh) && self.loads.loads.is_empty();
         ensure(fits, "the bends and eccentric masses")
     }
 
@@ -92,7 +99,40 @@ impl Body {
         Self { bends, imbalances, loads: Loads::default() }
     }
 
-    /// Whether there is nothing to do.
+    /// Adds an eccentric mass.
+    #[cfg(test)]
+    pub fn add(&mut self, imbalance: Imbalance) {
+        self.imbalances.push(imbalance);
+    }
+
+    /// All eccentric masses, with their nodes: first those that act beside the step.
+    pub fn imbalances(
+        &self,
+        chain: &Chain<impl Real>,
+    ) -> impl Iterator<Item = (usize, NodeImbalance)> {
+        let beside =
+            self.imbalances.iter().map(|imbalance| (imbalance.index, imbalance.after_step()));
+        beside.chain(chain.imbalances())
+    }
+
+    /// Leaves the masses to the step but for those on nodes that something acts on after it: the
+    /// bit, or a bend above or below.
+    fn hand_over(&mut self, chain: &mut Chain<impl Real>, dt: f64) {
+        let Self { bends, imbalances, .. } = self;
+        let last = chain.nodes() - 1;
+        imbalances.retain(|imbalance| {
+            let index = imbalance.index;
+            let bent = bends.iter().any(|bend| index == bend.index || index == bend.index + 1);
+            let acted_on = bent || index == last;
+            if !acted_on {
+                let given = imbalance.before_step(chain, dt);
+                chain.set_imbalance(index, &given);
+            }
+            acted_on
+        });
+    }
+
+    /// Whether there is nothing to do beside the step.
     pub fn is_empty(&self) -> bool {
         self.bends.is_empty() && self.imbalances.is_empty()
     }
@@ -147,6 +187,7 @@ impl Body {
         if self.is_empty() {
             return sum;
         }
+        self.hand_over(chain, input.dt);
         for bend in &mut self.bends {
             let step = bend.push(chain, input, bent_part, &mut self.loads);
             sum.work_J += step.work_J;
@@ -182,7 +223,8 @@ impl Body {
 
     /// Energy that eccentric masses add at the middle of the last step, J.
     pub fn imbalances_J(&self, chain: &Chain<impl Real>) -> f64 {
-        self.imbalances.iter().map(|i| i.energy_J(chain)).sum()
+        let energy_J = |(index, of_node)| imbalance::energy_J(chain, index, &of_node);
+        self.imbalances(chain).map(energy_J).sum()
     }
 }
 

@@ -8,6 +8,7 @@
 //! from each node's own anchor on the hole's axis.
 
 mod blocks;
+mod imbalance;
 mod numbers;
 mod rows;
 
@@ -24,7 +25,8 @@ use crate::{
     },
 };
 
-pub use blocks::{ElementBlock, NO_WALL_M, NodeBlock, StateBlock};
+pub use blocks::{ElementBlock, ImbalanceBlock, NO_WALL_M, NodeBlock, StateBlock};
+pub use imbalance::NodeImbalance;
 pub(crate) use numbers::{element, node, number};
 use rows::CopyLane;
 pub use rows::{Row, Rows};
@@ -47,6 +49,8 @@ pub struct Chain<R: Real = f64> {
     pub node_blocks: Vec<NodeBlock<R>>,
     /// Elements, as many rows as nodes have.
     pub element_blocks: Vec<ElementBlock<R>>,
+    /// Imbalances of the nodes, row by row; none where none is eccentric.
+    pub imbalance_blocks: Vec<ImbalanceBlock<R>>,
 }
 
 macro_rules! vector_access {
@@ -97,6 +101,7 @@ impl<R: Real> Chain<R> {
             states: vec![StateBlock::at_rest(); rows + 1],
             node_blocks: vec![NodeBlock::idle(); rows],
             element_blocks: vec![ElementBlock::idle(); rows],
+            imbalance_blocks: Vec::new(),
         }
     }
 
@@ -113,11 +118,17 @@ impl<R: Real> Chain<R> {
 
     fn moved_into<S: Real>(&self, mut chain: Chain<S>) -> Chain<S> {
         chain.lengths_m.clone_from(&self.lengths_m);
+        if !self.imbalance_blocks.is_empty() {
+            chain.imbalance_blocks = vec![ImbalanceBlock::none(); chain.node_blocks.len()];
+        }
         for index in 0..self.nodes {
             let ((row, lane), (from, from_lane)) = (chain.place(index), self.place(index));
             chain.states[row].copy_lane(lane, &self.states[from], from_lane);
             chain.node_blocks[row].copy_lane(lane, &self.node_blocks[from], from_lane);
             chain.element_blocks[row].copy_lane(lane, &self.element_blocks[from], from_lane);
+            if let Some(imbalances) = self.imbalance_blocks.get(from) {
+                chain.imbalance_blocks[row].copy_lane(lane, imbalances, from_lane);
+            }
         }
         chain
     }
@@ -130,7 +141,8 @@ impl<R: Real> Chain<R> {
             && self.lengths_m.len() == nodes
             && self.states.len() == rows + 1
             && self.node_blocks.len() == rows
-            && self.element_blocks.len() == rows;
+            && self.element_blocks.len() == rows
+            && [0, rows].contains(&self.imbalance_blocks.len());
         ensure(fits, "the string")
     }
 
@@ -260,6 +272,27 @@ impl<R: Real> Chain<R> {
                                                            anchor, 1/m.";
         weight, set_weight, node_blocks, weight, "Buoyed weight of a node, N.";
         chord, set_chord, element_blocks, chord, "Chord between the anchors of an element, m.";
+    }
+
+    /// Gives a node an imbalance.
+    pub fn set_imbalance(&mut self, index: usize, imbalance: &NodeImbalance) {
+        if self.imbalance_blocks.is_empty() {
+            self.imbalance_blocks = vec![ImbalanceBlock::none(); self.node_blocks.len()];
+        }
+        let (row, lane) = self.place(index);
+        self.imbalance_blocks[row].set(lane, imbalance);
+    }
+
+    /// The imbalance of a node, if it has one.
+    pub fn imbalance(&self, index: usize) -> Option<NodeImbalance> {
+        let (row, lane) = self.place(index);
+        self.imbalance_blocks.get(row)?.get(lane)
+    }
+
+    /// Those of all nodes that have one, from the top down.
+    pub fn imbalances(&self) -> impl Iterator<Item = (usize, NodeImbalance)> {
+        let nodes = if self.imbalance_blocks.is_empty() { 0 } else { self.nodes };
+        (0..nodes).filter_map(|index| Some((index, self.imbalance(index)?)))
     }
 
     /// Gives an element its stiffness.

@@ -117,7 +117,7 @@ impl<R: Registers> Run<R> {
         }
         let mut state = checkpoint.state.into_owned();
         state.attach(settings)?;
-        state.check(model, settings, &basis.mesh, chain.layout())?;
+        state.check(model, settings, &basis.mesh, &chain)?;
         Ok(Self::of(model, operation, settings, basis, chain, state))
     }
 }

@@ -18,6 +18,7 @@
 mod contact;
 mod damping;
 mod elements;
+mod imbalance;
 mod input;
 mod lane;
 mod losses;
@@ -34,6 +35,7 @@ use crate::simd::{
 use contact::normal_contact;
 pub use damping::MassDamping;
 use elements::{Pull, Strains, bend, chord, strain, twist};
+use imbalance::{Before, follow, throw};
 pub use input::StepInput;
 use lane::lanes;
 use losses::Losses;
@@ -198,10 +200,11 @@ fn sweep<N: Number, const FULL: bool>(
     laws: Laws,
 ) -> StepLosses {
     chain.close();
-    let Chain { states, node_blocks, element_blocks, .. } = chain;
+    let Chain { states, node_blocks, element_blocks, imbalance_blocks, .. } = chain;
     let rows = node_blocks.len();
     let mut losses = Losses::none();
     let (mut strains, mut prediction) = (Strains::none(), Prediction::none());
+    let mut before = Before::none();
     let mut pulls = [Pull::none(); 3];
     // The last row of elements pulls at the first row of nodes, too: it and the first come before
     // all nodes.
@@ -234,6 +237,12 @@ fn sweep<N: Number, const FULL: bool>(
             *next = last;
             None
         };
+        let mut imbalances = imbalance_blocks.get_mut(row);
+        if let Some(imbalances) = &imbalances {
+            for lane in lanes::<N>() {
+                throw::<N>(above, &mut before, imbalances, state, input, lane);
+            }
+        }
         for lane in lanes::<N>() {
             predict::<N, FULL>(&mut prediction, n, state, above, below, input, lane);
         }
@@ -290,6 +299,11 @@ fn sweep<N: Number, const FULL: bool>(
         }
         for lane in lanes::<N>() {
             rotate_directors::<N>(n, state, above, below, input, lane);
+        }
+        if let Some(imbalances) = &mut imbalances {
+            for lane in lanes::<Pair<N>>() {
+                follow::<Pair<N>>(&before, imbalances, n, state, input, lane);
+            }
         }
     }
     let sum = |row: Row<N::Real>| row.0.as_ref().iter().map(|x| x.to_f64()).sum::<f64>();

@@ -2,6 +2,7 @@
 
 mod body;
 mod contact_map;
+mod imbalance;
 mod initialise;
 mod top;
 
