@@ -134,7 +134,7 @@ impl<R: Real> Chain<R> {
     fn moved_into<S: Real>(&self, mut chain: Chain<S>) -> Chain<S> {
         chain.lengths_m.clone_from(&self.lengths_m);
         if !self.imbalance_blocks.is_empty() {
-            chain.make_room_for_imbalances();
+            chain.imbalance_blocks = vec![ImbalanceBlock::none(); chain.node_blocks.len()];
         }
         for index in 0..self.nodes {
             let ((row, lane), (from, from_lane)) = (chain.place(index), self.place(index));
@@ -222,6 +222,27 @@ impl<R: Real> Chain<R> {
                                                            anchor, 1/m.";
         weight, set_weight, node_blocks, weight, "Buoyed weight of a node, N.";
         chord, set_chord, element_blocks, chord, "Chord between the anchors of an element, m.";
+    }
+
+    /// Gives a node an imbalance.
+    pub fn set_imbalance(&mut self, index: usize, imbalance: &NodeImbalance) {
+        if self.imbalance_blocks.is_empty() {
+            self.imbalance_blocks = vec![ImbalanceBlock::none(); self.node_blocks.len()];
+        }
+        let (row, lane) = self.place(index);
+        self.imbalance_blocks[row].set(lane, imbalance);
+    }
+
+    /// The imbalance of a node, if it has one.
+    pub fn imbalance(&self, index: usize) -> Option<NodeImbalance> {
+        let (row, lane) = self.place(index);
+        self.imbalance_blocks.get(row)?.get(lane)
+    }
+
+    /// Those of all nodes that have one, from the top down.
+    pub fn imbalances(&self) -> impl Iterator<Item = (usize, NodeImbalance)> {
+        let nodes = if self.imbalance_blocks.is_empty() { 0 } else { self.nodes };
+        (0..nodes).filter_map(|index| Some((index, self.imbalance(index)?)))
     }
 
     /// Gives an element its stiffness.

@@ -1,6 +1,6 @@
-//! The imbalances of single nodes.
+//! The imbalance of a single node.
 
-use super::{Chain, ImbalanceBlock, Rows};
+use super::{blocks::ImbalanceBlock, rows::Rows};
 use crate::simd::{number::Real, vector::Vector};
 
 /// An eccentric mass at a node.
@@ -16,49 +16,32 @@ pub struct NodeImbalance {
     pub half: Vector<f64>,
 }
 
-impl<R: Real> Chain<R> {
-    pub(super) fn make_room_for_imbalances(&mut self) {
-        self.imbalance_blocks = vec![ImbalanceBlock::none(); self.node_blocks.len()];
-    }
-
-    /// Gives a node an imbalance.
-    pub fn set_imbalance(&mut self, index: usize, imbalance: &NodeImbalance) {
-        if self.imbalance_blocks.is_empty() {
-            self.make_room_for_imbalances();
-        }
-        let (row, lane) = self.place(index);
-        let block = &mut self.imbalance_blocks[row];
-        block.moment.0[lane] = R::from_f64(imbalance.moment_kg_m);
-        block.weight_moment.0[lane] = R::from_f64(imbalance.weight_moment_N_m);
-        let mut set = |rows: fn(&mut ImbalanceBlock<R>) -> &mut Rows<R>, v: Vector<f64>| {
-            for (row, v) in rows(block).iter_mut().zip([v.0, v.1, v.2]) {
+impl<R: Real> ImbalanceBlock<R> {
+    /// Gives the node of a lane an imbalance.
+    pub(super) fn set(&mut self, lane: usize, imbalance: &NodeImbalance) {
+        let set = |rows: &mut Rows<R>, v: Vector<f64>| {
+            for (row, v) in rows.iter_mut().zip([v.0, v.1, v.2]) {
                 row.0[lane] = R::from_f64(v);
             }
         };
-        set(|block| &mut block.toward, imbalance.toward);
-        set(|block| &mut block.half, imbalance.half);
-        set(|block| &mut block.rest, Vector::zero());
+        self.moment.0[lane] = R::from_f64(imbalance.moment_kg_m);
+        self.weight_moment.0[lane] = R::from_f64(imbalance.weight_moment_N_m);
+        set(&mut self.toward, imbalance.toward);
+        set(&mut self.half, imbalance.half);
+        set(&mut self.rest, Vector::zero());
     }
 
-    /// The imbalance of a node, if it has one.
-    pub fn imbalance(&self, index: usize) -> Option<NodeImbalance> {
-        let (row, lane) = self.place(index);
-        let block = self.imbalance_blocks.get(row)?;
-        let moment_kg_m = block.moment.0[lane].to_f64();
+    /// The imbalance of the node of a lane, if it has one.
+    pub(super) fn get(&self, lane: usize) -> Option<NodeImbalance> {
         let of = |[x, y, z]: &Rows<R>| {
             Vector(x.0[lane].to_f64(), y.0[lane].to_f64(), z.0[lane].to_f64())
         };
+        let moment_kg_m = self.moment.0[lane].to_f64();
         (moment_kg_m > 0.0).then(|| NodeImbalance {
             moment_kg_m,
-            weight_moment_N_m: block.weight_moment.0[lane].to_f64(),
-            toward: of(&block.toward) + of(&block.rest),
-            half: of(&block.half),
+            weight_moment_N_m: self.weight_moment.0[lane].to_f64(),
+            toward: of(&self.toward) + of(&self.rest),
+            half: of(&self.half),
         })
-    }
-
-    /// Those of all nodes that have one, from the top down.
-    pub fn imbalances(&self) -> impl Iterator<Item = (usize, NodeImbalance)> {
-        let nodes = if self.imbalance_blocks.is_empty() { 0 } else { self.nodes() };
-        (0..nodes).filter_map(|index| Some((index, self.imbalance(index)?)))
     }
 }
