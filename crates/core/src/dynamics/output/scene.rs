@@ -32,6 +32,10 @@ pub(in crate::dynamics) struct Scene<'a, R: Real> {
 struct View<'a, R: Real, F> {
     scene: &'a Scene<'a, R>,
     node: usize,
+    /// Along the hole, to its high side and to the right of it.
+    tangent: Vector<f64>,
+    high: Vector<f64>,
+    right: Vector<f64>,
     /// What a sample says of it: not every signal is there.
     sample: LazyCell<NodeSample, F>,
 }
@@ -43,9 +47,9 @@ impl<R: Real> Scene<'_, R> {
         let mut frame = Frame { time_s: self.time_s, ..Frame::default() };
         let bent = BentNode::all(self.body, chain);
         for (i, sample) in self.source(&bent).nodes().into_iter().enumerate() {
-            let view = View { scene: self, node: i, sample: LazyCell::new(|| sample) };
+            let view = View::new(self, i, LazyCell::new(|| sample));
             let anchor = &self.anchors[i];
-            let (tangent, high, right) = view.directions();
+            let View { tangent, high, right, .. } = view;
             let moved = chain.displacement(i);
             let along = moved.dot(tangent);
             // The hole's own direction where the node is, not at its anchor.
@@ -91,7 +95,7 @@ impl<R: Real> Scene<'_, R> {
         };
         let sample =
             LazyCell::new(|| self.source(&BentNode::all(self.body, self.chain)).node(node));
-        View { scene: self, node, sample }.signal(signal)
+        View::new(self, node, sample).signal(signal)
     }
 
     fn source<'a>(&'a self, bent: &'a [BentNode]) -> Source<'a, R> {
@@ -100,19 +104,16 @@ impl<R: Real> Scene<'_, R> {
     }
 }
 
-impl<R: Real, F: FnOnce() -> NodeSample> View<'_, R, F> {
-    /// Along the hole, to its high side and to the right of it.
-    fn directions(&self) -> (Vector<f64>, Vector<f64>, Vector<f64>) {
-        let tangent = self.scene.chain.tangent(self.node);
-        let high = self.scene.anchors[self.node].high_side.into();
-        (tangent, high, tangent.cross(high))
+impl<'a, R: Real, F: FnOnce() -> NodeSample> View<'a, R, F> {
+    fn new(scene: &'a Scene<'a, R>, node: usize, sample: LazyCell<NodeSample, F>) -> Self {
+        let tangent = scene.chain.tangent(node);
+        let high = scene.anchors[node].high_side.into();
+        Self { scene, node, tangent, high, right: tangent.cross(high), sample }
     }
 
     fn signal(&self, signal: NodeSignal) -> f64 {
-        let Self { scene, node, ref sample } = *self;
+        let Self { scene, node, tangent, high, right, ref sample } = *self;
         let chain = scene.chain;
-        let (tangent, high, right) = self.directions();
-        let velocity = chain.velocity(node);
         match signal {
             NodeSignal::Tension => self.at_ends(|i| element!(chain, i, tension)),
             NodeSignal::Torque => self.at_ends(|i| -element!(chain, i, torque)),
@@ -122,9 +123,9 @@ impl<R: Real, F: FnOnce() -> NodeSample> View<'_, R, F> {
             NodeSignal::ContactForce => sample.normal,
             NodeSignal::OffsetHigh => sample.offset * sample.up,
             NodeSignal::OffsetRight => sample.offset * sample.right,
-            NodeSignal::VelocityHigh => velocity.dot(high),
-            NodeSignal::VelocityRight => velocity.dot(right),
-            NodeSignal::AxialVelocity => velocity.dot(tangent),
+            NodeSignal::VelocityHigh => chain.velocity(node).dot(high),
+            NodeSignal::VelocityRight => chain.velocity(node).dot(right),
+            NodeSignal::AxialVelocity => chain.velocity(node).dot(tangent),
             NodeSignal::RotarySpeed => node!(chain, node, spin),
         }
     }

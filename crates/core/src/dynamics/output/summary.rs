@@ -156,7 +156,7 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
     let torques = record.percentiles(Quantity::Torque);
     let contacts = record.percentiles(Quantity::Contact);
     let mut p = Profile::default();
-    for i in 0..n {
+    for (i, contact) in contacts.into_iter().enumerate() {
         let (tension, tension_std) = at_node(i, &|e| record.tension(e));
         let (torque, torque_std) = at_node(i, &|e| record.torque(e));
         let normal = record.normal(i);
@@ -180,7 +180,7 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
         p.contact_force_N.push(normal.mean);
         p.contact_force_std_N.push(normal.std);
         p.contact_force_max_N.push(record.normal_max(i));
-        let [low, middle, high] = contacts[i];
+        let [low, middle, high] = contact;
         p.contact_force_p05_N.push(low);
         p.contact_force_p50_N.push(middle);
         p.contact_force_p95_N.push(high);
