@@ -211,6 +211,7 @@ impl DynamicsTable {
         Some(DynamicsSettings {
             element_length: mesh.element_length()?,
             mesh_refinement: mesh.refinement()?,
+            regions: mesh.regions()?,
             duration_s: *self.duration.get()?,
             settle_s: self.settle.get()?.given().unwrap_or(0.0),
             steady: match *self.settle.get()? {

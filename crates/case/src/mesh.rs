@@ -1,6 +1,6 @@
 //! `[mesh]`.
 
-use wholestring::dynamics::{Accuracy, DynamicsSettings, ElementLength};
+use wholestring::dynamics::{Accuracy, DynamicsSettings, ElementLength, Regions};
 use wholestring_config::prelude::*;
 use wholestring_units::Dimension;
 
@@ -37,6 +37,14 @@ table! {
             },
             Accuracy::default(),
         ).used_with(&[AUTO]);
+        /// Whether parts of the string have steps of their own: "auto" (the bottom-hole assembly,
+        /// where it is meshed finer than the pipe, takes several steps in one of the pipe, if that
+        /// takes less time) or "one". Default: "auto" where elements choose their length, else
+        /// "one".
+        regions: Regions = optional(Choice {
+            noun: "a choice of regions",
+            words: &[("one", Regions::One), ("auto", Regions::Auto)],
+        });
         /// What every length is divided by, given or chosen by itself: for convergence studies, such
         /// as `--vary mesh.refinement=1,2`. `run --converge` compares the case with twice of it.
         refinement: u64 = default(
@@ -61,6 +69,15 @@ impl MeshTable {
             AutoOr::Auto => ElementLength::Auto(*self.accuracy.get()?),
             AutoOr::Given(length_m) => ElementLength::Uniform(length_m),
         })
+    }
+
+    /// Whether parts of the string have steps of their own.
+    pub(crate) fn regions(&self) -> Option<Regions> {
+        let chosen = match *self.element_length.get()? {
+            AutoOr::Auto => Regions::Auto,
+            AutoOr::Given(_) => Regions::One,
+        };
+        Some(self.regions.get().copied().unwrap_or(chosen))
     }
 
     /// What every length is divided by.

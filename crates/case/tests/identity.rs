@@ -45,6 +45,7 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("hoist.control", ["autodriller", "tuned-lift"]),
     ("hoist.max_speed", ["60 m/h", "61 m/h"]),
     ("mesh.accuracy", ["coarse", "fine"]),
+    ("mesh.regions", ["one", "auto"]),
     ("model", ["soft", "dynamic"]),
     ("mud.flow_behaviour_index", ["0.7", "0.71"]),
     ("mud.rheology", ["newtonian", "bingham"]),

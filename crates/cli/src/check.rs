@@ -6,6 +6,7 @@ use wholestring::{
     dynamics::{BitLaw, Effort},
     outcome::ModelKind,
     rock::{BitShape, DrillingSpec},
+    rod::stability::StepHolder,
     sizing::SizeReason,
 };
 use wholestring_case::{BitTest, Case};
@@ -71,31 +72,54 @@ fn mesh(effort: &Effort, case: &Case) -> String {
         true => shortest,
         false => format!("{shortest} to {longest}"),
     };
+    let plan = &effort.plan;
+    let step = format!("steps of {:.3} ms", 1e3 * plan.dt_s);
     let mut text = format!(
-        "{} elements of {lengths} ({}), steps of {:.3} ms\n",
+        "{} elements of {lengths} ({}), ",
         elements.len(),
-        by_reason.collect::<Vec<_>>().join(", "),
-        1e3 * effort.plan.dt_s,
+        by_reason.collect::<Vec<_>>().join(", ")
     );
-    if let Some(holder) = effort.plan.holder {
-        let lower_m = effort.mesh.nodes[holder.element + 1].from_bit_m;
-        let element = &elements[holder.element];
-        let (_, component) = case.model.string.component_at(lower_m + 0.5 * element.length_m);
-        text += &format!(
-            "the step is held by the {} motion of the element of {} at {} above the bit ({})",
-            holder.motion.name(),
-            length(element.length_m),
-            length(lower_m),
-            component.name,
-        );
-        if holder.scaled {
-            text += &format!(
-                ", to which mass scaling has given what the string may have in sum, {:.1} %",
-                100.0 * effort.plan.added_axial_mass_fraction,
-            );
+    match &plan.subcycling {
+        None => {
+            text += &format!("{step}\n");
+            text += &held("the step", plan.holder, effort, case);
         }
-        text.push('\n');
+        Some(lower) => {
+            text += &format!(
+                "{step}, each in {} below {} above the bit\n",
+                lower.parts,
+                length(effort.mesh.nodes[lower.border_node + 1].from_bit_m),
+            );
+            text += &held("the step above", plan.holder, effort, case);
+            text += &held("the step below", lower.holder, effort, case);
+        }
     }
+    text
+}
+
+/// Which element keeps a step from being longer, and by which motion.
+fn held(step: &str, holder: Option<StepHolder>, effort: &Effort, case: &Case) -> String {
+    let Some(holder) = holder else {
+        return String::new();
+    };
+    let length = |si_m: f64| Dimension::Length.format(si_m, case.units);
+    let lower_m = effort.mesh.nodes[holder.element + 1].from_bit_m;
+    let element = &effort.mesh.elements[holder.element];
+    let (_, component) = case.model.string.component_at(lower_m + 0.5 * element.length_m);
+    let mut text = format!(
+        "{step} is held by the {} motion of the element of {} at {} above the bit ({})",
+        holder.motion.name(),
+        length(element.length_m),
+        length(lower_m),
+        component.name,
+    );
+    if holder.scaled {
+        text += &format!(
+            ", to which mass scaling has given what it may ({:.1} % of the string in sum)",
+            100.0 * effort.plan.added_axial_mass_fraction,
+        );
+    }
+    text.push('\n');
     text
 }
 

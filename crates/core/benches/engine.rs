@@ -20,14 +20,13 @@ use wholestring::{
     rock::{Alone, Block, BlockSpec, Rock, Stepper},
 };
 
-use wells::{Case, NP13_M, go, np13};
+use wells::{Case, NP13_M, go, np13, np13_eccentric};
 
 /// Steps of the inner loop that are timed at once: between two followings of the nodes.
 const STEPS: usize = 16;
 
-/// The string, initialised and settled, the window begun.
-fn settled(precision: Precision) -> Simulation {
-    let mut case = np13(0.3);
+/// The string of a case, initialised and settled, the window begun.
+fn settled(mut case: Case, precision: Precision) -> Simulation {
     case.settings.precision = precision;
     case.settings.settle_s = 1.0;
     let mut simulation = case.start();
@@ -39,7 +38,7 @@ fn settled(precision: Precision) -> Simulation {
 fn kernel(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("kernel");
     for (name, precision) in [("double", Precision::Double), ("single", Precision::Single)] {
-        let mut simulation = settled(precision);
+        let mut simulation = settled(np13(0.3), precision);
         group.throughput(Throughput::Elements((STEPS * simulation.elements()) as u64));
         for instructions in instruction_sets() {
             simulation.use_instructions(instructions);
@@ -47,13 +46,17 @@ fn kernel(criterion: &mut Criterion) {
                 bencher.iter(|| simulation.step_kernel(STEPS));
             });
         }
+        let mut eccentric = settled(np13_eccentric(0.3), precision);
+        group.bench_function(format!("{name}/eccentric all along"), |bencher| {
+            bencher.iter(|| eccentric.step_kernel(STEPS));
+        });
     }
     group.finish();
 }
 
 /// A sample of the records with the steps before it, and a frame of the whole string.
 fn records(criterion: &mut Criterion) {
-    let settled = settled(Precision::Double);
+    let settled = settled(np13(0.3), Precision::Double);
     let sample_s = settled.sample_interval_s();
     let mut group = criterion.benchmark_group("records");
     // A fresh copy for each sample would be one that the caches do not know.

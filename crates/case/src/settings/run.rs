@@ -1,7 +1,7 @@
 //! `dynamics` and `records` in the record of a run.
 
 use serde_json::{Value as Json, json};
-use wholestring::dynamics::{ContactLaw, DynamicsSettings, ElementLength};
+use wholestring::dynamics::{ContactLaw, DynamicsSettings, ElementLength, Regions};
 
 use super::fields::{Fields, word};
 use crate::{auto::AUTO, records::Records};
@@ -9,13 +9,8 @@ use crate::{auto::AUTO, records::Records};
 pub(super) fn run(dynamics: &DynamicsSettings, checkpoint_interval_s: Option<f64>) -> Fields {
     let fields = Fields::of(dynamics)
         // These stand in tables of their own.
-        .without([
-            "element_length",
-            "mesh_refinement",
-            "hoist_control",
-            "autodriller",
-            "hoist_line",
-        ])
+        .without(["element_length", "mesh_refinement", "regions"])
+        .without(["hoist_control", "autodriller", "hoist_line"])
         .without(["lift_tolerance", "top_drive", "schedule", "bit", "probes"])
         .without(["steady"])
         .spread("centred", "start_")
@@ -46,9 +41,13 @@ pub(super) fn mesh(dynamics: &DynamicsSettings) -> Fields {
             Fields::empty().with("element_length_m", AUTO).with("accuracy", word(&accuracy))
         }
     };
-    match dynamics.mesh_refinement {
+    let fields = match dynamics.mesh_refinement {
         1 => fields,
         refinement => fields.with("refinement", refinement),
+    };
+    match dynamics.regions {
+        Regions::One => fields,
+        Regions::Auto => fields.with("regions", word(&dynamics.regions)),
     }
 }
 

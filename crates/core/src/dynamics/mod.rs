@@ -37,7 +37,7 @@ pub use output::{
 pub use settings::schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
     Autodriller, CentredStart, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, Precision,
-    RodDamping, SpeedController, Start, StartTension, TopDriveSettings, UntilSteady,
+    Regions, RodDamping, SpeedController, Start, StartTension, TopDriveSettings, UntilSteady,
     WEIGHT_TOLERANCE,
 };
 pub use simulation::{

@@ -16,7 +16,9 @@
 pub mod bent;
 pub mod dual;
 pub mod element;
+pub(crate) mod imbalance;
 pub mod mesh;
+pub mod regions;
 pub mod section;
 pub mod stability;
 pub mod torsion;

@@ -7,7 +7,7 @@ use super::{element::Stiffness, mesh::Mesh};
 pub(crate) const SAFETY: f64 = 0.99;
 
 /// Largest part of the string's axial mass that short elements may be given (mass scaling) in sum.
-const MAX_ADDED_MASS: f64 = 0.003;
+pub(super) const MAX_ADDED_MASS: f64 = 0.003;
 
 /// Part by which a step must be longer than that found for its search to have told them apart.
 const STEP_MARGIN: f64 = 1e-6;
@@ -68,7 +68,7 @@ pub struct StepHolder {
 /// The step, and the inertia with which it is stable.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepPlan {
-    /// Step, s.
+    /// Step, s; that of the upper region, where there are two.
     pub dt_s: f64,
     /// Inertia of each element, the added mass included.
     pub inertia: Vec<ElementInertia>,
@@ -76,18 +76,39 @@ pub struct StepPlan {
     pub added_axial_mass_fraction: f64,
     /// What keeps the step from being longer; none of a string without elements.
     pub holder: Option<StepHolder>,
+    /// The regions with steps of their own, where there are two.
+    pub subcycling: Option<Subcycling>,
 }
 
-/// Chooses the longest step at which the string is stable with no more than 0.3 % of its mass added
-/// by scaling, and that to less than half of it: ordinary pipe keeps its mass and its wave speed.
-///
-/// The highest frequency of a chain with lumped masses lies below the highest of its elements taken
-/// alone (Irons and Treharne 1971). `lateral_kg_per_m` is the lateral mass per length of each
-/// element, `stiffness_damping_s` the time constant `β` of the damping, which shortens the limit.
-/// Theory: `docs/src/theory/time-stepping.md`.
-pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> StepPlan {
-    let bare: Vec<(Stiffness<f64>, ElementInertia)> = mesh
-        .elements
+impl StepPlan {
+    /// The shortest step of any region, s.
+    pub fn shortest_s(&self) -> f64 {
+        self.subcycling.map_or(self.dt_s, |s| self.dt_s / f64::from(s.parts))
+    }
+}
+
+/// A string whose lower region takes several steps in one of the upper one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Subcycling {
+    /// The border node: the lowest of the upper region.
+    pub border_node: usize,
+    /// Steps of the lower region in one of the upper one.
+    pub parts: u32,
+    /// What the linear motion of the border node within a step lacks of inertia, added to the node
+    /// below it: along the hole, kg.
+    pub axial_kg: f64,
+    /// The same about the axis, kg·m².
+    pub polar_kg_m2: f64,
+    /// What keeps the lower region's step from being longer, but that `parts` is a whole number.
+    pub holder: Option<StepHolder>,
+}
+
+/// An element with the inertia that it has by itself.
+pub(super) type BareElement = (Stiffness<f64>, ElementInertia);
+
+/// The elements of `mesh` with their own inertia; `lateral_kg_per_m` as for [`plan`].
+pub(super) fn bare_elements(mesh: &Mesh, lateral_kg_per_m: &[f64]) -> Vec<BareElement> {
+    mesh.elements
         .iter()
         .zip(lateral_kg_per_m)
         .map(|(e, lateral)| {
@@ -102,26 +123,42 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
             };
             (Stiffness::new(&e.section, length), inertia)
         })
-        .collect();
-    let total: f64 = bare.iter().map(|(_, i)| i.axial_kg).sum();
-    let lend_all = |dt: f64| -> Option<Vec<ElementInertia>> {
-        let limit = frequency_limit(dt, stiffness_damping_s);
-        bare.iter().map(|(k, i)| scaled_inertia(k, i, limit).ok()).collect()
-    };
-    let added =
-        |inertia: &[ElementInertia]| inertia.iter().map(|i| i.axial_kg).sum::<f64>() / total - 1.0;
-    let fits = |dt: f64| lend_all(dt).is_some_and(|i| added(&i) <= MAX_ADDED_MASS);
+        .collect()
+}
 
-    // Only the few are given to: no longer a step than half of the string's mass carries by itself.
-    let mut own: Vec<(f64, f64)> =
-        bare.iter().map(|(k, i)| (own_step(k, i, stiffness_damping_s), i.axial_kg)).collect();
-    own.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut carried = 0.0;
-    let most = own.iter().find(|(_, kg)| {
-        carried += kg;
-        carried >= 0.5 * total
-    });
-    let cap = most.map_or(0.0, |(dt, _)| *dt);
+/// Axial mass of elements, kg.
+pub(super) fn axial_kg<'a>(inertia: impl IntoIterator<Item = &'a ElementInertia>) -> f64 {
+    inertia.into_iter().map(|i| i.axial_kg).sum()
+}
+
+/// The inertia with which all elements bear a step; none where one of them does not, whatever its
+/// mass.
+pub(super) fn lend_all(
+    elements: &[BareElement],
+    dt: f64,
+    beta: f64,
+) -> Option<Vec<ElementInertia>> {
+    let limit = frequency_limit(dt, beta);
+    elements.iter().map(|(k, i)| scaled_inertia(k, i, limit).ok()).collect()
+}
+
+/// A longest step.
+pub(super) struct Longest {
+    /// It, s.
+    pub(super) dt_s: f64,
+    /// What keeps it from being longer.
+    pub(super) holder: Option<StepHolder>,
+}
+
+/// The longest step that all elements bear with an axial mass, kg, that `affords` accepts, but no
+/// longer than half of their mass carries by itself: only the few are given to.
+pub(super) fn longest(
+    elements: &[BareElement],
+    beta: f64,
+    affords: impl Fn(f64) -> bool,
+) -> Longest {
+    let fits = |dt: f64| lend_all(elements, dt, beta).is_some_and(|i| affords(axial_kg(&i)));
+    let cap = half_carries_s(elements, beta);
     let (mut low, mut high) = (0.0, cap);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
@@ -131,23 +168,52 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
             high = middle;
         }
     }
-    let inertia = lend_all(low).unwrap_or_else(|| bare.iter().map(|(_, i)| *i).collect());
-    let added_axial_mass_fraction = added(&inertia).max(0.0);
     let beyond = high * (1.0 + STEP_MARGIN);
     let holder = if fits(beyond) {
         // Nothing but what the ordinary pipe carries by itself.
-        let own = |(k, i): &(Stiffness<f64>, ElementInertia)| own_step(k, i, stiffness_damping_s);
-        let element = bare.iter().position(|one| own(one) >= cap);
+        let element = elements.iter().position(|(k, i)| own_step(k, i, beta) >= cap);
         element.map(|element| StepHolder { element, motion: Motion::Axial, scaled: false })
     } else {
-        holder(&bare, beyond, stiffness_damping_s)
+        holder(elements, beyond, beta)
     };
-    StepPlan { dt_s: low, inertia, added_axial_mass_fraction, holder }
+    Longest { dt_s: low, holder }
+}
+
+/// The longest step that half of the elements' mass carries by itself, s.
+pub(super) fn half_carries_s(elements: &[BareElement], beta: f64) -> f64 {
+    let total = axial_kg(elements.iter().map(|(_, i)| i));
+    let mut own: Vec<(f64, f64)> =
+        elements.iter().map(|(k, i)| (own_step(k, i, beta), i.axial_kg)).collect();
+    own.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut carried = 0.0;
+    let most = own.iter().find(|(_, kg)| {
+        carried += kg;
+        carried >= 0.5 * total
+    });
+    most.map_or(0.0, |(dt, _)| *dt)
+}
+
+/// Chooses the longest step at which the string is stable with no more than 0.3 % of its mass added
+/// by scaling, and that to less than half of it: ordinary pipe keeps its mass and its wave speed.
+///
+/// The highest frequency of a chain with lumped masses lies below the highest of its elements taken
+/// alone (Irons and Treharne 1971). `lateral_kg_per_m` is the lateral mass per length of each
+/// element, `stiffness_damping_s` the time constant `β` of the damping, which shortens the limit.
+/// Theory: `docs/src/theory/time-stepping.md`.
+pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> StepPlan {
+    let bare = bare_elements(mesh, lateral_kg_per_m);
+    let total = axial_kg(bare.iter().map(|(_, i)| i));
+    let affords = |kg: f64| kg / total - 1.0 <= MAX_ADDED_MASS;
+    let Longest { dt_s, holder } = longest(&bare, stiffness_damping_s, affords);
+    let inertia = lend_all(&bare, dt_s, stiffness_damping_s)
+        .unwrap_or_else(|| bare.iter().map(|(_, i)| *i).collect());
+    let added_axial_mass_fraction = (axial_kg(&inertia) / total - 1.0).max(0.0);
+    StepPlan { dt_s, inertia, added_axial_mass_fraction, holder, subcycling: None }
 }
 
 /// What does not let the step be as long as `dt`: the element that no added mass makes stable, or
 /// that with the most added mass; where none has any, that with the shortest step of its own.
-fn holder(bare: &[(Stiffness<f64>, ElementInertia)], dt: f64, beta: f64) -> Option<StepHolder> {
+fn holder(bare: &[BareElement], dt: f64, beta: f64) -> Option<StepHolder> {
     let limit = frequency_limit(dt, beta);
     let mut most: Option<(f64, StepHolder)> = None;
     for (element, (k, inertia)) in bare.iter().enumerate() {
@@ -166,14 +232,18 @@ fn holder(bare: &[(Stiffness<f64>, ElementInertia)], dt: f64, beta: f64) -> Opti
 }
 
 /// Longest step of an element that gets no added mass, by its axial frequency, s.
-fn own_step(k: &Stiffness<f64>, bare: &ElementInertia, beta: f64) -> f64 {
-    let omega = (4.0 * k.axial / bare.axial_kg).sqrt();
+pub(super) fn own_step(k: &Stiffness<f64>, bare: &ElementInertia, beta: f64) -> f64 {
+    step_of((4.0 * k.axial / bare.axial_kg).sqrt(), beta)
+}
+
+/// Longest step that carries an angular frequency, s.
+pub(super) fn step_of(omega: f64, beta: f64) -> f64 {
     let xi = 0.5 * beta * omega;
     2.0 * SAFETY / omega * ((1.0 + xi * xi).sqrt() - xi)
 }
 
 /// Highest angular frequency that a step carries, rad/s.
-fn frequency_limit(dt: f64, beta: f64) -> f64 {
+pub(super) fn frequency_limit(dt: f64, beta: f64) -> f64 {
     // dt ω/2 = S(√(1 + ξ²) − ξ) with ξ = βω/2 solves to ω = 2S/dt / √(1 + 2Sβ/dt).
     let bare = 2.0 * SAFETY / dt;
     bare / (1.0 + bare * beta).sqrt()
@@ -181,7 +251,7 @@ fn frequency_limit(dt: f64, beta: f64) -> f64 {
 
 /// The inertia with which an element stays below `limit`, rad/s; where only a shorter step helps,
 /// the motion that asks for it.
-fn scaled_inertia(
+pub(super) fn scaled_inertia(
     k: &Stiffness<f64>,
     bare: &ElementInertia,
     limit: f64,

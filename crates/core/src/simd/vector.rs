@@ -28,6 +28,15 @@ impl<N: Number> Vector<N> {
             self.1.neg_mul_add(o.0, self.0 * o.1),
         )
     }
+    /// `self × o + term`.
+    #[inline(always)]
+    pub fn cross_plus(self, o: Self, term: Self) -> Self {
+        Self(
+            self.2.neg_mul_add(o.1, self.1.mul_add(o.2, term.0)),
+            self.0.neg_mul_add(o.2, self.2.mul_add(o.0, term.1)),
+            self.1.neg_mul_add(o.0, self.0.mul_add(o.1, term.2)),
+        )
+    }
     /// `self * factor`.
     #[inline(always)]
     pub fn scaled(self, factor: N) -> Self {

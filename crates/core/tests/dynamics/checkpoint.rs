@@ -11,17 +11,17 @@ use wholestring::{
 
 use crate::{
     common::{MOTOR, SMOOTH},
-    wells::{Case, each, go, moderate, np13},
+    wells::{Case, each, go, moderate, np13, np13_eccentric},
 };
 
 /// Drilling with the autodriller, tripping with the independent law from a centred start, sliding
-/// with the motor, drilling in single precision, drilling by a table with noise, a motor that
-/// yields and side cutting: what changes in a run changes in one of them.
+/// with the motor, drilling with an eccentric string in single precision, drilling by a table with
+/// noise, a motor that yields and side cutting: what changes in a run changes in one of them.
 fn cases() -> [Case; 5] {
     let mut trip = moderate(OperationKind::TripIn, 0.3);
     trip.settings.friction_law = FrictionLaw::Independent;
     trip.settings.start = Start::Centred;
-    let mut single = np13(0.3);
+    let mut single = np13_eccentric(0.3);
     single.settings.precision = Precision::Single;
     let slide = moderate(OperationKind::Slide, 0.3);
     let mut measured = moderate(OperationKind::Drill, 0.3);

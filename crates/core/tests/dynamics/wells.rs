@@ -1,7 +1,12 @@
 //! The wells and strings of these tests, and how they are run.
 
 use wholestring::{
-    dynamics::Statistic, outcome::TimeSeries, prelude::*, statics::soft, well::Interpolation,
+    dynamics::Statistic,
+    outcome::TimeSeries,
+    prelude::*,
+    statics::soft,
+    string::{Cavity, Eccentricity},
+    well::Interpolation,
 };
 
 use crate::common::{
@@ -162,6 +167,19 @@ pub fn np13_at(mu: f64, bit_depth_m: f64) -> Case {
         .bit_torque_N_m(3100.0)
         .rate_of_penetration_m_per_s(10.0 / 3600.0);
     Case::new(model(path, hole, components(), bit_depth_m), drill)
+}
+
+/// The same with a string that is eccentric all along, by a millimetre.
+pub fn np13_eccentric(mu: f64) -> Case {
+    let mut case = np13(mu);
+    let mut components = components();
+    for component in &mut components {
+        let cavity = Cavity::Mud;
+        component.eccentricity = Some(Eccentricity { offset_m: 1e-3, phase_rad: 0.0, cavity });
+    }
+    let string = StringSpec { components }.assemble(case.operation.bit_depth_m);
+    case.model.string = string.expect("a sound string");
+    case
 }
 
 /// The survey that the case file reads: MD in m, inclination and azimuth in degrees under a header.

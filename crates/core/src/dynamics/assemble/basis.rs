@@ -4,20 +4,27 @@
 use super::{chain, error::SetupError, hoisting::hoisting, numbers::check_numbers};
 use crate::{
     dynamics::{
+        body::Body,
         boundary::{
             bit::{BitLaw, BitSettings, Motor, MudMotor},
             hole::Borehole,
         },
         initial_state,
-        kernel::step::{Abilities, Laws, Stepper},
-        settings::{DynamicsSettings, FrictionLaw, SpeedController, Start, TopDriveSettings},
+        kernel::{
+            places::Border,
+            step::{Abilities, Laws, Stepper},
+        },
+        settings::{
+            DynamicsSettings, FrictionLaw, Regions, SpeedController, Start, TopDriveSettings,
+        },
         simulation::settling::Settling,
     },
     model::Model,
     operation::Operation,
     rod::{
         mesh::Mesh,
-        stability::{self, StepPlan},
+        regions,
+        stability::{self, StepPlan, Subcycling},
     },
     simd::{number::Real, wide::Registers},
     sizing::{ElementLength, Sizing},
@@ -171,7 +178,11 @@ fn mesh_and_plan(
     let settling = Settling::of(operation, settings, &mesh);
     let bit_md_m = first_bit_md_m(operation, settings, &settling);
     let lateral = chain::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
-    let plan = stability::plan(&mesh, &lateral, settings.damping.stiffness_s);
+    let beta = settings.damping.stiffness_s;
+    let plan = match settings.regions {
+        Regions::One => stability::plan(&mesh, &lateral, beta),
+        Regions::Auto => regions::plan(&mesh, &lateral, beta, Body::new(model, &mesh).highest()),
+    };
     Ok((mesh, settling, plan))
 }
 
@@ -187,6 +198,14 @@ pub(in crate::dynamics) struct Basis<R: Real> {
     pub(in crate::dynamics) steps_per_sample: u64,
 }
 
+impl<R: Real> Basis<R> {
+    /// Where the chain is divided.
+    pub(in crate::dynamics) fn border(&self) -> Option<Border> {
+        let of = |s: Subcycling| Border { node: s.border_node, parts: s.parts };
+        self.plan.subcycling.map(of)
+    }
+}
+
 impl<R: Registers> Basis<R> {
     pub(in crate::dynamics) fn new(
         model: &Model,
@@ -197,6 +216,17 @@ impl<R: Registers> Basis<R> {
         let served = settings.precision.serves(operation, settings);
         served.map_err(SetupError::Precision)?;
         let (mesh, settling, plan) = mesh_and_plan(model, operation, settings)?;
+        Self::on(model, settings, mesh, settling, plan)
+    }
+
+    /// The same with a ready mesh and a ready plan.
+    pub(in crate::dynamics) fn on(
+        model: &Model,
+        settings: &DynamicsSettings,
+        mesh: Mesh,
+        settling: Settling,
+        plan: StepPlan,
+    ) -> Result<Self, SetupError> {
         check_weight_of_bit(settings, &plan)?;
         let borehole = Borehole::new(model, &mesh, settings.contact_law);
         let abilities = Abilities {

@@ -67,6 +67,11 @@ pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
         node!(chain, index, gyroscopic = node!(chain, index, polar) / rotary);
         node!(chain, index, inv_rotary = 1.0 / rotary);
     }
+    if let Some(subcycling) = &plan.subcycling {
+        let below = subcycling.border_node + 1;
+        node!(chain, below, mass_axial += subcycling.axial_kg);
+        node!(chain, below, polar += subcycling.polar_kg_m2);
+    }
     release(&mut chain);
     chain
 }

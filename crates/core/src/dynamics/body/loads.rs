@@ -62,7 +62,7 @@ fn twist_neighbours(chain: &mut Chain<impl Real>, index: usize, angle: f64) {
 
 impl Loads {
     /// Adds a force (N) and a moment (N·m) on a node.
-    pub(super) fn add(
+    pub(in crate::dynamics) fn add(
         &mut self,
         chain: &Chain<impl Real>,
         index: usize,
@@ -83,7 +83,11 @@ impl Loads {
     }
 
     /// Loads the nodes. What the step will book too much to stiffness-proportional damping, J.
-    pub(super) fn apply(&mut self, chain: &mut Chain<impl Real>, input: &StepInput) -> f64 {
+    pub(in crate::dynamics) fn apply(
+        &mut self,
+        chain: &mut Chain<impl Real>,
+        input: &StepInput,
+    ) -> f64 {
         let (dt, beta) = (input.dt, input.stiffness_damping);
         let mut excess_W = 0.0;
         for load in &mut self.loads {
@@ -110,7 +114,11 @@ impl Loads {
     /// Gives the weights back and turns the directors by the moments across them; takes what the
     /// step booked too much to friction out of its sums. What it booked too much to the mud, J: it
     /// took the kicks for spin that the nodes had before.
-    pub(super) fn finish(&mut self, chain: &mut Chain<impl Real>, input: &StepInput) -> f64 {
+    pub(in crate::dynamics) fn finish(
+        &mut self,
+        chain: &mut Chain<impl Real>,
+        input: &StepInput,
+    ) -> f64 {
         let (dt, beta) = (input.dt, input.stiffness_damping);
         let mut excess = 0.0;
         // The last first: a node may have been taken twice.

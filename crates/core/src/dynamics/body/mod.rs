@@ -13,7 +13,10 @@ use crate::{
     dynamics::{
         body::{bend::Bend, imbalance::Imbalance, loads::Loads},
         boundary::anchor::Anchor,
-        kernel::{chain::Chain, step::StepInput},
+        kernel::{
+            chain::{Chain, NodeImbalance},
+            step::StepInput,
+        },
     },
     model::Model,
     rod::{bent::transported, element::Pose, mesh::Mesh},
@@ -36,20 +39,24 @@ pub struct BodyStep {
 pub struct Body {
     /// From the top down, at most one at a node.
     pub bends: Vec<Bend>,
-    /// From the top down, at most one at a node.
-    pub imbalances: Vec<Imbalance>,
+    /// From the top down, at most one at a node. From the first step on the chain has those that
+    /// the step itself takes care of.
+    imbalances: Vec<Imbalance>,
     loads: Loads,
 }
 
 impl Body {
-    /// Whether stored bends and masses stand where those of the model do.
-    pub(super) fn check(&self, fresh: &Self) -> Result<(), Damaged> {
+    /// Whether stored bends and masses, and those of the stored chain, stand where those of the
+    /// model do.
+    pub(super) fn check(&self, chain: &Chain<impl Real>, fresh: &Self) -> Result<(), Damaged> {
         let bends = |of: &Self| of.bends.iter().map(|bend| bend.index).collect::<Vec<_>>();
-        let masses = |of: &Self| of.imbalances.iter().map(|one| one.index).collect::<Vec<_>>();
+        let own = |of: &Self| of.imbalances.iter().map(|one| one.index).collect::<Vec<_>>();
+        let mut masses: Vec<_> =
+            own(self).into_iter().chain(chain.imbalances().map(|(index, _)| index)).collect();
+        masses.sort_unstable();
         // Loads are of one step: they are made anew in the next.
-        let fits = bends(self) == bends(fresh)
-            && masses(self) == masses(fresh)
-            && self.loads.loads.is_empty();
+        let fits =
+            bends(self) == bends(fresh) && masses == own(fresh) && self.loads.loads.is_empty();
         ensure(fits, "the bends and eccentric masses")
     }
 
@@ -92,7 +99,48 @@ impl Body {
         Self { bends, imbalances, loads: Loads::default() }
     }
 
-    /// Whether there is nothing to do.
+    /// The highest node that something acts on beside the step, or whose element below does;
+    /// beyond every one where there is nothing. Eccentric masses that are not at bends move in the
+    /// step.
+    pub fn highest(&self) -> usize {
+        self.bends.iter().map(|bend| bend.index).min().unwrap_or(usize::MAX)
+    }
+
+    /// Adds an eccentric mass.
+    #[cfg(test)]
+    pub fn add(&mut self, imbalance: Imbalance) {
+        self.imbalances.push(imbalance);
+    }
+
+    /// All eccentric masses, with their nodes: first those that act beside the step.
+    pub fn imbalances(
+        &self,
+        chain: &Chain<impl Real>,
+    ) -> impl Iterator<Item = (usize, NodeImbalance)> {
+        let beside =
+            self.imbalances.iter().map(|imbalance| (imbalance.index, imbalance.after_step()));
+        beside.chain(chain.imbalances())
+    }
+
+    /// Leaves the masses to the step but for those on nodes that something acts on after it: the
+    /// bit, or a bend above or below. The step of the uppermost region is `dt`.
+    fn hand_over(&mut self, chain: &mut Chain<impl Real>, dt: f64) {
+        let Self { bends, imbalances, .. } = self;
+        let last = chain.nodes() - 1;
+        imbalances.retain(|imbalance| {
+            let index = imbalance.index;
+            let bent = bends.iter().any(|bend| index == bend.index || index == bend.index + 1);
+            let acted_on = bent || index == last;
+            if !acted_on {
+                let step_s = chain.step_s(index, dt);
+                let given = imbalance.before_step(chain, step_s);
+                chain.set_imbalance(index, &given);
+            }
+            acted_on
+        });
+    }
+
+    /// Whether there is nothing to do beside the step.
     pub fn is_empty(&self) -> bool {
         self.bends.is_empty() && self.imbalances.is_empty()
     }
@@ -147,6 +195,8 @@ impl Body {
         if self.is_empty() {
             return sum;
         }
+        // The input is that of the lowest region.
+        self.hand_over(chain, input.dt * f64::from(chain.parts()));
         for bend in &mut self.bends {
             let step = bend.push(chain, input, bent_part, &mut self.loads);
             sum.work_J += step.work_J;
@@ -182,7 +232,8 @@ impl Body {
 
     /// Energy that eccentric masses add at the middle of the last step, J.
     pub fn imbalances_J(&self, chain: &Chain<impl Real>) -> f64 {
-        self.imbalances.iter().map(|i| i.energy_J(chain)).sum()
+        let energy_J = |(index, of_node)| imbalance::energy_J(chain, index, &of_node);
+        self.imbalances(chain).map(energy_J).sum()
     }
 }
 

@@ -16,7 +16,7 @@ pub struct Anchor {
     pub high_side: Vector3<f64>,
 }
 
-/// Where a node is at the middle of the last step, m.
+/// Where a node is at the middle of the last step of its region, m; that of the uppermost is `dt`.
 pub fn middle_m(
     chain: &Chain<impl Real>,
     anchors: &[Anchor],
@@ -24,5 +24,5 @@ pub fn middle_m(
     dt: f64,
 ) -> Vector3<f64> {
     anchors[index].position_m + Vector3::from(chain.displacement(index))
-        - 0.5 * dt * Vector3::from(chain.velocity(index))
+        - 0.5 * chain.step_s(index, dt) * Vector3::from(chain.velocity(index))
 }

@@ -84,10 +84,11 @@ impl WallFriction {
         }
     }
 
-    /// Gives the nodes on the wall their coefficients for a step `dt_s`.
+    /// Gives the nodes on the wall their coefficients for a step `dt_s` of their region.
     pub fn set_coefficients<R: Real>(
         &mut self,
         chain: &mut Chain<R>,
+        region: usize,
         around: Placement<'_>,
         dt_s: f64,
     ) {
@@ -95,7 +96,9 @@ impl WallFriction {
             return;
         };
         let numbers = state.len() / chain.nodes();
-        for (row, summed) in self.summed_N.chunks_exact_mut(R::LANES).enumerate() {
+        let rows = chain.rows_of(region);
+        let summed_N = self.summed_N.chunks_exact_mut(R::LANES).enumerate();
+        for (row, summed) in summed_N.take(rows.end).skip(rows.start) {
             for (lane, summed) in summed.iter_mut().enumerate() {
                 let sum = chain.node_blocks[row].sum_normal.0[lane].to_f64();
                 let normal_force_N = sum - *summed;

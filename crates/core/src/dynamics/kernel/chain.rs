@@ -8,21 +8,28 @@
 //! from each node's own anchor on the hole's axis.
 
 mod blocks;
+mod imbalance;
 mod numbers;
+mod region;
 mod rows;
 pub mod upkeep;
 
 use serde::{Deserialize, Serialize};
 
-use super::layout::{LaneLayout, Layout};
+use super::{
+    layout::Layout,
+    places::{Border, Places},
+};
 use crate::{
     damage::{Damaged, ensure},
     rod::element::{Pose, Stiffness},
     simd::{number::Real, vector::Vector},
 };
 
-pub use blocks::{ElementBlock, NO_WALL_M, NodeBlock, StateBlock};
+pub use blocks::{ElementBlock, ImbalanceBlock, NO_WALL_M, NodeBlock, StateBlock};
+pub use imbalance::NodeImbalance;
 pub(crate) use numbers::{element, node, number};
+pub use region::RegionRows;
 use rows::CopyLane;
 pub use rows::{Row, Rows};
 
@@ -33,17 +40,19 @@ pub struct Chain<R: Real = f64> {
     nodes: usize,
     /// Number of nodes after which the string looks the same: from joint to joint.
     pattern: usize,
-    lane_layout: LaneLayout,
+    places: Places,
     /// Rest length of each element, m: however the chain keeps its numbers, its chords are compared
     /// with these.
     lengths_m: Vec<f64>,
-    /// How the nodes move, row by row; the last row repeats the first one lane lower, for the
-    /// elements where pieces end.
+    /// How the nodes move, row by row; the row after the last of a region repeats its first one
+    /// lane lower, for the elements where pieces end.
     pub states: Vec<StateBlock<R>>,
     /// Nodes, row by row.
     pub node_blocks: Vec<NodeBlock<R>>,
     /// Elements, as many rows as nodes have.
     pub element_blocks: Vec<ElementBlock<R>>,
+    /// Imbalances of the nodes, row by row; none where none is eccentric.
+    pub imbalance_blocks: Vec<ImbalanceBlock<R>>,
 }
 
 macro_rules! vector_access {
@@ -81,83 +90,99 @@ impl Chain {
 
 impl<R: Real> Chain<R> {
     fn idle(nodes: usize, pattern: usize) -> Self {
-        Self::in_lanes(nodes, pattern, LaneLayout::new(nodes, R::LANES, pattern))
+        Self::divided(nodes, pattern, None)
     }
 
-    fn in_lanes(nodes: usize, pattern: usize, lane_layout: LaneLayout) -> Self {
-        let rows = lane_layout.rows();
-        Self {
+    fn divided(nodes: usize, pattern: usize, border: Option<Border>) -> Self {
+        Self::in_places(nodes, pattern, Places::new(nodes, R::LANES, pattern, border))
+    }
+
+    fn in_places(nodes: usize, pattern: usize, places: Places) -> Self {
+        let rows = places.rows();
+        let mut chain = Self {
             nodes,
             pattern,
-            lane_layout,
+            places,
             lengths_m: vec![1.0; nodes],
             states: vec![StateBlock::at_rest(); rows + 1],
             node_blocks: vec![NodeBlock::idle(); rows],
             element_blocks: vec![ElementBlock::idle(); rows],
-        }
+            imbalance_blocks: Vec::new(),
+        };
+        chain.unbind_ghosts();
+        chain
     }
 
     /// The same chain in another kind of number.
     pub fn converted<S: Real>(&self) -> Chain<S> {
-        self.moved_into(Chain::idle(self.nodes, self.pattern))
+        self.divided_at(self.border())
+    }
+
+    /// The same chain in another kind of number and divided elsewhere, or not at all.
+    pub fn divided_at<S: Real>(&self, border: Option<Border>) -> Chain<S> {
+        self.moved_into(Chain::divided(self.nodes, self.pattern, border))
     }
 
     /// The same chain in pieces of so many rows.
     #[cfg(test)]
     pub fn in_rows(&self, rows: usize) -> Self {
-        self.moved_into(Self::in_lanes(self.nodes, self.pattern, LaneLayout::of(rows)))
+        let places = Places::whole(super::lane_layout::LaneLayout::of(rows));
+        self.moved_into(Self::in_places(self.nodes, self.pattern, places))
     }
 
     fn moved_into<S: Real>(&self, mut chain: Chain<S>) -> Chain<S> {
         chain.lengths_m.clone_from(&self.lengths_m);
+        if !self.imbalance_blocks.is_empty() {
+            chain.imbalance_blocks = vec![ImbalanceBlock::none(); chain.node_blocks.len()];
+        }
         for index in 0..self.nodes {
             let ((row, lane), (from, from_lane)) = (chain.place(index), self.place(index));
             chain.states[row].copy_lane(lane, &self.states[from], from_lane);
             chain.node_blocks[row].copy_lane(lane, &self.node_blocks[from], from_lane);
             chain.element_blocks[row].copy_lane(lane, &self.element_blocks[from], from_lane);
+            if let Some(imbalances) = self.imbalance_blocks.get(from) {
+                chain.imbalance_blocks[row].copy_lane(lane, imbalances, from_lane);
+            }
+        }
+        if let Some((border, [_, (row, lane)])) = chain.border().zip(chain.ghosts()) {
+            let (from, from_lane) = self.lower_place_of_element(border.node);
+            chain.element_blocks[row].copy_lane(lane, &self.element_blocks[from], from_lane);
         }
         chain
     }
 
-    /// Whether a stored chain is one of so many nodes with this pattern.
-    pub(crate) fn check(&self, nodes: usize, pattern: usize) -> Result<(), Damaged> {
-        let lane_layout = LaneLayout::new(nodes, R::LANES, pattern);
-        let rows = lane_layout.rows();
-        let fits = (self.nodes, self.pattern, self.lane_layout) == (nodes, pattern, lane_layout)
+    /// Whether a stored chain is one of so many nodes with this pattern, divided here.
+    pub(crate) fn check(
+        &self,
+        nodes: usize,
+        pattern: usize,
+        border: Option<Border>,
+    ) -> Result<(), Damaged> {
+        let places = Places::new(nodes, R::LANES, pattern, border);
+        let rows = places.rows();
+        let fits = (self.nodes, self.pattern, self.places) == (nodes, pattern, places)
             && self.lengths_m.len() == nodes
             && self.states.len() == rows + 1
             && self.node_blocks.len() == rows
-            && self.element_blocks.len() == rows;
+            && self.element_blocks.len() == rows
+            && [0, rows].contains(&self.imbalance_blocks.len());
         ensure(fits, "the string")
     }
 
     /// Where what is kept of its nodes in double precision lies.
     pub fn layout(&self) -> Layout {
-        Layout::beside::<R>(self.lane_layout)
+        Layout::beside::<R>(self.places)
     }
 
     /// Row and lane of a node, and of the element below it.
     #[inline]
     pub fn place(&self, index: usize) -> (usize, usize) {
-        self.lane_layout.place(index)
+        self.places.place(index)
     }
 
     /// The node at a row and a lane; none of the string's where the last lane is not full.
     pub fn index(&self, row: usize, lane: usize) -> usize {
-        self.lane_layout.index((row, lane))
-    }
-
-    /// Repeats the first row of states below the last, one lane lower. The last lane ends in
-    /// itself.
-    pub fn close(&mut self) {
-        let rows = self.node_blocks.len();
-        let (above, close) = self.states.split_at_mut(rows);
-        let (first, last) = (above[0].rows(), above[rows - 1].rows());
-        for ((row, first), last) in close[0].rows_mut().zip(first).zip(last) {
-            let end = R::LANES - 1;
-            row.0.as_mut()[..end].copy_from_slice(&first.0.as_ref()[1..]);
-            row.0[end] = last.0[end];
-        }
+        self.places.index(row, lane)
     }
 
     /// How the lower ends of a row of elements move, if the states were closed since: after a step
@@ -169,13 +194,11 @@ impl<R: Real> Chain<R> {
     /// Effective tension of each element at the last step, from the first of a piece down, N, and
     /// its index.
     pub fn tensions_N(&self, lane: usize) -> impl Iterator<Item = (usize, f64)> {
-        let along = |lane| {
-            let blocks = self.element_blocks.iter();
-            blocks.map(move |block: &ElementBlock<R>| block.tension.0[lane].to_f64())
-        };
-        let first = lane * self.lane_layout.rows();
-        let tensions = (lane..R::LANES).flat_map(along);
-        (first..self.elements()).zip(tensions)
+        let of = |row: usize, lane: usize| self.element_blocks[row].tension.0[lane].to_f64();
+        let upper = self.places.nodes_of(0, self.elements()).end;
+        let first = (lane * self.places.rows_of(0).len()).min(upper);
+        let above = (first..upper).zip(self.along(0, lane, of));
+        above.chain((upper..self.elements()).zip(self.along(1, 0, of).skip(1)))
     }
 
     /// Number of nodes.
@@ -200,6 +223,27 @@ impl<R: Real> Chain<R> {
         chord, set_chord, element_blocks, chord, "Chord between the anchors of an element, m.";
     }
 
+    /// Gives a node an imbalance.
+    pub fn set_imbalance(&mut self, index: usize, imbalance: &NodeImbalance) {
+        if self.imbalance_blocks.is_empty() {
+            self.imbalance_blocks = vec![ImbalanceBlock::none(); self.node_blocks.len()];
+        }
+        let (row, lane) = self.place(index);
+        self.imbalance_blocks[row].set(lane, imbalance);
+    }
+
+    /// The imbalance of a node, if it has one.
+    pub fn imbalance(&self, index: usize) -> Option<NodeImbalance> {
+        let (row, lane) = self.place(index);
+        self.imbalance_blocks.get(row)?.get(lane)
+    }
+
+    /// Those of all nodes that have one, from the top down.
+    pub fn imbalances(&self) -> impl Iterator<Item = (usize, NodeImbalance)> {
+        let nodes = if self.imbalance_blocks.is_empty() { 0 } else { self.nodes };
+        (0..nodes).filter_map(|index| Some((index, self.imbalance(index)?)))
+    }
+
     /// Gives an element its stiffness.
     pub fn set_stiffness(&mut self, index: usize, k: &Stiffness<f64>) {
         self.lengths_m[index] = k.length;
@@ -210,6 +254,7 @@ impl<R: Real> Chain<R> {
         element!(self, index, bow_far = k.bow_far);
         element!(self, index, torsion = k.twist);
         element!(self, index, bending = k.bending);
+        self.share_element(index);
     }
 
     /// The stiffness of an element.
@@ -249,5 +294,6 @@ impl<R: Real> Chain<R> {
         // |a|² − L² = (|a| − L)(|a| + L), exact to the last digits of the chord.
         let a = chord.dot(chord).sqrt();
         element!(self, index, excess = (a - length) * (a + length));
+        self.share_element(index);
     }
 }

@@ -2,98 +2,21 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::places::Places;
 use crate::simd::{lanes::DOUBLES, number::Real};
-
-/// How long the pieces are that a chain is cut into.
-///
-/// Every number of a node is looked up by its place, and divisions would take most of the time: the
-/// inverse of the length, rounded up, is multiplied with instead.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(try_from = "usize", into = "usize")]
-pub struct LaneLayout {
-    rows: usize,
-    inverse: u64,
-}
-
-impl LaneLayout {
-    /// Binary places of the inverse.
-    const PLACES: u32 = 40;
-    /// Length up to which places are exact in 32 lanes: `32 LONGEST² < 2^PLACES`. No string is as
-    /// long.
-    const LONGEST: usize = 1 << 17;
-
-    /// Part of its length by which a piece may be longer than it must, so that the pattern fits.
-    const SPARE: f64 = 0.06;
-
-    /// As long as so many nodes in so many lanes need. `pattern` is the number of nodes after which
-    /// a string looks the same: pieces that hold it a whole number of times have their tool joints
-    /// side by side, and the rows between them, where no node touches the wall, are done with
-    /// sooner.
-    pub fn new(nodes: usize, lanes: usize, pattern: usize) -> Self {
-        let rows = nodes.div_ceil(lanes);
-        let fitting = rows.next_multiple_of(pattern);
-        let spare = (fitting - rows) as f64;
-        let rows = if spare <= Self::SPARE * rows as f64 { fitting } else { rows };
-        Self::of(rows)
-    }
-
-    /// Of so many rows.
-    ///
-    /// # Panics
-    /// If there are more than any string has.
-    pub fn of(rows: usize) -> Self {
-        Self::try_from(rows).unwrap_or_else(|reason| panic!("{reason}"))
-    }
-
-    /// Number of rows.
-    pub fn rows(self) -> usize {
-        self.rows
-    }
-
-    /// Row and lane of a node, and of the element below it.
-    #[inline]
-    pub fn place(self, index: usize) -> (usize, usize) {
-        // Before its fraction is cut off it is too large by `index / 2^PLACES` at most, less than
-        // `1 / rows`: exact.
-        let lane = ((index as u64 * self.inverse) >> Self::PLACES) as usize;
-        (index - lane * self.rows, lane)
-    }
-
-    /// The node at a row and a lane; none of the string's where the last lane is not full.
-    pub fn index(self, (row, lane): (usize, usize)) -> usize {
-        lane * self.rows + row
-    }
-}
-
-impl TryFrom<usize> for LaneLayout {
-    type Error = String;
-
-    fn try_from(rows: usize) -> Result<Self, String> {
-        if rows > Self::LONGEST {
-            return Err(format!("pieces of {rows} nodes"));
-        }
-        Ok(Self { rows, inverse: (1 << Self::PLACES) / rows.max(1) as u64 + 1 })
-    }
-}
-
-impl From<LaneLayout> for usize {
-    fn from(lane_layout: LaneLayout) -> Self {
-        lane_layout.rows
-    }
-}
 
 /// Where what is kept of the nodes in double precision lies, whatever the chain itself is kept in:
 /// each row of the chain has, part by part, its blocks of doubles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Layout {
-    lane_layout: LaneLayout,
+    places: Places,
     parts: usize,
 }
 
 impl Layout {
-    /// Beside a chain in numbers of kind `R` with such pieces.
-    pub fn beside<R: Real>(lane_layout: LaneLayout) -> Self {
-        Self { lane_layout, parts: R::LANES / DOUBLES }
+    /// Beside a chain in numbers of kind `R` whose nodes have such places.
+    pub fn beside<R: Real>(places: Places) -> Self {
+        Self { places, parts: R::LANES / DOUBLES }
     }
 
     /// Row of the chain that a block stands beside, and which part of it.
@@ -105,22 +28,20 @@ impl Layout {
 
     /// Number of blocks.
     pub fn blocks(&self) -> usize {
-        self.lane_layout.rows() * self.parts
+        self.places.rows() * self.parts
     }
 
     /// Block and lane of each node in turn, from the top down.
     pub fn places(self) -> impl Iterator<Item = (usize, usize)> {
-        let rows = self.lane_layout.rows();
-        (0..self.parts * DOUBLES).flat_map(move |lane| {
-            let (part, lane) = (lane / DOUBLES, lane % DOUBLES);
-            (0..rows).map(move |row| (row * self.parts + part, lane))
-        })
+        let block =
+            move |(row, lane): (usize, usize)| (row * self.parts + lane / DOUBLES, lane % DOUBLES);
+        self.places.in_order(self.parts * DOUBLES).map(block)
     }
 
     /// Block and lane of a node, and of the element below it.
     #[inline]
     pub fn place(&self, index: usize) -> (usize, usize) {
-        let (row, lane) = self.lane_layout.place(index);
+        let (row, lane) = self.places.place(index);
         (row * self.parts + lane / DOUBLES, lane % DOUBLES)
     }
 }
@@ -128,7 +49,7 @@ impl Layout {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{dynamics::kernel::chain::Chain, simd::lanes::SINGLES};
+    use crate::dynamics::kernel::chain::Chain;
 
     /// A block's lanes are those of its part of the chain's row, and no node is without.
     fn assert_blocks_stand_beside_rows<R: Real>() {
@@ -149,27 +70,5 @@ mod tests {
     fn blocks_stand_beside_the_rows_of_either_kind_of_number() {
         assert_blocks_stand_beside_rows::<f64>();
         assert_blocks_stand_beside_rows::<f32>();
-    }
-
-    /// 1347 nodes with a joint at every third are 85 rows of sixteen, which 87 hold as well; at
-    /// every twelfth it would take 96.
-    #[test]
-    fn joints_stand_side_by_side_where_that_costs_little() {
-        let rows = |pattern| LaneLayout::new(1347, DOUBLES, pattern).rows();
-        assert_eq!([1, 3, 12].map(rows), [85, 87, 85]);
-    }
-
-    #[test]
-    fn a_place_is_the_quotient_and_its_rest() {
-        let longest = LaneLayout::LONGEST;
-        for rows in (1..300).chain([4095, 4096, 4097, longest - 1, longest]) {
-            let lane_layout = LaneLayout::of(rows);
-            for lane in 0..SINGLES {
-                for row in [0, 1, rows / 2, rows - 1].map(|row| row.min(rows - 1)) {
-                    assert_eq!(lane_layout.place(lane * rows + row), (row, lane));
-                    assert_eq!(lane_layout.index((row, lane)), lane * rows + row);
-                }
-            }
-        }
     }
 }

@@ -24,7 +24,8 @@ use crate::{
 /// Energies at the middle of the last step, J.
 ///
 /// Velocities live there already; positions and twist are brought back by half a step, so that the
-/// sums are second-order accurate in the step.
+/// sums are second-order accurate in the step. Where regions have steps of their own, each is read
+/// at the middle of its own: what crosses the border meanwhile is counted as the region's below.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Energies {
     pub kinetic: f64,
@@ -40,11 +41,12 @@ impl Energies {
         viscous: Option<&Viscous>,
         dt: f64,
     ) -> Self {
+        let last = chain.nodes() - 1;
         // The mud's pull stands among the weights.
         let pull = viscous.map_or(0.0, |mud| mud.pull_potential_J(chain, anchors, dt));
         Self {
             kinetic: kinetic_J(chain) + body.imbalances_J(chain),
-            elastic: elastic_J(chain, dt) + body.bends_J(chain, dt),
+            elastic: elastic_J(chain, dt) + body.bends_J(chain, chain.step_s(last, dt)),
             gravity: weight_J(chain, anchors, dt) + pull,
         }
     }
@@ -77,7 +79,7 @@ pub fn kinetic_J(chain: &Chain<impl Real>) -> f64 {
 fn elastic_J(chain: &Chain<impl Real>, dt: f64) -> f64 {
     let mut sum = 0.0;
     for i in 0..chain.elements() {
-        let pose = half_a_step_before(chain.pose(i), dt);
+        let pose = half_a_step_before(chain.pose(i), chain.step_s(i, dt));
         sum += element::energy(&chain.stiffness(i), &pose);
     }
     sum

@@ -67,6 +67,17 @@ pub enum Precision {
     Single,
 }
 
+/// Whether parts of the string have steps of their own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub enum Regions {
+    /// One step for the whole string.
+    #[default]
+    One,
+    /// Two regions where that takes less time: the bottom-hole assembly, meshed finer than the
+    /// pipe, takes several steps in one of the pipe (multirate time stepping, subcycling).
+    Auto,
+}
+
 /// How wall friction combines its axial and circumferential parts.
 ///
 /// Both are compiled into the inner loop, and no other can be given: a friction of the caller's own
@@ -240,6 +251,8 @@ pub struct DynamicsSettings {
     pub element_length: ElementLength,
     /// What every length is divided by, given or chosen: 1, and more for convergence studies.
     pub mesh_refinement: u32,
+    /// Whether parts of the string have steps of their own.
+    pub regions: Regions,
     /// Length of the window that the statistics cover, s.
     pub duration_s: f64,
     /// Simulated time before that window, s; at least, where it is to be steady.
@@ -318,7 +331,7 @@ impl DynamicsSettings {
 }
 
 impl Default for DynamicsSettings {
-    /// Elements of 3.2 m; 60 s after 20 s of settling, steady or not, sampled every 10 ms; a
+    /// Elements of 3.2 m, one step for all of them; 60 s after 20 s of settling, steady or not, sampled every 10 ms; a
     /// prepared start, or a centred one with its static tension and a ramp of 1 s; vector friction
     /// that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping of 0.1
     /// 1/s by mass and 10 µs by stiffness; the hoist control that the operation requires on a line
@@ -328,6 +341,7 @@ impl Default for DynamicsSettings {
         Self {
             element_length: ElementLength::Uniform(3.2),
             mesh_refinement: 1,
+            regions: Regions::One,
             duration_s: 60.0,
             settle_s: 20.0,
             steady: None,

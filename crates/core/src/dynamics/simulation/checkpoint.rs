@@ -104,20 +104,31 @@ impl<R: Registers> Run<R> {
         settings: &DynamicsSettings,
         checkpoint: Checkpoint<'_>,
     ) -> Result<Self, ResumeError> {
-        let basis = Basis::<R>::new(model, operation, settings)?;
+        let basis = Basis::new(model, operation, settings)?;
+        Self::continued(model, operation, settings, basis, checkpoint)
+    }
+
+    /// The same of what its input determines.
+    pub(super) fn continued(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+        basis: Basis<R>,
+        checkpoint: Checkpoint<'_>,
+    ) -> Result<Self, ResumeError> {
         let (found, expected) = (checkpoint.chain.nodes(), basis.mesh.nodes.len());
         if found != expected {
             return Err(ResumeError::AnotherString { found, expected });
         }
         let pattern = basis.mesh.nodes_per_joint();
-        checkpoint.chain.check(expected, pattern)?;
+        checkpoint.chain.check(expected, pattern, basis.border())?;
         let chain = checkpoint.chain.converted::<R>();
         if checkpoint.state.record.layout() != chain.layout() {
             return Err(ResumeError::AnotherPrecision);
         }
         let mut state = checkpoint.state.into_owned();
         state.attach(settings)?;
-        state.check(model, settings, &basis.mesh, chain.layout())?;
+        state.check(model, settings, &basis.mesh, &chain)?;
         Ok(Self::of(model, operation, settings, basis, chain, state))
     }
 }

@@ -50,15 +50,27 @@ impl<R: Registers> Run<R> {
         settings: &DynamicsSettings,
         executor: RockExecutor,
     ) -> Result<Self, SetupError> {
-        let basis = Basis::<R>::new(model, operation, settings)?;
+        let basis = Basis::new(model, operation, settings)?;
+        Self::begin(model, operation, settings, executor, basis)
+    }
+
+    /// The same of what its input determines.
+    pub(super) fn begin(
+        model: &Model,
+        operation: &Operation,
+        settings: &DynamicsSettings,
+        executor: RockExecutor,
+        basis: Basis<R>,
+    ) -> Result<Self, SetupError> {
         let (mesh, dt) = (&basis.mesh, basis.plan.dt_s);
         let (control, velocity) = hoisting::hoisting(operation, settings);
         let mut first = settings.schedule.at_time_zero(operation);
         let bit_md_m = basis::first_bit_md_m(operation, settings, &basis.settling);
         let chain = assemble::chain::chain(model, mesh, &basis.plan);
         let mut viscous = Viscous::new(model, mesh, &first, velocity, bit_md_m);
+        // The string is initialised as a whole.
         let input = StepInput {
-            dt,
+            dt: basis.plan.shortest_s(),
             stiffness_damping: settings.damping.stiffness_s,
             dissipation: settings.contact_law.dissipation_s_per_m(),
             stribeck_speed: settings.stribeck_speed_m_per_s,
@@ -97,7 +109,7 @@ impl<R: Registers> Run<R> {
             velocity_m_per_s: velocity,
         };
         let initial = initial_state::initialise(&scene, chain, Body::new(model, mesh), bit_md_m)?;
-        let (mut chain, anchors) = (initial.chain.converted(), initial.anchors);
+        let (mut chain, anchors) = (initial.chain.divided_at(basis.border()), initial.anchors);
         chain.find_drag(dt);
         if let Some(mud) = &mut viscous {
             mud.attach(&mut chain, &anchors, dt);

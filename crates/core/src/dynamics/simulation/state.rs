@@ -16,12 +16,13 @@ use crate::{
             top_drive::TopDrive,
             wall_friction::WallFriction,
         },
-        kernel::{chain::Rows, layout::Layout},
+        kernel::chain::{Chain, Rows},
         output::{energy::Ledger, record::Record, wear::Wear},
         settings::{DynamicsSettings, schedule::SetPoints},
     },
     model::Model,
     rod::mesh::Mesh,
+    simd::number::Real,
 };
 
 /// Everything of a run, beside its chain, that changes while it continues: plain data, which a
@@ -75,8 +76,9 @@ impl State {
         model: &Model,
         settings: &DynamicsSettings,
         mesh: &Mesh,
-        layout: Layout,
+        chain: &Chain<impl Real>,
     ) -> Result<(), Damaged> {
+        let layout = chain.layout();
         let nodes = mesh.nodes.len();
         ensure(self.anchors.len() == nodes, "the anchors")?;
         ensure(
@@ -86,7 +88,7 @@ impl State {
         ensure(self.high.len() == layout.blocks(), "the high side")?;
         ensure(self.viscous.is_some() == model.mud.rheology.is_some(), "the mud")?;
         self.set_points.check(&settings.schedule)?;
-        self.body.check(&Body::new(model, mesh))?;
+        self.body.check(chain, &Body::new(model, mesh))?;
         self.top_drive.check(&settings.top_drive)?;
         self.bit.check(&settings.bit)?;
         let same = self.friction.is_some() == settings.friction_coefficient.is_some();

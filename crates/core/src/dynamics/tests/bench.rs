@@ -7,6 +7,7 @@ use crate::{
         body::Body,
         kernel::{
             chain::{Chain, node},
+            places::Border,
             step::{Abilities, Laws, MassDamping, StepInput, StepLosses, Stepper},
         },
     },
@@ -16,7 +17,7 @@ use crate::{
         element::Stiffness,
         mesh::Mesh,
         section::Section,
-        stability::{self, StepPlan},
+        stability::{self, StepPlan, Subcycling},
     },
     simd::vector::Vector,
     string::{ComponentLength, ComponentSpec, Material},
@@ -109,6 +110,11 @@ impl Bench {
         let mesh = Mesh::uniform(&model.string, element_length_m);
         let lateral = chain::lateral_mass_kg_per_m(&model, &mesh, length_m);
         let plan = stability::plan(&mesh, &lateral, stiffness_damping_s);
+        Self::of_mesh(model, mesh, plan, stiffness_damping_s)
+    }
+
+    /// The string of `model` on a ready mesh, with the steps and the inertia of a plan.
+    pub fn of_mesh(model: Model, mesh: Mesh, plan: StepPlan, stiffness_damping_s: f64) -> Self {
         let mut chain = chain::chain(&model, &mesh, &plan);
         for index in 0..chain.elements() {
             chain.set_anchor_chord(index, Vector(0.0, 0.0, mesh.elements[index].length_m));
@@ -135,6 +141,13 @@ impl Bench {
         };
         bench.support(0, Support::FREE);
         bench
+    }
+
+    /// The same rod in the regions of its plan.
+    pub fn divided(mut self) -> Self {
+        let of = |s: Subcycling| Border { node: s.border_node, parts: s.parts };
+        self.chain = self.chain.divided_at(self.plan.subcycling.map(of));
+        self
     }
 
     /// A free rod of `parts` elements of one section, whose `steel_kg_per_m` and

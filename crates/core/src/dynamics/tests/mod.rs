@@ -11,6 +11,7 @@ mod large;
 mod mud;
 mod order;
 mod pendulum;
+mod regions;
 mod rest;
 mod rotor;
 mod rough;

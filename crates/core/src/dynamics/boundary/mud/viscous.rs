@@ -224,13 +224,14 @@ impl Viscous {
             }
         }
         let tangent = chain.tangent(index);
-        let strongest = STRONGEST * node!(chain, index, mass_axial) / dt;
+        let step_s = chain.step_s(index, dt);
+        let strongest = STRONGEST * node!(chain, index, mass_axial) / step_s;
         if drag > strongest {
             // The slope is cut, the force at this velocity kept: what is missing becomes a pull.
             pull -= (drag - strongest) * tangent.dot(chain.velocity(index));
             drag = strongest;
         }
-        let strongest = STRONGEST * node!(chain, index, polar) / dt;
+        let strongest = STRONGEST * node!(chain, index, polar) / step_s;
         node!(chain, index, mud_axial = drag);
         node!(chain, index, mud_spin = spin_drag.min(strongest));
         // The jets lift the bit.

@@ -158,6 +158,30 @@ block! {
     }
 }
 
+block! {
+    /// A row of nodes: what is eccentric of them, if anything is.
+    pub struct ImbalanceBlock<R> {
+        /// Imbalance `U = Σ m e`, kg·m; zero of a node that has none.
+        pub moment: Row<R>,
+        /// `U g`, N·m.
+        pub weight_moment: Row<R>,
+        /// Its direction, across the director.
+        pub toward: Rows<R>,
+        /// That direction half a step before, where the velocities are.
+        pub half: Rows<R>,
+        /// What the direction lacks where numbers are single.
+        pub rest: Rows<R>,
+    }
+}
+
+impl<R: Real> ImbalanceBlock<R> {
+    pub(super) fn none() -> Self {
+        let (zero, one) = (Row::filled(0.0), Row::filled(1.0));
+        let north = [one, zero, zero];
+        Self { moment: zero, weight_moment: zero, toward: north, half: north, rest: [zero; 3] }
+    }
+}
+
 impl<R: Real> NodeBlock<R> {
     /// Clears what is summed up between samples.
     pub fn clear_sums(&mut self) {

@@ -3,6 +3,8 @@
 //! Loops over every lane of every row, compiled for each instruction set. A question looks at every
 //! number: a loop that ends early is none that looks at eight at once.
 
+use std::ops::Range;
+
 use super::{Chain, NodeBlock, Row, Rows, StateBlock};
 use crate::simd::{
     apart::Apart,
@@ -19,20 +21,25 @@ impl<R: Real> Chain<R> {
         with_fastest_instruction_set!(slid(self, R::from_f64(reach_m)))
     }
 
-    /// Finds what the mud's lateral drag takes of the nodes' velocities in a step of `dt`, as they
-    /// move now. A hundredth in any mud; a brake still at any speed.
+    /// Finds what the mud's lateral drag takes of the nodes' velocities in a step of their region,
+    /// as they move now; that of the uppermost is `dt`. A hundredth in any mud; a brake still at any
+    /// speed.
     pub fn find_drag(&mut self, dt: f64) {
-        with_fastest_instruction_set!(find_drag(self, R::from_f64(dt)))
+        with_fastest_instruction_set!(find_drag(self, dt))
     }
 
     /// Axial velocity, m/s, and spin, rad/s, of each node, from the top down.
     pub fn motions(&self) -> Motions {
-        let nodes = vec![0.0; R::LANES * self.lane_layout.rows()];
-        let mut motions = Motions { axial_m_per_s: nodes.clone(), spin_rad_per_s: nodes };
-        with_fastest_instruction_set!(motions(self, &mut motions));
-        motions.axial_m_per_s.truncate(self.nodes);
-        motions.spin_rad_per_s.truncate(self.nodes);
-        motions
+        let mut all = Motions::none(0);
+        for region in 0..self.regions() {
+            let rows = self.rows_of(region);
+            let mut motions = Motions::none(R::LANES * rows.len());
+            with_fastest_instruction_set!(motions(self, rows, &mut motions));
+            let nodes = self.places_in_region(region);
+            all.axial_m_per_s.extend_from_slice(&motions.axial_m_per_s[nodes.clone()]);
+            all.spin_rad_per_s.extend_from_slice(&motions.spin_rad_per_s[nodes]);
+        }
+        all
     }
 
     /// The upper pieces in whose elements the effective tension was more than `min_N` at the last
@@ -59,15 +66,21 @@ impl<R: Real> Chain<R> {
     /// the top down, J; all of it, J.
     pub fn take_up_wear(&self, each_J: &mut [f64]) -> f64 {
         let rubbed = with_fastest_instruction_set!(rubbed(self));
-        let (mut all, nodes) = (0.0, self.nodes.min(each_J.len()));
-        let rows = self.lane_layout.rows();
-        for lane in 0..R::LANES {
-            let first = lane * rows;
-            let in_lane = rubbed.iter().take_while(|row| first + **row < nodes);
-            for row in in_lane {
-                let work = self.node_blocks[*row].sum_wear.0[lane].to_f64();
-                each_J[first + row] += work;
-                all += work;
+        let mut all = 0.0;
+        for region in 0..self.regions() {
+            let (rows, places) = (self.rows_of(region), self.places_in_region(region));
+            let nodes = self.nodes_of(region);
+            let each_J = &mut each_J[nodes];
+            let rubbed = rubbed.iter().filter(|row| rows.contains(row)).map(|row| row - rows.start);
+            for lane in 0..R::LANES {
+                for row in rubbed.clone() {
+                    let place = lane * rows.len() + row;
+                    if places.contains(&place) {
+                        let work = self.node_blocks[rows.start + row].sum_wear.0[lane].to_f64();
+                        each_J[place - places.start] += work;
+                        all += work;
+                    }
+                }
             }
         }
         all
@@ -88,6 +101,12 @@ pub struct Motions {
     pub spin_rad_per_s: Vec<f64>,
 }
 
+impl Motions {
+    fn none(nodes: usize) -> Self {
+        Self { axial_m_per_s: vec![0.0; nodes], spin_rad_per_s: vec![0.0; nodes] }
+    }
+}
+
 macro_rules! compiled_for {
     ($set:ident, $number:ident, $fused:expr $(, $features:literal)?) => {
         mod $set {
@@ -100,13 +119,17 @@ macro_rules! compiled_for {
             }
 
             $(#[target_feature(enable = $features)])?
-            pub(super) fn find_drag<R: Real>(chain: &mut Chain<R>, dt: R) {
+            pub(super) fn find_drag<R: Real>(chain: &mut Chain<R>, dt: f64) {
                 super::find_drag(chain, dt);
             }
 
             $(#[target_feature(enable = $features)])?
-            pub(super) fn motions<R: Real>(chain: &Chain<R>, motions: &mut Motions) {
-                super::motions::<R, Lanes>(chain, motions);
+            pub(super) fn motions<R: Real>(
+                chain: &Chain<R>,
+                rows: Range<usize>,
+                motions: &mut Motions,
+            ) {
+                super::motions::<R, Lanes>(chain, rows, motions);
             }
 
             $(#[target_feature(enable = $features)])?
@@ -157,9 +180,11 @@ fn slid<R: Real>(chain: &Chain<R>, reach: R) -> bool {
 }
 
 #[inline(always)]
-fn find_drag<R: Real>(chain: &mut Chain<R>, dt: R) {
+fn find_drag<R: Real>(chain: &mut Chain<R>, dt: f64) {
     let half = R::from_f64(0.5);
-    for (node, state) in chain.node_blocks.iter_mut().zip(&chain.states) {
+    let Chain { places, node_blocks, states, .. } = chain;
+    for (row, (node, state)) in node_blocks.iter_mut().zip(&*states).enumerate() {
+        let dt = R::from_f64(dt / f64::from(places.parts_at(row)));
         for lane in 0..R::LANES {
             let along = dot(&node.tangent, &state.v, lane);
             let square = dot(&state.v, &state.v, lane) - along * along;
@@ -174,10 +199,11 @@ fn find_drag<R: Real>(chain: &mut Chain<R>, dt: R) {
 }
 
 #[inline(always)]
-fn motions<R: Real, N: Doubles>(chain: &Chain<R>, motions: &mut Motions) {
-    let rows = chain.lane_layout.rows();
+fn motions<R: Real, N: Doubles>(chain: &Chain<R>, of: Range<usize>, motions: &mut Motions) {
+    let rows = of.len();
     let Motions { axial_m_per_s, spin_rad_per_s } = motions;
-    for (row, (node, state)) in chain.node_blocks.iter().zip(&chain.states).enumerate() {
+    let (nodes, states) = (&chain.node_blocks[of.clone()], &chain.states[of]);
+    for (row, (node, state)) in nodes.iter().zip(states).enumerate() {
         for lane in (0..R::LANES).step_by(N::WIDTH) {
             let along = doubles::<R, N>(&node.tangent, lane).dot(doubles(&state.v, lane));
             spread(axial_m_per_s, lane * rows + row, rows, along);
@@ -201,7 +227,7 @@ fn spread<N: Doubles>(into: &mut [f64], first: usize, rows: usize, numbers: N) {
 #[inline(always)]
 fn above_N<R: Real>(chain: &Chain<R>, least: R) -> [bool; SINGLES] {
     let mut above = [true; SINGLES];
-    for block in &chain.element_blocks {
+    for block in &chain.element_blocks[chain.rows_of(0)] {
         for (above, tension) in above.iter_mut().zip(block.tension.0.as_ref()) {
             *above &= *tension > least;
         }

@@ -3,7 +3,7 @@
 
 use super::lane::{add, at, at3, lanes, put, put3};
 use crate::{
-    dynamics::kernel::chain::{Chain, Row},
+    dynamics::kernel::chain::{RegionRows, Row},
     simd::number::{Number, Real},
 };
 
@@ -25,14 +25,14 @@ pub struct MassDamping {
 /// Damps all nodes; the energy that it takes, J. That of lateral rotation is a millionth of the
 /// whole and not counted.
 #[inline(always)]
-pub(super) fn damp<N: Number>(chain: &mut Chain<N::Real>, mass_damping: &MassDamping) -> f64 {
+pub(super) fn damp<N: Number>(region: RegionRows<'_, N::Real>, mass_damping: &MassDamping) -> f64 {
     let splat = N::splat;
     let (zero, one, left) = (N::zero(), splat(1.0), splat(mass_damping.left));
     let lengthening = splat(0.5 * mass_damping.dt * mass_damping.time_s);
     let damped = splat(1.0 - mass_damping.left);
     let (rigid_v, rigid_s) = (splat(mass_damping.rigid_velocity), splat(mass_damping.rigid_spin));
     let mut taken: Row<N::Real> = Row::filled(0.0);
-    for (n, state) in chain.node_blocks.iter().zip(&mut chain.states) {
+    for (n, state) in region.node_blocks.iter().zip(region.states) {
         for lane in lanes::<N>() {
             let th = at3::<N>(&n.tangent, lane);
             let (v0, s0) = (at3::<N>(&state.v, lane), at::<N>(&state.spin, lane));

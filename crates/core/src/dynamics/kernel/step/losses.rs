@@ -14,6 +14,14 @@ pub struct StepLosses {
     pub damping: f64,
 }
 
+impl std::ops::AddAssign for StepLosses {
+    fn add_assign(&mut self, other: Self) {
+        self.contact += other.contact;
+        self.mud += other.mud;
+        self.damping += other.damping;
+    }
+}
+
 /// Energy lost by each lane: the contact's over half the step, twice the mud's in J, the damping's
 /// power in W.
 pub(super) struct Losses<R: Real> {

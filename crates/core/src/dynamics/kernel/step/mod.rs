@@ -1,4 +1,4 @@
-//! One step of the whole chain: the inner loop of everything.
+//! One step of the chain, or of a region of it: the inner loop of everything.
 //!
 //! Leapfrog (central differences): forces at the present positions kick the velocities across the
 //! step, the velocities carry the positions on. Contact and friction act within the step,
@@ -18,12 +18,16 @@
 mod contact;
 mod damping;
 mod elements;
+mod imbalance;
 mod input;
 mod lane;
 mod losses;
 mod nodes;
 
-use super::chain::{Chain, ElementBlock, Row, StateBlock};
+use super::{
+    border::Coupled,
+    chain::{Chain, ElementBlock, RegionRows, Row, StateBlock},
+};
 use crate::simd::{
     counted::{self, Counted, Flops},
     dispatch::{available_instruction_sets, for_each_instruction_set},
@@ -34,6 +38,7 @@ use crate::simd::{
 use contact::normal_contact;
 pub use damping::MassDamping;
 use elements::{Pull, Strains, bend, chord, strain, twist};
+use imbalance::{Before, follow, throw};
 pub use input::StepInput;
 use lane::lanes;
 use losses::Losses;
@@ -64,9 +69,9 @@ pub struct Abilities {
 /// Which code does the step: the processor's best instructions, and the laws of contact.
 #[derive(Clone, Copy)]
 pub struct Stepper<R: Real = f64> {
-    step: unsafe fn(&mut Chain<R>, &StepInput, Laws) -> StepLosses,
+    step: unsafe fn(RegionRows<'_, R>, &StepInput, Laws) -> StepLosses,
     laws: Laws,
-    damp: unsafe fn(&mut Chain<R>, &MassDamping) -> f64,
+    damp: unsafe fn(RegionRows<'_, R>, &MassDamping) -> f64,
     peak: unsafe fn(usize) -> u64,
     /// Name of the instruction set in use.
     pub instructions: &'static str,
@@ -86,16 +91,19 @@ macro_rules! compiled_for {
 
             $(#[target_feature(enable = $features)])?
             pub(super) fn step<R: Registers, const FULL: bool>(
-                chain: &mut Chain<R>,
+                rows: RegionRows<'_, R>,
                 input: &StepInput,
                 laws: Laws,
             ) -> StepLosses {
-                sweep::<$number<R>, FULL>(chain, input, laws)
+                sweep::<$number<R>, FULL>(rows, input, laws)
             }
 
             $(#[target_feature(enable = $features)])?
-            pub(super) fn damp<R: Registers>(chain: &mut Chain<R>, mass_damping: &MassDamping) -> f64 {
-                super::damping::damp::<$number<R>>(chain, mass_damping)
+            pub(super) fn damp<R: Registers>(
+                region: RegionRows<'_, R>,
+                mass_damping: &MassDamping,
+            ) -> f64 {
+                super::damping::damp::<$number<R>>(region, mass_damping)
             }
 
             $(#[target_feature(enable = $features)])?
@@ -112,11 +120,11 @@ macro_rules! compiled_for {
 for_each_instruction_set!(compiled_for);
 
 fn counting<R: Real, const FULL: bool>(
-    chain: &mut Chain<R>,
+    rows: RegionRows<'_, R>,
     input: &StepInput,
     laws: Laws,
 ) -> StepLosses {
-    sweep::<Counted<R>, FULL>(chain, input, laws)
+    sweep::<Counted<R>, FULL>(rows, input, laws)
 }
 
 impl<R: Registers> Stepper<R> {
@@ -147,11 +155,12 @@ impl<R: Registers> Stepper<R> {
 }
 
 impl<R: Real> Stepper<R> {
-    /// Advances the chain by one step of such code, and counts what that takes.
+    /// Advances the chain by one step of such code, its lower region by all of its own within it,
+    /// and counts what that takes.
     pub fn count(abilities: Abilities, chain: &mut Chain<R>, input: &StepInput) -> Flops {
         let step = if abilities.full { counting::<R, true> } else { counting::<R, false> };
         counted::count(|| {
-            step(chain, input, abilities.laws);
+            coupled_step(chain, input, |rows, input| step(rows, input, abilities.laws));
         })
     }
 
@@ -162,17 +171,51 @@ impl<R: Real> Stepper<R> {
         unsafe { (self.peak)(rounds) }
     }
 
-    /// Takes what mass-proportional damping takes; how much, J.
+    /// Takes what mass-proportional damping takes; how much, J. Its step is that of the uppermost
+    /// region.
     pub fn damp(&self, chain: &mut Chain<R>, mass_damping: &MassDamping) -> f64 {
-        // SAFETY: as for a step.
-        unsafe { (self.damp)(chain, mass_damping) }
+        let mut taken = 0.0;
+        for region in 0..chain.regions() {
+            let dt = mass_damping.dt / chain.parts_at(chain.rows_of(region).start);
+            let own = MassDamping { dt, ..*mass_damping };
+            // SAFETY: as for a step.
+            taken += unsafe { (self.damp)(chain.region(region), &own) };
+        }
+        taken
     }
 
-    /// Advances the chain by one step.
+    /// Advances the chain by one step, its lower region by all of its own within it.
     pub fn step(&self, chain: &mut Chain<R>, input: &StepInput) -> StepLosses {
-        // SAFETY: `all` lists only code whose instructions the processor was found to have.
-        unsafe { (self.step)(chain, input, self.laws) }
+        coupled_step(chain, input, |rows, input| self.step_region(rows, input))
     }
+
+    /// Advances a region of a chain by one step.
+    pub fn step_region(&self, rows: RegionRows<'_, R>, input: &StepInput) -> StepLosses {
+        // SAFETY: `all` lists only code whose instructions the processor was found to have.
+        unsafe { (self.step)(rows, input, self.laws) }
+    }
+}
+
+/// A step of every region, with nothing between them.
+fn coupled_step<R: Real>(
+    chain: &mut Chain<R>,
+    input: &StepInput,
+    step: impl Fn(RegionRows<'_, R>, &StepInput) -> StepLosses,
+) -> StepLosses {
+    let Some(coupled) = Coupled::begin(chain, input.dt, input.stiffness_damping) else {
+        return step(chain.region(0), input);
+    };
+    let mut losses = step(chain.region(0), input);
+    losses.damping -= coupled.damping_W * input.dt;
+    let parts = chain.parts();
+    let own = StepInput { dt: input.dt / f64::from(parts), ..*input };
+    for part in 0..parts {
+        losses += step(chain.region(1), &own);
+        if part == 0 {
+            coupled.lead(chain, own.dt);
+        }
+    }
+    losses
 }
 
 /// Where a node lies from the hole's axis as its wall has it, and the clearance there, m: without a
@@ -193,15 +236,16 @@ pub fn met(chain: &Chain, index: usize) -> (crate::simd::vector::Vector<f64>, f6
 
 #[inline(always)]
 fn sweep<N: Number, const FULL: bool>(
-    chain: &mut Chain<N::Real>,
+    mut region: RegionRows<'_, N::Real>,
     input: &StepInput,
     laws: Laws,
 ) -> StepLosses {
-    chain.close();
-    let Chain { states, node_blocks, element_blocks, .. } = chain;
+    region.close();
+    let RegionRows { states, node_blocks, element_blocks, imbalance_blocks } = region;
     let rows = node_blocks.len();
     let mut losses = Losses::none();
     let (mut strains, mut prediction) = (Strains::none(), Prediction::none());
+    let mut before = Before::none();
     let mut pulls = [Pull::none(); 3];
     // The last row of elements pulls at the first row of nodes, too: it and the first come before
     // all nodes.
@@ -234,6 +278,12 @@ fn sweep<N: Number, const FULL: bool>(
             *next = last;
             None
         };
+        let mut imbalances = imbalance_blocks.get_mut(row);
+        if let Some(imbalances) = &imbalances {
+            for lane in lanes::<N>() {
+                throw::<N>(above, &mut before, imbalances, state, input, lane);
+            }
+        }
         for lane in lanes::<N>() {
             predict::<N, FULL>(&mut prediction, n, state, above, below, input, lane);
         }
@@ -290,6 +340,11 @@ fn sweep<N: Number, const FULL: bool>(
         }
         for lane in lanes::<N>() {
             rotate_directors::<N>(n, state, above, below, input, lane);
+        }
+        if let Some(imbalances) = &mut imbalances {
+            for lane in lanes::<Pair<N>>() {
+                follow::<Pair<N>>(&before, imbalances, n, state, input, lane);
+            }
         }
     }
     let sum = |row: Row<N::Real>| row.0.as_ref().iter().map(|x| x.to_f64()).sum::<f64>();

@@ -33,7 +33,7 @@ pub struct Source<'a, R: Real> {
     pub strength: &'a Strength,
     /// Nodes with bends.
     pub bent: &'a [BentNode],
-    /// Inverse of the number of steps since the last sample.
+    /// Inverse of the number of steps of the uppermost region since the last sample.
     pub per_step: f64,
 }
 
@@ -184,7 +184,7 @@ impl<R: Real> Source<'_, R> {
     pub fn normal<N: Doubles>(&self, block: usize, lane: usize) -> N {
         let (row, part) = Layout::row_of::<R>(block);
         at::<N, R>(self.chain.node_blocks[row].sum_normal.part(part), lane)
-            * N::splat(self.per_step)
+            * N::splat(self.per_step / self.chain.parts_at(row))
     }
 
     /// Axial friction on the wall, N, along the hole, and friction torque, N·m, averaged like the
@@ -193,7 +193,7 @@ impl<R: Real> Source<'_, R> {
     pub fn friction<N: Doubles>(&self, block: usize, lane: usize) -> [N; 2] {
         let (row, part) = Layout::row_of::<R>(block);
         let nodes = &self.chain.node_blocks[row];
-        let per_step = N::splat(self.per_step);
+        let per_step = N::splat(self.per_step / self.chain.parts_at(row));
         [
             at::<N, R>(nodes.sum_axial.part(part), lane) * per_step,
             at::<N, R>(nodes.sum_torque.part(part), lane) * per_step,

@@ -2,7 +2,9 @@
 
 mod body;
 mod contact_map;
+mod imbalance;
 mod initialise;
+mod regions;
 mod top;
 
 use super::*;

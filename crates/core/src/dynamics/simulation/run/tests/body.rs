@@ -100,7 +100,8 @@ fn bends_and_eccentric_masses_find_their_nodes() {
     let simulation = start(OperationKind::RotateOffBottom, 60.0);
     let bend = &simulation.state.body.bends[0];
     assert!((simulation.mesh.nodes[bend.index].from_bit_m - 2.2).abs() < 1e-9);
-    let sum: f64 = simulation.state.body.imbalances.iter().map(|x| x.moment_kg_m).sum();
+    let imbalances = simulation.state.body.imbalances(&simulation.chain);
+    let sum: f64 = imbalances.map(|(_, imbalance)| imbalance.moment_kg_m).sum();
     let collar = &simulation.model.string.components()[2];
     let expected = collar.mass_per_length_kg_per_m * 27.0 * 3e-3 * (1.0 - 1200.0 / 7860.0);
     assert!((sum / expected - 1.0).abs() < 1e-12, "{sum} {expected}");
