@@ -3,8 +3,8 @@
 use wholestring::{
     dynamics::{
         Autodriller, BitSettings, CentredStart, ContactLaw, DynamicsSettings, FrictionLaw,
-        HoistControl, Precision, Regions, RodDamping, Schedule, Start, StartTension,
-        TopDriveSettings, UntilSteady,
+        HoistControl, Precision, RodDamping, Schedule, Start, StartTension, TopDriveSettings,
+        UntilSteady,
     },
     operation::Operation,
     well::{Hole, HoleSection},
@@ -214,7 +214,6 @@ impl DynamicsTable {
             regions: mesh.regions()?,
             duration_s: *self.duration.get()?,
             // A program's own choice.
-            regions: Regions::default(),
             settle_s: self.settle.get()?.given().unwrap_or(0.0),
             steady: match *self.settle.get()? {
                 AutoOr::Auto => Some(UntilSteady::default()),

@@ -15,8 +15,8 @@ use crate::{
     input::load,
     interrupt,
     progress::RunScreen,
-    run::stopped,
     screen_table::Table,
+    stopped::stopped,
     terminal::print_stdout,
 };
 

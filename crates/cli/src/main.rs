@@ -21,6 +21,7 @@ mod run;
 mod screen_table;
 mod shell;
 mod speed;
+mod stopped;
 mod study;
 mod survey;
 mod sweep;

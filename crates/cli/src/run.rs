@@ -4,13 +4,13 @@ use wholestring_case::Case;
 use wholestring_results::{Friction, Summary};
 use wholestring_runner::{
     findings::{is_wrong, name},
-    run::{self, Outcome, Request, Stop},
+    run::{self, Outcome, Request},
 };
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
     args::RunArgs, color::screen_color, comparison, convergence, failure::Failure, findings,
-    input::load, interrupt, progress::RunScreen, terminal::print_stdout,
+    input::load, interrupt, progress::RunScreen, stopped::stopped, terminal::print_stdout,
 };
 
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
@@ -78,25 +78,6 @@ fn subtitle(case: &Case, summary: &Summary, units: UnitSet) -> String {
         Dimension::Length.format(depth, units),
         Dimension::Density.format(case.model.mud.density_kg_per_m3, units),
     )
-}
-
-/// Why the run did not come to its end, and where what it computed lies.
-pub(crate) fn stopped(stop: Stop, outcome: &Outcome) -> Failure {
-    let place = outcome.folder.display();
-    match stop {
-        Stop::Interrupted => {
-            let how = if outcome.is_resumable {
-                format!("\nto continue, run the case with --resume {place}")
-            } else {
-                String::new()
-            };
-            Failure::Interrupted(format!("interrupted: what was computed is in {place}{how}"))
-        }
-        Stop::Unsolved(reason) => {
-            Failure::Failed(format!("error: {reason}\nwhat was computed until then is in {place}"))
-        }
-        Stop::Unwritten(error) => error.into(),
-    }
 }
 
 /// Why `--strict` does not let a run pass, if it does not.

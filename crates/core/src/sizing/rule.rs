@@ -1,8 +1,10 @@
 //! The rule by which elements choose their length.
 
-use serde::{Deserialize, Serialize};
-
-use super::{SizeReason, SizedInterval, Sizing};
+use super::{
+    element_length::Accuracy,
+    intervals::{SizedInterval, Sizing},
+    reason::SizeReason,
+};
 use crate::{
     model::Model,
     operation::Operation,
@@ -13,20 +15,6 @@ use crate::{
     },
     string::Component,
 };
-
-/// How accurate a mesh that chooses itself is to be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub enum Accuracy {
-    /// From joint to joint, the assembly too: for sweeps and for what comes at many times real
-    /// time.
-    Coarse,
-    /// From joint to joint where pipe hangs or lies between its joints, the assembly in elements of
-    /// 3 m.
-    #[default]
-    Standard,
-    /// Half of the standard elements, everywhere.
-    Fine,
-}
 
 /// Longest element between joints, m: a joint of range 3. Longer spacings are cut.
 const MAX_JOINT_M: f64 = 14.0;
@@ -64,13 +52,13 @@ const STEP_M: f64 = 4.0;
 
 /// A length that a stretch of the string asks for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Demand {
+struct Demand {
     /// Lower and upper end, measured from the bit, m.
-    pub from_bit_m: [f64; 2],
+    from_bit_m: [f64; 2],
     /// Longest element, m.
-    pub element_length_m: f64,
+    element_length_m: f64,
     /// What asks.
-    pub reason: SizeReason,
+    reason: SizeReason,
 }
 
 impl Sizing {
@@ -117,7 +105,7 @@ impl Sizing {
                 intervals.push(SizedInterval { from_bit_m: pair[0], element_length_m, reason });
             }
         }
-        Self { intervals }
+        Self::of_intervals(intervals)
     }
 }
 

@@ -6,8 +6,8 @@
 use std::ops::RangeInclusive;
 
 use super::{
-    MeshNode,
     marks::{Mark, body_radius_m},
+    node::MeshNode,
 };
 use crate::{sizing::Sizing, string::DrillString};
 

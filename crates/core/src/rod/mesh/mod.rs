@@ -2,6 +2,7 @@
 
 mod cut;
 mod marks;
+mod node;
 
 use super::section::Section;
 use crate::{
@@ -10,15 +11,7 @@ use crate::{
 };
 
 use marks::BLADE_HEIGHT_M;
-
-/// A node of the string.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MeshNode {
-    /// Distance from the bit along the unloaded string, m.
-    pub from_bit_m: f64,
-    /// Radius that touches the wall here: of the joint, of the stabiliser or of the body, m.
-    pub contact_radius_m: f64,
-}
+pub use node::MeshNode;
 
 /// An element between two nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,0 +1,83 @@
+//! The length of elements along the string.
+
+use super::reason::SizeReason;
+
+/// A stretch of the string whose elements are to be of one length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SizedInterval {
+    /// Lower end, measured from the bit, m.
+    pub from_bit_m: f64,
+    /// Length of its elements, m.
+    pub element_length_m: f64,
+    /// What asked for that.
+    pub reason: SizeReason,
+}
+
+/// The length of elements along the string: intervals from the bit up, each up to the next, the
+/// last without end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sizing {
+    intervals: Vec<SizedInterval>,
+}
+
+impl Sizing {
+    /// Elements of about `element_length_m` everywhere.
+    pub fn uniform(element_length_m: f64) -> Self {
+        let reason = SizeReason::Given;
+        Self { intervals: vec![SizedInterval { from_bit_m: 0.0, element_length_m, reason }] }
+    }
+
+    /// Intervals from the bit up, at least one.
+    pub(super) fn of_intervals(intervals: Vec<SizedInterval>) -> Self {
+        Self { intervals }
+    }
+
+    /// The same with every length divided by `refinement`: for convergence studies.
+    #[must_use]
+    pub fn refined(mut self, refinement: u32) -> Self {
+        for one in &mut self.intervals {
+            one.element_length_m /= f64::from(refinement.max(1));
+        }
+        self
+    }
+
+    /// The intervals, from the bit up.
+    pub fn intervals(&self) -> &[SizedInterval] {
+        &self.intervals
+    }
+
+    /// The interval at a distance from the bit, m.
+    pub fn at(&self, from_bit_m: f64) -> &SizedInterval {
+        let above = self.intervals.partition_point(|one| one.from_bit_m <= from_bit_m);
+        &self.intervals[above.saturating_sub(1)]
+    }
+
+    /// How many elements of the intervals' lengths fit between two distances from the bit, m.
+    pub fn lengths_between(&self, low_m: f64, high_m: f64) -> f64 {
+        let mut lengths = 0.0;
+        for (index, one) in self.intervals.iter().enumerate() {
+            let end_m = self.intervals.get(index + 1).map_or(f64::INFINITY, |next| next.from_bit_m);
+            let covered_m = high_m.min(end_m) - low_m.max(one.from_bit_m);
+            lengths += covered_m.max(0.0) / one.element_length_m;
+        }
+        lengths
+    }
+
+    /// The distance from the bit, m, up to which so many `lengths` of elements fit above `low_m`.
+    pub fn place_above(&self, low_m: f64, mut lengths: f64) -> f64 {
+        let mut place_m = low_m;
+        for (index, one) in self.intervals.iter().enumerate() {
+            let end_m = self.intervals.get(index + 1).map_or(f64::INFINITY, |next| next.from_bit_m);
+            if end_m <= place_m {
+                continue;
+            }
+            let fit = (end_m - place_m) / one.element_length_m;
+            if lengths <= fit {
+                return place_m + lengths * one.element_length_m;
+            }
+            lengths -= fit;
+            place_m = end_m;
+        }
+        place_m
+    }
+}

@@ -1,0 +1,42 @@
+//! Why elements are as long as they are.
+
+/// Why elements are as long as they are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum SizeReason {
+    /// The length is given.
+    Given,
+    /// Pipe that hangs or lies between its tool joints.
+    JointToJoint,
+    /// Pipe without tool joints.
+    PlainPipe,
+    /// The bottom-hole assembly.
+    Assembly,
+    /// The body touches the wall between the joints.
+    BodyContact,
+    /// Compression near or beyond the critical load of sinusoidal buckling.
+    Compression,
+}
+
+impl SizeReason {
+    /// Every reason.
+    pub const ALL: [Self; 6] = [
+        Self::Given,
+        Self::JointToJoint,
+        Self::PlainPipe,
+        Self::Assembly,
+        Self::BodyContact,
+        Self::Compression,
+    ];
+
+    /// Name in results.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Given => "given",
+            Self::JointToJoint => "joint to joint",
+            Self::PlainPipe => "plain pipe",
+            Self::Assembly => "assembly",
+            Self::BodyContact => "body contact",
+            Self::Compression => "compression",
+        }
+    }
+}
