@@ -12,7 +12,7 @@ mod imbalance;
 mod numbers;
 mod region;
 mod rows;
-mod upkeep;
+pub mod upkeep;
 
 use serde::{Deserialize, Serialize};
 
@@ -32,7 +32,6 @@ pub(crate) use numbers::{element, node, number};
 pub use region::RegionRows;
 use rows::CopyLane;
 pub use rows::{Row, Rows};
-pub use upkeep::Motions;
 
 /// The whole chain.
 #[derive(Debug, Clone, Serialize, Deserialize)]

@@ -22,7 +22,7 @@ use crate::{
             anchor::{Anchor, middle_m},
             hole::Borehole,
         },
-        kernel::chain::{Chain, Motions, node},
+        kernel::chain::{Chain, node, upkeep::Motions},
     },
     model::Model,
     mud::{Annulus, AnnulusDrag, Hydraulics, Motion, Mud, bore, hydraulics::pressure_strain},
