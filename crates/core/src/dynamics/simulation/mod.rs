@@ -13,6 +13,7 @@ pub mod settling;
 mod since_sample;
 mod speed;
 mod state;
+mod step;
 #[cfg(feature = "rayon")]
 pub mod threads;
 

@@ -1,6 +1,7 @@
 //! The clamp at the top.
 
 use super::*;
+use crate::simd::vector::Vector;
 
 /// The clamp holds the top on the curved axis wherever it has slid to within the reach of its
 /// anchor, and its director along it, with the speed that it had along it.
