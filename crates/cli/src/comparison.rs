@@ -86,10 +86,12 @@ pub(crate) fn notes(summary: &Summary, units: UnitSet) -> String {
         let took_s: f64 = all().map(|of| of.wall_time_s).sum();
         let simulated_s: f64 = all().map(|of| of.real_time_factor * of.wall_time_s).sum();
         let shortest_step_s = all().map(|of| of.run.time_step_s).fold(f64::INFINITY, f64::min);
+        let parts = largest(|of| f64::from(of.run.assembly_steps.unwrap_or(1)));
+        let within =
+            if parts > 1.0 { format!(", {parts} in it of the assembly") } else { String::new() };
         notes += &format!(
-            "Dynamics: {} elements, step {:.3} ms, added axial mass {:.2} %; {simulated_s:.1} s \
-             simulated \
-             in {took_s:.1} s, {}\n",
+            "Dynamics: {} elements, step {:.3} ms{within}, added axial mass {:.2} %; \
+             {simulated_s:.1} s simulated in {took_s:.1} s, {}\n",
             largest(|of| of.run.elements as f64),
             shortest_step_s * 1e3,
             largest(|of| of.run.added_axial_mass_fraction) * 100.0,

@@ -113,6 +113,7 @@ fn dynamic() -> OperationSummary {
             run: dynamics::Numerics {
                 elements: 1350,
                 time_step_s: 2e-4,
+                assembly_steps: None,
                 steps: 400_000,
                 added_axial_mass_fraction: 0.003,
                 max_penetration_m: 1e-5,

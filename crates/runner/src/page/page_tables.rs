@@ -78,6 +78,7 @@ pub(super) fn numerics(summary: &Summary) -> Vec<PageTable> {
     let rows: &[Row<'_>] = &[
         ("Elements", "ratio", &|of| Some(run(of)?.elements as f64)),
         ("Time step", "time step", &|of| Some(run(of)?.time_step_s)),
+        ("Steps of the assembly in each", "ratio", &|of| Some(f64::from(run(of)?.assembly_steps?))),
         ("Steps", "ratio", &|of| Some(run(of)?.steps as f64)),
         ("Settled before the window", "time", &|of| {
             Some(run(of)?.settle_s).filter(|of| of.is_finite())

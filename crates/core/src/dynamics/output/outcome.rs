@@ -19,6 +19,9 @@ pub struct Numerics {
     /// Step, s.
     #[serde(with = "crate::finite::unsigned_zero")]
     pub time_step_s: f64,
+    /// Steps of the bottom-hole assembly in each, where it has steps of its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub assembly_steps: Option<u32>,
     /// Steps done.
     pub steps: u64,
     /// Axial mass added by scaling to short elements over that of the string.

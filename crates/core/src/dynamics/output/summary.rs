@@ -104,6 +104,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
         numerics: Numerics {
             elements: s.mesh.elements.len(),
             time_step_s: s.plan.dt_s,
+            assembly_steps: s.plan.subcycling.as_ref().map(|lower| lower.parts),
             steps: s.steps,
             added_axial_mass_fraction: s.plan.added_axial_mass_fraction,
             max_penetration_m: s.record.max_penetration_m,
