@@ -151,10 +151,12 @@ a prediction, or a number of the source that is missed, with the reason beside i
 ";
 
 fn table(lines: &[Line<'_>], cases: &Cases) -> Result<String, Failure> {
-    let mut sorted: BTreeMap<&str, BTreeMap<Vec<Piece<'_>>, &Line<'_>>> = BTreeMap::new();
+    // By the text, too: 0.01 and 0.1 have the same pieces.
+    type Key<'a> = (Vec<Piece<'a>>, &'a str);
+    let mut sorted: BTreeMap<&str, BTreeMap<Key<'_>, &Line<'_>>> = BTreeMap::new();
     for line in lines {
         let rows = sorted.entry(&line.case).or_default();
-        rows.insert(pieces(&line.quantity), line);
+        rows.insert((pieces(&line.quantity), &line.quantity), line);
     }
     let mut text = INTRODUCTION.to_owned();
     for (name, rows) in sorted {
@@ -276,6 +278,8 @@ mod tests {
             line("A02", "torque", Tolerance::Any),
             line("A02", "spread", Tolerance::AtLeast),
             line("E06", "force at 9 m, N", Tolerance::Absolute(0.25)),
+            line("E06", "force at 0.1 m", Tolerance::Any),
+            line("E06", "force at 0.01 m", Tolerance::Any),
         ];
         let text = table(&lines, &cases).unwrap_or_else(|failure| panic!("{}", failure.reason));
         let expected = "\
@@ -287,6 +291,8 @@ mod tests {
 \n## E06: a blow\n\nSource: closed forms.\n
 | quantity | expected | computed | error | within | why |
 |---|---|---|---|---|---|
+| force at 0.01 m (of 3) | 2e-5 | 2.00002e-5 | 1e-5 | as it comes | a reason |
+| force at 0.1 m (of 3) | 2e-5 | 2.00002e-5 | 1e-5 | as it comes | a reason |
 | force at 9 m, N (of 3) | 2e-5 | 2.00002e-5 | 2e-10 N | 0.25 N | a reason |
 | force at 10 m (of 3) | 2e-5 | 2.00002e-5 | 1e-5 | 1e-4 | a reason |
 ";

@@ -141,9 +141,8 @@ fn check_shaken(bit: &BitSettings) -> Result<(), SetupError> {
     let reason = match &bit.law {
         BitLaw::Regenerative(_) => "the bottom is what the bit's passage before has left",
         BitLaw::Rock(_) => "the bottom is solid rock, as the bit has left it",
-        BitLaw::Rate(_) | BitLaw::DetournayDefourny(_) | BitLaw::Table(_) | BitLaw::Custom(_) => {
-            return Ok(());
-        }
+        // All others cut a rock front.
+        _ => return Ok(()),
     };
     bit.excitation.as_ref().map_or(Ok(()), |_| Err(SetupError::Excitation(reason)))
 }
