@@ -41,8 +41,9 @@ pub(crate) fn check_effort(
         }
     };
     let elements = efforts.iter().map(|effort| effort.mesh.elements.len()).max()?;
-    let shortest_s = efforts.iter().map(|effort| effort.plan.dt_s).fold(f64::INFINITY, f64::min);
-    let steps: f64 = efforts.iter().map(|effort| effort.steps).sum();
+    let shortest_s =
+        efforts.iter().map(|effort| effort.plan.shortest_s()).fold(f64::INFINITY, f64::min);
+    let element_steps: f64 = efforts.iter().map(Effort::element_steps).sum();
     let message = if elements > MAX_ELEMENTS {
         format!("the string would be cut into {elements} elements")
     } else if shortest_s < SHORTEST_STEP_S {
@@ -50,7 +51,7 @@ pub(crate) fn check_effort(
             "the time step would be {} s",
             number_text(format!("{shortest_s:.1e}").parse().unwrap_or(shortest_s))
         )
-    } else if elements as f64 * steps > MAX_ELEMENT_STEPS {
+    } else if element_steps > MAX_ELEMENT_STEPS {
         let ends_s = efforts.iter().map(|effort| effort.end_s);
         let time_s = ends_s.fold(0.0, f64::max);
         format!("{elements} elements over {time_s:.0} s would take weeks")

@@ -97,6 +97,9 @@ fn mesh(effort: &Effort, case: &Case) -> String {
     text
 }
 
+/// Added mass that shows, as a part of the string's.
+const SHOWN_MASS: f64 = 5e-4;
+
 /// Which element keeps a step from being longer, and by which motion.
 fn held(step: &str, holder: Option<StepHolder>, effort: &Effort, case: &Case) -> String {
     let Some(holder) = holder else {
@@ -113,7 +116,8 @@ fn held(step: &str, holder: Option<StepHolder>, effort: &Effort, case: &Case) ->
         length(lower_m),
         component.name,
     );
-    if holder.scaled {
+    // A region that takes whole parts of the other's step may not need what it may have.
+    if holder.scaled && effort.plan.added_axial_mass_fraction > SHOWN_MASS {
         text += &format!(
             ", to which mass scaling has given what it may ({:.1} % of the string in sum)",
             100.0 * effort.plan.added_axial_mass_fraction,

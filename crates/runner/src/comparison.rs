@@ -22,7 +22,8 @@ pub struct ComparedRow {
     pub label: &'static str,
     /// Symbol of its unit.
     pub symbol: &'static str,
-    /// Decimals that show five digits of the largest value, three at most. Rows of one kind show the
+    /// Decimals that show five digits of the largest value, three at most. Rows of one kind show
+    /// the
     /// same decimals, so that they can be added up.
     pub decimals: usize,
 }

@@ -14,7 +14,8 @@
 //! | [`bit_test`] | the bit alone on its rock |
 //! | [`mod@bench`] | the measurement of a machine's speed at all this |
 //!
-//! [`Comparison`] has the answers of a run side by side, [`survey`] the positions along a survey, and
+//! [`Comparison`] has the answers of a run side by side, [`survey`] the positions along a survey,
+//! and
 //! [`Tubulars`] what a case can name.
 //! [`write_report`] and [`pictures()`] make the page and the pictures of what lies in a folder
 //! again.

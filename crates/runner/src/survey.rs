@@ -9,7 +9,8 @@ use wholestring_survey::{SurveyError, read_as};
 
 use crate::Error;
 
-/// Columns of [`to_csv`]. Surveys are in degrees everywhere, so that this one is too; it is a survey
+/// Columns of [`to_csv`]. Surveys are in degrees everywhere, so that this one is too; it is a
+/// survey
 /// that can be read again.
 const COLUMNS: [&str; 7] = [
     "md_m",

@@ -206,7 +206,8 @@ pub fn carried<N: Number>(
 ) -> Direction<N> {
     let half = N::splat(0.5);
     let Direction { toward, rest } = *before;
-    // By this angle about the director: `across` is one angle behind what the direction moves along.
+    // By this angle about the director: `across` is one angle behind what the direction moves
+    // along.
     let back = change.braked * dt;
     let mut gain = turned.gain.minus(turned.across, turned.versine.mul_add(back, back));
     if !N::Real::FINE {

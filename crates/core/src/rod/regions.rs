@@ -1,4 +1,5 @@
-//! The plan of a string in two regions, whose lower one takes several steps in one of the upper one.
+//! The plan of a string in two regions, whose lower one takes several steps in one of the upper
+//! one.
 //!
 //! Multirate time stepping (subcycling) serves strings whose bottom-hole assembly is meshed finer
 //! than their pipe: the pipe need not go by the steps of the assembly. Theory:
@@ -9,7 +10,7 @@ use super::{
     mesh::Mesh,
     stability::{
         self, BareElement, ElementInertia, Longest, MAX_ADDED_MASS, Motion, StepHolder, StepPlan,
-        Subcycling, axial_kg, frequency_limit, half_carries_s, lend_all, longest, own_step,
+        Subcycling, axial_kg, frequency_limit, half_carries_s, longest, own_step, scaled_all,
         scaled_inertia,
     },
 };
@@ -42,8 +43,10 @@ const TRIED: [f64; 8] = [1.0, 0.95, 0.9, 0.85, 0.8, 0.7, 0.6, 0.5];
 
 /// The cheapest plan for `mesh`: in two regions where that pays, else [`stability::plan`]'s.
 ///
-/// The border element lies above the node `highest_lower`, and not at it: what acts on that node and
-/// on the elements at it belongs to the lower region. `lateral_kg_per_m` and `stiffness_damping_s` as there.
+/// The border element lies above the node `highest_lower`, and not at it: what acts on that node
+/// and
+/// on the elements at it belongs to the lower region. `lateral_kg_per_m` and `stiffness_damping_s`
+/// as there.
 pub fn plan(
     mesh: &Mesh,
     lateral_kg_per_m: &[f64],
@@ -113,7 +116,7 @@ impl BareString {
             }
         }
         let Longest { dt_s, holder } = held;
-        let upper_inertia = lend_all(upper, dt_s, self.beta)?;
+        let upper_inertia = scaled_all(upper, dt_s, self.beta)?;
         let left_kg = budget_kg - (axial_kg(&upper_inertia) - upper_kg);
         let lower_kg = bare_kg(lower);
         let below = longest(lower, self.beta, |kg| kg - lower_kg <= left_kg);
@@ -121,10 +124,11 @@ impl BareString {
         if !(2.0..=f64::from(MAX_PARTS)).contains(&parts) {
             return None;
         }
-        let lower_inertia = lend_all(lower, dt_s / parts, self.beta)?;
+        let lower_inertia = scaled_all(lower, dt_s / parts, self.beta)?;
         let inertia: Vec<_> = upper_inertia.iter().chain(&lower_inertia[1..]).copied().collect();
         let k = &self.elements[border].0;
-        // The chord over a path that is curved by an acceleration lies, on average over the step, by
+        // The chord over a path that is curved by an acceleration lies, on average over the step,
+        // by
         // `DT²/12 (1 − 1/M²)` of it beside the path.
         let beside_s2 = dt_s * dt_s / 12.0 * (1.0 - 1.0 / (parts * parts));
         Some(StepPlan {
@@ -144,16 +148,17 @@ impl BareString {
         })
     }
 
-    /// The border node of an upper region with a step of `dt_s` and no more than `lent_kg` of added
+    /// The border node of an upper region with a step of `dt_s` and no more than `budget_kg` of
+    /// added
     /// mass: above the first element that does not bear that, and its buffer.
-    fn border(&self, dt_s: f64, mut lent_kg: f64) -> Option<usize> {
+    fn border(&self, dt_s: f64, mut budget_kg: f64) -> Option<usize> {
         let limit = frequency_limit(dt_s, self.beta);
         let first_fine = self.elements.iter().position(|(k, bare)| {
             let Ok(scaled) = scaled_inertia(k, bare, limit) else {
                 return true;
             };
-            lent_kg -= scaled.axial_kg - bare.axial_kg;
-            lent_kg < 0.0
+            budget_kg -= scaled.axial_kg - bare.axial_kg;
+            budget_kg < 0.0
         })?;
         let bears = |e: &BareElement| self.bears(e).0 >= dt_s;
         // The border element, and those of the buffer below it.
@@ -164,7 +169,8 @@ impl BareString {
             .find(|border| self.elements[*border..=border + BUFFER].iter().all(bears))
     }
 
-    /// The longest step that an element bears with its own mass along and about the axis, s, and the
+    /// The longest step that an element bears with its own mass along and about the axis, s, and
+    /// the
     /// motion that bounds it.
     fn bears(&self, (k, bare): &BareElement) -> (f64, Motion) {
         let stretching_s = own_step(k, bare, self.beta);

@@ -133,7 +133,7 @@ pub(super) fn axial_kg<'a>(inertia: impl IntoIterator<Item = &'a ElementInertia>
 
 /// The inertia with which all elements bear a step; none where one of them does not, whatever its
 /// mass.
-pub(super) fn lend_all(
+pub(super) fn scaled_all(
     elements: &[BareElement],
     dt: f64,
     beta: f64,
@@ -157,7 +157,7 @@ pub(super) fn longest(
     beta: f64,
     affords: impl Fn(f64) -> bool,
 ) -> Longest {
-    let fits = |dt: f64| lend_all(elements, dt, beta).is_some_and(|i| affords(axial_kg(&i)));
+    let fits = |dt: f64| scaled_all(elements, dt, beta).is_some_and(|i| affords(axial_kg(&i)));
     let cap = half_carries_s(elements, beta);
     let (mut low, mut high) = (0.0, cap);
     for _ in 0..60 {
@@ -205,14 +205,14 @@ pub fn plan(mesh: &Mesh, lateral_kg_per_m: &[f64], stiffness_damping_s: f64) -> 
     let total = axial_kg(bare.iter().map(|(_, i)| i));
     let affords = |kg: f64| kg / total - 1.0 <= MAX_ADDED_MASS;
     let Longest { dt_s, holder } = longest(&bare, stiffness_damping_s, affords);
-    let inertia = lend_all(&bare, dt_s, stiffness_damping_s)
+    let inertia = scaled_all(&bare, dt_s, stiffness_damping_s)
         .unwrap_or_else(|| bare.iter().map(|(_, i)| *i).collect());
     let added_axial_mass_fraction = (axial_kg(&inertia) / total - 1.0).max(0.0);
     StepPlan { dt_s, inertia, added_axial_mass_fraction, holder, subcycling: None }
 }
 
 /// What does not let the step be as long as `dt`: the element that no added mass makes stable, or
-/// that with the most added mass; where none has any, that with the shortest step of its own.
+/// that with the most added mass.
 fn holder(bare: &[BareElement], dt: f64, beta: f64) -> Option<StepHolder> {
     let limit = frequency_limit(dt, beta);
     let mut most: Option<(f64, StepHolder)> = None;

@@ -36,7 +36,7 @@ impl Sizing {
     #[must_use]
     pub fn refined(mut self, refinement: u32) -> Self {
         for one in &mut self.intervals {
-            one.element_length_m /= f64::from(refinement.max(1));
+            one.element_length_m /= f64::from(refinement);
         }
         self
     }

@@ -159,7 +159,7 @@ fn loaded(
     accuracy: Accuracy,
     demands: &mut Vec<Demand>,
 ) {
-    let finer = match accuracy {
+    let coarser = match accuracy {
         Accuracy::Coarse => 2.0,
         Accuracy::Standard => 1.0,
         Accuracy::Fine => 0.5,
@@ -174,7 +174,7 @@ fn loaded(
         let mut ask = |element_length_m: f64, reason: SizeReason| {
             // Whole parts of a joint, and a joint to either side.
             let joint_m = joint.unwrap_or(PLAIN_M);
-            let element_length_m = joint_m / (joint_m / (finer * element_length_m)).ceil();
+            let element_length_m = joint_m / (joint_m / (coarser * element_length_m)).ceil();
             let stretch_m = [(from_bit_m - joint_m).max(0.0), from_bit_m + joint_m];
             match demands.last_mut() {
                 Some(last)

@@ -1,4 +1,5 @@
-//! Elements that choose their length: where something asks for shorter ones, and where nothing does.
+//! Elements that choose their length: where something asks for shorter ones, and where nothing
+//! does.
 
 use std::f64::consts::PI;
 

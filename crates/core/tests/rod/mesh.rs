@@ -201,7 +201,8 @@ fn the_shipped_string_is_cut_soundly() {
 }
 
 /// Whatever is left of a joint at the top and however long a jar is: no element of pipe is shorter
-/// than 0.8 of those that a joint of it is cut into, and none longer than 1.25 of what is requested, but for those between the bit and the stabiliser, which stay where they are.
+/// than 0.8 of those that a joint of it is cut into, and none longer than 1.25 of what is
+/// requested, but for those between the bit and the stabiliser, which stay where they are.
 #[test]
 fn no_joint_makes_a_short_element() {
     let above_stabiliser_m = 0.34 + 7.69 + 0.5 + 0.765 - 1e-6;

@@ -31,7 +31,8 @@ pub struct Bench<'a> {
 }
 
 impl<'a> Bench<'a> {
-    /// Measures NP13-X1042 with these keys set, each number the median of `count`; memory and sweeps
+    /// Measures NP13-X1042 with these keys set, each number the median of `count`; memory and
+    /// sweeps
     /// are those of `program`, a `wholestring` command.
     ///
     /// # Errors

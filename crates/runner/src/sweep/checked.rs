@@ -45,7 +45,7 @@ impl Checked {
             .iter()
             .filter_map(|operation| Effort::of(&case.model, operation, &case.dynamics).ok())
             .collect();
-        let cost = efforts.iter().map(|effort| effort.mesh.elements.len() as f64 * effort.steps);
+        let cost = efforts.iter().map(Effort::element_steps);
         Self {
             name: case.name.clone(),
             identity: digest(&case.identity()),

@@ -38,6 +38,7 @@ pub(in crate::dynamics) fn check(settings: &DynamicsSettings) -> Result<(), Setu
         check_numbers(&[("element_length_m", length_m)], &[])?;
     }
     let positive = [
+        ("mesh_refinement", f64::from(settings.mesh_refinement)),
         ("duration_s", settings.duration_s),
         ("sample_interval_s", settings.sample_interval_s),
         ("stribeck_speed_m_per_s", settings.stribeck_speed_m_per_s),
@@ -283,6 +284,20 @@ pub struct Effort {
 }
 
 impl Effort {
+    /// Elements times the steps that each takes: those of the assembly more, where it has steps of
+    /// its own.
+    pub fn element_steps(&self) -> f64 {
+        let elements = self.mesh.elements.len();
+        let per_step = match self.plan.subcycling {
+            None => elements as f64,
+            Some(lower) => {
+                let border = lower.border_node;
+                (border + 1) as f64 + f64::from(lower.parts) * (elements - border) as f64
+            }
+        };
+        per_step * self.steps
+    }
+
     /// What the run would cost, found without initialising the string.
     ///
     /// # Errors

@@ -331,7 +331,8 @@ impl DynamicsSettings {
 }
 
 impl Default for DynamicsSettings {
-    /// Elements of 3.2 m, one step for all of them; 60 s after 20 s of settling, steady or not, sampled every 10 ms; a
+    /// Elements of 3.2 m, one step for all of them; 60 s after 20 s of settling, steady or not,
+    /// sampled every 10 ms; a
     /// prepared start, or a centred one with its static tension and a ramp of 1 s; vector friction
     /// that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping of 0.1
     /// 1/s by mass and 10 µs by stiffness; the hoist control that the operation requires on a line

@@ -29,7 +29,8 @@ fn depth_m(joints: usize) -> f64 {
     joints as f64 * PIPE_M + ASSEMBLY_M
 }
 
-/// A string of `joints` of drill pipe on an assembly of collars in a straight hole of an inclination.
+/// A string of `joints` of drill pipe on an assembly of collars in a straight hole of an
+/// inclination.
 fn slant(joints: usize, inclination_deg: f64, friction: f64) -> Model {
     let depth_m = depth_m(joints);
     let inclination = inclination_deg.to_radians();
@@ -66,7 +67,8 @@ fn refined(model: &Model, joints: usize, parts: usize) -> Mesh {
     }
 }
 
-/// What a run on the refined mesh is made of, with the steps and the inertia of the plan in regions;
+/// What a run on the refined mesh is made of, with the steps and the inertia of the plan in
+/// regions;
 /// `divided`, or with the shorter step for all.
 fn basis<R: Registers>(case: &Case, divided: bool) -> Basis<R> {
     let Case { model, operation, settings, mesh } = case;
@@ -175,7 +177,8 @@ fn shaken() -> Case {
 
 /// What shakes the bit is felt as with one step for all of the string: weight on bit, hook load and
 /// torque have the same means, within 1e-4, and spread within 0.5 %. The line of the hoist is soft:
-/// taken at the step's end it damps by its stiffness times half a step, which the longer step of the
+/// taken at the step's end it damps by its stiffness times half a step, which the longer step of
+/// the
 /// pipe would change.
 #[test]
 fn the_bit_shakes_the_string_alike() {
@@ -195,7 +198,8 @@ fn the_bit_shakes_the_string_alike() {
     }
 }
 
-/// Contact and friction are averages over the steps of each node, of which those of the lower region
+/// Contact and friction are averages over the steps of each node, of which those of the lower
+/// region
 /// take more: of a string that slides on a straight hole they are those of a string with one step,
 /// the friction `μ` of the contact, and over the pipe the weight across the hole.
 #[test]
@@ -272,7 +276,8 @@ fn assert_same<R: Registers>(one: &Run<R>, other: &Run<R>) {
     assert!(bits(one) == bits(other));
 }
 
-/// The same bits on every run, and after a checkpoint in the middle of one; a checkpoint of a string
+/// The same bits on every run, and after a checkpoint in the middle of one; a checkpoint of a
+/// string
 /// in regions is none of a string without.
 fn a_run_is_repeated_and_resumed<R: Registers>() {
     let case = shaken();
@@ -305,7 +310,8 @@ fn a_run_in_single_precision_is_repeated_and_resumed() {
     a_run_is_repeated_and_resumed::<f32>();
 }
 
-/// A coefficient of friction of the caller's own, that of the hole, changes no bit: each region asks
+/// A coefficient of friction of the caller's own, that of the hole, changes no bit: each region
+/// asks
 /// for it at its own steps.
 #[test]
 fn the_callers_friction_is_asked_for_in_both_regions() {
