@@ -88,7 +88,7 @@ pub fn initialise(
     string.disturb(settings.seed);
     if settings.start == Start::Prepared {
         string.set_motion(0.0, operation.rotation_rad_per_s());
-        string.settle(scene.stepper, scene.input, operation);
+        string.settle(scene.stepper.clone(), scene.input, operation);
         string.stretch_in_place();
         string.set_motion(scene.velocity_m_per_s, operation.rotation_rad_per_s());
         for index in 0..mesh.elements.len() {
@@ -201,7 +201,7 @@ impl InitialString<'_> {
     }
 
     /// Lets the string find its place across the hole, axial motion and spin held.
-    fn settle(&mut self, stepper: &Stepper, input: &StepInput, operation: &Operation) {
+    fn settle(&mut self, mut stepper: Stepper, input: &StepInput, operation: &Operation) {
         let time_s = DAMPING_STEPS as f64 * input.dt;
         let mass_damping = MassDamping {
             time_s,

@@ -220,7 +220,7 @@ fn a_direction_does_not_drift_in_single_precision() {
         chain.set_imbalance(i, &imbalance);
     }
     let mut chain = chain.converted::<f32>();
-    let stepper = Stepper::new(abilities);
+    let mut stepper = Stepper::new(abilities);
     for _ in 0..steps {
         stepper.step(&mut chain, &input);
     }

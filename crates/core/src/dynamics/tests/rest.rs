@@ -46,7 +46,7 @@ const STEP: StepInput =
 #[test]
 fn a_contact_breaks_away() {
     for law in [true, false] {
-        let stepper =
+        let mut stepper =
             Stepper::new(Abilities { laws: Laws { hertz: true, vector: law }, full: true });
         // A tenth of a second for the contact to find its force.
         let mut chain = pushed(0.999 * AT_REST * NORMAL_N);

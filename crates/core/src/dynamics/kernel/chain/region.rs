@@ -23,9 +23,7 @@ impl<R: Real> RegionRows<'_, R> {
         let (above, close) = self.states.split_at_mut(rows);
         let (first, last) = (above[0].rows(), above[rows - 1].rows());
         for ((row, first), last) in close[0].rows_mut().zip(first).zip(last) {
-            let end = R::LANES - 1;
-            row.0.as_mut()[..end].copy_from_slice(&first.0.as_ref()[1..]);
-            row.0[end] = last.0[end];
+            row.lead_in_lanes(first, last.0[R::LANES - 1]);
         }
     }
 }

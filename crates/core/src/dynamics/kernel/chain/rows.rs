@@ -16,10 +16,22 @@ impl<R: Real> Row<R> {
         Self(R::from_f64(value).in_every_lane())
     }
 
-    /// Moves every number one lane up; zero comes in.
-    pub fn shift_lanes(&mut self) {
-        self.0.as_mut().copy_within(..R::LANES - 1, 1);
+    /// Takes every number of another row one lane higher; zero comes in.
+    #[inline]
+    pub fn follow_in_lanes(&mut self, other: &Self) {
+        for lane in 1..R::LANES {
+            self.0[lane] = other.0[lane - 1];
+        }
         self.0[0] = R::default();
+    }
+
+    /// Takes every number of another row one lane lower; the last lane is as given.
+    #[inline]
+    pub fn lead_in_lanes(&mut self, other: &Self, last: R) {
+        for lane in 1..R::LANES {
+            self.0[lane - 1] = other.0[lane];
+        }
+        self.0[R::LANES - 1] = last;
     }
 
     /// The part of the row that stands beside a block of doubles: [`Layout`].

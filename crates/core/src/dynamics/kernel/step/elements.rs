@@ -35,12 +35,13 @@ impl<R: Real> Pull<R> {
 
     /// What the last row does to the first, where one piece ends and the next begins: each goes to
     /// the lane above.
-    pub(super) fn shift_lanes(&mut self) {
+    pub(super) fn follow_in_lanes(&mut self, last: &Self) {
         let Self { force, bend1: _, bend2, couple, torque } = self;
-        for row in force.iter_mut().chain(bend2).chain(couple) {
-            row.shift_lanes();
+        let rows = force.iter_mut().chain(bend2).chain(couple);
+        for (row, last) in rows.zip(last.force.iter().chain(&last.bend2).chain(&last.couple)) {
+            row.follow_in_lanes(last);
         }
-        torque.shift_lanes();
+        torque.follow_in_lanes(&last.torque);
     }
 }
 

@@ -23,6 +23,7 @@ mod input;
 mod lane;
 mod losses;
 mod nodes;
+mod scratch;
 
 use super::{
     border::Coupled,
@@ -38,12 +39,13 @@ use crate::simd::{
 use contact::normal_contact;
 pub use damping::MassDamping;
 use elements::{Pull, Strains, bend, chord, strain, twist};
-use imbalance::{Before, follow, throw};
+use imbalance::{follow, throw};
 pub use input::StepInput;
 use lane::lanes;
 use losses::Losses;
 pub use losses::StepLosses;
-use nodes::{Prediction, correct, friction, gap, predict, rotate_directors};
+use nodes::{correct, friction, gap, predict, rotate_directors};
+use scratch::Scratch;
 
 /// Laws of contact. A row of nodes is asked once which they are: code for each would make the
 /// compiler's work four times as much, and the step no faster.
@@ -67,9 +69,10 @@ pub struct Abilities {
 }
 
 /// Which code does the step: the processor's best instructions, and the laws of contact.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Stepper<R: Real = f64> {
-    step: unsafe fn(RegionRows<'_, R>, &StepInput, Laws) -> StepLosses,
+    step: unsafe fn(RegionRows<'_, R>, &StepInput, Laws, &mut Scratch<R>) -> StepLosses,
+    scratch: Box<Scratch<R>>,
     laws: Laws,
     damp: unsafe fn(RegionRows<'_, R>, &MassDamping) -> f64,
     peak: unsafe fn(usize) -> u64,
@@ -94,8 +97,9 @@ macro_rules! compiled_for {
                 rows: RegionRows<'_, R>,
                 input: &StepInput,
                 laws: Laws,
+                scratch: &mut Scratch<R>,
             ) -> StepLosses {
-                sweep::<$number<R>, FULL>(rows, input, laws)
+                sweep::<$number<R>, FULL>(rows, input, laws, scratch)
             }
 
             $(#[target_feature(enable = $features)])?
@@ -124,13 +128,13 @@ fn counting<R: Real, const FULL: bool>(
     input: &StepInput,
     laws: Laws,
 ) -> StepLosses {
-    sweep::<Counted<R>, FULL>(rows, input, laws)
+    sweep::<Counted<R>, FULL>(rows, input, laws, &mut Scratch::new())
 }
 
 impl<R: Registers> Stepper<R> {
     /// The fastest code for this processor that does what is requested.
     pub fn new(abilities: Abilities) -> Self {
-        Self::all(abilities)[0]
+        Self::all(abilities).swap_remove(0)
     }
 
     /// Every code that this processor can run, the fastest first; the baseline always is the last.
@@ -143,6 +147,7 @@ impl<R: Registers> Stepper<R> {
                     } else {
                         $set::step::<R, false>
                     },
+                    scratch: Box::new(Scratch::new()),
                     laws: abilities.laws,
                     damp: $set::damp::<R>,
                     peak: $set::peak::<R>,
@@ -185,14 +190,14 @@ impl<R: Real> Stepper<R> {
     }
 
     /// Advances the chain by one step, its lower region by all of its own within it.
-    pub fn step(&self, chain: &mut Chain<R>, input: &StepInput) -> StepLosses {
+    pub fn step(&mut self, chain: &mut Chain<R>, input: &StepInput) -> StepLosses {
         coupled_step(chain, input, |rows, input| self.step_region(rows, input))
     }
 
     /// Advances a region of a chain by one step.
-    pub fn step_region(&self, rows: RegionRows<'_, R>, input: &StepInput) -> StepLosses {
+    pub fn step_region(&mut self, rows: RegionRows<'_, R>, input: &StepInput) -> StepLosses {
         // SAFETY: `all` lists only code whose instructions the processor was found to have.
-        unsafe { (self.step)(rows, input, self.laws) }
+        unsafe { (self.step)(rows, input, self.laws, &mut self.scratch) }
     }
 }
 
@@ -200,7 +205,7 @@ impl<R: Real> Stepper<R> {
 fn coupled_step<R: Real>(
     chain: &mut Chain<R>,
     input: &StepInput,
-    step: impl Fn(RegionRows<'_, R>, &StepInput) -> StepLosses,
+    mut step: impl FnMut(RegionRows<'_, R>, &StepInput) -> StepLosses,
 ) -> StepLosses {
     let Some(coupled) = Coupled::begin(chain, input.dt, input.stiffness_damping) else {
         return step(chain.region(0), input);
@@ -239,31 +244,26 @@ fn sweep<N: Number, const FULL: bool>(
     mut region: RegionRows<'_, N::Real>,
     input: &StepInput,
     laws: Laws,
+    scratch: &mut Scratch<N::Real>,
 ) -> StepLosses {
     region.close();
     let RegionRows { states, node_blocks, element_blocks, imbalance_blocks } = region;
     let rows = node_blocks.len();
     let mut losses = Losses::none();
-    let (mut strains, mut prediction) = (Strains::none(), Prediction::none());
-    let mut before = Before::none();
-    let mut pulls = [Pull::none(); 3];
+    let Scratch { strains, prediction, before, pulls, last } = scratch;
     // The last row of elements pulls at the first row of nodes, too: it and the first come before
     // all nodes.
     let (e, below) = (&mut element_blocks[rows - 1], ends(states, rows - 1));
-    pull::<N>(&mut pulls[2], &mut strains, e, below, input, &mut losses);
-    let last = pulls[2];
+    pull::<N>(last, strains, e, below, input, &mut losses);
     if rows > 1 {
         let (e, below) = (&mut element_blocks[0], ends(states, 0));
-        pull::<N>(&mut pulls[0], &mut strains, e, below, input, &mut losses);
-    } else {
-        // A single row lies above and below itself.
-        pulls[0] = last;
+        pull::<N>(&mut pulls[0], strains, e, below, input, &mut losses);
     }
     // The last row of a lane pulls at the first node of the next lane.
-    pulls[2].shift_lanes();
+    pulls[2].follow_in_lanes(last);
 
     for (row, n) in node_blocks.iter_mut().enumerate() {
-        let [a, b, c] = &mut pulls;
+        let [a, b, c] = &mut *pulls;
         // Three rows of pulls go round: of the elements above, below, and below the next nodes.
         let (above, below, next) = match row % 3 {
             0 => (c, a, b),
@@ -275,67 +275,68 @@ fn sweep<N: Number, const FULL: bool>(
         let mut elements = if row + 2 < rows {
             Some((&mut element_blocks[row + 1], ends(under, 0)))
         } else {
-            *next = last;
             None
         };
+        // A single row lies above and below itself.
+        let below = if row + 1 == rows { &*last } else { &*below };
         let mut imbalances = imbalance_blocks.get_mut(row);
         if let Some(imbalances) = &imbalances {
             for lane in lanes::<N>() {
-                throw::<N>(above, &mut before, imbalances, state, input, lane);
+                throw::<N>(above, before, imbalances, state, input, lane);
             }
         }
         for lane in lanes::<N>() {
-            predict::<N, FULL>(&mut prediction, n, state, above, below, input, lane);
+            predict::<N, FULL>(prediction, n, state, above, below, input, lane);
         }
         let mut touches = false;
         for lane in lanes::<N>() {
-            touches |= gap::<N, FULL>(&mut prediction, n, state, input, lane);
+            touches |= gap::<N, FULL>(prediction, n, state, input, lane);
         }
         if touches {
             if laws.hertz {
                 for lane in lanes::<Pair<N>>() {
-                    normal_contact::<Pair<N>, true>(&mut prediction, n, input, lane);
+                    normal_contact::<Pair<N>, true>(prediction, n, input, lane);
                 }
             } else {
                 for lane in lanes::<Pair<N>>() {
-                    normal_contact::<Pair<N>, false>(&mut prediction, n, input, lane);
+                    normal_contact::<Pair<N>, false>(prediction, n, input, lane);
                 }
             }
         }
         if let Some((e, ends)) = &mut elements {
             for lane in lanes::<Pair<N>>() {
-                chord::<Pair<N>>(&mut strains, e, ends, lane);
+                chord::<Pair<N>>(strains, e, ends, lane);
             }
             for lane in lanes::<N>() {
-                twist::<N>(next, &mut strains, e, ends, input, &mut losses, lane);
+                twist::<N>(next, strains, e, ends, input, &mut losses, lane);
             }
         }
         if touches {
             if laws.vector {
                 for lane in lanes::<Pair<N>>() {
-                    friction::<Pair<N>, true, FULL>(&mut prediction, n, input, lane);
+                    friction::<Pair<N>, true, FULL>(prediction, n, input, lane);
                 }
             } else {
                 for lane in lanes::<Pair<N>>() {
-                    friction::<Pair<N>, false, FULL>(&mut prediction, n, input, lane);
+                    friction::<Pair<N>, false, FULL>(prediction, n, input, lane);
                 }
             }
         }
         if let Some((e, ends)) = &mut elements {
             for lane in lanes::<N>() {
-                strain::<N>(&mut strains, e, ends, input, &mut losses, lane);
+                strain::<N>(strains, e, ends, input, &mut losses, lane);
             }
             for lane in lanes::<N>() {
-                bend::<N>(next, &strains, e, ends, lane);
+                bend::<N>(next, strains, e, ends, lane);
             }
         }
         if touches {
             for lane in lanes::<N>() {
-                correct::<N, FULL, true>(&prediction, n, state, input, &mut losses, lane);
+                correct::<N, FULL, true>(prediction, n, state, input, &mut losses, lane);
             }
         } else {
             for lane in lanes::<N>() {
-                correct::<N, FULL, false>(&prediction, n, state, input, &mut losses, lane);
+                correct::<N, FULL, false>(prediction, n, state, input, &mut losses, lane);
             }
         }
         for lane in lanes::<N>() {
@@ -343,7 +344,7 @@ fn sweep<N: Number, const FULL: bool>(
         }
         if let Some(imbalances) = &mut imbalances {
             for lane in lanes::<Pair<N>>() {
-                follow::<Pair<N>>(&before, imbalances, n, state, input, lane);
+                follow::<Pair<N>>(before, imbalances, n, state, input, lane);
             }
         }
     }
