@@ -24,7 +24,7 @@ use crate::{
 const MARK: &[u8; 8] = b"wholestr";
 
 /// Version of the layout around the content.
-const LAYOUT: u32 = 10;
+const LAYOUT: u32 = 11;
 
 /// Version of the program; all of its crates share it.
 const PROGRAM: &str = env!("CARGO_PKG_VERSION");

@@ -212,7 +212,8 @@ impl<R: Real> Run<R> {
         }
         chain.find_drag(self.plan.dt_s);
         if let Some(mud) = &mut self.state.viscous {
-            mud.update(chain, anchors, &self.borehole, self.plan.dt_s);
+            let every_s = FOLLOW_STEPS as f64 * self.plan.dt_s;
+            mud.update(chain, anchors, &self.borehole, self.plan.dt_s, every_s);
         }
     }
 

@@ -71,7 +71,7 @@ impl Wet {
             self.steps += 1;
             if self.steps.is_multiple_of(16) {
                 let chain = &mut self.bench.chain;
-                self.viscous.update(chain, &self.anchors, &self.borehole, dt);
+                self.viscous.update(chain, &self.anchors, &self.borehole, dt, 16.0 * dt);
             }
         }
     }

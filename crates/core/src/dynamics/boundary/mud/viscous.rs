@@ -33,7 +33,7 @@ use crate::{
 
 /// Change of an element's motion, as a part of all that shears the mud there, after which its drag
 /// is found anew.
-const STALE: f64 = 0.01;
+const STALE: f64 = 0.003;
 
 /// What the mud is sheared by when nothing moves, as far as that comparison goes, m/s.
 const STILL_M_PER_S: f64 = 0.01;
@@ -43,9 +43,20 @@ const REACH_M: f64 = 1.0;
 
 /// Largest part γ of a node's velocity that drag takes in a step. Taken at the step's beginning, it
 /// makes `(ω dt)² < 4 − 2γ` of the leapfrog's limit `(ω dt)² < 4`, and the step uses 0.99² of that:
-/// 0.040 would be unstable. A mud below its yield point takes more; the force itself stays what
-/// it is.
+/// 0.040 would be unstable. A mud below its yield point takes more: see [`Beyond`].
 const STRONGEST: f64 = 0.025;
+
+/// Largest part of a node's velocity along the hole that the drag beyond [`STRONGEST`] takes from
+/// one update to the next.
+const STRONGEST_BEYOND: f64 = 0.5;
+
+/// What a node has of the mud's drag along the hole beyond what a step bears: a constant pull, of a
+/// velocity that follows the node's own from update to update, so slowly that this is stable.
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+struct Beyond {
+    drag_N_s_per_m: f64,
+    velocity_m_per_s: f64,
+}
 
 /// An element in its annulus.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -78,6 +89,8 @@ pub struct Viscous {
     weight_N: Vec<[f64; 3]>,
     /// The mud's pull on each node, N.
     pull_N: Vec<[f64; 3]>,
+    /// Drag of each node that a step does not bear.
+    beyond: Vec<Beyond>,
     /// What the pulls' potential lost when they changed, J.
     dropped_J: f64,
     /// What the flow adds to the pressures at each node, at the last sample.
@@ -93,6 +106,7 @@ impl Viscous {
         let nodes = mesh.nodes.len();
         let fits = self.passages.len() == mesh.elements.len()
             && [&self.weight_N, &self.pull_N].iter().all(|each| each.len() == nodes)
+            && self.beyond.len() == nodes
             && [&self.pressures, &self.sum_pressures]
                 .iter()
                 .all(|of| of.outside_Pa.len() == nodes && of.inside_Pa.len() == nodes);
@@ -139,6 +153,7 @@ impl Viscous {
             passages: passages.collect(),
             weight_N: Vec::new(),
             pull_N: Vec::new(),
+            beyond: Vec::new(),
             dropped_J: 0.0,
             pressures: FlowPressures::none(mesh.nodes.len()),
             sum: Hydraulics::default(),
@@ -158,6 +173,9 @@ impl Viscous {
         let nodes = 0..chain.nodes();
         self.weight_N = nodes.clone().map(|i| Vector3::from(chain.weight(i)).into()).collect();
         self.pull_N = vec![[0.0; 3]; chain.nodes()];
+        let along = |i: usize| chain.tangent(i).dot(chain.velocity(i));
+        let moving = |i| Beyond { velocity_m_per_s: along(i), ..Beyond::default() };
+        self.beyond = nodes.clone().map(moving).collect();
         for index in nodes {
             self.load(chain, anchors, index, dt);
         }
@@ -169,13 +187,15 @@ impl Viscous {
         (self.flow_m3_per_s, self.bit_loss_Pa) = (flow_m3_per_s, bit_loss_Pa);
     }
 
-    /// Finds the drag of elements anew whose motion has changed or that have slid on.
+    /// Finds the drag of elements anew whose motion has changed or that have slid on; `every_s`
+    /// after the last time.
     pub fn update(
         &mut self,
         chain: &mut Chain<impl Real>,
         anchors: &[Anchor],
         borehole: &Borehole,
         dt: f64,
+        every_s: f64,
     ) {
         let Motions { axial_m_per_s, spin_rad_per_s } = chain.motions();
         let mean = |of: &[f64], index: usize| 0.5 * (of[index] + of[index + 1]);
@@ -204,6 +224,15 @@ impl Viscous {
             self.load(chain, anchors, last - 1, dt);
             self.load(chain, anchors, last, dt);
         }
+        for (index, axial) in axial_m_per_s.into_iter().enumerate() {
+            let taken = self.beyond[index].drag_N_s_per_m * every_s;
+            if taken > 0.0 {
+                let part = (STRONGEST_BEYOND * node!(chain, index, mass_axial) / taken).min(1.0);
+                let held = &mut self.beyond[index].velocity_m_per_s;
+                *held += part * (axial - *held);
+                self.load(chain, anchors, index, dt);
+            }
+        }
     }
 
     /// Gives a node what the elements above and below it have from the mud.
@@ -226,10 +255,13 @@ impl Viscous {
         let tangent = chain.tangent(index);
         let step_s = chain.step_s(index, dt);
         let strongest = STRONGEST * node!(chain, index, mass_axial) / step_s;
-        if drag > strongest {
-            // The slope is cut, the force at this velocity kept: what is missing becomes a pull.
-            pull -= (drag - strongest) * tangent.dot(chain.velocity(index));
+        let beyond = &mut self.beyond[index];
+        beyond.drag_N_s_per_m = (drag - strongest).max(0.0);
+        if beyond.drag_N_s_per_m > 0.0 {
+            pull -= beyond.drag_N_s_per_m * beyond.velocity_m_per_s;
             drag = strongest;
+        } else {
+            beyond.velocity_m_per_s = tangent.dot(chain.velocity(index));
         }
         let strongest = STRONGEST * node!(chain, index, polar) / step_s;
         node!(chain, index, mud_axial = drag);
