@@ -209,9 +209,7 @@ impl DynamicsTable {
         self.check_samples(reader)?;
         let damping = self.damping.get()?;
         Some(DynamicsSettings {
-            element_length: mesh.element_length()?,
-            mesh_refinement: mesh.refinement()?,
-            regions: mesh.regions()?,
+            mesh: mesh.settings()?,
             duration_s: *self.duration.get()?,
             // A program's own choice.
             settle_s: self.settle.get()?.given().unwrap_or(0.0),

@@ -1,6 +1,6 @@
 //! `[mesh]`.
 
-use wholestring::dynamics::{Accuracy, DynamicsSettings, ElementLength, Regions};
+use wholestring::dynamics::{Accuracy, ElementLength, MeshSettings, Regions};
 use wholestring_config::prelude::*;
 use wholestring_units::Dimension;
 
@@ -50,14 +50,14 @@ table! {
         /// as `--vary mesh.refinement=1,2`. `run --converge` compares the case with twice of it.
         refinement: u64 = default(
             Count { from: 1, to: 16 },
-            u64::from(DynamicsSettings::default().mesh_refinement),
+            u64::from(MeshSettings::default().refinement),
         );
     }
 }
 
 /// What the engine takes where nobody says.
 fn default_length() -> AutoOr {
-    match DynamicsSettings::default().element_length {
+    match MeshSettings::default().element_length {
         ElementLength::Uniform(length_m) => AutoOr::Given(length_m),
         ElementLength::Auto(_) => AutoOr::Auto,
     }
@@ -65,25 +65,16 @@ fn default_length() -> AutoOr {
 
 impl MeshTable {
     /// What the engine is told.
-    pub(crate) fn element_length(&self) -> Option<ElementLength> {
-        Some(match *self.element_length.get()? {
-            AutoOr::Auto => ElementLength::Auto(*self.accuracy.get()?),
-            AutoOr::Given(length_m) => ElementLength::Uniform(length_m),
-        })
-    }
-
-    /// Whether parts of the string have steps of their own.
-    pub(crate) fn regions(&self) -> Option<Regions> {
+    pub(crate) fn settings(&self) -> Option<MeshSettings> {
         let chosen = match *self.element_length.get()? {
-            AutoOr::Auto => Regions::Auto,
-            AutoOr::Given(_) => Regions::One,
+            AutoOr::Auto => MeshSettings::auto(*self.accuracy.get()?),
+            AutoOr::Given(length_m) => MeshSettings::uniform(length_m),
         };
-        Some(self.regions.get().copied().unwrap_or(chosen))
-    }
-
-    /// What every length is divided by.
-    pub(crate) fn refinement(&self) -> Option<u32> {
-        u32::try_from(*self.refinement.get()?).ok()
+        Some(MeshSettings {
+            refinement: u32::try_from(*self.refinement.get()?).ok()?,
+            regions: self.regions.get().copied().unwrap_or(chosen.regions),
+            ..chosen
+        })
     }
 
     /// Warns of an accuracy beside a length that is given.

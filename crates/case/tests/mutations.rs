@@ -162,7 +162,7 @@ fn check_accepted(case: &Case) {
             Err(error) => assert!(!error.to_string().is_empty()),
         }
     }
-    if let ElementLength::Uniform(length_m) = case.dynamics.element_length {
+    if let ElementLength::Uniform(length_m) = case.dynamics.mesh.element_length {
         assert!(string.length_m() / length_m <= 1e5);
     }
     assert!(case.dynamics.duration_s / case.dynamics.sample_interval_s <= 2e6);
@@ -179,7 +179,7 @@ fn run_dynamics(case: &Case, operation: &Operation) {
     let mut settings = case.dynamics.clone();
     let length_m = case.model.string.length_m();
     let longest_m = length_m / MAX_ELEMENTS;
-    settings.element_length = ElementLength::Uniform(match settings.element_length {
+    settings.mesh.element_length = ElementLength::Uniform(match settings.mesh.element_length {
         ElementLength::Uniform(own_m) => own_m.max(longest_m),
         ElementLength::Auto(_) => longest_m,
     });

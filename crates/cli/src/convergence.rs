@@ -42,7 +42,7 @@ pub(crate) fn halve(
     given: &Outcome,
     units: UnitSet,
 ) -> Result<(), Failure> {
-    let refinement: Override = format!("mesh.refinement={}", 2 * case.dynamics.mesh_refinement)
+    let refinement: Override = format!("mesh.refinement={}", 2 * case.dynamics.mesh.refinement)
         .parse()
         .expect("a key and its value");
     let mut overrides = args.case.overrides.clone();

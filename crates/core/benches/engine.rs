@@ -15,7 +15,7 @@ use std::{hint::black_box, time::Duration};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use wholestring::{
-    dynamics::{ElementLength, NodeSignal, Precision, Probe, Simulation},
+    dynamics::{MeshSettings, NodeSignal, Precision, Probe, Simulation},
     internals::{KernelAccess, instruction_sets},
     rock::{Alone, Block, BlockSpec, Rock, Stepper},
 };
@@ -79,7 +79,7 @@ fn runs(criterion: &mut Criterion) {
     {
         let sampled = |interval_s: f64, probes: &[Probe]| {
             let mut case = np13(0.3);
-            case.settings.element_length = ElementLength::Uniform(element_m);
+            case.settings.mesh = MeshSettings::uniform(element_m);
             case.settings.precision = precision;
             case.settings.sample_interval_s = interval_s;
             case.settings.settle_s = 1.0;

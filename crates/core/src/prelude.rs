@@ -1,7 +1,9 @@
 //! What a program of torque, drag and dynamics needs, under one import.
 
 pub use crate::{
-    dynamics::{Accuracy, DynamicOutcome, DynamicsSettings, ElementLength, Simulation},
+    dynamics::{
+        Accuracy, DynamicOutcome, DynamicsSettings, ElementLength, MeshSettings, Simulation,
+    },
     model::Model,
     mud::Mud,
     operation::{Operation, OperationKind},

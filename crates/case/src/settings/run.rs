@@ -9,8 +9,7 @@ use crate::{auto::AUTO, records::Records};
 pub(super) fn run(dynamics: &DynamicsSettings, checkpoint_interval_s: Option<f64>) -> Fields {
     let fields = Fields::of(dynamics)
         // These stand in tables of their own.
-        .without(["element_length", "mesh_refinement", "regions"])
-        .without(["hoist_control", "autodriller", "hoist_line"])
+        .without(["mesh", "hoist_control", "autodriller", "hoist_line"])
         .without(["lift_tolerance", "top_drive", "schedule", "bit", "probes"])
         .without(["steady"])
         .spread("centred", "start_")
@@ -35,19 +34,19 @@ pub(super) fn run(dynamics: &DynamicsSettings, checkpoint_interval_s: Option<f64
 
 /// `mesh` in the record of a run.
 pub(super) fn mesh(dynamics: &DynamicsSettings) -> Fields {
-    let fields = match dynamics.element_length {
+    let fields = match dynamics.mesh.element_length {
         ElementLength::Uniform(length_m) => Fields::empty().with("element_length_m", length_m),
         ElementLength::Auto(accuracy) => {
             Fields::empty().with("element_length_m", AUTO).with("accuracy", word(&accuracy))
         }
     };
-    let fields = match dynamics.mesh_refinement {
+    let fields = match dynamics.mesh.refinement {
         1 => fields,
         refinement => fields.with("refinement", refinement),
     };
-    match dynamics.regions {
+    match dynamics.mesh.regions {
         Regions::One => fields,
-        Regions::Auto => fields.with("regions", word(&dynamics.regions)),
+        Regions::Auto => fields.with("regions", word(&dynamics.mesh.regions)),
     }
 }
 

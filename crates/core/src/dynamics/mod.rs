@@ -34,10 +34,11 @@ pub use output::{
     probe::{NodeSignal, Probe, Probed},
     statistic::Statistic,
 };
+pub use settings::mesh::{MeshSettings, Regions};
 pub use settings::schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
     Autodriller, CentredStart, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, Precision,
-    Regions, RodDamping, SpeedController, Start, StartTension, TopDriveSettings, UntilSteady,
+    RodDamping, SpeedController, Start, StartTension, TopDriveSettings, UntilSteady,
     WEIGHT_TOLERANCE,
 };
 pub use simulation::{

@@ -1,6 +1,10 @@
 //! What a string bears that a curved hole bends.
 
-use wholestring::{dynamics::ContactClass, operation::OperationKind, string::ComponentLength};
+use wholestring::{
+    dynamics::{ContactClass, MeshSettings},
+    operation::OperationKind,
+    string::ComponentLength,
+};
 
 use crate::{
     common::{CAPSTAN_ARC_M, assert_close, capstan_model, operation, pipe},
@@ -24,6 +28,7 @@ fn a_pipe_in_an_arc_bends_most_where_it_is_held() {
     let model = capstan_model([0.0, 0.0], [BUILD_DEG, 0.0], 0.0, RADIUS_M, TENSION_N);
     let depth_m = model.string.length_m();
     let mut case = Case::new(model, operation(OperationKind::RotateOffBottom, depth_m));
+    case.settings.mesh = MeshSettings::uniform(3.2);
     case.lasts(6.0, 2.0);
     let mesh_m = case.start().mesh().elements[20].length_m;
     let nodes = case.run().nodes;

@@ -2,8 +2,8 @@
 //! hoist is asked.
 
 use wholestring::{
-    dynamics::ElementLength,
     dynamics::HoistControl,
+    dynamics::MeshSettings,
     prelude::*,
     well::{Interpolation, TieIn},
 };
@@ -173,7 +173,7 @@ fn a_long_bit_has_the_torque_of_any_mesh() {
         }
         .assemble(300.0)
         .expect("a sound string");
-        case.settings.element_length = ElementLength::Uniform(*element_length_m);
+        case.settings.mesh = MeshSettings::uniform(*element_length_m);
         case.run().scalars.friction_torque_N_m
     });
     assert_close("torque", torques[0], torques[1], 0.01);
@@ -243,7 +243,7 @@ fn short_elements_hold_their_weight_on_bit() {
         .bit_torque_N_m(1000.0)
         .rate_of_penetration_m_per_s(10.0 / 3600.0);
     let mut case = Case::new(straight(400.0, 0.25), drill);
-    case.settings.element_length = ElementLength::Uniform(0.5);
+    case.settings.mesh = MeshSettings::uniform(0.5);
     case.lasts(0.0, 12.0);
     let mut simulation = case.start();
     go(&mut simulation, 11.0);

@@ -57,7 +57,7 @@ fn case(at_rest: f64) -> Case {
     // A string that is damped by its mass is pulled by the damping, too.
     case.settings.damping.mass_per_s = 0.0;
     case.settings.settle_s = 0.0;
-    case.settings.element_length = ElementLength::Uniform(0.8);
+    case.settings.mesh = MeshSettings::uniform(0.8);
     case
 }
 

@@ -237,7 +237,7 @@ fn the_onset_hardly_depends_on_length_and_mesh() {
     }
     let shapes = each(&cases, |(waves, element_m, load)| {
         let mut row = row(90.0, *waves);
-        row.case.settings.element_length = ElementLength::Uniform(*element_m);
+        row.case.settings.mesh = MeshSettings::uniform(*element_m);
         shape(&row, *load, 30.0, ENDS)
     });
     let below = cases.iter().zip(&shapes).filter(|(case, _)| case.2 < 1.0);

@@ -1,7 +1,9 @@
 //! A run that starts on the hole's axis, untwisted.
 
 use wholestring::{
-    dynamics::{CentredStart, HoistControl, HoistLine, RodDamping, Start, StartTension},
+    dynamics::{
+        CentredStart, HoistControl, HoistLine, MeshSettings, RodDamping, Start, StartTension,
+    },
     operation::OperationKind,
 };
 
@@ -143,6 +145,7 @@ fn the_ramp_is_as_set() {
     for ramp_s in [0.0, 0.8] {
         let hang = operation(OperationKind::RotateOffBottom, 100.0);
         let mut case = Case::new(straight(100.0, 0.3), hang);
+        case.settings.mesh = MeshSettings::uniform(3.2);
         case.settings.start = Start::Centred;
         case.settings.centred = CentredStart { ramp_s, ..CentredStart::default() };
         case.settings.settle_s = 0.0;

@@ -2,8 +2,8 @@
 
 use wholestring::{
     dynamics::{
-        BitLaw, BitSettings, BitTable, Checkpoint, DynamicOutcome, ElementLength, Excitation,
-        FrictionLaw, Motor, Precision, ResumeError, Simulation, Start, TableLaw, TablePoint,
+        BitLaw, BitSettings, BitTable, Checkpoint, DynamicOutcome, Excitation, FrictionLaw,
+        MeshSettings, Motor, Precision, ResumeError, Simulation, Start, TableLaw, TablePoint,
         UntilSteady,
     },
     operation::OperationKind,
@@ -145,7 +145,7 @@ fn a_checkpoint_of_another_string_is_refused() {
     let mut case = moderate(OperationKind::TripIn, 0.3);
     let checkpoint = case.start().checkpoint().into_owned();
     let found = case.start().mesh().nodes.len();
-    case.settings.element_length = ElementLength::Uniform(6.4);
+    case.settings.mesh = MeshSettings::uniform(6.4);
     let expected = case.start().mesh().nodes.len();
     let error = Simulation::resume(&case.model, &case.operation, &case.settings, checkpoint);
     assert_eq!(error.unwrap_err(), ResumeError::AnotherString { found, expected });

@@ -1,6 +1,6 @@
 //! A turning pipe climbs the wall.
 
-use wholestring::{dynamics::DynamicOutcome, dynamics::ElementLength, operation::OperationKind};
+use wholestring::{dynamics::DynamicOutcome, dynamics::MeshSettings, operation::OperationKind};
 
 use crate::{
     common::{operation, verification, verify},
@@ -52,7 +52,7 @@ fn a_turning_pipe_climbs_to_the_angle_of_friction() {
         let mu = row["mu"].as_f64().expect("mu");
         let model = straight(LENGTH_M, mu);
         let mut case = Case::new(model, operation(OperationKind::RotateOffBottom, LENGTH_M));
-        case.settings.element_length = ElementLength::Uniform(*element_length_m);
+        case.settings.mesh = MeshSettings::uniform(*element_length_m);
         middle(&case.run())
     });
     let pipe = &straight(LENGTH_M, 0.0).string.components()[0].clone();

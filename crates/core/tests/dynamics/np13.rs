@@ -1,7 +1,7 @@
 //! The NP13-like well at its total depth.
 
 use wholestring::{
-    dynamics::{Accuracy, ContactLaw, DynamicOutcome, ElementLength, FrictionLaw, Regions},
+    dynamics::{Accuracy, ContactLaw, DynamicOutcome, FrictionLaw, MeshSettings, Regions},
     outcome::Scalars,
 };
 
@@ -28,17 +28,17 @@ fn assert_agree(what: &str, a: &Scalars, b: &Scalars, tolerance: f64) {
 /// element each bend otherwise.
 #[test]
 fn element_length_does_not_matter() {
-    let uniform = [3.2, 1.6, 4.8].map(ElementLength::Uniform);
-    let auto = [Accuracy::Coarse, Accuracy::Standard].map(ElementLength::Auto);
-    let lengths: Vec<ElementLength> = uniform.into_iter().chain(auto).collect();
-    let found = each(&lengths, |length| {
+    let uniform = [3.2, 1.6, 4.8].map(MeshSettings::uniform);
+    let auto = [Accuracy::Coarse, Accuracy::Standard].map(MeshSettings::auto);
+    let meshes: Vec<MeshSettings> = uniform.into_iter().chain(auto).collect();
+    let found = each(&meshes, |mesh| {
         let mut case = np13(0.3);
-        case.settings.element_length = *length;
+        case.settings.mesh = *mesh;
         case.run().scalars
     });
-    for (length, scalars) in lengths.iter().zip(&found).skip(1) {
-        let tolerance = if *length == ElementLength::Auto(Accuracy::Coarse) { 2e-3 } else { 1e-3 };
-        assert_agree(&format!("{length:?}"), scalars, &found[0], tolerance);
+    for (mesh, scalars) in meshes.iter().zip(&found).skip(1) {
+        let tolerance = if *mesh == MeshSettings::auto(Accuracy::Coarse) { 2e-3 } else { 1e-3 };
+        assert_agree(&format!("{mesh:?}"), scalars, &found[0], tolerance);
     }
     assert_agree("longest against shortest", &found[2], &found[1], 1e-3);
 }
@@ -52,8 +52,7 @@ fn element_length_does_not_matter() {
 fn steps_of_its_own_do_not_matter_to_the_assembly() {
     let found = each(&[Regions::One, Regions::Auto], |regions| {
         let mut case = np13(0.3);
-        case.settings.element_length = ElementLength::Auto(Accuracy::Standard);
-        case.settings.regions = *regions;
+        case.settings.mesh = MeshSettings { regions: *regions, ..MeshSettings::default() };
         case.run()
     });
     let [one, two] = [&found[0], &found[1]];

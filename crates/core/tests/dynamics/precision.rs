@@ -185,6 +185,6 @@ fn it_is_refused_where_it_does_not_serve() {
     assert_refused(&scheduled(-5.0), "does not turn");
     scheduled(5.0).start();
     let mut fine = single(OperationKind::Drill);
-    fine.settings.element_length = ElementLength::Uniform(0.5);
+    fine.settings.mesh = MeshSettings::uniform(0.5);
     assert_refused(&fine, "shorter than 1 m");
 }

@@ -31,6 +31,7 @@ fn moving(at_s: f64, ramp_s: f64, hoist: HoistSetPoint) -> ScheduleStep {
 fn start_up() -> Case {
     let turn = operation(OperationKind::RotateOffBottom, 300.0);
     let mut case = Case::new(straight(300.0, MU), turn);
+    case.settings.mesh = MeshSettings::uniform(3.2);
     case.operation.rotary_speed_rad_per_s = rpm(60.0);
     case.settings.top_drive = TopDriveSettings::Driven {
         inertia_kg_m2: 2900.0,

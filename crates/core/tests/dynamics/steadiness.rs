@@ -2,7 +2,7 @@
 
 use wholestring::{
     dynamics::{
-        DynamicOutcome, ElementLength, HoistSetPoint, Schedule, ScheduleStep, Simulation,
+        DynamicOutcome, HoistSetPoint, MeshSettings, Schedule, ScheduleStep, Simulation,
         UntilSteady,
     },
     operation::OperationKind,
@@ -67,7 +67,7 @@ fn ten_minutes_of_quiet_rotation_do_not_drift() {
 /// middle.
 fn drilling(bit_depth_m: f64, settle_s: f64, duration_s: f64) -> Case {
     let mut case = np13_at(0.3, bit_depth_m);
-    case.settings.element_length = ElementLength::Uniform(4.8);
+    case.settings.mesh = MeshSettings::uniform(4.8);
     case.lasts(settle_s, duration_s);
     case.settings.sample_interval_s = 0.05;
     case

@@ -3,7 +3,6 @@
 use wholestring::{
     dynamics::{CustomFriction, FrictionCoefficient, Precision, SlidingContact},
     prelude::*,
-    rod::mesh::Mesh,
 };
 
 use crate::setup::{BIT_DEPTH_M, assert_refused, assert_resumes, drill, model, run, settings};
@@ -67,7 +66,8 @@ fn a_coefficient_of_ones_own_resumes_with_the_same_bits() {
 /// Another law, and a checkpoint with the hole's friction, are refused with a sentence.
 #[test]
 fn a_checkpoint_of_another_coefficient_is_refused() {
-    let nodes = Mesh::uniform(&model().string, 3.2).nodes.len();
+    let simulation = Simulation::new(&model(), &drill(), &settings()).expect("a sound case");
+    let nodes = simulation.elements() + 1;
     let other = custom(Polished { name: "other", ..OWN });
     assert_refused("the coefficient of friction", nodes, [&custom(OWN), &other, &settings()]);
 }

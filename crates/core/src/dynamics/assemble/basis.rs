@@ -15,7 +15,7 @@ use crate::{
             step::{Abilities, Laws, Stepper},
         },
         settings::{
-            DynamicsSettings, FrictionLaw, Regions, SpeedController, Start, TopDriveSettings,
+            DynamicsSettings, FrictionLaw, SpeedController, Start, TopDriveSettings, mesh::Regions,
         },
         simulation::settling::Settling,
     },
@@ -34,11 +34,11 @@ use crate::{
 
 /// Refuses settings that no run can use.
 pub(in crate::dynamics) fn check(settings: &DynamicsSettings) -> Result<(), SetupError> {
-    if let ElementLength::Uniform(length_m) = settings.element_length {
+    if let ElementLength::Uniform(length_m) = settings.mesh.element_length {
         check_numbers(&[("element_length_m", length_m)], &[])?;
     }
     let positive = [
-        ("mesh_refinement", f64::from(settings.mesh_refinement)),
+        ("mesh.refinement", f64::from(settings.mesh.refinement)),
         ("duration_s", settings.duration_s),
         ("sample_interval_s", settings.sample_interval_s),
         ("stribeck_speed_m_per_s", settings.stribeck_speed_m_per_s),
@@ -155,7 +155,7 @@ fn sizing(
     operation: &Operation,
     settings: &DynamicsSettings,
 ) -> Result<Sizing, SoftError> {
-    let accuracy = match settings.element_length {
+    let accuracy = match settings.mesh.element_length {
         ElementLength::Uniform(length_m) => return Ok(Sizing::uniform(length_m)),
         ElementLength::Auto(accuracy) => accuracy,
     };
@@ -173,13 +173,13 @@ fn mesh_and_plan(
     operation: &Operation,
     settings: &DynamicsSettings,
 ) -> Result<(Mesh, Settling, StepPlan), SoftError> {
-    let sizing = sizing(model, operation, settings)?.refined(settings.mesh_refinement);
+    let sizing = sizing(model, operation, settings)?.refined(settings.mesh.refinement);
     let mesh = Mesh::new(&model.string, &sizing);
     let settling = Settling::of(operation, settings, &mesh);
     let bit_md_m = first_bit_md_m(operation, settings, &settling);
     let lateral = chain::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
     let beta = settings.damping.stiffness_s;
-    let plan = match settings.regions {
+    let plan = match settings.mesh.regions {
         Regions::One => stability::plan(&mesh, &lateral, beta),
         Regions::Auto => regions::plan(&mesh, &lateral, beta, Body::new(model, &mesh).highest()),
     };

@@ -1,5 +1,6 @@
 //! What a dynamic run needs to know beside the model and the operation.
 
+pub mod mesh;
 pub mod schedule;
 
 use serde::{Deserialize, Serialize};
@@ -11,9 +12,8 @@ use crate::{
             top_drive_controller::CustomTopDrive,
         },
         output::probe::Probe,
-        settings::schedule::Schedule,
+        settings::{mesh::MeshSettings, schedule::Schedule},
     },
-    sizing::ElementLength,
     wall::{contact::ContactLaw, friction::STRIBECK_SPEED_M_PER_S},
 };
 
@@ -65,17 +65,6 @@ pub enum Precision {
     Double,
     /// Seven digits, in six tenths of the time: for strings that turn. See [`Precision::serves`].
     Single,
-}
-
-/// Whether parts of the string have steps of their own.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
-pub enum Regions {
-    /// One step for the whole string.
-    #[default]
-    One,
-    /// Two regions where that takes less time: the bottom-hole assembly, meshed finer than the
-    /// pipe, takes several steps in one of the pipe (multirate time stepping, subcycling).
-    Auto,
 }
 
 /// How wall friction combines its axial and circumferential parts.
@@ -246,13 +235,8 @@ impl Default for UntilSteady {
 /// Everything that a dynamic run needs beside the model and the operation.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DynamicsSettings {
-    /// Length of the elements. A node stands on tool joints and stabilisers; between them the
-    /// elements are as near to this as whole numbers allow, rather longer than shorter.
-    pub element_length: ElementLength,
-    /// What every length is divided by, given or chosen: 1, and more for convergence studies.
-    pub mesh_refinement: u32,
-    /// Whether parts of the string have steps of their own.
-    pub regions: Regions,
+    /// How the string is cut.
+    pub mesh: MeshSettings,
     /// Length of the window that the statistics cover, s.
     pub duration_s: f64,
     /// Simulated time before that window, s; at least, where it is to be steady.
@@ -331,7 +315,7 @@ impl DynamicsSettings {
 }
 
 impl Default for DynamicsSettings {
-    /// Elements of 3.2 m, one step for all of them; 60 s after 20 s of settling, steady or not,
+    /// Elements that choose their length; 60 s after 20 s of settling, steady or not,
     /// sampled every 10 ms; a
     /// prepared start, or a centred one with its static tension and a ramp of 1 s; vector friction
     /// that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping of 0.1
@@ -340,9 +324,7 @@ impl Default for DynamicsSettings {
     /// probes; rock of 1e8 N/m and 1e7 N/m across; seed 1; double precision.
     fn default() -> Self {
         Self {
-            element_length: ElementLength::Uniform(3.2),
-            mesh_refinement: 1,
-            regions: Regions::One,
+            mesh: MeshSettings::default(),
             duration_s: 60.0,
             settle_s: 20.0,
             steady: None,

@@ -75,8 +75,8 @@ impl Precision {
                  buckles, is decided in digits that single precision does not have",
             );
         }
-        let refinement = f64::from(settings.mesh_refinement);
-        if matches!(settings.element_length, ElementLength::Uniform(m) if m / refinement < SHORTEST_M)
+        let refinement = f64::from(settings.mesh.refinement);
+        if matches!(settings.mesh.element_length, ElementLength::Uniform(m) if m / refinement < SHORTEST_M)
         {
             return Err(
                 "the elements are shorter than 1 m: the last digit of a position strains them by \

@@ -232,7 +232,7 @@ pub fn met(chain: &Chain, index: usize) -> (crate::simd::vector::Vector<f64>, f6
     let (row, lane) = chain.place(index);
     let input =
         StepInput { dt: 0.0, stiffness_damping: 0.0, dissipation: 0.0, stribeck_speed: 1.0 };
-    let mut prediction = Prediction::none();
+    let mut prediction = nodes::Prediction::none();
     let (n, state) = (&chain.node_blocks[row], &chain.states[row]);
     gap::<f64, true>(&mut prediction, n, state, &input, lane);
     let [x, y, z] = &prediction.offset;

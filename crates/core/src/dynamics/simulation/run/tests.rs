@@ -10,7 +10,11 @@ mod top;
 use super::*;
 use crate::{
     common::{self, article_hole, mud_with_drag, np13::tool, operation, path_in_rad},
-    dynamics::{boundary::executor::RockExecutor, kernel::step::Laws, settings::FrictionLaw},
+    dynamics::{
+        boundary::executor::RockExecutor,
+        kernel::step::Laws,
+        settings::{FrictionLaw, mesh::MeshSettings},
+    },
     operation::OperationKind,
     string::ComponentLength,
     wall::contact::ContactLaw,
@@ -67,9 +71,10 @@ fn every_instruction_set_moves_the_string_alike() {
             Stepper::all(Abilities { laws: Laws { hertz, vector }, full: at_rest > 0.25 })
                 .into_iter()
                 .map(|stepper| {
+                    let instructions = stepper.instructions;
                     let mut simulation = Run { stepper, ..initial.clone() };
                     simulation.advance(5.0).unwrap();
-                    (stepper.instructions, simulation.outcome())
+                    (instructions, simulation.outcome())
                 })
                 .collect();
         let (_, first) = &outcomes[0];
@@ -92,9 +97,10 @@ fn no_node_knows_who_shares_its_row() {
     let mut run = new_run(&model(0.3), &REAM, &DynamicsSettings::default());
     run.advance(1.0).unwrap();
     let (input, rows) = (run.step_input(), run.chain.node_blocks.len());
-    let stepped = |mut chain: Chain| {
+    let mut stepper = run.stepper.clone();
+    let mut stepped = |mut chain: Chain| {
         for _ in 0..2000 {
-            run.stepper.step(&mut chain, &input);
+            stepper.step(&mut chain, &input);
         }
         chain
     };

@@ -44,8 +44,12 @@ fn start(kind: OperationKind, rpm: f64) -> Run<f64> {
         trip_speed_m_per_s: 0.0,
         ..REAM
     };
-    let settings =
-        DynamicsSettings { settle_s: 5.0, duration_s: 10.0, ..DynamicsSettings::default() };
+    let settings = DynamicsSettings {
+        mesh: MeshSettings::uniform(3.2),
+        settle_s: 5.0,
+        duration_s: 10.0,
+        ..DynamicsSettings::default()
+    };
     new_run(&bent_model(), &operation, &settings)
 }
 

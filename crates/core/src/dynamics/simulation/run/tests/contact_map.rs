@@ -1,7 +1,7 @@
 //! The map of contact holds every contact of every sample.
 
 use super::*;
-use crate::sizing::ElementLength;
+use crate::dynamics::MeshSettings;
 
 /// Over each row's samples, what the stretches carry together is the mean of the whole string's
 /// side force: the same sums in another order. Rows end where the window begins, however many
@@ -11,7 +11,7 @@ fn rows_of_the_map_hold_what_the_samples_hold() {
     let model = model(0.25);
     // Two nodes a stretch and four samples a row.
     let mut settings = DynamicsSettings {
-        element_length: ElementLength::Uniform(1.0),
+        mesh: MeshSettings::uniform(1.0),
         sample_interval_s: 0.002,
         duration_s: 1.0,
         ..Default::default()

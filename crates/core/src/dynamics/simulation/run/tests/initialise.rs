@@ -21,6 +21,7 @@ fn on_rock() -> DynamicsSettings {
             law: BitLaw::Rock(Box::new(RockLaw { drilling })),
             ..BitSettings::default()
         },
+        mesh: MeshSettings::uniform(3.2),
         ..DynamicsSettings::default()
     }
 }

@@ -7,7 +7,7 @@ use crate::{
         Band, BitLaw, CustomFriction, Excitation, FrictionCoefficient, RateLaw, ResumeError,
         SlidingContact,
         assemble::{basis::Basis, chain},
-        settings::Regions,
+        settings::mesh::{MeshSettings, Regions},
     },
     rod::{
         mesh::{MeshElement, MeshNode},
@@ -15,7 +15,7 @@ use crate::{
         section::Section,
     },
     simd::wide::Registers,
-    sizing::{ElementLength, SizeReason},
+    sizing::SizeReason,
     string::{BodyBend, Cavity, ComponentSpec, Eccentricity, StringSpec},
 };
 
@@ -250,8 +250,7 @@ fn the_plan_divides_a_string_where_that_is_asked_for() {
         Operation { trip_speed_m_per_s: 0.1, ..operation(OperationKind::Ream, depth_m(JOINTS)) };
     let [one, two] = [Regions::One, Regions::Auto].map(|regions| {
         let settings = DynamicsSettings {
-            element_length: ElementLength::Uniform(PIPE_M),
-            regions,
+            mesh: MeshSettings { regions, ..MeshSettings::uniform(PIPE_M) },
             settle_s: 5.0,
             duration_s: 10.0,
             ..DynamicsSettings::default()
