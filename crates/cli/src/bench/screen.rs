@@ -7,10 +7,12 @@ use wholestring_runner::bench::{
 use crate::screen_table::Table;
 
 pub(super) fn sentence(well: &MeasuredWell, count: usize) -> String {
-    let MeasuredWell { case, bit_depth_m, elements, time_step_s } = well;
+    let MeasuredWell { case, bit_depth_m, elements, time_step_s, assembly_steps } = well;
     let step_ms = 1e3 * time_step_s;
+    let assembly =
+        assembly_steps.map_or_else(String::new, |steps| format!(", {steps} in it of the assembly"));
     format!(
-        "{case}: bit at {bit_depth_m:.0} m, {elements} elements, steps of {step_ms:.3} ms; \
+        "{case}: bit at {bit_depth_m:.0} m, {elements} elements, steps of {step_ms:.3} ms{assembly}; \
          contact, friction and statistics on\n\
          {TIME}, median of {count}\n"
     )
@@ -43,7 +45,7 @@ pub(super) fn kernel(of: &Kernel) -> String {
             format!("{:.0} %", 100.0 * share),
         ]);
     }
-    let each = |count: u64| count as f64 / of.elements as f64;
+    let each = |count: u64| count as f64 / of.element_steps;
     let flops = of.flops;
     format!(
         "{}An element-step is {:.0} flop: {:.0} multiplications with addition (two each), \

@@ -85,6 +85,16 @@ impl StepPlan {
     pub fn shortest_s(&self) -> f64 {
         self.subcycling.map_or(self.dt_s, |s| self.dt_s / f64::from(s.parts))
     }
+
+    /// Elements times the steps that each takes within one step of the plan: those of the lower
+    /// region more, where there are two; the border element is in both.
+    pub fn element_steps(&self) -> f64 {
+        let elements = self.inertia.len();
+        self.subcycling.map_or(elements as f64, |lower| {
+            let border = lower.border_node;
+            (border + 1) as f64 + f64::from(lower.parts) * (elements - border) as f64
+        })
+    }
 }
 
 /// A string whose lower region takes several steps in one of the upper one.

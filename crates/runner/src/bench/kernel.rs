@@ -24,9 +24,9 @@ const PEAK_ROUNDS: usize = 1_000_000;
 pub struct Kernel {
     /// Arithmetic of one step in double precision.
     pub flops: Flops,
-    /// Elements of the string that it is of.
+    /// Elements times the steps that each takes in it.
     #[serde(skip)]
-    pub elements: usize,
+    pub element_steps: f64,
     /// A row for each precision and instruction set.
     pub rows: Vec<KernelRow>,
 }
@@ -38,7 +38,7 @@ pub struct KernelRow {
     pub precision: &'static str,
     /// The instruction set.
     pub instructions: &'static str,
-    /// Time of a step, over the elements.
+    /// Time of a step, over the elements and the steps that each takes in it.
     pub ns_per_element_step: Spread,
     /// Speed of its arithmetic.
     pub gflop_per_s: f64,
@@ -59,9 +59,10 @@ impl Bench<'_> {
         let mut kernel = Kernel::default();
         for (precision, name) in precisions {
             let settled = well::initialise(&case, precision)?;
-            let (flops, elements) = (settled.clone().count_kernel(), settled.elements());
+            let flops = settled.clone().count_kernel();
+            let element_steps = settled.element_steps_per_s() * settled.time_step_s();
             if kernel.rows.is_empty() {
-                (kernel.flops, kernel.elements) = (flops, elements);
+                (kernel.flops, kernel.element_steps) = (flops, element_steps);
             }
             for instructions in &sets {
                 self.next(&format!("inner loop, {name} precision, {instructions}"))?;
@@ -72,7 +73,7 @@ impl Bench<'_> {
                 kernel.rows.push(KernelRow {
                     precision: name,
                     instructions,
-                    ns_per_element_step: step_s.times(1e9 / elements as f64),
+                    ns_per_element_step: step_s.times(1e9 / element_steps),
                     gflop_per_s: 1e-9 * flops.total() as f64 / step_s.median,
                     peak_gflop_per_s: 1e-9 * peak,
                 });

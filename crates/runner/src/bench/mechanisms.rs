@@ -139,6 +139,5 @@ impl Bench<'_> {
 
 /// Nanoseconds per element and step of runs that took so many seconds for one.
 fn ns(simulation: &wholestring::dynamics::Simulation, run_s: Vec<f64>) -> f64 {
-    let element_steps_per_s = simulation.elements() as f64 / simulation.time_step_s();
-    1e9 * Spread::of(run_s).median / element_steps_per_s
+    1e9 * Spread::of(run_s).median / simulation.element_steps_per_s()
 }

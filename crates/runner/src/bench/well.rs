@@ -39,6 +39,8 @@ pub struct MeasuredWell {
     pub elements: usize,
     /// Step of the dynamics.
     pub time_step_s: f64,
+    /// Steps of the assembly in one of the string's, where it has steps of its own.
+    pub assembly_steps: Option<u32>,
 }
 
 impl Well {
@@ -92,6 +94,7 @@ impl Well {
             case: case.name,
             elements: effort.mesh.elements.len(),
             time_step_s: effort.plan.dt_s,
+            assembly_steps: effort.plan.subcycling.map(|two| two.parts),
         })
     }
 

@@ -14,7 +14,7 @@ pub struct RunRow {
     pub precision: &'static str,
     /// The instruction set.
     pub instructions: &'static str,
-    /// Time of a step, over the elements.
+    /// Time of a step, over the elements and the steps that each takes in it.
     pub ns_per_element_step: Spread,
     /// Simulated over processor time.
     pub real_time_factor: f64,
@@ -38,11 +38,10 @@ impl Bench<'_> {
                 let mut simulation = settled.clone();
                 simulation.use_instructions(instructions);
                 let run_s = self.repeat(|| self.well.run_s(&case, &simulation))?;
-                let element_steps_per_s = simulation.elements() as f64 / simulation.time_step_s();
                 rows.push(RunRow {
                     precision: name,
                     instructions,
-                    ns_per_element_step: run_s.times(1e9 / element_steps_per_s),
+                    ns_per_element_step: run_s.times(1e9 / simulation.element_steps_per_s()),
                     real_time_factor: 1.0 / run_s.median,
                 });
             }

@@ -287,15 +287,7 @@ impl Effort {
     /// Elements times the steps that each takes: those of the assembly more, where it has steps of
     /// its own.
     pub fn element_steps(&self) -> f64 {
-        let elements = self.mesh.elements.len();
-        let per_step = match self.plan.subcycling {
-            None => elements as f64,
-            Some(lower) => {
-                let border = lower.border_node;
-                (border + 1) as f64 + f64::from(lower.parts) * (elements - border) as f64
-            }
-        };
-        per_step * self.steps
+        self.plan.element_steps() * self.steps
     }
 
     /// What the run would cost, found without initialising the string.

@@ -241,6 +241,8 @@ accessors! {
     sample_interval_s: f64,
     /// Number of elements.
     elements: usize,
+    /// Elements times the steps that each takes for a simulated second.
+    element_steps_per_s: f64,
     /// The nodes and elements of the string.
     mesh: &Mesh,
     /// Kinetic, elastic and potential energy of the string, J: second-order accurate in the step.

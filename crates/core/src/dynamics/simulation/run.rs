@@ -127,6 +127,11 @@ impl<R: Real> Run<R> {
         self.mesh.elements.len()
     }
 
+    /// Elements times the steps that each takes for a simulated second.
+    pub fn element_steps_per_s(&self) -> f64 {
+        self.plan.element_steps() / self.plan.dt_s
+    }
+
     /// The nodes and elements of the string.
     pub fn mesh(&self) -> &Mesh {
         &self.mesh
