@@ -23,7 +23,7 @@ use crate::{
 
 /// Samples from one look at the elements' shapes to the next: what tension and wall make of a load
 /// changes slowly, the load itself and the ends are those of every sample.
-const SAMPLES: u64 = 16;
+const SAMPLES: u64 = 32;
 
 /// The elements below a block of nodes.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
