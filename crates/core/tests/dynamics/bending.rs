@@ -89,14 +89,14 @@ const SPACING_M: f64 = 9.6;
 /// February 1961): twice and 0.58 of it here. Elements from joint to joint say so of it as eight a
 /// joint do, which have nodes half-way and a moment of their own there.
 ///
-/// Found are 0.3 % at most between either and the closed form, moments, sag and joint's force, which
-/// leaves what swings on from the start; 1 % is held.
+/// One element has all of it to 5e-4, the joint's force, too, which is what joints sink into the wall
+/// by. Eight have it to 0.3 %, a moment half-way to 0.6 %: what swings on from the start. 1 % is
+/// held. Left out are the joints next to the ends of the arc.
 #[test]
 fn one_element_between_joints_bends_as_eight_do() {
     let light = pipe(300.0, RADIUS_M, ComponentLength::ToSurface);
     let mut model = capstan_model([0.0, 0.0], [BUILD_DEG, 0.0], 0.0, RADIUS_M, TENSION_N);
     let depth_m = model.string.length_m();
-    // Its radius is that of the wall's contact, the hole 0.3 m wide.
     let joints = ToolJoints { od_m: 2.0 * RADIUS_M + 0.03, spacing_m: SPACING_M };
     let tail = ComponentSpec {
         material: model.string.components()[0].material,
@@ -123,10 +123,10 @@ fn one_element_between_joints_bends_as_eight_do() {
         let nodes: Profile = case.run().nodes;
         // The nodes of the joints, by what they bear alone.
         let joints: Vec<usize> = (0..nodes.md_m.len())
-            .filter(|i| (50.0..CAPSTAN_ARC_M - 30.0).contains(&nodes.md_m[*i]))
+            .filter(|i| (50.0..CAPSTAN_ARC_M - 60.0).contains(&nodes.md_m[*i]))
             .filter(|i| nodes.contact_fraction[*i] > 0.5)
             .collect();
-        assert!(joints.len() > 40, "{} joints", joints.len());
+        assert!(joints.len() > 38, "{} joints", joints.len());
         for joint in joints {
             let md_m = nodes.md_m[joint];
             let close = |what: &str, found: f64, expected: f64| {
