@@ -69,6 +69,13 @@ impl ShapeBlock {
         sag: NONE,
         touched: NONE,
     };
+
+    /// What moments at the lower ends are made with.
+    fn handed_on(&mut self) -> [&mut Lane; 8] {
+        let Self { per_length, weight, at_ends, half_way, odd, column, stiffness, radius, .. } =
+            self;
+        [per_length, weight, at_ends, half_way, odd, column, stiffness, radius]
+    }
 }
 
 /// The shapes of all elements.
@@ -96,7 +103,21 @@ impl Shapes {
             of.stiffness[lane] = stiffness;
             of.radius[lane] = 0.5 * section.od_m;
         }
-        Self { layout, blocks, looks: 0, samples: 0 }
+        let mut shapes = Self { layout, blocks, looks: 0, samples: 0 };
+        shapes.share();
+        shapes
+    }
+
+    /// Gives the lower region what the upper one knows of the element that both have.
+    fn share(&mut self) {
+        let Some((index, (block, lane))) = self.layout.shared() else {
+            return;
+        };
+        let (from, from_lane) = self.layout.place(index);
+        let mut element = self.blocks[from];
+        for (to, of) in self.blocks[block].handed_on().into_iter().zip(element.handed_on()) {
+            to[lane] = of[from_lane];
+        }
     }
 
     /// Whether stored ones are in this layout.
@@ -123,6 +144,7 @@ impl Shapes {
     /// Looks at the shapes.
     pub fn look(&mut self, ends: &Ends<'_, impl Real>) {
         with_fastest_instruction_set!(look(self, ends));
+        self.share();
         self.looks += 1;
     }
 

@@ -5,6 +5,7 @@ use serde_json::Value;
 use super::*;
 use crate::{
     common::{number, report_worst, verify},
+    dynamics::kernel::places::Border,
     rod::{
         mesh::{MeshElement, MeshNode},
         section::Section,
@@ -91,11 +92,15 @@ impl Piece {
         }
     }
 
-    fn record(&mut self) -> Record {
-        let mut record = Record::new(&self.model, &self.mesh, self.chain.layout(), 1);
-        self.chain.close();
-        let high = vec![[Row::filled(0.0); 3]; self.chain.layout().blocks()];
-        record.sample(&self.chain, &high, &Body::default(), 1);
+    fn record(&self) -> Record {
+        self.record_of(&mut self.chain.clone())
+    }
+
+    fn record_of(&self, chain: &mut Chain<impl Real>) -> Record {
+        let mut record = Record::new(&self.model, &self.mesh, chain.layout(), 1);
+        chain.close();
+        let high = vec![[Row::filled(0.0); 3]; chain.layout().blocks()];
+        record.sample(chain, &high, &Body::default(), 1);
         record
     }
 }
@@ -154,6 +159,37 @@ fn s1a_elements_from_joint_to_joint() {
             .relative(3e-3, "arcs are parabolas, by (κL)²/12; small differences half-way")
             .row(*expected, *computed)
     }));
+}
+
+/// A string that is divided bears at every node what it bears as a whole, whatever numbers it is
+/// kept in: to rounding, of the chords' in single precision.
+#[test]
+fn a_divided_string_bears_what_the_whole_does() {
+    let data = verification(DOWN);
+    let nodes: Vec<f64> = (0..9).map(|i| SPACING_M * f64::from(i)).collect();
+    let mut piece = Piece::new(&data, &nodes);
+    let lean_rad: Vec<f64> = (0..9).map(|i| 1e-3 * f64::from(i * i % 5)).collect();
+    piece.lie(6f64.to_radians() / 30.0, 0.5, &[0.02; 9], &lean_rad);
+    for index in 0..8 {
+        element!(piece.chain, index, tension = 3e5 + 1e3 * index as f64);
+    }
+    let whole = piece.record();
+    let compare = |divided: &Record, most: f64| {
+        for index in 0..9 {
+            for (found, expected) in [
+                (divided.bending(index), whole.bending(index)),
+                (divided.between(index), whole.between(index)),
+                (divided.shapes().sag_m(index), whole.shapes().sag_m(index)),
+            ] {
+                assert!((found - expected).abs() <= most * expected, "{index}: {found} {expected}");
+            }
+        }
+    };
+    for node in [1, 4, 6] {
+        let border = Some(Border { node, parts: 2 });
+        compare(&piece.record_of(&mut piece.chain.divided_at::<f64>(border)), 1e-12);
+        compare(&piece.record_of(&mut piece.chain.divided_at::<f32>(border)), 1e-4);
+    }
 }
 
 /// A piece of twelve joints whose ends are pinned, its joints where the file has them and its
