@@ -197,8 +197,9 @@ fn in_an_arc(joints: bool, tension_N: f64) -> (Model, SoftProfile) {
 }
 
 /// Without weight, the body bends by Lubinski's `x/tanh x` more than the hole at its joints under
-/// tension, by `x/sin x` half-way in compression, `x = (l/2)√(|T|/EI)`; a pipe without joints as
-/// the hole does. Moment, bending stress and von Mises' stress follow. Rounding is left.
+/// tension and by `x/sinh x` half-way, in compression by `x/tan x` and `x/sin x`,
+/// `x = (l/2)√(|T|/EI)`; a pipe without joints as the hole does. Moments, the bending stress and von
+/// Mises' stress of the larger follow, and the sag. Rounding is left.
 #[test]
 fn joints_magnify_the_bending_of_a_hole() {
     let hole_per_m = 60.0_f64.to_radians() / 600.0;
@@ -207,12 +208,18 @@ fn joints_magnify_the_bending_of_a_hole() {
         let pipe = &model.string.components()[0];
         let stiffness = pipe.bending_stiffness_N_m2();
         let x = 0.5 * SPACING_M * (f64::abs(tension_N) / stiffness).sqrt();
-        let magnification = match (joints, tension_N > 0.0) {
-            (false, _) => 1.0,
-            (true, true) => x / x.tanh(),
-            (true, false) => x / x.sin(),
+        let magnifications = match (joints, tension_N > 0.0) {
+            (false, _) => [1.0, 1.0],
+            (true, true) => [x / x.tanh(), x / x.sinh()],
+            (true, false) => [x / x.tan(), x / x.sin()],
         };
-        let moment_N_m = stiffness * hole_per_m * magnification;
+        let [at_joint_N_m, between_N_m] = magnifications.map(|by| stiffness * hole_per_m * by);
+        let moment_N_m = at_joint_N_m.max(between_N_m);
+        // Of `κ (l²/8 − (l/2x) (l/2) tanh(x/2))`, `tan` in compression.
+        let half_m = 0.5 * SPACING_M;
+        let arched_m =
+            half_m * half_m / x * if tension_N > 0.0 { (0.5 * x).tanh() } else { (0.5 * x).tan() };
+        let sag_m = hole_per_m * (0.5 * half_m * half_m - arched_m).abs();
         let bending_Pa = moment_N_m * 0.5 * pipe.od_m / pipe.second_moment_m4();
         let shear_Pa = 5e3 * 0.5 * pipe.od_m / pipe.polar_moment_m4();
         let normal_Pa = tension_N.abs() / pipe.area_m2() + bending_Pa;
@@ -221,7 +228,15 @@ fn joints_magnify_the_bending_of_a_hole() {
             let close = |what: &str, found: f64, expected: f64| {
                 assert_close(&format!("{joints} {tension_N}: {what}"), found, expected, 1e-9);
             };
-            close("moment", profile.bending_moment_N_m[row], moment_N_m);
+            close("at joints", profile.bending_moment_N_m[row], at_joint_N_m);
+            close("between", profile.bending_moment_between_N_m[row], between_N_m);
+            if joints {
+                close("sag", profile.sag_m[row], sag_m);
+            } else {
+                assert_eq!(profile.sag_m[row], 0.0);
+            }
+            let touches = f64::from(u8::from(!joints));
+            assert_eq!(profile.body_contact_fraction[row], touches);
             close("bending", profile.bending_stress_Pa[row], bending_Pa);
             close("stress", profile.von_mises_stress_Pa[row], von_mises_Pa);
             let used = profile.yield_use[row].expect("graded");

@@ -83,8 +83,7 @@ columns! {
             "Pressure of the mud in the annulus: of its weight and its flow";
         inside_pressure_Pa: Vec<f64> => Pressure, "Pressure of the mud in the bore";
         bending_moment_N_m: Vec<f64> => Torque,
-            "Bending moment, whatever its direction; of a soft string the larger of that at tool \
-             joints and half-way";
+            "Bending moment at the node, whatever its direction; of a soft string that at tool joints";
         bending_moment_max_N_m: Vec<f64> => Torque,
             "Largest bending moment of any sample", known_by IN_TIME;
         bending_moment_p05_N_m: Vec<f64> => Torque,
@@ -93,8 +92,20 @@ columns! {
             "Median of `bending_moment_N_m`", known_by IN_TIME;
         bending_moment_p95_N_m: Vec<f64> => Torque,
             "95th percentile of `bending_moment_N_m`", known_by IN_TIME;
+        bending_moment_between_N_m: Vec<f64> => Torque,
+            "Bending moment of the body half-way to the next node down, of a soft string half-way \
+             between tool joints", label "Bending moment between the nodes";
+        bending_moment_between_max_N_m: Vec<f64> => Torque,
+            "Largest `bending_moment_between_N_m` of any sample", known_by IN_TIME;
+        sag_m: Vec<f64> => Length,
+            "How far the body sags half-way to the next node down, of a soft string half-way \
+             between tool joints, beyond the arc in which its ends stand";
+        body_contact_fraction: Vec<f64> => Ratio,
+            "Share of the time in which the body touches the wall half-way to the next node down, \
+             of a soft string half-way between tool joints";
         bending_stress_Pa: Vec<f64> => Pressure,
-            "Stress that alternates at the body's surface as it turns, `M D/2I`";
+            "Stress that alternates at the body's surface as it turns, `M D/2I`, of the larger of \
+             the moments at the node and half-way to the next";
         von_mises_stress_Pa: Vec<f64> => Pressure,
             "Von Mises stress where the body's surface bears most";
         von_mises_stress_max_Pa: Vec<f64> => Pressure,

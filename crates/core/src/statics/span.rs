@@ -44,13 +44,16 @@ pub struct SpanBending {
     pub at_joint_per_m: f64,
     /// Curvature half-way beyond the hole's, 1/m, in the direction of the load.
     pub at_middle_per_m: f64,
+    /// How far the body half-way sags beyond the hole's curve, m.
+    pub sag_m: f64,
     /// What touches.
     pub contact: BodyContact,
 }
 
 impl SpanBending {
+    /// Nothing loads it.
     const STRAIGHT: Self =
-        Self { at_joint_per_m: 0.0, at_middle_per_m: 0.0, contact: BodyContact::Line };
+        Self { at_joint_per_m: 0.0, at_middle_per_m: 0.0, sag_m: 0.0, contact: BodyContact::None };
 }
 
 impl JointSpan {
@@ -86,6 +89,7 @@ impl JointSpan {
             return SpanBending {
                 at_joint_per_m: wrapped.sqrt(),
                 at_middle_per_m: 0.0,
+                sag_m: self.standoff_m,
                 contact: BodyContact::Line,
             };
         }
@@ -96,6 +100,7 @@ impl JointSpan {
         SpanBending {
             at_joint_per_m: mean_per_m + half_swing_per_m,
             at_middle_per_m: mean_per_m - half_swing_per_m,
+            sag_m: if touches { self.standoff_m } else { sag_m },
             contact: if touches { BodyContact::Middle } else { BodyContact::None },
         }
     }

@@ -38,6 +38,12 @@ impl Layout {
         self.places.in_order(self.parts * DOUBLES).map(block)
     }
 
+    /// The element that two regions share, and its block and lane in the lower one.
+    pub fn shared(&self) -> Option<(usize, (usize, usize))> {
+        let (border, [_, (row, lane)]) = self.places.border().zip(self.places.ghosts())?;
+        Some((border.node, (row * self.parts + lane / DOUBLES, lane % DOUBLES)))
+    }
+
     /// Block and lane of a node, and of the element below it.
     #[inline]
     pub fn place(&self, index: usize) -> (usize, usize) {

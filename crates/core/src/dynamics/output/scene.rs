@@ -5,7 +5,7 @@ use std::cell::LazyCell;
 use super::{
     frame::Frame,
     probe::NodeSignal,
-    record::{BentNode, NodeSample, Source, Strength},
+    record::{BentNode, Ends, NodeSample, Shapes, Source, Strength},
 };
 use crate::{
     dynamics::{
@@ -23,6 +23,7 @@ pub(in crate::dynamics) struct Scene<'a, R: Real> {
     pub high: &'a [Rows<f64>],
     pub body: &'a Body,
     pub strength: &'a Strength,
+    pub shapes: &'a Shapes,
     pub time_s: f64,
     /// Steps that the chain's sums hold.
     pub summed_steps: u64,
@@ -99,8 +100,9 @@ impl<R: Real> Scene<'_, R> {
     }
 
     fn source<'a>(&'a self, bent: &'a [BentNode]) -> Source<'a, R> {
-        let Self { chain, high, strength, summed_steps, .. } = *self;
-        Source { chain, high, strength, bent, per_step: 1.0 / summed_steps as f64 }
+        let Self { chain, high, strength, shapes, summed_steps, .. } = *self;
+        let per_step = 1.0 / summed_steps as f64;
+        Source { ends: Ends { chain, bent }, high, strength, shapes, per_step }
     }
 }
 

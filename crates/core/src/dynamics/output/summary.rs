@@ -286,7 +286,12 @@ fn load(s: &Sources<'_>, p: &mut Profile) {
         p.bending_moment_p05_N_m.push(low);
         p.bending_moment_p50_N_m.push(middle);
         p.bending_moment_p95_N_m.push(high);
-        p.bending_stress_Pa.push(bending * strength.per_modulus_m3(i));
+        let between = record.between(i);
+        p.bending_moment_between_N_m.push(between);
+        p.bending_moment_between_max_N_m.push(record.between_max(i));
+        p.sag_m.push(record.shapes().sag_m(i));
+        p.body_contact_fraction.push(record.shapes().touched(i));
+        p.bending_stress_Pa.push(bending.max(between) * strength.per_modulus_m3(i));
         // Below the bit there is no element: it bears what the node above it does.
         let bearing = i.min(last - 1);
         let stress_max = record.stress_max(bearing);

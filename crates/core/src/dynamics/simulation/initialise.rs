@@ -139,6 +139,7 @@ impl<R: Registers> Run<R> {
         if let Some(run_in) = run_in {
             bit.stand(run_in, &chain, &anchors[last]);
         }
+        chain.close();
         let wear = Wear::new(chain.nodes(), hole_end_m, bottom);
         let layout = chain.layout();
         let interval_s = basis.steps_per_sample as f64 * basis.plan.dt_s;
@@ -150,6 +151,7 @@ impl<R: Registers> Run<R> {
             samples: Vec::new(),
         });
         record.series.probes = probes.collect();
+        record.look_at_shapes(&chain, &initial.body);
         let mut high = vec![[Row::filled(0.0); 3]; layout.blocks()];
         for (index, anchor) in anchors.iter().enumerate() {
             hole::note_high_side(&mut high, layout.place(index), anchor);

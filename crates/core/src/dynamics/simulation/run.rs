@@ -280,6 +280,7 @@ impl<R: Real> Run<R> {
             high: &self.state.high,
             body: &self.state.body,
             strength: self.state.record.strength(),
+            shapes: self.state.record.shapes(),
             time_s: self.time_s(),
             summed_steps: self.steps_per_sample,
         }

@@ -6,7 +6,7 @@ use super::load::{Load, Point, Totals};
 use crate::{
     model::Model,
     operation::Operation,
-    statics::span::JointSpan,
+    statics::span::{BodyContact, JointSpan},
     string::{BodySection, Component},
 };
 
@@ -35,6 +35,9 @@ pub(super) struct Bearing {
     pub(super) inside_pressure_Pa: f64,
     pub(super) true_tension_N: f64,
     pub(super) bending_moment_N_m: f64,
+    pub(super) bending_moment_between_N_m: f64,
+    pub(super) sag_m: f64,
+    pub(super) body_contact_fraction: f64,
     pub(super) bending_stress_Pa: f64,
     pub(super) von_mises_stress_Pa: f64,
     pub(super) yield_use: Option<f64>,
@@ -73,8 +76,10 @@ impl<'a> Carrier<'a> {
         [outside_Pa, inside_Pa]: [f64; 2],
     ) -> Bearing {
         let component = self.component;
-        let bending_N_m =
-            component.bending_stiffness_N_m2() * self.curvature_per_m(point, load, totals);
+        let bent = self.bent(point, load, totals);
+        let stiffness_N_m2 = component.bending_stiffness_N_m2();
+        let [at_joint_N_m, between_N_m] = bent.curvatures_per_m.map(|per_m| stiffness_N_m2 * per_m);
+        let bending_N_m = at_joint_N_m.max(between_N_m);
         let burst_Pa = inside_Pa - outside_Pa;
         let stress_Pa = self.section.von_mises_Pa(
             totals.tension_N,
@@ -98,7 +103,10 @@ impl<'a> Carrier<'a> {
                 inside_Pa,
                 self.stream_N_m2,
             ),
-            bending_moment_N_m: bending_N_m,
+            bending_moment_N_m: at_joint_N_m,
+            bending_moment_between_N_m: between_N_m,
+            sag_m: bent.sag_m,
+            body_contact_fraction: f64::from(u8::from(bent.touches)),
             bending_stress_Pa: bending_N_m * self.section.per_modulus_m3,
             von_mises_stress_Pa: stress_Pa,
             yield_use: component.yield_strength_Pa.map(|yields_Pa| stress_Pa / yields_Pa),
@@ -107,22 +115,34 @@ impl<'a> Carrier<'a> {
         }
     }
 
-    /// The largest curvature that the body has near a point: the hole's, where tool joints hold it
-    /// off the wall that at the joints or half-way between them, whichever is more.
-    fn curvature_per_m(&self, point: &Point, load: &Load, totals: &Totals) -> f64 {
+    /// How the body bends near a point: as the hole, and where tool joints hold it off the wall
+    /// besides.
+    fn bent(&self, point: &Point, load: &Load, totals: &Totals) -> Bent {
         let hole_per_m = point.curvature_per_m;
         let Some(span) = &self.span else {
-            return hole_per_m.norm();
+            return Bent {
+                curvatures_per_m: [hole_per_m.norm(); 2],
+                sag_m: 0.0,
+                touches: load.side_force_N_per_m > 0.0,
+            };
         };
-        let Some(towards) = load.q_N_per_m.try_normalize(0.0) else {
-            return hole_per_m.norm();
-        };
+        let towards = load.q_N_per_m.try_normalize(0.0).unwrap_or_default();
         let bent = span.bending(totals.tension_N, load.side_force_N_per_m);
-        [bent.at_joint_per_m, bent.at_middle_per_m]
-            .map(|beyond_per_m| (hole_per_m + towards * beyond_per_m).norm())
-            .into_iter()
-            .fold(0.0, f64::max)
+        Bent {
+            curvatures_per_m: [bent.at_joint_per_m, bent.at_middle_per_m]
+                .map(|beyond_per_m| (hole_per_m + towards * beyond_per_m).norm()),
+            sag_m: bent.sag_m,
+            touches: bent.contact != BodyContact::None,
+        }
     }
+}
+
+/// How the body of a component bends near a point.
+struct Bent {
+    /// Curvature at the joints and half-way between them, 1/m.
+    curvatures_per_m: [f64; 2],
+    sag_m: f64,
+    touches: bool,
 }
 
 /// Angle of the load from the low side, rad, positive to the right looking down the hole; none

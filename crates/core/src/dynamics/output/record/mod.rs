@@ -1,10 +1,14 @@
 //! What is kept of a run while it goes on: sums per node, samples of the scalars.
 
+mod above;
+mod beam_column;
 mod contact_map;
+mod deflection;
 mod depths;
 mod lane;
 mod node_sample;
 mod reservoir;
+mod shapes;
 mod strength;
 mod sums;
 #[cfg(test)]
@@ -34,9 +38,11 @@ use lane::Lane;
 use reservoir::Reservoir;
 use sums::{Pass, SumBlock, TotalBlock};
 
+pub use deflection::{BentNode, Ends};
 pub use depths::neutral_point_m;
-pub use node_sample::{BentNode, NodeSample, Source};
+pub use node_sample::{NodeSample, Source};
 pub use reservoir::Quantity;
+pub use shapes::Shapes;
 pub use strength::Strength;
 pub use sums::Totals;
 
@@ -65,6 +71,7 @@ pub struct Circling {
 pub struct Record {
     layout: Layout,
     strength: Strength,
+    shapes: Shapes,
     sums: Vec<SumBlock>,
     /// Sums of what the pressure of the mud at rest shortens each element by, m.
     squeezed_m: Vec<f64>,
@@ -92,6 +99,7 @@ impl Record {
             && (rows > 0 || self.samples == 0);
         ensure(fits, "the record")?;
         self.strength.check(nodes, self.layout)?;
+        self.shapes.check(self.layout)?;
         self.reservoir.check(self.layout.blocks())?;
         self.contact.check(nodes)
     }
@@ -102,6 +110,7 @@ impl Record {
         Self {
             layout,
             strength: Strength::new(model, mesh, layout),
+            shapes: Shapes::new(model, mesh, layout),
             sums: vec![SumBlock::EMPTY; layout.blocks()],
             squeezed_m: vec![0.0; mesh.elements.len()],
             reservoir: Reservoir::new(layout.blocks(), samples),
@@ -118,6 +127,7 @@ impl Record {
     pub fn open_window(&mut self) {
         self.sums.fill(SumBlock::EMPTY);
         self.squeezed_m.fill(0.0);
+        self.shapes.restart();
         self.reservoir.clear();
         self.sides.restart();
         self.contact.restart();
@@ -135,14 +145,18 @@ impl Record {
         body: &Body,
         steps: u64,
     ) -> Totals {
+        let ends = Ends { chain, bent: &BentNode::all(body, chain) };
+        if self.shapes.are_due() {
+            self.shapes.look(&ends);
+        }
         let mut totals = TotalBlock::EMPTY;
         Pass {
             sums: &mut self.sums,
             source: Source {
-                chain,
+                ends,
                 high,
                 strength: &self.strength,
-                bent: &BentNode::all(body, chain),
+                shapes: &self.shapes,
                 per_step: 1.0 / steps as f64,
             },
             first: self.samples == 0,
@@ -154,6 +168,12 @@ impl Record {
         self.samples += 1;
         self.note_penetration(totals.penetration_m);
         totals
+    }
+
+    /// Looks at how the elements bend between their ends before the first sample does.
+    pub fn look_at_shapes(&mut self, chain: &Chain<impl Real>, body: &Body) {
+        self.shapes.look(&Ends { chain, bent: &BentNode::all(body, chain) });
+        self.shapes.restart();
     }
 
     /// Notes how deep a node lies in the wall, m; negative where it is off it.
@@ -177,6 +197,11 @@ impl Record {
     /// The bodies that carry the string's stresses.
     pub fn strength(&self) -> &Strength {
         &self.strength
+    }
+
+    /// How the elements bend between their ends.
+    pub fn shapes(&self) -> &Shapes {
+        &self.shapes
     }
 
     /// Where what is kept of each node lies.
@@ -308,6 +333,14 @@ impl Record {
     /// Largest bending moment at a node, N·m.
     pub fn bending_max(&self, index: usize) -> f64 {
         self.sum_of(index, |s| &s.bending_max)
+    }
+    /// Mean bending moment half-way to the node below, N·m.
+    pub fn between(&self, index: usize) -> f64 {
+        self.mean_of(index, |s| &s.between)
+    }
+    /// Largest bending moment half-way to the node below, N·m.
+    pub fn between_max(&self, index: usize) -> f64 {
+        self.sum_of(index, |s| &s.between_max)
     }
     /// Mean von Mises stress at a node, Pa.
     pub fn stress(&self, index: usize) -> f64 {

@@ -2,17 +2,14 @@
 //! for the record.
 
 use super::{
-    lane::{Lane, at, at3, put},
+    above::Above,
+    deflection::{Ends, parts},
+    lane::{at, at3, put},
+    shapes::Shapes,
     strength::{Metal, Strength},
 };
 use crate::{
-    dynamics::{
-        body::Body,
-        kernel::{
-            chain::{Chain, Rows},
-            layout::Layout,
-        },
-    },
+    dynamics::kernel::{chain::Rows, layout::Layout},
     simd::{
         apart::Apart,
         dispatch::{for_each_instruction_set, with_fastest_instruction_set},
@@ -25,38 +22,16 @@ use crate::{
 /// What samples are read from.
 #[derive(Debug)]
 pub struct Source<'a, R: Real> {
-    /// The chain, closed.
-    pub chain: &'a Chain<R>,
+    /// The ends of the elements.
+    pub ends: Ends<'a, R>,
     /// High side of each node, block by block.
     pub high: &'a [Rows<f64>],
     /// The bodies that carry the stresses.
     pub strength: &'a Strength,
-    /// Nodes with bends.
-    pub bent: &'a [BentNode],
+    /// How the elements bend between their ends.
+    pub shapes: &'a Shapes,
     /// Inverse of the number of steps of the uppermost region since the last sample.
     pub per_step: f64,
-}
-
-/// A node with a bend. The element below stands on another face of the body: what is bent without
-/// stress bears none.
-#[derive(Debug, Clone, Copy)]
-pub struct BentNode {
-    block: usize,
-    lane: usize,
-    /// The director that the element below sees there.
-    director: [f64; 3],
-}
-
-impl BentNode {
-    /// All of them.
-    pub fn all(body: &Body, chain: &Chain<impl Real>) -> Vec<Self> {
-        let bent = body.bends.iter().map(|bend| {
-            let (block, lane) = chain.layout().place(bend.index);
-            let Vector(x, y, z) = bend.pose(chain).d1;
-            Self { block, lane, director: [x, y, z] }
-        });
-        bent.collect()
-    }
 }
 
 /// How nodes lie and move in the hole.
@@ -97,7 +72,9 @@ pub struct Bearing<N> {
     pub longer: N,
     /// Bending moment, N·m.
     pub bending: N,
-    /// Von Mises stress of the weakest body around, Pa.
+    /// Bending moment half-way to the node below, N·m.
+    pub between: N,
+    /// Von Mises stress of the weakest body around by the larger of the two, Pa.
     pub stress: N,
 }
 
@@ -122,13 +99,35 @@ pub struct NodeSample {
     pub stress: f64,
 }
 
+/// Numbers of a [`NodeSample`].
+const SHOWN: usize = 8;
+
+impl NodeSample {
+    fn of(shown: [f64; SHOWN]) -> Self {
+        let [normal, axial, friction_torque, offset, up, right, bending, stress] = shown;
+        Self { normal, axial, friction_torque, offset, up, right, bending, stress }
+    }
+}
+
 impl<R: Real> Source<'_, R> {
     /// A single node.
     pub fn node(&self, index: usize) -> NodeSample {
-        let (block, lane) = self.chain.layout().place(index);
-        let [normal, axial, friction_torque, offset, up, right, bending, stress] =
-            self.shown::<f64>(block, lane);
-        NodeSample { normal, axial, friction_torque, offset, up, right, bending, stress }
+        let chain = self.ends.chain;
+        let (row, lane) = chain.place(index);
+        let block =
+            |row: usize, lane: usize| (row * (R::LANES / DOUBLES) + lane / DOUBLES, lane % DOUBLES);
+        let region = (0..chain.regions()).map(|region| chain.rows_of(region));
+        let above = region.filter(|rows| rows.contains(&row)).find_map(|rows| {
+            let above = if row > rows.start {
+                (row - 1, lane)
+            } else {
+                (rows.end - 1, lane.checked_sub(1)?)
+            };
+            Some(block(above.0, above.1))
+        });
+        let above = above.map_or([0.0; 3], |(block, lane)| self.lower::<f64>(block, lane));
+        let (block, lane) = block(row, lane);
+        NodeSample::of(self.shown::<f64>(block, lane, above).0)
     }
 
     /// All nodes, from the top down, by the widest instructions that the processor has.
@@ -138,53 +137,51 @@ impl<R: Real> Source<'_, R> {
 
     #[inline(always)]
     fn nodes_in<N: Doubles>(&self) -> Vec<NodeSample> {
-        let mut samples = vec![NodeSample::default(); self.chain.nodes()];
-        for block in 0..self.chain.layout().blocks() {
-            let (row, part) = Layout::row_of::<R>(block);
-            let mut lanes = [[0.0; DOUBLES]; 8];
-            for lane in (0..DOUBLES).step_by(N::WIDTH) {
-                for (lanes, shown) in lanes.iter_mut().zip(self.shown::<N>(block, lane)) {
-                    put(lanes, lane, shown);
+        let chain = self.ends.chain;
+        let mut samples = vec![NodeSample::default(); chain.nodes()];
+        let parts = R::LANES / DOUBLES;
+        for region in 0..chain.regions() {
+            let mut above = self.above::<N>(region);
+            for (row, part) in
+                chain.rows_of(region).flat_map(|row| (0..parts).map(move |part| (row, part)))
+            {
+                let mut lanes = [[0.0; DOUBLES]; SHOWN];
+                for lane in (0..DOUBLES).step_by(N::WIDTH) {
+                    let (shown, lower) =
+                        self.shown::<N>(row * parts + part, lane, above.at(part, lane));
+                    above.put(part, lane, lower);
+                    for (lanes, shown) in lanes.iter_mut().zip(shown) {
+                        put(lanes, lane, shown);
+                    }
                 }
-            }
-            for lane in 0..DOUBLES {
-                let index = self.chain.index(row, part * DOUBLES + lane);
-                if let Some(sample) = samples.get_mut(index) {
-                    let [normal, axial, friction_torque, offset, up, right, bending, stress] =
-                        lanes.map(|numbers| numbers[lane]);
-                    *sample = NodeSample {
-                        normal,
-                        axial,
-                        friction_torque,
-                        offset,
-                        up,
-                        right,
-                        bending,
-                        stress,
-                    };
+                for lane in 0..DOUBLES {
+                    let index = chain.index(row, part * DOUBLES + lane);
+                    if let Some(sample) = samples.get_mut(index) {
+                        *sample = NodeSample::of(lanes.map(|numbers| numbers[lane]));
+                    }
                 }
             }
         }
         samples
     }
 
-    /// The numbers of [`NodeSample`]s.
+    /// The numbers of [`NodeSample`]s, and the moments of the elements below at their lower ends.
     #[inline(always)]
-    fn shown<N: Doubles>(&self, block: usize, lane: usize) -> [N; 8] {
+    fn shown<N: Doubles>(&self, block: usize, lane: usize, above: [N; 3]) -> ([N; SHOWN], [N; 3]) {
         let place = self.place(block, lane);
         let [axial, friction_torque] = self.friction(block, lane);
         let Direction { up, right } = self.direction(&place, block, lane);
-        let Bearing { bending, stress, .. } = self.bearing(block, lane);
+        let (Bearing { bending, stress, .. }, lower) = self.bearing(block, lane, above);
         let normal = self.normal(block, lane);
-        [normal, axial, friction_torque, place.offset, up, right, bending, stress]
+        ([normal, axial, friction_torque, place.offset, up, right, bending, stress], lower)
     }
 
     /// Contact force, N, averaged over the steps since the last sample.
     #[inline(always)]
     pub fn normal<N: Doubles>(&self, block: usize, lane: usize) -> N {
         let (row, part) = Layout::row_of::<R>(block);
-        at::<N, R>(self.chain.node_blocks[row].sum_normal.part(part), lane)
-            * N::splat(self.per_step / self.chain.parts_at(row))
+        at::<N, R>(self.ends.chain.node_blocks[row].sum_normal.part(part), lane)
+            * N::splat(self.per_step / self.ends.chain.parts_at(row))
     }
 
     /// Axial friction on the wall, N, along the hole, and friction torque, N·m, averaged like the
@@ -192,8 +189,8 @@ impl<R: Real> Source<'_, R> {
     #[inline(always)]
     pub fn friction<N: Doubles>(&self, block: usize, lane: usize) -> [N; 2] {
         let (row, part) = Layout::row_of::<R>(block);
-        let nodes = &self.chain.node_blocks[row];
-        let per_step = N::splat(self.per_step / self.chain.parts_at(row));
+        let nodes = &self.ends.chain.node_blocks[row];
+        let per_step = N::splat(self.per_step / self.ends.chain.parts_at(row));
         [
             at::<N, R>(nodes.sum_axial.part(part), lane) * per_step,
             at::<N, R>(nodes.sum_torque.part(part), lane) * per_step,
@@ -204,7 +201,7 @@ impl<R: Real> Source<'_, R> {
     #[inline(always)]
     pub fn place<N: Doubles>(&self, block: usize, lane: usize) -> Place<N> {
         let (row, part) = Layout::row_of::<R>(block);
-        let (nodes, state) = (&self.chain.node_blocks[row], &self.chain.states[row]);
+        let (nodes, state) = (&self.ends.chain.node_blocks[row], &self.ends.chain.states[row]);
         let u = at3::<N, R>(parts(&state.u, part), lane);
         let v = at3::<N, R>(parts(&state.v, part), lane);
         let tangent = at3(parts(&nodes.tangent, part), lane);
@@ -246,57 +243,68 @@ impl<R: Real> Source<'_, R> {
         }
     }
 
-    /// What the string carries at nodes. The bending moment is the elastic one that the element
-    /// below has at its upper end; the bit, below which there is none, carries none.
+    /// What the string carries at nodes, and the moment of the elements below at their lower ends;
+    /// `above` is that of the elements above. The bit, below which there is none, carries none.
     #[inline(always)]
-    pub fn bearing<N: Doubles>(&self, block: usize, lane: usize) -> Bearing<N> {
+    pub fn bearing<N: Doubles>(
+        &self,
+        block: usize,
+        lane: usize,
+        [x, y, z]: [N; 3],
+    ) -> (Bearing<N>, [N; 3]) {
         let (row, part) = Layout::row_of::<R>(block);
-        let (elements, state) = (&self.chain.element_blocks[row], &self.chain.states[row]);
-        let ends = self.chain.ends(row);
+        let elements = &self.ends.chain.element_blocks[row];
         let metal: &Metal = self.strength.block(block);
-        let [half, two] = [0.5, 2.0].map(N::splat);
-        let (u1, u2) = (at3::<N, R>(parts(&state.u, part), lane), at3(parts(&ends.u, part), lane));
-        let (d1, d2) = (self.director(block, lane), at3(parts(&ends.d, part), lane));
-        let chord = at3(parts(&elements.chord, part), lane) + (u2 - u1);
-        // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3
-        // leaves 1.5e-6, and no root is drawn.
-        let rest = at::<N, f64>(&metal.per_length, lane);
-        let t = chord.scaled(rest * (N::splat(1.5) - half * chord.dot(chord) * rest * rest));
+        let shape = self.shapes.block(block);
+        let moments = self.ends.deflection::<N>(shape, block, lane).moments(shape, lane);
+        // What one side has more than the other the node hands on by its turning: each takes of it
+        // what it resists that with.
+        let above = Vector(x, y, z);
+        let moment = above + (moments.upper - above).scaled(at(&shape.below, lane));
+        let bending = moment.dot(moment).sqrt();
+        let between = moments.half_way.dot(moments.half_way).sqrt();
         let tension = at::<N, R>(elements.tension.part(part), lane);
         let torque = at::<N, R>(elements.torque.part(part), lane);
-        // The gradient of the element's energy on its upper director: `rod::element`.
-        let bending_far = at::<N, R>(elements.bending_far.part(part), lane);
-        let bending_near = bending_far + two * at::<N, R>(elements.bending.part(part), lane);
-        let near =
-            bending_near + two * at::<N, R>(elements.half_bow_near.part(part), lane) * tension;
-        let far = bending_far - at::<N, R>(elements.bow_far.part(part), lane) * tension;
-        let pull = near * t.dot(d1) + far * t.dot(d2);
-        let moment = d2.scaled(far).minus(t, pull).cross(d1);
-        let bending = moment.dot(moment).sqrt();
         // Below the bit there is no element, whatever its rows hold.
         let compliance = at::<N, f64>(&metal.compliance, lane);
         let twist = at::<N, R>(elements.twist.part(part), lane);
-        Bearing {
+        let bearing = Bearing {
             tension,
             torque,
             twist: compliance.if_positive(twist, N::zero()),
             longer: tension * compliance,
             bending,
-            stress: metal.stress_Pa(lane, tension, bending, torque),
-        }
+            between,
+            stress: metal.stress_Pa(lane, tension, bending.max(between), torque),
+        };
+        let Vector(x, y, z) = moments.lower;
+        (bearing, [x, y, z])
     }
 
-    /// The directors that the elements below see.
+    /// The moments that a region's elements of the last row hand down to the nodes of the first.
     #[inline(always)]
-    fn director<N: Doubles>(&self, block: usize, lane: usize) -> Vector<N> {
-        let (row, part) = Layout::row_of::<R>(block);
-        let mut directors = at3(parts(&self.chain.states[row].d, part), lane);
-        for bent in self.bent {
-            if bent.block == block && (lane..lane + N::WIDTH).contains(&bent.lane) {
-                directors = replaced(directors, bent.lane - lane, bent.director);
+    pub fn above<N: Doubles>(&self, region: usize) -> Above<3> {
+        let parts = R::LANES / DOUBLES;
+        let mut above = Above::NONE;
+        let Some(row) = self.ends.chain.rows_of(region).last() else {
+            return above;
+        };
+        for part in 0..parts {
+            for lane in (0..DOUBLES).step_by(N::WIDTH) {
+                above.put(part, lane, self.lower::<N>(row * parts + part, lane));
             }
         }
-        directors
+        above.close(parts);
+        above
+    }
+
+    /// The moments of elements at their lower ends.
+    #[inline(always)]
+    fn lower<N: Doubles>(&self, block: usize, lane: usize) -> [N; 3] {
+        let shape = self.shapes.block(block);
+        let moments = self.ends.deflection::<N>(shape, block, lane).moments(shape, lane);
+        let Vector(x, y, z) = moments.lower;
+        [x, y, z]
     }
 }
 
@@ -313,23 +321,3 @@ macro_rules! compiled_for {
     };
 }
 for_each_instruction_set!(compiled_for);
-
-/// Vectors of which one is another.
-#[cold]
-#[inline(always)]
-fn replaced<N: Doubles>(vectors: Vector<N>, index: usize, other: [f64; 3]) -> Vector<N> {
-    let Vector(x, y, z) = vectors;
-    let [x, y, z] = [(x, other[0]), (y, other[1]), (z, other[2])].map(|(numbers, number)| {
-        let mut lanes: Lane = [0.0; DOUBLES];
-        put(&mut lanes, 0, numbers);
-        lanes[index] = number;
-        at(&lanes, 0)
-    });
-    Vector(x, y, z)
-}
-
-/// The part of rows that stands beside a block.
-#[inline(always)]
-fn parts<R: Real>(rows: &Rows<R>, part: usize) -> [&[R; DOUBLES]; 3] {
-    rows.each_ref().map(|row| row.part(part))
-}

@@ -35,8 +35,6 @@ pub struct Metal {
     pub bore_per_area: Lane,
     /// Square of what the pressure inside has over that outside, Pa².
     pub burst_square: Lane,
-    /// Inverse of the rest length of the element below, 1/m.
-    pub per_length: Lane,
     /// What a newton lengthens the element below by, m/N; zero below the bit, where there is none.
     pub compliance: Lane,
 }
@@ -79,7 +77,6 @@ impl Strength {
                 bore_part: [0.0; DOUBLES],
                 bore_per_area: [0.0; DOUBLES],
                 burst_square: [0.0; DOUBLES],
-                per_length: [0.0; DOUBLES],
                 compliance: [0.0; DOUBLES],
             };
             layout.blocks()
@@ -107,7 +104,6 @@ impl Strength {
             metal.bore_part[lane] = section.bore_part;
             metal.bore_per_area[lane] = section.bore_per_area;
             if let Some(element) = mesh.elements.get(index) {
-                metal.per_length[lane] = 1.0 / element.length_m;
                 metal.compliance[lane] = element.length_m / element.section.axial_stiffness_N;
             }
             yield_Pa.push(component.yield_strength_Pa);

@@ -39,6 +39,8 @@ pub struct SumBlock {
     pub speed_square: Lane,
     pub bending: Lane,
     pub bending_max: Lane,
+    pub between: Lane,
+    pub between_max: Lane,
     pub stress: Lane,
     pub stress_max: Lane,
     pub twist: Lane,
@@ -65,6 +67,8 @@ impl SumBlock {
         speed_square: NONE,
         bending: NONE,
         bending_max: NONE,
+        between: NONE,
+        between_max: NONE,
         stress: NONE,
         stress_max: NONE,
         twist: NONE,
@@ -104,6 +108,8 @@ impl SumBlock {
         square_up(&mut self.torque, lane, bearing.torque - torque);
         add(&mut self.bending, lane, bearing.bending);
         keep_larger(&mut self.bending_max, lane, bearing.bending);
+        add(&mut self.between, lane, bearing.between);
+        keep_larger(&mut self.between_max, lane, bearing.between);
         add(&mut self.stress, lane, bearing.stress);
         keep_larger(&mut self.stress_max, lane, bearing.stress);
         add(&mut self.twist, lane, bearing.twist);
@@ -202,36 +208,53 @@ impl<R: Real> Pass<'_, R> {
 
     #[inline(always)]
     fn add_in<N: Doubles>(mut self) {
-        for (block, sums) in self.sums.iter_mut().enumerate() {
-            for lane in (0..DOUBLES).step_by(N::WIDTH) {
-                let normal: N = self.source.normal(block, lane);
-                let place = self.source.place(block, lane);
-                sums.lie(lane, &place);
-                keep_larger(&mut self.totals.penetration, lane, place.penetration);
-                let bearing = self.source.bearing::<N>(block, lane);
-                sums.bear(lane, &bearing, self.first);
-                let Bearing { tension, twist, longer, .. } = bearing;
-                keep_larger(&mut self.totals.tension, lane, tension.max(-tension));
-                add(&mut self.totals.twist, lane, twist);
-                add(&mut self.totals.longer, lane, longer);
-                let mut side = N::zero();
-                // To what does not touch nothing is added.
-                if normal.any_positive() {
-                    let friction @ [axial, torque] = self.source.friction(block, lane);
-                    let direction = self.source.direction(&place, block, lane);
-                    sums.touch(lane, &Contact { normal, friction, direction });
-                    add(&mut self.totals.normal, lane, normal);
-                    add(&mut self.totals.axial, lane, axial);
-                    add(&mut self.totals.torque, lane, torque);
-                    // By the side on which the node lies, as the sums count it; what does not
-                    // touch is +0.
-                    side = (-direction.up).if_positive(N::zero() - normal, normal);
-                }
-                if let Some(reservoir) = &mut self.reservoir {
-                    reservoir.put(block, lane, [tension, bearing.torque, side, bearing.bending]);
+        let chain = self.source.ends.chain;
+        let parts = R::LANES / DOUBLES;
+        for region in 0..chain.regions() {
+            let mut above = self.source.above::<N>(region);
+            for row in chain.rows_of(region) {
+                for part in 0..parts {
+                    for lane in (0..DOUBLES).step_by(N::WIDTH) {
+                        let lower =
+                            self.add_nodes(row * parts + part, lane, above.at::<N>(part, lane));
+                        above.put(part, lane, lower);
+                    }
                 }
             }
         }
+    }
+
+    /// Adds nodes, and the elements below them; `above` and what comes back are the moments of
+    /// elements at their lower ends.
+    #[inline(always)]
+    fn add_nodes<N: Doubles>(&mut self, block: usize, lane: usize, above: [N; 3]) -> [N; 3] {
+        let sums = &mut self.sums[block];
+        let normal: N = self.source.normal(block, lane);
+        let place = self.source.place(block, lane);
+        sums.lie(lane, &place);
+        keep_larger(&mut self.totals.penetration, lane, place.penetration);
+        let (bearing, lower) = self.source.bearing::<N>(block, lane, above);
+        sums.bear(lane, &bearing, self.first);
+        let Bearing { tension, twist, longer, .. } = bearing;
+        keep_larger(&mut self.totals.tension, lane, tension.max(-tension));
+        add(&mut self.totals.twist, lane, twist);
+        add(&mut self.totals.longer, lane, longer);
+        let mut side = N::zero();
+        // To what does not touch nothing is added.
+        if normal.any_positive() {
+            let friction @ [axial, torque] = self.source.friction(block, lane);
+            let direction = self.source.direction(&place, block, lane);
+            sums.touch(lane, &Contact { normal, friction, direction });
+            add(&mut self.totals.normal, lane, normal);
+            add(&mut self.totals.axial, lane, axial);
+            add(&mut self.totals.torque, lane, torque);
+            // By the side on which the node lies, as the sums count it; what does not touch is +0.
+            side = (-direction.up).if_positive(N::zero() - normal, normal);
+        }
+        if let Some(reservoir) = &mut self.reservoir {
+            reservoir.put(block, lane, [tension, bearing.torque, side, bearing.bending]);
+        }
+        lower
     }
 }
 

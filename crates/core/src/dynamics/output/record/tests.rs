@@ -1,5 +1,7 @@
 //! What the record says of a string whose state is known.
 
+mod joints;
+
 use std::f64::consts::{PI, TAU};
 
 use super::{reservoir::Reservoir, *};
@@ -14,7 +16,7 @@ use crate::{
     string::{ComponentLength, ComponentSpec},
 };
 
-/// Pipe of 5 in over thicker pipe, 60 m each, straight down.
+/// Pipe of 5 in over thicker pipe, 60 m each, straight down, in mud that bears all of its weight.
 fn model() -> Model {
     let part = |od, id| ComponentSpec {
         yield_strength_Pa: Some(724e6),
@@ -22,7 +24,8 @@ fn model() -> Model {
     };
     let parts = vec![part(0.165, 0.0714), part(0.127, 0.1086)];
     let path = arcs(&[[0.0; 3], [120.0, 0.0, 0.0]]);
-    common::model(path, open_hole(0.2159, 0.2, 120.0), parts, mud(1200.0), 120.0)
+    let mud = mud(steel().density_kg_per_m3);
+    common::model(path, open_hole(0.2159, 0.2, 120.0), parts, mud, 120.0)
 }
 
 /// The string at rest on the hole's axis, and the high side of a vertical hole: north.
@@ -89,10 +92,11 @@ fn whirl_goes_round_at_its_rate() {
     }
 }
 
-/// A string bent to a circle of 200 m, under tension and torque: the bending moment is `EI/ρ` and,
-/// since what holds it there holds it at the nodes, `T L²/12ρ` more (`q L²/12` of the load
-/// `q = T/ρ` across it); the stress is that of the textbook. The element's moment goes with the
-/// sine of its bend `L/ρ`: it is less by `(L/ρ)²/6` = 4e-5.
+/// A string bent to a circle of 200 m, under tension and torque: the bending moment is, since what
+/// holds it there holds it at the nodes, `x coth x EI/ρ` at them, `x = (L/2)√(T/EI)` (`T L²/12ρ`
+/// more, where they are near to each other), and `x/sinh x EI/ρ` half-way; the stress is that of the
+/// textbook. The element's moment goes with the sine of half its bend `L/ρ`: it is less by
+/// `(L/ρ)²/24` = 1e-5.
 #[test]
 fn moment_and_stress_of_a_circle() {
     const RADIUS_M: f64 = 200.0;
@@ -122,8 +126,9 @@ fn moment_and_stress_of_a_circle() {
         let index = middle(from_bit_m);
         let second_moment = PI / 64.0 * (od.powi(4) - id.powi(4));
         let area = PI / 4.0 * (od * od - id * id);
-        let held = TENSION_N * mesh.elements[index].length_m.powi(2) / 12.0;
-        let moment = (210e9 * second_moment + held) / RADIUS_M;
+        let stiffness = 210e9 * second_moment;
+        let x = 0.5 * mesh.elements[index].length_m * (TENSION_N / stiffness).sqrt();
+        let moment = stiffness / RADIUS_M * x / x.tanh();
         let bending_stress = moment * od / (2.0 * second_moment);
         let shear = TORQUE_N_M * od / (4.0 * second_moment);
         let stress = (TENSION_N / area + bending_stress).hypot(3.0_f64.sqrt() * shear);
@@ -132,6 +137,8 @@ fn moment_and_stress_of_a_circle() {
         };
         close(record.bending(index), moment);
         close(record.bending_max(index), moment);
+        close(record.between(index), stiffness / RADIUS_M * x / x.sinh());
+        close(record.between_max(index), record.between(index));
         close(record.bending(index) * record.strength().per_modulus_m3(index), bending_stress);
         close(record.stress(index), stress);
         close(record.stress_max(index), stress);
