@@ -1,8 +1,10 @@
 //! Chores of the repository: `cargo xtask test` runs everything that CI runs, `cargo xtask verify`
 //! the tests that take minutes too, `cargo xtask changes` tries the examples of changes, `cargo
 //! xtask fuzz` reads damaged inputs for as long as is asked, `cargo xtask peers` measures other
-//! programs beside this one.
+//! programs beside this one, `cargo xtask accuracy` what the accuracies of the mesh err by.
 
+mod accuracy;
+mod book;
 mod changes;
 mod command;
 mod count;
@@ -40,7 +42,11 @@ usage: cargo xtask test      run everything that CI runs
                              said
        cargo xtask peers [--write]
                              measure other programs beside this one; write the tables into the \
-       book";
+       book
+       cargo xtask accuracy [--write | WORD...]
+                             measure what each accuracy of the mesh errs by, of all cases or of \
+       those whose
+                             titles hold a word; write the table into the book";
 
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
 
@@ -49,6 +55,7 @@ const TEST: &[Step] = &[
     ("Formatting", formatting),
     ("Circles between files", no_cycles),
     ("Table of changes", changes::check_table),
+    ("Table of accuracy", accuracy::check_table),
     ("Bundle of the report", page::bundle),
     ("Lints", lints),
     ("Tests", tests),
@@ -79,6 +86,8 @@ fn main() -> ExitCode {
         ["changes", "--record", name] => exit_code(changes::record(name)),
         ["peers"] => exit_code(peers::side_by_side(false)),
         ["peers", "--write"] => exit_code(peers::side_by_side(true)),
+        ["accuracy", "--write"] => exit_code(accuracy::measure(true, &[])),
+        ["accuracy", ref words @ ..] => exit_code(accuracy::measure(false, words)),
         ["fuzz"] => exit_code(fuzz(&["3600"])),
         ["fuzz", ref fuzz_options @ ..] => exit_code(fuzz(fuzz_options)),
         ["--help" | "-h"] => {

@@ -12,6 +12,7 @@ use std::{
 use serde_json::Value;
 
 use crate::{
+    book,
     command::{Failure, cargo, run},
     finding::Finding,
     folders::{root, target},
@@ -62,10 +63,7 @@ pub(crate) fn side_by_side(write: bool) -> Result<Finding, Failure> {
     let text = format!("On one core of {}.\n\n{dynamics}\n{statics}", processor());
     println!("\n{text}");
     if write {
-        let page = root().join(PAGE);
-        let readable = |error| Failure::new(format!("{}: {error}", page.display()));
-        let old = fs::read_to_string(&page).map_err(readable)?;
-        fs::write(&page, tables::replaced(&old, &text)?).map_err(readable)?;
+        book::write(&root().join(PAGE), "peers", &text)?;
     }
     Ok(Finding::Done)
 }

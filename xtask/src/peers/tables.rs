@@ -1,13 +1,10 @@
-//! The tables of the benchmark against other programs, and their place in the book.
+//! The tables of the benchmark against other programs.
 
 use std::fmt::Write as _;
 
 use serde_json::Value;
 
 use crate::command::Failure;
-
-const BEGIN: &str = "<!-- written by `cargo xtask peers --write`: begin -->\n";
-const END: &str = "<!-- end -->\n";
 
 /// Of each program: what it took for the same work, and whether it answers the same. The first is
 /// what the others are compared with.
@@ -92,14 +89,6 @@ pub(super) fn statics(ours: &Value, theirs: &Value) -> Result<String, Failure> {
     Ok(text)
 }
 
-/// The page with a text in place of what stood between the markers.
-pub(super) fn replaced(page: &str, text: &str) -> Result<String, Failure> {
-    let missing = || Failure::new(format!("the page lacks {}", BEGIN.trim_end()));
-    let (before, rest) = page.split_once(BEGIN).ok_or_else(missing)?;
-    let (_, after) = rest.split_once(END).ok_or_else(missing)?;
-    Ok(format!("{before}{BEGIN}\n{text}\n{END}{after}"))
-}
-
 fn number(of: &Value, key: &str) -> Result<f64, Failure> {
     of[key].as_f64().ok_or_else(|| Failure::new(format!("no number `{key}` in {of}")))
 }
@@ -178,14 +167,5 @@ mod tests {
             text.contains("| drop | all, pieces of 30 m, ms | – | 0.1 | 0.05 | 0.5 times | – |\n")
         );
         assert!(!text.contains("| drop | pick-up"));
-    }
-
-    #[test]
-    fn what_stood_between_the_markers_is_replaced() {
-        let page = format!("before\n{BEGIN}old\n{END}after\n");
-        let new = of(replaced(&page, "new\n"));
-        assert_eq!(new, format!("before\n{BEGIN}\nnew\n\n{END}after\n"));
-        assert_eq!(of(replaced(&new, "new\n")), new);
-        assert!(replaced("no markers", "new").is_err());
     }
 }

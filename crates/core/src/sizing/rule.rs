@@ -35,13 +35,14 @@ const PER_TOUCHING_JOINT: f64 = 4.0;
 /// Elements for a half wave of sinusoidal buckling.
 const PER_HALF_WAVE: f64 = 4.0;
 
-/// Part of the critical load from which a compressed stretch is resolved.
-const NEAR_CRITICAL: f64 = 0.8;
+/// Part of the critical load from which a compressed stretch is resolved. The soft string, which
+/// foretells the compression, knows nothing of what buckling adds to it.
+const NEAR_CRITICAL: f64 = 0.5;
 
-/// How much heavier than the lightest jointed pipe a component of the assembly is, per length.
+/// How much heavier than the lightest pipe a component of the assembly is, per length.
 const HEAVY: f64 = 1.5;
 
-/// Length from which a stretch of light jointed pipe ends the assembly, m.
+/// Length from which a stretch of light pipe ends the assembly, m.
 const PIPE_M: f64 = 60.0;
 
 /// Side force below which pipe hangs: less than a tenth of its weight lies on the wall, N/m.
@@ -137,15 +138,19 @@ fn joint_m(component: &Component) -> Option<f64> {
     (spacing_m >= MIN_JOINT_M).then(|| spacing_m / (spacing_m / MAX_JOINT_M).ceil())
 }
 
-/// Upper end of the bottom-hole assembly, from the bit, m: where ordinary drill pipe begins. None
-/// of a string that is the same from end to end is an assembly.
+/// Upper end of the bottom-hole assembly, from the bit, m: where ordinary drill pipe begins, which
+/// has joints unless nothing in the string has. None of a string that is the same from end to end
+/// is an assembly.
 fn assembly_top_m(model: &Model) -> f64 {
-    let jointed = model.string.components().iter().filter(|one| joint_m(one).is_some());
-    let lightest = jointed.map(|one| one.mass_per_length_kg_per_m).fold(f64::INFINITY, f64::min);
+    let components = model.string.components();
+    let any_jointed = components.iter().any(|one| joint_m(one).is_some());
+    let may_be = |one: &Component| {
+        if any_jointed { joint_m(one).is_some() } else { one.length_m >= PIPE_M }
+    };
+    let lightest = components.iter().filter(|one| may_be(one));
+    let lightest = lightest.map(|one| one.mass_per_length_kg_per_m).fold(f64::INFINITY, f64::min);
     let is_pipe = |one: &Component| {
-        one.length_m >= PIPE_M
-            && joint_m(one).is_some()
-            && one.mass_per_length_kg_per_m < HEAVY * lightest
+        one.length_m >= PIPE_M && may_be(one) && one.mass_per_length_kg_per_m < HEAVY * lightest
     };
     let mut spans = model.string.spans();
     spans.find(|span| is_pipe(span.component)).map_or(0.0, |pipe| pipe.from_bit_m)

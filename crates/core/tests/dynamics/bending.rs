@@ -119,7 +119,7 @@ fn one_element_between_joints_bends_as_eight_do() {
 
     for elements in [1, 8] {
         let mut case = Case::new(model.clone(), operation(OperationKind::RotateOffBottom, depth_m));
-        case.settings.element_length = ElementLength::Uniform(SPACING_M / f64::from(elements));
+        case.settings.mesh = MeshSettings::uniform(SPACING_M / f64::from(elements));
         case.lasts(6.0, 2.0);
         let nodes: Profile = case.run().nodes;
         // The nodes of the joints, by what they bear alone.
