@@ -76,11 +76,12 @@ pub enum TuningError {
 /// within [`DynamicsSettings::lift_tolerance`], and gives back the run with it, finished.
 ///
 /// Each try is the whole run, from its start to the end of its window. The first is the hook load
-/// of the soft string (for [`FrictionLaw::Independent`] that of a string which slides, as that law
-/// drags). From there the hook load changes by the error of the weight, in growing
-/// steps, until the root is bracketed; between the two ends it follows the secant, the end that
-/// stays halved each time (the Illinois rule). Where several lifts give the weight, it is
-/// the one that this finds: the same on every run.
+/// of the soft string; for [`FrictionLaw::Independent`], which drags a string that turns too, the
+/// mean of that and of the hook load of one that slides. The second differs by the error of the
+/// weight, the next follow the secant through the last two, no step more than twice the one before,
+/// until the root is bracketed; between the two ends it is their secant, the end that stays halved
+/// each time (the Illinois rule). Where several lifts give the weight, it is the one that this
+/// finds: the same on every run, whatever other cases are solved.
 ///
 /// `watch` is shown the number of the try, from one, and its run a few times each simulated second;
 /// the search stops where it answers `false`, or where the `executor`, which works on solid rock
@@ -101,7 +102,7 @@ pub fn tune_hook_load(
     if target_N <= 0.0 {
         return Err(TuningError::NoWeight(operation.kind.name()));
     }
-    let mut search = Search::new(target_N, guess_N(model, operation, settings)?);
+    let mut search = Search::new(guess_N(model, operation, settings)?);
     let mut nearest: Option<TunedHookLoad> = None;
     for run in 1..=MAX_TUNING_RUNS {
         let settings = DynamicsSettings {
@@ -152,32 +153,49 @@ pub fn tune_hook_load(
 /// Simulated time between two checks of who watches, s.
 const WATCH_INTERVAL_S: f64 = 0.2;
 
-/// The hook load of the soft string, N.
+/// The hook load of the soft string, N. A string that turns under the independent law is dragged
+/// by as much as it slides: by something between nothing and all that friction holds, and so the
+/// guess is the middle.
 fn guess_N(
     model: &Model,
     operation: &Operation,
     settings: &DynamicsSettings,
 ) -> Result<f64, SoftError> {
-    let mut operation = *operation;
-    if settings.friction_law == FrictionLaw::Independent && operation.kind.on_bottom() {
-        operation.kind = operation.kind.without_rotation();
+    let hook_load_N = |operation: &Operation| {
+        let profile = soft::solve(model, operation, &SoftSettings::default())?;
+        Ok(profile.scalars.hook_load_N.max(0.0))
+    };
+    let guess_N = hook_load_N(operation)?;
+    if settings.friction_law != FrictionLaw::Independent {
+        return Ok(guess_N);
     }
-    let profile = soft::solve(model, &operation, &SoftSettings::default())?;
-    Ok(profile.scalars.hook_load_N.max(0.0))
+    let slid = Operation { kind: operation.kind.without_rotation(), ..*operation };
+    Ok(0.5 * (guess_N + hook_load_N(&slid)?))
 }
 
 /// Least part of the way from one side to the other that a secant goes: it does not creep along a
 /// bend.
 const MIN_PART: f64 = 0.08;
 
-/// By what the steps grow as long as one side has not been found.
-const GROWTH: f64 = 1.6;
+/// How many times as long as the last a step is at most, as long as one side has not been found.
+const GROWTH: f64 = 2.0;
 
 /// A lift, and by what the weight on bit exceeds the target with it.
 #[derive(Debug, Clone, Copy)]
 struct Try {
     lift_N: f64,
     excess_N: f64,
+}
+
+impl Try {
+    /// How far the lift must change, by the secant through this and the `last` one; where there is
+    /// none the weight follows the lift one for one, as without friction. Infinite where the weight
+    /// does not answer, or with more lift grows.
+    fn step_N(self, last: Option<Self>) -> f64 {
+        let per_lift =
+            last.map_or(1.0, |last| (last.excess_N - self.excess_N) / (self.lift_N - last.lift_N));
+        if per_lift > 0.0 { self.excess_N.abs() / per_lift } else { f64::INFINITY }
+    }
 }
 
 /// The search for a lift: more lift leaves less weight on the bit.
@@ -188,18 +206,20 @@ struct Search {
     /// The last one that left too much weight, and the last one that left too little.
     heavy: Option<Try>,
     light: Option<Try>,
-    was_heavy: Option<bool>,
+    last: Option<Try>,
+    /// Length of the last step, infinite before the first.
     step_N: f64,
 }
 
 impl Search {
-    fn new(target_N: f64, lift_N: f64) -> Self {
-        Self { lift_N, heavy: None, light: None, was_heavy: None, step_N: 0.2 * target_N }
+    fn new(lift_N: f64) -> Self {
+        Self { lift_N, heavy: None, light: None, last: None, step_N: f64::INFINITY }
     }
 
     /// Chooses the next lift, now that this one leaves so much too much weight, N.
     fn learn(&mut self, excess_N: f64) {
         let tried = Try { lift_N: self.lift_N, excess_N };
+        let last = self.last.replace(tried);
         let is_heavy = excess_N > 0.0;
         let (same, other) = if is_heavy {
             (&mut self.heavy, &mut self.light)
@@ -207,12 +227,11 @@ impl Search {
             (&mut self.light, &mut self.heavy)
         };
         *same = Some(tried);
-        if self.was_heavy == Some(is_heavy)
+        if last.is_some_and(|last| (last.excess_N > 0.0) == is_heavy)
             && let Some(stale) = other
         {
             stale.excess_N *= 0.5;
         }
-        self.was_heavy = Some(is_heavy);
         self.lift_N = match (self.heavy, self.light) {
             (Some(heavy), Some(light)) => {
                 let part = heavy.excess_N / (heavy.excess_N - light.excess_N);
@@ -220,9 +239,8 @@ impl Search {
                 heavy.lift_N + part * (light.lift_N - heavy.lift_N)
             }
             _ => {
-                let step = self.step_N.max(excess_N.abs());
-                self.step_N = GROWTH * step;
-                (tried.lift_N + step.copysign(excess_N)).max(0.0)
+                self.step_N = tried.step_N(last).min(GROWTH * self.step_N);
+                (tried.lift_N + self.step_N.copysign(excess_N)).max(0.0)
             }
         };
     }
@@ -235,7 +253,7 @@ mod tests {
 
     /// Tries until a lift is within a hundredth of the target; how many it took.
     fn tries(target_N: f64, first_N: f64, weight_N: impl Fn(f64) -> f64) -> Option<usize> {
-        let mut search = Search::new(target_N, first_N);
+        let mut search = Search::new(first_N);
         (1..=MAX_TUNING_RUNS).find(|_| {
             let excess_N = weight_N(search.lift_N) - target_N;
             if excess_N.abs() <= WEIGHT_TOLERANCE * target_N {
@@ -251,6 +269,17 @@ mod tests {
     fn a_straight_line_takes_two_tries() {
         for first in [300e3, 500e3, 900e3] {
             assert_eq!(tries(60e3, first, |lift| 660e3 - lift), Some(2));
+        }
+    }
+
+    /// A weight that answers the lift by half or by three times as much shows its slope in two tries.
+    #[test]
+    fn a_steeper_or_flatter_line_takes_three_tries() {
+        for slope in [0.5, 2.0, 3.0] {
+            for first in [500e3, 590e3, 640e3] {
+                let weight = |lift: f64| 60e3 + slope * (600e3 - lift);
+                assert_eq!(tries(60e3, first, weight), Some(3), "{slope} from {first} N");
+            }
         }
     }
 
