@@ -86,6 +86,9 @@ kinds! {
     BitTableLeft, "bit_table_left", Ratio;
     /// Standard deviation of the tension of a node, against what its neighbours let expect.
     NodeUnsettled, "node_unsettled", Force;
+    /// Standard deviation of the friction torque of a string that the bit shakes, where elements
+    /// from joint to joint leave out how the pipe vibrates between its contacts.
+    BendingWavesLeftOut, "bending_waves_left_out", Torque;
     /// Means of the window drift: what they are depends on when it began.
     WindowDrifts, "window_drifts", Ratio;
     /// The string was not steady when settling ended, after this time.

@@ -5,6 +5,7 @@ use crate::{
     dynamics::{DynamicOutcome, TableUse},
     model::Model,
     outcome::Profile,
+    sizing::SizeReason,
 };
 
 /// Parts of the string's mean clearance. A wall is to hold a pipe at the clearance that the hole
@@ -31,6 +32,9 @@ const NEIGHBOURS_M: f64 = 100.0;
 /// ... and by more than this part of the largest tension or compression, never settled.
 const SWINGS: f64 = 0.02;
 
+/// A bit whose weight varies by more than this part of its mean shakes the string.
+const SHAKEN: f64 = 0.02;
+
 /// Of a run that was computed to its end.
 pub fn findings(model: &Model, outcome: &DynamicOutcome) -> Vec<Finding> {
     let of = &outcome.numerics;
@@ -39,6 +43,7 @@ pub fn findings(model: &Model, outcome: &DynamicOutcome) -> Vec<Finding> {
     found.extend(energy_residual(of.energy_residual));
     found.extend(outcome.bit_table.and_then(|of| bit_table(&of)));
     found.extend(unsettled(&outcome.nodes));
+    found.extend(bending_waves(outcome));
     found
 }
 
@@ -83,6 +88,17 @@ fn bit_table(of: &TableUse) -> Option<Finding> {
     (of.outside_fraction > 0.0).then(|| {
         Finding::new(Kind::BitTableLeft, Level::Warning).value(of.outside_fraction).limit(0.0)
     })
+}
+
+/// A shaken string of which most elements reach from one contact to the next.
+fn bending_waves(outcome: &DynamicOutcome) -> Option<Finding> {
+    let weight = outcome.statistic("weight_on_bit_N")?;
+    let friction = outcome.statistic("friction_torque_N_m")?;
+    let reasons = &outcome.nodes.element_size;
+    let long = |of: &&SizeReason| matches!(of, SizeReason::JointToJoint | SizeReason::PlainPipe);
+    let most = 2 * reasons.iter().filter(long).count() > reasons.len();
+    (most && weight.std > SHAKEN * weight.mean.abs() && friction.mean != 0.0)
+        .then(|| Finding::new(Kind::BendingWavesLeftOut, Level::Note).value(friction.std))
 }
 
 /// The node that is most restless against its neighbours.

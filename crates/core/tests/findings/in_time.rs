@@ -7,6 +7,7 @@ use wholestring::{
     findings::{Finding, Kind, Level, of_dynamic},
     operation::OperationKind::*,
     prelude::*,
+    sizing::SizeReason,
 };
 
 use crate::judged::*;
@@ -276,6 +277,30 @@ fn numbers_that_are_not_to_be_trusted() {
     for (fraction, level) in [(0.0, None), (0.01, Some(Level::Warning))] {
         ran.outcome.bit_table = Some(of(fraction));
         assert_eq!(ran.level(Kind::BitTableLeft), level);
+    }
+}
+
+/// A bit that shakes a string of elements from joint to joint is a note, one that does not is not,
+/// nor is one on shorter elements.
+#[test]
+fn a_shaken_string_of_long_elements() {
+    let mut ran = Ran::new(Drill);
+    let shakes = |ran: &mut Ran, part: f64, reason: SizeReason| {
+        ran.outcome.nodes.element_size.fill(reason);
+        let statistics = &mut ran.outcome.statistics;
+        let weight = statistics.iter_mut().find(|(name, _)| *name == "weight_on_bit_N");
+        let (_, weight) = weight.expect("a weight on bit");
+        weight.std = part * weight.mean;
+        ran.level(Kind::BendingWavesLeftOut)
+    };
+    for (part, reason, level) in [
+        (0.021, SizeReason::JointToJoint, Some(Level::Note)),
+        (0.021, SizeReason::PlainPipe, Some(Level::Note)),
+        (0.019, SizeReason::JointToJoint, None),
+        (0.021, SizeReason::Given, None),
+        (0.021, SizeReason::BodyContact, None),
+    ] {
+        assert_eq!(shakes(&mut ran, part, reason), level, "{part} {reason:?}");
     }
 }
 

@@ -77,6 +77,12 @@ pub(super) fn sentence(
             words.force(words.value()),
             words.force(words.limit() / 10.0),
         ),
+        Kind::BendingWavesLeftOut => format!(
+            "The friction torque varies by more than ± {}, and so does the side force: elements \
+             from joint to joint leave out how the shaken pipe vibrates between its contacts. \
+             mesh.element_length = \"3.2 m\" has most of it",
+            words.torque(words.value())
+        ),
         Kind::WindowDrifts => drift::sentence(of, units)
             .unwrap_or_else(|| "The means of the window drift: settle longer".to_owned()),
         Kind::NeverSteady => format!(
