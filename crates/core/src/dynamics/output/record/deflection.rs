@@ -1,9 +1,6 @@
 //! How elements are bent and where they are: read from the chain.
 
-use super::{
-    lane::{Lane, at, at3, put},
-    shapes::ShapeBlock,
-};
+use super::lane::{Lane, at, at3, put};
 use crate::{
     dynamics::{
         body::Body,
@@ -65,31 +62,10 @@ pub struct Deflection<N> {
     pub weight: Vector<N>,
 }
 
-/// An element bent so far that it bears, N·m, towards the centre of curvature.
-#[derive(Debug, Clone, Copy)]
-pub struct Moments<N> {
-    /// At its upper end.
-    pub upper: Vector<N>,
-    /// At its lower end.
-    pub lower: Vector<N>,
-    /// Half-way.
-    pub half_way: Vector<N>,
-}
-
 impl<N: Doubles> Deflection<N> {
-    /// The moments by the shape that the element had when last looked at.
-    #[inline(always)]
-    pub fn moments(&self, shape: &ShapeBlock, lane: usize) -> Moments<N> {
-        let at_ends = at::<N, f64>(&shape.at_ends, lane);
-        let half_way = at::<N, f64>(&shape.half_way, lane);
-        let odd = self.odd.scaled(at(&shape.odd, lane));
-        let even = self.by(at_ends);
-        Moments { upper: even - odd, lower: even + odd, half_way: self.by(half_way) }
-    }
-
     /// `EI β` and so much of the load `T β + q`, m².
     #[inline(always)]
-    fn by(&self, part: N) -> Vector<N> {
+    pub fn by(&self, part: N) -> Vector<N> {
         self.even.scaled(self.bending + part * self.pull) + self.weight.scaled(part)
     }
 
@@ -110,13 +86,13 @@ pub struct Around<N> {
 }
 
 impl<R: Real> Ends<'_, R> {
-    /// How elements are bent.
+    /// How elements are bent; of what inverse of a rest length, 1/m, and buoyed weight, N/m.
     #[inline(always)]
     pub fn deflection<N: Doubles>(
         &self,
-        shape: &ShapeBlock,
         block: usize,
         lane: usize,
+        [rest, weight]: [N; 2],
     ) -> Deflection<N> {
         let (row, part) = Layout::row_of::<R>(block);
         let (elements, state) = (&self.chain.element_blocks[row], &self.chain.states[row]);
@@ -127,10 +103,8 @@ impl<R: Real> Ends<'_, R> {
         // Newton's step from the rest length to the inverse of the chord's: a stretch of 1e-3
         // leaves 1.5e-6, and no root is drawn.
         let [half, three_halves] = [0.5, 1.5].map(N::splat);
-        let rest = at::<N, f64>(&shape.per_length, lane);
         let t = chord.scaled(rest * (three_halves - half * chord.dot(chord) * rest * rest));
         let (sum, apart) = (d1 + d2, d2 - d1);
-        let weight = at::<N, f64>(&shape.weight, lane);
         let Vector(x, y, z) = t;
         let along = weight * z;
         Deflection {
@@ -143,9 +117,9 @@ impl<R: Real> Ends<'_, R> {
     }
 
     /// Where the middles of the chords of elements are. Between its anchors the hole is the parabola
-    /// that has its tangent at the upper one.
+    /// that has its tangent at the upper one. `rest` is the inverse of their rest lengths, 1/m.
     #[inline(always)]
-    pub fn around<N: Doubles>(&self, shape: &ShapeBlock, block: usize, lane: usize) -> Around<N> {
+    pub fn around<N: Doubles>(&self, block: usize, lane: usize, rest: N) -> Around<N> {
         let (row, part) = Layout::row_of::<R>(block);
         let (nodes, state) = (&self.chain.node_blocks[row], &self.chain.states[row]);
         let (u1, u2) = (
@@ -156,7 +130,6 @@ impl<R: Real> Ends<'_, R> {
         let tangent = at3(parts(&nodes.tangent, part), lane);
         let curvature = at3(parts(&nodes.curvature, part), lane);
         let [half, quarter] = [0.5, 0.25].map(N::splat);
-        let rest = at::<N, f64>(&shape.per_length, lane);
         let moved = (u1 + u2).scaled(half);
         let along = chord.scaled(rest);
         let z = moved.dot(along);

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     above::Above,
     beam_column::{BeamColumn, Middle},
-    deflection::Ends,
+    deflection::{Deflection, Ends},
     lane::{Lane, add, at, put},
 };
 use crate::{
@@ -18,6 +18,7 @@ use crate::{
         dispatch::{for_each_instruction_set, with_fastest_instruction_set},
         lanes::DOUBLES,
         number::{Doubles, Real},
+        vector::Vector,
     },
 };
 
@@ -76,6 +77,17 @@ impl ShapeBlock {
             self;
         [per_length, weight, at_ends, half_way, odd, column, stiffness, radius]
     }
+}
+
+/// What elements bear, N·m, towards the centre of curvature.
+#[derive(Debug, Clone, Copy)]
+pub struct Moments<N> {
+    /// At their upper ends.
+    pub upper: Vector<N>,
+    /// At their lower ends.
+    pub lower: Vector<N>,
+    /// Half-way.
+    pub half_way: Vector<N>,
 }
 
 /// The shapes of all elements.
@@ -196,6 +208,31 @@ impl Shapes {
 }
 
 impl ShapeBlock {
+    /// What the elements at lanes of a block bear, in the shape that they had when last looked at.
+    #[inline(always)]
+    pub fn moments<N: Doubles, R: Real>(
+        &self,
+        ends: &Ends<'_, R>,
+        block: usize,
+        lane: usize,
+    ) -> Moments<N> {
+        let deflection = self.deflection::<N, R>(ends, block, lane);
+        let even = deflection.by(at(&self.at_ends, lane));
+        let odd = deflection.odd.scaled(at(&self.odd, lane));
+        let half_way = deflection.by(at(&self.half_way, lane));
+        Moments { upper: even - odd, lower: even + odd, half_way }
+    }
+
+    #[inline(always)]
+    fn deflection<N: Doubles, R: Real>(
+        &self,
+        ends: &Ends<'_, R>,
+        block: usize,
+        lane: usize,
+    ) -> Deflection<N> {
+        ends.deflection(block, lane, [at(&self.per_length, lane), at(&self.weight, lane)])
+    }
+
     /// Looks at the elements at lanes of a block; `held` is what the elements above hold the nodes
     /// with. What these ones hold their ends with, N·m.
     #[inline(always)]
@@ -206,8 +243,8 @@ impl ShapeBlock {
         held: N,
         counts: bool,
     ) -> N {
-        let deflection = ends.deflection::<N>(self, block, lane);
-        let around = ends.around(self, block, lane);
+        let deflection = self.deflection::<N, R>(ends, block, lane);
+        let around = ends.around(block, lane, at(&self.per_length, lane));
         let (row, part) = Layout::row_of::<R>(block);
         let elements = &ends.chain.element_blocks[row];
         let [length, far] =
