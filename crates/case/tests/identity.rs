@@ -195,7 +195,7 @@ fn bases() -> Vec<String> {
         )),
         with("contact_law = \"hertz\"", "contact_law = \"linear\""),
         with("start = \"prepared\"", "start = \"centred\""),
-        with("element_length = \"3.2 m\"", "element_length = \"auto\""),
+        with("element_length = \"auto\"", "element_length = \"3.2 m\""),
         with("friction = 0.3\n[[well", "friction = { kinetic = 0.3, static = 0.35 }\n[[well"),
     ]
 }

@@ -15,7 +15,7 @@ fn values() {
         start_without_tension: `start = "prepared"` -> `start = "centred"\nstart_tension = "none"`
         start_ramp_negative: `start = "prepared"` -> `start = "centred"\nstart_ramp = -1`
         settle_misspelt: `settle = "20 s"` -> `settle = "auot"`
-        elements_too_short: `"3.2 m"` -> `"3.2 mm"`
+        elements_too_short: `"auto"` -> `"3.2 mm"`
         rows_without_end: `"60 s"` -> `"86400 s"`
         window_without_samples: `"60 s"` -> `"1 ms"`
         checkpoints_all_the_time: `duration = "60 s"`
@@ -29,12 +29,12 @@ fn values() {
         (
             "step_of_nanoseconds",
             changed("duration = \"60 s\"", "damping.stiffness = \"10 ms\"\nduration = \"60 s\"")
-                .replace("\"3.2 m\"", "\"0.2 m\""),
+                .replace("\"auto\"", "\"0.2 m\""),
         ),
         (
             "run_of_weeks",
             changed("duration = \"60 s\"", "sample_interval = 1\nduration = \"86400 s\"")
-                .replace("\"3.2 m\"", "\"0.2 m\"")
+                .replace("\"auto\"", "\"0.2 m\"")
                 .replace("bit_depth = \"4305 m\"", "bit_depth = \"19999 m\"")
                 .replace("to = \"4305 m\"", "to = \"20000 m\""),
         ),
@@ -57,7 +57,7 @@ fn precision() {
     each_refused(
         r#"
         precision_unknown: `seed = 1` -> `seed = 1\nprecision = "half"`
-        precision_of_short_elements: `element_length = "3.2 m"\n\n[dynamics]`
+        precision_of_short_elements: `element_length = "auto"\n\n[dynamics]`
             -> `element_length = "0.5 m"\n\n[dynamics]\nprecision = "single"`
         "#,
     );

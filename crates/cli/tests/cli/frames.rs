@@ -21,7 +21,8 @@ fn frames_and_spectra() {
          --set 'records.channels=[\"rotation\", \"force\"]' --set records.spectra=hook_load \
          --set 'records.node_spectra=[\"rotary_speed\", \"tension\"]' \
          --set 'records.node_spectra_at=[\"0 m\", \"150 m\"]' \
-         --set 'records.spectrum_segment=1 s' --set model=dynamic",
+         --set 'records.spectrum_segment=1 s' --set model=dynamic \
+         --set mesh.element_length=3.2m",
     ));
 
     let frames = desk.table("out/frames.parquet");

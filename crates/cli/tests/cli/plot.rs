@@ -39,7 +39,7 @@ fn a_run_is_drawn() {
     let desk = Desk::new();
     let more = args(
         r#"--set records.spectra=["hook_load"] --set records.node_spectra=["torque"]
-           --set 'records.node_spectra_at=["100 m", "500 m"]'"#,
+           --set 'records.node_spectra_at=["100 m", "500 m"]' --set mesh.element_length=3.2m"#,
     );
     run(&desk, "out", &more);
     let output = desk.done(&["plot", "out", "--units", "field", "--png"]);

@@ -14,7 +14,8 @@ fn read(page: &str) -> Report {
     serde_json::from_str(json).expect("a report")
 }
 
-const WITH_FRAMES: [&str; 4] = ["-o", "out", "--set", "records.frames=50Hz"];
+const WITH_FRAMES: [&str; 6] =
+    ["-o", "out", "--set", "records.frames=50Hz", "--set", "mesh.element_length=3.2m"];
 
 #[test]
 fn a_run_writes_it_and_report_makes_it_again() {
@@ -101,6 +102,7 @@ fn a_report_of_a_minute_stays_small() {
     let desk = Desk::new();
     desk.done(&args(
         r#"run slant.toml -o out --set dynamics.duration=60s --set records.frames=100Hz
+           --set mesh.element_length=3.2m
            --set 'operation.kind=["trip_out", "rotate_off_bottom", "drill"]'"#,
     ));
     let page = desk.text("out/report.html");
