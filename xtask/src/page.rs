@@ -47,6 +47,9 @@ pub(crate) fn browser() -> Result<Finding, Failure> {
         "records.frames=20Hz",
         "--set",
         r#"operation.kind=["trip_out", "rotate_off_bottom", "drill"]"#,
+        // Nodes nearer to each other than joints are.
+        "--set",
+        "mesh.element_length=3.2m",
     ];
     page(["run", SLANT], &frames, &browser, "page.mjs")?;
     works(&target().join("run-page"), &browser, "findings.mjs")?;
