@@ -46,8 +46,8 @@ table! {
             words: &[("one", Regions::One), ("auto", Regions::Auto)],
         });
         /// What every length is divided by, given or chosen by itself: for convergence studies,
-        /// such
-        /// as `--vary mesh.refinement=1,2`. `run --converge` compares the case with twice of it.
+        /// such as `--vary mesh.refinement=1,2`. `run --converge` compares the case with twice of
+        /// it.
         refinement: u64 = default(
             Count { from: 1, to: 16 },
             u64::from(MeshSettings::default().refinement),
