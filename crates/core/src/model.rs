@@ -18,6 +18,13 @@ pub struct Model {
     pub rig: Rig,
 }
 
+/// A bit with less clearance than this fills its hole, m: contact and friction of its body would be
+/// those of a pipe that whirls in half a millimetre.
+const SNUG_M: f64 = 2e-3;
+
+/// Length of a bit over its diameter, at most: as much is held of a string that names no bit.
+const BIT_DIAMETERS: f64 = 2.0;
+
 /// The mud at rest in the well.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MudColumn {
@@ -36,6 +43,24 @@ impl Model {
         MudColumn {
             weight_N_per_m3: self.mud.density_kg_per_m3 * GRAVITY_M_PER_S2,
             surface_m: self.well.path.at(0.0).position_m.z,
+        }
+    }
+
+    /// Length of the lower end that is held to the hole's axis instead of touching the wall, m.
+    ///
+    /// The lowest node always is. Where the first component fills the drilled hole, all of it is if it
+    /// is a [bit](crate::string::Component::is_bit); of a motor or a collar without a bit no more than
+    /// a bit's length, for its body is pressed against the wall like any other.
+    pub(crate) fn held_length_m(&self) -> f64 {
+        let lowest = &self.string.components()[0];
+        let drilled = 0.5 * self.well.hole.at(self.string.length_m()).diameter_m;
+        if drilled - 0.5 * lowest.od_m >= SNUG_M {
+            return f64::MIN_POSITIVE;
+        }
+        if lowest.is_bit() {
+            lowest.length_m
+        } else {
+            lowest.length_m.min(BIT_DIAMETERS * lowest.od_m)
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{
     column::{columns, unlike_declared},
-    method::{IN_TIME, ModelKind},
+    method::{IN_ELEMENTS, IN_TIME, ModelKind},
 };
 use crate::sizing::SizeReason;
 
@@ -27,7 +27,7 @@ columns! {
         torque_std_N_m: Vec<f64> => Torque,
             "Standard deviation of `torque_N_m`", known_by IN_TIME;
         contact_force_N: Vec<f64> => Force, "Contact force of the node itself",
-            label "Contact force of the node", known_by IN_TIME;
+            label "Contact force of the node", known_by IN_ELEMENTS;
         contact_force_std_N: Vec<f64> => Force,
             "Standard deviation of `contact_force_N`", known_by IN_TIME;
         contact_force_max_N: Vec<f64> => Force,
@@ -122,10 +122,10 @@ columns! {
         lateral_speed_rms_m_per_s: Vec<f64> => Speed,
             "Root mean square of the lateral speed", known_by IN_TIME;
         element_length_m: Vec<f64> => Length,
-            "Length of the element below the node; at the bit, of the one above", known_by IN_TIME;
+            "Length of the element below the node; at the bit, of the one above", known_by IN_ELEMENTS;
         element_size = size_reasons => Ratio,
             "What asked for that length: `given`, or where the mesh chooses itself `joint to joint`, \
-             `plain pipe`, `assembly`, `body contact` or `compression`", known_by IN_TIME;
+             `plain pipe`, `assembly`, `body contact` or `compression`", known_by IN_ELEMENTS;
     }
     beside {
         /// What asked for the length of each node's element.

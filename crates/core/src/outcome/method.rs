@@ -23,6 +23,8 @@ pub struct Method {
     /// Whether it answers in time: series, statistics over a window, spectra, frames; what a
     /// schedule changes on the way. The others answer with one state of equilibrium.
     pub in_time: bool,
+    /// Whether it cuts the string into elements, whose nodes touch the wall or not.
+    pub has_elements: bool,
     /// Whether its forces hold the friction of a helix, which presses itself against the wall.
     pub has_helix_friction: bool,
     /// How long it takes.
@@ -60,7 +62,18 @@ methods! {
         long_name: "soft string",
         curve_name: "soft string",
         in_time: false,
+        has_elements: false,
         has_helix_friction: false,
+        cost: Cost::Milliseconds,
+    };
+    /// Stiff string: static equilibrium with bending stiffness and clearance.
+    Stiff => Method {
+        name: "stiff",
+        long_name: "stiff string",
+        curve_name: "stiff string",
+        in_time: false,
+        has_elements: true,
+        has_helix_friction: true,
         cost: Cost::Milliseconds,
     };
     /// Dynamics of the whole string in time.
@@ -69,6 +82,7 @@ methods! {
         long_name: "dynamics",
         curve_name: "dynamics, mean",
         in_time: true,
+        has_elements: true,
         has_helix_friction: true,
         cost: Cost::Minutes,
     };
@@ -119,26 +133,40 @@ impl ModelKind {
     }
 }
 
-/// The methods that answer in time.
-pub(crate) const IN_TIME: &[ModelKind] = &{
-    let mut all = [ModelKind::ALL[0]; in_time(&mut [])];
-    in_time(&mut all);
-    all
-};
-
-/// Writes the methods that answer in time, as far as there is room; how many there are.
-const fn in_time(to: &mut [ModelKind]) -> usize {
-    let (mut found, mut place) = (0, 0);
-    while place < ModelKind::ALL.len() {
-        if ModelKind::ALL[place].in_time() {
-            if found < to.len() {
-                to[found] = ModelKind::ALL[place];
+/// Declares a list of the methods of which something is so.
+macro_rules! methods_that {
+    ($(#[$about:meta])* $list:ident, $is:ident) => {
+        $(#[$about])*
+        pub(crate) const $list: &[ModelKind] = &{
+            let mut all = [ModelKind::ALL[0]; {
+                let (mut found, mut place) = (0, 0);
+                while place < ModelKind::ALL.len() {
+                    found += ModelKind::ALL[place].method().$is as usize;
+                    place += 1;
+                }
+                found
+            }];
+            let (mut found, mut place) = (0, 0);
+            while place < ModelKind::ALL.len() {
+                if ModelKind::ALL[place].method().$is {
+                    all[found] = ModelKind::ALL[place];
+                    found += 1;
+                }
+                place += 1;
             }
-            found += 1;
-        }
-        place += 1;
-    }
-    found
+            all
+        };
+    };
+}
+
+methods_that! {
+    /// The methods that answer in time.
+    IN_TIME, in_time
+}
+
+methods_that! {
+    /// The methods that cut the string into elements.
+    IN_ELEMENTS, has_elements
 }
 
 const LISTED: [u8; list_names(&mut [])] = {

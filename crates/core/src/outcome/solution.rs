@@ -7,7 +7,7 @@ use super::{
 use crate::{
     dynamics::{DynamicOutcome, Indicators, Numerics, Statistic, TableUse},
     mud::Hydraulics,
-    statics::soft::SoftProfile,
+    statics::{soft::SoftProfile, stiff::StiffProfile},
 };
 
 /// The answer of a method, for whoever writes it down, draws it or compares it.
@@ -50,6 +50,28 @@ impl<'a> From<&'a SoftProfile> for Solution<'a> {
         let SoftProfile { profile, contact_direction: _, wear, scalars, hydraulics } = of;
         Self {
             model: ModelKind::Soft,
+            scalars: *scalars,
+            hydraulics: *hydraulics,
+            profile,
+            wear,
+            in_time: None,
+        }
+    }
+}
+
+impl<'a> From<&'a StiffProfile> for Solution<'a> {
+    fn from(of: &'a StiffProfile) -> Self {
+        let StiffProfile {
+            profile,
+            wear,
+            scalars,
+            hydraulics,
+            bit_side_force_N: _,
+            bit_tilt_rad: _,
+            convergence: _,
+        } = of;
+        Self {
+            model: ModelKind::Stiff,
             scalars: *scalars,
             hydraulics: *hydraulics,
             profile,

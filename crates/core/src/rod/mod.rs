@@ -13,7 +13,9 @@
 //! type Register = <f64 as wholestring::rod::number::Real>::Xmm;
 //! ```
 
+pub(crate) mod beam_column;
 pub mod bent;
+pub(crate) mod contact_length;
 pub mod dual;
 pub mod element;
 pub(crate) mod imbalance;
@@ -21,6 +23,7 @@ pub mod mesh;
 pub mod regions;
 pub mod section;
 pub mod stability;
+pub(crate) mod tangent;
 pub mod torsion;
 
 pub use crate::simd::vector;

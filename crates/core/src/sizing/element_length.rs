@@ -24,3 +24,10 @@ pub enum Accuracy {
     /// Half of the standard elements, everywhere.
     Fine,
 }
+
+impl Default for ElementLength {
+    /// Of the length that the string asks for, standard accuracy.
+    fn default() -> Self {
+        Self::Auto(Accuracy::default())
+    }
+}

@@ -1,5 +1,8 @@
 //! Static torque and drag.
 
 pub mod buckling;
+mod circulation;
+mod sliding;
 pub mod soft;
 pub mod span;
+pub mod stiff;

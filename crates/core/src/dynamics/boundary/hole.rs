@@ -36,27 +36,6 @@ pub struct Borehole {
     pub intricate: bool,
 }
 
-/// A bit with less clearance than this fills its hole, m: contact and friction of its body would be
-/// those of a pipe that whirls in half a millimetre.
-const SNUG_M: f64 = 2e-3;
-
-/// Length of a bit over its diameter, at most: as much is held of a string that names no bit.
-const BIT_DIAMETERS: f64 = 2.0;
-
-/// Length of the lower end that is held to the hole's axis instead of touching the wall, m.
-///
-/// The lowest node always is. Where the first component fills the drilled hole, all of it is if it
-/// is a [bit](crate::string::Component::is_bit); of a motor or a collar without a bit no more than
-/// a bit's length, for its body is pressed against the wall like any other.
-fn held_length_m(model: &Model) -> f64 {
-    let lowest = &model.string.components()[0];
-    let drilled = 0.5 * model.well.hole.at(model.string.length_m()).diameter_m;
-    if drilled - 0.5 * lowest.od_m >= SNUG_M {
-        return f64::MIN_POSITIVE;
-    }
-    if lowest.is_bit() { lowest.length_m } else { lowest.length_m.min(BIT_DIAMETERS * lowest.od_m) }
-}
-
 impl Borehole {
     /// The borehole around a chain made of `mesh`.
     pub fn new(model: &Model, mesh: &Mesh, law: ContactLaw) -> Self {
@@ -69,7 +48,7 @@ impl Borehole {
             })
             .collect();
         // The top is clamped in the rotary; the bit is held by the hole that it cuts.
-        let held_to_m = held_length_m(model);
+        let held_to_m = model.held_length_m();
         let touches: Vec<Option<f64>> = mesh
             .nodes
             .iter()

@@ -1,6 +1,5 @@
 //! What is recorded of a run, and what is made of it.
 
-pub mod contact_length;
 pub mod drift;
 pub mod energy;
 pub mod frame;

@@ -1,7 +1,6 @@
 //! From the record of a run to its answer.
 
 use super::{
-    contact_length,
     drift::mean,
     energy::EnergyBalance,
     indicators::{Indicators, Motion},
@@ -20,7 +19,7 @@ use crate::{
     mud::Hydraulics,
     operation::Operation,
     outcome::{HoleWear, Profile, Scalars, hole_depths_m, varying_place},
-    rod::{mesh::Mesh, stability::StepPlan},
+    rod::{contact_length, mesh::Mesh, stability::StepPlan},
 };
 
 /// What the answer is made from.

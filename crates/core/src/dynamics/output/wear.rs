@@ -1,10 +1,10 @@
 //! Where friction works: along the string and along the hole.
 
-use super::contact_length::LONGEST_REACH_M;
 use crate::{
     damage::{Damaged, ensure},
     dynamics::kernel::chain::Chain,
     outcome::{HOLE_STEP_M, hole_steps, spread},
+    rod::contact_length::LONGEST_REACH_M,
     simd::number::Real,
 };
 

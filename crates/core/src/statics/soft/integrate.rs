@@ -5,15 +5,17 @@ use nalgebra::Vector3;
 use super::{
     SoftError, SoftSettings,
     bearing::{Bearing, Carrier},
-    circulation::{self, Circulating, Passage},
     load::{Load, Point, Totals},
-    motion::Sliding,
 };
 use crate::{
     model::{Model, MudColumn},
     mud::Hydraulics,
     operation::Operation,
     outcome::{hole_steps, spread},
+    statics::{
+        circulation::{self, Circulating, Passage},
+        sliding::Sliding,
+    },
     string::Component,
     well::Path,
 };

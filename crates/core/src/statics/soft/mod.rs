@@ -13,18 +13,15 @@
 //! counted. Theory: `docs/src/theory/soft-string.md`; of a flowing mud: `docs/src/theory/mud.md`.
 
 mod bearing;
-mod circulation;
 mod error;
 mod integrate;
 mod load;
-mod motion;
 mod profile;
 mod settings;
 
-use crate::{model::Model, operation::Operation};
+use crate::{model::Model, operation::Operation, statics::sliding::Sliding};
 
 pub use error::SoftError;
-use motion::Sliding;
 pub use profile::SoftProfile;
 pub use settings::SoftSettings;
 

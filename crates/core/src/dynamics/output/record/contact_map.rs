@@ -5,12 +5,12 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     damage::{Damaged, ensure},
-    dynamics::{
-        boundary::anchor::Anchor,
-        output::contact_length::{ContactLength, contact_lengths},
-    },
+    dynamics::boundary::anchor::Anchor,
     outcome::ContactMap,
-    rod::mesh::Mesh,
+    rod::{
+        contact_length::{ContactLength, contact_lengths},
+        mesh::Mesh,
+    },
 };
 
 /// Rows in time, at most one more where the window begins between two.

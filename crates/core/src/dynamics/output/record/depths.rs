@@ -4,9 +4,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    dynamics::{boundary::anchor::Anchor, kernel::chain::Chain, output::contact_length},
+    dynamics::{boundary::anchor::Anchor, kernel::chain::Chain},
     outcome,
-    rod::mesh::Mesh,
+    rod::{contact_length, mesh::Mesh},
     simd::number::Real,
     well::Path,
 };

@@ -1,7 +1,6 @@
 //! What is kept of a run while it goes on: sums per node, samples of the scalars.
 
 mod above;
-mod beam_column;
 mod contact_map;
 mod deflection;
 mod depths;

@@ -4,7 +4,6 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     above::Above,
-    beam_column::{BeamColumn, Middle},
     deflection::{Deflection, Ends},
     lane::{Lane, add, at, put},
 };
@@ -12,7 +11,10 @@ use crate::{
     damage::{Damaged, ensure},
     dynamics::kernel::layout::Layout,
     model::Model,
-    rod::mesh::Mesh,
+    rod::{
+        beam_column::{BeamColumn, Middle},
+        mesh::Mesh,
+    },
     simd::{
         apart::Apart,
         dispatch::{for_each_instruction_set, with_fastest_instruction_set},

@@ -9,37 +9,37 @@ use crate::{
 };
 
 /// A stretch as the mud meets it.
-pub(super) struct Passage {
-    pub(super) length_m: f64,
-    pub(super) od_m: f64,
-    pub(super) bore_m2: f64,
-    pub(super) hole_diameter_m: f64,
+pub(crate) struct Passage {
+    pub(crate) length_m: f64,
+    pub(crate) od_m: f64,
+    pub(crate) bore_m2: f64,
+    pub(crate) hole_diameter_m: f64,
     /// `(1 − 2ν)/E`, 1/Pa.
-    pub(super) pressure_strain_per_Pa: f64,
+    pub(crate) pressure_strain_per_Pa: f64,
 }
 
 /// What the mud does to a stretch.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Circulating {
+pub(crate) struct Circulating {
     /// Pull along the hole, N/m, positive towards the bit.
-    pub(super) pull_N_per_m: f64,
+    pub(crate) pull_N_per_m: f64,
     /// Torque against the rotation, N·m/m.
-    pub(super) torque_N_m_per_m: f64,
+    pub(crate) torque_N_m_per_m: f64,
     /// Strain by the pressures that flow adds, the mean of the stretch.
-    pub(super) strain: f64,
+    pub(crate) strain: f64,
     /// What the flow adds to the pressure in the annulus at the lower end, Pa, and what of it a
     /// metre upwards takes.
-    pub(super) outer_Pa: f64,
-    pub(super) outer_fall_Pa_per_m: f64,
+    pub(crate) outer_Pa: f64,
+    pub(crate) outer_fall_Pa_per_m: f64,
     /// What it adds to the pressure in the bore at the lower end, Pa, and what a metre upwards
     /// adds.
-    pub(super) inner_Pa: f64,
-    pub(super) inner_rise_Pa_per_m: f64,
+    pub(crate) inner_Pa: f64,
+    pub(crate) inner_rise_Pa_per_m: f64,
 }
 
 /// What the mud does to stretches, from the bit up, and to the whole string; nothing without a
 /// rheology.
-pub(super) fn along(
+pub(crate) fn along(
     model: &Model,
     operation: &Operation,
     segments: &[Passage],

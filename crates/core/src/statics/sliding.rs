@@ -4,7 +4,7 @@ use crate::operation::Operation;
 
 /// The string's motion over the wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Sliding {
+pub(crate) enum Sliding {
     /// Along the hole alone: 1 towards the bit, -1 towards the surface.
     Axial(f64),
     /// Rotating, with an axial velocity (positive towards the bit) or without.
@@ -14,7 +14,7 @@ pub(super) enum Sliding {
 impl Sliding {
     /// A string that does not rotate slides the way its operation goes, whatever its speed: Coulomb
     /// friction does not depend on it.
-    pub(super) fn of(operation: &Operation) -> Self {
+    pub(crate) fn of(operation: &Operation) -> Self {
         if operation.kind.rotates() {
             Self::Rotating {
                 rotation_rad_per_s: operation.rotation_rad_per_s(),
@@ -27,7 +27,7 @@ impl Sliding {
 
     /// Parts of the sliding direction along the hole (positive towards the bit) and around it, for
     /// a surface at a radius, m. Their squares add up to one.
-    pub(super) fn direction(self, radius_m: f64) -> (f64, f64) {
+    pub(crate) fn direction(self, radius_m: f64) -> (f64, f64) {
         match self {
             Self::Axial(along) => (along, 0.0),
             Self::Rotating { rotation_rad_per_s, axial_m_per_s } => {

@@ -1,0 +1,212 @@
+//! A block-tridiagonal system of linear equations: what a chain of elements comes to.
+
+use nalgebra::{SMatrix, SVector};
+
+/// Unknowns of a node: displacement along the hole's axes, and the director's two angles.
+pub(super) const UNKNOWNS: usize = 5;
+
+/// How a node's forces change with a node's place.
+pub(super) type Block = SMatrix<f64, UNKNOWNS, UNKNOWNS>;
+
+/// A number for each unknown of a node.
+pub(super) type Entry = SVector<f64, UNKNOWNS>;
+
+/// The matrix, by block rows.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Tridiagonal {
+    /// On the diagonal.
+    pub(super) diagonal: Vec<Block>,
+    /// Right of it: a row less.
+    pub(super) upper: Vec<Block>,
+    /// Below it: of row `i + 1`, column `i`.
+    pub(super) lower: Vec<Block>,
+}
+
+/// No pivot is left in a block row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Singular {
+    /// The row.
+    pub(super) row: usize,
+}
+
+impl Tridiagonal {
+    /// So many rows of zeros.
+    pub(super) fn zeros(rows: usize) -> Self {
+        let zeros = |rows: usize| vec![Block::zeros(); rows];
+        Self { diagonal: zeros(rows), upper: zeros(rows - 1), lower: zeros(rows - 1) }
+    }
+
+    /// Sets every entry to zero.
+    pub(super) fn clear(&mut self) {
+        for blocks in [&mut self.diagonal, &mut self.upper, &mut self.lower] {
+            blocks.fill(Block::zeros());
+        }
+    }
+
+    /// Solves for a right-hand side in place, by block elimination with row exchanges within
+    /// blocks. The matrix is used up.
+    pub(super) fn solve(&mut self, rhs: &mut [Entry]) -> Result<(), Singular> {
+        let rows = self.diagonal.len();
+        for row in 0..rows {
+            if row > 0 {
+                // The row above has become x + (its upper) x' = (its right-hand side).
+                let lower = self.lower[row - 1];
+                self.diagonal[row] -= lower * self.upper[row - 1];
+                let above = rhs[row - 1];
+                rhs[row] -= lower * above;
+            }
+            let mut none = Block::zeros();
+            let upper = if row + 1 < rows { &mut self.upper[row] } else { &mut none };
+            eliminate(&mut self.diagonal[row], upper, &mut rhs[row]).ok_or(Singular { row })?;
+        }
+        for row in (0..rows - 1).rev() {
+            let below = rhs[row + 1];
+            rhs[row] -= self.upper[row] * below;
+        }
+        Ok(())
+    }
+
+    /// Solves a symmetric system in place, `shift` added to its diagonal, if that makes it positive
+    /// definite: if Cholesky's factors of every block exist. The matrix is kept, its lower blocks
+    /// are not read.
+    pub(super) fn solve_definite(&self, rhs: &mut [Entry], shift: &Entry) -> Option<()> {
+        let mut solved: Vec<Block> = Vec::with_capacity(self.upper.len());
+        for row in 0..self.diagonal.len() {
+            let mut pivot = self.diagonal[row] + Block::from_diagonal(shift);
+            if let Some(above) = row.checked_sub(1) {
+                let coupling = self.upper[above];
+                pivot -= coupling.tr_mul(&solved[above]);
+                let force = rhs[above];
+                rhs[row] -= coupling.tr_mul(&force);
+            }
+            let factor = pivot.cholesky()?;
+            factor.solve_mut(&mut rhs[row]);
+            if let Some(upper) = self.upper.get(row) {
+                solved.push(factor.solve(upper));
+            }
+        }
+        for row in (0..self.upper.len()).rev() {
+            let below = rhs[row + 1];
+            rhs[row] -= solved[row] * below;
+        }
+        Some(())
+    }
+
+    /// Whether the matrix, which is symmetric, is positive definite.
+    pub(super) fn is_positive_definite(&self) -> bool {
+        let mut rhs = vec![Entry::zeros(); self.diagonal.len()];
+        self.solve_definite(&mut rhs, &Entry::zeros()).is_some()
+    }
+}
+
+/// Turns `matrix x + upper x' = rhs` into `x + upper' x' = rhs'`, by Gauss's elimination with
+/// partial pivoting; none where no pivot is left.
+fn eliminate(matrix: &mut Block, upper: &mut Block, rhs: &mut Entry) -> Option<()> {
+    for column in 0..UNKNOWNS {
+        let pivot_row = (column..UNKNOWNS)
+            .max_by(|a, b| matrix[(*a, column)].abs().total_cmp(&matrix[(*b, column)].abs()))?;
+        let pivot = matrix[(pivot_row, column)];
+        if pivot == 0.0 || !pivot.is_finite() {
+            return None;
+        }
+        if pivot_row != column {
+            matrix.swap_rows(pivot_row, column);
+            upper.swap_rows(pivot_row, column);
+            rhs.swap_rows(pivot_row, column);
+        }
+        let inverse = 1.0 / pivot;
+        for row in column + 1..UNKNOWNS {
+            let factor = matrix[(row, column)] * inverse;
+            if factor != 0.0 {
+                for k in column + 1..UNKNOWNS {
+                    matrix[(row, k)] -= factor * matrix[(column, k)];
+                }
+                for k in 0..UNKNOWNS {
+                    upper[(row, k)] -= factor * upper[(column, k)];
+                }
+                rhs[row] -= factor * rhs[column];
+            }
+        }
+    }
+    for row in (0..UNKNOWNS).rev() {
+        let inverse = 1.0 / matrix[(row, row)];
+        for k in row + 1..UNKNOWNS {
+            let factor = matrix[(row, k)];
+            for j in 0..UNKNOWNS {
+                let below = upper[(k, j)];
+                upper[(row, j)] -= factor * below;
+            }
+            let below = rhs[k];
+            rhs[row] -= factor * below;
+        }
+        for j in 0..UNKNOWNS {
+            upper[(row, j)] *= inverse;
+        }
+        rhs[row] *= inverse;
+    }
+    Some(())
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{DMatrix, DVector};
+
+    use super::*;
+    use crate::random::Random;
+
+    /// A system without symmetry whose blocks ask for row exchanges, against nalgebra's general LU
+    /// of the whole matrix: rounding is left, 1e-16 times a condition of some thousands.
+    #[test]
+    fn solves_what_a_general_solver_solves() {
+        const ROWS: usize = 12;
+        let mut random = Random::new(3);
+        let mut system = Tridiagonal::zeros(ROWS);
+        let mut fill = |block: &mut Block| block.iter_mut().for_each(|x| *x = random.signed());
+        system.diagonal.iter_mut().for_each(&mut fill);
+        system.upper.iter_mut().for_each(&mut fill);
+        system.lower.iter_mut().for_each(&mut fill);
+        let mut rhs: Vec<Entry> =
+            (0..ROWS).map(|row| Entry::from_fn(|k, _| (row as f64 + 0.3 * k as f64).sin())).collect();
+        let mut whole = DMatrix::zeros(ROWS * UNKNOWNS, ROWS * UNKNOWNS);
+        let mut put = |row: usize, column: usize, block: &Block| {
+            whole.view_mut((row * UNKNOWNS, column * UNKNOWNS), (UNKNOWNS, UNKNOWNS)).copy_from(block);
+        };
+        for row in 0..ROWS {
+            put(row, row, &system.diagonal[row]);
+            if row + 1 < ROWS {
+                put(row, row + 1, &system.upper[row]);
+                put(row + 1, row, &system.lower[row]);
+            }
+        }
+        let right = DVector::from_iterator(ROWS * UNKNOWNS, rhs.iter().flatten().copied());
+        let expected = whole.lu().solve(&right).expect("a solution");
+        system.solve(&mut rhs).expect("pivots");
+        for (found, expected) in rhs.iter().flatten().zip(expected.iter()) {
+            assert!((found - expected).abs() < 1e-9 * expected.abs().max(1.0), "{found} {expected}");
+        }
+    }
+
+    /// A chain of springs is positive definite; with one spring that pushes more than its
+    /// neighbours hold it is not; a row of zeros has no pivot.
+    #[test]
+    fn tells_a_stable_chain_from_an_unstable_one() {
+        let chain = |middle: f64| {
+            let mut system = Tridiagonal::zeros(5);
+            for row in 0..5 {
+                system.diagonal[row] = Block::identity() * if row == 2 { middle } else { 2.0 };
+            }
+            for off in 0..4 {
+                system.upper[off] = -Block::identity();
+                system.lower[off] = -Block::identity();
+            }
+            system
+        };
+        // The pivot of the middle is `middle − 4/3` of its two sides.
+        assert!(chain(1.34).is_positive_definite());
+        assert!(!chain(1.33).is_positive_definite());
+        let mut nothing = Tridiagonal::zeros(3);
+        nothing.diagonal[0] = Block::identity();
+        let solved = nothing.solve(&mut vec![Entry::zeros(); 3]);
+        assert_eq!(solved, Err(Singular { row: 1 }));
+    }
+}

@@ -1,0 +1,247 @@
+//! Equilibrium of the string without its wall, and how it changes: what the elements, the weight
+//! and the ends come to at every node.
+
+use nalgebra::{Matrix3, Matrix3x2, Vector2, Vector3};
+
+use super::{
+    blocks::{Block, Entry, Tridiagonal},
+    settings::End,
+    state::{Heading, State},
+    string_in_hole::StringInHole,
+};
+use crate::rod::tangent::{Ends, Gradient, Tangent};
+
+/// The equations of a Newton step, without the wall: `matrix · step = force`.
+#[derive(Debug, Clone)]
+pub(super) struct Equations {
+    /// How the forces that hold the nodes change with their places.
+    pub(super) matrix: Tridiagonal,
+    /// Forces on the nodes, and moments on their directors, that are not in balance.
+    pub(super) force: Vec<Entry>,
+    /// How each element lengthens with the places of its two nodes, and how much it is longer than
+    /// its tension says, m.
+    lengthening: Vec<Lengthening>,
+    /// What carries the string at its top, N.
+    pub(super) hook_load_N: f64,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Lengthening {
+    ends: [Entry; 2],
+    excess_m: f64,
+    axial_N_per_m: f64,
+}
+
+/// A director that an element sees, and how it turns with the node's.
+struct Seen {
+    director: Vector3<f64>,
+    by: Matrix3x2<f64>,
+    /// Whether it is the node's own.
+    own: bool,
+}
+
+impl Seen {
+    fn of(heading: &Heading, bend: Option<&Vector3<f64>>) -> Self {
+        let [b1, b2] = heading.across;
+        let Some(parts) = bend else {
+            return Self {
+                director: heading.along,
+                by: Matrix3x2::from_columns(&[b1, b2]),
+                own: true,
+            };
+        };
+        let director = b1 * parts.x + b2 * parts.y + heading.along * parts.z;
+        // The node's rotation d × b turns the other director, too.
+        let column = |b: Vector3<f64>, part: f64| b * parts.z - heading.along * part;
+        let by = Matrix3x2::from_columns(&[column(b1, parts.x), column(b2, parts.y)]);
+        Self { director, by, own: false }
+    }
+
+    /// What a director's turning adds to the tangent: of a gradient on it, N·m.
+    fn second(
+        &self,
+        heading: &Heading,
+        gradient: Vector3<f64>,
+        pull_N_m: f64,
+    ) -> nalgebra::Matrix2<f64> {
+        if self.own {
+            return nalgebra::Matrix2::identity() * -pull_N_m;
+        }
+        // The gradient is known but for its part along the director.
+        let d = self.director;
+        let whole = gradient + d * (pull_N_m - gradient.dot(&d));
+        let turns = heading.across.map(|b| heading.along.cross(&b));
+        nalgebra::Matrix2::from_fn(|row, column| {
+            let twice = |a: usize, b: usize| turns[a].cross(&turns[b].cross(&d));
+            0.5 * whole.dot(&(twice(row, column) + twice(column, row)))
+        })
+    }
+}
+
+impl Equations {
+    /// For so many nodes.
+    pub(super) fn new(nodes: usize) -> Self {
+        Self {
+            matrix: Tridiagonal::zeros(nodes),
+            force: vec![Entry::zeros(); nodes],
+            lengthening: Vec::with_capacity(nodes),
+            hook_load_N: 0.0,
+        }
+    }
+
+    /// Of the string as it is, under the torque of each element, N·m. Without `torque_N_m` the
+    /// matrix is that of an energy, and symmetric.
+    pub(super) fn assemble(
+        &mut self,
+        string: &StringInHole,
+        state: &State,
+        torque_N_m: Option<&[f64]>,
+    ) {
+        self.matrix.clear();
+        self.lengthening.clear();
+        for (index, node) in string.nodes.iter().enumerate() {
+            let u = state.offset_m[index];
+            let held = Vector3::new(node.hold_N_per_m, node.hold_N_per_m, 0.0);
+            let force = local(&node.axes, node.load_N) - held.component_mul(&u);
+            self.force[index] = Entry::new(force.x, force.y, force.z, 0.0, 0.0);
+            let diagonal = &mut self.matrix.diagonal[index];
+            diagonal[(0, 0)] = node.hold_N_per_m;
+            diagonal[(1, 1)] = node.hold_N_per_m;
+        }
+        let mut above = state.position_m(string, 0);
+        for index in 0..string.elements.len() {
+            let below = state.position_m(string, index + 1);
+            self.add_element(string, state, index, below - above, torque_N_m);
+            above = below;
+        }
+        self.hold_top(string);
+    }
+
+    fn add_element(
+        &mut self,
+        string: &StringInHole,
+        state: &State,
+        index: usize,
+        chord_m: Vector3<f64>,
+        torque_N_m: Option<&[f64]>,
+    ) {
+        let element = &string.elements[index];
+        let nodes = [&string.nodes[index], &string.nodes[index + 1]];
+        let headings = [&state.heading[index], &state.heading[index + 1]];
+        let seen = [Seen::of(headings[0], element.bend.as_ref()), Seen::of(headings[1], None)];
+        let ends = Ends { chord_m, directors: [seen[0].director, seen[1].director] };
+        let tension_N = state.tension_N[index];
+        let of = Tangent::of(&element.stiffness, &ends, tension_N);
+        let axial_N_per_m = element.stiffness.axial;
+        let excess_m = of.longer_m - element.slack_m - tension_N / axial_N_per_m;
+        let axes = nodes.map(|node| Matrix3::from_columns(&node.axes));
+        let entry = |gradient: &Gradient, end: usize| {
+            let sign = if end == 0 { -1.0 } else { 1.0 };
+            let force = axes[end].tr_mul(&gradient.chord) * sign;
+            let moment = seen[end].by.tr_mul(&gradient.directors[end]);
+            Entry::new(force.x, force.y, force.z, moment.x, moment.y)
+        };
+        let lengthening = [0, 1].map(|end| entry(&of.lengthening, end));
+        // The symmetric blocks of the energy, its tension condensed.
+        let block = |row: usize, column: usize| {
+            let sign = if row == column { 1.0 } else { -1.0 };
+            let mut block = Block::zeros();
+            let rr = axes[row].tr_mul(&(of.chord_chord * axes[column])) * sign;
+            block.fixed_view_mut::<3, 3>(0, 0).copy_from(&rr);
+            let sign = |end: usize| if end == 0 { -1.0 } else { 1.0 };
+            let rd = axes[row].tr_mul(&(of.chord_director[column] * seen[column].by)) * sign(row);
+            block.fixed_view_mut::<3, 2>(0, 3).copy_from(&rd);
+            let dr = seen[row].by.tr_mul(&(of.chord_director[row].transpose() * axes[column]))
+                * sign(column);
+            block.fixed_view_mut::<2, 3>(3, 0).copy_from(&dr);
+            let dd = if row == column {
+                seen[row].by.tr_mul(&(of.director[row] * seen[row].by))
+                    + seen[row].second(headings[row], of.gradient.directors[row], of.pull_N_m[row])
+            } else {
+                let between = if row == 0 {
+                    of.director_director
+                } else {
+                    of.director_director.transpose()
+                };
+                seen[row].by.tr_mul(&(between * seen[column].by))
+            };
+            block.fixed_view_mut::<2, 2>(3, 3).copy_from(&dd);
+            block + lengthening[row] * (lengthening[column].transpose() * axial_N_per_m)
+        };
+        self.matrix.diagonal[index] += block(0, 0);
+        self.matrix.diagonal[index + 1] += block(1, 1);
+        let upper = block(0, 1);
+        self.matrix.upper[index] = upper;
+        self.matrix.lower[index] = upper.transpose();
+        for end in [0, 1] {
+            let unbalanced = entry(&of.gradient, end) + lengthening[end] * (axial_N_per_m * excess_m);
+            self.force[index + end] -= unbalanced;
+        }
+        self.lengthening.push(Lengthening { ends: lengthening, excess_m, axial_N_per_m });
+        if let Some(torques) = torque_N_m {
+            self.add_couple(index, torques[index], &seen);
+        }
+    }
+
+    /// The couple `−M (d1 + d2)/(1 + c12)` of the torque `M` that the string carries, on end 1, the
+    /// opposite on end 2.
+    fn add_couple(&mut self, index: usize, torque_N_m: f64, seen: &[Seen; 2]) {
+        let [d1, d2] = [seen[0].director, seen[1].director];
+        let share = torque_N_m / (1.0 + d1.dot(&d2));
+        // On a director it is moment × director, the same at both ends.
+        let on = d1.cross(&d2) * share;
+        let forces: [Vector2<f64>; 2] = [0, 1].map(|end| seen[end].by.tr_mul(&on));
+        let cross = |d: Vector3<f64>| d.cross_matrix() * share;
+        // ∂(d1 × d2) = −[d2×] ∂d1 + [d1×] ∂d2.
+        let by = [-cross(d2) * seen[0].by, cross(d1) * seen[1].by];
+        for end in [0, 1] {
+            let force = &mut self.force[index + end];
+            force[3] += forces[end].x;
+            force[4] += forces[end].y;
+            for other in [0, 1] {
+                let change = seen[end].by.tr_mul(&by[other]);
+                let block = match (end, other) {
+                    (0, 1) => &mut self.matrix.upper[index],
+                    (1, 0) => &mut self.matrix.lower[index],
+                    _ => &mut self.matrix.diagonal[index + end],
+                };
+                let mut moments = block.fixed_view_mut::<2, 2>(3, 3);
+                moments -= change;
+            }
+        }
+    }
+
+    /// The top does not move, nor turn if it is clamped.
+    fn hold_top(&mut self, string: &StringInHole) {
+        self.hook_load_N = self.force[0][2];
+        let held = match string.top {
+            End::Clamped => 5,
+            End::Pinned => 3,
+        };
+        for row in 0..held {
+            self.force[0][row] = 0.0;
+            self.matrix.diagonal[0].row_mut(row).fill(0.0);
+            self.matrix.diagonal[0].column_mut(row).fill(0.0);
+            self.matrix.diagonal[0][(row, row)] = 1.0;
+            self.matrix.upper[0].row_mut(row).fill(0.0);
+            self.matrix.lower[0].column_mut(row).fill(0.0);
+        }
+    }
+
+    /// What a step makes of an element's tension, N.
+    pub(super) fn tension_step_N(&self, index: usize, step: &[Entry]) -> f64 {
+        let of = &self.lengthening[index];
+        let lengthening_m = of.ends[0].dot(&step[index]) + of.ends[1].dot(&step[index + 1]);
+        of.axial_N_per_m * (lengthening_m + of.excess_m)
+    }
+
+    /// The largest force by which a tension does not fit the shape of its element, N.
+    pub(super) fn misfit_N(&self) -> f64 {
+        self.lengthening.iter().map(|of| (of.axial_N_per_m * of.excess_m).abs()).fold(0.0, f64::max)
+    }
+}
+
+/// A vector's parts along axes.
+fn local(axes: &[Vector3<f64>; 3], of: Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(axes[0].dot(&of), axes[1].dot(&of), axes[2].dot(&of))
+}

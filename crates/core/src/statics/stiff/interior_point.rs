@@ -1,0 +1,184 @@
+//! Contact by an interior point: every node inside its hole, pushed off the wall by a force that
+//! falls with the room left, until `N s` is nothing.
+//!
+//! With `u` the offset from the axis, `c` the clearance and `α(N)` what the wall gives way,
+//!
+//! ```text
+//! s = (c² − |u|²)/(2c) + α(N) > 0,    N > 0,    N s = μ → 0
+//! ```
+//!
+//! The constraint is smooth on the axis, where nothing says which side the pipe will lie on: the
+//! string begins there. J. Nocedal and S. J. Wright, *Numerical Optimization*, chapter 19.
+
+use nalgebra::{Matrix2, Vector2};
+
+use super::{
+    blocks::{Entry, Singular},
+    contact::{self, Push},
+    equations::Equations,
+    state::State,
+    string_in_hole::StringInHole,
+};
+
+/// Iterations before it gives up.
+const MOST: usize = 60;
+
+/// Part of the way to the wall that a step may take.
+const TO_THE_WALL: f64 = 0.995;
+
+/// The parameter `μ` begins at this part of the mean of `N s`.
+const FIRST: f64 = 0.1;
+
+/// Product of force and room at which the active set takes over, as a part of a newton times the
+/// clearance.
+const FLOOR: f64 = 1e-7;
+
+/// Steps shorter than this end it, m.
+const STILL_M: f64 = 1e-6;
+
+/// How the iterations went.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Iterated {
+    /// Iterations.
+    pub(super) count: usize,
+    /// Whether they came to an end.
+    pub(super) converged: bool,
+}
+
+/// What the wall of a node adds to a Newton step.
+#[derive(Debug, Clone, Copy, Default)]
+struct Coupling {
+    /// Change of the contact force: so much, and so much for a metre of offset.
+    force_N: f64,
+    by_offset: Vector2<f64>,
+    /// What the room lacks of its definition, m.
+    lacking_m: f64,
+    /// Direction in which it falls, and what a newton gives way, m.
+    towards: Vector2<f64>,
+    gives_m_per_N: f64,
+}
+
+/// Brings a state near to equilibrium.
+pub(super) fn iterate(
+    string: &StringInHole,
+    state: &mut State,
+    equations: &mut Equations,
+) -> Result<Iterated, Singular> {
+    let walled: Vec<usize> =
+        (0..string.nodes.len()).filter(|index| string.nodes[*index].has_wall()).collect();
+    let mean_clearance_m = walled.iter().map(|index| string.nodes[*index].clearance_m).sum::<f64>()
+        / walled.len().max(1) as f64;
+    let weight_N = string.weight_N() / string.nodes.len() as f64;
+    let floor = FLOOR * weight_N * mean_clearance_m;
+    for index in &walled {
+        state.normal_N[*index] = state.normal_N[*index].max(0.1 * weight_N);
+    }
+    let mean = |state: &State| {
+        let sum: f64 = walled.iter().map(|i| state.normal_N[*i] * state.slack_m[*i]).sum();
+        sum / walled.len().max(1) as f64
+    };
+    let mut product = FIRST * mean(state);
+    let mut couplings = vec![Coupling::default(); string.nodes.len()];
+    for count in 1..=MOST {
+        let torques_N_m = contact::torques_N_m(string, &state.normal_N);
+        equations.assemble(string, state, Some(&torques_N_m));
+        for index in &walled {
+            couplings[*index] = couple(string, state, equations, *index, product);
+        }
+        equations.matrix.solve(&mut equations.force)?;
+        let step = &equations.force;
+        let (mut room, mut force) = (1.0_f64, 1.0_f64);
+        let mut changes = Vec::with_capacity(walled.len());
+        for index in &walled {
+            let of = &couplings[*index];
+            let du = Vector2::new(step[*index][0], step[*index][1]);
+            let dn = of.force_N + of.by_offset.dot(&du);
+            let ds = of.lacking_m + of.towards.dot(&du) + of.gives_m_per_N * dn;
+            if ds < 0.0 {
+                room = room.min(-TO_THE_WALL * state.slack_m[*index] / ds);
+            }
+            if dn < 0.0 {
+                force = force.min(-TO_THE_WALL * state.normal_N[*index] / dn);
+            }
+            changes.push((*index, dn, ds));
+        }
+        // Friction ties forces and places together: one length for both.
+        let part = room.min(force);
+        for (index, dn, ds) in changes {
+            state.normal_N[index] += part * dn;
+            state.slack_m[index] += part * ds;
+        }
+        for index in 0..string.elements.len() {
+            state.tension_N[index] += part * equations.tension_step_N(index, step);
+        }
+        state.advance(step, part);
+        let longest_m = step
+            .iter()
+            .map(|by| by[0].hypot(by[1]).hypot(by[2]))
+            .fold(0.0, f64::max);
+        if !longest_m.is_finite() {
+            return Ok(Iterated { count, converged: false });
+        }
+        if trace() { eprintln!("ipm {count} part {part:.3} longest {longest_m:.3e} mu {product:.3e} mean {:.3e}", mean(state)); }
+        if product <= floor && part > 0.9 && longest_m < STILL_M {
+            return Ok(Iterated { count, converged: true });
+        }
+        let falls = match part {
+            _ if part > 0.9 => 0.02,
+            _ if part > 0.5 => 0.1,
+            _ if part > 0.2 => 0.4,
+            _ => 0.8,
+        };
+        product = (falls * mean(state)).max(0.5 * floor);
+    }
+    Ok(Iterated { count: MOST, converged: false })
+}
+
+pub(super) fn trace() -> bool { std::env::var_os("STIFF_TRACE").is_some() }
+
+/// Adds the wall of a node to the equations, its contact force and its room condensed.
+fn couple(
+    string: &StringInHole,
+    state: &State,
+    equations: &mut Equations,
+    index: usize,
+    product: f64,
+) -> Coupling {
+    let node = &string.nodes[index];
+    let offset = state.offset_m[index].xy();
+    let (normal_N, room_m) = (state.normal_N[index], state.slack_m[index]);
+    let clearance_m = node.clearance_m;
+    let (penetration_m, gives_m_per_N) = node.compliance.penetration_m(normal_N);
+    let gap_m = (clearance_m * clearance_m - offset.norm_squared()) / (2.0 * clearance_m);
+    let lacking_m = gap_m + penetration_m - room_m;
+    let towards = -offset / clearance_m;
+    let steep = normal_N / room_m;
+    let over = 1.0 / (1.0 + steep * gives_m_per_N);
+    let coupling = Coupling {
+        force_N: (product / room_m - normal_N - steep * lacking_m) * over,
+        by_offset: towards * (-steep * over),
+        lacking_m,
+        towards,
+        gives_m_per_N,
+    };
+    let push = Push::smooth(node, &offset);
+    let force = push.force * (normal_N + coupling.force_N);
+    let target = &mut equations.force[index];
+    let diagonal = &mut equations.matrix.diagonal[index];
+    for row in 0..3 {
+        target[row] += force[row];
+        for column in 0..2 {
+            diagonal[(row, column)] -= push.force[row] * coupling.by_offset[column];
+        }
+    }
+    let change: Matrix2<f64> = push.change * normal_N;
+    let mut across = diagonal.fixed_view_mut::<2, 2>(0, 0);
+    across -= change;
+    coupling
+}
+
+/// The largest step of a node, m.
+#[allow(dead_code)]
+fn longest_m(step: &[Entry]) -> f64 {
+    step.iter().map(|by| by[0].hypot(by[1]).hypot(by[2])).fold(0.0, f64::max)
+}

@@ -1,0 +1,294 @@
+//! What the stiff string answers with.
+
+use std::ops::Deref;
+
+use super::{
+    bending::Bending, contact, solve::Equilibrium, state::State, string_in_hole::StringInHole,
+};
+use crate::{
+    model::Model,
+    mud::Hydraulics,
+    operation::Operation,
+    outcome::{
+        HOLE_STEP_M, HoleWear, Profile, Scalars, cutoff_in_build_m, hole_depths_m, hole_steps,
+        neutral_point_m, spread,
+    },
+    rod::{contact_length, mesh::Mesh},
+    string::{BodySection, Component},
+};
+
+/// How the equilibrium was found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Convergence {
+    /// Elements.
+    pub elements: usize,
+    /// Newton steps of all stages.
+    pub iterations: usize,
+    /// Largest force on a node that is out of balance, as a part of the string's weight.
+    pub residual: f64,
+    /// Whether every small motion costs energy: friction and torque apart, the state is stable.
+    pub stable: bool,
+}
+
+/// What the stiff string answers: loads along the string, from the surface to the bit, and their
+/// scalars.
+///
+/// Its profile's columns are read as its own: `stiff.tension_N`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StiffProfile {
+    /// Along the string.
+    pub profile: Profile,
+    /// Along the hole.
+    pub wear: HoleWear,
+    /// The operation's scalars.
+    pub scalars: Scalars,
+    /// What the mud does; none without a rheology.
+    pub hydraulics: Option<Hydraulics>,
+    /// Side force of the bit on the rock, N, towards the high side and to the right of it as one
+    /// looks down the hole.
+    pub bit_side_force_N: [f64; 2],
+    /// Tilt of the bit against the hole's axis, rad, towards the high side and to the right of it.
+    pub bit_tilt_rad: [f64; 2],
+    /// How the equilibrium was found.
+    pub convergence: Convergence,
+}
+
+impl Deref for StiffProfile {
+    type Target = Profile;
+
+    fn deref(&self) -> &Profile {
+        &self.profile
+    }
+}
+
+impl StiffProfile {
+    pub(super) fn new(model: &Model, operation: &Operation, of: &Equilibrium) -> Self {
+        let Equilibrium { mesh, string, state, hook_load_N, convergence } = of;
+        let torques_N_m = contact::torques_N_m(string, &state.normal_N);
+        let mut profile = along(model, mesh, string, state, &torques_N_m);
+        let last = string.nodes.len() - 1;
+        let jet_N = string.hydraulics.map_or(0.0, |mud| mud.jet_thrust_N);
+        // At the ends the elements' middles are half an element off; hook and bit are there.
+        profile.tension_N[0] = *hook_load_N;
+        profile.tension_N[last] = -operation.weight_on_bit_now_N() - jet_N;
+        let surface_torque_N_m =
+            torques_N_m[0] + 0.5 * string.elements[0].mud_torque_N_m;
+        profile.torque_N_m[0] = surface_torque_N_m;
+        profile.torque_N_m[last] = string.bit_torque_N_m;
+        let bearing = bear(model, operation, mesh, string, state, &mut profile);
+        deform(string, state, &torques_N_m, &bearing, &mut profile);
+        let rubbed = |index: usize| {
+            contact::rubbed_N_m(&string.nodes[index], state.normal_N[index])
+        };
+        let dragged = |index: usize| string.nodes[index].friction[0] * state.normal_N[index];
+        let wear_W = |index: usize| {
+            operation.rotation_rad_per_s() * rubbed(index)
+                - operation.axial_velocity_m_per_s() * dragged(index)
+        };
+        let spans = contact_length::contact_spans(mesh, |index| state.normal_N[index] > 0.0);
+        let nodes = string.nodes.len();
+        let per_m = |of: &dyn Fn(usize) -> f64| contact_length::spread(&spans, nodes, of);
+        profile.axial_friction_N_per_m = per_m(&dragged);
+        profile.friction_torque_N_m_per_m = per_m(&rubbed);
+        profile.wear_power_W_per_m = per_m(&wear_W);
+        let side = |index: usize| {
+            let node = &string.nodes[index];
+            let high = model.well.path.high_side_of(node.md_m, &node.axes[2]);
+            let u = state.offset_m[index];
+            let up = (node.axes[0] * u.x + node.axes[1] * u.y).dot(&high);
+            if up > 0.0 { state.normal_N[index] } else { -state.normal_N[index] }
+        };
+        profile.side_force_N_per_m = per_m(&side);
+        for (index, node) in mesh.nodes.iter().enumerate() {
+            let (_, component) = model.string.component_at(node.from_bit_m);
+            let force_N_per_m = profile.side_force_N_per_m[index];
+            profile
+                .side_force_per_joint_N
+                .push(component.joints.map(|joints| force_N_per_m * joints.spacing_m));
+        }
+        let sum = |of: &dyn Fn(usize) -> f64| (0..nodes).map(of).sum::<f64>();
+        let friction_torque_N_m = sum(&rubbed);
+        let scalars = Scalars {
+            hook_load_N: *hook_load_N,
+            surface_torque_N_m,
+            friction_torque_N_m,
+            axial_friction_N: sum(&dragged),
+            side_force_total_N: sum(&|index| state.normal_N[index]),
+            weight_on_bit_N: operation.weight_on_bit_now_N(),
+            bit_torque_N_m: string.bit_torque_N_m,
+            twist_rad: profile.twist_rad[0],
+            stretch_m: profile.stretch_m[0],
+            neutral_point_m: neutral_point_m(&profile.md_m, &profile.tension_N),
+            cutoff_depth_m: cutoff_in_build_m(
+                &model.well.path,
+                operation.bit_depth_m,
+                &profile.md_m,
+                &profile.side_force_N_per_m,
+            ),
+        };
+        let mut hole_W = vec![0.0; hole_steps(operation.bit_depth_m)];
+        for index in 0..nodes {
+            let half = |element: Option<&crate::rod::mesh::MeshElement>| {
+                element.map_or(0.0, |of| 0.5 * of.length_m)
+            };
+            let md_m = string.nodes[index].md_m;
+            let above_m = half(index.checked_sub(1).and_then(|above| mesh.elements.get(above)));
+            spread(&mut hole_W, md_m - above_m, md_m + half(mesh.elements.get(index)), wear_W(index));
+        }
+        let [bit_side_force_N, bit_tilt_rad] = at_bit(model, string, state);
+        Self {
+            profile,
+            wear: HoleWear {
+                md_m: hole_depths_m(hole_W.len()),
+                wear_power_W_per_m: hole_W.iter().map(|power| power / HOLE_STEP_M).collect(),
+                wear_work_J_per_m: Vec::new(),
+            },
+            scalars,
+            hydraulics: string.hydraulics,
+            bit_side_force_N,
+            bit_tilt_rad,
+            convergence: *convergence,
+        }
+    }
+}
+
+/// Side force of the bit and its tilt, towards the high side and to the right of it.
+fn at_bit(model: &Model, string: &StringInHole, state: &State) -> [[f64; 2]; 2] {
+    let last = string.nodes.len() - 1;
+    let node = &string.nodes[last];
+    let [e1, e2, tangent] = node.axes;
+    let high = model.well.path.high_side_of(node.md_m, &tangent);
+    let right = tangent.cross(&high);
+    let u = state.offset_m[last];
+    let pushed = (e1 * u.x + e2 * u.y) * node.hold_N_per_m;
+    let tilt = state.heading[last].along;
+    [[pushed.dot(&high), pushed.dot(&right)], [tilt.dot(&high), tilt.dot(&right)]]
+}
+
+/// What the nodes show of themselves.
+fn along(
+    model: &Model,
+    mesh: &Mesh,
+    string: &StringInHole,
+    state: &State,
+    torques_N_m: &[f64],
+) -> Profile {
+    let elements = string.elements.len();
+    let at_node = |of: &[f64], index: usize| {
+        0.5 * (of[index.saturating_sub(1)] + of[index.min(elements - 1)])
+    };
+    let mut p = Profile::default();
+    for (index, node) in string.nodes.iter().enumerate() {
+        let u = state.offset_m[index];
+        let normal_N = state.normal_N[index];
+        let element = &mesh.elements[index.min(elements - 1)];
+        let offset = node.axes[0] * u.x + node.axes[1] * u.y;
+        let high = model.well.path.high_side_of(node.md_m, &node.axes[2]);
+        let right = node.axes[2].cross(&high);
+        p.md_m.push(node.md_m);
+        p.tension_N.push(at_node(&state.tension_N, index));
+        p.torque_N_m.push(at_node(torques_N_m, index));
+        p.contact_force_N.push(normal_N);
+        p.contact_fraction.push(f64::from(u8::from(normal_N > 0.0)));
+        p.climb_rad.push((normal_N > 0.0).then(|| offset.dot(&right).atan2(-offset.dot(&high))));
+        p.lateral_offset_m.push(offset.norm());
+        p.element_length_m.push(element.length_m);
+        p.element_size.push(element.reason);
+    }
+    p
+}
+
+/// Strain of each element by its tension and by the mud.
+struct Strained {
+    strain: Vec<f64>,
+}
+
+/// What the metal bears.
+fn bear(
+    model: &Model,
+    operation: &Operation,
+    mesh: &Mesh,
+    string: &StringInHole,
+    state: &State,
+    p: &mut Profile,
+) -> Strained {
+    let mud = model.mud_column();
+    let bending = Bending::of(string, state, mesh, model.mud.density_kg_per_m3);
+    let last = string.nodes.len() - 1;
+    let flow_m3_per_s = string.hydraulics.map_or(0.0, |_| operation.flow_now_m3_per_s());
+    let stream_N_m2 = model.mud.density_kg_per_m3 * flow_m3_per_s * flow_m3_per_s;
+    for (index, node) in string.nodes.iter().enumerate() {
+        let component = weakest(model, mesh, index);
+        let section = BodySection::of(component);
+        let at_rest_Pa = mud.pressure_Pa(node.anchor_m.z);
+        // The flow's pressures are those at the lower end of the element above.
+        let (mut outside_Pa, mut inside_Pa) = (at_rest_Pa, at_rest_Pa);
+        let flow = &string.circulating[index.saturating_sub(1)];
+        let up_m = if index == 0 { string.elements[0].stiffness.length } else { 0.0 };
+        outside_Pa += flow.outer_Pa - flow.outer_fall_Pa_per_m * up_m;
+        inside_Pa += flow.inner_Pa + flow.inner_rise_Pa_per_m * up_m;
+        let burst_Pa = inside_Pa - outside_Pa;
+        let tension_N = p.tension_N[index];
+        let (_, own) = model.string.component_at(mesh.nodes[index].from_bit_m);
+        p.outside_pressure_Pa.push(outside_Pa);
+        p.inside_pressure_Pa.push(inside_Pa);
+        p.true_tension_N.push(own.true_tension_N(tension_N, outside_Pa, inside_Pa, stream_N_m2));
+        let bent_N_m = bending.at_node_N_m[index].max(bending.between_N_m[index]);
+        let stress_Pa = section.von_mises_Pa(
+            tension_N,
+            bent_N_m,
+            p.torque_N_m[index],
+            burst_Pa * burst_Pa,
+        );
+        p.bending_stress_Pa.push(bent_N_m * section.per_modulus_m3);
+        p.von_mises_stress_Pa.push(stress_Pa);
+        p.yield_use.push(component.yield_strength_Pa.map(|yields_Pa| stress_Pa / yields_Pa));
+    }
+    p.bending_moment_N_m = bending.at_node_N_m;
+    p.bending_moment_between_N_m = bending.between_N_m;
+    p.sag_m = bending.sag_m;
+    p.body_contact_fraction = bending.touches;
+    let strain = (0..last)
+        .map(|index| {
+            let section = &mesh.elements[index].section;
+            let middle_m = 0.5 * (string.nodes[index].anchor_m.z + string.nodes[index + 1].anchor_m.z);
+            state.tension_N[index] / section.axial_stiffness_N
+                - section.pressure_strain_per_Pa * mud.pressure_Pa(middle_m)
+                + string.circulating[index].strain
+        })
+        .collect();
+    Strained { strain }
+}
+
+/// The weakest body within half an element on either side of a node.
+fn weakest<'a>(model: &'a Model, mesh: &Mesh, index: usize) -> &'a Component {
+    let half = |element: Option<usize>| {
+        element.and_then(|of| mesh.elements.get(of)).map_or(0.0, |of| 0.5 * of.length_m)
+    };
+    let from_bit_m = mesh.nodes[index].from_bit_m;
+    let (first, _) = model.string.component_at(from_bit_m - half(Some(index)));
+    let (last, _) = model.string.component_at(from_bit_m + half(index.checked_sub(1)));
+    let components = model.string.components();
+    components[first..=last]
+        .iter()
+        .min_by(|a, b| a.section_modulus_m3().total_cmp(&b.section_modulus_m3()))
+        .unwrap_or(&components[first])
+}
+
+/// Turn and elongation against the bit, from the bit up.
+fn deform(
+    string: &StringInHole,
+    state: &State,
+    torques_N_m: &[f64],
+    strained: &Strained,
+    p: &mut Profile,
+) {
+    debug_assert_eq!(state.tension_N.len(), torques_N_m.len());
+    let nodes = string.nodes.len();
+    (p.twist_rad, p.stretch_m) = (vec![0.0; nodes], vec![0.0; nodes]);
+    for index in (0..nodes - 1).rev() {
+        let k = &string.elements[index].stiffness;
+        p.twist_rad[index] = p.twist_rad[index + 1] + torques_N_m[index] / k.twist;
+        p.stretch_m[index] = p.stretch_m[index + 1] + strained.strain[index] * k.length;
+    }
+}

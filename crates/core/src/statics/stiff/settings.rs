@@ -1,0 +1,40 @@
+//! How the stiff string is solved.
+
+use crate::{sizing::ElementLength, wall::contact::ContactLaw};
+
+/// How an end of the string is held across the hole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum End {
+    /// On the hole's axis and along it: in the rotary table, in a packer.
+    #[default]
+    Clamped,
+    /// On the hole's axis, free to tilt.
+    Pinned,
+}
+
+/// How the stiff string is solved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StiffSettings {
+    /// Length of the elements.
+    pub element_length: ElementLength,
+    /// What every length is divided by: 1, and more for convergence studies.
+    pub refinement: u32,
+    /// How the wall answers penetration.
+    pub contact_law: ContactLaw,
+    /// What holds the bit to the axis of its hole, N/m.
+    pub bit_lateral_stiffness_N_per_m: f64,
+    /// How the top is held.
+    pub top: End,
+}
+
+impl Default for StiffSettings {
+    fn default() -> Self {
+        Self {
+            element_length: ElementLength::default(),
+            refinement: 1,
+            contact_law: ContactLaw::Hertz { dissipation_s_per_m: 0.0 },
+            bit_lateral_stiffness_N_per_m: 1e7,
+            top: End::Clamped,
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! From a model and an operation to the string at rest.
+
+use nalgebra::{Matrix2, Vector2};
+
+use super::{
+    Convergence, StiffError, StiffProfile, StiffSettings, active_set, barrier,
+    contact::{self, Push},
+    equations::Equations,
+    interior_point,
+    state::State,
+    string_in_hole::StringInHole,
+};
+use crate::{
+    model::Model,
+    operation::Operation,
+    rod::mesh::Mesh,
+    sizing::{ElementLength, Sizing},
+    statics::soft::{self, SoftSettings},
+};
+
+/// Forces out of balance that an equilibrium may have, as a part of the string's weight.
+const RESIDUAL: f64 = 1e-8;
+
+/// The string at rest.
+#[derive(Debug, Clone)]
+pub(super) struct Equilibrium {
+    pub(super) mesh: Mesh,
+    pub(super) string: StringInHole,
+    pub(super) state: State,
+    pub(super) hook_load_N: f64,
+    pub(super) convergence: Convergence,
+}
+
+/// Torque and drag of one operation by the stiff string.
+///
+/// # Errors
+/// Those of the [soft string](crate::statics::soft::solve), with which it begins, and an equilibrium
+/// that was not found.
+pub fn solve(
+    model: &Model,
+    operation: &Operation,
+    settings: &StiffSettings,
+) -> Result<StiffProfile, StiffError> {
+    let equilibrium = equilibrium(model, operation, settings)?;
+    Ok(StiffProfile::new(model, operation, &equilibrium))
+}
+
+pub(super) fn equilibrium(
+    model: &Model,
+    operation: &Operation,
+    settings: &StiffSettings,
+) -> Result<Equilibrium, StiffError> {
+    let soft = soft::solve(model, operation, &SoftSettings::default())?;
+    let sizing = match settings.element_length {
+        ElementLength::Uniform(length_m) => Sizing::uniform(length_m),
+        ElementLength::Auto(accuracy) => Sizing::auto(model, &[*operation], accuracy)?,
+    };
+    let mesh = Mesh::new(&model.string, &sizing.refined(settings.refinement));
+    let string = StringInHole::new(model, operation, settings, &mesh, &soft);
+    let mut equations = Equations::new(string.nodes.len());
+    let mut iterations = 0;
+    let mut state = State::centred(&string);
+    if let Ok(found) = interior_point::iterate(&string, &mut state, &mut equations) {
+        iterations += found.count;
+        if found.converged {
+            touch(&string, &mut state);
+            if let Some(found) = finish(&string, &mut state, &mut equations, &mut iterations)
+                && found.stable
+            {
+                return Ok(Equilibrium { hook_load_N: equations.hook_load_N, mesh, string, state, convergence: found });
+            }
+        }
+    }
+    state = State::centred(&string);
+    iterations += barrier::iterate(&string, &mut state, &mut equations).count;
+    touch_by_force(&string, &mut state);
+    if let Some(found) = finish(&string, &mut state, &mut equations, &mut iterations) {
+        return Ok(Equilibrium { hook_load_N: equations.hook_load_N, mesh, string, state, convergence: found });
+    }
+    let (index, residual_N) = residual(&string, &state, &mut equations);
+    Err(StiffError::NotConverged { md_m: string.nodes[index].md_m, residual_N, iterations })
+}
+
+/// Leaves the nodes on the wall whose contact force is more of the mean weight than their room is of
+/// their clearance.
+fn touch(string: &StringInHole, state: &mut State) {
+    let weight_N = string.weight_N() / string.nodes.len() as f64;
+    for (index, node) in string.nodes.iter().enumerate() {
+        let on = node.has_wall()
+            && state.normal_N[index] * node.clearance_m > weight_N * state.slack_m[index];
+        if !on {
+            state.normal_N[index] = 0.0;
+        }
+    }
+}
+
+/// The same after a barrier, whose room is that of the place.
+fn touch_by_force(string: &StringInHole, state: &mut State) {
+    for (index, node) in string.nodes.iter().enumerate() {
+        let offset = state.offset_m[index].xy();
+        state.slack_m[index] = node.clearance_m - offset.norm();
+        if !node.has_wall() {
+            state.normal_N[index] = 0.0;
+        }
+    }
+    touch(string, state);
+}
+
+/// Ends the contact exactly and looks at what was found; none where it is no equilibrium.
+fn finish(
+    string: &StringInHole,
+    state: &mut State,
+    equations: &mut Equations,
+    iterations: &mut usize,
+) -> Option<Convergence> {
+    let found = active_set::iterate(string, state, equations).ok()?;
+    *iterations += found.count;
+    if !found.converged {
+        return None;
+    }
+    let (_, residual_N) = residual(string, state, equations);
+    let residual = residual_N / string.weight_N();
+    Some(Convergence {
+        elements: string.elements.len(),
+        iterations: *iterations,
+        residual,
+        stable: is_stable(string, state, equations),
+    })
+    .filter(|_| residual < RESIDUAL)
+}
+
+/// The largest force out of balance, N, and its node.
+fn residual(string: &StringInHole, state: &State, equations: &mut Equations) -> (usize, f64) {
+    let torques_N_m = contact::torques_N_m(string, &state.normal_N);
+    equations.assemble(string, state, Some(&torques_N_m));
+    let mut worst = (0, equations.misfit_N());
+    for (index, node) in string.nodes.iter().enumerate().skip(1) {
+        let mut force = equations.force[index].fixed_rows::<3>(0).into_owned();
+        if state.normal_N[index] > 0.0 {
+            let (direction, radius_m) = direction(state, index);
+            force += Push::exact(node, &direction, radius_m).force * state.normal_N[index];
+        }
+        if force.norm() > worst.1 {
+            worst = (index, force.norm());
+        }
+    }
+    worst
+}
+
+fn direction(state: &State, index: usize) -> (Vector2<f64>, f64) {
+    let offset = state.offset_m[index].xy();
+    let radius_m = offset.norm();
+    (offset / radius_m.max(f64::MIN_POSITIVE), radius_m)
+}
+
+/// Whether every small motion costs energy, the wall given way to where the string touches it.
+fn is_stable(string: &StringInHole, state: &State, equations: &mut Equations) -> bool {
+    let hook_load_N = equations.hook_load_N;
+    equations.assemble(string, state, None);
+    equations.hook_load_N = hook_load_N;
+    for (index, node) in string.nodes.iter().enumerate() {
+        let normal_N = state.normal_N[index];
+        if normal_N > 0.0 {
+            let (direction, radius_m) = direction(state, index);
+            let radial = direction * direction.transpose();
+            let (_, gives_m_per_N) = node.compliance.penetration_m(normal_N);
+            let wall =
+                radial / gives_m_per_N + (Matrix2::identity() - radial) * (normal_N / radius_m);
+            let mut across = equations.matrix.diagonal[index].fixed_view_mut::<2, 2>(0, 0);
+            across += wall;
+        }
+    }
+    equations.matrix.is_positive_definite()
+}

@@ -1,0 +1,79 @@
+//! Where the string is: what the iterations change.
+
+use nalgebra::{UnitVector3, Vector3};
+
+use super::{blocks::Entry, string_in_hole::StringInHole};
+
+/// A node's director and two directions across it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Heading {
+    /// The director.
+    pub(super) along: Vector3<f64>,
+    /// Two directions across it, a right-handed frame with it.
+    pub(super) across: [Vector3<f64>; 2],
+}
+
+impl Heading {
+    /// Along a direction, the first of those across as near to a given one as can be.
+    pub(super) fn new(along: Vector3<f64>, beside: Vector3<f64>) -> Self {
+        let first = (beside - along * along.dot(&beside)).normalize();
+        Self { along, across: [first, along.cross(&first)] }
+    }
+
+    /// Turned so that the director moves by two parts across it, rad.
+    fn turned(&self, by: [f64; 2]) -> Self {
+        let toward = self.across[0] * by[0] + self.across[1] * by[1];
+        let Some((toward, angle)) = UnitVector3::try_new_and_get(toward, 0.0) else {
+            return *self;
+        };
+        let (sine, cosine) = angle.sin_cos();
+        let along = (self.along * cosine + toward.into_inner() * sine).normalize();
+        Self::new(along, self.across[0])
+    }
+}
+
+/// Where the string is and what it bears.
+#[derive(Debug, Clone)]
+pub(super) struct State {
+    /// Displacements of the nodes from their anchors in the hole's axes there, m: two across, one
+    /// along.
+    pub(super) offset_m: Vec<Vector3<f64>>,
+    /// Directors.
+    pub(super) heading: Vec<Heading>,
+    /// Effective tension of the elements, N.
+    pub(super) tension_N: Vec<f64>,
+    /// Contact force of the nodes, N.
+    pub(super) normal_N: Vec<f64>,
+    /// Room left to the wall of the nodes, m: a variable of its own of the interior point.
+    pub(super) slack_m: Vec<f64>,
+}
+
+impl State {
+    /// On the hole's axis, with the tension that the rest lengths were chosen by; half of the room
+    /// left.
+    pub(super) fn centred(string: &StringInHole) -> Self {
+        let nodes = &string.nodes;
+        Self {
+            offset_m: vec![Vector3::zeros(); nodes.len()],
+            heading: nodes.iter().map(|node| Heading::new(node.axes[2], node.axes[0])).collect(),
+            tension_N: string.elements.iter().map(|element| element.guess_N).collect(),
+            normal_N: nodes.iter().map(|node| node.guess_N).collect(),
+            slack_m: nodes.iter().map(|node| 0.5 * node.clearance_m).collect(),
+        }
+    }
+
+    /// Where a node is.
+    pub(super) fn position_m(&self, string: &StringInHole, index: usize) -> Vector3<f64> {
+        let node = &string.nodes[index];
+        let u = &self.offset_m[index];
+        node.anchor_m + node.axes[0] * u.x + node.axes[1] * u.y + node.axes[2] * u.z
+    }
+
+    /// Moves the nodes by a part of a step.
+    pub(super) fn advance(&mut self, step: &[Entry], part: f64) {
+        for ((offset, heading), by) in self.offset_m.iter_mut().zip(&mut self.heading).zip(step) {
+            *offset += Vector3::new(by[0], by[1], by[2]) * part;
+            *heading = heading.turned([by[3] * part, by[4] * part]);
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! How the wall gives way under a contact force.
+
+use crate::{
+    string::Component,
+    wall::contact::{self, ContactLaw},
+    well::HoleSection,
+};
+
+/// Penetration against contact force: the inverse of the contact law, which is steep at zero.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Compliance {
+    /// `α = (N/K)^(2/3)`, `K` in N/m^1.5.
+    Hertz(f64),
+    /// `α = N/k`, `k` in N/m.
+    Linear(f64),
+}
+
+impl Compliance {
+    /// Of a component's steel on the wall of a hole.
+    pub(super) fn new(
+        law: &ContactLaw,
+        component: &Component,
+        section: &HoleSection,
+        hole_radius_m: f64,
+        contact_radius_m: f64,
+    ) -> Self {
+        match *law {
+            ContactLaw::Hertz { .. } => {
+                let steel = &component.material;
+                let modulus_Pa = contact::contact_modulus_Pa(
+                    steel.youngs_modulus_Pa,
+                    steel.poisson_ratio(),
+                    section.youngs_modulus_Pa,
+                    section.poisson_ratio,
+                );
+                Self::Hertz(contact::hertz_stiffness(modulus_Pa, hole_radius_m, contact_radius_m))
+            }
+            ContactLaw::Linear { stiffness_N_per_m, .. } => Self::Linear(stiffness_N_per_m),
+        }
+    }
+
+    /// Penetration under a force, m, and what a newton adds, m/N.
+    pub(super) fn penetration_m(self, force_N: f64) -> (f64, f64) {
+        match self {
+            Self::Hertz(stiffness) => {
+                let depth_m = (force_N.max(0.0) / stiffness).cbrt().powi(2);
+                (depth_m, 2.0 / 3.0 * depth_m / force_N.max(f64::MIN_POSITIVE))
+            }
+            Self::Linear(stiffness) => (force_N / stiffness, 1.0 / stiffness),
+        }
+    }
+
+    /// Force at a penetration, N; zero where nothing touches.
+    pub(super) fn force_N(self, penetration_m: f64) -> f64 {
+        let depth_m = penetration_m.max(0.0);
+        match self {
+            Self::Hertz(stiffness) => stiffness * depth_m * depth_m.sqrt(),
+            Self::Linear(stiffness) => stiffness * depth_m,
+        }
+    }
+}
