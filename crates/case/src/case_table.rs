@@ -28,8 +28,8 @@ table! {
     CaseTable in "the case" {
         /// What the case is called in results. Default: the name of the file.
         name: String = optional(Text);
-        /// "soft" (statics without bending stiffness), "dynamic" (the whole string in time), or a
-        /// list that is solved one by one.
+        /// "soft" (statics without bending stiffness), "stiff" (statics with it, contact found),
+        /// "dynamic" (the whole string in time), or a list that is solved one by one.
         model: Vec<Spanned<ModelKind>> = default(
             List::or_one(ModelRule, "models", MODELS.len()),
             vec![Spanned { value: ModelKind::Soft, place: Span::default() }],

@@ -15,7 +15,7 @@ pub(crate) const MODELS: &[(&str, ModelKind)] = &{
     models
 };
 
-/// A model by name; the stiff string is known, but not built.
+/// A model by name.
 #[derive(Debug, Clone, Copy)]
 pub struct ModelRule;
 
@@ -29,13 +29,6 @@ impl Rule for ModelRule {
     type Value = ModelKind;
 
     fn read(&self, node: &Node, reader: &mut Reader) -> Option<ModelKind> {
-        if let Value::Text { text, .. } = &node.value
-            && text == "stiff"
-        {
-            return Diagnostic::error("the stiff string is not built yet")
-                .at(node.place, format!("expected {}", ModelKind::LISTED.replace('`', "\"")))
-                .refuse(reader);
-        }
         Self::choice().read(node, reader)
     }
 

@@ -89,6 +89,8 @@ kinds! {
     /// Standard deviation of the friction torque of a string that the bit shakes, where elements
     /// from joint to joint leave out how the pipe vibrates between its contacts.
     BendingWavesLeftOut, "bending_waves_left_out", Torque;
+    /// An equilibrium that a small disturbance would leave.
+    UnstableEquilibrium, "unstable_equilibrium", Ratio;
     /// Means of the window drift: what they are depends on when it began.
     WindowDrifts, "window_drifts", Ratio;
     /// The string was not steady when settling ended, after this time.

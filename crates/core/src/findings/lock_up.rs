@@ -4,10 +4,7 @@ use super::{Finding, Kind, Level, buckling::Line, hook_load::weight_N, window, w
 use crate::{
     model::Model,
     operation::Operation,
-    statics::{
-        buckling::{Criterion, Place, Pushed, Segment, push_through, weight_at_bit_N},
-        soft::SoftProfile,
-    },
+    statics::buckling::{Criterion, Place, Pushed, Segment, push_through, weight_at_bit_N},
 };
 
 /// Longest stretch on which the compression is followed, m.
@@ -26,19 +23,19 @@ fn slides_down(operation: &Operation) -> bool {
     !operation.kind.rotates() && operation.kind.axial_motion().direction() > 0.0
 }
 
-/// Of the soft string, which does not count what a helix presses against the wall: that is counted
-/// here.
-pub fn of_soft(
+/// Of a state of equilibrium with this load on the hook. What a helix presses against the wall,
+/// which the soft string does not count, is counted here.
+pub fn at_rest(
     model: &Model,
     operation: &Operation,
-    profile: &SoftProfile,
+    hook_load_N: f64,
+    md_m: &[f64],
     line: &Line<'_>,
 ) -> Option<Finding> {
-    let hook_load_N = profile.scalars.hook_load_N;
     if !slides_down(operation) || hook_load_N > 0.0 && !line.is_helical() {
         return None;
     }
-    let segments = segments(model, operation, &profile.md_m);
+    let segments = segments(model, operation, md_m);
     let block_N = model.rig.block_weight_N.unwrap_or(0.0);
     let asked_N = operation.weight_on_bit_now_N();
     let arrives_N = weight_at_bit_N(&segments, block_N, Criterion::Helical);

@@ -26,24 +26,43 @@ use crate::{
     dynamics::{DynamicOutcome, DynamicsSettings},
     model::Model,
     operation::Operation,
-    statics::soft::SoftProfile,
+    outcome::{Profile, Scalars},
+    statics::{soft::SoftProfile, stiff::StiffProfile},
 };
 
 use window::Window;
 
 /// What is to be reported of an operation as the soft string solved it, the gravest first.
 pub fn of_soft(model: &Model, operation: &Operation, profile: &SoftProfile) -> Vec<Finding> {
-    let scalars = &profile.scalars;
     let line = buckling::Line::of_soft(model, operation, profile);
+    gravest_first(at_rest(model, operation, &profile.scalars, &profile.profile, &line))
+}
+
+/// What is to be reported of an operation as the stiff string solved it, the gravest first.
+pub fn of_stiff(model: &Model, operation: &Operation, profile: &StiffProfile) -> Vec<Finding> {
+    let line = buckling::Line::of_nodes(model, operation, &profile.profile);
+    let mut found = at_rest(model, operation, &profile.scalars, &profile.profile, &line);
+    found.extend(numerics::equilibrium(&profile.convergence));
+    gravest_first(found)
+}
+
+/// What is to be reported of a state of equilibrium.
+fn at_rest(
+    model: &Model,
+    operation: &Operation,
+    scalars: &Scalars,
+    profile: &Profile,
+    line: &buckling::Line<'_>,
+) -> Vec<Finding> {
     let mut found = Vec::new();
     found.extend(hook_load::steady(model, scalars.hook_load_N));
-    found.extend(lock_up::of_soft(model, operation, profile, &line));
-    found.extend(buckling::findings(&line));
+    found.extend(lock_up::at_rest(model, operation, scalars.hook_load_N, &profile.md_m, line));
+    found.extend(buckling::findings(line));
     found.extend(rig::hoist(&model.rig, [scalars.hook_load_N; 2]));
     let torque_N_m = scalars.surface_torque_N_m.abs();
     found.extend(rig::top_drive(&model.rig, [torque_N_m; 2]));
     found.extend(strength::yield_use(&profile.md_m, &profile.yield_use));
-    gravest_first(found)
+    found
 }
 
 /// What is to be reported of an operation as the dynamics solved it to its end, the gravest first.

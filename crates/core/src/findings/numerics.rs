@@ -6,6 +6,7 @@ use crate::{
     model::Model,
     outcome::Profile,
     sizing::SizeReason,
+    statics::stiff::Convergence,
 };
 
 /// Parts of the string's mean clearance. A wall is to hold a pipe at the clearance that the hole
@@ -34,6 +35,11 @@ const SWINGS: f64 = 0.02;
 
 /// A bit whose weight varies by more than this part of its mean shakes the string.
 const SHAKEN: f64 = 0.02;
+
+/// Of an equilibrium: whether it would stay as it is.
+pub fn equilibrium(of: &Convergence) -> Option<Finding> {
+    (!of.stable).then(|| Finding::new(Kind::UnstableEquilibrium, Level::Warning))
+}
 
 /// Of a run that was computed to its end.
 pub fn findings(model: &Model, outcome: &DynamicOutcome) -> Vec<Finding> {

@@ -256,6 +256,13 @@ pub(crate) fn longer(k: &Stiffness<f64>, chord: &Chord<f64>, p: &Pose<f64>) -> f
     Off::of(chord, p, apart(p)).longer(k, chord)
 }
 
+/// What an element is longer by, m, and its energy of bending, J.
+pub(crate) fn longer_and_bent(k: &Stiffness<f64>, chord: &Chord<f64>, p: &Pose<f64>) -> [f64; 2] {
+    let off = Off::of(chord, p, apart(p));
+    let (near, far) = off.bows();
+    [off.longer(k, chord), 0.5 * k.bending_near() * near + k.bending_far * far]
+}
+
 /// How an element of that shape is strained where its tension is known, N.
 pub(crate) fn strain_under(
     k: &Stiffness<f64>,
@@ -290,16 +297,20 @@ impl<N: Number> Off<N> {
         Self { x1: half * off1.dot(off1), x2: half * off2.dot(off2), apart }
     }
 
-    /// `ε L`: the chord's stretch, bowing by the two directors, and what they share.
+    /// `(1 − c1²) + (1 − c2²)` and `c12 − c1 c2`.
     #[inline(always)]
-    fn longer(&self, k: &Stiffness<N>, chord: &Chord<N>) -> N {
+    fn bows(&self) -> (N, N) {
         let one = N::splat(1.0);
         let (x1, x2) = (self.x1, self.x2);
         let (c1, c2) = (one - x1, one - x2);
-        // (1 − c1²) + (1 − c2²), by 1 − c² = x (1 + c) with x = 1 − c.
-        let near = x1.mul_add(one + c1, x2 * (one + c2));
-        // c12 − c1 c2 = x1 c2 + x2 − (1 − c12).
-        let far = x1.mul_add(c2, x2 - self.apart);
+        // By 1 − c² = x (1 + c) with x = 1 − c, and c12 − c1 c2 = x1 c2 + x2 − (1 − c12).
+        (x1.mul_add(one + c1, x2 * (one + c2)), x1.mul_add(c2, x2 - self.apart))
+    }
+
+    /// `ε L`: the chord's stretch, bowing by the two directors, and what they share.
+    #[inline(always)]
+    fn longer(&self, k: &Stiffness<N>, chord: &Chord<N>) -> N {
+        let (near, far) = self.bows();
         k.bow_far.neg_mul_add(far, k.half_bow_near.mul_add(near, chord.longer))
     }
 

@@ -65,8 +65,7 @@ fn vector(of: Vector3<f64>) -> Vector<f64> {
 }
 
 impl Ends {
-    /// The pose of an element that stands still.
-    pub fn pose(&self) -> Pose<f64> {
+    fn pose(&self) -> Pose<f64> {
         let [d1, d2] = self.directors.map(vector);
         Pose {
             anchor_chord: vector(self.chord_m),
@@ -80,6 +79,14 @@ impl Ends {
             spin: 0.0,
             twist: 0.0,
         }
+    }
+
+    /// Energy of an element whose tension is zero where `g` is `slack_m`, twist apart, J.
+    pub fn energy_J(&self, k: &Stiffness<f64>, slack_m: f64) -> f64 {
+        let pose = self.pose();
+        let chord = element::chord(k, &pose);
+        let [longer_m, bent_J] = element::longer_and_bent(k, &chord, &pose);
+        0.5 * k.axial * (longer_m - slack_m).powi(2) + bent_J
     }
 
     /// `g` of an element, m: its tension is `EA/L` of it.

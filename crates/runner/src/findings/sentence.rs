@@ -83,6 +83,11 @@ pub(super) fn sentence(
              mesh.element_length = \"3.2 m\" has most of it",
             words.torque(words.value())
         ),
+        Kind::UnstableEquilibrium => {
+            "The equilibrium found is not stable: a small disturbance would \
+                                      leave it, and a buckled string would lie otherwise"
+                .to_owned()
+        }
         Kind::WindowDrifts => drift::sentence(of, units)
             .unwrap_or_else(|| "The means of the window drift: settle longer".to_owned()),
         Kind::NeverSteady => format!(

@@ -10,7 +10,10 @@ use wholestring::{
     findings,
     operation::Operation,
     outcome::{ModelKind, Solution},
-    statics::soft::{self, SoftSettings},
+    statics::{
+        soft::{self, SoftSettings},
+        stiff::{self, StiffSettings},
+    },
 };
 use wholestring_case::Case;
 use wholestring_results::{ResultsFolder, Status};
@@ -48,6 +51,7 @@ pub(crate) fn solve(
             }
             let stopped = match model {
                 ModelKind::Soft => solve_soft(case, operation, record),
+                ModelKind::Stiff => solve_stiff(case, operation, record),
                 ModelKind::Dynamic => {
                     let begun = under_way.take_if(|begun| begun.is(operation));
                     solve_dynamic(case, operation, way, record, &mut keeper, begun)
@@ -101,6 +105,29 @@ fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) -> Status
             Status::Complete
         }
         Err(error) => unsolvable("soft string", &error),
+    }
+}
+
+fn solve_stiff(case: &Case, operation: &Operation, record: &mut Record) -> Status {
+    match stiff::solve(&case.model, operation, &stiff_settings(&case.dynamics)) {
+        Ok(profile) => {
+            record.add(operation, &Solution::from(&profile), CarriedOut::AT_ONCE);
+            let found = findings::of_stiff(&case.model, operation, &profile);
+            record.judge(&found, &case.model.rig);
+            Status::Complete
+        }
+        Err(error) => unsolvable("stiff string", &error),
+    }
+}
+
+/// The mesh, the wall and the bit's hold of a case are the same whatever solves it.
+fn stiff_settings(of: &DynamicsSettings) -> StiffSettings {
+    StiffSettings {
+        element_length: of.mesh.element_length,
+        refinement: of.mesh.refinement,
+        contact_law: of.contact_law,
+        bit_lateral_stiffness_N_per_m: of.bit.lateral_stiffness_N_per_m,
+        ..StiffSettings::default()
     }
 }
 

@@ -49,13 +49,12 @@ pub(super) fn iterate(
         let torques_N_m = contact::torques_N_m(string, &state.normal_N);
         equations.assemble(string, state, Some(&torques_N_m));
         for (index, coupling) in couplings.iter_mut().enumerate() {
-            *coupling = (state.normal_N[index] > 0.0)
-                .then(|| couple(string, state, equations, index));
+            *coupling =
+                (state.normal_N[index] > 0.0).then(|| couple(string, state, equations, index));
         }
         equations.matrix.solve(&mut equations.force)?;
         let step = &equations.force;
-        let longest_m =
-            step.iter().map(|by| by[0].hypot(by[1]).hypot(by[2])).fold(0.0, f64::max);
+        let longest_m = step.iter().map(|by| by[0].hypot(by[1]).hypot(by[2])).fold(0.0, f64::max);
         if !longest_m.is_finite() {
             return Ok(Iterated { count, converged: false });
         }
@@ -83,7 +82,9 @@ pub(super) fn iterate(
                 }
             }
         }
-        if trace() { eprintln!("pdas {count} part {part:.3} longest {longest_m:.3e} changed {changed}"); }
+        if trace() {
+            eprintln!("pdas {count} part {part:.3} longest {longest_m:.3e} changed {changed}");
+        }
         if changed == 0 && part == 1.0 && longest_m < STILL_M {
             return Ok(Iterated { count, converged: true });
         }

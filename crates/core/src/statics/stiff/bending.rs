@@ -96,8 +96,7 @@ fn bent(
     let nodes = [&string.nodes[index], &string.nodes[index + 1]];
     // Half-way the hole is a quarter of what its two directions differ by off its chord.
     let hole = nodes[1].axes[2] - nodes[0].axes[2];
-    let chord_middle = (upper + lower) * 0.5
-        - (nodes[0].anchor_m + nodes[1].anchor_m) * 0.5
+    let chord_middle = (upper + lower) * 0.5 - (nodes[0].anchor_m + nodes[1].anchor_m) * 0.5
         + across(hole) * (0.125 * length_m);
     let middle = Middle {
         load: Vector::from(load),

@@ -165,11 +165,14 @@ mod tests {
         system.diagonal.iter_mut().for_each(&mut fill);
         system.upper.iter_mut().for_each(&mut fill);
         system.lower.iter_mut().for_each(&mut fill);
-        let mut rhs: Vec<Entry> =
-            (0..ROWS).map(|row| Entry::from_fn(|k, _| (row as f64 + 0.3 * k as f64).sin())).collect();
+        let mut rhs: Vec<Entry> = (0..ROWS)
+            .map(|row| Entry::from_fn(|k, _| (row as f64 + 0.3 * k as f64).sin()))
+            .collect();
         let mut whole = DMatrix::zeros(ROWS * UNKNOWNS, ROWS * UNKNOWNS);
         let mut put = |row: usize, column: usize, block: &Block| {
-            whole.view_mut((row * UNKNOWNS, column * UNKNOWNS), (UNKNOWNS, UNKNOWNS)).copy_from(block);
+            whole
+                .view_mut((row * UNKNOWNS, column * UNKNOWNS), (UNKNOWNS, UNKNOWNS))
+                .copy_from(block);
         };
         for row in 0..ROWS {
             put(row, row, &system.diagonal[row]);
@@ -182,7 +185,10 @@ mod tests {
         let expected = whole.lu().solve(&right).expect("a solution");
         system.solve(&mut rhs).expect("pivots");
         for (found, expected) in rhs.iter().flatten().zip(expected.iter()) {
-            assert!((found - expected).abs() < 1e-9 * expected.abs().max(1.0), "{found} {expected}");
+            assert!(
+                (found - expected).abs() < 1e-9 * expected.abs().max(1.0),
+                "{found} {expected}"
+            );
         }
     }
 

@@ -36,7 +36,10 @@ impl Push {
         let around = around(node);
         let across = -around * direction;
         let turning = (Matrix2::identity() - direction * direction.transpose()) / radius_m;
-        Self { force: Vector3::new(across.x, across.y, node.friction[0]), change: -around * turning }
+        Self {
+            force: Vector3::new(across.x, across.y, node.friction[0]),
+            change: -around * turning,
+        }
     }
 }
 

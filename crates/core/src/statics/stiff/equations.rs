@@ -158,11 +158,8 @@ impl Equations {
                 seen[row].by.tr_mul(&(of.director[row] * seen[row].by))
                     + seen[row].second(headings[row], of.gradient.directors[row], of.pull_N_m[row])
             } else {
-                let between = if row == 0 {
-                    of.director_director
-                } else {
-                    of.director_director.transpose()
-                };
+                let between =
+                    if row == 0 { of.director_director } else { of.director_director.transpose() };
                 seen[row].by.tr_mul(&(between * seen[column].by))
             };
             block.fixed_view_mut::<2, 2>(3, 3).copy_from(&dd);
@@ -174,7 +171,8 @@ impl Equations {
         self.matrix.upper[index] = upper;
         self.matrix.lower[index] = upper.transpose();
         for end in [0, 1] {
-            let unbalanced = entry(&of.gradient, end) + lengthening[end] * (axial_N_per_m * excess_m);
+            let unbalanced =
+                entry(&of.gradient, end) + lengthening[end] * (axial_N_per_m * excess_m);
             self.force[index + end] -= unbalanced;
         }
         self.lengthening.push(Lengthening { ends: lengthening, excess_m, axial_N_per_m });

@@ -58,11 +58,21 @@ struct Coupling {
     gives_m_per_N: f64,
 }
 
+/// Where the interior point begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Begins {
+    /// From the axis.
+    Cold,
+    /// From a state whose contact forces and room belong together.
+    Warm,
+}
+
 /// Brings a state near to equilibrium.
 pub(super) fn iterate(
     string: &StringInHole,
     state: &mut State,
     equations: &mut Equations,
+    begins: Begins,
 ) -> Result<Iterated, Singular> {
     let walled: Vec<usize> =
         (0..string.nodes.len()).filter(|index| string.nodes[*index].has_wall()).collect();
@@ -70,14 +80,19 @@ pub(super) fn iterate(
         / walled.len().max(1) as f64;
     let weight_N = string.weight_N() / string.nodes.len() as f64;
     let floor = FLOOR * weight_N * mean_clearance_m;
-    for index in &walled {
-        state.normal_N[*index] = state.normal_N[*index].max(0.1 * weight_N);
+    if begins == Begins::Cold {
+        for index in &walled {
+            state.normal_N[*index] = state.normal_N[*index].max(0.1 * weight_N);
+        }
     }
     let mean = |state: &State| {
         let sum: f64 = walled.iter().map(|i| state.normal_N[*i] * state.slack_m[*i]).sum();
         sum / walled.len().max(1) as f64
     };
-    let mut product = FIRST * mean(state);
+    let mut product = match begins {
+        Begins::Cold => FIRST * mean(state),
+        Begins::Warm => mean(state),
+    };
     let mut couplings = vec![Coupling::default(); string.nodes.len()];
     for count in 1..=MOST {
         let torques_N_m = contact::torques_N_m(string, &state.normal_N);
@@ -112,14 +127,16 @@ pub(super) fn iterate(
             state.tension_N[index] += part * equations.tension_step_N(index, step);
         }
         state.advance(step, part);
-        let longest_m = step
-            .iter()
-            .map(|by| by[0].hypot(by[1]).hypot(by[2]))
-            .fold(0.0, f64::max);
+        let longest_m = step.iter().map(|by| by[0].hypot(by[1]).hypot(by[2])).fold(0.0, f64::max);
         if !longest_m.is_finite() {
             return Ok(Iterated { count, converged: false });
         }
-        if trace() { eprintln!("ipm {count} part {part:.3} longest {longest_m:.3e} mu {product:.3e} mean {:.3e}", mean(state)); }
+        if trace() {
+            eprintln!(
+                "ipm {count} part {part:.3} longest {longest_m:.3e} mu {product:.3e} mean {:.3e}",
+                mean(state)
+            );
+        }
         if product <= floor && part > 0.9 && longest_m < STILL_M {
             return Ok(Iterated { count, converged: true });
         }
@@ -134,7 +151,9 @@ pub(super) fn iterate(
     Ok(Iterated { count: MOST, converged: false })
 }
 
-pub(super) fn trace() -> bool { std::env::var_os("STIFF_TRACE").is_some() }
+pub(super) fn trace() -> bool {
+    std::env::var_os("STIFF_TRACE").is_some()
+}
 
 /// Adds the wall of a node to the equations, its contact force and its room condensed.
 fn couple(

@@ -71,15 +71,13 @@ impl StiffProfile {
         // At the ends the elements' middles are half an element off; hook and bit are there.
         profile.tension_N[0] = *hook_load_N;
         profile.tension_N[last] = -operation.weight_on_bit_now_N() - jet_N;
-        let surface_torque_N_m =
-            torques_N_m[0] + 0.5 * string.elements[0].mud_torque_N_m;
+        let surface_torque_N_m = torques_N_m[0] + 0.5 * string.elements[0].mud_torque_N_m;
         profile.torque_N_m[0] = surface_torque_N_m;
         profile.torque_N_m[last] = string.bit_torque_N_m;
         let bearing = bear(model, operation, mesh, string, state, &mut profile);
         deform(string, state, &torques_N_m, &bearing, &mut profile);
-        let rubbed = |index: usize| {
-            contact::rubbed_N_m(&string.nodes[index], state.normal_N[index])
-        };
+        let rubbed =
+            |index: usize| contact::rubbed_N_m(&string.nodes[index], state.normal_N[index]);
         let dragged = |index: usize| string.nodes[index].friction[0] * state.normal_N[index];
         let wear_W = |index: usize| {
             operation.rotation_rad_per_s() * rubbed(index)
@@ -133,7 +131,12 @@ impl StiffProfile {
             };
             let md_m = string.nodes[index].md_m;
             let above_m = half(index.checked_sub(1).and_then(|above| mesh.elements.get(above)));
-            spread(&mut hole_W, md_m - above_m, md_m + half(mesh.elements.get(index)), wear_W(index));
+            spread(
+                &mut hole_W,
+                md_m - above_m,
+                md_m + half(mesh.elements.get(index)),
+                wear_W(index),
+            );
         }
         let [bit_side_force_N, bit_tilt_rad] = at_bit(model, string, state);
         Self {
@@ -234,12 +237,8 @@ fn bear(
         p.inside_pressure_Pa.push(inside_Pa);
         p.true_tension_N.push(own.true_tension_N(tension_N, outside_Pa, inside_Pa, stream_N_m2));
         let bent_N_m = bending.at_node_N_m[index].max(bending.between_N_m[index]);
-        let stress_Pa = section.von_mises_Pa(
-            tension_N,
-            bent_N_m,
-            p.torque_N_m[index],
-            burst_Pa * burst_Pa,
-        );
+        let stress_Pa =
+            section.von_mises_Pa(tension_N, bent_N_m, p.torque_N_m[index], burst_Pa * burst_Pa);
         p.bending_stress_Pa.push(bent_N_m * section.per_modulus_m3);
         p.von_mises_stress_Pa.push(stress_Pa);
         p.yield_use.push(component.yield_strength_Pa.map(|yields_Pa| stress_Pa / yields_Pa));
@@ -251,7 +250,8 @@ fn bear(
     let strain = (0..last)
         .map(|index| {
             let section = &mesh.elements[index].section;
-            let middle_m = 0.5 * (string.nodes[index].anchor_m.z + string.nodes[index + 1].anchor_m.z);
+            let middle_m =
+                0.5 * (string.nodes[index].anchor_m.z + string.nodes[index + 1].anchor_m.z);
             state.tension_N[index] / section.axial_stiffness_N
                 - section.pressure_strain_per_Pa * mud.pressure_Pa(middle_m)
                 + string.circulating[index].strain

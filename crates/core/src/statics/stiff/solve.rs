@@ -3,10 +3,11 @@
 use nalgebra::{Matrix2, Vector2};
 
 use super::{
-    Convergence, StiffError, StiffProfile, StiffSettings, active_set, barrier,
+    Convergence, StiffError, StiffProfile, StiffSettings, active_set,
+    barrier::Barrier,
     contact::{self, Push},
     equations::Equations,
-    interior_point,
+    interior_point::{self, Begins},
     state::State,
     string_in_hole::StringInHole,
 };
@@ -20,6 +21,18 @@ use crate::{
 
 /// Forces out of balance that an equilibrium may have, as a part of the string's weight.
 const RESIDUAL: f64 = 1e-8;
+
+/// First product of force and room of a barrier, that of later rounds, and the one from which the
+/// interior point goes on, as parts of the mean weight of a node times its clearance.
+const FIRST: f64 = 1.0;
+const LATER: f64 = 1e-2;
+const LAST: f64 = 1e-4;
+
+/// Rounds of friction.
+const ROUNDS: usize = 12;
+
+/// Friction is settled when it changes by no more of its sum than this.
+const SETTLED: f64 = 1e-3;
 
 /// The string at rest.
 #[derive(Debug, Clone)]
@@ -60,22 +73,22 @@ pub(super) fn equilibrium(
     let mut equations = Equations::new(string.nodes.len());
     let mut iterations = 0;
     let mut state = State::centred(&string);
-    if let Ok(found) = interior_point::iterate(&string, &mut state, &mut equations) {
-        iterations += found.count;
-        if found.converged {
-            touch(&string, &mut state);
-            if let Some(found) = finish(&string, &mut state, &mut equations, &mut iterations)
-                && found.stable
-            {
-                return Ok(Equilibrium { hook_load_N: equations.hook_load_N, mesh, string, state, convergence: found });
-            }
+    let found = reach(&string, &mut state, &mut equations, Begins::Cold, &mut iterations);
+    let found = match found {
+        Some(found) if found.stable => Some(found),
+        other => {
+            let before = other.map(|found| (found, state.clone(), equations.hook_load_N));
+            let found = descend(&string, &mut state, &mut equations, &mut iterations);
+            found.or_else(|| {
+                let (found, was, hook_load_N) = before?;
+                (state, equations.hook_load_N) = (was, hook_load_N);
+                Some(found)
+            })
         }
-    }
-    state = State::centred(&string);
-    iterations += barrier::iterate(&string, &mut state, &mut equations).count;
-    touch_by_force(&string, &mut state);
-    if let Some(found) = finish(&string, &mut state, &mut equations, &mut iterations) {
-        return Ok(Equilibrium { hook_load_N: equations.hook_load_N, mesh, string, state, convergence: found });
+    };
+    if let Some(convergence) = found {
+        let hook_load_N = equations.hook_load_N;
+        return Ok(Equilibrium { mesh, string, state, hook_load_N, convergence });
     }
     let (index, residual_N) = residual(&string, &state, &mut equations);
     Err(StiffError::NotConverged { md_m: string.nodes[index].md_m, residual_N, iterations })
@@ -94,16 +107,59 @@ fn touch(string: &StringInHole, state: &mut State) {
     }
 }
 
-/// The same after a barrier, whose room is that of the place.
-fn touch_by_force(string: &StringInHole, state: &mut State) {
-    for (index, node) in string.nodes.iter().enumerate() {
-        let offset = state.offset_m[index].xy();
-        state.slack_m[index] = node.clearance_m - offset.norm();
-        if !node.has_wall() {
-            state.normal_N[index] = 0.0;
-        }
+/// Interior point and active set; none where they reach no equilibrium.
+fn reach(
+    string: &StringInHole,
+    state: &mut State,
+    equations: &mut Equations,
+    begins: Begins,
+    iterations: &mut usize,
+) -> Option<Convergence> {
+    let found = interior_point::iterate(string, state, equations, begins).ok()?;
+    *iterations += found.count;
+    if !found.converged {
+        return None;
     }
     touch(string, state);
+    finish(string, state, equations, iterations)
+}
+
+/// Minimises the energy first, friction and torque apart, and goes on from there; once more with the
+/// friction that this has, until the state reached is stable. An unstable one is better than none.
+fn descend(
+    string: &StringInHole,
+    state: &mut State,
+    equations: &mut Equations,
+    iterations: &mut usize,
+) -> Option<Convergence> {
+    *state = State::centred(string);
+    let mut barrier = Barrier::new(string, equations);
+    barrier.disturb(state);
+    let mut unstable = None;
+    let mut first = FIRST;
+    for _ in 0..ROUNDS {
+        let found = barrier.minimise(state, [first, LAST]);
+        *iterations += found.count;
+        if !found.converged {
+            break;
+        }
+        let mut there = state.clone();
+        match reach(string, &mut there, barrier.equations, Begins::Warm, iterations) {
+            Some(found) if found.stable => {
+                *state = there;
+                return Some(found);
+            }
+            Some(found) => unstable = Some((found, there, barrier.equations.hook_load_N)),
+            None => {}
+        }
+        if barrier.rub(state) < SETTLED {
+            break;
+        }
+        first = LATER;
+    }
+    let (found, there, hook_load_N) = unstable?;
+    (*state, equations.hook_load_N) = (there, hook_load_N);
+    Some(found)
 }
 
 /// Ends the contact exactly and looks at what was found; none where it is no equilibrium.

@@ -1,6 +1,6 @@
 //! Where the string is: what the iterations change.
 
-use nalgebra::{UnitVector3, Vector3};
+use nalgebra::{UnitVector3, Vector2, Vector3};
 
 use super::{blocks::Entry, string_in_hole::StringInHole};
 
@@ -29,6 +29,41 @@ impl Heading {
         let (sine, cosine) = angle.sin_cos();
         let along = (self.along * cosine + toward.into_inner() * sine).normalize();
         Self::new(along, self.across[0])
+    }
+}
+
+/// A way round the hole's axis.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Round {
+    direction: Vector2<f64>,
+    radius_m: f64,
+    /// What a whole step takes outwards, m, and round, rad.
+    pub(super) outwards_m: f64,
+    pub(super) turn_rad: f64,
+}
+
+impl Round {
+    /// Of a node that is off the axis by more than half of its clearance.
+    pub(super) fn of(offset_m: &Vector2<f64>, step: &Entry, clearance_m: f64) -> Option<Self> {
+        let radius_m = offset_m.norm();
+        (radius_m > 0.5 * clearance_m).then(|| {
+            let direction = offset_m / radius_m;
+            let by = Vector2::new(step[0], step[1]);
+            Self {
+                direction,
+                radius_m,
+                outwards_m: direction.dot(&by),
+                turn_rad: direction.perp(&by) / radius_m,
+            }
+        })
+    }
+
+    /// Where it is after a part of it.
+    fn after(&self, part: f64) -> Vector2<f64> {
+        let (sine, cosine) = (part * self.turn_rad).sin_cos();
+        let n = self.direction;
+        Vector2::new(n.x * cosine - n.y * sine, n.x * sine + n.y * cosine)
+            * (self.radius_m + part * self.outwards_m)
     }
 }
 
@@ -74,6 +109,21 @@ impl State {
         for ((offset, heading), by) in self.offset_m.iter_mut().zip(&mut self.heading).zip(step) {
             *offset += Vector3::new(by[0], by[1], by[2]) * part;
             *heading = heading.turned([by[3] * part, by[4] * part]);
+        }
+    }
+
+    /// The same, nodes that are farther from the axis than half their clearance going round it: a
+    /// straight way along the wall would soon be beyond it.
+    pub(super) fn advance_round(&mut self, string: &StringInHole, step: &[Entry], part: f64) {
+        let before: Vec<Vector2<f64>> = self.offset_m.iter().map(|offset| offset.xy()).collect();
+        self.advance(step, part);
+        for (index, node) in string.nodes.iter().enumerate() {
+            let round = Round::of(&before[index], &step[index], node.clearance_m);
+            if let Some(round) = round {
+                let offset = round.after(part);
+                self.offset_m[index].x = offset.x;
+                self.offset_m[index].y = offset.y;
+            }
         }
     }
 }

@@ -151,12 +151,13 @@ impl StringInHole {
                     at.contact_radius_m,
                 ),
                 contact_radius_m: at.contact_radius_m,
-                friction: [
-                    -friction.kinetic * along,
-                    friction.kinetic * friction.around * around,
-                ],
+                friction: [-friction.kinetic * along, friction.kinetic * friction.around * around],
                 load_N: Vector3::zeros(),
-                hold_N_per_m: if index == last { settings.bit_lateral_stiffness_N_per_m } else { 0.0 },
+                hold_N_per_m: if index == last {
+                    settings.bit_lateral_stiffness_N_per_m
+                } else {
+                    0.0
+                },
                 guess_N: soft.side_force_at_N_per_m(md_m).abs() * mesh.tributary_length_m(index),
             });
         }
