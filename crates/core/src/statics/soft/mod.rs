@@ -20,6 +20,7 @@ mod load;
 mod motion;
 mod profile;
 mod settings;
+mod travel;
 
 use crate::{model::Model, operation::Operation};
 
@@ -27,6 +28,7 @@ pub use error::SoftError;
 use motion::Sliding;
 pub use profile::SoftProfile;
 pub use settings::SoftSettings;
+pub(crate) use travel::scalars_at;
 
 /// Torque and drag of one operation by the soft string with its default settings.
 ///

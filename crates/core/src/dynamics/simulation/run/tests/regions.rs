@@ -72,7 +72,7 @@ fn refined(model: &Model, joints: usize, parts: usize) -> Mesh {
 /// `divided`, or with the shorter step for all.
 fn basis<R: Registers>(case: &Case, divided: bool) -> Basis<R> {
     let Case { model, operation, settings, mesh } = case;
-    let settling = Settling::of(operation, settings, mesh);
+    let settling = Settling::of(model, operation, settings, mesh);
     let lateral = chain::lateral_mass_kg_per_m(model, mesh, operation.bit_depth_m);
     let mut plan = regions::plan(mesh, &lateral, settings.damping.stiffness_s, usize::MAX);
     assert!(plan.subcycling.is_some(), "regions pay here");
