@@ -2,10 +2,7 @@
 
 use serde_json::{Value as Json, json};
 use wholestring::operation::OperationKind;
-use wholestring_config::{
-    names::{all_near, same},
-    prelude::*,
-};
+use wholestring_config::{names::all_near, prelude::*};
 
 use crate::words::words;
 
@@ -15,7 +12,7 @@ const KINDS: &[(&str, OperationKind)] = words!(OperationKind);
 /// An operation by name.
 const KIND: Choice<OperationKind> = Choice { noun: "an operation", words: KINDS };
 
-/// Drillers' words; capitals, blanks, hyphens and underscores do not count.
+/// Drillers' words.
 const WORDS: &[(&str, OperationKind)] = {
     use OperationKind::{BackReam, Drill, Ream, RotateOffBottom, Slide, TripIn, TripOut};
     &[
@@ -79,6 +76,37 @@ const ABBREVIATIONS: &[(&str, OperationKind)] = {
     ]
 };
 
+/// What may stand between the parts of a name and around it, as often as one likes.
+const SEPARATORS: [char; 3] = ['_', ' ', '-'];
+
+/// Whether a text is a word, in any capitals, its parts separated otherwise or not at all.
+fn is_spelt(text: &str, word: &str) -> bool {
+    let mut rest = text.trim_start_matches(SEPARATORS);
+    for part in word.split(SEPARATORS) {
+        match rest.split_at_checked(part.len()) {
+            Some((head, tail)) if head.eq_ignore_ascii_case(part) => {
+                rest = tail.trim_start_matches(SEPARATORS);
+            }
+            _ => return false,
+        }
+    }
+    rest.is_empty()
+}
+
+/// The regular expression of the texts that [`is_spelt`] takes for one of the words.
+fn spellings(words: impl Iterator<Item = &'static str>) -> String {
+    let any_capitals =
+        |letter: char| format!("[{}{}]", letter.to_ascii_uppercase(), letter.to_ascii_lowercase());
+    let spelling = |word: &str| {
+        let parts = word.split(SEPARATORS);
+        parts
+            .map(|part| part.chars().map(any_capitals).collect())
+            .collect::<Vec<String>>()
+            .join("[_ -]*")
+    };
+    format!("^[_ -]*({})[_ -]*$", words.map(spelling).collect::<Vec<_>>().join("|"))
+}
+
 /// An operation by its name, or by a driller's word for it.
 #[derive(Debug, Clone, Copy)]
 pub struct KindRule;
@@ -86,6 +114,10 @@ pub struct KindRule;
 impl KindRule {
     fn names() -> impl Iterator<Item = (&'static str, OperationKind)> {
         KIND.words.iter().chain(WORDS).copied()
+    }
+
+    fn names_and_abbreviations() -> impl Iterator<Item = (&'static str, OperationKind)> {
+        Self::names().chain(ABBREVIATIONS.iter().copied())
     }
 }
 
@@ -96,8 +128,8 @@ impl Rule for KindRule {
         let Value::Text { text, .. } = &node.value else {
             return KIND.read(node, reader);
         };
-        let mut all = Self::names().chain(ABBREVIATIONS.iter().copied());
-        if let Some((_, kind)) = all.find(|(word, _)| same(word, text)) {
+        let meant = Self::names_and_abbreviations().find(|(word, _)| is_spelt(text, word));
+        if let Some((_, kind)) = meant {
             return Some(kind);
         }
         let words: Vec<&str> = KIND.words.iter().map(|(word, _)| *word).collect();
@@ -129,6 +161,11 @@ impl Rule for KindRule {
         json!({ "anyOf": [
             KIND.schema(),
             { "type": "string", "enum": words, "description": "A driller's word for it." },
+            {
+                "type": "string",
+                "description": "Either in any capitals, its parts separated otherwise or not at all.",
+                "pattern": spellings(Self::names_and_abbreviations().map(|(word, _)| word)),
+            },
         ] })
     }
 

@@ -31,11 +31,6 @@ pub fn all_near<'a>(name: &str, names: impl IntoIterator<Item = &'a str>) -> Vec
     near.into_iter().map(|(_, name)| name).collect()
 }
 
-/// Whether two names differ in case and separators at most.
-pub fn same(a: &str, b: &str) -> bool {
-    simplify(a) == simplify(b)
-}
-
 /// Spelling without case and separators, which nobody remembers.
 fn simplify(name: &str) -> String {
     name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()

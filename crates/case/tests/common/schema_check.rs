@@ -1,5 +1,8 @@
 //! Holds a TOML text against the schema: as much of JSON Schema as the schema uses.
 
+use std::{cell::RefCell, collections::HashMap};
+
+use regex::Regex;
 use serde_json::{Value as Json, json};
 use toml::de::{DeTable, DeValue};
 
@@ -57,7 +60,9 @@ fn check(schema: &Json, value: &Json, at: &str, problems: &mut Vec<String>) {
             "maxLength" => value
                 .as_str()
                 .is_none_or(|t| t.chars().count() as u64 <= rule.as_u64().expect("a number")),
-            "pattern" => value.as_str().is_none_or(begins_like_a_number),
+            "pattern" => {
+                value.as_str().is_none_or(|text| matches(rule.as_str().expect("a pattern"), text))
+            }
             "items" => {
                 for (i, item) in value.as_array().into_iter().flatten().enumerate() {
                     check(rule, item, &format!("{at}.{i}"), problems);
@@ -124,9 +129,16 @@ fn length(value: &Json) -> Option<u64> {
     value.as_array().map(|items| items.len() as u64)
 }
 
-/// The one pattern of the schema.
-fn begins_like_a_number(text: &str) -> bool {
-    let text = text.trim_start();
-    let text = text.strip_prefix(['-', '+', '\u{2212}']).unwrap_or(text);
-    text.starts_with(|c| matches!(c, '0'..='9' | '.' | '¼'..='¾' | '⅓'..='⅞'))
+/// Whether a text has a match of a pattern. A schema has few, and they are tried on thousands of
+/// texts.
+fn matches(pattern: &str, text: &str) -> bool {
+    thread_local! {
+        static PATTERNS: RefCell<HashMap<String, Regex>> = RefCell::default();
+    }
+    PATTERNS.with_borrow_mut(|patterns| {
+        let regex = patterns
+            .entry(pattern.to_owned())
+            .or_insert_with(|| Regex::new(pattern).expect("a regular expression"));
+        regex.is_match(text)
+    })
 }

@@ -1,7 +1,9 @@
 //! Mistakes in `[operation]`.
 
+use wholestring_case::schema;
+
 use crate::{
-    common::{changed, read},
+    common::{changed, read, schema_check::problems},
     each_refused, each_warned, warned,
 };
 
@@ -47,6 +49,7 @@ fn set_points() {
 /// Drillers' words, each for its own operation; half a word for none.
 #[test]
 fn words_of_drillers() {
+    let schema = schema();
     for (word, name) in [
         ("pick-up", "trip_out"),
         ("Pick Up", "trip_out"),
@@ -71,10 +74,19 @@ fn words_of_drillers() {
         ("back-reaming", "back_ream"),
         ("backreaming", "back_ream"),
         ("ream out", "back_ream"),
+        ("trIp_in", "trip_in"),
+        (" Drill_", "drill"),
+        ("Pulling  out_of-hole", "trip_out"),
     ] {
         let text = changed("kind = \"drill\"", &format!("kind = \"{word}\""));
+        assert_eq!(problems(&schema, &text), Vec::<String>::new(), "{word}");
         let case = read(&text).unwrap_or_else(|report| panic!("{word}: {report}"));
         assert_eq!(case.operations[0].kind.name(), name, "{word}");
+    }
+    for word in ["dr ill", "drill.", "POOHS", "tr\u{131}p_in", ""] {
+        let text = changed("kind = \"drill\"", &format!("kind = \"{word}\""));
+        assert!(!problems(&schema, &text).is_empty(), "the schema accepts {word}");
+        assert!(read(&text).is_err(), "the reader accepts {word}");
     }
     each_refused(
         r#"

@@ -55,28 +55,24 @@ fn np13_with_both_models() {
 }
 
 /// The dynamics of the shipped case as they are shipped: each operation was steady when its window
-/// began, and the deviation of its hook load is no drift.
+/// began, and the deviation of its hook load is no drift, but where the string travels: its hook load
+/// changes with its place.
 fn settles(name: &str) {
     let solved = solved_with(&cases().join(name), &["model=dynamic"]);
     for of in &solved {
         let numerics = of.numerics.as_ref().unwrap();
         let hook_load = of.statistics.as_ref().unwrap()["hook_load_N"];
         assert_eq!(numerics.run.settled, Some(true), "{name}: {}", of.operation);
-        assert!(!hook_load.drifts, "{name}, {}: {hook_load:?}", of.operation);
+        let travels = numerics.run.bit_travel_m.abs() > 1.0;
+        assert!(!hook_load.drifts || travels, "{name}, {}: {hook_load:?}", of.operation);
     }
 }
 
 #[test]
-fn small_cases_settle() {
-    for name in ["slant.toml", "vertical.toml", "horizontal.toml"] {
+fn cases_that_trip_settle() {
+    for name in ["slant.toml", "vertical.toml", "horizontal.toml", "iscwsa-04.toml"] {
         settles(name);
     }
-}
-
-#[test]
-#[ignore = "minutes: run by cargo xtask verify"]
-fn long_cases_settle() {
-    settles("iscwsa-04.toml");
 }
 
 #[test]

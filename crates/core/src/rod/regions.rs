@@ -44,9 +44,8 @@ const TRIED: [f64; 8] = [1.0, 0.95, 0.9, 0.85, 0.8, 0.7, 0.6, 0.5];
 /// The cheapest plan for `mesh`: in two regions where that pays, else [`stability::plan`]'s.
 ///
 /// The border element lies above the node `highest_lower`, and not at it: what acts on that node
-/// and
-/// on the elements at it belongs to the lower region. `lateral_kg_per_m` and `stiffness_damping_s`
-/// as there.
+/// and on the elements at it belongs to the lower region. `lateral_kg_per_m` and
+/// `stiffness_damping_s` as there.
 pub fn plan(
     mesh: &Mesh,
     lateral_kg_per_m: &[f64],
@@ -128,8 +127,7 @@ impl BareString {
         let inertia: Vec<_> = upper_inertia.iter().chain(&lower_inertia[1..]).copied().collect();
         let k = &self.elements[border].0;
         // The chord over a path that is curved by an acceleration lies, on average over the step,
-        // by
-        // `DT²/12 (1 − 1/M²)` of it beside the path.
+        // by `DT²/12 (1 − 1/M²)` of it beside the path.
         let beside_s2 = dt_s * dt_s / 12.0 * (1.0 - 1.0 / (parts * parts));
         Some(StepPlan {
             dt_s,
@@ -149,8 +147,7 @@ impl BareString {
     }
 
     /// The border node of an upper region with a step of `dt_s` and no more than `budget_kg` of
-    /// added
-    /// mass: above the first element that does not bear that, and its buffer.
+    /// added mass: above the first element that does not bear that, and its buffer.
     fn border(&self, dt_s: f64, mut budget_kg: f64) -> Option<usize> {
         let limit = frequency_limit(dt_s, self.beta);
         let first_fine = self.elements.iter().position(|(k, bare)| {
@@ -170,8 +167,7 @@ impl BareString {
     }
 
     /// The longest step that an element bears with its own mass along and about the axis, s, and
-    /// the
-    /// motion that bounds it.
+    /// the motion that bounds it.
     fn bears(&self, (k, bare): &BareElement) -> (f64, Motion) {
         let stretching_s = own_step(k, bare, self.beta);
         let twisting_s = twisting_step(k, bare, self.beta);

@@ -175,7 +175,7 @@ fn mesh_and_plan(
 ) -> Result<(Mesh, Settling, StepPlan), SoftError> {
     let sizing = sizing(model, operation, settings)?.refined(settings.mesh.refinement);
     let mesh = Mesh::new(&model.string, &sizing);
-    let settling = Settling::of(operation, settings, &mesh);
+    let settling = Settling::of(model, operation, settings, &mesh);
     let bit_md_m = first_bit_md_m(operation, settings, &settling);
     let lateral = chain::lateral_mass_kg_per_m(model, &mesh, bit_md_m);
     let beta = settings.damping.stiffness_s;

@@ -315,13 +315,12 @@ impl DynamicsSettings {
 }
 
 impl Default for DynamicsSettings {
-    /// Elements that choose their length; 60 s after 20 s of settling, steady or not,
-    /// sampled every 10 ms; a
-    /// prepared start, or a centred one with its static tension and a ramp of 1 s; vector friction
-    /// that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping of 0.1
-    /// 1/s by mass and 10 µs by stiffness; the hoist control that the operation requires on a line
-    /// of 1e7 N/m and 1e5 N·s/m that carries no block; a constant rotary speed; no schedule, no
-    /// probes; rock of 1e8 N/m and 1e7 N/m across; seed 1; double precision.
+    /// Elements that choose their length; 60 s after 20 s of settling, steady or not, sampled every
+    /// 10 ms; a prepared start, or a centred one with its static tension and a ramp of 1 s; vector
+    /// friction that loses half of its rise at rest by 0.1 m/s; Hertz contact with 0.5 s/m; damping
+    /// of 0.1 1/s by mass and 10 µs by stiffness; the hoist control that the operation requires on
+    /// a line of 1e7 N/m and 1e5 N·s/m that carries no block; a constant rotary speed; no schedule,
+    /// no probes; rock of 1e8 N/m and 1e7 N/m across; seed 1; double precision.
     fn default() -> Self {
         Self {
             mesh: MeshSettings::default(),

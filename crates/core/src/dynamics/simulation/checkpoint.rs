@@ -18,8 +18,8 @@ use crate::{
     simd::wide::Registers,
 };
 
-/// Everything of a run that changes in time, as plain data; what the model, the
-/// operation and the settings determine is found anew.
+/// Everything of a run that changes in time, as plain data; what the model, the operation and the
+/// settings determine is found anew.
 ///
 /// [`Simulation::resume`](crate::dynamics::Simulation::resume) continues from it and ends, on a
 /// processor with the same instructions, with the same bits as the run that was never written to a

@@ -9,9 +9,11 @@ use crate::{
         },
         settings::{DynamicsSettings, Start},
     },
+    model::Model,
     operation::Operation,
-    outcome::TimeSeries,
+    outcome::{SCALARS, TimeSeries, VARYING},
     rod::{mesh::Mesh, torsion},
+    statics::soft::{self, SoftSettings},
 };
 
 /// Time over which the extra damping of a prepared start fades, s: what comes before says nothing
@@ -43,10 +45,13 @@ const LEFT: f64 = 0.2;
 /// little.
 const SPREAD_SIGNIFICANT: f64 = 2.0;
 
-/// By how much more than in proportion to the length of the string a string that travels may
-/// change, when it is steady: what a build holds leaves it several times as fast, and the stretch
-/// of a string whose drag takes most of its weight was found to change nine times as fast.
-const TRAVEL: f64 = 10.0;
+/// By how much a string that travels may change besides what the soft string foretells, when it is
+/// steady: the part of its length that it travels, of each scale, for what the soft string does not
+/// know, such as joints that pass a place where the hole begins to bend.
+const TRAVEL: f64 = 1.0;
+
+/// Distance over which the soft string is asked what travel changes, m.
+const FORETOLD_OVER_M: f64 = 2.0;
 
 /// A string that travels, and what it settles at least, s: its place in the hole is chosen before
 /// that is known.
@@ -66,6 +71,9 @@ pub(in crate::dynamics) enum Settling {
         min_s: f64,
         /// Time at which it opens whatever the test says, s.
         max_s: f64,
+        /// What each of the scalars that vary changes by for each metre that the bit goes down the
+        /// hole, in a string that travels; SI.
+        per_metre: [f64; VARYING.len()],
     },
 }
 
@@ -86,6 +94,7 @@ impl Settling {
     /// schedule's last line is done. A string that travels by more than a metre settles for 30 s at
     /// least, so that it mostly is where it was meant to be in the middle of the window.
     pub(in crate::dynamics) fn of(
+        model: &Model,
         operation: &Operation,
         settings: &DynamicsSettings,
         mesh: &Mesh,
@@ -112,7 +121,9 @@ impl Settling {
         let travels = travel_m > TRAVELS_M && !settings.schedule.moves_the_hoist();
         let min_s = settings.settle_s.max(start_s).max(planned_s) + stretch_s;
         let min_s = if travels { min_s.max(TRAVELS_MIN_S) } else { min_s };
-        Self::UntilSteady { stretch_s, min_s, max_s: (planned_s + until.max_s).max(min_s) }
+        let max_s = (planned_s + until.max_s).max(min_s);
+        let per_metre = if travels { per_metre(model, operation) } else { [0.0; VARYING.len()] };
+        Self::UntilSteady { stretch_s, min_s, max_s, per_metre }
     }
 
     /// The shortest time before the window, s.
@@ -141,7 +152,7 @@ impl Settling {
         duration_s: f64,
         length_m: f64,
     ) -> Option<Settled> {
-        let Self::UntilSteady { stretch_s, min_s, max_s } = *self else {
+        let Self::UntilSteady { stretch_s, min_s, max_s, ref per_metre } = *self else {
             return None;
         };
         let samples = |time_s: f64| (time_s / interval_s).round().max(1.0) as usize;
@@ -154,16 +165,40 @@ impl Settling {
             return None;
         }
         let from = now.saturating_sub(samples(stretch_s));
-        let steady = is_steady(series, from, (stretch_s / duration_s).min(1.0), length_m);
+        let of_window = (stretch_s / duration_s).min(1.0);
+        let steady = is_steady(series, from, of_window, per_metre, length_m);
         (steady || now >= most).then_some(Settled { settle_s, steady })
     }
 }
 
+/// What each of the scalars that vary changes by for each metre that the bit goes down the hole, the
+/// string as long as it is, by the soft string. Zero of what the soft string does not know, and where
+/// it has no answer: all of a drift counts then.
+fn per_metre(model: &Model, operation: &Operation) -> [f64; VARYING.len()] {
+    let at = |down_m| soft::scalars_at(model, operation, &SoftSettings::default(), down_m).ok();
+    let ends = [-0.5, 0.5].map(|part| at(part * FORETOLD_OVER_M));
+    let [Some(above), Some(below)] = ends else {
+        return [0.0; VARYING.len()];
+    };
+    VARYING.map(|column| {
+        let scalar = SCALARS.iter().find(|scalar| scalar.quantity.name == column.quantity.name);
+        let change = scalar.and_then(|scalar| Some((scalar.of)(&below)? - (scalar.of)(&above)?));
+        change.unwrap_or(0.0) / FORETOLD_OVER_M
+    })
+}
+
 /// Whether the samples from row `from` on drift by less than a fifth of what matters, in their
 /// means and in their spread, so that a window that is longer than they, of which they are the part
-/// `of_window`, would drift by less, too. A string that travels may change besides: by ten times
-/// the part of its length that it travels, of each scale.
-fn is_steady(series: &TimeSeries, from: usize, of_window: f64, length_m: f64) -> bool {
+/// `of_window`, would drift by less, too. What the travel of the bit changes, `per_metre` of it, is
+/// no drift, and a string that travels may change besides by the part of its length that it
+/// travels, of each scale.
+fn is_steady(
+    series: &TimeSeries,
+    from: usize,
+    of_window: f64,
+    per_metre: &[f64; VARYING.len()],
+    length_m: f64,
+) -> bool {
     let scalars = varying(series).map(|scalar| (scalar.samples.get(from..).unwrap_or(&[]), scalar));
     let scales = scales(scalars.each_ref().map(|(samples, scalar)| (scalar.scale, mean(samples))));
     let bit_m = series.bit_depth_m.get(from..).unwrap_or(&[]);
@@ -172,10 +207,13 @@ fn is_steady(series: &TimeSeries, from: usize, of_window: f64, length_m: f64) ->
         _ => 0.0,
     };
     let least = LEFT * MATTERS * of_window + TRAVEL * travel_m / length_m;
-    scalars.iter().zip(scales).all(|((samples, _), scale)| {
-        let mean = mean(samples);
+    scalars.iter().zip(scales).zip(per_metre).all(|(((samples, _), scale), per_metre)| {
+        let travelled = samples.iter().zip(bit_m);
+        let samples: Vec<f64> =
+            travelled.map(|(x, md_m)| x - per_metre * (md_m - bit_m[0])).collect();
+        let mean = mean(&samples);
         let spread: Vec<f64> = samples.iter().map(|x| (x - mean).abs()).collect();
-        !Drift::of(samples).exceeds(SIGNIFICANT, least * scale)
+        !Drift::of(&samples).exceeds(SIGNIFICANT, least * scale)
             && !Drift::of(&spread).exceeds(SPREAD_SIGNIFICANT, least * scale)
     })
 }

@@ -191,6 +191,8 @@ pub(super) struct Integral {
     pub(super) rows: Vec<Row>,
     /// What has accumulated at the surface.
     pub(super) totals: Totals,
+    /// What of it the uppermost metre adds.
+    pub(super) per_metre_at_surface: Totals,
     /// Power of friction on each stretch of the hole, W.
     pub(super) hole_W: Vec<f64>,
     /// What the mud does, if it flows.
@@ -229,6 +231,7 @@ pub(super) fn from_bit(
     let rotation_rad_per_s = operation.rotation_rad_per_s();
     let mut hole_W = vec![0.0; hole_steps(bit_depth_m)];
     let mut rows = Vec::new();
+    let mut per_metre_at_surface = totals;
     for segment in &segments {
         let length_m = segment.to_md_m - segment.from_md_m;
         let count = (length_m / settings.step_m).ceil().max(1.0);
@@ -273,7 +276,8 @@ pub(super) fn from_bit(
         // The uppermost stretch ends at the surface, with a row of its own.
         if segment.from_md_m == 0.0 {
             rows.push(segment.row(path, 0.0, &lower, &totals));
+            per_metre_at_surface = segment.rate(&lower, &totals);
         }
     }
-    Ok(Integral { rows, totals, hole_W, hydraulics })
+    Ok(Integral { rows, totals, per_metre_at_surface, hole_W, hydraulics })
 }

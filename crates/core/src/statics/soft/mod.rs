@@ -18,12 +18,14 @@ mod integrate;
 mod load;
 mod profile;
 mod settings;
+mod travel;
 
 use crate::{model::Model, operation::Operation, statics::sliding::Sliding};
 
 pub use error::SoftError;
 pub use profile::SoftProfile;
 pub use settings::SoftSettings;
+pub(crate) use travel::scalars_at;
 
 /// Torque and drag of one operation by the soft string with its default settings.
 ///

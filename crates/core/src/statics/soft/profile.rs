@@ -46,7 +46,7 @@ impl Deref for SoftProfile {
 
 impl SoftProfile {
     pub(super) fn new(model: &Model, operation: &Operation, integral: Integral) -> Self {
-        let Integral { mut rows, totals, hole_W, hydraulics } = integral;
+        let Integral { mut rows, totals, hole_W, hydraulics, .. } = integral;
         rows.reverse();
         let column = |of: fn(&Row) -> f64| rows.iter().map(of).collect::<Vec<f64>>();
         let md_m = column(|row| row.md_m);

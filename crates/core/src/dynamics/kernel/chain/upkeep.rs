@@ -23,8 +23,7 @@ impl<R: Real> Chain<R> {
 
     /// Finds what the mud's lateral drag takes of the nodes' velocities in a step of their region,
     /// as they move now; that of the uppermost is `dt`. A hundredth in any mud; a brake still at
-    /// any
-    /// speed.
+    /// any speed.
     pub fn find_drag(&mut self, dt: f64) {
         with_fastest_instruction_set!(find_drag(self, dt))
     }

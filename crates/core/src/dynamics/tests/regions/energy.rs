@@ -73,11 +73,9 @@ fn drift(rod: &mut Bench, steps: usize) -> f64 {
 }
 
 /// A string that loses nothing, stirred up in all its waves, those included that the border's
-/// longer
-/// step cannot carry, keeps its energy over so many steps: within 1e-4, of which the mean of what
-/// is
-/// read leaves a few hundred thousandths, with one step for all of it as well. The bands of an
-/// unstable coupling, 1e-3 a step, would have ended it in ten thousand.
+/// longer step cannot carry, keeps its energy over so many steps: within 1e-4, of which the mean of
+/// what is read leaves a few hundred thousandths, with one step for all of it as well. The bands of
+/// an unstable coupling, 1e-3 a step, would have ended it in ten thousand.
 fn energy_is_kept(steps: usize) {
     for parts in [2, 3, 4] {
         for motion in [Motion::Axial, Motion::Torsional, Motion::All] {

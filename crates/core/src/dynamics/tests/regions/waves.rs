@@ -100,8 +100,7 @@ fn thrown_back(kind: Kind, frequency_Hz: f64, parts: u32, corrected: bool) -> f6
 /// 1/M²)`, which throws `ω m/2Z` of a wave back: in the same proportion to the ordinary element's
 /// own mass along and about the axis, as `k L/Z = c`. Within 15 %: the next order in the frequency,
 /// and the burst's width in it. With that inertia what is left is of second order, a quarter at
-/// half
-/// the frequency (0.25 to 0.28), and below 0.4 % at 20 Hz.
+/// half the frequency (0.25 to 0.28), and below 0.4 % at 20 Hz.
 #[test]
 fn the_border_throws_little_back() {
     for kind in [Kind::Axial, Kind::Torsional] {

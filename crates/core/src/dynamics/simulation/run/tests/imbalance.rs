@@ -30,6 +30,7 @@ fn eccentric_model(pipe_m: Option<f64>) -> Model {
 
 /// A second after its start: it turns, and much of it lies on the wall.
 fn turning(pipe_m: Option<f64>) -> Run<f64> {
+    // More than eighty nodes that have a mass each.
     let settings =
         DynamicsSettings { mesh: MeshSettings::uniform(3.2), ..DynamicsSettings::default() };
     let mut run = new_run(&eccentric_model(pipe_m), &REAM, &settings);

@@ -21,6 +21,7 @@ fn on_rock() -> DynamicsSettings {
             law: BitLaw::Rock(Box::new(RockLaw { drilling })),
             ..BitSettings::default()
         },
+        // What the lowest node rubs off and weighs is held against the bit's torque and weight.
         mesh: MeshSettings::uniform(3.2),
         ..DynamicsSettings::default()
     }

@@ -68,11 +68,10 @@ fn refined(model: &Model, joints: usize, parts: usize) -> Mesh {
 }
 
 /// What a run on the refined mesh is made of, with the steps and the inertia of the plan in
-/// regions;
-/// `divided`, or with the shorter step for all.
+/// regions; `divided`, or with the shorter step for all.
 fn basis<R: Registers>(case: &Case, divided: bool) -> Basis<R> {
     let Case { model, operation, settings, mesh } = case;
-    let settling = Settling::of(operation, settings, mesh);
+    let settling = Settling::of(model, operation, settings, mesh);
     let lateral = chain::lateral_mass_kg_per_m(model, mesh, operation.bit_depth_m);
     let mut plan = regions::plan(mesh, &lateral, settings.damping.stiffness_s, usize::MAX);
     assert!(plan.subcycling.is_some(), "regions pay here");
@@ -178,8 +177,7 @@ fn shaken() -> Case {
 /// What shakes the bit is felt as with one step for all of the string: weight on bit, hook load and
 /// torque have the same means, within 1e-4, and spread within 0.5 %. The line of the hoist is soft:
 /// taken at the step's end it damps by its stiffness times half a step, which the longer step of
-/// the
-/// pipe would change.
+/// the pipe would change.
 #[test]
 fn the_bit_shakes_the_string_alike() {
     let case = shaken();
@@ -199,9 +197,8 @@ fn the_bit_shakes_the_string_alike() {
 }
 
 /// Contact and friction are averages over the steps of each node, of which those of the lower
-/// region
-/// take more: of a string that slides on a straight hole they are those of a string with one step,
-/// the friction `μ` of the contact, and over the pipe the weight across the hole.
+/// region take more: of a string that slides on a straight hole they are those of a string with one
+/// step, the friction `μ` of the contact, and over the pipe the weight across the hole.
 #[test]
 fn contact_is_averaged_over_the_steps_of_each_region() {
     let case = tripping();
@@ -276,8 +273,7 @@ fn assert_same<R: Registers>(one: &Run<R>, other: &Run<R>) {
 }
 
 /// The same bits on every run, and after a checkpoint in the middle of one; a checkpoint of a
-/// string
-/// in regions is none of a string without.
+/// string in regions is none of a string without.
 fn a_run_is_repeated_and_resumed<R: Registers>() {
     let case = shaken();
     let mut straight: Run<R> = case.begin(true);
@@ -310,8 +306,7 @@ fn a_run_in_single_precision_is_repeated_and_resumed() {
 }
 
 /// A coefficient of friction of the caller's own, that of the hole, changes no bit: each region
-/// asks
-/// for it at its own steps.
+/// asks for it at its own steps.
 #[test]
 fn the_callers_friction_is_asked_for_in_both_regions() {
     let case = tripping();
