@@ -1,7 +1,7 @@
 //! The string elsewhere in its hole.
 
-use super::{SoftError, SoftProfile, SoftSettings, error, integrate, motion::Sliding};
-use crate::{model::Model, operation::Operation, outcome::Scalars};
+use super::{SoftError, SoftProfile, SoftSettings, error, integrate};
+use crate::{model::Model, operation::Operation, outcome::Scalars, statics::sliding::Sliding};
 
 /// The scalars of the same string, no longer and no shorter, with its bit deeper by `down_m`, or
 /// shallower where that is negative.

@@ -13,7 +13,7 @@
 use nalgebra::{Matrix2, Vector2};
 
 use super::{
-    blocks::{Entry, Singular},
+    blocks::Singular,
     contact::{self, Push},
     equations::Equations,
     state::State,
@@ -194,10 +194,4 @@ fn couple(
     let mut across = diagonal.fixed_view_mut::<2, 2>(0, 0);
     across -= change;
     coupling
-}
-
-/// The largest step of a node, m.
-#[allow(dead_code)]
-fn longest_m(step: &[Entry]) -> f64 {
-    step.iter().map(|by| by[0].hypot(by[1]).hypot(by[2])).fold(0.0, f64::max)
 }

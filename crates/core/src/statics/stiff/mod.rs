@@ -20,6 +20,3 @@ pub use error::StiffError;
 pub use profile::{Convergence, StiffProfile};
 pub use settings::{End, StiffSettings};
 pub use solve::solve;
-
-#[cfg(test)]
-mod tests;

@@ -188,7 +188,7 @@ fn along(
         let offset = node.axes[0] * u.x + node.axes[1] * u.y;
         let high = model.well.path.high_side_of(node.md_m, &node.axes[2]);
         let right = node.axes[2].cross(&high);
-        p.md_m.push(node.md_m);
+        p.md_m.push(node.md_m + u.z);
         p.tension_N.push(at_node(&state.tension_N, index));
         p.torque_N_m.push(at_node(torques_N_m, index));
         p.contact_force_N.push(normal_N);

@@ -25,8 +25,17 @@ const RESIDUAL: f64 = 1e-8;
 /// First product of force and room of a barrier, that of later rounds, and the one from which the
 /// interior point goes on, as parts of the mean weight of a node times its clearance.
 const FIRST: f64 = 1.0;
-const LATER: f64 = 1e-2;
 const LAST: f64 = 1e-4;
+
+/// First product of a later round over its last.
+const LATER: f64 = 100.0;
+
+/// A smaller last product, where an unstable state was reached, and the least.
+const LESS: f64 = 1e-2;
+const LEAST: f64 = 1e-9;
+
+/// Newton steps after which no further round begins.
+const MOST: usize = 1000;
 
 /// Rounds of friction.
 const ROUNDS: usize = 12;
@@ -136,9 +145,9 @@ fn descend(
     let mut barrier = Barrier::new(string, equations);
     barrier.disturb(state);
     let mut unstable = None;
-    let mut first = FIRST;
+    let [mut first, mut last] = [FIRST, LAST];
     for _ in 0..ROUNDS {
-        let found = barrier.minimise(state, [first, LAST]);
+        let found = barrier.minimise(state, [first, last]);
         *iterations += found.count;
         if !found.converged {
             break;
@@ -149,13 +158,18 @@ fn descend(
                 *state = there;
                 return Some(found);
             }
-            Some(found) => unstable = Some((found, there, barrier.equations.hook_load_N)),
+            Some(found) => {
+                unstable = Some((found, there, barrier.equations.hook_load_N));
+                // The barrier itself held the string straight.
+                last *= LESS;
+            }
             None => {}
         }
-        if barrier.rub(state) < SETTLED {
+        let rubs_alike = barrier.rub(state) < SETTLED;
+        if *iterations > MOST || rubs_alike && (unstable.is_none() || last < LEAST) {
             break;
         }
-        first = LATER;
+        first = LATER * last;
     }
     let (found, there, hook_load_N) = unstable?;
     (*state, equations.hook_load_N) = (there, hook_load_N);

@@ -109,7 +109,7 @@ impl StringInHole {
         soft: &SoftProfile,
     ) -> Self {
         let bore = Bore::new(&model.well.hole);
-        let depths = depths_m(operation.bit_depth_m, mesh, soft);
+        let depths = depths_m(model, &bore, operation.bit_depth_m, mesh, soft);
         let (circulating, hydraulics) = circulation(model, operation, mesh, &depths);
         let sliding = Sliding::of(operation);
         let mud_density = model.mud.density_kg_per_m3;
@@ -228,15 +228,31 @@ impl StringInHole {
     }
 }
 
-/// Measured depths of the nodes of a string that is stretched by the soft string's tension, its bit
-/// at a depth, m.
-fn depths_m(bit_depth_m: f64, mesh: &Mesh, soft: &SoftProfile) -> Vec<f64> {
+/// Measured depths of the nodes of a string whose bit is at a depth, m: stretched by the soft string's
+/// tension, and reaching farther on the inside of a bend than the hole's axis does.
+fn depths_m(
+    model: &Model,
+    bore: &Bore,
+    bit_depth_m: f64,
+    mesh: &Mesh,
+    soft: &SoftProfile,
+) -> Vec<f64> {
+    // What a metre of string on the wall is shorter by than a metre of axis.
+    let inside = |index: usize, md_m: f64| {
+        let clearance_m = bore.smooth_radius_m(md_m) - mesh.nodes[index].contact_radius_m;
+        let curvature_per_m = model.well.path.at(md_m).curvature_per_m;
+        clearance_m.max(0.0) * soft.contact_direction_at(md_m).dot(&curvature_per_m)
+    };
     let mut depths = vec![bit_depth_m; mesh.nodes.len()];
+    let mut below = inside(mesh.nodes.len() - 1, bit_depth_m);
     for index in (0..mesh.elements.len()).rev() {
         let element = &mesh.elements[index];
         let tension_N = soft.tension_at_N(depths[index + 1] - 0.5 * element.length_m);
         let strain = tension_N / element.section.axial_stiffness_N;
-        depths[index] = depths[index + 1] - element.length_m * (1.0 + strain);
+        let above = inside(index, depths[index + 1] - element.length_m);
+        let longer = 1.0 + strain + 0.5 * (above + below);
+        depths[index] = depths[index + 1] - element.length_m * longer;
+        below = above;
     }
     depths
 }

@@ -49,13 +49,4 @@ impl Compliance {
             Self::Linear(stiffness) => (force_N / stiffness, 1.0 / stiffness),
         }
     }
-
-    /// Force at a penetration, N; zero where nothing touches.
-    pub(super) fn force_N(self, penetration_m: f64) -> f64 {
-        let depth_m = penetration_m.max(0.0);
-        match self {
-            Self::Hertz(stiffness) => stiffness * depth_m * depth_m.sqrt(),
-            Self::Linear(stiffness) => stiffness * depth_m,
-        }
-    }
 }
