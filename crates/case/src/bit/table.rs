@@ -31,7 +31,7 @@ table! {
         /// Lateral stiffness that holds the bit to the hole's axis, instead of contact and friction
         /// with the wall: the bit fills its hole. Raising it holds the bit closer. On solid rock it
         /// stands for what the wall is finer than elements; with 0 the elements alone hold the bit.
-        /// Only the dynamic model uses it.
+        /// The soft string does not use it.
         lateral_stiffness: f64 = default(
             Quantity::si(Dimension::Stiffness, Range::from_to(0.0, 1e12).usual(1e4, 1e10), "1e7 N/m"),
             BitSettings::default().lateral_stiffness_N_per_m,

@@ -11,7 +11,7 @@ use super::{
     blocks::Singular,
     contact::{self, Push},
     equations::Equations,
-    interior_point::{Iterated, trace},
+    interior_point::{HELD, Iterated},
     state::State,
     string_in_hole::StringInHole,
 };
@@ -27,6 +27,11 @@ const STILL_M: f64 = 1e-10;
 
 /// Contact force of a node that meets the wall, as a part of the mean weight of a node.
 const FIRST: f64 = 0.1;
+
+/// Part of its contact force that a node keeps which would be pulled, but is in the wall; below this
+/// part of the mean weight it has none.
+const LESS: f64 = 0.1;
+const NOTHING: f64 = 1e-9;
 
 /// What the wall of a node on it adds to a Newton step: its contact force changes by so much, and so
 /// much for a metre of offset.
@@ -48,6 +53,7 @@ pub(super) fn iterate(
     for count in 1..=MOST {
         let torques_N_m = contact::torques_N_m(string, &state.normal_N);
         equations.assemble(string, state, Some(&torques_N_m));
+        equations.hold_across(HELD * string.swing_N_per_m());
         for (index, coupling) in couplings.iter_mut().enumerate() {
             *coupling =
                 (state.normal_N[index] > 0.0).then(|| couple(string, state, equations, index));
@@ -68,10 +74,16 @@ pub(super) fn iterate(
             match couplings[index] {
                 Some(of) => {
                     let du = Vector2::new(step[index][0], step[index][1]);
-                    state.normal_N[index] += part * (of.force_N + of.by_offset.dot(&du));
-                    if state.normal_N[index] <= 0.0 {
-                        state.normal_N[index] = 0.0;
+                    let before_N = state.normal_N[index];
+                    let after_N = before_N + part * (of.force_N + of.by_offset.dot(&du));
+                    if after_N <= 0.0 {
+                        // A wall that is soft at first: Newton's step from above goes too far.
+                        let inside = state.offset_m[index].xy().norm() < node.clearance_m;
+                        let leaves = inside || before_N < NOTHING * weight_N;
+                        state.normal_N[index] = if leaves { 0.0 } else { LESS * before_N };
                         changed += 1;
+                    } else {
+                        state.normal_N[index] = after_N;
                     }
                 }
                 None => {
@@ -81,9 +93,6 @@ pub(super) fn iterate(
                     }
                 }
             }
-        }
-        if trace() {
-            eprintln!("pdas {count} part {part:.3} longest {longest_m:.3e} changed {changed}");
         }
         if changed == 0 && part == 1.0 && longest_m < STILL_M {
             return Ok(Iterated { count, converged: true });

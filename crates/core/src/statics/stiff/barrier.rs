@@ -223,11 +223,6 @@ impl<'a> Barrier<'a> {
             shift = if shift < 1e-4 * stiff_N_per_m { 0.0 } else { shift / 3.0 };
             let slope: f64 = gradient.iter().zip(&step).map(|(force, by)| force.dot(by)).sum();
             let (part, gained) = self.search(state, &step, slope, product);
-            if super::interior_point::trace() && count % 10 == 1 {
-                eprintln!(
-                    "barrier {count} mu {product:.2e} slope {slope:.2e} part {part:.2e} shift {shift:.2e} gained {gained}"
-                );
-            }
             if gained {
                 self.take(state, &step, part, product);
             }

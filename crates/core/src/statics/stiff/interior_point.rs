@@ -33,6 +33,9 @@ const FIRST: f64 = 0.1;
 /// clearance.
 const FLOOR: f64 = 1e-7;
 
+/// Part of what a swinging pipe is held by that every node is held by in a step.
+pub(super) const HELD: f64 = 1e-4;
+
 /// Steps shorter than this end it, m.
 const STILL_M: f64 = 1e-6;
 
@@ -97,6 +100,7 @@ pub(super) fn iterate(
     for count in 1..=MOST {
         let torques_N_m = contact::torques_N_m(string, &state.normal_N);
         equations.assemble(string, state, Some(&torques_N_m));
+        equations.hold_across(HELD * string.swing_N_per_m());
         for index in &walled {
             couplings[*index] = couple(string, state, equations, *index, product);
         }
@@ -131,12 +135,6 @@ pub(super) fn iterate(
         if !longest_m.is_finite() {
             return Ok(Iterated { count, converged: false });
         }
-        if trace() {
-            eprintln!(
-                "ipm {count} part {part:.3} longest {longest_m:.3e} mu {product:.3e} mean {:.3e}",
-                mean(state)
-            );
-        }
         if product <= floor && part > 0.9 && longest_m < STILL_M {
             return Ok(Iterated { count, converged: true });
         }
@@ -149,10 +147,6 @@ pub(super) fn iterate(
         product = (falls * mean(state)).max(0.5 * floor);
     }
     Ok(Iterated { count: MOST, converged: false })
-}
-
-pub(super) fn trace() -> bool {
-    std::env::var_os("STIFF_TRACE").is_some()
 }
 
 /// Adds the wall of a node to the equations, its contact force and its room condensed.

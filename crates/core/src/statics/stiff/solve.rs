@@ -37,6 +37,10 @@ const LEAST: f64 = 1e-9;
 /// Newton steps after which no further round begins.
 const MOST: usize = 1000;
 
+/// What costs less energy than this part of what a swinging pipe is held by costs none: a buckled pipe
+/// in a vertical hole may go round it.
+const NEUTRAL: f64 = 1e-5;
+
 /// Rounds of friction.
 const ROUNDS: usize = 12;
 
@@ -240,5 +244,6 @@ fn is_stable(string: &StringInHole, state: &State, equations: &mut Equations) ->
             across += wall;
         }
     }
+    equations.hold_across(NEUTRAL * string.swing_N_per_m());
     equations.matrix.is_positive_definite()
 }

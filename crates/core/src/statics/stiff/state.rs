@@ -28,7 +28,10 @@ impl Heading {
         };
         let (sine, cosine) = angle.sin_cos();
         let along = (self.along * cosine + toward.into_inner() * sine).normalize();
-        Self::new(along, self.across[0])
+        // Carried by the least rotation, so that a bend keeps its tool face.
+        let first = self.across[0];
+        let share = first.dot(&along) / (1.0 + self.along.dot(&along));
+        Self::new(along, first - (self.along + along) * share)
     }
 }
 

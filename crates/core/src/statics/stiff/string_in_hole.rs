@@ -222,6 +222,16 @@ impl StringInHole {
         }
     }
 
+    /// Mean weight of a node over its mean clearance, N/m: what a pipe that swings in its hole is
+    /// held by.
+    pub(super) fn swing_N_per_m(&self) -> f64 {
+        let walled = self.nodes.iter().filter(|node| node.has_wall());
+        let (sum_m, count) =
+            walled.fold((0.0, 0.0), |(sum, count), node| (sum + node.clearance_m, count + 1.0));
+        let clearance_m = if count > 0.0 { sum_m / count } else { 1.0 };
+        self.weight_N() / self.nodes.len() as f64 / clearance_m
+    }
+
     /// Buoyed weight of the string, N.
     pub(super) fn weight_N(&self) -> f64 {
         self.nodes.iter().map(|node| node.load_N.z.abs()).sum()
