@@ -133,7 +133,7 @@ impl<R: Real> Chain<R> {
     }
 
     /// Twist of an element as the lower region has it, if it has it, rad.
-    pub(in crate::dynamics::kernel) fn lower_twist(&self, index: usize) -> f64 {
+    pub(in crate::dynamics) fn lower_twist(&self, index: usize) -> f64 {
         let (row, lane) = self.lower_place_of_element(index);
         self.element_blocks[row].twist.0[lane].to_f64()
     }
