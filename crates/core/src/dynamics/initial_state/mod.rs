@@ -30,8 +30,10 @@ use crate::{
     statics::soft::SoftError,
 };
 
-/// Lateral settling of a prepared start, s, and its damping, 1/s: near critical for a joint's span.
-pub const SETTLING_S: f64 = 2.0;
+/// Lateral settling of a prepared start, s, and its damping, 1/s: near critical for a joint's span,
+/// whose motion is gone after 0.7 s. What then creeps on, some mm/s at a few nodes that little
+/// presses, would do so for minutes.
+pub const SETTLING_S: f64 = 1.0;
 const SETTLING_DAMPING_PER_S: f64 = 15.0;
 
 /// Steps after which that damping acts.
