@@ -18,13 +18,11 @@ pub struct RegionRows<'a, R: Real> {
 impl<R: Real> RegionRows<'_, R> {
     /// Repeats the first row of states below the last, one lane lower. The last lane ends in
     /// itself.
+    #[inline(always)]
     pub fn close(&mut self) {
         let rows = self.node_blocks.len();
         let (above, close) = self.states.split_at_mut(rows);
-        let (first, last) = (above[0].rows(), above[rows - 1].rows());
-        for ((row, first), last) in close[0].rows_mut().zip(first).zip(last) {
-            row.lead_in_lanes(first, last.0[R::LANES - 1]);
-        }
+        close[0].lead_in_lanes(&above[0], &above[rows - 1]);
     }
 }
 
