@@ -102,8 +102,10 @@ impl<R: Real> Chain<R> {
         };
         for ((row, lane), index) in ghosts.into_iter().zip([border.node + 1, border.node]) {
             let (from, from_lane) = self.place(index);
-            let state = self.states[from];
-            self.states[row].copy_lane(lane, &state, from_lane);
+            // The ghost is in the other region.
+            if let Ok([ghost, state]) = self.states.get_disjoint_mut([row, from]) {
+                ghost.copy_lane(lane, state, from_lane);
+            }
         }
     }
 
