@@ -152,6 +152,12 @@ pub(super) fn scaled_all(
     elements.iter().map(|(k, i)| scaled_inertia(k, i, limit).ok()).collect()
 }
 
+/// Axial mass, kg, with which all elements bear a step; none where one of them does not.
+fn scaled_kg(elements: &[BareElement], dt: f64, beta: f64) -> Option<f64> {
+    let limit = frequency_limit(dt, beta);
+    elements.iter().map(|(k, i)| Some(scaled_inertia(k, i, limit).ok()?.axial_kg)).sum()
+}
+
 /// A longest step.
 pub(super) struct Longest {
     /// It, s.
@@ -167,7 +173,7 @@ pub(super) fn longest(
     beta: f64,
     affords: impl Fn(f64) -> bool,
 ) -> Longest {
-    let fits = |dt: f64| scaled_all(elements, dt, beta).is_some_and(|i| affords(axial_kg(&i)));
+    let fits = |dt: f64| scaled_kg(elements, dt, beta).is_some_and(&affords);
     let cap = half_carries_s(elements, beta);
     let (mut low, mut high) = (0.0, cap);
     for _ in 0..60 {

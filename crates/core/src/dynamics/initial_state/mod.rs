@@ -21,18 +21,19 @@ use crate::{
         initial_state::{guide::Guide, scene::Scene},
         kernel::{
             chain::{Chain, NO_WALL_M, element, node},
-            step::{MassDamping, StepInput, Stepper},
+            step::{MassDamping, coupled_step},
         },
     },
-    operation::Operation,
     random::Random,
     rod::{element::react, mesh::Mesh},
     simd::vector::Vector,
     statics::soft::SoftError,
 };
 
-/// Lateral settling of a prepared start, s, and its damping, 1/s: near critical for a joint's span.
-pub const SETTLING_S: f64 = 2.0;
+/// Lateral settling of a prepared start, s, and its damping, 1/s: near critical for a joint's span,
+/// whose motion is gone after 0.7 s. What then creeps on, some mm/s at a few nodes that little
+/// presses, would do so for minutes.
+pub const SETTLING_S: f64 = 1.0;
 const SETTLING_DAMPING_PER_S: f64 = 15.0;
 
 /// Steps after which that damping acts.
@@ -88,7 +89,7 @@ pub fn initialise(
     string.disturb(settings.seed);
     if settings.start == Start::Prepared {
         string.set_motion(0.0, operation.rotation_rad_per_s());
-        string.settle(scene.stepper.clone(), scene.input, operation);
+        string.settle(scene);
         string.stretch_in_place();
         string.set_motion(scene.velocity_m_per_s, operation.rotation_rad_per_s());
         for index in 0..mesh.elements.len() {
@@ -200,8 +201,12 @@ impl InitialString<'_> {
         }
     }
 
-    /// Lets the string find its place across the hole, axial motion and spin held.
-    fn settle(&mut self, mut stepper: Stepper, input: &StepInput, operation: &Operation) {
+    /// Lets the string find its place across the hole, axial motion and spin held, in the steps that
+    /// the run takes.
+    fn settle(&mut self, scene: &Scene<'_>) {
+        let Scene { operation, input, border, .. } = *scene;
+        let (mut stepper, body) = (scene.stepper.clone(), &mut self.body);
+        let mut chain: Chain = self.chain.divided_at(border);
         let time_s = DAMPING_STEPS as f64 * input.dt;
         let mass_damping = MassDamping {
             time_s,
@@ -210,28 +215,38 @@ impl InitialString<'_> {
             rigid_velocity: 0.0,
             rigid_spin: operation.rotation_rad_per_s(),
         };
-        chain::hold(&mut self.chain);
+        chain::hold(&mut chain);
         if !operation.kind.rotates() {
             // A string that does not turn slides sideways freely while it slides along.
-            for block in &mut self.chain.node_blocks {
+            for block in &mut chain.node_blocks {
                 block.friction.0.fill(0.0);
                 block.friction_rise.0.fill(0.0);
             }
         }
         // No wall holds the bit: its own hole does, whatever weighs on it or bends there.
-        node!(self.chain, self.mesh.nodes.len() - 1, inv_mass_lateral = 0.0);
+        node!(chain, self.mesh.nodes.len() - 1, inv_mass_lateral = 0.0);
         let steps = (SETTLING_S / input.dt).ceil() as usize;
+        let (mut grown, growth) = (0.0, 1.0 / (GROWING * steps as f64 * f64::from(chain.parts())));
         for step in 0..steps {
-            // Bends grow in the first part, so that the rest damps what that stirs up.
-            let grown = (step + 1) as f64 / (GROWING * steps as f64);
-            self.body.push(&mut self.chain, input, grown.min(1.0));
-            stepper.step(&mut self.chain, input);
-            self.body.follow(&mut self.chain, input);
+            coupled_step(&mut chain, input, |chain, region, input| {
+                let lowest = region + 1 == chain.regions();
+                if lowest {
+                    // Bends grow in the first part, so that the rest damps what that stirs up.
+                    grown = f64::min(grown + growth, 1.0);
+                    body.push(chain, input, grown);
+                }
+                let losses = stepper.step_region(chain.region(region), input);
+                if lowest {
+                    body.follow(chain, input);
+                }
+                losses
+            });
             if step % DAMPING_STEPS == 0 {
-                stepper.damp(&mut self.chain, &mass_damping);
-                self.chain.find_drag(input.dt);
+                stepper.damp(&mut chain, &mass_damping);
+                chain.find_drag(input.dt);
             }
         }
+        self.chain = chain.divided_at(None);
         chain::release(&mut self.chain);
         for i in 0..self.mesh.nodes.len() {
             let md = self.anchors[i].md_m;

@@ -3,7 +3,10 @@
 use crate::{
     dynamics::{
         boundary::{hole::Borehole, mud::viscous::Viscous},
-        kernel::step::{StepInput, Stepper},
+        kernel::{
+            places::Border,
+            step::{StepInput, Stepper},
+        },
         settings::DynamicsSettings,
     },
     model::Model,
@@ -30,7 +33,9 @@ pub struct Scene<'a> {
     pub viscous: Option<&'a Viscous>,
     /// What moves it while it settles.
     pub stepper: &'a Stepper,
-    /// The step, and the rigid motion that the string is to have.
+    /// Where it is divided meanwhile.
+    pub border: Option<Border>,
+    /// The step of the whole, or of the upper region.
     pub input: &'a StepInput,
     /// Axial velocity of the whole string, m/s.
     pub velocity_m_per_s: f64,

@@ -68,9 +68,8 @@ impl<R: Registers> Run<R> {
         let bit_md_m = basis::first_bit_md_m(operation, settings, &basis.settling);
         let chain = assemble::chain::chain(model, mesh, &basis.plan);
         let mut viscous = Viscous::new(model, mesh, &first, velocity, bit_md_m);
-        // The string is initialised as a whole.
         let input = StepInput {
-            dt: basis.plan.shortest_s(),
+            dt,
             stiffness_damping: settings.damping.stiffness_s,
             dissipation: settings.contact_law.dissipation_s_per_m(),
             stribeck_speed: settings.stribeck_speed_m_per_s,
@@ -105,6 +104,7 @@ impl<R: Registers> Run<R> {
             borehole: &basis.borehole,
             viscous: viscous.as_ref(),
             stepper: &initial_stepper,
+            border: basis.border(),
             input: &input,
             velocity_m_per_s: velocity,
         };

@@ -47,6 +47,7 @@ fn a_turning_pipe_is_laid_where_it_climbs_to() {
             borehole: &basis.borehole,
             viscous: None,
             stepper: &basis.stepper,
+            border: None,
             input: &StepInput {
                 dt: basis.plan.dt_s,
                 stiffness_damping: 0.0,

@@ -54,14 +54,17 @@ impl<R: Real> StateBlock<R> {
         Self { u: [zero; 3], v: [zero; 3], d: [zero, zero, one], w: [zero; 3], spin: zero }
     }
 
-    pub(super) fn rows(&self) -> impl Iterator<Item = &Row<R>> {
+    /// Takes the states of `first` one lane lower, and the last of `last`.
+    #[inline(always)]
+    pub(super) fn lead_in_lanes(&mut self, first: &Self, last: &Self) {
         let Self { u, v, d, w, spin } = self;
-        u.iter().chain(v).chain(d).chain(w).chain(std::iter::once(spin))
-    }
-
-    pub(super) fn rows_mut(&mut self) -> impl Iterator<Item = &mut Row<R>> {
-        let Self { u, v, d, w, spin } = self;
-        u.iter_mut().chain(v).chain(d).chain(w).chain(std::iter::once(spin))
+        for axis in 0..3 {
+            u[axis].lead_in_lanes(&first.u[axis], &last.u[axis]);
+            v[axis].lead_in_lanes(&first.v[axis], &last.v[axis]);
+            d[axis].lead_in_lanes(&first.d[axis], &last.d[axis]);
+            w[axis].lead_in_lanes(&first.w[axis], &last.w[axis]);
+        }
+        spin.lead_in_lanes(&first.spin, &last.spin);
     }
 }
 

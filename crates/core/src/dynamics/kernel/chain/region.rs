@@ -18,13 +18,11 @@ pub struct RegionRows<'a, R: Real> {
 impl<R: Real> RegionRows<'_, R> {
     /// Repeats the first row of states below the last, one lane lower. The last lane ends in
     /// itself.
+    #[inline(always)]
     pub fn close(&mut self) {
         let rows = self.node_blocks.len();
         let (above, close) = self.states.split_at_mut(rows);
-        let (first, last) = (above[0].rows(), above[rows - 1].rows());
-        for ((row, first), last) in close[0].rows_mut().zip(first).zip(last) {
-            row.lead_in_lanes(first, last.0[R::LANES - 1]);
-        }
+        close[0].lead_in_lanes(&above[0], &above[rows - 1]);
     }
 }
 
@@ -104,8 +102,10 @@ impl<R: Real> Chain<R> {
         };
         for ((row, lane), index) in ghosts.into_iter().zip([border.node + 1, border.node]) {
             let (from, from_lane) = self.place(index);
-            let state = self.states[from];
-            self.states[row].copy_lane(lane, &state, from_lane);
+            // The ghost is in the other region.
+            if let Ok([ghost, state]) = self.states.get_disjoint_mut([row, from]) {
+                ghost.copy_lane(lane, state, from_lane);
+            }
         }
     }
 
@@ -133,7 +133,7 @@ impl<R: Real> Chain<R> {
     }
 
     /// Twist of an element as the lower region has it, if it has it, rad.
-    pub(in crate::dynamics::kernel) fn lower_twist(&self, index: usize) -> f64 {
+    pub(in crate::dynamics) fn lower_twist(&self, index: usize) -> f64 {
         let (row, lane) = self.lower_place_of_element(index);
         self.element_blocks[row].twist.0[lane].to_f64()
     }

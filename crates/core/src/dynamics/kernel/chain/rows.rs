@@ -17,21 +17,18 @@ impl<R: Real> Row<R> {
     }
 
     /// Takes every number of another row one lane higher; zero comes in.
-    #[inline]
+    #[inline(always)]
     pub fn follow_in_lanes(&mut self, other: &Self) {
-        for lane in 1..R::LANES {
-            self.0[lane] = other.0[lane - 1];
-        }
+        self.0.as_mut()[1..].copy_from_slice(&other.0.as_ref()[..R::LANES - 1]);
         self.0[0] = R::default();
     }
 
-    /// Takes every number of another row one lane lower; the last lane is as given.
-    #[inline]
-    pub fn lead_in_lanes(&mut self, other: &Self, last: R) {
-        for lane in 1..R::LANES {
-            self.0[lane - 1] = other.0[lane];
-        }
-        self.0[R::LANES - 1] = last;
+    /// Takes every number of another row one lane lower; the last lane is that of `last`.
+    #[inline(always)]
+    pub fn lead_in_lanes(&mut self, other: &Self, last: &Self) {
+        let end = R::LANES - 1;
+        self.0.as_mut()[..end].copy_from_slice(&other.0.as_ref()[1..]);
+        self.0[end] = last.0[end];
     }
 
     /// The part of the row that stands beside a block of doubles: [`Layout`].

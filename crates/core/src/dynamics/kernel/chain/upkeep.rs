@@ -69,15 +69,17 @@ impl<R: Real> Chain<R> {
         let mut all = 0.0;
         for region in 0..self.regions() {
             let (rows, places) = (self.rows_of(region), self.places_in_region(region));
-            let nodes = self.nodes_of(region);
-            let each_J = &mut each_J[nodes];
-            let rubbed = rubbed.iter().filter(|row| rows.contains(row)).map(|row| row - rows.start);
+            let each_J = &mut each_J[self.nodes_of(region)];
+            let up_to = |end: usize| rubbed.partition_point(|row| *row < end);
+            let rubbed = &rubbed[up_to(rows.start)..up_to(rows.end)];
             for lane in 0..R::LANES {
-                for row in rubbed.clone() {
-                    let place = lane * rows.len() + row;
-                    if places.contains(&place) {
-                        let work = self.node_blocks[rows.start + row].sum_wear.0[lane].to_f64();
-                        each_J[place - places.start] += work;
+                let first = lane * rows.len();
+                for row in rubbed {
+                    // No node of the region's before the first of its places, and after the last.
+                    let node = (first + row - rows.start).wrapping_sub(places.start);
+                    if let Some(of_node_J) = each_J.get_mut(node) {
+                        let work = self.node_blocks[*row].sum_wear.0[lane].to_f64();
+                        *of_node_J += work;
                         all += work;
                     }
                 }

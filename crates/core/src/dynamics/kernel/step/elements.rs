@@ -35,11 +35,13 @@ impl<R: Real> Pull<R> {
 
     /// What the last row does to the first, where one piece ends and the next begins: each goes to
     /// the lane above.
+    #[inline(always)]
     pub(super) fn follow_in_lanes(&mut self, last: &Self) {
         let Self { force, bend1: _, bend2, couple, torque } = self;
-        let rows = force.iter_mut().chain(bend2).chain(couple);
-        for (row, last) in rows.zip(last.force.iter().chain(&last.bend2).chain(&last.couple)) {
-            row.follow_in_lanes(last);
+        for axis in 0..3 {
+            force[axis].follow_in_lanes(&last.force[axis]);
+            bend2[axis].follow_in_lanes(&last.bend2[axis]);
+            couple[axis].follow_in_lanes(&last.couple[axis]);
         }
         torque.follow_in_lanes(&last.torque);
     }

@@ -165,7 +165,9 @@ impl<R: Real> Stepper<R> {
     pub fn count(abilities: Abilities, chain: &mut Chain<R>, input: &StepInput) -> Flops {
         let step = if abilities.full { counting::<R, true> } else { counting::<R, false> };
         counted::count(|| {
-            coupled_step(chain, input, |rows, input| step(rows, input, abilities.laws));
+            coupled_step(chain, input, |chain, region, input| {
+                step(chain.region(region), input, abilities.laws)
+            });
         })
     }
 
@@ -191,7 +193,9 @@ impl<R: Real> Stepper<R> {
 
     /// Advances the chain by one step, its lower region by all of its own within it.
     pub fn step(&mut self, chain: &mut Chain<R>, input: &StepInput) -> StepLosses {
-        coupled_step(chain, input, |rows, input| self.step_region(rows, input))
+        coupled_step(chain, input, |chain, region, input| {
+            self.step_region(chain.region(region), input)
+        })
     }
 
     /// Advances a region of a chain by one step.
@@ -201,21 +205,22 @@ impl<R: Real> Stepper<R> {
     }
 }
 
-/// A step of every region, with nothing between them.
-fn coupled_step<R: Real>(
+/// A step of the whole chain by `step`, which takes one of a region: of the upper one, and then all
+/// those of the lower one within it.
+pub fn coupled_step<R: Real>(
     chain: &mut Chain<R>,
     input: &StepInput,
-    mut step: impl FnMut(RegionRows<'_, R>, &StepInput) -> StepLosses,
+    mut step: impl FnMut(&mut Chain<R>, usize, &StepInput) -> StepLosses,
 ) -> StepLosses {
     let Some(coupled) = Coupled::begin(chain, input.dt, input.stiffness_damping) else {
-        return step(chain.region(0), input);
+        return step(chain, 0, input);
     };
-    let mut losses = step(chain.region(0), input);
+    let mut losses = step(chain, 0, input);
     losses.damping -= coupled.damping_W * input.dt;
     let parts = chain.parts();
     let own = StepInput { dt: input.dt / f64::from(parts), ..*input };
     for part in 0..parts {
-        losses += step(chain.region(1), &own);
+        losses += step(chain, 1, &own);
         if part == 0 {
             coupled.lead(chain, own.dt);
         }

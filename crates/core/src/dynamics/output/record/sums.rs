@@ -233,12 +233,7 @@ impl<R: Real> Pass<'_, R> {
         let place = self.source.place(block, lane);
         sums.lie(lane, &place);
         keep_larger(&mut self.totals.penetration, lane, place.penetration);
-        let (bearing, lower) = self.source.bearing::<N>(block, lane, above);
-        sums.bear(lane, &bearing, self.first);
-        let Bearing { tension, twist, longer, .. } = bearing;
-        keep_larger(&mut self.totals.tension, lane, tension.max(-tension));
-        add(&mut self.totals.twist, lane, twist);
-        add(&mut self.totals.longer, lane, longer);
+        // While the place is at hand: there are not registers enough to keep it for later.
         let mut side = N::zero();
         // To what does not touch nothing is added.
         if normal.any_positive() {
@@ -251,6 +246,12 @@ impl<R: Real> Pass<'_, R> {
             // By the side on which the node lies, as the sums count it; what does not touch is +0.
             side = (-direction.up).if_positive(N::zero() - normal, normal);
         }
+        let (bearing, lower) = self.source.bearing::<N>(block, lane, above);
+        sums.bear(lane, &bearing, self.first);
+        let Bearing { tension, twist, longer, .. } = bearing;
+        keep_larger(&mut self.totals.tension, lane, tension.max(-tension));
+        add(&mut self.totals.twist, lane, twist);
+        add(&mut self.totals.longer, lane, longer);
         if let Some(reservoir) = &mut self.reservoir {
             reservoir.put(block, lane, [tension, bearing.torque, side, bearing.bending]);
         }

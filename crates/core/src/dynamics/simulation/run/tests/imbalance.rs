@@ -172,6 +172,9 @@ impl Steps {
         }
     }
 
+    /// Where that of the loss in contact stands in [`Self::apart`].
+    const CONTACT: usize = 6;
+
     /// Largest difference of each that a node has from its motion in `other`, and those of the
     /// losses, J.
     fn apart(&self, other: &Self) -> [f64; 10] {
@@ -198,7 +201,9 @@ impl Steps {
 /// Held against what the offsets do to the string, losses included, in 200 steps of much contact:
 /// within 1e-7 of it where each mass does the same by itself (2e-8 is what the wall makes of the
 /// rounding of 1e-15 of a step), within 2e-5 where it takes its force and its moment otherwise: a
-/// director turns by 1e-6 in a step, and the square of the pipe's own turn in it is 4e-6.
+/// director turns by 1e-6 in a step, and the square of the pipe's own turn in it is 4e-6. What
+/// contact loses then, 52 J, is within 1e-6 of itself: 2e-3 of the 0.04 J by which the offsets
+/// change it.
 #[test]
 fn the_step_does_what_each_mass_would_do_by_itself() {
     let run = turning(Some(2e-3));
@@ -211,9 +216,10 @@ fn the_step_does_what_each_mass_would_do_by_itself() {
     let together = after(Steps::of(&run));
     assert!(together.chain.imbalances().count() > 80);
     let effect = together.apart(&after(Steps::without(&run)));
-    for (otherwise, within) in [(false, 1e-7), (true, 2e-5)] {
+    for (otherwise, within, contact_within) in [(false, 1e-7, 1e-7), (true, 2e-5, 2e-3)] {
         let apart = together.apart(&after(Steps::one_by_one(&run, otherwise)));
-        for (apart, effect) in apart.into_iter().zip(effect) {
+        for (index, (apart, effect)) in apart.into_iter().zip(effect).enumerate() {
+            let within = if index == Steps::CONTACT { contact_within } else { within };
             assert!(effect > 0.0 && apart < within * effect, "{otherwise}: {apart:e} {effect:e}");
         }
     }
