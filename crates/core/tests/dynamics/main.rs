@@ -32,3 +32,4 @@ mod rock_string;
 mod rough;
 mod schedule;
 mod steadiness;
+mod stiff_string;
