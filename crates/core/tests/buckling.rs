@@ -130,6 +130,55 @@ fn s2a_all_roots() {
         );
 }
 
+/// Each criterion means its own two loads, of which only He and Kyllingstad's see the curvature.
+#[test]
+fn s2a_criteria() {
+    let data = verification("S2a_buckling_along_string.json");
+    let pipe = &data["inputs"]["pipe"];
+    let clearance_m = number(&data["inputs"], "clearance_m");
+    let mut rows = Vec::new();
+    for row in data["critical"].as_array().expect("depths") {
+        let place = Place {
+            build_rad_per_m: number(row, "curvature_rad_m"),
+            ..straight(number(pipe, "EI"), clearance_m, number(pipe, "w"), number(row, "inc_deg"))
+        };
+        let first = |key: &str| numbers(&row[key]).first().copied().unwrap_or(0.0);
+        let sinusoid_N = number(row, "F_sin_straight_formula_N");
+        for (criterion, expected_N) in [
+            (
+                Criterion::HeKyllingstad,
+                [first("F_sin_all_roots_N"), first("F_hel_HeKyllingstad_beta8_all_roots_N")],
+            ),
+            (
+                Criterion::ChenLinCheatham,
+                [sinusoid_N, number(row, "F_hel_ChenLinCheatham_straight_N")],
+            ),
+            (Criterion::WuJuvkamWold, [sinusoid_N, number(row, "F_hel_WuJuvkamWold_straight_N")]),
+        ] {
+            let loads_N = place.loads_N(criterion, 0.0).expect("there is clearance");
+            let shapes = criterion.shapes().into_iter();
+            for (shape, (load_N, expected_N)) in shapes.zip(loads_N.into_iter().zip(expected_N)) {
+                // What a vertical hole holds is held in every hole.
+                let least_N = place.vertical_load_N(shape);
+                rows.push(
+                    verify("S2a", "critical loads by each criterion, N")
+                        .relative(1e-6, "what its source requires")
+                        .row(expected_N.max(least_N), load_N),
+                );
+                assert!(!place.is_beyond(shape, 0.0));
+            }
+            for part in [0.999, 1.001] {
+                let helix_N = loads_N[1];
+                assert_eq!(place.is_helix(criterion, part * helix_N), part > 1.0, "{place:?}");
+            }
+        }
+    }
+    report_worst(rows);
+    let snug = Place { clearance_m: 0.0, ..straight(1e6, 0.0, 300.0, 90.0) };
+    assert_eq!(snug.loads_N(Criterion::default(), 1e9), None);
+    assert!(!snug.is_helix(Criterion::default(), 1e9));
+}
+
 /// In a sharp drop a pipe is straight, buckled, pressed straight to the high side, and buckled
 /// again as it is pushed harder; what it is compared with is the load that it passed last where it is
 /// buckled, and the next where it is not.

@@ -1,7 +1,9 @@
 //! How the soft string is integrated.
 
+use serde::Serialize;
+
 /// How the soft string is integrated.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SoftSettings {
     /// Longest step along the hole, m, from 0.05 to 100. Steps also end at survey stations, at the
     /// ends of components and at those of hole sections. The rows of the profile are the steps'
