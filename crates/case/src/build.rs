@@ -193,7 +193,9 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         string: drill_string?,
         mud: mud?,
         rig: rig?,
+        buckling: *case.buckling.get()?.criterion.get()?,
     };
+    let soft = case.buckling.get()?.soft()?;
     let (models, operations) = (models?, operations?);
     let (mut dynamics, records, tunes_hook_load) = (dynamics?, records?, tunes_hook_load?);
     let (drilling, bit_test) = (drilling?, bit_test?);
@@ -231,6 +233,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         models: &models,
         model: &model,
         operations: &operations,
+        soft: &soft,
         dynamics: &dynamics,
         records: &records,
         drilling: drilling.as_ref(),
@@ -245,6 +248,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         model,
         operations,
         bit_test,
+        soft,
         dynamics,
         tunes_hook_load,
         checkpoint_interval_s,

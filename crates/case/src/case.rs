@@ -6,6 +6,7 @@ use wholestring::{
     operation::Operation,
     outcome::ModelKind,
     rock::DrillingSpec,
+    statics::soft::SoftSettings,
 };
 use wholestring_config::diagnostic::Report;
 use wholestring_units::UnitSet;
@@ -28,6 +29,8 @@ pub struct Case {
     /// The bit alone on its rock: of a case with `[bit_test]`, and of one whose operation drills
     /// solid rock.
     pub bit_test: Option<BitTest>,
+    /// What the soft string needs beside these.
+    pub soft: SoftSettings,
     /// What a dynamic run needs beside these.
     pub dynamics: DynamicsSettings,
     /// Whether the top hangs on a constant lift that is found before each dynamic run, such that
@@ -47,6 +50,11 @@ pub struct Case {
 }
 
 impl Case {
+    /// Whether the forces that a model answers with hold the friction of a helix.
+    pub fn has_helix_friction(&self, model: ModelKind) -> bool {
+        model.method().has_helix_friction || model == ModelKind::Soft && self.soft.helix_side_force
+    }
+
     /// Bit and solid rock, in a run or in a bit test; none where nothing requires them.
     pub fn drilling(&self) -> Option<&DrillingSpec> {
         match &self.dynamics.bit.law {

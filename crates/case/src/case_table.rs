@@ -7,6 +7,7 @@ use wholestring_units::UnitSet;
 use crate::{
     bit::BitTable,
     bit_test::BitTestTable,
+    buckling::BucklingTable,
     component::ComponentTable,
     dynamics::DynamicsTable,
     mesh::MeshTable,
@@ -61,6 +62,8 @@ table! {
         top_drive: TopDriveTable = optional(Section::<TopDriveTable>::RULE);
         /// What the driller is doing.
         operation: OperationTable = required(Section::<OperationTable>::RULE);
+        /// When a compressed string counts as buckled, and what that does to the soft string.
+        buckling: BucklingTable = optional(Section::<BucklingTable>::RULE);
         /// How finely the string is cut.
         mesh: MeshTable = optional(Section::<MeshTable>::RULE);
         /// Settings of the dynamic model.

@@ -4,6 +4,7 @@ use serde::Serialize;
 use serde_json::Value as Json;
 use wholestring::{
     dynamics::DynamicsSettings, model::Model, operation::Operation, outcome::ModelKind,
+    statics::soft::SoftSettings,
 };
 
 use crate::{bit_test::BitTest, case::Case, records::Records};
@@ -15,6 +16,7 @@ struct Identity<'a> {
     model: &'a [ModelKind],
     operations: &'a [Operation],
     well_string_mud_rig: &'a Model,
+    soft: &'a SoftSettings,
     dynamics: &'a DynamicsSettings,
     tunes_hook_load: bool,
     records: &'a Records,
@@ -34,6 +36,7 @@ impl Case {
             model,
             operations,
             bit_test,
+            soft,
             dynamics,
             tunes_hook_load,
             records,
@@ -51,6 +54,7 @@ impl Case {
             model: models,
             operations,
             well_string_mud_rig: model,
+            soft,
             dynamics,
             tunes_hook_load: *tunes_hook_load,
             records,

@@ -37,6 +37,8 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ),
     ("bit_test.rpm", ["[60, 90]", "[60, 91]"]),
     ("bit_test.wob", ["[\"40 kN\", \"60 kN\"]", "[\"40 kN\", \"61 kN\"]"]),
+    ("buckling.criterion", ["he-kyllingstad", "wu-juvkam-wold"]),
+    ("buckling.helix_side_force", ["left-out", "counted"]),
     ("dynamics.contact_law", ["hertz", "linear"]),
     ("dynamics.friction_law", ["vector", "independent"]),
     ("dynamics.precision", ["double", "single"]),

@@ -152,7 +152,11 @@ fn check_accepted(case: &Case) {
         assert!(buoyed > 0.0);
     }
     for operation in &case.operations {
-        let answer = soft::solve(&case.model, operation, &SoftSettings { step_m: 30.0 });
+        let answer = soft::solve(
+            &case.model,
+            operation,
+            &SoftSettings { step_m: 30.0, ..SoftSettings::default() },
+        );
         match answer {
             Ok(profile) => {
                 let scalars = profile.scalars;

@@ -69,7 +69,7 @@ fn surveyed(corners: &[[f64; 3]], spacing_m: f64) -> Vec<[f64; 3]> {
 /// everybody gets, and in pieces as long as the survey's.
 fn solved(model: &Model, spacing_m: f64) -> Value {
     let usual = SoftSettings::default();
-    let coarse = SoftSettings { step_m: spacing_m };
+    let coarse = SoftSettings { step_m: spacing_m, ..SoftSettings::default() };
     let [out, into, turning] = OPERATIONS.map(|kind| solution(model, kind, &usual).scalars);
     json!({
         "pick_up_N": out.hook_load_N,

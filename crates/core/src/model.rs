@@ -2,7 +2,10 @@
 
 use serde::Serialize;
 
-use crate::{GRAVITY_M_PER_S2, mud::Mud, rig::Rig, string::DrillString, well::Well};
+use crate::{
+    GRAVITY_M_PER_S2, mud::Mud, rig::Rig, statics::buckling::Criterion, string::DrillString,
+    well::Well,
+};
 
 /// Everything about the drill string and its surroundings that does not depend on what the driller
 /// is doing. All solvers read the same one, so that their answers can be compared with each other.
@@ -16,6 +19,8 @@ pub struct Model {
     pub mud: Mud,
     /// Hoist and top drive.
     pub rig: Rig,
+    /// Whose buckling loads compression is compared with.
+    pub buckling: Criterion,
 }
 
 /// A bit with less clearance than this fills its hole, m: contact and friction of its body would be
@@ -35,7 +40,7 @@ pub struct MudColumn {
 impl Model {
     /// A well, a string and a mud on a rig without limits: set [`Self::rig`] for those.
     pub fn new(well: Well, string: DrillString, mud: Mud) -> Self {
-        Self { well, string, mud, rig: Rig::default() }
+        Self { well, string, mud, rig: Rig::default(), buckling: Criterion::default() }
     }
 
     /// The mud at rest, its surface where measured depth begins.

@@ -6,7 +6,7 @@ mod common;
 use common::*;
 use serde_json::Value;
 use wholestring::statics::buckling::{
-    Criterion, Criterion::*, Place, Pushed, Segment, push_through, weight_at_bit_N,
+    Criterion, Place, Pushed, Segment, Shape, Shape::*, push_through, weight_at_bit_N,
 };
 
 fn number(of: &Value, key: &str) -> f64 {
@@ -36,12 +36,12 @@ const PER_30_M: f64 = std::f64::consts::PI / 180.0 / 30.0;
 #[test]
 fn c01_straight_holes() {
     let data = verification("C01_straight_hole_critical_loads.json");
-    for (criterion, key, shape) in [
+    for (shape, key, name) in [
         (Sinusoidal, "F_sin_DawsonPaslay_N", "sinusoid"),
         (Helical, "F_hel_sqrt2_ChenLinCheatham_N", "helix"),
         (FullHelical, "F_hel_2sqrt2minus1_Wu_N", "finished helix"),
     ] {
-        let quantity = format!("critical load of the {shape}, N");
+        let quantity = format!("critical load of the {name}, N");
         let rows = data["cases"].as_array().expect("cases").iter().map(|row| {
             let of = &row["inputs"];
             let place = straight(
@@ -50,7 +50,7 @@ fn c01_straight_holes() {
                 number(of, "buoyed_w_N_m"),
                 number(of, "inc_deg"),
             );
-            let [load] = place.critical_loads_N(criterion)[..] else {
+            let [load] = place.critical_loads_N(shape)[..] else {
                 panic!("one load: {row}");
             };
             verify("C01", &quantity)
@@ -75,13 +75,13 @@ fn c03_curved_holes() {
                 * inclination_deg.to_radians().sin(),
             ..straight(number(of, "EI"), number(of, "r_c"), number(of, "w"), inclination_deg)
         };
-        let criterion = match of["mode"].as_str() {
+        let shape = match of["mode"].as_str() {
             Some("sin") => Sinusoidal,
             _ => Helical,
         };
         verify("C03", "critical load of He and Kyllingstad in a curved hole, N")
             .relative(1e-6, "what its source requires")
-            .row(number(&row["expected"], "F_crit_N"), place.critical_loads_N(criterion)[0])
+            .row(number(&row["expected"], "F_crit_N"), place.critical_loads_N(shape)[0])
     });
     report_worst(rows.collect::<Vec<_>>());
 }
@@ -97,8 +97,8 @@ fn s2a_all_roots() {
         ..straight(number(pipe, "EI"), clearance_m, number(pipe, "w"), inclination_deg)
     };
     let mut rows = Vec::new();
-    let mut hold = |place: Place, criterion: Criterion, expected: &Value| {
-        let (found, expected) = (place.critical_loads_N(criterion), numbers(expected));
+    let mut hold = |place: Place, shape: Shape, expected: &Value| {
+        let (found, expected) = (place.critical_loads_N(shape), numbers(expected));
         assert_eq!(found.len(), expected.len(), "{place:?}: {found:?}");
         for (computed, expected) in found.into_iter().zip(expected) {
             rows.push(
@@ -130,8 +130,58 @@ fn s2a_all_roots() {
         );
 }
 
+/// Each criterion means its own two loads, of which only He and Kyllingstad's see the curvature.
+#[test]
+fn s2a_criteria() {
+    let data = verification("S2a_buckling_along_string.json");
+    let pipe = &data["inputs"]["pipe"];
+    let clearance_m = number(&data["inputs"], "clearance_m");
+    let mut rows = Vec::new();
+    for row in data["critical"].as_array().expect("depths") {
+        let place = Place {
+            build_rad_per_m: number(row, "curvature_rad_m"),
+            ..straight(number(pipe, "EI"), clearance_m, number(pipe, "w"), number(row, "inc_deg"))
+        };
+        let first = |key: &str| numbers(&row[key]).first().copied().unwrap_or(0.0);
+        let sinusoid_N = number(row, "F_sin_straight_formula_N");
+        for (criterion, expected_N) in [
+            (
+                Criterion::HeKyllingstad,
+                [first("F_sin_all_roots_N"), first("F_hel_HeKyllingstad_beta8_all_roots_N")],
+            ),
+            (
+                Criterion::ChenLinCheatham,
+                [sinusoid_N, number(row, "F_hel_ChenLinCheatham_straight_N")],
+            ),
+            (Criterion::WuJuvkamWold, [sinusoid_N, number(row, "F_hel_WuJuvkamWold_straight_N")]),
+        ] {
+            let loads_N = place.loads_N(criterion, 0.0).expect("there is clearance");
+            let shapes = criterion.shapes().into_iter();
+            for (shape, (load_N, expected_N)) in shapes.zip(loads_N.into_iter().zip(expected_N)) {
+                // What a vertical hole holds is held in every hole.
+                let least_N = place.vertical_load_N(shape);
+                rows.push(
+                    verify("S2a", "critical loads by each criterion, N")
+                        .relative(1e-6, "what its source requires")
+                        .row(expected_N.max(least_N), load_N),
+                );
+                assert!(!place.is_beyond(shape, 0.0));
+            }
+            for part in [0.999, 1.001] {
+                let helix_N = loads_N[1];
+                assert_eq!(place.is_helix(criterion, part * helix_N), part > 1.0, "{place:?}");
+            }
+        }
+    }
+    report_worst(rows);
+    let snug = Place { clearance_m: 0.0, ..straight(1e6, 0.0, 300.0, 90.0) };
+    assert_eq!(snug.loads_N(Criterion::default(), 1e9), None);
+    assert!(!snug.is_helix(Criterion::default(), 1e9));
+}
+
 /// In a sharp drop a pipe is straight, buckled, pressed straight to the high side, and buckled
-/// again as it is pushed harder; what it is compared with is the load that it passed last.
+/// again as it is pushed harder; what it is compared with is the load that it passed last where it is
+/// buckled, and the next where it is not.
 #[test]
 fn a_drop_has_three_critical_loads() {
     let data = verification("S2a_buckling_along_string.json");
@@ -147,8 +197,8 @@ fn a_drop_has_three_critical_loads() {
         (0.999 * first, false, first),
         (1.001 * first, true, first),
         (0.999 * second, true, first),
-        (1.001 * second, false, second),
-        (0.999 * third, false, second),
+        (1.001 * second, false, third),
+        (0.999 * third, false, third),
         (1.001 * third, true, third),
     ] {
         assert_eq!(place.is_beyond(Sinusoidal, load), beyond, "{load}");
@@ -165,8 +215,8 @@ fn s2b_lock_up() {
     for row in data["cases"].as_array().expect("cases") {
         let (of, expected) = (&row["inputs"], &row["expected"]);
         let helix = match of["F_hel_rule"].as_str() {
-            Some("WuJuvkamWold") => FullHelical,
-            _ => Helical,
+            Some("WuJuvkamWold") => Criterion::WuJuvkamWold,
+            _ => Criterion::ChenLinCheatham,
         };
         let segment = Segment {
             length_m: 5.0,

@@ -16,7 +16,8 @@ use wholestring::{
 };
 
 fn solve_with(model: &Model, operation: &Operation, step_m: f64) -> SoftProfile {
-    let solved = soft::solve(model, operation, &SoftSettings { step_m }).expect("a sound model");
+    let solved = soft::solve(model, operation, &SoftSettings { step_m, ..SoftSettings::default() })
+        .expect("a sound model");
     let columns = solved.unlike_declared(ModelKind::Soft);
     assert!(columns.is_empty(), "not as declared: {columns:?}");
     let wear = solved.wear.unlike_declared(ModelKind::Soft);
@@ -479,7 +480,8 @@ fn bad_input_is_refused() {
     let result = soft::solve(&curved, &overload, &SoftSettings::default());
     assert!(matches!(result, Err(SoftError::NotFinite { .. })));
     for step_m in [0.0, -1.0, f64::NAN, 1e-9, 1e9] {
-        let result = soft::solve(&model, &good, &SoftSettings { step_m });
+        let result =
+            soft::solve(&model, &good, &SoftSettings { step_m, ..SoftSettings::default() });
         assert!(matches!(result, Err(SoftError::Step(_))), "{step_m}");
     }
 }

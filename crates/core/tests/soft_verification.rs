@@ -13,7 +13,7 @@ use wholestring::{
 };
 
 /// Fine enough that the kink of `|q|` where the pipe changes sides costs less than 1e-7.
-const FINE: SoftSettings = SoftSettings { step_m: 0.25 };
+const FINE: SoftSettings = SoftSettings { step_m: 0.25, helix_side_force: false };
 
 fn solve(model: &Model, operation: &Operation) -> SoftProfile {
     soft::solve(model, operation, &FINE).expect("a sound model")

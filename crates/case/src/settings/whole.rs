@@ -3,7 +3,7 @@
 use serde_json::Value as Json;
 use wholestring::{
     dynamics::DynamicsSettings, model::Model, operation::Operation, outcome::ModelKind,
-    rock::DrillingSpec,
+    rock::DrillingSpec, statics::soft::SoftSettings,
 };
 use wholestring_units::UnitSet;
 
@@ -12,7 +12,14 @@ use super::{
     fields::{Fields, json as to_json},
     hoist, operation, rock, run, string, well,
 };
-use crate::{bit_test::BitTest, case_table::CaseTable, records::Records};
+use wholestring_config::prelude::word_of;
+
+use crate::{
+    bit_test::BitTest,
+    buckling::{CRITERIA, HELIX_SIDE_FORCE},
+    case_table::CaseTable,
+    records::Records,
+};
 
 /// What was made of the tables of a case.
 #[derive(Debug, Clone, Copy)]
@@ -22,6 +29,7 @@ pub(crate) struct Given<'a> {
     pub(crate) models: &'a [ModelKind],
     pub(crate) model: &'a Model,
     pub(crate) operations: &'a [Operation],
+    pub(crate) soft: &'a SoftSettings,
     pub(crate) dynamics: &'a DynamicsSettings,
     pub(crate) records: &'a Records,
     pub(crate) drilling: Option<&'a DrillingSpec>,
@@ -30,8 +38,18 @@ pub(crate) struct Given<'a> {
 
 /// What the solvers were given, in SI, with units in the names of the keys.
 pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
-    let Given { name, units, models, model, operations, dynamics, records, drilling, bit_test } =
-        *given;
+    let Given {
+        name,
+        units,
+        models,
+        model,
+        operations,
+        soft,
+        dynamics,
+        records,
+        drilling,
+        bit_test,
+    } = *given;
     let survey = case.well.get().and_then(|well| well.survey.get());
     let dynamics_table = case.dynamics.get();
     let checkpoint_interval_s = dynamics_table.and_then(|of| of.checkpoint_interval.get());
@@ -48,6 +66,7 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
         .with("string", string::string(&model.string))
         .with("bit", bit)
         .with("rig", to_json(&model.rig))
+        .with("buckling", buckling(model, soft))
         .with("hoist", hoist::hoist(dynamics, operations, case.hoist.get()))
         .with("top_drive", hoist::top_drive(&dynamics.top_drive))
         .with("operation", operation::operation(operations, &dynamics.schedule))
@@ -61,4 +80,10 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
         whole = whole.with("bit_test", rock::bit_test(test));
     }
     whole.into()
+}
+
+fn buckling(model: &Model, soft: &SoftSettings) -> Fields {
+    Fields::empty()
+        .with("criterion", word_of(CRITERIA, &model.buckling))
+        .with("helix_side_force", word_of(HELIX_SIDE_FORCE, &soft.helix_side_force))
 }

@@ -81,7 +81,6 @@ fn keys_at_the_top() {
     each_refused(
         r#"
         model_misspelt: `model = "dynamic"` -> `model = "dynamics"`
-        model_not_built: `model = "dynamic"` -> `model = ["soft", "stiff"]`
         units_unknown: `model = "dynamic"` -> `model = "dynamic"\nunits = "imperial"`
         name_not_text: `"NP13-X1042 at total depth"` -> `1042`
         name_empty: `"NP13-X1042 at total depth"` -> `""`

@@ -4,7 +4,7 @@ use super::{Finding, Kind, Level, buckling::Line, hook_load::weight_N, window, w
 use crate::{
     model::Model,
     operation::Operation,
-    statics::buckling::{Criterion, Place, Pushed, Segment, push_through, weight_at_bit_N},
+    statics::buckling::{Place, Pushed, Segment, push_through, weight_at_bit_N},
 };
 
 /// Longest stretch on which the compression is followed, m.
@@ -38,12 +38,12 @@ pub fn at_rest(
     let segments = segments(model, operation, md_m);
     let block_N = model.rig.block_weight_N.unwrap_or(0.0);
     let asked_N = operation.weight_on_bit_now_N();
-    let arrives_N = weight_at_bit_N(&segments, block_N, Criterion::Helical);
+    let arrives_N = weight_at_bit_N(&segments, block_N, model.buckling);
     if arrives_N >= asked_N - MISSING * weight_N(model) {
         return None;
     }
     let found = Finding::new(Kind::LockUp, Level::Error).value(asked_N).limit(arrives_N);
-    Some(match push_through(&segments, asked_N, Criterion::Helical) {
+    Some(match push_through(&segments, asked_N, model.buckling) {
         Pushed::LocksUp(above_bit_m) => found.at(operation.bit_depth_m - above_bit_m),
         Pushed::Through(_) => found,
     })

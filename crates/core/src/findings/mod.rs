@@ -34,13 +34,13 @@ use window::Window;
 
 /// What is to be reported of an operation as the soft string solved it, the gravest first.
 pub fn of_soft(model: &Model, operation: &Operation, profile: &SoftProfile) -> Vec<Finding> {
-    let line = buckling::Line::of_soft(model, operation, profile);
+    let line = buckling::Line::of(model, operation, &profile.profile);
     gravest_first(at_rest(model, operation, &profile.scalars, &profile.profile, &line))
 }
 
 /// What is to be reported of an operation as the stiff string solved it, the gravest first.
 pub fn of_stiff(model: &Model, operation: &Operation, profile: &StiffProfile) -> Vec<Finding> {
-    let line = buckling::Line::of_nodes(model, operation, &profile.profile);
+    let line = buckling::Line::of(model, operation, &profile.profile);
     let mut found = at_rest(model, operation, &profile.scalars, &profile.profile, &line);
     found.extend(numerics::equilibrium(&profile.convergence));
     gravest_first(found)
@@ -75,7 +75,7 @@ pub fn of_dynamic(
     let Some(window) = Window::of(outcome) else {
         return Vec::new();
     };
-    let line = buckling::Line::of_nodes(model, operation, &outcome.nodes);
+    let line = buckling::Line::of(model, operation, &outcome.nodes);
     let mut found = Vec::new();
     found.extend(hook_load::varying(model, &window));
     found.extend(lock_up::of_dynamic(model, operation, &window));

@@ -114,6 +114,16 @@ columns! {
             "Largest von Mises stress, of a soft string `von_mises_stress_Pa`, over the minimum \
              yield strength; `null` where that is not known",
             null_where "the yield strength is not known";
+        sinusoidal_load_N: Vec<Option<f64>> => Force,
+            "Compression at which the pipe there leaves its straight course for a sinusoid, of the \
+             one in `tension_N` the load that it has passed or the next; `null` where the pipe fills \
+             its hole",
+            label "Sinusoidal buckling load", null_where "the pipe fills its hole";
+        helical_load_N: Vec<Option<f64>> => Force,
+            "The same for a helix; `null` where the pipe fills its hole",
+            label "Helical buckling load", null_where "the pipe fills its hole";
+        buckling = bucklings => Ratio,
+            "`none`, `sinusoidal` or `helical`: the compression in `tension_N` against those loads";
         whirl_rate_rad_per_s: Vec<f64> => RotarySpeed,
             "Mean angular velocity of the string's axis about the hole's; positive with the \
              rotation", known_by IN_TIME;
@@ -166,6 +176,43 @@ impl ContactClass {
     }
 }
 
+/// What a compression makes of a pipe.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Buckling {
+    /// It is straight on the wall.
+    None,
+    /// Beyond the load of the sinusoid.
+    Sinusoidal,
+    /// Beyond the load of the helix.
+    Helical,
+}
+
+impl Buckling {
+    /// Under a compression, N, where these are the loads of the sinusoid and of the helix, N.
+    pub fn of(compression_N: f64, [sinusoidal_N, helical_N]: [Option<f64>; 2]) -> Self {
+        let beyond = |load_N: Option<f64>| load_N.is_some_and(|load_N| compression_N > load_N);
+        match () {
+            () if compression_N <= 0.0 => Self::None,
+            () if beyond(helical_N) => Self::Helical,
+            () if beyond(sinusoidal_N) => Self::Sinusoidal,
+            () => Self::None,
+        }
+    }
+
+    /// Name in results.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Sinusoidal => "sinusoidal",
+            Self::Helical => "helical",
+        }
+    }
+}
+
+fn bucklings(of: &Profile) -> Vec<&'static str> {
+    (0..of.helical_load_N.len()).map(|row| of.buckling(row).name()).collect()
+}
+
 fn contact_classes(of: &Profile) -> Vec<&'static str> {
     let class = |fraction: &f64| ContactClass::of(*fraction).name();
     of.contact_fraction.iter().map(class).collect()
@@ -185,6 +232,18 @@ fn contact_sides(of: &Profile) -> Vec<&'static str> {
 }
 
 impl Profile {
+    /// What the compression of a row makes of the pipe.
+    pub fn buckling(&self, row: usize) -> Buckling {
+        let loads_N = [self.sinusoidal_load_N[row], self.helical_load_N[row]];
+        Buckling::of(-self.tension_N[row], loads_N)
+    }
+
+    /// Adds a row's critical loads, N.
+    pub(crate) fn push_buckling_loads(&mut self, loads_N: Option<[f64; 2]>) {
+        self.sinusoidal_load_N.push(loads_N.map(|of| of[0]));
+        self.helical_load_N.push(loads_N.map(|of| of[1]));
+    }
+
     /// The columns that are not as their declaration says for this method: left out though it knows
     /// them, there though it does not, or of another length than the others. None of a sound
     /// profile.

@@ -17,7 +17,7 @@ mod solution;
 mod time_series;
 mod well_path;
 
-pub use along_string::{ContactClass, PROFILE, Profile};
+pub use along_string::{Buckling, ContactClass, PROFILE, Profile};
 pub use column::{Column, DriftScale, Values, WindowStatistics};
 pub(crate) use column::{Rows, columns};
 pub use contact_map::{CONTACT_MAP, ContactMap};

@@ -9,7 +9,7 @@ use crate::{
     model::Model,
     operation::Operation,
     statics::{
-        buckling::{Criterion, Place},
+        buckling::{Place, Shape},
         soft::{self, SoftError, SoftProfile, SoftSettings},
         span::{BodyContact, JointSpan},
     },
@@ -76,7 +76,11 @@ impl Sizing {
     ) -> Result<Self, SoftError> {
         let mut demands = ordinary(model, accuracy);
         for operation in operations {
-            let profile = soft::solve(model, operation, &SoftSettings { step_m: STEP_M })?;
+            let profile = soft::solve(
+                model,
+                operation,
+                &SoftSettings { step_m: STEP_M, ..SoftSettings::default() },
+            )?;
             loaded(model, operation, &profile, accuracy, &mut demands);
         }
         Ok(Self::of_demands(&demands))
@@ -200,7 +204,7 @@ fn loaded(
         if tension_N < 0.0 {
             let place = Place::of(model, bit_depth_m, md_m);
             let wall_load = place.wall_load_N_per_m(-tension_N);
-            if -tension_N > NEAR_CRITICAL * place.threshold_N(Criterion::Sinusoidal, wall_load) {
+            if -tension_N > NEAR_CRITICAL * place.threshold_N(Shape::Sinusoidal, wall_load) {
                 ask(half_wave_m(&place, -tension_N) / PER_HALF_WAVE, SizeReason::Compression);
             }
         }

@@ -145,6 +145,7 @@ pub fn model(
         string: StringSpec { components }.assemble(bit_depth_m).expect("a sound string"),
         mud,
         rig: Rig::default(),
+        buckling: wholestring::statics::buckling::Criterion::default(),
     }
 }
 

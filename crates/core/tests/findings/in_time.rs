@@ -143,7 +143,7 @@ fn compression_of_nodes_buckles_too() {
     // Dawson and Paslay's load of the straight slant.
     let place = wholestring::statics::buckling::Place::of(&ran.model, 100.0, 50.0);
     let load = |part: f64| {
-        -part * place.critical_loads_N(wholestring::statics::buckling::Criterion::Sinusoidal)[0]
+        -part * place.critical_loads_N(wholestring::statics::buckling::Shape::Sinusoidal)[0]
     };
     ran.outcome.nodes.tension_N.fill(load(0.99));
     assert_eq!(ran.has(Kind::SinusoidalBuckling), None);

@@ -1,10 +1,15 @@
 //! Findings in answers of the soft string.
 
 use wholestring::{
-    findings::{Finding, Kind, Level},
+    findings::{Finding, Kind, Level, of_soft},
     operation::OperationKind::*,
+    outcome::Buckling,
     prelude::*,
-    statics::{soft, soft::SoftSettings},
+    statics::{
+        buckling::Criterion,
+        soft,
+        soft::{SoftError, SoftSettings},
+    },
 };
 
 use crate::{
@@ -177,4 +182,111 @@ fn rig_limits() {
     assert_eq!(levels(0.79, Some(block_N)), [None; 2]);
     // Without the block the hoist has less to carry.
     assert_eq!(levels(1.01, None), [None, Some(Error)]);
+}
+
+/// A column knows what a finding knows, and no more: a stretch of the column's word longer than a
+/// joint is in a finding, whose value and limit are those of a row.
+#[test]
+fn columns_and_findings_agree() {
+    for criterion in [Criterion::HeKyllingstad, Criterion::ChenLinCheatham, Criterion::WuJuvkamWold]
+    {
+        let model = Model { buckling: criterion, ..lateral(4500.0, 0.3) };
+        let slide = at_full_depth(Slide, &model, 120e3);
+        let profile = soft_string(&model, &slide).expect("a sound model");
+        let found = of_soft(&model, &slide, &profile);
+        for (kind, word) in [
+            (Kind::HelicalBuckling, Buckling::Helical),
+            (Kind::SinusoidalBuckling, Buckling::Sinusoidal),
+        ] {
+            let stretches: Vec<_> = found.iter().filter(|of| of.kind == kind).collect();
+            if stretches.is_empty() {
+                // A bow by weight alone is not reported beside a helix.
+                assert_eq!(word, Buckling::Sinusoidal, "{criterion:?}");
+                continue;
+            }
+            for of in &stretches {
+                let (from_m, to_m) = (of.from_md_m.expect("a place"), of.to_md_m.expect("another"));
+                let row = (0..profile.md_m.len())
+                    .find(|row| Some(-profile.tension_N[*row]) == of.value)
+                    .expect("the row of the finding");
+                assert!(from_m <= profile.md_m[row] && profile.md_m[row] <= to_m);
+                assert!(profile.buckling(row) >= word);
+                let load_N = match word {
+                    Buckling::Helical => profile.helical_load_N[row],
+                    _ => profile.sinusoidal_load_N[row],
+                };
+                // The limit is the load to rounding of compression over their quotient.
+                let (limit_N, load_N) = (of.limit.expect("a limit"), load_N.expect("clearance"));
+                assert!((limit_N / load_N - 1.0).abs() < 1e-14, "{limit_N} {load_N}");
+            }
+            let mut outside_m = 0.0;
+            for (row, md_m) in profile.md_m.iter().enumerate().skip(1) {
+                let covered = stretches
+                    .iter()
+                    .any(|of| of.from_md_m.unwrap() <= *md_m && *md_m <= of.to_md_m.unwrap());
+                outside_m = match profile.buckling(row) >= word && !covered {
+                    true => outside_m + md_m - profile.md_m[row - 1],
+                    false => 0.0,
+                };
+                assert!(outside_m <= 10.0, "{criterion:?}: {kind:?} at {md_m} m");
+            }
+        }
+    }
+}
+
+/// What a helix presses to the wall drags in the soft string, if asked: the push at nine tenths of
+/// the length that locks up, as `S2b` has it; beyond that length there is no answer. The lock-up
+/// that is found, which counts the helix anyway, stays what it is.
+#[test]
+fn s2b_the_drag_of_a_helix_counts_if_asked() {
+    let file = verification("S2b_lockup_horizontal.json");
+    let pipe = &file["inputs"]["pipe"];
+    let (stiffness, weight) = (pipe["EI"].as_f64().unwrap(), pipe["w"].as_f64().unwrap());
+    let clearance_m = file["inputs"]["clearance_m"].as_f64().unwrap();
+    let counted = SoftSettings { helix_side_force: true, ..SoftSettings::default() };
+    let mut rows = Vec::new();
+    for row in file["cases"].as_array().unwrap() {
+        let (of, expected) = (&row["inputs"], &row["expected"]);
+        let (mu, at_bit_N) = (of["mu"].as_f64().unwrap(), of["F_at_bit_N"].as_f64().unwrap());
+        let buckling = match of["F_hel_rule"].as_str() {
+            Some("WuJuvkamWold") => Criterion::WuJuvkamWold,
+            _ => Criterion::ChenLinCheatham,
+        };
+        let locks_up_m = expected["closed_form_m"].as_f64().unwrap();
+        let horizontal = |length_m: f64| {
+            let stations = [[0.0, 90.0, 0.0], [length_m, 90.0, 0.0]];
+            let model = Model { buckling, ..five_inch(&stations, 0.2159, mu, weight) };
+            let slide = at_full_depth(Slide, &model, at_bit_N);
+            (model, slide)
+        };
+        let (model, slide) = horizontal(0.9 * locks_up_m);
+        let profile = soft::solve(&model, &slide, &counted).expect("an answer");
+        rows.push(
+            verify("S2b", "push of a soft string whose helix drags, N")
+                .relative(1e-6, "what its source requires")
+                .row(expected["F_at_0p9_L_N"].as_f64().unwrap(), -profile.scalars.hook_load_N),
+        );
+        for (row, tension_N) in profile.tension_N.iter().enumerate() {
+            let helix = match profile.buckling(row) {
+                Buckling::Helical => clearance_m * tension_N * tension_N / (4.0 * stiffness),
+                _ => 0.0,
+            };
+            // Weight and helix, to the rounding of weight and mass.
+            let expected = weight + helix;
+            assert!((profile.side_force_N_per_m[row].abs() / expected - 1.0).abs() < 1e-9);
+            let drag = -mu * profile.side_force_N_per_m[row].abs();
+            assert!((profile.axial_friction_N_per_m[row] / drag - 1.0).abs() < 1e-9);
+        }
+        let plain = soft_string(&model, &slide).expect("an answer");
+        let lock_up = |profile| only(&of_soft(&model, &slide, profile), Kind::LockUp);
+        assert_eq!(lock_up(&profile), lock_up(&plain));
+        let (model, slide) = horizontal(1.01 * locks_up_m);
+        let refused = soft::solve(&model, &slide, &counted);
+        let Err(SoftError::LocksUp { md_m }) = refused else {
+            panic!("it locks up: {refused:?}");
+        };
+        // Found a step before it is infinite, where a step of a metre is as long as what is left.
+        assert!((md_m - 0.01 * locks_up_m).abs() < 3.0, "{md_m}");
+    }
+    report_worst(rows);
 }

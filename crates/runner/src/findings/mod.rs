@@ -4,16 +4,16 @@ mod drift;
 pub mod quantities;
 mod sentence;
 
-use wholestring::{findings as core, rig::Rig};
+use wholestring::findings as core;
 use wholestring_results::{Finding, Level, OperationSummary};
-use wholestring_units::UnitSet;
+
+pub use sentence::Around;
 
 /// The findings of an operation as its summary holds them, the gravest first.
 pub fn in_words(
     found: &[core::Finding],
     of: &OperationSummary,
-    rig: &Rig,
-    units: UnitSet,
+    around: &Around<'_>,
 ) -> Vec<Finding> {
     let in_words = |found: &core::Finding| Finding {
         kind: found.kind.name().into(),
@@ -23,7 +23,7 @@ pub fn in_words(
         value: found.value,
         limit: found.limit,
         unit: found.kind.unit().into(),
-        message: sentence::sentence(found, of, rig, units),
+        message: sentence::sentence(found, of, around),
     };
     found.iter().map(in_words).collect()
 }

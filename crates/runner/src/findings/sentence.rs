@@ -15,14 +15,21 @@ use wholestring_units::{Dimension, UnitSet};
 
 use super::drift;
 
+/// What a sentence must know beside the finding and the answer.
+#[derive(Debug, Clone, Copy)]
+pub struct Around<'a> {
+    /// The rig's limits.
+    pub rig: &'a Rig,
+    /// Whether the answer's forces hold the friction of a helix.
+    pub has_helix_friction: bool,
+    /// The units that people are shown.
+    pub units: UnitSet,
+}
+
 /// A sentence that begins with a capital and ends without a full stop.
-pub(super) fn sentence(
-    found: &Finding,
-    of: &OperationSummary,
-    rig: &Rig,
-    units: UnitSet,
-) -> String {
-    let words = Words { found, of, rig, units };
+pub(super) fn sentence(found: &Finding, of: &OperationSummary, around: &Around<'_>) -> String {
+    let Around { rig, has_helix_friction, units } = *around;
+    let words = Words { found, of, rig, has_helix_friction, units };
     match found.kind {
         Kind::HookLoadNegative => words.hook_load(),
         Kind::LockUp => words.lock_up(),
@@ -104,6 +111,7 @@ struct Words<'a> {
     found: &'a Finding,
     of: &'a OperationSummary,
     rig: &'a Rig,
+    has_helix_friction: bool,
     units: UnitSet,
 }
 
@@ -235,7 +243,7 @@ impl Words<'_> {
     fn buckled(&self, how: &str) -> String {
         let helix = self.found.kind == Kind::HelicalBuckling;
         let method = self.of.model.method();
-        let more = match helix && !method.has_helix_friction {
+        let more = match helix && !self.has_helix_friction {
             true => format!("; the {} does not count the drag of the helix", method.long_name),
             false => String::new(),
         };

@@ -12,7 +12,6 @@ use wholestring::{
     findings::Finding,
     operation::Operation,
     outcome::{Cost, ModelKind},
-    rig::Rig,
     well::Hole,
 };
 use wholestring_case::{Case, Records};
@@ -24,7 +23,7 @@ use wholestring_units::UnitSet;
 
 use self::frames::Frames;
 use crate::{
-    findings,
+    findings::{self, Around},
     keep::Keep,
     page::{FILE, PROFILE, Tables, along_the_hole, write_profile},
 };
@@ -173,9 +172,14 @@ impl Record {
     }
 
     /// Shows what was found in the answer that was added last.
-    pub(crate) fn judge(&mut self, found: &[Finding], rig: &Rig) {
+    pub(crate) fn judge(&mut self, found: &[Finding], case: &Case) {
         if let Some(last) = self.summary.operations.last_mut() {
-            last.findings = findings::in_words(found, last, rig, self.units);
+            let around = Around {
+                rig: &case.model.rig,
+                has_helix_friction: case.has_helix_friction(last.model),
+                units: self.units,
+            };
+            last.findings = findings::in_words(found, last, &around);
         }
     }
 

@@ -11,7 +11,7 @@ use wholestring::{
     operation::Operation,
     outcome::{ModelKind, Solution},
     statics::{
-        soft::{self, SoftSettings},
+        soft,
         stiff::{self, StiffSettings},
     },
 };
@@ -97,11 +97,11 @@ fn write_checkpoint(
 }
 
 fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) -> Status {
-    match soft::solve(&case.model, operation, &SoftSettings::default()) {
+    match soft::solve(&case.model, operation, &case.soft) {
         Ok(profile) => {
             record.add(operation, &Solution::from(&profile), CarriedOut::AT_ONCE);
             let found = findings::of_soft(&case.model, operation, &profile);
-            record.judge(&found, &case.model.rig);
+            record.judge(&found, case);
             Status::Complete
         }
         Err(error) => unsolvable("soft string", &error),
@@ -113,7 +113,7 @@ fn solve_stiff(case: &Case, operation: &Operation, record: &mut Record) -> Statu
         Ok(profile) => {
             record.add(operation, &Solution::from(&profile), CarriedOut::AT_ONCE);
             let found = findings::of_stiff(&case.model, operation, &profile);
-            record.judge(&found, &case.model.rig);
+            record.judge(&found, case);
             Status::Complete
         }
         Err(error) => unsolvable("stiff string", &error),
@@ -258,7 +258,7 @@ fn solve_dynamic(
     // What was not computed to its end has said so already.
     if status == Status::Complete {
         let found = findings::of_dynamic(&case.model, operation, &settings, &outcome);
-        record.judge(&found, &case.model.rig);
+        record.judge(&found, case);
     }
     status
 }

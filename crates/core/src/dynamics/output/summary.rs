@@ -20,6 +20,7 @@ use crate::{
     operation::Operation,
     outcome::{HoleWear, Profile, Scalars, hole_depths_m, varying_place},
     rod::{contact_length, mesh::Mesh, stability::StepPlan},
+    statics::buckling::Place,
 };
 
 /// What the answer is made from.
@@ -212,6 +213,10 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
     p.wear_power_W_per_m = rates(&p.wear_work_J_per_m, window_s(s, from));
     (p.twist_rad, p.stretch_m) = deformed(s);
     load(s, &mut p);
+    for i in 0..n {
+        let place = Place::of(s.model, s.operation.bit_depth_m, p.md_m[i]);
+        p.push_buckling_loads(place.loads_N(s.model.buckling, -p.tension_N[i]));
+    }
     p
 }
 

@@ -9,13 +9,16 @@
 //! ```
 //!
 //! with `β = 4` up to the sinusoid and `β = 8` up to the helix (He and Kyllingstad 1995), and in
-//! any case up to Lubinski's and Wu and Juvkam-Wold's loads of a vertical hole. Theory and sources:
-//! `docs/src/findings.md`.
+//! any case up to Lubinski's and Wu and Juvkam-Wold's loads of a vertical hole. A [`Criterion`] says
+//! whose loads are meant. Theory and sources: `docs/src/findings.md`.
 
-mod criteria;
+mod criterion;
+mod critical;
 mod place;
 mod push;
+mod shape;
 
-pub use criteria::Criterion;
-pub use place::Place;
+pub use criterion::Criterion;
+pub use place::{Pipe, Place};
 pub use push::{Pushed, Segment, push_through, weight_at_bit_N};
+pub use shape::Shape;

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::{model::Model, well::PathPoint};
+use crate::{model::Model, string::Component, well::PathPoint};
 
 /// What the buckling of a pipe depends on at one measured depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,6 +21,55 @@ pub struct Place {
     pub turn_rad_per_m: f64,
 }
 
+/// A pipe in a hole, wherever it runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pipe {
+    bending_stiffness_N_m2: f64,
+    clearance_m: f64,
+    /// Negative where it floats.
+    weight_N_per_m: f64,
+}
+
+impl Pipe {
+    /// A component in a hole of that diameter, m, in a mud of that density, kg/m³.
+    pub fn new(component: &Component, hole_diameter_m: f64, mud_density_kg_per_m3: f64) -> Self {
+        Self {
+            bending_stiffness_N_m2: component.bending_stiffness_N_m2(),
+            clearance_m: 0.5 * hole_diameter_m - component.contact_radius_m(),
+            weight_N_per_m: component.buoyed_weight_per_length_N_per_m(mud_density_kg_per_m3),
+        }
+    }
+
+    /// Wall load that a helix adds under a compression, N/m.
+    pub fn helix_load_N_per_m(&self, compression_N: f64) -> f64 {
+        helix_load_N_per_m(self.bending_stiffness_N_m2, self.clearance_m, compression_N)
+    }
+
+    /// Where the hole has that unit tangent and curvature vector, 1/m.
+    pub fn at(&self, tangent: &Vector3<f64>, curvature_per_m: &Vector3<f64>) -> Place {
+        // What floats presses to the high side as it would press to the low one if it sank.
+        let down = Vector3::z() * self.weight_N_per_m.signum();
+        let across = down - tangent * tangent.dot(&down);
+        let sin_inclination = across.norm();
+        let (build_rad_per_m, turn_rad_per_m) = match across.try_normalize(1e-9) {
+            // Compression presses a build to the side that the weight presses to.
+            Some(weight_side) => {
+                let build = -curvature_per_m.dot(&weight_side);
+                (build, (curvature_per_m + weight_side * build).norm())
+            }
+            None => (curvature_per_m.norm(), 0.0),
+        };
+        Place {
+            bending_stiffness_N_m2: self.bending_stiffness_N_m2,
+            clearance_m: self.clearance_m,
+            weight_N_per_m: self.weight_N_per_m.abs(),
+            weight_across_N_per_m: self.weight_N_per_m.abs() * sin_inclination,
+            build_rad_per_m,
+            turn_rad_per_m,
+        }
+    }
+}
+
 impl Place {
     /// The pipe of a model at a measured depth with its bit at another, m.
     pub fn of(model: &Model, bit_depth_m: f64, md_m: f64) -> Self {
@@ -30,30 +79,9 @@ impl Place {
     /// The same where the point of the path is known.
     pub fn on(model: &Model, bit_depth_m: f64, md_m: f64, point: &PathPoint) -> Self {
         let (_, component) = model.string.component_at(bit_depth_m - md_m);
-        let hole_radius_m = 0.5 * model.well.hole.at(md_m).diameter_m;
-        let weight_N_per_m =
-            component.buoyed_weight_per_length_N_per_m(model.mud.density_kg_per_m3);
-        // What floats presses to the high side as it would press to the low one if it sank.
-        let down = Vector3::z() * weight_N_per_m.signum();
-        let across = down - point.tangent * point.tangent.dot(&down);
-        let sin_inclination = across.norm();
-        let curvature = point.curvature_per_m;
-        let (build_rad_per_m, turn_rad_per_m) = match across.try_normalize(1e-9) {
-            // Compression presses a build to the side that the weight presses to.
-            Some(weight_side) => {
-                let build = -curvature.dot(&weight_side);
-                (build, (curvature + weight_side * build).norm())
-            }
-            None => (curvature.norm(), 0.0),
-        };
-        Self {
-            bending_stiffness_N_m2: component.bending_stiffness_N_m2(),
-            clearance_m: hole_radius_m - component.contact_radius_m(),
-            weight_N_per_m: weight_N_per_m.abs(),
-            weight_across_N_per_m: weight_N_per_m.abs() * sin_inclination,
-            build_rad_per_m,
-            turn_rad_per_m,
-        }
+        let hole_diameter_m = model.well.hole.at(md_m).diameter_m;
+        let pipe = Pipe::new(component, hole_diameter_m, model.mud.density_kg_per_m3);
+        pipe.at(&point.tangent, &point.curvature_per_m)
     }
 
     /// `w_n`: what presses a straight pipe against the wall under a compression, N/m; a negative
@@ -63,8 +91,13 @@ impl Place {
         built.hypot(compression_N * self.turn_rad_per_m)
     }
 
-    /// Wall load that a helix adds under a compression, `r F²/(4 EI)`, N/m.
+    /// Wall load that a helix adds under a compression, N/m.
     pub fn helix_load_N_per_m(&self, compression_N: f64) -> f64 {
-        self.clearance_m * compression_N * compression_N / (4.0 * self.bending_stiffness_N_m2)
+        helix_load_N_per_m(self.bending_stiffness_N_m2, self.clearance_m, compression_N)
     }
+}
+
+/// Wall load that a helix adds under a compression, `r F²/(4 EI)`, N/m.
+fn helix_load_N_per_m(stiffness_N_m2: f64, clearance_m: f64, compression_N: f64) -> f64 {
+    clearance_m * compression_N * compression_N / (4.0 * stiffness_N_m2)
 }

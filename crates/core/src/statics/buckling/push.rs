@@ -12,7 +12,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::{Criterion, Place};
+use super::{criterion::Criterion, place::Place};
 
 /// `F₀`, N: of the order of the critical loads of drill pipe.
 const SCALE_N: f64 = 1e5;
@@ -57,8 +57,8 @@ impl Segment {
         SCALE_N * (self.rate_N_per_m(compression_N, helical) / square)
     }
 
-    fn is_helical(&self, helix: Criterion, angle: f64) -> bool {
-        self.place.is_beyond(helix, SCALE_N * angle.tan())
+    fn is_helical(&self, by: Criterion, angle: f64) -> bool {
+        self.place.is_helix(by, SCALE_N * angle.tan())
     }
 
     /// One step of the classical Runge-Kutta method.
@@ -72,16 +72,16 @@ impl Segment {
 
     /// The angle at the other end, `by_m` upwards (downwards where negative). Where the helix
     /// begins or ends the step is divided.
-    fn cross(&self, helix: Criterion, angle: f64, by_m: f64) -> f64 {
-        let helical = self.is_helical(helix, angle);
+    fn cross(&self, by: Criterion, angle: f64, by_m: f64) -> f64 {
+        let helical = self.is_helical(by, angle);
         let whole = self.step(angle, by_m, helical);
-        if whole >= FRAC_PI_2 || self.is_helical(helix, whole) == helical {
+        if whole >= FRAC_PI_2 || self.is_helical(by, whole) == helical {
             return whole;
         }
         let (mut same, mut other) = (0.0, 1.0);
         for _ in 0..50 {
             let part = 0.5 * (same + other);
-            if self.is_helical(helix, self.step(angle, part * by_m, helical)) == helical {
+            if self.is_helical(by, self.step(angle, part * by_m, helical)) == helical {
                 same = part;
             } else {
                 other = part;
@@ -93,12 +93,12 @@ impl Segment {
 }
 
 /// Compression at the upper end of stretches, from the bit up, that slide down with a compression
-/// at their lower end, N. A pipe is helical beyond the load of `helix`.
-pub fn push_through(segments: &[Segment], at_bit_N: f64, helix: Criterion) -> Pushed {
+/// at their lower end, N. A pipe is helical beyond the load that the criterion takes.
+pub fn push_through(segments: &[Segment], at_bit_N: f64, by: Criterion) -> Pushed {
     let mut angle = (at_bit_N / SCALE_N).atan();
     let mut below_m = 0.0;
     for segment in segments {
-        let next = segment.cross(helix, angle, segment.length_m);
+        let next = segment.cross(by, angle, segment.length_m);
         if next >= FRAC_PI_2 {
             let part = (FRAC_PI_2 - angle) / (next - angle);
             return Pushed::LocksUp(below_m + part * segment.length_m);
@@ -111,10 +111,10 @@ pub fn push_through(segments: &[Segment], at_bit_N: f64, helix: Criterion) -> Pu
 
 /// Compression at the lower end of the same stretches under a compression at their upper end, N,
 /// which may be infinite: what of a push arrives at the bit.
-pub fn weight_at_bit_N(segments: &[Segment], at_top_N: f64, helix: Criterion) -> f64 {
+pub fn weight_at_bit_N(segments: &[Segment], at_top_N: f64, by: Criterion) -> f64 {
     let mut angle = (at_top_N / SCALE_N).atan();
     for segment in segments.iter().rev() {
-        angle = segment.cross(helix, angle, -segment.length_m);
+        angle = segment.cross(by, angle, -segment.length_m);
     }
     SCALE_N * angle.tan()
 }

@@ -127,7 +127,7 @@ impl<'a> Carrier<'a> {
             };
         };
         let towards = load.q_N_per_m.try_normalize(0.0).unwrap_or_default();
-        let bent = span.bending(totals.tension_N, load.side_force_N_per_m);
+        let bent = span.bending(totals.tension_N, load.q_N_per_m.norm());
         Bent {
             curvatures_per_m: [bent.at_joint_per_m, bent.at_middle_per_m]
                 .map(|beyond_per_m| (hole_per_m + towards * beyond_per_m).norm()),

@@ -30,6 +30,15 @@ pub enum SoftError {
         /// Value, SI.
         value: f64,
     },
+    /// Its helix, whose side force counts, takes any push, however great.
+    #[error(
+        "the string locks up: above MD {md_m:.0} m its helix takes any push, so that no hook load \
+         brings the load at the bit there"
+    )]
+    LocksUp {
+        /// Measured depth, m.
+        md_m: f64,
+    },
     /// The tension or torque left the range of floating-point numbers.
     #[error(
         "tension or torque is not a finite number at MD {md_m:.1} m: a dimension, a weight or a \

@@ -13,6 +13,7 @@ use crate::{
     operation::Operation,
     outcome::{hole_steps, spread},
     statics::{
+        buckling::{Criterion, Pipe, Place},
         circulation::{self, Circulating, Passage},
         sliding::Sliding,
     },
@@ -41,6 +42,8 @@ struct Segment<'a> {
     hole_diameter_m: f64,
     circulating: Circulating,
     carrier: Carrier<'a>,
+    pipe: Pipe,
+    buckling: Criterion,
 }
 
 /// State and load at one depth.
@@ -50,15 +53,56 @@ pub(super) struct Row {
     pub(super) load: Load,
     pub(super) high_side: Vector3<f64>,
     pub(super) bearing: Bearing,
+    /// Of the sinusoid and the helix; none where there is no clearance.
+    pub(super) buckling_loads_N: Option<[f64; 2]>,
+}
+
+/// Whether the wall is pressed by a helix too.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Course {
+    Straight,
+    Helix,
+}
+
+impl Course {
+    fn other(self) -> Self {
+        match self {
+            Self::Straight => Self::Helix,
+            Self::Helix => Self::Straight,
+        }
+    }
 }
 
 impl Segment<'_> {
-    fn load(&self, point: &Point, tension_N: f64) -> Load {
+    /// Whether the drag of its helix alone makes a compression infinite within a step, m:
+    /// `dF/dx = μ r F²/(4 EI)` does so within `F` over that.
+    fn locks_up(&self, tension_N: f64, step_m: f64) -> bool {
+        let drag_N_per_m =
+            self.friction.0 * self.sliding.0 * self.pipe.helix_load_N_per_m(tension_N);
+        drag_N_per_m * step_m >= -tension_N
+    }
+
+    fn place(&self, point: &Point) -> Place {
+        self.pipe.at(&point.tangent, &point.curvature_per_m)
+    }
+
+    fn course(&self, helix_counts: bool, point: &Point, tension_N: f64) -> Course {
+        match helix_counts && self.place(point).is_helix(self.buckling, -tension_N) {
+            true => Course::Helix,
+            false => Course::Straight,
+        }
+    }
+
+    fn load(&self, point: &Point, tension_N: f64, course: Course) -> Load {
         let down = Vector3::z();
         let across = down - point.tangent * point.tangent.z;
         // q = F κ n + w (k − (k·t) t).
         let q_N_per_m = point.curvature_per_m * tension_N + across * self.weight_N_per_m;
-        let side_force_N_per_m = q_N_per_m.norm();
+        let side_force_N_per_m = q_N_per_m.norm()
+            + match course {
+                Course::Straight => 0.0,
+                Course::Helix => self.pipe.helix_load_N_per_m(tension_N),
+            };
         let (mu_along, mu_around) = self.friction;
         let (along, around) = self.sliding;
         Load {
@@ -74,8 +118,8 @@ impl Segment<'_> {
     }
 
     /// Change per metre upwards.
-    fn rate(&self, point: &Point, at: &Totals) -> Totals {
-        let load = self.load(point, at.tension_N);
+    fn rate(&self, point: &Point, at: &Totals, course: Course) -> Totals {
+        let load = self.load(point, at.tension_N, course);
         // Upwards, so with the opposite signs of dF/ds and dM/ds.
         let pressure_Pa = self.mud.pressure_Pa(point.tvd_m);
         Totals {
@@ -92,9 +136,17 @@ impl Segment<'_> {
         }
     }
 
-    fn row(&self, path: &Path, md_m: f64, point: &Point, totals: &Totals) -> Row {
+    fn row(
+        &self,
+        path: &Path,
+        md_m: f64,
+        point: &Point,
+        totals: &Totals,
+        helix_counts: bool,
+    ) -> Row {
         let high_side = path.high_side_of(md_m, &point.tangent);
-        let load = self.load(point, totals.tension_N);
+        let course = self.course(helix_counts, point, totals.tension_N);
+        let load = self.load(point, totals.tension_N, course);
         let at_rest_Pa = self.mud.pressure_Pa(point.tvd_m);
         // The losses of the flow change linearly along the stretch.
         let up_m = self.to_md_m - md_m;
@@ -105,7 +157,8 @@ impl Segment<'_> {
             at_rest_Pa + inner_Pa + inner_rise_Pa_per_m * up_m,
         ];
         let bearing = self.carrier.bears(point, &high_side, &load, totals, pressures_Pa);
-        Row { md_m, totals: *totals, load, high_side, bearing }
+        let buckling_loads_N = self.place(point).loads_N(self.buckling, -totals.tension_N);
+        Row { md_m, totals: *totals, load, high_side, bearing, buckling_loads_N }
     }
 }
 
@@ -160,6 +213,8 @@ fn segment<'a>(
         hole_diameter_m: hole.diameter_m,
         circulating: Circulating::default(),
         carrier: Carrier::new(model, operation, component, hole.diameter_m),
+        pipe: Pipe::new(component, hole.diameter_m, mud_density),
+        buckling: model.buckling,
     }
 }
 
@@ -176,14 +231,60 @@ impl Segment<'_> {
 }
 
 /// One step of the classical Runge-Kutta method, up by `step_m`, through three points of the path.
-fn step(segment: &Segment<'_>, points: [&Point; 3], step_m: f64, at: Totals) -> Totals {
+fn step(
+    segment: &Segment<'_>,
+    points: [&Point; 3],
+    step_m: f64,
+    at: Totals,
+    course: Course,
+) -> Totals {
     let [lower, middle, upper] = points;
-    let k1 = segment.rate(lower, &at);
-    let k2 = segment.rate(middle, &(at + k1 * (0.5 * step_m)));
-    let k3 = segment.rate(middle, &(at + k2 * (0.5 * step_m)));
-    let k4 = segment.rate(upper, &(at + k3 * step_m));
+    let k1 = segment.rate(lower, &at, course);
+    let k2 = segment.rate(middle, &(at + k1 * (0.5 * step_m)), course);
+    let k3 = segment.rate(middle, &(at + k2 * (0.5 * step_m)), course);
+    let k4 = segment.rate(upper, &(at + k3 * step_m), course);
     at + (k1 + (k2 + k3) * 2.0 + k4) * (step_m / 6.0)
 }
+
+/// The step from a lower to an upper depth in which a helix begins or ends: to there, and on from
+/// there.
+fn divided(
+    segment: &Segment<'_>,
+    path: &Path,
+    [lower_md_m, upper_md_m]: [f64; 2],
+    [lower, _, upper]: [&Point; 3],
+    at: Totals,
+    course: Course,
+) -> Totals {
+    let length_m = lower_md_m - upper_md_m;
+    // The depth below surface, which only the pressures see, changes linearly.
+    let point = |part: f64| {
+        let tvd_m = lower.tvd_m + part * (upper.tvd_m - lower.tvd_m);
+        Point::new(path.heading_at(lower_md_m - part * length_m), tvd_m)
+    };
+    let first = |part: f64| {
+        let (middle, end) = (point(0.5 * part), point(part));
+        let totals = step(segment, [lower, &middle, &end], part * length_m, at, course);
+        (totals, end)
+    };
+    let (mut same, mut other) = (0.0, 1.0);
+    for _ in 0..HALVINGS {
+        let part = 0.5 * (same + other);
+        let (totals, end) = first(part);
+        if segment.course(true, &end, totals.tension_N) == course {
+            same = part;
+        } else {
+            other = part;
+        }
+    }
+    let (totals, there) = first(other);
+    let middle = point(0.5 * (1.0 + other));
+    let rest_m = (1.0 - other) * length_m;
+    step(segment, [&there, &middle, upper], rest_m, totals, course.other())
+}
+
+/// Halvings of a step until nothing is left of it in double precision.
+const HALVINGS: usize = 50;
 
 /// What the integration found.
 pub(super) struct Integral {
@@ -229,6 +330,7 @@ pub(super) fn from_bit(
     };
     let axial_m_per_s = operation.axial_velocity_m_per_s();
     let rotation_rad_per_s = operation.rotation_rad_per_s();
+    let helix_counts = settings.helix_side_force;
     let mut hole_W = vec![0.0; hole_steps(bit_depth_m)];
     let mut rows = Vec::new();
     let mut per_metre_at_surface = totals;
@@ -246,7 +348,7 @@ pub(super) fn from_bit(
             } else {
                 segment.to_md_m - index as f64 * step_m
             };
-            rows.push(segment.row(path, lower_md_m, &lower, &totals));
+            rows.push(segment.row(path, lower_md_m, &lower, &totals, helix_counts));
             let middle = path.heading_at(0.5 * (lower_md_m + upper_md_m));
             let upper = path.heading_at(upper_md_m);
             // Simpson's rule from the stretch's lower end up: `κ⁴ step⁵/2880` a step, for
@@ -257,7 +359,18 @@ pub(super) fn from_bit(
             let middle = Point::new(middle, middle_tvd_m);
             let upper = Point::new(upper, upper_tvd_m);
             let before = totals;
-            totals = step(segment, [&lower, &middle, &upper], step_m, totals);
+            let course = segment.course(helix_counts, &lower, totals.tension_N);
+            let points = [&lower, &middle, &upper];
+            totals = step(segment, points, step_m, totals, course);
+            if helix_counts {
+                if course == Course::Helix && segment.locks_up(before.tension_N, step_m) {
+                    return Err(SoftError::LocksUp { md_m: lower_md_m });
+                }
+                if segment.course(helix_counts, &upper, totals.tension_N) != course {
+                    let mds_m = [lower_md_m, upper_md_m];
+                    totals = divided(segment, path, mds_m, points, before, course);
+                }
+            }
             if !(totals.tension_N.is_finite()
                 && totals.torque_N_m.is_finite()
                 && totals.stretch_m.is_finite()
@@ -275,8 +388,9 @@ pub(super) fn from_bit(
         }
         // The uppermost stretch ends at the surface, with a row of its own.
         if segment.from_md_m == 0.0 {
-            rows.push(segment.row(path, 0.0, &lower, &totals));
-            per_metre_at_surface = segment.rate(&lower, &totals);
+            rows.push(segment.row(path, 0.0, &lower, &totals, helix_counts));
+            let course = segment.course(helix_counts, &lower, totals.tension_N);
+            per_metre_at_surface = segment.rate(&lower, &totals, course);
         }
     }
     Ok(Integral { rows, totals, per_metre_at_surface, hole_W, hydraulics })

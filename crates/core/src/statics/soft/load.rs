@@ -47,7 +47,9 @@ impl Mul<f64> for Totals {
 
 /// Load on the wall at one point.
 pub(super) struct Load {
+    /// Of weight and tension.
     pub(super) q_N_per_m: Vector3<f64>,
+    /// Its magnitude and what a helix adds.
     pub(super) side_force_N_per_m: f64,
     pub(super) axial_friction_N_per_m: f64,
     pub(super) friction_torque_N_m_per_m: f64,

@@ -106,6 +106,8 @@ impl SoftProfile {
             von_mises_stress_Pa: column(|row| row.bearing.von_mises_stress_Pa),
             yield_use: maybe(|row| row.bearing.yield_use),
             wear_power_W_per_m: column(|row| row.bearing.wear_power_W_per_m),
+            sinusoidal_load_N: maybe(|row| row.buckling_loads_N.map(|of| of[0])),
+            helical_load_N: maybe(|row| row.buckling_loads_N.map(|of| of[1])),
             md_m,
             tension_N,
             side_force_N_per_m,

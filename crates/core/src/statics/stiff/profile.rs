@@ -14,6 +14,7 @@ use crate::{
         neutral_point_m, spread,
     },
     rod::{contact_length, mesh::Mesh},
+    statics::buckling::Place,
     string::{BodySection, Component},
 };
 
@@ -103,6 +104,11 @@ impl StiffProfile {
             profile
                 .side_force_per_joint_N
                 .push(component.joints.map(|joints| force_N_per_m * joints.spacing_m));
+        }
+        for index in 0..nodes {
+            let place = Place::of(model, operation.bit_depth_m, profile.md_m[index]);
+            let compression_N = -profile.tension_N[index];
+            profile.push_buckling_loads(place.loads_N(model.buckling, compression_N));
         }
         let sum = |of: &dyn Fn(usize) -> f64| (0..nodes).map(of).sum::<f64>();
         let friction_torque_N_m = sum(&rubbed);

@@ -41,12 +41,16 @@ fn found(kind: Kind, level: Level, value: f64, limit: f64) -> Finding {
     Finding { kind, level, from_md_m: None, to_md_m: None, value: Some(value), limit: Some(limit) }
 }
 
+fn around(rig: &Rig, units: UnitSet) -> Around<'_> {
+    Around { rig, has_helix_friction: true, units }
+}
+
 #[test]
 fn every_kind_has_a_sentence_of_its_own() {
     let of = solved(ModelKind::Dynamic);
     let said = |kind: &Kind| {
         let found = found(*kind, Level::Warning, -300e3, 1.0);
-        sentence(&found, &of, &Rig::default(), UnitSet::Si)
+        sentence(&found, &of, &around(&Rig::default(), UnitSet::Si))
     };
     let all: BTreeSet<String> = Kind::ALL.iter().map(said).collect();
     assert_eq!(all.len(), Kind::ALL.len(), "{all:#?}");
@@ -62,7 +66,7 @@ fn the_hook_load_is_told_with_and_without_the_block() {
     let negative = found(Kind::HookLoadNegative, Level::Error, -257.9e3, 0.0);
     let said = |rig: &Rig, level| {
         let found = Finding { level, ..negative };
-        sentence(&found, &of, rig, UnitSet::Si)
+        sentence(&found, &of, &around(rig, UnitSet::Si))
     };
     assert_eq!(
         said(&Rig::default(), Level::Error),
@@ -76,7 +80,7 @@ fn the_hook_load_is_told_with_and_without_the_block() {
     );
     let heavy = found(Kind::HoistOverloaded, Level::Error, 1200e3, 1000e3);
     assert_eq!(
-        sentence(&heavy, &of, &rig, UnitSet::Si),
+        sentence(&heavy, &of, &around(&rig, UnitSet::Si)),
         "Hook load with block of 1200 kN (900 kN without) exceeds the hoist's capacity of 1000 kN"
     );
 }
@@ -86,7 +90,7 @@ fn lock_up_tells_what_arrives() {
     let of = solved(ModelKind::Dynamic);
     let said = |asked_N, arrives_N| {
         let found = found(Kind::LockUp, Level::Error, asked_N, arrives_N);
-        sentence(&found, &of, &Rig::default(), UnitSet::Si)
+        sentence(&found, &of, &around(&Rig::default(), UnitSet::Si))
     };
     assert_eq!(
         said(49e3, 24e3),
@@ -109,7 +113,7 @@ fn buckled_stretches_are_told_in_the_units_of_the_case() {
         ..found(Kind::HelicalBuckling, Level::Warning, 444_822.0, 222_411.0)
     };
     assert_eq!(
-        sentence(&buckled, &of, &Rig::default(), UnitSet::Field),
+        sentence(&buckled, &of, &around(&Rig::default(), UnitSet::Field)),
         "Buckled to a helix from 1500 ft to 3350 ft: compression of 100 klbf \
          where 50 klbf is critical"
     );

@@ -1,0 +1,122 @@
+//! When a compressed pipe leaves its straight course.
+
+use super::{criterion::Criterion, place::Place, shape::Shape};
+
+/// Steps after which a zero is found to double precision, bisections included.
+const STEPS: usize = 200;
+
+impl Place {
+    /// `√(β EI w_n/r)` under a wall load `w_n`, N/m, or what the pipe's weight holds in a vertical
+    /// hole, whichever is more, N: the load that a compression is compared with. Infinite where
+    /// there is no clearance.
+    pub fn threshold_N(&self, shape: Shape, wall_load_N_per_m: f64) -> f64 {
+        if self.clearance_m <= 0.0 {
+            return f64::INFINITY;
+        }
+        let pressed = shape.beta() * self.bending_stiffness_N_m2 * wall_load_N_per_m;
+        let pressed_N = (pressed / self.clearance_m).sqrt();
+        pressed_N.max(self.vertical_load_N(shape))
+    }
+
+    /// The load that the pipe's weight holds in a vertical hole, N.
+    pub fn vertical_load_N(&self, shape: Shape) -> f64 {
+        let weight_N_per_m = self.weight_N_per_m;
+        shape.vertical() * (self.bending_stiffness_N_m2 * weight_N_per_m * weight_N_per_m).cbrt()
+    }
+
+    /// Whether a compression, N, is beyond the load of a shape, with the wall load that it makes
+    /// itself.
+    pub fn is_beyond(&self, shape: Shape, compression_N: f64) -> bool {
+        compression_N > self.threshold_N(shape, self.wall_load_N_per_m(compression_N))
+    }
+
+    /// Every compression at which `F² = β EI w_n(F)/r`, N, from the least up: one, three in a drop
+    /// where it may be buckled, pressed straight to the high side and buckled again, none where
+    /// nothing presses the pipe against the wall.
+    pub fn critical_loads_N(&self, shape: Shape) -> Vec<f64> {
+        let (a, b, c) = (self.weight_across_N_per_m, self.build_rad_per_m, self.turn_rad_per_m);
+        let stiff = shape.beta() * self.bending_stiffness_N_m2 / self.clearance_m;
+        let curved = b.hypot(c);
+        if a <= 0.0 {
+            return Vec::from_iter((curved > 0.0).then_some(stiff * curved));
+        }
+        if curved == 0.0 {
+            return vec![(stiff * a).sqrt()];
+        }
+        // `F⁴ − K² w_n²(F)`, its slope and the slope's; the slope is least at `least`, and from
+        // `most` on all is positive.
+        let over = |f: f64| f.powi(4) - (stiff * (a + b * f).hypot(c * f)).powi(2);
+        let slope = |f: f64| 4.0 * f.powi(3) - 2.0 * stiff * stiff * (curved * curved * f + a * b);
+        let bend = |f: f64| 12.0 * f * f - 2.0 * stiff * stiff * curved * curved;
+        let least = stiff * curved / 6.0_f64.sqrt();
+        let most = 0.5 * (stiff * curved + (stiff * curved).hypot(2.0 * (stiff * a).sqrt()));
+        let most = most * (1.0 + 1e-9);
+        let mut ends = vec![0.0];
+        if b < 0.0 && slope(least) < 0.0 {
+            ends.push(zero(slope, bend, 0.0, least));
+            ends.push(zero(slope, bend, least, most.max(stiff * curved)));
+        }
+        ends.push(most);
+        ends.windows(2)
+            .filter(|pair| (over(pair[0]) > 0.0) != (over(pair[1]) > 0.0))
+            .map(|pair| zero(over, slope, pair[0], pair[1]))
+            .collect()
+    }
+
+    /// The critical load that a compression, N, is compared with: of a pipe that is beyond one the
+    /// greatest that it has passed, else the next that it would pass; never less than in a vertical
+    /// hole. Infinite where there is no clearance.
+    pub fn critical_load_N(&self, shape: Shape, compression_N: f64) -> f64 {
+        if self.clearance_m <= 0.0 {
+            return f64::INFINITY;
+        }
+        let loads_N = self.critical_loads_N(shape);
+        // Beyond the first it is buckled, beyond the second straight again, beyond the third not.
+        let passed = loads_N.iter().filter(|load| **load < compression_N).count();
+        let compared = if passed % 2 == 1 { passed - 1 } else { passed };
+        let load_N = loads_N.get(compared).copied().unwrap_or(0.0);
+        load_N.max(self.vertical_load_N(shape))
+    }
+
+    /// The critical loads of a criterion that a compression, N, is compared with: of the sinusoid
+    /// and of the helix. None where there is no clearance.
+    pub fn loads_N(&self, criterion: Criterion, compression_N: f64) -> Option<[f64; 2]> {
+        let seen = self.seen_by(criterion);
+        let loads_N = criterion.shapes().map(|shape| seen.critical_load_N(shape, compression_N));
+        loads_N[0].is_finite().then_some(loads_N)
+    }
+
+    /// Whether a pipe under a compression, N, is a helix by a criterion.
+    pub fn is_helix(&self, criterion: Criterion, compression_N: f64) -> bool {
+        compression_N > 0.0 && self.seen_by(criterion).is_beyond(criterion.helix(), compression_N)
+    }
+
+    /// The place as a criterion sees it: straight where the curvature does not count.
+    pub fn seen_by(self, criterion: Criterion) -> Self {
+        match criterion.counts_curvature() {
+            true => self,
+            false => Self { build_rad_per_m: 0.0, turn_rad_per_m: 0.0, ..self },
+        }
+    }
+}
+
+/// Where a function changes sign between two places where its signs differ: by Newton's method from
+/// the upper place, by halves where that leads out.
+fn zero(of: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    let begins_positive = of(low) > 0.0;
+    let mut at = high;
+    for _ in 0..STEPS {
+        let value = of(at);
+        if (value > 0.0) == begins_positive {
+            low = at;
+        } else {
+            high = at;
+        }
+        let newton = at - value / slope(at);
+        if (newton - at).abs() <= f64::EPSILON * at || high - low <= f64::EPSILON * high {
+            break;
+        }
+        at = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+    }
+    at
+}
