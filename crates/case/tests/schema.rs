@@ -63,7 +63,7 @@ fn refuses_what_the_reader_refuses_for_its_form() {
         ("kind = \"open\"", "kind = \"openhole\""),
         ("kind = \"drill\"", "kind = []"),
         ("kind = \"drill\"", "kind = \"cement\""),
-        ("model = \"dynamic\"", "model = \"stiff\""),
+        ("model = \"dynamic\"", "model = \"rigid\""),
         ("seed = 1", "seed = 1.5"),
         ("seed = 1", "seed = -1"),
         ("\"to surface\"", "\"to the surface\""),
