@@ -88,6 +88,7 @@ fn appended_rows_leave_the_other_columns_null() {
             ("contact_class", &["none", "continuous"]),
             ("contact_side", &["none", "low"]),
             ("element_size", &[""]),
+            ("buckling", &["none"]),
         ],
         &[("md_m", &[0.0, 10.0]), ("tension_N", &[1e6, f64::NAN])],
     );
@@ -98,6 +99,7 @@ fn appended_rows_leave_the_other_columns_null() {
             ("contact_class", &["intermittent"]),
             ("contact_side", &["high"]),
             ("element_size", &["given"]),
+            ("buckling", &["helical"]),
         ],
         &[("md_m", &[0.0]), ("contact_force_std_N", &[3.0])],
     );
