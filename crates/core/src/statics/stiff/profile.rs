@@ -106,7 +106,7 @@ impl StiffProfile {
                 .push(component.joints.map(|joints| force_N_per_m * joints.spacing_m));
         }
         for index in 0..nodes {
-            let place = Place::of(model, operation.bit_depth_m, profile.md_m[index]);
+            let place = Place::above(model, operation.bit_depth_m, profile.md_m[index]);
             let compression_N = -profile.tension_N[index];
             profile.push_buckling_loads(place.loads_N(model.buckling, compression_N));
         }
