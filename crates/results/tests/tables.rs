@@ -99,7 +99,7 @@ fn appended_rows_leave_the_other_columns_null() {
             ("contact_class", &["intermittent"]),
             ("contact_side", &["high"]),
             ("element_size", &["given"]),
-            ("buckling", &["none"]),
+            ("buckling", &["helical"]),
         ],
         &[("md_m", &[0.0]), ("contact_force_std_N", &[3.0])],
     );

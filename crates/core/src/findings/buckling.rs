@@ -52,7 +52,7 @@ impl<'a> Line<'a> {
     /// Whether a row is beyond the load that its weight holds in a vertical hole, and the wall
     /// holds no more under that compression.
     fn is_bowed_by_weight_alone(&self, row: usize) -> bool {
-        let place = Place::of(self.model, self.bit_depth_m, self.profile.md_m[row]);
+        let place = Place::above(self.model, self.bit_depth_m, self.profile.md_m[row]);
         let place = place.seen_by(self.model.buckling);
         let wall_load_N_per_m = place.wall_load_N_per_m(-self.profile.tension_N[row]);
         place.threshold_N(Shape::Sinusoidal, wall_load_N_per_m)

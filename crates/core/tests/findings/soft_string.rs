@@ -6,7 +6,7 @@ use wholestring::{
     outcome::Buckling,
     prelude::*,
     statics::{
-        buckling::Criterion,
+        buckling::{Criterion, Place},
         soft,
         soft::{SoftError, SoftSettings},
     },
@@ -289,4 +289,24 @@ fn s2b_the_drag_of_a_helix_counts_if_asked() {
         assert!((md_m - 0.01 * locks_up_m).abs() < 3.0, "{md_m}");
     }
     report_worst(rows);
+}
+
+/// A string that turns is a helix as well: its torque grows by what the helix presses, to rounding.
+#[test]
+fn the_torque_of_a_helix_counts_if_asked() {
+    let model = five_inch(&[[0.0, 90.0, 0.0], [1000.0, 90.0, 0.0]], 0.2159, 0.3, 260.0);
+    let drill = at_full_depth(Drill, &model, 300e3);
+    let counted = SoftSettings { helix_side_force: true, ..SoftSettings::default() };
+    let helix = soft::solve(&model, &drill, &counted).expect("an answer");
+    let plain = soft_string(&model, &drill).expect("an answer");
+    let place = Place::of(&model, 1000.0, 500.0);
+    for (row, md_m) in helix.md_m.iter().enumerate() {
+        assert_eq!(helix.buckling(row), Buckling::Helical, "{md_m}");
+        let pressed = 260.0 + place.helix_load_N_per_m(-helix.tension_N[row]);
+        let part = pressed / 260.0;
+        let torque = |of: &SoftProfile| of.friction_torque_N_m_per_m[row];
+        assert_close("torque per metre", torque(&helix), part * torque(&plain), 1e-12);
+    }
+    let [more, less] = [&helix, &plain].map(|of| of.scalars.friction_torque_N_m);
+    assert!(more > 2.0 * less, "{more} {less}");
 }

@@ -1,6 +1,7 @@
 //! The pictures of a run, or of two on the same axes: what the page shows, as figures for paper.
 
 mod bottom;
+mod buckling;
 pub(crate) mod catalogue;
 mod contact;
 mod drill_off;

@@ -1,6 +1,7 @@
 //! Quantities against measured depth, which points down.
 
 use super::{
+    buckling,
     catalogue::{RULES, Source, Track, tracks},
     found::Found,
     near,
@@ -80,6 +81,7 @@ fn keys(tracks: &[(&Track, Panel)], styles: &CurveStyles<'_>) -> Vec<Key> {
         };
         styles.keys().into_iter().filter(drawn).collect()
     };
+    keys.extend(buckling::keys(marks()));
     let dotted = |mark: &Mark| matches!(mark, Mark::Curve { stroke: Stroke::Dotted, .. });
     if marks().any(dotted) {
         keys.push(styles.between_key());
@@ -187,7 +189,9 @@ fn solved_marks(track: &Track, styles: &CurveStyles<'_>, shown: Shown<'_>) -> Ve
     // Dashed lines over full ones, or those would hide them.
     curves
         .sort_by_key(|mark| matches!(mark, Mark::Curve { stroke, .. } if *stroke != Stroke::Solid));
-    [areas, bands, curves].concat()
+    // What they are compared with, below them; nothing where there are no curves.
+    let loads = if curves.is_empty() { Vec::new() } else { buckling::marks(track, styles, shown) };
+    [areas, bands, loads, curves].concat()
 }
 
 /// Whether a curve would be seen beside another.

@@ -214,7 +214,7 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
     (p.twist_rad, p.stretch_m) = deformed(s);
     load(s, &mut p);
     for i in 0..n {
-        let place = Place::of(s.model, s.operation.bit_depth_m, p.md_m[i]);
+        let place = Place::above(s.model, s.operation.bit_depth_m, p.md_m[i]);
         p.push_buckling_loads(place.loads_N(s.model.buckling, -p.tension_N[i]));
     }
     p

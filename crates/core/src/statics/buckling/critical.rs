@@ -45,9 +45,12 @@ impl Place {
         }
         // `F⁴ − K² w_n²(F)`, its slope and the slope's; the slope is least at `least`, and from
         // `most` on all is positive.
-        let over = |f: f64| f.powi(4) - (stiff * (a + b * f).hypot(c * f)).powi(2);
-        let slope = |f: f64| 4.0 * f.powi(3) - 2.0 * stiff * stiff * (curved * curved * f + a * b);
-        let bend = |f: f64| 12.0 * f * f - 2.0 * stiff * stiff * curved * curved;
+        let square = stiff * stiff;
+        let (constant, linear) = (square * a * a, 2.0 * square * a * b);
+        let quadratic = square * curved * curved;
+        let over = |f: f64| ((f * f - quadratic) * f - linear) * f - constant;
+        let slope = |f: f64| (4.0 * f * f - 2.0 * quadratic) * f - linear;
+        let bend = |f: f64| 12.0 * f * f - 2.0 * quadratic;
         let least = stiff * curved / 6.0_f64.sqrt();
         let most = 0.5 * (stiff * curved + (stiff * curved).hypot(2.0 * (stiff * a).sqrt()));
         let most = most * (1.0 + 1e-9);

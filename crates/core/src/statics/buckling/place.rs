@@ -4,6 +4,9 @@ use nalgebra::Vector3;
 
 use crate::{model::Model, string::Component, well::PathPoint};
 
+/// More than what rounding makes of a depth, m.
+const JUST_ABOVE_M: f64 = 1e-6;
+
 /// What the buckling of a pipe depends on at one measured depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
@@ -74,6 +77,12 @@ impl Place {
     /// The pipe of a model at a measured depth with its bit at another, m.
     pub fn of(model: &Model, bit_depth_m: f64, md_m: f64) -> Self {
         Self::on(model, bit_depth_m, md_m, &model.well.path.at(md_m))
+    }
+
+    /// The same just above a measured depth, m: where a property jumps, profiles have it of the
+    /// stretch above.
+    pub fn above(model: &Model, bit_depth_m: f64, md_m: f64) -> Self {
+        Self::of(model, bit_depth_m, (md_m - JUST_ABOVE_M).max(0.0))
     }
 
     /// The same where the point of the path is known.

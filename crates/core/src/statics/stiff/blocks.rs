@@ -212,7 +212,7 @@ mod tests {
         assert!(!chain(1.33).is_positive_definite());
         let mut nothing = Tridiagonal::zeros(3);
         nothing.diagonal[0] = Block::identity();
-        let solved = nothing.solve(&mut vec![Entry::zeros(); 3]);
+        let solved = nothing.solve(&mut [Entry::zeros(); 3]);
         assert_eq!(solved, Err(Singular { row: 1 }));
     }
 }

@@ -5,8 +5,9 @@ use nalgebra::{Matrix3, Matrix3x2, Vector2, Vector3};
 
 use super::{
     blocks::{Block, Entry, Tridiagonal},
+    heading::Heading,
     settings::End,
-    state::{Heading, State},
+    state::State,
     string_in_hole::StringInHole,
 };
 use crate::rod::tangent::{Ends, Gradient, Tangent};

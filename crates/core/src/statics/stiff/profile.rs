@@ -3,7 +3,11 @@
 use std::ops::Deref;
 
 use super::{
-    bending::Bending, contact, solve::Equilibrium, state::State, string_in_hole::StringInHole,
+    bending::Bending,
+    contact,
+    equilibrium::{Convergence, Equilibrium},
+    state::State,
+    string_in_hole::StringInHole,
 };
 use crate::{
     model::Model,
@@ -17,19 +21,6 @@ use crate::{
     statics::buckling::Place,
     string::{BodySection, Component},
 };
-
-/// How the equilibrium was found.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Convergence {
-    /// Elements.
-    pub elements: usize,
-    /// Newton steps of all stages.
-    pub iterations: usize,
-    /// Largest force on a node that is out of balance, as a part of the string's weight.
-    pub residual: f64,
-    /// Whether every small motion costs energy: friction and torque apart, the state is stable.
-    pub stable: bool,
-}
 
 /// What the stiff string answers: loads along the string, from the surface to the bit, and their
 /// scalars.
@@ -106,7 +97,7 @@ impl StiffProfile {
                 .push(component.joints.map(|joints| force_N_per_m * joints.spacing_m));
         }
         for index in 0..nodes {
-            let place = Place::of(model, operation.bit_depth_m, profile.md_m[index]);
+            let place = Place::above(model, operation.bit_depth_m, profile.md_m[index]);
             let compression_N = -profile.tension_N[index];
             profile.push_buckling_loads(place.loads_N(model.buckling, compression_N));
         }

@@ -3,10 +3,11 @@
 use nalgebra::{Matrix2, Vector2};
 
 use super::{
-    Convergence, StiffError, StiffProfile, StiffSettings, active_set,
+    StiffError, StiffProfile, StiffSettings, active_set,
     barrier::Barrier,
     contact::{self, Push},
     equations::Equations,
+    equilibrium::{Convergence, Equilibrium},
     interior_point::{self, Begins},
     state::State,
     string_in_hole::StringInHole,
@@ -46,16 +47,6 @@ const ROUNDS: usize = 12;
 
 /// Friction is settled when it changes by no more of its sum than this.
 const SETTLED: f64 = 1e-3;
-
-/// The string at rest.
-#[derive(Debug, Clone)]
-pub(super) struct Equilibrium {
-    pub(super) mesh: Mesh,
-    pub(super) string: StringInHole,
-    pub(super) state: State,
-    pub(super) hook_load_N: f64,
-    pub(super) convergence: Convergence,
-}
 
 /// Torque and drag of one operation by the stiff string.
 ///

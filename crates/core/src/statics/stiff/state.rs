@@ -1,39 +1,8 @@
 //! Where the string is: what the iterations change.
 
-use nalgebra::{UnitVector3, Vector2, Vector3};
+use nalgebra::{Vector2, Vector3};
 
-use super::{blocks::Entry, string_in_hole::StringInHole};
-
-/// A node's director and two directions across it.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Heading {
-    /// The director.
-    pub(super) along: Vector3<f64>,
-    /// Two directions across it, a right-handed frame with it.
-    pub(super) across: [Vector3<f64>; 2],
-}
-
-impl Heading {
-    /// Along a direction, the first of those across as near to a given one as can be.
-    pub(super) fn new(along: Vector3<f64>, beside: Vector3<f64>) -> Self {
-        let first = (beside - along * along.dot(&beside)).normalize();
-        Self { along, across: [first, along.cross(&first)] }
-    }
-
-    /// Turned so that the director moves by two parts across it, rad.
-    fn turned(&self, by: [f64; 2]) -> Self {
-        let toward = self.across[0] * by[0] + self.across[1] * by[1];
-        let Some((toward, angle)) = UnitVector3::try_new_and_get(toward, 0.0) else {
-            return *self;
-        };
-        let (sine, cosine) = angle.sin_cos();
-        let along = (self.along * cosine + toward.into_inner() * sine).normalize();
-        // Carried by the least rotation, so that a bend keeps its tool face.
-        let first = self.across[0];
-        let share = first.dot(&along) / (1.0 + self.along.dot(&along));
-        Self::new(along, first - (self.along + along) * share)
-    }
-}
+use super::{blocks::Entry, heading::Heading, string_in_hole::StringInHole};
 
 /// A way round the hole's axis.
 #[derive(Debug, Clone, Copy)]

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use super::{
+    heading::Heading,
     settings::{End, StiffSettings},
-    state::Heading,
     wall::Compliance,
 };
 use crate::{

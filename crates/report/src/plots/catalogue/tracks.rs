@@ -16,6 +16,9 @@ pub(crate) struct Track {
     /// Columns of the 5th and the 95th percentile.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) band: Option<[&'static str; 2]>,
+    /// Columns of the compressions at which the pipe buckles, to a sinusoid and to a helix.
+    #[serde(skip)]
+    pub(crate) buckles: Option<[&'static str; 2]>,
     pub(crate) from: Source,
     /// What the axis spans at least, SI: less than that is no difference to an engineer.
     pub(crate) min_span: f64,
@@ -46,6 +49,7 @@ impl Track {
             name: "",
             shows: Shows::of(quantity),
             band: None,
+            buckles: None,
             from,
             min_span: 0.0,
             zero: false,
@@ -77,6 +81,7 @@ pub(crate) fn tracks() -> Vec<Track> {
             name: "tension",
             min_span: 2e4,
             band: band!(tension_p05_N, tension_p95_N),
+            buckles: band!(sinusoidal_load_N, helical_load_N),
             zero: true,
             ..profile(declared!(PROFILE, tension_N))
         },

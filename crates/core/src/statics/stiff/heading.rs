@@ -1,0 +1,34 @@
+//! Where a node points to.
+
+use nalgebra::{UnitVector3, Vector3};
+
+/// A node's director and two directions across it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Heading {
+    /// The director.
+    pub(super) along: Vector3<f64>,
+    /// Two directions across it, a right-handed frame with it.
+    pub(super) across: [Vector3<f64>; 2],
+}
+
+impl Heading {
+    /// Along a direction, the first of those across as near to a given one as can be.
+    pub(super) fn new(along: Vector3<f64>, beside: Vector3<f64>) -> Self {
+        let first = (beside - along * along.dot(&beside)).normalize();
+        Self { along, across: [first, along.cross(&first)] }
+    }
+
+    /// Turned so that the director moves by two parts across it, rad.
+    pub(super) fn turned(&self, by: [f64; 2]) -> Self {
+        let toward = self.across[0] * by[0] + self.across[1] * by[1];
+        let Some((toward, angle)) = UnitVector3::try_new_and_get(toward, 0.0) else {
+            return *self;
+        };
+        let (sine, cosine) = angle.sin_cos();
+        let along = (self.along * cosine + toward.into_inner() * sine).normalize();
+        // Carried by the least rotation, so that a bend keeps its tool face.
+        let first = self.across[0];
+        let share = first.dot(&along) / (1.0 + self.along.dot(&along));
+        Self::new(along, first - (self.along + along) * share)
+    }
+}
