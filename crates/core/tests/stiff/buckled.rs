@@ -4,7 +4,7 @@ use wholestring::string::ComponentLength;
 
 use crate::{
     common,
-    common::{number, verification},
+    common::{number, verification, verify},
     piece, pressed, settings, solve,
 };
 
@@ -59,18 +59,21 @@ fn s1e_snaking() {
         let sum_N: f64 = middle.iter().map(|i| found.contact_force_N[*i]).sum();
         let spans_m = found.md_m[middle[middle.len() - 1]] - found.md_m[middle[0]];
         let mean_N_per_m = sum_N / spans_m * (1.0 - 1.0 / middle.len() as f64);
-        println!(
-            "{amplitude_deg:.2} deg, {mean_N_per_m:.1} N/m, {wavelength_m:.2} m, {} iterations",
-            found.convergence.iterations
-        );
         let wavelengths = wavelength_m / expected("wavelength_m");
-        common::assert_close("wavelength", wavelengths, 1.0, 8e-2);
+        verify("S1e", "wavelength over the best at 1.2 of the critical load")
+            .relative(8e-2, "the file's: the energy is flat, a whole number of waves fits")
+            .report(1.0, wavelengths);
         // At the wavelength found.
         let f = number(&case["F_over_Fc"]);
         let at = |key: &str| at_wavelength(&data, f, wavelengths, key);
-        common::assert_close("amplitude", amplitude_deg, at("amplitude_deg"), 3e-2);
+        let reason = "the file's, at the wavelength found";
+        verify("S1e", "amplitude at 1.2 of the critical load, deg")
+            .relative(3e-2, reason)
+            .report(at("amplitude_deg"), amplitude_deg);
         let weight_N_per_m = number(&inputs["pipe"]["w"]);
-        common::assert_close("contact", mean_N_per_m / weight_N_per_m, at("N_mean_over_w"), 3e-2);
+        verify("S1e", "mean contact force over the weight at 1.2 of the critical load")
+            .relative(3e-2, reason)
+            .report(at("N_mean_over_w"), mean_N_per_m / weight_N_per_m);
     }
 }
 
@@ -94,6 +97,7 @@ fn a_helix_presses_as_it_should() {
     let mean_N_per_m = sum_N / middle.len() as f64;
     let stiffness = number(&inputs["pipe"]["EI"]);
     let expected = number(&inputs["clearance_m"]) * force_N * force_N / (4.0 * stiffness);
-    println!("helix {mean_N_per_m:.1} N/m for {expected:.1}, {} it", found.convergence.iterations);
-    common::assert_close("contact force", mean_N_per_m, expected, 5e-2);
+    verify("S1e", "contact force of a helix at four times the critical load, N/m")
+        .relative(5e-2, "ends on the hole's axis, where no helix is")
+        .report(expected, mean_N_per_m);
 }

@@ -4,7 +4,7 @@ use wholestring::string::ComponentLength;
 
 use crate::{
     common,
-    common::{number, verification},
+    common::{number, report_worst, verification, verify},
     nearest, piece, pressed, settings, solve,
 };
 
@@ -45,12 +45,18 @@ fn s1c_from_a_build_to_a_hold() {
         assert!(!touches(&middle));
         let above = (0..middle).rev().find(touches).expect("the high side");
         let below = (middle..found.md_m.len()).find(touches).expect("the low side");
-        println!(
-            "{}: lifts {:.2} of {lifts_m:.2}, lands {:.2} of {lands_m:.2}",
-            case["id"], found.md_m[above], found.md_m[below]
-        );
-        assert!((found.md_m[above] - lifts_m).abs() < ELEMENT_M + 0.15);
-        assert!((found.md_m[below] - lands_m).abs() < ELEMENT_M + 0.15);
+        let id = case["id"].as_str().expect("a name").replace('_', " ");
+        let mut rows = vec![
+            (format!("where it leaves the high side {id}, m"), lifts_m, found.md_m[above]),
+            (format!("where it lies down {id}, m"), lands_m, found.md_m[below]),
+        ]
+        .into_iter()
+        .map(|(what, expected_m, found_m)| {
+            verify("S1c", what)
+                .absolute(ELEMENT_M + 0.15, "an element, and the file's own")
+                .row(expected_m, found_m)
+        })
+        .collect::<Vec<_>>();
         for (md_m, offset_m) in expected["offset_y_m"].as_object().expect("offsets") {
             let md_m: f64 = md_m.parse().expect("a depth");
             let lower = found.md_m.partition_point(|at| *at < md_m);
@@ -60,8 +66,13 @@ fn s1c_from_a_build_to_a_hold() {
             let expected_m = number(offset_m).abs();
             // The distance from the axis is known without its sign, which changes between nodes.
             if expected_m > 5e-3 {
-                assert!((y_m - expected_m).abs() < 2e-4, "{md_m}: {y_m} for {expected_m}");
+                rows.push(
+                    verify("S1c", format!("offset at {md_m:.1} m {id}, m"))
+                        .absolute(2e-4, "the file's: small slopes")
+                        .row(expected_m, y_m),
+                );
             }
         }
+        report_worst(rows);
     }
 }
