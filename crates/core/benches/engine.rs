@@ -18,6 +18,7 @@ use wholestring::{
     dynamics::{MeshSettings, NodeSignal, Precision, Probe, Simulation},
     internals::{KernelAccess, instruction_sets},
     rock::{Alone, Block, BlockSpec, Rock, Stepper},
+    statics::stiff::{self, StiffSettings},
 };
 
 use wells::{Case, NP13_M, go, np13, np13_eccentric};
@@ -114,12 +115,21 @@ fn runs(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// The soft string, and the start of the dynamics, which is laid by it.
+/// The soft string, the stiff one on two meshes, and the start of the dynamics.
 fn statics(criterion: &mut Criterion) {
     let case = np13(0.3);
     criterion.bench_function("soft string", |bencher| {
         bencher.iter(|| black_box(&case).soft());
     });
+    let mut group = criterion.benchmark_group("stiff string");
+    for (name, mesh) in [("auto", MeshSettings::default()), ("3.2 m", MeshSettings::uniform(3.2))] {
+        let settings =
+            StiffSettings { element_length: mesh.element_length, ..StiffSettings::default() };
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| stiff::solve(black_box(&case.model), &case.operation, &settings));
+        });
+    }
+    group.finish();
     let mut group = criterion.benchmark_group("start");
     group.sample_size(10);
     group.bench_function("lay", |bencher| {
