@@ -7,7 +7,7 @@ mod node;
 use super::section::Section;
 use crate::{
     sizing::{SizeReason, Sizing},
-    string::DrillString,
+    string::{Component, DrillString},
 };
 
 use marks::BLADE_HEIGHT_M;
@@ -98,6 +98,21 @@ impl Mesh {
         let gaps = || joints.windows(2).map(|pair| pair[1] - pair[0]);
         let many = |gap: usize| gaps().filter(|g| *g == gap).count() * gap;
         gaps().find(|gap| 2 * many(*gap) > self.nodes.len()).unwrap_or(1)
+    }
+
+    /// The body with the smallest section modulus within half an element on either side of a node:
+    /// what bears the stress there.
+    pub(crate) fn weakest_body<'a>(&self, string: &'a DrillString, node: usize) -> &'a Component {
+        let half = |element: Option<usize>| {
+            let element = element.and_then(|index| self.elements.get(index));
+            element.map_or(0.0, |of| 0.5 * of.length_m)
+        };
+        let from_bit_m = self.nodes[node].from_bit_m;
+        let (first, lowest) = string.component_at(from_bit_m - half(Some(node)));
+        let (last, _) = string.component_at(from_bit_m + half(node.checked_sub(1)));
+        let modulus = |of: &&Component| of.section_modulus_m3();
+        let bodies = string.components()[first..=last].iter();
+        bodies.min_by(|a, b| modulus(a).total_cmp(&modulus(b))).unwrap_or(lowest)
     }
 
     /// Length of the unloaded string, m.

@@ -19,7 +19,7 @@ use crate::{
     },
     rod::{contact_length, mesh::Mesh},
     statics::buckling::Place,
-    string::{BodySection, Component},
+    string::BodySection,
 };
 
 /// What the stiff string answers: loads along the string, from the surface to the bit, and their
@@ -66,48 +66,21 @@ impl StiffProfile {
         let surface_torque_N_m = torques_N_m[0] + 0.5 * string.elements[0].mud_torque_N_m;
         profile.torque_N_m[0] = surface_torque_N_m;
         profile.torque_N_m[last] = string.bit_torque_N_m;
-        let bearing = bear(model, operation, mesh, string, state, &mut profile);
-        deform(string, state, &torques_N_m, &bearing, &mut profile);
-        let rubbed =
-            |index: usize| contact::rubbed_N_m(&string.nodes[index], state.normal_N[index]);
-        let dragged = |index: usize| string.nodes[index].friction[0] * state.normal_N[index];
-        let wear_W = |index: usize| {
-            operation.rotation_rad_per_s() * rubbed(index)
-                - operation.axial_velocity_m_per_s() * dragged(index)
-        };
-        let spans = contact_length::contact_spans(mesh, |index| state.normal_N[index] > 0.0);
-        let nodes = string.nodes.len();
-        let per_m = |of: &dyn Fn(usize) -> f64| contact_length::spread(&spans, nodes, of);
-        profile.axial_friction_N_per_m = per_m(&dragged);
-        profile.friction_torque_N_m_per_m = per_m(&rubbed);
-        profile.wear_power_W_per_m = per_m(&wear_W);
-        let side = |index: usize| {
-            let node = &string.nodes[index];
-            let high = model.well.path.high_side_of(node.md_m, &node.axes[2]);
-            let u = state.offset_m[index];
-            let up = (node.axes[0] * u.x + node.axes[1] * u.y).dot(&high);
-            if up > 0.0 { state.normal_N[index] } else { -state.normal_N[index] }
-        };
-        profile.side_force_N_per_m = per_m(&side);
-        for (index, node) in mesh.nodes.iter().enumerate() {
-            let (_, component) = model.string.component_at(node.from_bit_m);
-            let force_N_per_m = profile.side_force_N_per_m[index];
-            profile
-                .side_force_per_joint_N
-                .push(component.joints.map(|joints| force_N_per_m * joints.spacing_m));
-        }
-        for index in 0..nodes {
+        bear(model, operation, mesh, string, state, &mut profile);
+        deform(model, mesh, string, state, &torques_N_m, &mut profile);
+        let rubbing = Rubbing { operation, string, state };
+        press(model, mesh, &rubbing, &mut profile);
+        for index in 0..string.nodes.len() {
             let place = Place::above(model, operation.bit_depth_m, profile.md_m[index]);
             let compression_N = -profile.tension_N[index];
             profile.push_buckling_loads(place.loads_N(model.buckling, compression_N));
         }
-        let sum = |of: &dyn Fn(usize) -> f64| (0..nodes).map(of).sum::<f64>();
-        let friction_torque_N_m = sum(&rubbed);
+        let sum = |of: &dyn Fn(usize) -> f64| (0..string.nodes.len()).map(of).sum::<f64>();
         let scalars = Scalars {
             hook_load_N: *hook_load_N,
             surface_torque_N_m,
-            friction_torque_N_m,
-            axial_friction_N: sum(&dragged),
+            friction_torque_N_m: sum(&|index| rubbing.torque_N_m(index)),
+            axial_friction_N: sum(&|index| rubbing.drag_N(index)),
             side_force_total_N: sum(&|index| state.normal_N[index]),
             weight_on_bit_N: operation.weight_on_bit_now_N(),
             bit_torque_N_m: string.bit_torque_N_m,
@@ -121,34 +94,77 @@ impl StiffProfile {
                 &profile.side_force_N_per_m,
             ),
         };
-        let mut hole_W = vec![0.0; hole_steps(operation.bit_depth_m)];
-        for index in 0..nodes {
-            let half = |element: Option<&crate::rod::mesh::MeshElement>| {
-                element.map_or(0.0, |of| 0.5 * of.length_m)
-            };
-            let md_m = string.nodes[index].md_m;
-            let above_m = half(index.checked_sub(1).and_then(|above| mesh.elements.get(above)));
-            spread(
-                &mut hole_W,
-                md_m - above_m,
-                md_m + half(mesh.elements.get(index)),
-                wear_W(index),
-            );
-        }
         let [bit_side_force_N, bit_tilt_rad] = at_bit(model, string, state);
         Self {
             profile,
-            wear: HoleWear {
-                md_m: hole_depths_m(hole_W.len()),
-                wear_power_W_per_m: hole_W.iter().map(|power| power / HOLE_STEP_M).collect(),
-                wear_work_J_per_m: Vec::new(),
-            },
+            wear: hole_wear(mesh, &rubbing),
             scalars,
             hydraulics: string.hydraulics,
             bit_side_force_N,
             bit_tilt_rad,
             convergence: *convergence,
         }
+    }
+}
+
+/// What friction does at the nodes.
+struct Rubbing<'a> {
+    operation: &'a Operation,
+    string: &'a StringInHole,
+    state: &'a State,
+}
+
+impl Rubbing<'_> {
+    fn torque_N_m(&self, index: usize) -> f64 {
+        contact::rubbed_N_m(&self.string.nodes[index], self.state.normal_N[index])
+    }
+
+    /// Positive where it adds to hook load.
+    fn drag_N(&self, index: usize) -> f64 {
+        self.string.nodes[index].friction[0] * self.state.normal_N[index]
+    }
+
+    /// Force times sliding speed, about and along.
+    fn power_W(&self, index: usize) -> f64 {
+        self.operation.rotation_rad_per_s() * self.torque_N_m(index)
+            - self.operation.axial_velocity_m_per_s() * self.drag_N(index)
+    }
+}
+
+/// What presses and rubs per metre.
+fn press(model: &Model, mesh: &Mesh, rubbing: &Rubbing<'_>, p: &mut Profile) {
+    let (string, state) = (rubbing.string, rubbing.state);
+    let spans = contact_length::contact_spans(mesh, |index| state.normal_N[index] > 0.0);
+    let per_m = |of: &dyn Fn(usize) -> f64| contact_length::spread(&spans, string.nodes.len(), of);
+    p.axial_friction_N_per_m = per_m(&|index| rubbing.drag_N(index));
+    p.friction_torque_N_m_per_m = per_m(&|index| rubbing.torque_N_m(index));
+    p.wear_power_W_per_m = per_m(&|index| rubbing.power_W(index));
+    p.side_force_N_per_m = per_m(&|index| {
+        let node = &string.nodes[index];
+        let high = model.well.path.high_side_of(node.md_m, &node.axes[2]);
+        let u = state.offset_m[index];
+        let up = (node.axes[0] * u.x + node.axes[1] * u.y).dot(&high);
+        if up > 0.0 { state.normal_N[index] } else { -state.normal_N[index] }
+    });
+    for (node, force_N_per_m) in mesh.nodes.iter().zip(&p.side_force_N_per_m) {
+        let (_, component) = model.string.component_at(node.from_bit_m);
+        let per_joint = component.joints.map(|joints| force_N_per_m * joints.spacing_m);
+        p.side_force_per_joint_N.push(per_joint);
+    }
+}
+
+/// What friction does to the hole, each node over half of its elements.
+fn hole_wear(mesh: &Mesh, rubbing: &Rubbing<'_>) -> HoleWear {
+    let mut hole_W = vec![0.0; hole_steps(rubbing.operation.bit_depth_m)];
+    for (index, node) in rubbing.string.nodes.iter().enumerate() {
+        let half_m = 0.5 * mesh.tributary_length_m(index);
+        let (from_m, to_m) = (node.md_m - half_m, node.md_m + half_m);
+        spread(&mut hole_W, from_m, to_m, rubbing.power_W(index));
+    }
+    HoleWear {
+        md_m: hole_depths_m(hole_W.len()),
+        wear_power_W_per_m: hole_W.iter().map(|power| power / HOLE_STEP_M).collect(),
+        wear_work_J_per_m: Vec::new(),
     }
 }
 
@@ -198,11 +214,6 @@ fn along(
     p
 }
 
-/// Strain of each element by its tension and by the mud.
-struct Strained {
-    strain: Vec<f64>,
-}
-
 /// What the metal bears.
 fn bear(
     model: &Model,
@@ -211,14 +222,13 @@ fn bear(
     string: &StringInHole,
     state: &State,
     p: &mut Profile,
-) -> Strained {
+) {
     let mud = model.mud_column();
     let bending = Bending::of(string, state, mesh, model.mud.density_kg_per_m3);
-    let last = string.nodes.len() - 1;
     let flow_m3_per_s = string.hydraulics.map_or(0.0, |_| operation.flow_now_m3_per_s());
     let stream_N_m2 = model.mud.density_kg_per_m3 * flow_m3_per_s * flow_m3_per_s;
     for (index, node) in string.nodes.iter().enumerate() {
-        let component = weakest(model, mesh, index);
+        let component = mesh.weakest_body(&model.string, index);
         let section = BodySection::of(component);
         let at_rest_Pa = mud.pressure_Pa(node.anchor_m.z);
         // The flow's pressures are those at the lower end of the element above.
@@ -244,48 +254,28 @@ fn bear(
     p.bending_moment_between_N_m = bending.between_N_m;
     p.sag_m = bending.sag_m;
     p.body_contact_fraction = bending.touches;
-    let strain = (0..last)
-        .map(|index| {
-            let section = &mesh.elements[index].section;
-            let middle_m =
-                0.5 * (string.nodes[index].anchor_m.z + string.nodes[index + 1].anchor_m.z);
-            state.tension_N[index] / section.axial_stiffness_N
-                - section.pressure_strain_per_Pa * mud.pressure_Pa(middle_m)
-                + string.circulating[index].strain
-        })
-        .collect();
-    Strained { strain }
 }
 
-/// The weakest body within half an element on either side of a node.
-fn weakest<'a>(model: &'a Model, mesh: &Mesh, index: usize) -> &'a Component {
-    let half = |element: Option<usize>| {
-        element.and_then(|of| mesh.elements.get(of)).map_or(0.0, |of| 0.5 * of.length_m)
-    };
-    let from_bit_m = mesh.nodes[index].from_bit_m;
-    let (first, _) = model.string.component_at(from_bit_m - half(Some(index)));
-    let (last, _) = model.string.component_at(from_bit_m + half(index.checked_sub(1)));
-    let components = model.string.components();
-    components[first..=last]
-        .iter()
-        .min_by(|a, b| a.section_modulus_m3().total_cmp(&b.section_modulus_m3()))
-        .unwrap_or(&components[first])
-}
-
-/// Turn and elongation against the bit, from the bit up.
+/// Turn and elongation against the bit, from the bit up: by tension, by the mud at rest and by its
+/// flow.
 fn deform(
+    model: &Model,
+    mesh: &Mesh,
     string: &StringInHole,
     state: &State,
     torques_N_m: &[f64],
-    strained: &Strained,
     p: &mut Profile,
 ) {
-    debug_assert_eq!(state.tension_N.len(), torques_N_m.len());
+    let mud = model.mud_column();
     let nodes = string.nodes.len();
     (p.twist_rad, p.stretch_m) = (vec![0.0; nodes], vec![0.0; nodes]);
     for index in (0..nodes - 1).rev() {
-        let k = &string.elements[index].stiffness;
+        let (k, section) = (&string.elements[index].stiffness, &mesh.elements[index].section);
+        let tvd_m = 0.5 * (string.nodes[index].anchor_m.z + string.nodes[index + 1].anchor_m.z);
+        let strain = state.tension_N[index] / section.axial_stiffness_N
+            - section.pressure_strain_per_Pa * mud.pressure_Pa(tvd_m)
+            + string.circulating[index].strain;
         p.twist_rad[index] = p.twist_rad[index + 1] + torques_N_m[index] / k.twist;
-        p.stretch_m[index] = p.stretch_m[index + 1] + strained.strain[index] * k.length;
+        p.stretch_m[index] = p.stretch_m[index + 1] + strain * k.length;
     }
 }

@@ -81,23 +81,11 @@ impl Strength {
             };
             layout.blocks()
         ];
-        let components = model.string.components();
         let mut yield_Pa = Vec::with_capacity(mesh.nodes.len());
-        for (index, node) in mesh.nodes.iter().enumerate() {
-            let half = |element: Option<usize>| {
-                let element = element.and_then(|e| mesh.elements.get(e));
-                element.map_or(0.0, |e| 0.5 * e.length_m)
-            };
-            let below = node.from_bit_m - half(Some(index));
-            let above = node.from_bit_m + half(index.checked_sub(1));
-            let (first, _) = model.string.component_at(below);
-            let (last, _) = model.string.component_at(above);
-            let modulus = |c: usize| components[c].section_modulus_m3();
-            let weakest =
-                (first..=last).min_by(|a, b| modulus(*a).total_cmp(&modulus(*b))).unwrap_or(first);
+        for index in 0..mesh.nodes.len() {
             let (block, lane) = layout.place(index);
             let metal = &mut blocks[block];
-            let component = &components[weakest];
+            let component = mesh.weakest_body(&model.string, index);
             let section = BodySection::of(component);
             metal.per_area[lane] = section.per_area_m2;
             metal.per_modulus[lane] = section.per_modulus_m3;
