@@ -280,11 +280,14 @@ fn apart<N: Number>(p: &Pose<N>) -> N {
     N::splat(0.5) * bend.dot(bend)
 }
 
-/// How far the directors are off the chord and from each other: `1 − c1`, `1 − c2`, `1 − c12`.
+/// How far the directors are off the chord and from each other: `1 − c1`, `1 − c2`, `c1`, `c2`,
+/// `1 − c12`.
 #[derive(Clone, Copy)]
 struct Off<N> {
     x1: N,
     x2: N,
+    c1: N,
+    c2: N,
     apart: N,
 }
 
@@ -294,17 +297,18 @@ impl<N: Number> Off<N> {
         let half = N::splat(0.5);
         let t = chord.direction;
         let (off1, off2) = (p.d1 - t, p.d2 - t);
-        Self { x1: half * off1.dot(off1), x2: half * off2.dot(off2), apart }
+        let (x1, x2) = (half * off1.dot(off1), half * off2.dot(off2));
+        let one = N::splat(1.0);
+        Self { x1, x2, c1: one - x1, c2: one - x2, apart }
     }
 
     /// `(1 − c1²) + (1 − c2²)` and `c12 − c1 c2`.
     #[inline(always)]
     fn bows(&self) -> (N, N) {
         let one = N::splat(1.0);
-        let (x1, x2) = (self.x1, self.x2);
-        let (c1, c2) = (one - x1, one - x2);
+        let Self { x1, x2, c1, c2, apart } = *self;
         // By 1 − c² = x (1 + c) with x = 1 − c, and c12 − c1 c2 = x1 c2 + x2 − (1 − c12).
-        (x1.mul_add(one + c1, x2 * (one + c2)), x1.mul_add(c2, x2 - self.apart))
+        (x1.mul_add(one + c1, x2 * (one + c2)), x1.mul_add(c2, x2 - apart))
     }
 
     /// `ε L`: the chord's stretch, bowing by the two directors, and what they share.
@@ -318,9 +322,7 @@ impl<N: Number> Off<N> {
     /// the chord alone, it neither stiffens the directors nor works on them.
     #[inline(always)]
     fn strain(&self, k: &Stiffness<N>, chord: &Chord<N>, elastic: N, tension: N) -> Strain<N> {
-        let one = N::splat(1.0);
-        let (x1, x2) = (self.x1, self.x2);
-        let (c1, c2) = (one - x1, one - x2);
+        let Self { x1, x2, c1, c2, .. } = *self;
         // A = A₀ EI/L + a L T and B = B₀ EI/L − b L T: tension stiffens, compression softens.
         let a = k.half_bow_near.mul_add(elastic + elastic, k.bending_near());
         let b = k.bow_far.neg_mul_add(elastic, k.bending_far);
