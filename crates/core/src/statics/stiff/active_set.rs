@@ -5,7 +5,7 @@
 //! Newton method*, SIAM J. Optim. 13 (2003). It ends exactly, but only from nearby: see
 //! `docs/src/theory/stiff-string.md`.
 
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector2;
 
 use super::{
     blocks::Singular,
@@ -120,16 +120,6 @@ fn couple(
         by_offset: direction * stiffness_N_per_m,
     };
     let push = Push::exact(node, &direction, radius_m);
-    let force: Vector3<f64> = push.force * (normal_N + coupling.force_N);
-    let target = &mut equations.force[index];
-    let diagonal = &mut equations.matrix.diagonal[index];
-    for row in 0..3 {
-        target[row] += force[row];
-        for column in 0..2 {
-            diagonal[(row, column)] -= push.force[row] * coupling.by_offset[column];
-        }
-    }
-    let mut across = diagonal.fixed_view_mut::<2, 2>(0, 0);
-    across -= push.change * normal_N;
+    equations.press(index, &push, [normal_N, coupling.force_N], &coupling.by_offset);
     coupling
 }

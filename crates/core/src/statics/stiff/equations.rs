@@ -5,6 +5,7 @@ use nalgebra::{Matrix3, Matrix3x2, Vector2, Vector3};
 
 use super::{
     blocks::{Block, Entry, Tridiagonal},
+    contact::Push,
     heading::Heading,
     settings::End,
     state::State,
@@ -234,6 +235,28 @@ impl Equations {
             diagonal[(0, 0)] += by_N_per_m;
             diagonal[(1, 1)] += by_N_per_m;
         }
+    }
+
+    /// Adds the wall of a node, its contact force condensed: what it is and what it changes by in
+    /// any case, N, and what it changes by for a metre of offset.
+    pub(super) fn press(
+        &mut self,
+        index: usize,
+        push: &Push,
+        [normal_N, change_N]: [f64; 2],
+        by_offset_N_per_m: &Vector2<f64>,
+    ) {
+        let force = push.force * (normal_N + change_N);
+        let target = &mut self.force[index];
+        let diagonal = &mut self.matrix.diagonal[index];
+        for row in 0..3 {
+            target[row] += force[row];
+            for column in 0..2 {
+                diagonal[(row, column)] -= push.force[row] * by_offset_N_per_m[column];
+            }
+        }
+        let mut across = diagonal.fixed_view_mut::<2, 2>(0, 0);
+        across -= push.change * normal_N;
     }
 
     /// What a step makes of an element's tension, N.

@@ -10,7 +10,7 @@
 //! The constraint is smooth on the axis, where nothing says which side the pipe will lie on: the
 //! string begins there. J. Nocedal and S. J. Wright, *Numerical Optimization*, chapter 19.
 
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::Vector2;
 
 use super::{
     blocks::Singular,
@@ -175,17 +175,6 @@ fn couple(
         gives_m_per_N,
     };
     let push = Push::smooth(node, &offset);
-    let force = push.force * (normal_N + coupling.force_N);
-    let target = &mut equations.force[index];
-    let diagonal = &mut equations.matrix.diagonal[index];
-    for row in 0..3 {
-        target[row] += force[row];
-        for column in 0..2 {
-            diagonal[(row, column)] -= push.force[row] * coupling.by_offset[column];
-        }
-    }
-    let change: Matrix2<f64> = push.change * normal_N;
-    let mut across = diagonal.fixed_view_mut::<2, 2>(0, 0);
-    across -= change;
+    equations.press(index, &push, [normal_N, coupling.force_N], &coupling.by_offset);
     coupling
 }

@@ -23,8 +23,8 @@ use crate::{
 /// Forces out of balance that an equilibrium may have, as a part of the string's weight.
 const RESIDUAL: f64 = 1e-8;
 
-/// First product of force and room of a barrier, that of later rounds, and the one from which the
-/// interior point goes on, as parts of the mean weight of a node times its clearance.
+/// First product of force and room of a barrier, and the one from which the interior point goes on,
+/// as parts of the mean weight of a node times its clearance.
 const FIRST: f64 = 1.0;
 const LAST: f64 = 1e-4;
 
