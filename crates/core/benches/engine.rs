@@ -128,7 +128,19 @@ fn statics(criterion: &mut Criterion) {
         group.bench_function(name, |bencher| {
             bencher.iter(|| stiff::solve(black_box(&case.model), &case.operation, &settings));
         });
+        let heavier =
+            Operation { weight_on_bit_N: 1.1 * case.operation.weight_on_bit_N, ..case.operation };
+        let near = stiff::equilibrium(&case.model, &heavier, &settings).expect("an equilibrium");
+        group.bench_function(format!("{name}, from a tenth more weight"), |bencher| {
+            let model = black_box(&case.model);
+            bencher.iter(|| stiff::equilibrium_near(model, &case.operation, &settings, &near));
+        });
     }
+    group.sample_size(10);
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    group.bench_function(format!("broomstick of 450 on {threads} threads"), |bencher| {
+        bencher.iter(|| broomstick(threads));
+    });
     group.finish();
     let mut group = criterion.benchmark_group("start");
     group.sample_size(10);
@@ -136,6 +148,27 @@ fn statics(criterion: &mut Criterion) {
         bencher.iter(|| Case::start(black_box(&case)));
     });
     group.finish();
+}
+
+/// Pick-up, slack-off and rotating off bottom at three friction factors and fifty depths, each from the
+/// middle of the hole.
+fn broomstick(threads: usize) {
+    let solve = |index: usize| {
+        let depth_m = NP13_M * (index / 9 + 1) as f64 / 50.0;
+        let case = np13_at([0.2, 0.3, 0.4][index % 3], depth_m);
+        let operation = match index / 3 % 3 {
+            0 => Operation::trip_out(depth_m),
+            1 => Operation::trip_in(depth_m),
+            _ => Operation::rotate_off_bottom(depth_m),
+        };
+        let solved = stiff::solve(&case.model, &operation, &StiffSettings::default());
+        black_box(solved.expect("an equilibrium"));
+    };
+    std::thread::scope(|scope| {
+        for first in 0..threads {
+            scope.spawn(move || (first..450).step_by(threads).for_each(solve));
+        }
+    });
 }
 
 /// A step of a block of rock, per element, with each instruction set: one that stays in the

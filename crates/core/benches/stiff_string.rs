@@ -13,7 +13,10 @@ use std::time::Instant;
 use wholestring::{
     operation::OperationKind,
     prelude::*,
-    statics::stiff::{self, StiffError, StiffSettings},
+    statics::{
+        soft::{self, SoftSettings},
+        stiff::{self, StiffError, StiffSettings},
+    },
     string::{Blades, BodyBend, ComponentLength, ComponentSpec, ToolJoints},
     well::Interpolation,
 };
@@ -53,37 +56,84 @@ impl Random {
 
 fn main() {
     let wells = std::env::args().find_map(|word| word.parse().ok()).unwrap_or(WELLS);
-    println!("{wells} wells; of what drills or slides");
-    println!("weight kN  found  stable  median ms  90 % ms  most ms");
-    for weight_N in WEIGHTS_N {
-        let tried: Vec<(f64, Option<bool>)> =
-            (0..wells).map(|seed| try_well(seed, weight_N)).collect();
-        let mut times_ms: Vec<f64> = tried.iter().map(|(ms, _)| *ms).collect();
-        times_ms.sort_by(f64::total_cmp);
-        let found = tried.iter().filter(|(_, found)| found.is_some()).count();
-        let stable = tried.iter().filter(|(_, found)| *found == Some(true)).count();
-        let part = |part: f64| times_ms[((times_ms.len() - 1) as f64 * part) as usize];
+    let weights =
+        WEIGHTS_N.into_iter().flat_map(|weight_N| (0..wells).map(move |seed| (seed, weight_N)));
+    let tried: Vec<Try> = weights.map(|(seed, weight_N)| try_well(seed, weight_N)).collect();
+    println!(
+        "{} of {wells} wells, each with four weights on the bit of what drills or slides;",
+        tried.len()
+    );
+    println!("compression along the soft string:");
+    println!("                           wells  found  stable  lock up  lost  no reason");
+    let classes: [(&str, fn(&Try) -> bool); 3] = [
+        ("below the sinusoidal load", |one| one.over[0] < 1.0),
+        ("to twice the helical load", |one| one.over[0] >= 1.0 && one.over[1] <= 2.0),
+        ("beyond", |one| one.over[0] >= 1.0 && one.over[1] > 2.0),
+    ];
+    for (name, belongs) in classes {
+        let count = |what: &dyn Fn(&Try) -> bool| {
+            tried.iter().filter(|one| belongs(one) && what(one)).count()
+        };
         println!(
-            "{:9.0} {found:6} {stable:7} {:10.1} {:8.1} {:8.1}",
-            weight_N / 1e3,
-            part(0.5),
-            part(0.9),
-            part(1.0)
+            "{name}  {:6} {:6} {:7} {:8} {:5} {:10}",
+            count(&|_| true),
+            count(&|one| matches!(one.end, End::Found { .. })),
+            count(&|one| one.end == End::Found { stable: true }),
+            count(&|one| one.end == End::LocksUp),
+            count(&|one| one.end == End::Lost),
+            count(&|one| one.end == End::NotConverged),
         );
+    }
+    for (name, belongs) in [("found", true), ("not found", false)] {
+        let found = tried.iter().filter(|one| matches!(one.end, End::Found { .. }) == belongs);
+        let mut times_ms: Vec<f64> = found.map(|one| one.ms).collect();
+        times_ms.sort_by(f64::total_cmp);
+        if let Some(most) = times_ms.last() {
+            let part = |part: f64| times_ms[((times_ms.len() - 1) as f64 * part) as usize];
+            println!(
+                "{name}: median {:.1} ms, 90 % {:.1} ms, 99 % {:.1} ms, most {most:.1} ms",
+                part(0.5),
+                part(0.9),
+                part(0.99)
+            );
+        }
     }
 }
 
-/// How long it took, ms, and whether the state is stable; none where none was found.
-fn try_well(seed: u64, weight_N: f64) -> (f64, Option<bool>) {
+/// What became of a well.
+struct Try {
+    ms: f64,
+    /// The largest compression over the loads of the sinusoid and of the helix.
+    over: [f64; 2],
+    end: End,
+}
+
+#[derive(PartialEq)]
+enum End {
+    Found { stable: bool },
+    LocksUp,
+    Lost,
+    NotConverged,
+}
+
+fn try_well(seed: u64, weight_N: f64) -> Try {
     let (model, operation) = well(seed, weight_N);
     let begin = Instant::now();
     let solved = stiff::solve(&model, &operation, &StiffSettings::default());
     let ms = 1e3 * begin.elapsed().as_secs_f64();
-    match solved {
-        Ok(found) => (ms, Some(found.convergence.stable)),
-        Err(StiffError::NotConverged { .. }) => (ms, None),
+    let end = match solved {
+        Ok(found) => End::Found { stable: found.convergence.stable },
+        Err(StiffError::LocksUp { .. }) => End::LocksUp,
+        Err(StiffError::Lost { .. }) => End::Lost,
+        Err(StiffError::NotConverged { .. }) => End::NotConverged,
         Err(error) => panic!("well {seed}: {error}"),
-    }
+    };
+    let soft = soft::solve(&model, &operation, &SoftSettings::default()).expect("a soft string");
+    let over = [&soft.sinusoidal_load_N, &soft.helical_load_N].map(|loads_N| {
+        let pairs = soft.tension_N.iter().zip(loads_N);
+        pairs.filter_map(|(tension_N, load_N)| Some(-tension_N / (*load_N)?)).fold(0.0, f64::max)
+    });
+    Try { ms, over, end }
 }
 
 /// A random well, its string, and what is done with it.

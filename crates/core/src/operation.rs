@@ -168,6 +168,11 @@ pub struct Operation {
 }
 
 impl Operation {
+    /// Whether it pushes its string down the hole without rotation.
+    pub fn slides_down(&self) -> bool {
+        !self.kind.rotates() && self.kind.axial_motion().direction() > 0.0
+    }
+
     /// Rotary speed of the string, rad/s; zero where the kind does not rotate.
     pub fn rotation_rad_per_s(&self) -> f64 {
         if self.kind.rotates() { self.rotary_speed_rad_per_s } else { 0.0 }

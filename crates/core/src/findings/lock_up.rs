@@ -4,11 +4,8 @@ use super::{Finding, Kind, Level, buckling::Line, hook_load::weight_N, window, w
 use crate::{
     model::Model,
     operation::Operation,
-    statics::buckling::{Place, Pushed, Segment, push_through, weight_at_bit_N},
+    statics::buckling::{Pushed, push_through, segments, weight_at_bit_N},
 };
-
-/// Longest stretch on which the compression is followed, m.
-const STRETCH_M: f64 = 5.0;
 
 /// A weight that is short by less than this part of the string's buoyed weight arrives.
 const MISSING: f64 = 1e-3;
@@ -19,10 +16,6 @@ const STANDS: f64 = 0.1;
 /// Part of the weight that is requested, less than which does not arrive in a dynamic run.
 const ARRIVES: f64 = 0.8;
 
-fn slides_down(operation: &Operation) -> bool {
-    !operation.kind.rotates() && operation.kind.axial_motion().direction() > 0.0
-}
-
 /// Of a state of equilibrium with this load on the hook. What a helix presses against the wall,
 /// which the soft string does not count, is counted here.
 pub fn at_rest(
@@ -32,7 +25,7 @@ pub fn at_rest(
     md_m: &[f64],
     line: &Line<'_>,
 ) -> Option<Finding> {
-    if !slides_down(operation) || hook_load_N > 0.0 && !line.is_helical() {
+    if !operation.slides_down() || hook_load_N > 0.0 && !line.is_helical() {
         return None;
     }
     let segments = segments(model, operation, md_m);
@@ -49,47 +42,11 @@ pub fn at_rest(
     })
 }
 
-/// The string from the bit up.
-fn segments(model: &Model, operation: &Operation, md_m: &[f64]) -> Vec<Segment> {
-    let bit_depth_m = operation.bit_depth_m;
-    let density = model.mud.density_kg_per_m3;
-    let mut segments = Vec::new();
-    let mut to_md_m = bit_depth_m;
-    for row in (0..md_m.len().saturating_sub(1)).rev() {
-        let from_md_m = md_m[row];
-        let jumps = {
-            let (above, _) =
-                model.string.component_at(bit_depth_m - 0.5 * (from_md_m + md_m[row + 1]));
-            let next = row.checked_sub(1).map(|next| 0.5 * (md_m[next] + from_md_m));
-            next.is_some_and(|next| {
-                model.string.component_at(bit_depth_m - next).0 != above
-                    || model.well.hole.at(next) != model.well.hole.at(from_md_m)
-            })
-        };
-        if row > 0 && !jumps && to_md_m - from_md_m < STRETCH_M {
-            continue;
-        }
-        let length_m = to_md_m - from_md_m;
-        let middle_m = 0.5 * (from_md_m + to_md_m);
-        let point = model.well.path.at(middle_m);
-        let (_, component) = model.string.component_at(bit_depth_m - middle_m);
-        segments.push(Segment {
-            length_m,
-            place: Place::on(model, bit_depth_m, middle_m, &point),
-            friction: model.well.hole.at(middle_m).friction.kinetic,
-            weight_along_N_per_m: component.buoyed_weight_per_length_N_per_m(density)
-                * point.tangent.z,
-        });
-        to_md_m = from_md_m;
-    }
-    segments
-}
-
 /// Of a dynamic run, whose wall forces are those of the string as it lies: the hook is slack, and
 /// the string stands or does not press on the bit.
 pub fn of_dynamic(model: &Model, operation: &Operation, window: &Window<'_>) -> Option<Finding> {
     let hook_load_N = window.statistic("hook_load_N")?.mean;
-    if !slides_down(operation) || hook_load_N > MISSING * weight_N(model) {
+    if !operation.slides_down() || hook_load_N > MISSING * weight_N(model) {
         return None;
     }
     let asked_N = operation.weight_on_bit_now_N();

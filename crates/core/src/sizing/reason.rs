@@ -15,17 +15,20 @@ pub enum SizeReason {
     BodyContact,
     /// Compression near or beyond the critical load of sinusoidal buckling.
     Compression,
+    /// A contact of the body begins or ends there, as an equilibrium shows.
+    ContactEdge,
 }
 
 impl SizeReason {
     /// Every reason.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Given,
         Self::JointToJoint,
         Self::PlainPipe,
         Self::Assembly,
         Self::BodyContact,
         Self::Compression,
+        Self::ContactEdge,
     ];
 
     /// Name in results.
@@ -37,6 +40,7 @@ impl SizeReason {
             Self::Assembly => "assembly",
             Self::BodyContact => "body contact",
             Self::Compression => "compression",
+            Self::ContactEdge => "contact edge",
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Where the nodes stand.
 
 mod cut;
+mod halve;
 mod marks;
 mod node;
 

@@ -16,9 +16,11 @@ mod criterion;
 mod critical;
 mod place;
 mod push;
+mod segments;
 mod shape;
 
 pub use criterion::Criterion;
 pub use place::{Pipe, Place};
 pub use push::{Pushed, Segment, push_through, weight_at_bit_N};
+pub use segments::segments;
 pub use shape::Shape;

@@ -132,12 +132,11 @@ impl<'a> Barrier<'a> {
     }
 
     fn ends(&self, state: &State, index: usize) -> Ends {
-        let [upper, lower] = [index, index + 1].map(|node| state.position_m(self.string, node));
         let directors = [
             self.string.elements[index].seen(&state.heading[index]),
             state.heading[index + 1].along,
         ];
-        Ends { chord_m: lower - upper, directors }
+        Ends { chord_m: state.chord_m(self.string, index), directors }
     }
 
     /// Room of a node, m.
@@ -155,8 +154,8 @@ impl<'a> Barrier<'a> {
         }
         for (index, node) in self.string.nodes.iter().enumerate() {
             let u = state.offset_m[index];
-            let moved = node.axes[0] * u.x + node.axes[1] * u.y + node.axes[2] * u.z;
-            sum -= node.load_N.dot(&moved) + self.friction_N[index].dot(&u);
+            sum -= node.load_N.dot(&state.moved_m(self.string, index))
+                + self.friction_N[index].dot(&u);
             sum += 0.5 * node.hold_N_per_m * u.xy().norm_squared();
         }
         for index in &self.walled {

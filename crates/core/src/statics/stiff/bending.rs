@@ -79,10 +79,10 @@ fn bent(
     mud_kg_per_m3: f64,
 ) -> Bent {
     let (element, section) = (&string.elements[index], &mesh.elements[index].section);
-    let [upper, lower] = [index, index + 1].map(|node| state.position_m(string, node));
+    let [upper, lower] = [index, index + 1].map(|node| state.moved_m(string, node));
     let k = &element.stiffness;
     let length_m = k.length;
-    let t = (lower - upper).normalize();
+    let t = state.chord_m(string, index).normalize();
     let across = |v: Vector3<f64>| v - t * t.dot(&v);
     let d1 = element.seen(&state.heading[index]);
     let d2 = state.heading[index + 1].along;
@@ -96,8 +96,7 @@ fn bent(
     let nodes = [&string.nodes[index], &string.nodes[index + 1]];
     // Half-way the hole is a quarter of what its two directions differ by off its chord.
     let hole = nodes[1].axes[2] - nodes[0].axes[2];
-    let chord_middle = (upper + lower) * 0.5 - (nodes[0].anchor_m + nodes[1].anchor_m) * 0.5
-        + across(hole) * (0.125 * length_m);
+    let chord_middle = (upper + lower) * 0.5 + across(hole) * (0.125 * length_m);
     let middle = Middle {
         load: Vector::from(load),
         offset: Vector::from(across(chord_middle - even * (0.125 * length_m))),

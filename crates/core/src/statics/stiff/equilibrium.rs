@@ -1,7 +1,9 @@
 //! The string at rest, and how that was found.
 
-use super::{state::State, string_in_hole::StringInHole};
-use crate::rod::mesh::Mesh;
+use super::{
+    StiffProfile, StiffSettings, refine::MeshError, state::State, string_in_hole::StringInHole,
+};
+use crate::{model::Model, operation::Operation, rod::mesh::Mesh};
 
 /// How the equilibrium was found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,14 +16,30 @@ pub struct Convergence {
     pub residual: f64,
     /// Whether every small motion costs energy: friction and torque apart, the state is stable.
     pub stable: bool,
+    /// What the elements' lengths leave uncertain where contacts begin and end; none where the
+    /// lengths are given.
+    pub mesh_error: Option<MeshError>,
 }
 
-/// The string at rest.
+/// The string at rest: what a neighbouring load, depth or friction begins with.
 #[derive(Debug, Clone)]
-pub(super) struct Equilibrium {
+pub struct Equilibrium {
+    pub(super) settings: StiffSettings,
     pub(super) mesh: Mesh,
     pub(super) string: StringInHole,
     pub(super) state: State,
     pub(super) hook_load_N: f64,
     pub(super) convergence: Convergence,
+}
+
+impl Equilibrium {
+    /// Torque and drag of the model and the operation that it is the equilibrium of.
+    pub fn profile(&self, model: &Model, operation: &Operation) -> StiffProfile {
+        StiffProfile::new(model, operation, self)
+    }
+
+    /// How it was found.
+    pub fn convergence(&self) -> &Convergence {
+        &self.convergence
+    }
 }

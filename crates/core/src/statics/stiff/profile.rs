@@ -55,7 +55,7 @@ impl Deref for StiffProfile {
 
 impl StiffProfile {
     pub(super) fn new(model: &Model, operation: &Operation, of: &Equilibrium) -> Self {
-        let Equilibrium { mesh, string, state, hook_load_N, convergence } = of;
+        let Equilibrium { mesh, string, state, hook_load_N, convergence, .. } = of;
         let torques_N_m = contact::torques_N_m(string, &state.normal_N);
         let mut profile = along(model, mesh, string, state, &torques_N_m);
         let last = string.nodes.len() - 1;
@@ -63,7 +63,7 @@ impl StiffProfile {
         // At the ends the elements' middles are half an element off; hook and bit are there.
         profile.tension_N[0] = *hook_load_N;
         profile.tension_N[last] = -operation.weight_on_bit_now_N() - jet_N;
-        let surface_torque_N_m = torques_N_m[0] + 0.5 * string.elements[0].mud_torque_N_m;
+        let surface_torque_N_m = surface_torque_N_m(string, &torques_N_m);
         profile.torque_N_m[0] = surface_torque_N_m;
         profile.torque_N_m[last] = string.bit_torque_N_m;
         bear(model, operation, mesh, string, state, &mut profile);
@@ -105,6 +105,17 @@ impl StiffProfile {
             convergence: *convergence,
         }
     }
+}
+
+/// Torque at the top, of what the elements carry, N·m.
+fn surface_torque_N_m(string: &StringInHole, torques_N_m: &[f64]) -> f64 {
+    torques_N_m[0] + 0.5 * string.elements[0].mud_torque_N_m
+}
+
+/// Hook load, N, and surface torque, N·m.
+pub(super) fn hook_and_torque(of: &Equilibrium) -> [f64; 2] {
+    let torques_N_m = contact::torques_N_m(&of.string, &of.state.normal_N);
+    [of.hook_load_N, surface_torque_N_m(&of.string, &torques_N_m)]
 }
 
 /// What friction does at the nodes.

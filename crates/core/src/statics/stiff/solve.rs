@@ -1,14 +1,10 @@
 //! From a model and an operation to the string at rest.
 
-use nalgebra::{Matrix2, Vector2};
-
 use super::{
-    StiffError, StiffProfile, StiffSettings, active_set,
-    barrier::Barrier,
-    contact::{self, Push},
+    StiffError, StiffProfile, StiffSettings,
+    cascade::{from_the_middle, warm_start},
     equations::Equations,
     equilibrium::{Convergence, Equilibrium},
-    interior_point::{self, Begins},
     state::State,
     string_in_hole::StringInHole,
 };
@@ -16,37 +12,24 @@ use crate::{
     model::Model,
     operation::Operation,
     rod::mesh::Mesh,
-    sizing::{ElementLength, Sizing},
-    statics::soft::{self, SoftSettings},
+    sizing::{Accuracy, ElementLength, SizeReason, Sizing},
+    statics::{
+        buckling::{self, Pushed},
+        soft::{self, SoftProfile, SoftSettings},
+    },
 };
 
-/// Forces out of balance that an equilibrium may have, as a part of the string's weight.
-const RESIDUAL: f64 = 1e-8;
+/// Strings whose lengths differ by less have the same mesh, m.
+const SAME_M: f64 = 1e-6;
 
-/// First product of force and room of a barrier, and the one from which the interior point goes on,
-/// as parts of the mean weight of a node times its clearance.
-const FIRST: f64 = 1.0;
-const LAST: f64 = 1e-4;
+/// A string that locks up with this part of its friction does so with all of it: what a criterion
+/// says of the helix is not exact.
+const SURELY: f64 = 0.8;
 
-/// First product of a later round over its last.
-const LATER: f64 = 100.0;
-
-/// A smaller last product, where an unstable state was reached, and the least.
-const LESS: f64 = 1e-2;
-const LEAST: f64 = 1e-9;
-
-/// Newton steps after which no further round begins.
-const MOST: usize = 1000;
-
-/// What costs less energy than this part of what a swinging pipe is held by costs none: a buckled pipe
-/// in a vertical hole may go round it.
-const NEUTRAL: f64 = 1e-5;
-
-/// Rounds of friction.
-const ROUNDS: usize = 12;
-
-/// Friction is settled when it changes by no more of its sum than this.
-const SETTLED: f64 = 1e-3;
+/// What the largest bending moment changes by, as a part of it, when the mesh is fine enough, and
+/// how often elements are halved at most.
+const FINE_ENOUGH: [(Accuracy, f64, usize); 2] =
+    [(Accuracy::Standard, 0.02, 3), (Accuracy::Fine, 0.005, 5)];
 
 /// Torque and drag of one operation by the stiff string.
 ///
@@ -62,179 +45,154 @@ pub fn solve(
     Ok(StiffProfile::new(model, operation, &equilibrium))
 }
 
-pub(super) fn equilibrium(
+/// The string at rest in one operation.
+///
+/// # Errors
+/// As of [`solve`].
+pub fn equilibrium(
     model: &Model,
     operation: &Operation,
     settings: &StiffSettings,
 ) -> Result<Equilibrium, StiffError> {
-    let soft = soft::solve(model, operation, &SoftSettings::default())?;
-    let sizing = match settings.element_length {
-        ElementLength::Uniform(length_m) => Sizing::uniform(length_m),
-        ElementLength::Auto(accuracy) => Sizing::auto(model, &[*operation], accuracy)?,
-    };
-    let mesh = Mesh::new(&model.string, &sizing.refined(settings.refinement));
-    let string = StringInHole::new(model, operation, settings, &mesh, &soft);
-    let mut equations = Equations::new(string.nodes.len());
-    let mut iterations = 0;
-    let mut state = State::centred(&string);
-    let found = reach(&string, &mut state, &mut equations, Begins::Cold, &mut iterations);
-    let found = match found {
-        Some(found) if found.stable => Some(found),
-        other => {
-            let before = other.map(|found| (found, state.clone(), equations.hook_load_N));
-            let found = descend(&string, &mut state, &mut equations, &mut iterations);
-            found.or_else(|| {
-                let (found, was, hook_load_N) = before?;
-                (state, equations.hook_load_N) = (was, hook_load_N);
-                Some(found)
-            })
-        }
-    };
-    if let Some(convergence) = found {
-        let hook_load_N = equations.hook_load_N;
-        return Ok(Equilibrium { mesh, string, state, hook_load_N, convergence });
-    }
-    let (index, residual_N) = residual(&string, &state, &mut equations);
-    Err(StiffError::NotConverged { md_m: string.nodes[index].md_m, residual_N, iterations })
+    let task = Task::new(model, operation, settings)?;
+    Ok(task.refine(task.found(task.mesh()?, None)?))
 }
 
-/// Leaves the nodes on the wall whose contact force is more of the mean weight than their room is of
-/// their clearance.
-fn touch(string: &StringInHole, state: &mut State) {
-    let weight_N = string.weight_N() / string.nodes.len() as f64;
-    for (index, node) in string.nodes.iter().enumerate() {
-        let on = node.has_wall()
-            && state.normal_N[index] * node.clearance_m > weight_N * state.slack_m[index];
-        if !on {
-            state.normal_N[index] = 0.0;
-        }
-    }
+/// The string at rest, begun with that of a neighbouring friction, load or depth (a warm start):
+/// faster, and the same where there is but one equilibrium. Where that does not converge it begins
+/// anew.
+///
+/// # Errors
+/// As of [`solve`].
+pub fn equilibrium_near(
+    model: &Model,
+    operation: &Operation,
+    settings: &StiffSettings,
+    near: &Equilibrium,
+) -> Result<Equilibrium, StiffError> {
+    let task = Task::new(model, operation, settings)?;
+    let same = near.settings == *settings
+        && (near.mesh.length_m() - model.string.length_m()).abs() < SAME_M;
+    let mesh = if same { near.mesh.clone() } else { task.mesh()? };
+    let found = task.found(mesh, Some(near))?;
+    Ok(task.refine(found))
 }
 
-/// Interior point and active set; none where they reach no equilibrium.
-fn reach(
-    string: &StringInHole,
-    state: &mut State,
-    equations: &mut Equations,
-    begins: Begins,
-    iterations: &mut usize,
-) -> Option<Convergence> {
-    let found = interior_point::iterate(string, state, equations, begins).ok()?;
-    *iterations += found.count;
-    if !found.converged {
-        return None;
-    }
-    touch(string, state);
-    finish(string, state, equations, iterations)
+/// What is asked for.
+struct Task<'a> {
+    model: &'a Model,
+    operation: &'a Operation,
+    settings: &'a StiffSettings,
+    soft: SoftProfile,
 }
 
-/// Minimises the energy first, friction and torque apart, and goes on from there; once more with the
-/// friction that this has, until the state reached is stable. An unstable one is better than none.
-fn descend(
-    string: &StringInHole,
-    state: &mut State,
-    equations: &mut Equations,
-    iterations: &mut usize,
-) -> Option<Convergence> {
-    *state = State::centred(string);
-    let mut barrier = Barrier::new(string, equations);
-    barrier.disturb(state);
-    let mut unstable = None;
-    let [mut first, mut last] = [FIRST, LAST];
-    for _ in 0..ROUNDS {
-        let found = barrier.minimise(state, [first, last]);
-        *iterations += found.count;
-        if !found.converged {
-            break;
-        }
-        let mut there = state.clone();
-        match reach(string, &mut there, barrier.equations, Begins::Warm, iterations) {
-            Some(found) if found.stable => {
-                *state = there;
-                return Some(found);
+impl<'a> Task<'a> {
+    fn new(
+        model: &'a Model,
+        operation: &'a Operation,
+        settings: &'a StiffSettings,
+    ) -> Result<Self, StiffError> {
+        let soft = soft::solve(model, operation, &SoftSettings::default())?;
+        Ok(Self { model, operation, settings, soft })
+    }
+
+    /// The mesh that the string asks for before its contacts are known.
+    fn mesh(&self) -> Result<Mesh, StiffError> {
+        let sizing = match self.settings.element_length {
+            ElementLength::Uniform(length_m) => Sizing::uniform(length_m),
+            ElementLength::Auto(accuracy) => {
+                Sizing::auto(self.model, &[*self.operation], accuracy)?
             }
-            Some(found) => {
-                unstable = Some((found, there, barrier.equations.hook_load_N));
-                // The barrier itself held the string straight.
-                last *= LESS;
+        };
+        Ok(Mesh::new(&self.model.string, &sizing.refined(self.settings.refinement)))
+    }
+
+    /// The equilibrium on a mesh, begun with another one where there is one, and in the middle of
+    /// the hole where that leads nowhere.
+    fn found(&self, mesh: Mesh, near: Option<&Equilibrium>) -> Result<Equilibrium, StiffError> {
+        let string = self.string_in_hole(&mesh);
+        let mut equations = Equations::new(string.nodes.len());
+        let mut iterations = 0;
+        let warm = near.and_then(|near| {
+            warm_start(&string, near.carried_to(&string, &mesh), &mut equations, &mut iterations)
+        });
+        let (convergence, state) = match warm {
+            Some(found) => found,
+            None => {
+                let locks_up = || self.locks_up(SURELY);
+                let found = from_the_middle(&string, &mut equations, iterations, locks_up);
+                found.or_else(|error| self.locks_up(1.0).and(Err(error)))?
             }
-            None => {}
-        }
-        let rubs_alike = barrier.rub(state) < SETTLED;
-        if *iterations > MOST || rubs_alike && (unstable.is_none() || last < LEAST) {
-            break;
-        }
-        first = LATER * last;
+        };
+        Ok(self.equilibrium(mesh, string, state, &equations, convergence))
     }
-    let (found, there, hook_load_N) = unstable?;
-    (*state, equations.hook_load_N) = (there, hook_load_N);
-    Some(found)
-}
 
-/// Ends the contact exactly and looks at what was found; none where it is no equilibrium.
-fn finish(
-    string: &StringInHole,
-    state: &mut State,
-    equations: &mut Equations,
-    iterations: &mut usize,
-) -> Option<Convergence> {
-    let found = active_set::iterate(string, state, equations).ok()?;
-    *iterations += found.count;
-    if !found.converged {
-        return None;
+    /// The same, begun with another one alone.
+    fn found_near(&self, mesh: Mesh, near: &Equilibrium) -> Option<Equilibrium> {
+        let string = self.string_in_hole(&mesh);
+        let mut equations = Equations::new(string.nodes.len());
+        let carried = near.carried_to(&string, &mesh);
+        let (convergence, state) = warm_start(&string, carried, &mut equations, &mut 0)?;
+        Some(self.equilibrium(mesh, string, state, &equations, convergence))
     }
-    let (_, residual_N) = residual(string, state, equations);
-    let residual = residual_N / string.weight_N();
-    Some(Convergence {
-        elements: string.elements.len(),
-        iterations: *iterations,
-        residual,
-        stable: is_stable(string, state, equations),
-    })
-    .filter(|_| residual < RESIDUAL)
-}
 
-/// The largest force out of balance, N, and its node.
-fn residual(string: &StringInHole, state: &State, equations: &mut Equations) -> (usize, f64) {
-    let torques_N_m = contact::torques_N_m(string, &state.normal_N);
-    equations.assemble(string, state, Some(&torques_N_m));
-    let mut worst = (0, equations.misfit_N());
-    for (index, node) in string.nodes.iter().enumerate().skip(1) {
-        let mut force = equations.force[index].fixed_rows::<3>(0).into_owned();
-        if state.normal_N[index] > 0.0 {
-            let (direction, radius_m) = direction(state, index);
-            force += Push::exact(node, &direction, radius_m).force * state.normal_N[index];
+    fn string_in_hole(&self, mesh: &Mesh) -> StringInHole {
+        StringInHole::new(self.model, self.operation, self.settings, mesh, &self.soft)
+    }
+
+    fn equilibrium(
+        &self,
+        mesh: Mesh,
+        string: StringInHole,
+        state: State,
+        equations: &Equations,
+        convergence: Convergence,
+    ) -> Equilibrium {
+        let (settings, hook_load_N) = (*self.settings, equations.hook_load_N);
+        Equilibrium { settings, mesh, string, state, hook_load_N, convergence }
+    }
+
+    /// An error where the string, with a part of its friction, cannot be pushed that far by the
+    /// wall load of its helix: there is no equilibrium to be found.
+    fn locks_up(&self, part: f64) -> Result<(), StiffError> {
+        if !self.operation.slides_down() {
+            return Ok(());
         }
-        if force.norm() > worst.1 {
-            worst = (index, force.norm());
+        let mut segments = buckling::segments(self.model, self.operation, &self.soft.md_m);
+        for segment in &mut segments {
+            segment.friction *= part;
+        }
+        let weight_N = self.operation.weight_on_bit_now_N();
+        match buckling::push_through(&segments, weight_N, self.model.buckling) {
+            Pushed::LocksUp(above_bit_m) => {
+                Err(StiffError::LocksUp { md_m: self.operation.bit_depth_m - above_bit_m })
+            }
+            Pushed::Through(_) => Ok(()),
         }
     }
-    worst
-}
 
-fn direction(state: &State, index: usize) -> (Vector2<f64>, f64) {
-    let offset = state.offset_m[index].xy();
-    let radius_m = offset.norm();
-    (offset / radius_m.max(f64::MIN_POSITIVE), radius_m)
-}
-
-/// Whether every small motion costs energy, the wall given way to where the string touches it.
-fn is_stable(string: &StringInHole, state: &State, equations: &mut Equations) -> bool {
-    let hook_load_N = equations.hook_load_N;
-    equations.assemble(string, state, None);
-    equations.hook_load_N = hook_load_N;
-    for (index, node) in string.nodes.iter().enumerate() {
-        let normal_N = state.normal_N[index];
-        if normal_N > 0.0 {
-            let (direction, radius_m) = direction(state, index);
-            let radial = direction * direction.transpose();
-            let (_, gives_m_per_N) = node.compliance.penetration_m(normal_N);
-            let wall =
-                radial / gives_m_per_N + (Matrix2::identity() - radial) * (normal_N / radius_m);
-            let mut across = equations.matrix.diagonal[index].fixed_view_mut::<2, 2>(0, 0);
-            across += wall;
+    /// Halves the elements in which contacts begin and end, as long as that changes the bending.
+    fn refine(&self, mut found: Equilibrium) -> Equilibrium {
+        let ElementLength::Auto(accuracy) = self.settings.element_length else { return found };
+        let wanted = FINE_ENOUGH.iter().find(|(of, ..)| *of == accuracy);
+        let Some((_, tolerance, rounds)) = wanted else { return found };
+        for _ in 0..*rounds {
+            let edges = found.contact_edges(self.model);
+            if !edges.contains(&true) {
+                break;
+            }
+            let string = &self.model.string;
+            let mesh = found.mesh.halved(string, &edges, SizeReason::ContactEdge);
+            let Some(mut finer) = self.found_near(mesh, &found) else { break };
+            let error = finer.change_since(&found, self.model);
+            finer.convergence.iterations += found.convergence.iterations;
+            finer.convergence.mesh_error = Some(error);
+            let largest_N_m = finer.largest_moment_N_m(self.model);
+            found = finer;
+            if error.bending_moment_N_m < tolerance * largest_N_m {
+                break;
+            }
         }
+        found
     }
-    equations.hold_across(NEUTRAL * string.swing_N_per_m());
-    equations.matrix.is_positive_definite()
 }

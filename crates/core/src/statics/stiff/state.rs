@@ -4,6 +4,10 @@ use nalgebra::{Vector2, Vector3};
 
 use super::{blocks::Entry, heading::Heading, string_in_hole::StringInHole};
 
+/// What a node off the wall is pressed with when an interior point begins beside it, as a part of the
+/// mean weight of a node, and what one on it has of its clearance.
+const SOME: f64 = 0.01;
+
 /// A way round the hole's axis.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Round {
@@ -69,11 +73,29 @@ impl State {
         }
     }
 
-    /// Where a node is.
-    pub(super) fn position_m(&self, string: &StringInHole, index: usize) -> Vector3<f64> {
-        let node = &string.nodes[index];
+    /// Gives every node some room and some contact force: what an interior point can begin with.
+    pub(super) fn leave_the_wall(&mut self, string: &StringInHole) {
+        let weight_N = string.weight_N() / string.nodes.len() as f64;
+        for (index, node) in string.nodes.iter().enumerate().filter(|(_, node)| node.has_wall()) {
+            let normal_N = &mut self.normal_N[index];
+            *normal_N = normal_N.max(SOME * weight_N);
+            let slack_m = &mut self.slack_m[index];
+            *slack_m = slack_m.max(SOME * node.clearance_m);
+        }
+    }
+
+    /// Displacement of a node from its place on the hole's axis, m.
+    pub(super) fn moved_m(&self, string: &StringInHole, index: usize) -> Vector3<f64> {
+        let axes = &string.nodes[index].axes;
         let u = &self.offset_m[index];
-        node.anchor_m + node.axes[0] * u.x + node.axes[1] * u.y + node.axes[2] * u.z
+        axes[0] * u.x + axes[1] * u.y + axes[2] * u.z
+    }
+
+    /// From a node to the next. The difference of two places in the well would be rounded at
+    /// kilometres: short elements would be out of balance by it.
+    pub(super) fn chord_m(&self, string: &StringInHole, index: usize) -> Vector3<f64> {
+        let [upper, lower] = [index, index + 1].map(|node| self.moved_m(string, node));
+        string.elements[index].span_m + (lower - upper)
     }
 
     /// Moves the nodes by a part of a step.

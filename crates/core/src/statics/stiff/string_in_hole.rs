@@ -61,6 +61,8 @@ impl Node {
 pub(super) struct Element {
     /// Its stiffness.
     pub(super) stiffness: Stiffness<f64>,
+    /// From its upper node's place on the hole's axis to its lower one's.
+    pub(super) span_m: Vector3<f64>,
     /// `g` of the element without tension, m: on the hole's axis it has the soft string's tension.
     pub(super) slack_m: f64,
     /// That tension, N.
@@ -174,11 +176,10 @@ impl StringInHole {
                 let middle_m = 0.5 * (depths[index] + depths[index + 1]);
                 let guess_N = soft.tension_at_N(middle_m);
                 let (upper, lower) = (&nodes[index], &nodes[index + 1]);
-                let centred = Ends {
-                    chord_m: lower.anchor_m - upper.anchor_m,
-                    directors: [upper.axes[2], lower.axes[2]],
-                };
+                let span_m = lower.anchor_m - upper.anchor_m;
+                let centred = Ends { chord_m: span_m, directors: [upper.axes[2], lower.axes[2]] };
                 Element {
+                    span_m,
                     slack_m: centred.longer_m(&stiffness) - guess_N / stiffness.axial,
                     stiffness,
                     guess_N,
@@ -230,6 +231,15 @@ impl StringInHole {
             walled.fold((0.0, 0.0), |(sum, count), node| (sum + node.clearance_m, count + 1.0));
         let clearance_m = if count > 0.0 { sum_m / count } else { 1.0 };
         self.weight_N() / self.nodes.len() as f64 / clearance_m
+    }
+
+    /// The same with a part of its friction.
+    pub(super) fn rubbed_by(&self, part: f64) -> Self {
+        let mut string = self.clone();
+        for node in &mut string.nodes {
+            node.friction = node.friction.map(|friction| friction * part);
+        }
+        string
     }
 
     /// Buoyed weight of the string, N.

@@ -1,0 +1,92 @@
+//! Whether a state is an equilibrium, and whether it would stay.
+
+use nalgebra::{Matrix2, Vector2};
+
+use super::{
+    active_set,
+    contact::{self, Push},
+    equations::Equations,
+    equilibrium::Convergence,
+    state::State,
+    string_in_hole::StringInHole,
+};
+
+/// Forces out of balance that an equilibrium may have, as a part of the string's weight.
+const RESIDUAL: f64 = 1e-8;
+
+/// What costs less energy than this part of what a swinging pipe is held by costs none: a buckled pipe
+/// in a vertical hole may go round it.
+const NEUTRAL: f64 = 1e-5;
+
+/// Ends the contact exactly and looks at what was found; none where it is no equilibrium.
+pub(super) fn finish(
+    string: &StringInHole,
+    state: &mut State,
+    equations: &mut Equations,
+    iterations: &mut usize,
+) -> Option<Convergence> {
+    let found = active_set::iterate(string, state, equations).ok()?;
+    *iterations += found.count;
+    if !found.converged {
+        return None;
+    }
+    let (_, residual_N) = residual(string, state, equations);
+    let residual = residual_N / string.weight_N();
+    Some(Convergence {
+        elements: string.elements.len(),
+        iterations: *iterations,
+        residual,
+        stable: is_stable(string, state, equations),
+        mesh_error: None,
+    })
+    .filter(|_| residual < RESIDUAL)
+}
+
+/// The largest force out of balance, N, and its node.
+pub(super) fn residual(
+    string: &StringInHole,
+    state: &State,
+    equations: &mut Equations,
+) -> (usize, f64) {
+    let torques_N_m = contact::torques_N_m(string, &state.normal_N);
+    equations.assemble(string, state, Some(&torques_N_m));
+    let mut worst = (0, equations.misfit_N());
+    for (index, node) in string.nodes.iter().enumerate().skip(1) {
+        let mut force = equations.force[index].fixed_rows::<3>(0).into_owned();
+        if state.normal_N[index] > 0.0 {
+            let (direction, radius_m) = direction(state, index);
+            force += Push::exact(node, &direction, radius_m).force * state.normal_N[index];
+        }
+        if force.norm() > worst.1 {
+            worst = (index, force.norm());
+        }
+    }
+    worst
+}
+
+fn direction(state: &State, index: usize) -> (Vector2<f64>, f64) {
+    let offset = state.offset_m[index].xy();
+    let radius_m = offset.norm();
+    (offset / radius_m.max(f64::MIN_POSITIVE), radius_m)
+}
+
+/// Whether every small motion costs energy, the wall given way to where the string touches it.
+fn is_stable(string: &StringInHole, state: &State, equations: &mut Equations) -> bool {
+    let hook_load_N = equations.hook_load_N;
+    equations.assemble(string, state, None);
+    equations.hook_load_N = hook_load_N;
+    for (index, node) in string.nodes.iter().enumerate() {
+        let normal_N = state.normal_N[index];
+        if normal_N > 0.0 {
+            let (direction, radius_m) = direction(state, index);
+            let radial = direction * direction.transpose();
+            let (_, gives_m_per_N) = node.compliance.penetration_m(normal_N);
+            let wall =
+                radial / gives_m_per_N + (Matrix2::identity() - radial) * (normal_N / radius_m);
+            let mut across = equations.matrix.diagonal[index].fixed_view_mut::<2, 2>(0, 0);
+            across += wall;
+        }
+    }
+    equations.hold_across(NEUTRAL * string.swing_N_per_m());
+    equations.matrix.is_positive_definite()
+}
