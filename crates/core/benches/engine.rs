@@ -17,11 +17,12 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use wholestring::{
     dynamics::{MeshSettings, NodeSignal, Precision, Probe, Simulation},
     internals::{KernelAccess, instruction_sets},
+    operation::Operation,
     rock::{Alone, Block, BlockSpec, Rock, Stepper},
     statics::stiff::{self, StiffSettings},
 };
 
-use wells::{Case, NP13_M, go, np13, np13_eccentric};
+use wells::{Case, NP13_M, go, np13, np13_at, np13_eccentric};
 
 /// Steps of the inner loop that are timed at once: between two followings of the nodes.
 const STEPS: usize = 16;
@@ -154,7 +155,7 @@ fn statics(criterion: &mut Criterion) {
 /// middle of the hole.
 fn broomstick(threads: usize) {
     let solve = |index: usize| {
-        let depth_m = NP13_M * (index / 9 + 1) as f64 / 50.0;
+        let depth_m = 300.0 + (NP13_M - 300.0) * (index / 9) as f64 / 49.0;
         let case = np13_at([0.2, 0.3, 0.4][index % 3], depth_m);
         let operation = match index / 3 % 3 {
             0 => Operation::trip_out(depth_m),

@@ -7,6 +7,7 @@ use wholestring::{
     dynamics::{self, Indicators, Statistic, TableUse, TunedHookLoad},
     mud::Hydraulics,
     outcome::{ModelKind, Scalars},
+    statics::stiff::AtRest,
 };
 
 use crate::{
@@ -101,6 +102,9 @@ pub struct OperationSummary {
     /// What the mud does, if it has a rheology; means over the window for a dynamic model.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hydraulics: Option<Hydraulics>,
+    /// How the equilibrium was found and what the bit does in it; the stiff string only.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_rest: Option<AtRest>,
     /// Statistics over the window by quantity; dynamic models only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub statistics: Option<BTreeMap<String, Statistic>>,

@@ -40,6 +40,7 @@ fn soft() -> OperationSummary {
         findings: Vec::new(),
         lift: None,
         hydraulics: None,
+        at_rest: None,
         statistics: None,
         indicators: None,
         bit_table: None,

@@ -7,7 +7,10 @@ use super::{
 use crate::{
     dynamics::{DynamicOutcome, Indicators, Numerics, Statistic, TableUse},
     mud::Hydraulics,
-    statics::{soft::SoftProfile, stiff::StiffProfile},
+    statics::{
+        soft::SoftProfile,
+        stiff::{AtRest, StiffProfile},
+    },
 };
 
 /// The answer of a method, for whoever writes it down, draws it or compares it.
@@ -23,6 +26,8 @@ pub struct Solution<'a> {
     pub profile: &'a Profile,
     /// Along the hole.
     pub wear: &'a HoleWear,
+    /// Of an equilibrium: how it was found, and what its bit does. The stiff string only.
+    pub at_rest: Option<AtRest>,
     /// In time; none of a method that answers with a state of equilibrium.
     pub in_time: Option<InTime<'a>>,
 }
@@ -54,6 +59,7 @@ impl<'a> From<&'a SoftProfile> for Solution<'a> {
             hydraulics: *hydraulics,
             profile,
             wear,
+            at_rest: None,
             in_time: None,
         }
     }
@@ -76,6 +82,7 @@ impl<'a> From<&'a StiffProfile> for Solution<'a> {
             hydraulics: *hydraulics,
             profile,
             wear,
+            at_rest: Some(of.into()),
             in_time: None,
         }
     }
@@ -101,6 +108,7 @@ impl<'a> From<&'a DynamicOutcome> for Solution<'a> {
             hydraulics: *hydraulics,
             profile: nodes,
             wear,
+            at_rest: None,
             in_time: Some(InTime {
                 statistics,
                 numerics,

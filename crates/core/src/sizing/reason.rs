@@ -15,8 +15,9 @@ pub enum SizeReason {
     BodyContact,
     /// Compression near or beyond the critical load of sinusoidal buckling.
     Compression,
-    /// A contact of the body begins or ends there, as an equilibrium shows.
-    ContactEdge,
+    /// An equilibrium shows that the bending turns there: a contact of the body begins or ends, or
+    /// the hole bends otherwise.
+    Refined,
 }
 
 impl SizeReason {
@@ -28,7 +29,7 @@ impl SizeReason {
         Self::Assembly,
         Self::BodyContact,
         Self::Compression,
-        Self::ContactEdge,
+        Self::Refined,
     ];
 
     /// Name in results.
@@ -40,7 +41,7 @@ impl SizeReason {
             Self::Assembly => "assembly",
             Self::BodyContact => "body contact",
             Self::Compression => "compression",
-            Self::ContactEdge => "contact edge",
+            Self::Refined => "refined",
         }
     }
 }

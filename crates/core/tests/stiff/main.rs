@@ -7,6 +7,7 @@ mod assemblies;
 mod buckled;
 mod friction;
 mod joints;
+mod mesh;
 mod transition;
 
 use serde_json::Value;

@@ -51,7 +51,7 @@ impl Record {
         solution: &Solution<'_>,
         carried_out: CarriedOut<'_>,
     ) {
-        let Solution { model, scalars, hydraulics, profile, wear, in_time } = *solution;
+        let Solution { model, scalars, hydraulics, profile, wear, at_rest, in_time } = *solution;
         let CarriedOut { status, lift, bottom, effort } = carried_out;
         let statistics = |of: InTime<'_>| {
             let named = of.statistics.iter();
@@ -67,6 +67,7 @@ impl Record {
             scalars,
             lift,
             hydraulics,
+            at_rest,
             statistics: in_time.map(statistics),
             indicators: in_time.map(|of| *of.indicators),
             bit_table: in_time.and_then(|of| of.bit_table),

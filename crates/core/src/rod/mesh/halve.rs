@@ -1,10 +1,11 @@
 //! Elements cut in two.
 
-use super::{Mesh, MeshElement, MeshNode, marks::body_radius_m};
+use super::{Mesh, MeshElement, MeshNode, marks::radius_between_m};
 use crate::{rod::section::Section, sizing::SizeReason, string::DrillString};
 
 impl Mesh {
-    /// Cuts elements of `string` in two, from the surface down; the body touches at their middles.
+    /// Cuts elements of `string` in two, from the surface down; the body touches at their middles, blades
+    /// only between nodes on blades.
     /// Every node stays where it is.
     #[must_use]
     pub fn halved(&self, string: &DrillString, which: &[bool], reason: SizeReason) -> Self {
@@ -14,7 +15,7 @@ impl Mesh {
             let (top, bottom) = (self.nodes[index], self.nodes[index + 1]);
             if which[index] {
                 let from_bit_m = 0.5 * (top.from_bit_m + bottom.from_bit_m);
-                let contact_radius_m = body_radius_m(string, from_bit_m);
+                let contact_radius_m = radius_between_m(string, from_bit_m, [&top, &bottom]);
                 let half = |low_m: f64, high_m: f64| MeshElement {
                     length_m: high_m - low_m,
                     section: Section::between(string, low_m, high_m),

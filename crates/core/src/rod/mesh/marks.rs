@@ -1,5 +1,6 @@
 //! The places where nodes must stand: ends, blades, bends, and joints where they can.
 
+use super::node::MeshNode;
 use crate::{
     sizing::Sizing,
     string::{Blades, Component, DrillString, NEAREST_BEND_M},
@@ -46,6 +47,22 @@ pub(super) fn body_radius_m(string: &DrillString, from_bit_m: f64) -> f64 {
         }
     }
     component.od_m / 2.0
+}
+
+/// What touches between two nodes that stay where they are: blades only between nodes on them, so
+/// that what touches at its middle alone goes on to do so.
+pub(super) fn radius_between_m(string: &DrillString, from_bit_m: f64, ends: [&MeshNode; 2]) -> f64 {
+    let touching = body_radius_m(string, from_bit_m);
+    if ends.iter().all(|node| node.contact_radius_m >= touching - BLADE_HEIGHT_M) {
+        return touching;
+    }
+    let (index, component) = string.component_at(from_bit_m);
+    let components = string.components();
+    if !is_blade(components, index) {
+        return 0.5 * component.od_m;
+    }
+    let beside = [index - 1, index + 1].into_iter().filter_map(|other| components.get(other));
+    beside.map(|other| 0.5 * other.od_m).fold(0.0, f64::max)
 }
 
 /// Where the blades of a component touch that reaches from `bottom` to `top`: distances from the

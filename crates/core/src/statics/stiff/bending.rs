@@ -29,6 +29,9 @@ struct Bent {
 pub(super) struct Bending {
     /// At the node, N·m.
     pub(super) at_node_N_m: Vec<f64>,
+    /// How far the elements on the two sides of the node are apart about it, N·m: what their lengths
+    /// leave out.
+    pub(super) jump_N_m: Vec<f64>,
     /// Half-way to the next, N·m; at the bit nothing.
     pub(super) between_N_m: Vec<f64>,
     /// Sag half-way, m.
@@ -62,7 +65,9 @@ impl Bending {
                 (Some(above), None) => above.lower_N_m,
                 (None, None) => Vector3::zeros(),
             };
+            let jump = above.zip(below).map(|(above, below)| below.upper_N_m - above.lower_N_m);
             bending.at_node_N_m.push(moment.norm());
+            bending.jump_N_m.push(jump.map_or(0.0, |jump| jump.norm()));
             bending.between_N_m.push(below.map_or(0.0, |of| of.half_way_N_m));
             bending.sag_m.push(below.map_or(0.0, |of| of.sag_m));
             bending.touches.push(below.map_or(0.0, |of| of.touches));

@@ -1,23 +1,27 @@
 //! The string at rest, and how that was found.
 
+use serde::{Deserialize, Serialize};
+
 use super::{
     StiffProfile, StiffSettings, refine::MeshError, state::State, string_in_hole::StringInHole,
 };
-use crate::{model::Model, operation::Operation, rod::mesh::Mesh};
+use crate::{finite, model::Model, operation::Operation, rod::mesh::Mesh};
 
 /// How the equilibrium was found.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Convergence {
     /// Elements.
     pub elements: usize,
     /// Newton steps of all stages.
     pub iterations: usize,
     /// Largest force on a node that is out of balance, as a part of the string's weight.
+    #[serde(with = "finite")]
     pub residual: f64,
     /// Whether every small motion costs energy: friction and torque apart, the state is stable.
     pub stable: bool,
     /// What the elements' lengths leave uncertain where contacts begin and end; none where the
     /// lengths are given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh_error: Option<MeshError>,
 }
 

@@ -2,6 +2,7 @@
 //! clearance counted, contact found.
 
 mod active_set;
+mod at_rest;
 mod barrier;
 mod bending;
 mod blocks;
@@ -22,6 +23,7 @@ mod state;
 mod string_in_hole;
 mod wall;
 
+pub use at_rest::AtRest;
 pub use equilibrium::{Convergence, Equilibrium};
 pub use error::StiffError;
 pub use profile::StiffProfile;

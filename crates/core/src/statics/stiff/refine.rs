@@ -1,49 +1,64 @@
-//! Where a mesh is too coarse for the contacts that it shows, and what that is worth.
+//! Where a mesh is too coarse for the bending that it shows, and what that is worth.
+
+use serde::{Deserialize, Serialize};
 
 use super::{bending::Bending, equilibrium::Equilibrium, profile::hook_and_torque};
-use crate::model::Model;
+use crate::{finite, model::Model};
 
 /// How much farther than the body a node of a joint or a blade stands out, m.
 const STANDS_OUT_M: f64 = 1e-4;
 
+/// Elements that are shorter are not cut, m.
+const SHORTEST_M: f64 = 0.2;
+
 /// What the elements' lengths leave uncertain, by the last two meshes.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct MeshError {
     /// Hook load, N.
+    #[serde(with = "finite")]
     pub hook_load_N: f64,
     /// Surface torque, N·m.
+    #[serde(with = "finite")]
     pub surface_torque_N_m: f64,
     /// Sum of the contact forces, N.
+    #[serde(with = "finite")]
     pub side_force_total_N: f64,
     /// Bending moment at a node, N·m: the largest change.
+    #[serde(with = "finite")]
     pub bending_moment_N_m: f64,
     /// Where that is, measured depth, m.
+    #[serde(with = "finite")]
     pub md_m: f64,
 }
 
 impl Equilibrium {
-    /// The elements in which a contact of the body begins or ends, and those whose body touches
-    /// between nodes that do not lie on the wall.
-    pub(super) fn contact_edges(&self, model: &Model) -> Vec<bool> {
+    /// The elements that are too long: in which a contact of the body begins or ends, whose body
+    /// touches between nodes that do not lie on the wall, and which are apart from their neighbours
+    /// about the moment by more than a part of the largest one.
+    pub(super) fn too_long(&self, model: &Model, tolerance: f64) -> Vec<bool> {
         let bending = self.bending(model);
+        let most_N_m = tolerance * bending.at_node_N_m.iter().copied().fold(0.0, f64::max);
+        let apart = |node: usize| bending.jump_N_m[node] > most_N_m;
         let lies: Vec<bool> = (0..self.mesh.nodes.len()).map(|node| self.body_lies(node)).collect();
         let touches = |node: usize| self.state.normal_N[node] > 0.0;
-        let mut edges = vec![false; self.mesh.elements.len()];
-        for element in 0..edges.len() {
+        let mut long = vec![false; self.mesh.elements.len()];
+        for element in 0..long.len() {
             let ends = [element, element + 1];
             let between = bending.touches[element] > 0.0 && !ends.iter().all(|node| lies[*node]);
             let lifts =
                 [(0, 1), (1, 0)].iter().any(|(on, off)| lies[ends[*on]] && !touches(ends[*off]));
-            edges[element] = between || lifts;
+            let cut = self.mesh.elements[element].length_m > SHORTEST_M
+                && (between || lifts || ends.iter().any(|node| apart(*node)));
+            long[element] |= cut;
             // It may lift off on the other side of the node, too.
-            if lifts {
+            if cut && lifts {
                 let beside = if lies[element] { element.checked_sub(1) } else { Some(element + 1) };
-                if let Some(edge) = beside.and_then(|index| edges.get_mut(index)) {
-                    *edge = true;
+                if let Some(beside) = beside.and_then(|index| long.get_mut(index)) {
+                    *beside = true;
                 }
             }
         }
-        edges
+        long
     }
 
     /// Whether the body of a node, and no joint or blade, lies on the wall.

@@ -29,7 +29,7 @@ const SURELY: f64 = 0.8;
 /// What the largest bending moment changes by, as a part of it, when the mesh is fine enough, and
 /// how often elements are halved at most.
 const FINE_ENOUGH: [(Accuracy, f64, usize); 2] =
-    [(Accuracy::Standard, 0.02, 3), (Accuracy::Fine, 0.005, 5)];
+    [(Accuracy::Standard, 0.02, 4), (Accuracy::Fine, 0.005, 6)];
 
 /// Torque and drag of one operation by the stiff string.
 ///
@@ -171,18 +171,18 @@ impl<'a> Task<'a> {
         }
     }
 
-    /// Halves the elements in which contacts begin and end, as long as that changes the bending.
+    /// Halves the elements that are too long, as long as that changes the bending.
     fn refine(&self, mut found: Equilibrium) -> Equilibrium {
         let ElementLength::Auto(accuracy) = self.settings.element_length else { return found };
         let wanted = FINE_ENOUGH.iter().find(|(of, ..)| *of == accuracy);
         let Some((_, tolerance, rounds)) = wanted else { return found };
         for _ in 0..*rounds {
-            let edges = found.contact_edges(self.model);
-            if !edges.contains(&true) {
+            let long = found.too_long(self.model, *tolerance);
+            if !long.contains(&true) {
                 break;
             }
             let string = &self.model.string;
-            let mesh = found.mesh.halved(string, &edges, SizeReason::ContactEdge);
+            let mesh = found.mesh.halved(string, &long, SizeReason::Refined);
             let Some(mut finer) = self.found_near(mesh, &found) else { break };
             let error = finer.change_since(&found, self.model);
             finer.convergence.iterations += found.convergence.iterations;

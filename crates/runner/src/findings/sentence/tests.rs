@@ -30,6 +30,7 @@ fn solved(model: ModelKind) -> OperationSummary {
         },
         lift: None,
         hydraulics: None,
+        at_rest: None,
         statistics: None,
         indicators: None,
         bit_table: None,

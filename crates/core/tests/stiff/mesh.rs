@@ -1,0 +1,131 @@
+//! A mesh that finds its contacts, and equilibria that begin with others.
+
+use wholestring::{
+    prelude::*,
+    sizing::{Accuracy, ElementLength, SizeReason},
+    statics::stiff::{self, StiffError, StiffSettings},
+    string::{ComponentLength, ComponentSpec},
+    well::Interpolation,
+};
+
+use crate::{
+    common::{self, report_worst, verify},
+    settings, solve,
+};
+
+/// Pipe without joints that builds to 60 deg at 5 deg/30 m and drops from there: it lies on the high
+/// side of the build and of the drop's upper end, and on the low side elsewhere.
+fn build_and_drop(friction: f64, bit_depth_m: f64) -> (Model, Operation) {
+    let stations = [[0.0, 0.0, 0.0], [300.0, 0.0, 0.0], [660.0, 60.0, 0.0], [900.0, 20.0, 0.0]];
+    let path = common::path(&stations, Interpolation::MinimumCurvature);
+    let pipe =
+        ComponentSpec::uniform("pipe", 0.127, 0.1086, ComponentLength::ToSurface, common::steel());
+    let hole = common::open_hole(0.2159, friction, 900.0);
+    let model = common::model(path, hole, vec![pipe], common::mud(1200.0), bit_depth_m);
+    (model, Operation::trip_out(bit_depth_m))
+}
+
+fn auto(accuracy: Accuracy) -> StiffSettings {
+    StiffSettings { element_length: ElementLength::Auto(accuracy), ..settings(1.0) }
+}
+
+/// Hook load, contact and bending of the mesh that finds its contacts, against elements of 0.4 m, ten
+/// times as many: those of 0.2 m change hook load and contact by 2e-7. What is left is the weight
+/// that is lumped where the pipe lies, in elements of 9.6 m and of half of that. Elements of 3 m, as
+/// many, miss the bending where the hole turns from build to drop by three times as much.
+#[test]
+fn a_mesh_finds_its_contacts() {
+    let (model, operation) = build_and_drop(0.3, 900.0);
+    let fine = solve(&model, &operation, &settings(0.4));
+    let even = solve(&model, &operation, &settings(3.0));
+    let found = solve(&model, &operation, &auto(Accuracy::Standard));
+    let finer = solve(&model, &operation, &auto(Accuracy::Fine));
+    let mut rows = Vec::new();
+    for (name, tolerance, found) in [("standard", 5e-4, &found), ("fine", 1e-4, &finer)] {
+        let row = |what: &str, expected: f64, found: f64| {
+            verify("stiff", format!("{what} of the {name} mesh that finds its contacts, N"))
+                .relative(tolerance, "elements of 0.4 m, converged to 2e-7")
+                .row(expected, found)
+        };
+        rows.push(row("hook load", fine.scalars.hook_load_N, found.scalars.hook_load_N));
+        let [fine_N, found_N] = [&fine, found].map(|of| of.scalars.side_force_total_N);
+        rows.push(row("contact", fine_N, found_N));
+    }
+    report_worst(rows);
+    assert!(found.convergence.elements <= even.convergence.elements, "{:?}", found.convergence);
+    assert!(found.element_size.contains(&SizeReason::Refined));
+    let largest_off_N_m = |of: &stiff::StiffProfile| {
+        let off = |node: usize| {
+            let there = crate::nearest(&fine, of.md_m[node]);
+            (of.bending_moment_N_m[node] - fine.bending_moment_N_m[there]).abs()
+        };
+        (0..of.md_m.len()).map(off).fold(0.0, f64::max)
+    };
+    let [found_N_m, even_N_m] = [&found, &even].map(largest_off_N_m);
+    assert!(2.0 * found_N_m < even_N_m, "{found_N_m} {even_N_m}");
+    // What the last halving changed is as much as the answer is off.
+    let error = found.convergence.mesh_error.expect("an estimate");
+    assert!(found_N_m < 2.0 * error.bending_moment_N_m, "{found_N_m} {error:?}");
+    assert_eq!(fine.convergence.mesh_error, None);
+}
+
+/// A warm start leads to the equilibrium that the middle of the hole leads to, below the critical
+/// loads the only one, in fewer steps: to what the iterations leave, 1e-10.
+#[test]
+fn a_warm_start_ends_where_a_cold_one_does() {
+    let (model, operation) = build_and_drop(0.3, 900.0);
+    let (rougher, _) = build_and_drop(0.33, 900.0);
+    let settings = settings(3.2);
+    let near = stiff::equilibrium(&model, &operation, &settings).expect("an equilibrium");
+    for operation in [operation, Operation::trip_in(900.0)] {
+        let cold = solve(&rougher, &operation, &settings);
+        let warm = stiff::equilibrium_near(&rougher, &operation, &settings, &near);
+        let warm = warm.expect("an equilibrium");
+        let iterations = warm.convergence().iterations;
+        assert!(iterations < cold.convergence.iterations, "{iterations}");
+        let warm = warm.profile(&rougher, &operation);
+        let worst_N = warm.contact_force_N.iter().zip(&cold.contact_force_N);
+        let worst_N = worst_N.map(|(warm_N, cold_N)| (warm_N - cold_N).abs()).fold(0.0, f64::max);
+        let hook_N = (warm.scalars.hook_load_N - cold.scalars.hook_load_N).abs();
+        assert!(hook_N < 1e-10 * cold.scalars.hook_load_N, "{hook_N}");
+        assert!(worst_N < 1e-10 * cold.scalars.side_force_total_N, "{worst_N}");
+    }
+    // Deeper by a joint, the state goes down with the string.
+    let (shorter, shallower) = build_and_drop(0.3, 890.4);
+    let near = stiff::equilibrium(&shorter, &shallower, &settings).expect("an equilibrium");
+    let warm = stiff::equilibrium_near(&model, &operation, &settings, &near).expect("one");
+    let cold = solve(&model, &operation, &settings);
+    let warm = warm.profile(&model, &operation);
+    let hook_N = (warm.scalars.hook_load_N - cold.scalars.hook_load_N).abs();
+    assert!(hook_N < 1e-10 * cold.scalars.hook_load_N, "{hook_N}");
+}
+
+/// 2000 m of level hole beyond the helix: the string locks up, and the error says so. Without friction
+/// the same push goes through, and less of it does with friction.
+#[test]
+fn a_string_that_locks_up_is_told_from_one_that_is_not_found() {
+    let solve = |friction: f64, weight_on_bit_N: f64| {
+        let stations = [[0.0, 90.0, 0.0], [2000.0, 90.0, 0.0]];
+        let path = common::path(&stations, Interpolation::MinimumCurvature);
+        let pipe = ComponentSpec::uniform(
+            "pipe",
+            0.127,
+            0.1086,
+            ComponentLength::ToSurface,
+            common::steel(),
+        );
+        let hole = common::open_hole(0.2159, friction, 2000.0);
+        let model = common::model(path, hole, vec![pipe], common::mud(1200.0), 2000.0);
+        let slide = Operation { weight_on_bit_N, ..Operation::slide(2000.0) };
+        let settings = StiffSettings {
+            element_length: ElementLength::Uniform(5.0),
+            ..StiffSettings::default()
+        };
+        stiff::solve(&model, &slide, &settings)
+    };
+    let locked = solve(0.5, 300e3).expect_err("no equilibrium");
+    let StiffError::LocksUp { md_m } = locked else { panic!("{locked}") };
+    assert!((0.0..2000.0).contains(&md_m), "{md_m}");
+    assert!(locked.to_string().contains("locks up at MD"), "{locked}");
+    solve(0.3, 50e3).expect("an equilibrium");
+}
