@@ -1,5 +1,6 @@
 //! Numbers of the cases, compared with given ones.
 
+use wholestring::outcome::ModelKind;
 use wholestring_units::Dimension;
 
 use crate::{
@@ -49,6 +50,8 @@ pub struct Row {
     pub less: Option<Selection>,
     /// Divide by the same of the case with these values.
     pub over: Option<Selection>,
+    /// Divide by the same of this model.
+    pub over_model: Option<ModelKind>,
     /// Report the shape of the numbers along a key.
     pub along: Option<(String, Shape)>,
     /// What it is compared with.
@@ -85,6 +88,10 @@ impl Row {
     /// What the number measures; none for a bare one.
     pub fn dimension(&self) -> Option<Dimension> {
         let bare = matches!(self.along, Some((_, Shape::Linearity | Shape::Growth)));
-        self.number.quantity.column.dimension.filter(|_| !bare && self.over.is_none())
+        self.number
+            .quantity
+            .column
+            .dimension
+            .filter(|_| !bare && self.over.is_none() && self.over_model.is_none())
     }
 }

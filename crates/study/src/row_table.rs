@@ -1,5 +1,7 @@
 //! `[[table.row]]` as files write it.
 
+use wholestring::outcome::ModelKind;
+use wholestring_case::rules::ModelRule;
 use wholestring_config::prelude::*;
 
 use crate::{
@@ -44,6 +46,8 @@ table! {
         less: Selection = optional(SelectionRule);
         /// Divide by the same of another case, which differs in these keys.
         over: Selection = optional(SelectionRule);
+        /// Divide by the same of this model in the same case.
+        over_model: ModelKind = optional(ModelRule);
         /// Key whose values give a row of numbers, of which `shape` is reported.
         along: String = optional(Text);
         /// What is reported of the numbers along a key: "linearity" (share of their variance that a
@@ -117,6 +121,7 @@ impl RowTable {
             number,
             less,
             over,
+            over_model: self.over_model.optional()?.map(|model| model.value),
             along,
             wanted: Wanted::default(),
         };

@@ -67,6 +67,13 @@ fn computed(
         };
         value = if divide { value / other } else { value - other };
     }
+    if let Some(model) = row.over_model {
+        let (sweep, _, operation) = series;
+        let Some(other) = of_cases(row, &(*sweep, model, operation.clone()), results, only)? else {
+            return Ok(None);
+        };
+        value /= other;
+    }
     Ok(Some(value).filter(|value| value.is_finite()))
 }
 
