@@ -7,6 +7,8 @@ mod assemblies;
 mod buckled;
 mod friction;
 mod joints;
+mod motor;
+mod motor_in_turn;
 mod transition;
 
 use serde_json::Value;

@@ -29,6 +29,8 @@ struct Bent {
 pub(super) struct Bending {
     /// At the node, N·m.
     pub(super) at_node_N_m: Vec<f64>,
+    /// The same as a vector towards the centre of curvature.
+    pub(super) towards_N_m: Vec<Vector3<f64>>,
     /// Half-way to the next, N·m; at the bit nothing.
     pub(super) between_N_m: Vec<f64>,
     /// Sag half-way, m.
@@ -63,6 +65,7 @@ impl Bending {
                 (None, None) => Vector3::zeros(),
             };
             bending.at_node_N_m.push(moment.norm());
+            bending.towards_N_m.push(moment);
             bending.between_N_m.push(below.map_or(0.0, |of| of.half_way_N_m));
             bending.sag_m.push(below.map_or(0.0, |of| of.sag_m));
             bending.touches.push(below.map_or(0.0, |of| of.touches));

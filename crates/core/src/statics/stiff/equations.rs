@@ -110,11 +110,9 @@ impl Equations {
             diagonal[(0, 0)] = node.hold_N_per_m;
             diagonal[(1, 1)] = node.hold_N_per_m;
         }
-        let mut above = state.position_m(string, 0);
         for index in 0..string.elements.len() {
-            let below = state.position_m(string, index + 1);
-            self.add_element(string, state, index, below - above, torque_N_m);
-            above = below;
+            let chord_m = state.chord_m(string, index);
+            self.add_element(string, state, index, chord_m, torque_N_m);
         }
         self.hold_top(string);
     }
@@ -316,9 +314,8 @@ mod tests {
     /// Tensions that fit the shape.
     fn fit(string: &StringInHole, state: &mut State) {
         for (index, element) in string.elements.iter().enumerate() {
-            let [upper, lower] = [index, index + 1].map(|node| state.position_m(string, node));
             let directors = [element.seen(&state.heading[index]), state.heading[index + 1].along];
-            let ends = Ends { chord_m: lower - upper, directors };
+            let ends = Ends { chord_m: state.chord_m(string, index), directors };
             let longer_m = ends.longer_m(&element.stiffness) - element.slack_m;
             state.tension_N[index] = element.stiffness.axial * longer_m;
         }

@@ -2,6 +2,7 @@
 //! clearance counted, contact found.
 
 mod active_set;
+mod axis;
 mod barrier;
 mod bending;
 mod blocks;
@@ -18,8 +19,10 @@ mod state;
 mod string_in_hole;
 mod wall;
 
+pub use axis::StringAxis;
 pub use equilibrium::Convergence;
 pub use error::StiffError;
 pub use profile::StiffProfile;
 pub use settings::{End, StiffSettings};
 pub use solve::solve;
+pub(crate) use solve::solve_on;

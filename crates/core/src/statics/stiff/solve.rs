@@ -17,7 +17,7 @@ use crate::{
     operation::Operation,
     rod::mesh::Mesh,
     sizing::{ElementLength, Sizing},
-    statics::soft::{self, SoftSettings},
+    statics::soft::{self, SoftProfile, SoftSettings},
 };
 
 /// Forces out of balance that an equilibrium may have, as a part of the string's weight.
@@ -62,6 +62,22 @@ pub fn solve(
     Ok(StiffProfile::new(model, operation, &equilibrium))
 }
 
+/// The same with elements that are given: those of the whole string, or of its lower end alone, whose
+/// top then is on the hole's axis. `soft` is the soft string of the operation.
+///
+/// # Errors
+/// An equilibrium that was not found.
+pub(crate) fn solve_on(
+    model: &Model,
+    operation: &Operation,
+    settings: &StiffSettings,
+    soft: &SoftProfile,
+    mesh: Mesh,
+) -> Result<StiffProfile, StiffError> {
+    let equilibrium = equilibrium_on(model, operation, settings, soft, mesh)?;
+    Ok(StiffProfile::new(model, operation, &equilibrium))
+}
+
 pub(super) fn equilibrium(
     model: &Model,
     operation: &Operation,
@@ -73,7 +89,17 @@ pub(super) fn equilibrium(
         ElementLength::Auto(accuracy) => Sizing::auto(model, &[*operation], accuracy)?,
     };
     let mesh = Mesh::new(&model.string, &sizing.refined(settings.refinement));
-    let string = StringInHole::new(model, operation, settings, &mesh, &soft);
+    equilibrium_on(model, operation, settings, &soft, mesh)
+}
+
+fn equilibrium_on(
+    model: &Model,
+    operation: &Operation,
+    settings: &StiffSettings,
+    soft: &SoftProfile,
+    mesh: Mesh,
+) -> Result<Equilibrium, StiffError> {
+    let string = StringInHole::new(model, operation, settings, &mesh, soft);
     let mut equations = Equations::new(string.nodes.len());
     let mut iterations = 0;
     let mut state = State::centred(&string);

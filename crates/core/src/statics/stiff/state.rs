@@ -69,6 +69,18 @@ impl State {
         }
     }
 
+    /// From the upper node of an element to its lower one, m. Of the anchors, thousands of metres from
+    /// where they are measured from, no digit is lost: the stiffness of a short element would make
+    /// newtons of it.
+    pub(super) fn chord_m(&self, string: &StringInHole, element: usize) -> Vector3<f64> {
+        let moved = |index: usize| {
+            let node = &string.nodes[index];
+            let u = &self.offset_m[index];
+            node.axes[0] * u.x + node.axes[1] * u.y + node.axes[2] * u.z
+        };
+        string.elements[element].chord_m + (moved(element + 1) - moved(element))
+    }
+
     /// Where a node is.
     pub(super) fn position_m(&self, string: &StringInHole, index: usize) -> Vector3<f64> {
         let node = &string.nodes[index];

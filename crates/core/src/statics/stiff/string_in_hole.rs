@@ -61,6 +61,8 @@ impl Node {
 pub(super) struct Element {
     /// Its stiffness.
     pub(super) stiffness: Stiffness<f64>,
+    /// From the anchor of its upper node to that of its lower one, m.
+    pub(super) chord_m: Vector3<f64>,
     /// `g` of the element without tension, m: on the hole's axis it has the soft string's tension.
     pub(super) slack_m: f64,
     /// That tension, N.
@@ -174,13 +176,12 @@ impl StringInHole {
                 let middle_m = 0.5 * (depths[index] + depths[index + 1]);
                 let guess_N = soft.tension_at_N(middle_m);
                 let (upper, lower) = (&nodes[index], &nodes[index + 1]);
-                let centred = Ends {
-                    chord_m: lower.anchor_m - upper.anchor_m,
-                    directors: [upper.axes[2], lower.axes[2]],
-                };
+                let chord_m = lower.anchor_m - upper.anchor_m;
+                let centred = Ends { chord_m, directors: [upper.axes[2], lower.axes[2]] };
                 Element {
                     slack_m: centred.longer_m(&stiffness) - guess_N / stiffness.axial,
                     stiffness,
+                    chord_m,
                     guess_N,
                     mud_torque_N_m: of.length_m * circulating[index].torque_N_m_per_m,
                     bend: None,
