@@ -56,6 +56,11 @@ impl Contact {
         self.force_N[0].hypot(self.force_N[1])
     }
 
+    /// Whether a force presses the same side of the hole.
+    fn same_side(&self, force_N: &[f64; 2]) -> bool {
+        self.force_N[0] * force_N[0] + self.force_N[1] * force_N[1] > 0.0
+    }
+
     fn begin(string: &DrillString, node: &AssemblyNode, touching: Touching) -> Self {
         Self {
             touching,
@@ -94,6 +99,7 @@ pub(super) fn contacts(string: &DrillString, nodes: &[AssemblyNode]) -> Vec<Cont
             Some(last)
                 if last.component == node.component
                     && last.touching == of
+                    && last.same_side(&node.push_N)
                     && (of == Touching::Blades
                         || last_node + 1 == index && of == Touching::Body) =>
             {

@@ -16,6 +16,9 @@ const PER_JOINT: f64 = 8.0;
 /// Elements of pipe without joints over those of the assembly.
 const PLAIN: f64 = 4.0;
 
+/// Blades no longer than this are a point, m; longer ones touch at both edges.
+const POINT_M: f64 = 0.1;
+
 /// How many elements on either side of the end of a contact are made shorter, and how much.
 const AROUND: f64 = 3.0;
 const SHORTER: f64 = 3.0;
@@ -88,6 +91,15 @@ pub(super) fn mesh(
             let to_m = next.map_or(f64::INFINITY, |next| next.from_bit_m);
             stretches.push(([one.from_bit_m, to_m], one.element_length_m));
         }
+    }
+    for span in model.string.spans().take_while(|span| span.from_bit_m < reach.assembly_m) {
+        let Some(blades) = span.component.blades.filter(|blades| blades.length_m > POINT_M) else {
+            continue;
+        };
+        let middle_m = 0.5 * (span.from_bit_m + span.to_bit_m);
+        let half_m = 0.5 * blades.length_m + element_m;
+        let ends_m = [(middle_m - half_m).max(0.0), middle_m + half_m];
+        stretches.push((ends_m, element_m.min(blades.length_m)));
     }
     for at_m in ends_m {
         let around_m = AROUND * element_m;
