@@ -40,7 +40,7 @@ pub(super) fn figure(bha: &Bha, of: &BhaSweep, shown: Shown<'_>) -> Figure {
         let (ink, shape) = (Ink::Text, Shape::Diamond);
         force.marks.push(Mark::Points { ink, shape, points });
         let places: Vec<String> =
-            of.zeros.iter().map(|zero| shown.quantity(rounded(*zero), &of.dimension)).collect();
+            of.zeros.iter().map(|zero| three(shown, *zero, &of.dimension)).collect();
         keys.push(key(&format!("holds at {}", places.join(", ")), Sample::Point(ink, shape)));
     }
     if let Some(now) = of.now {

@@ -66,7 +66,11 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Bha, Resul
 }
 
 fn column(table: &Table, name: &str) -> Vec<f64> {
-    numbers(table, name).iter().map(|value| value.unwrap_or(f64::NAN)).collect()
+    let numbers = numbers(table, name).iter().map(|value| value.unwrap_or(f64::NAN));
+    let mut column: Vec<f64> = numbers.collect();
+    // A table that lacks it has no numbers there.
+    column.resize(table.rows(), f64::NAN);
+    column
 }
 
 fn pair(table: &Table, high: &str, right: &str) -> [Vec<f64>; 2] {
