@@ -175,7 +175,7 @@ table! {
         /// lower end: `wholestring bha` gives the sag correction there. Default: it has none.
         survey_sensor: f64 = optional(Quantity::si(
             Dimension::Length,
-            Range::from_to(0.0, 20_000.0),
+            Range::from_to(0.0, 20_000.0).usual(0.05, 40.0),
             "4.2 m",
         ));
     }

@@ -1,5 +1,6 @@
 //! What an assembly at rest shows on the screen.
 
+use wholestring::statics::assembly::{Contact, Touching};
 use wholestring_results::{BhaPoint, BhaState, BhaSummary, BhaVaried};
 use wholestring_units::{Dimension, UnitSet};
 
@@ -71,7 +72,7 @@ fn bit(state: &BhaState, units: UnitSet) -> String {
             unit_of(label, dimension, units),
             number(high, dimension, units),
             number(right, dimension, units),
-            error.map_or("–".into(), |error| number(error, dimension, units)),
+            error.map_or("–".into(), |error| small(error, dimension, units)),
         ]);
     }
     table.text()
@@ -89,12 +90,20 @@ fn contacts(state: &BhaState, units: UnitSet) -> String {
         unit_of("side", Dimension::Angle, units),
     ];
     let mut table = Table::new("Contacts", 2, &headings.each_ref().map(String::as_str));
-    for of in state.contacts.iter().filter(|of| of.from_bit_m[0] <= state.length_m) {
-        let place_m = 0.5 * (of.from_bit_m[0] + of.from_bit_m[1]);
+    // Of jointed pipe the lowest joint.
+    let is_joint = |of: &Contact| of.touching == Touching::Joint;
+    let joint = state.contacts.iter().position(is_joint);
+    let shown = joint.map_or(state.contacts.len(), |joint| joint + 1);
+    for of in &state.contacts[..shown] {
+        let [low_m, high_m] = of.from_bit_m;
+        let mut place = number(low_m, Dimension::Length, units);
+        if high_m > low_m {
+            place = format!("{place} to {}", number(high_m, Dimension::Length, units));
+        }
         table.row(vec![
             of.name.clone(),
             of.touching.name().to_owned(),
-            number(place_m, Dimension::Length, units),
+            place,
             number(of.md_m, Dimension::Length, units),
             number(of.size_N(), Dimension::Force, units),
             number(of.force_N[0], Dimension::Force, units),
@@ -102,10 +111,9 @@ fn contacts(state: &BhaState, units: UnitSet) -> String {
             number(of.side_rad, Dimension::Angle, units),
         ]);
     }
-    let above = state.contacts.iter().filter(|of| of.from_bit_m[0] > state.length_m).count();
-    let more = match above {
+    let more = match state.contacts.len() - shown {
         0 => String::new(),
-        _ => format!("and {above} of the pipe above, which are in bha_contacts\n"),
+        more => format!("and {more} farther up, which are in bha_contacts\n"),
     };
     format!("{}{more}", table.text())
 }
@@ -207,6 +215,12 @@ fn holding(summary: &BhaSummary, units: UnitSet) -> String {
         );
     }
     text
+}
+
+/// One digit of an error, as large as it is.
+fn small(si: f64, dimension: Dimension, units: UnitSet) -> String {
+    let value = dimension.unit_in(units).from_si(si);
+    if value >= 1e-3 { number(si, dimension, units) } else { format!("{value:.0e}") }
 }
 
 /// Without zeros after its last decimal.

@@ -41,7 +41,7 @@ pub(super) fn figure(bha: &Bha, shown: Shown<'_>) -> Figure {
     };
     let moments: [Curve<'_>; 3] = [
         (0, Stroke::Solid, "size", &size),
-        (1, Stroke::Dashed, "centre of curvature to the high side", &bha.moment_N_m[0]),
+        (1, Stroke::Dashed, "to the high side", &bha.moment_N_m[0]),
         (2, Stroke::ShortDashed, "to the right", &bha.moment_N_m[1]),
     ];
     let stresses: [Curve<'_>; 2] = [

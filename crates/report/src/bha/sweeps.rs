@@ -32,8 +32,8 @@ pub(super) fn figure(bha: &Bha, of: &BhaSweep, shown: Shown<'_>) -> Figure {
     let key = |name: &str, sample| Key { name: name.into(), sample };
     let marked = |side: usize, stroke| Sample::Marked(Ink::Line(side), stroke, Shape::of(side));
     let mut keys = vec![
-        key("towards the high side: builds", marked(0, Stroke::Solid)),
-        key("to the right: turns right", marked(1, Stroke::Dashed)),
+        key("high side: builds", marked(0, Stroke::Solid)),
+        key("right: turns right", marked(1, Stroke::Dashed)),
     ];
     if !of.zeros.is_empty() {
         let points = of.zeros.iter().map(|zero| (at(*zero), 0.0)).collect();

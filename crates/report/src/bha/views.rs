@@ -45,8 +45,6 @@ fn largest_radius_m(bha: &Bha) -> f64 {
 pub(super) fn figure(bha: &Bha, shown: Shown<'_>) -> Figure {
     let times = exaggeration(bha);
     let times: f64 = format!("{times:.1e}").parse().unwrap_or(times);
-    let conditions = conditions(bha, shown);
-    let subtitle = format!("{conditions}; drawn about {times} times as wide as it is long");
     let to_m = shown_to_m(bha);
     let bend = bha.parts.iter().find_map(|part| part.bend_m);
     let marked = |ink| Sample::Point(ink, Shape::Tip);
@@ -59,11 +57,14 @@ pub(super) fn figure(bha: &Bha, shown: Shown<'_>) -> Figure {
     }
     let axis = Key { name: "axis of the string".into(), sample: Sample::Line(BODY, Stroke::Solid) };
     keys.push(axis);
-    keys.push(Key { name: "contact, and its force".into(), sample: marked(TOUCH) });
+    keys.push(Key { name: "contact force".into(), sample: marked(TOUCH) });
     if bend.is_some_and(|at| at <= to_m) {
         let sample = Sample::Point(Ink::Text, Shape::Diamond);
         keys.push(Key { name: "bend".into(), sample });
     }
+    // On a page it stands where the title does not.
+    let name = format!("drawn {times} times as wide as long");
+    keys.push(Key { name, sample: Sample::Words });
     let panels = vec![
         panel(bha, 0, "From the side, high side up", shown),
         panel(bha, 1, "From above, right side up", shown),
@@ -75,7 +76,7 @@ pub(super) fn figure(bha: &Bha, shown: Shown<'_>) -> Figure {
     shared.min_span = 0.0;
     Figure {
         title: bha.head.title.clone(),
-        subtitle,
+        subtitle: conditions(bha, shown),
         keys,
         layout: Layout::across(1, WIDTH_MM, PANEL_MM),
         shared,
@@ -133,10 +134,12 @@ impl View<'_> {
     fn walls(&self, half: f64) -> Vec<Mark> {
         let to_m = shown_to_m(self.bha);
         let nodes = self.bha.from_bit_m.iter().zip(&self.bha.hole_radius_m);
-        let nodes: Vec<(f64, f64)> = nodes
+        let mut nodes: Vec<(f64, f64)> = nodes
             .filter(|(at, _)| **at <= to_m)
             .map(|(at, radius)| (self.long(*at), self.wide(*radius)))
             .collect();
+        let last_m = self.at(&self.bha.hole_radius_m, to_m);
+        nodes.push((self.long(to_m), self.wide(last_m)));
         let mut marks = Vec::new();
         for sign in [1.0, -1.0] {
             let points = nodes.iter().map(|(at, radius)| (*at, sign * radius, sign * half));
@@ -193,10 +196,11 @@ impl View<'_> {
         }
         let to_m = shown_to_m(self.bha);
         let nodes = self.bha.from_bit_m.iter().zip(&self.bha.offset_m[self.side]);
-        let points = nodes
+        let mut points: Vec<(f64, f64)> = nodes
             .filter(|(at, _)| **at <= to_m)
             .map(|(at, offset)| (self.long(*at), self.wide(*offset)))
             .collect();
+        points.push((self.long(to_m), self.wide(self.offset_m(to_m))));
         marks.push(Mark::Curve { ink: BODY, stroke: Stroke::Solid, points });
         let bends = self.bha.parts.iter().filter_map(|part| part.bend_m);
         let points: Vec<(f64, f64)> = bends

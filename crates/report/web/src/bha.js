@@ -17,14 +17,17 @@ function drawn(id, title, name, ...notes) {
   return section(id, [title, downloads(title, { svg: there() ? file : null })], element, notes);
 }
 
+/** A table with its title, which one whose columns are quantities does not show itself. */
+const titled = (table) => (table.place === "cases" ? [el("h3", {}, table.title, tableDownloads(table)), pageTable(table)] : pageTable(table));
+
 const note = (text) => el("p", { class: "note" }, text);
 
 const VARIED = { toolface: "Tool face", weight: "Weight on bit", inclination: "Inclination" };
 
 /** Shows an assembly at rest. */
 export function bhaPage(report) {
-  const results = report.page_tables.filter((table) => table.place === "results");
-  const inputs = report.page_tables.filter((table) => table.place !== "results");
+  const results = report.page_tables.filter((table) => table.place !== "inputs");
+  const inputs = report.page_tables.filter((table) => table.place === "inputs");
   const [contacts, ...others] = results;
   const page = document.getElementById("page");
   page.append(
@@ -42,7 +45,7 @@ export function bhaPage(report) {
     section("contacts", ["Contacts", tableDownloads(contacts)], pageTable(contacts)),
     drawn("bending", "Bending", "bending"),
     ...report.sweeps.map(([name]) => drawn(name, VARIED[name] ?? name, name)),
-    section("results", "Numbers", others.map(pageTable)),
+    section("results", "Numbers", others.flatMap(titled)),
     ...(inputs.length ? [section("inputs", "Inputs, defaults included", inputs.map(pageTable))] : []),
     el(
       "footer",

@@ -46,7 +46,7 @@ pub const BHA_CONTACTS: &[ColumnSpec] = specs! {
 /// for each.
 pub const BHA_SWEEP: &[ColumnSpec] = specs! {
     "varied": Words, "What is varied: `toolface`, `weight` or `inclination`";
-    "message": Words, "Why there is no equilibrium; empty where there is one";
+    "message": Words, "Why there is no equilibrium";
     "toolface_rad": Angle, "Tool face of the lowest bend; `null` without one",
         null_where "no component has a bend";
     "weight_on_bit_N": Force, "Weight on bit";

@@ -3,9 +3,15 @@
 use wholestring_report::{Cell, PageTable, Place};
 use wholestring_results::{BhaState, BhaSummary, BhaVaried};
 
+/// Rows that each name a quantity.
+fn quantities(title: &str, rows: Vec<Vec<Cell>>) -> PageTable {
+    PageTable { place: Place::Results, ..of(title, &["", "Value"], rows) }
+}
+
+/// Columns of a quantity each.
 fn of(title: &str, heads: &[&str], rows: Vec<Vec<Cell>>) -> PageTable {
     PageTable {
-        place: Place::Results,
+        place: Place::Cases,
         title: title.into(),
         heads: heads.iter().map(|head| (*head).to_owned()).collect(),
         rows,
@@ -19,7 +25,8 @@ fn words(text: &str) -> Cell {
 /// What was found, as tables: the bit, contacts, sag, bending, accuracy, then what was varied.
 pub(super) fn page_tables(summary: &BhaSummary) -> Vec<PageTable> {
     let state = &summary.state;
-    let mut tables = vec![contacts(state), sag(state), largest(state), accuracy(state)];
+    let mut tables =
+        vec![contacts(state), sag(state), largest(state), solved(state), accuracy(state)];
     tables.extend(holding(summary));
     tables.extend(BhaVaried::ALL.iter().filter_map(|varied| sweep(summary, *varied)));
     tables
@@ -43,14 +50,18 @@ fn contacts(state: &BhaState) -> PageTable {
         "Component",
         "Touches with",
         "From the bit",
-        "Up to",
-        "Measured depth",
-        "Force on the wall",
-        "Towards the high side",
-        "To the right",
-        "Side: angle from the high side",
+        "To",
+        "MD",
+        "Force",
+        "High side",
+        "Right",
+        "Side",
     ];
-    of("Contacts, from the bit up", &heads, state.contacts.iter().map(row).collect())
+    of(
+        "Forces on the wall, and their angle from the high side, from the bit up",
+        &heads,
+        state.contacts.iter().map(row).collect(),
+    )
 }
 
 fn sag(state: &BhaState) -> PageTable {
@@ -79,35 +90,40 @@ fn sag(state: &BhaState) -> PageTable {
     if rows.is_empty() {
         let none = "No component has a survey_sensor: give its distance from the lower end of the \
                     component under [[string]]";
-        return of("Sag at the survey sensor", &["Sensor"], vec![vec![words(none)]]);
+        return quantities("Sag at the survey sensor", vec![vec![words(none), Cell::Nothing]]);
     }
     of("Sag at the survey sensor: measured + correction = hole", &heads, rows)
 }
 
 fn largest(state: &BhaState) -> PageTable {
-    let rows = [
-        ("Bending moment", "torque", state.largest_bending_moment_N_m),
-        ("Bending stress", "pressure", state.largest_bending_stress_Pa),
-        ("Von Mises stress", "pressure", state.largest_von_mises_stress_Pa),
+    let largest = [
+        ("Largest bending moment", "torque", state.largest_bending_moment_N_m),
+        ("Largest bending stress", "pressure", state.largest_bending_stress_Pa),
+        ("Largest von Mises stress", "pressure", state.largest_von_mises_stress_Pa),
     ];
-    let row =
-        |(name, dimension, largest): (&str, &str, wholestring::statics::assembly::Largest)| {
+    let rows = largest.into_iter().flat_map(|(name, dimension, largest)| {
+        [
+            vec![words(name), Cell::quantity(largest.value, dimension)],
             vec![
-                words(name),
-                Cell::quantity(largest.value, dimension),
+                words(&format!("{name}: distance from the bit")),
                 Cell::quantity(largest.from_bit_m, "length"),
-            ]
-        };
-    let heads = ["Largest of the assembly", "Value", "From the bit"];
-    of("Bending and stress", &heads, rows.map(row).to_vec())
+            ],
+        ]
+    });
+    quantities("Bending and stress of the assembly", rows.collect())
 }
 
-fn accuracy(state: &BhaState) -> PageTable {
-    let mut rows = vec![
+fn solved(state: &BhaState) -> PageTable {
+    let rows = vec![
         vec![words("Length of the assembly"), Cell::quantity(state.length_m, "length")],
         vec![words("Length that was solved"), Cell::quantity(state.solved_m, "length")],
         vec![words("Elements"), Cell::number(state.elements as f64)],
     ];
+    quantities("What was solved", rows)
+}
+
+fn accuracy(state: &BhaState) -> PageTable {
+    let mut rows = Vec::new();
     if let Some(errors) = state.errors {
         rows.extend([
             vec![words("Side force of the bit"), Cell::quantity(errors.side_force_N, "force")],
@@ -126,7 +142,7 @@ fn accuracy(state: &BhaState) -> PageTable {
             ],
         ]);
     }
-    of("Accuracy: what elements half as long change", &["Quantity", "Value"], rows)
+    quantities("Accuracy: what elements half as long change", rows)
 }
 
 fn holding(summary: &BhaSummary) -> Option<PageTable> {
@@ -147,7 +163,7 @@ fn holding(summary: &BhaSummary) -> Option<PageTable> {
             rows.push(vec![words(name), Cell::quantity(force_N, "force")]);
         }
     }
-    (!rows.is_empty()).then(|| of("Building, holding, dropping", &["Quantity", "Value"], rows))
+    (!rows.is_empty()).then(|| quantities("Building, holding, dropping", rows))
 }
 
 fn sweep(summary: &BhaSummary, varied: BhaVaried) -> Option<PageTable> {
