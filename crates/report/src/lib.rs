@@ -16,7 +16,7 @@ mod study;
 mod sweep;
 mod thin;
 
-pub use bha::{Bha, BhaContact, BhaPart, BhaSweep, bha_plots};
+pub use bha::{Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, bha_plots};
 pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
 pub use bottom::BottomPicture;
 pub use cell::Cell;

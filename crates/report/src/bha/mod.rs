@@ -80,12 +80,23 @@ pub struct BhaSweep {
     pub title: String,
     /// Its dimension.
     pub dimension: String,
-    /// The value, and side force (N) and tilt (rad) of the bit there.
-    pub points: Vec<(f64, [f64; 2], [f64; 2])>,
+    /// The bit at each value.
+    pub points: Vec<BhaSweepPoint>,
     /// The value that the case has.
     pub now: Option<f64>,
     /// Where the side force towards the high side is zero.
     pub zeros: Vec<f64>,
+}
+
+/// The bit at a value of something that was varied.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BhaSweepPoint {
+    /// The value.
+    pub value: f64,
+    /// Side force of the bit, N.
+    pub side_force_N: [f64; 2],
+    /// Tilt of the bit, rad.
+    pub tilt_rad: [f64; 2],
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Side force and tilt of the bit against what was varied.
 
 use super::{
-    Bha, BhaSweep,
+    Bha, BhaSweep, BhaSweepPoint,
     figures::{conditions, three},
 };
 use crate::{
@@ -11,13 +11,13 @@ use crate::{
 
 pub(super) fn figure(bha: &Bha, of: &BhaSweep, shown: Shown<'_>) -> Figure {
     let at = |value: f64| shown.value(value, &of.dimension);
-    let panel = |title: &str, dimension: &str, pair: fn(&(f64, [f64; 2], [f64; 2])) -> [f64; 2]| {
+    let panel = |title: &str, dimension: &str, pair: fn(&BhaSweepPoint) -> [f64; 2]| {
         let mut marks = Vec::new();
         for (side, stroke) in [(0, Stroke::Solid), (1, Stroke::Dashed)] {
             let points: Vec<(f64, f64)> = of
                 .points
                 .iter()
-                .map(|point| (at(point.0), shown.value(pair(point)[side], dimension)))
+                .map(|point| (at(point.value), shown.value(pair(point)[side], dimension)))
                 .collect();
             let ink = Ink::Line(side);
             marks.push(Mark::Curve { ink, stroke, points: points.clone() });
@@ -28,7 +28,7 @@ pub(super) fn figure(bha: &Bha, of: &BhaSweep, shown: Shown<'_>) -> Figure {
         }
         Panel::new(Axis::new(shown.label(title, dimension), Range::Zero), marks)
     };
-    let mut force = panel("Side force of the bit", "force", |point| point.1);
+    let mut force = panel("Side force of the bit", "force", |point| point.side_force_N);
     let key = |name: &str, sample| Key { name: name.into(), sample };
     let marked = |side: usize, stroke| Sample::Marked(Ink::Line(side), stroke, Shape::of(side));
     let mut keys = vec![
@@ -53,7 +53,7 @@ pub(super) fn figure(bha: &Bha, of: &BhaSweep, shown: Shown<'_>) -> Figure {
         keys,
         layout: Layout::across(2, 180.0, 62.0),
         shared: Axis::new(shown.label(&of.title, &of.dimension), Range::Tight),
-        panels: vec![force, panel("Tilt of the bit", "angle", |point| point.2)],
+        panels: vec![force, panel("Tilt of the bit", "angle", |point| point.tilt_rad)],
         hole: Vec::new(),
     }
 }

@@ -62,7 +62,13 @@ fn bha() -> Bha {
             name: "inclination".into(),
             title: "Inclination".into(),
             dimension: "angle".into(),
-            points: vec![(0.1, [1e3, 0.0], [0.01, 0.0]), (1.0, [-1e3, 0.0], [-0.01, 0.0])],
+            points: [(0.1, 1.0), (1.0, -1.0)]
+                .map(|(value, sign)| BhaSweepPoint {
+                    value,
+                    side_force_N: [sign * 1e3, 0.0],
+                    tilt_rad: [sign * 0.01, 0.0],
+                })
+                .to_vec(),
             now: None,
             zeros: vec![0.55],
         }],

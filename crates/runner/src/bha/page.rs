@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use wholestring_report::{Bha, BhaContact, BhaPart, BhaSweep, Cell, Fact, bha_html, bha_plots};
+use wholestring_report::{
+    Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, Cell, Fact, bha_html, bha_plots,
+};
 use wholestring_results::{BhaSummary, BhaVaried, ResultsError, ResultsFolder, Table};
 use wholestring_units::UnitSet;
 
@@ -107,10 +109,14 @@ fn sweep(summary: &BhaSummary, varied: BhaVaried) -> Option<BhaSweep> {
         ),
     };
     let points = summary.sweep.iter().filter(|point| point.varied == varied);
-    let points: Vec<(f64, [f64; 2], [f64; 2])> = points
+    let points: Vec<BhaSweepPoint> = points
         .filter_map(|point| {
             let found = point.found?;
-            Some((point.value(), found.side_force_N, found.tilt_rad))
+            Some(BhaSweepPoint {
+                value: point.value(),
+                side_force_N: found.side_force_N,
+                tilt_rad: found.tilt_rad,
+            })
         })
         .collect();
     let title = match summary.build_rate_rad_per_m {
