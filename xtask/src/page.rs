@@ -1,4 +1,4 @@
-//! The pages of a run, a sweep, a study and a bit test: whether their committed bundle is what its
+//! The pages of a run, a sweep, an assembly, a study and a bit test: whether their committed bundle is what its
 //! sources make, and whether they work in a browser.
 
 use std::{
@@ -55,6 +55,7 @@ pub(crate) fn browser() -> Result<Finding, Failure> {
     works(&target().join("run-page"), &browser, "findings.mjs")?;
     let varied = ["--set", NASTY, "--vary", "friction=0.2,0.3", "--vary", "bit_depth=300m,600m"];
     page(["sweep", SLANT], &varied, &browser, "sweep.mjs")?;
+    page(["bha", "cases/bent-motor.toml"], &["--set", NASTY], &browser, "bha.mjs")?;
     let study = "studies/friction-on-a-slant.toml";
     page(["study", study], &["--png"], &browser, "study.mjs")?;
     let made_up = target().join("bit-test-page");

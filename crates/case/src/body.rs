@@ -1,4 +1,4 @@
-//! What a component has that turns with it: a bend, steel off the axis.
+//! What a component has in its body: a bend, steel off the axis, a survey sensor.
 
 use wholestring::string::{
     BodyBend, Cavity, ComponentLength, ComponentSpec, Eccentricity, MAX_ECCENTRIC,
@@ -10,11 +10,28 @@ use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned};
 use crate::component::{ComponentTable, mm};
 
 impl ComponentTable {
-    /// Gives `component` its bend and its eccentricity.
+    /// Gives `component` its bend, its eccentricity and its sensor.
     pub(crate) fn body(&self, component: &mut ComponentSpec, reader: &mut Reader) -> Option<()> {
         component.bend = self.bend(component, reader)?;
         component.eccentricity = self.eccentricity(component, reader)?;
+        component.survey_sensor_m = self.survey_sensor(component, reader)?;
         Some(())
+    }
+
+    fn survey_sensor(&self, component: &ComponentSpec, reader: &mut Reader) -> Option<Option<f64>> {
+        let Some(at) = self.survey_sensor.optional()? else {
+            return Some(None);
+        };
+        if let ComponentLength::Metres(length_m) = component.length
+            && at.value > length_m
+        {
+            let length = self.length.at()?;
+            return Diagnostic::error("the survey sensor is not on its component")
+                .at(at.place, format!("expected {} m at most", number_text(length_m)))
+                .at(length.place, "the component's length")
+                .refuse(reader);
+        }
+        Some(Some(at.value))
     }
 
     fn bend(&self, component: &ComponentSpec, reader: &mut Reader) -> Option<Option<BodyBend>> {

@@ -171,6 +171,13 @@ table! {
         /// axis, a slot, a worn side), which makes up for part of it, or "sealed" (an empty
         /// pocket). Default: "mud".
         eccentricity_cavity: Cavity = optional(cavity());
+        /// Distance of its survey sensor (the directional sensor of an MWD) from the component's
+        /// lower end: `wholestring bha` gives the sag correction there. Default: it has none.
+        survey_sensor: f64 = optional(Quantity::si(
+            Dimension::Length,
+            Range::from_to(0.0, 20_000.0).usual(0.05, 40.0),
+            "4.2 m",
+        ));
     }
 }
 

@@ -70,7 +70,7 @@ pub use records::Records;
 pub use schema::schema;
 pub use steel::STEEL_DENSITY_KG_PER_M3;
 pub use template::{Template, load};
-pub use vary::Variation;
+pub use vary::{Variation, read_values};
 pub use wholestring_config::{
     diagnostic::{Diagnostic, Label, Report, Severity},
     source::{Disk, Files, InMemory, Source, Span, read_file},

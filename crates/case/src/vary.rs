@@ -64,6 +64,42 @@ impl Variation {
     }
 }
 
+/// Reads the quantities of an option of a front, such as `--weight 20kN..120kN/20kN`: one, several
+/// parted by commas, or ranges `FROM..TO/STEP` as a [`Variation`] has them, in a dimension, SI.
+///
+/// ```
+/// use wholestring_case::read_values;
+/// use wholestring_units::Dimension;
+///
+/// let metres = read_values("--depth", "300m..1000m/300m", Dimension::Length)?;
+/// assert_eq!(metres, [300.0, 600.0, 900.0, 1000.0]);
+/// let mistaken = read_values("--depth", "300m,2kN", Dimension::Length).unwrap_err();
+/// assert!(mistaken.render(false).contains("`2kN`"));
+/// # Ok::<(), wholestring_case::Report>(())
+/// ```
+///
+/// # Errors
+/// A report of a mistake, underlined.
+pub fn read_values(option: &str, values: &str, dimension: Dimension) -> Result<Vec<f64>, Report> {
+    let mut reader = Reader::default();
+    let text = Text::after(&format!("{option} "), values, &mut reader);
+    let found = text.values(option, values, &mut reader);
+    let mut numbers = Vec::new();
+    for value in found.iter().flat_map(Variation::bare_values) {
+        match dimension.parse(value) {
+            Ok(number) if number.is_finite() => numbers.push(number),
+            Ok(_) => {}
+            Err(error) => {
+                let place = text.place(text.start, text.quoted.len());
+                let message = format!("`{}` is no {}", short(value), dimension.name());
+                Diagnostic::error(message).at(place, error.to_string()).report(&mut reader);
+                break;
+            }
+        }
+    }
+    if reader.has_errors() { Err(reader.into_report()) } else { Ok(numbers) }
+}
+
 impl Variation {
     /// The values without quotes.
     pub fn bare_values(&self) -> impl Iterator<Item = &str> {
@@ -119,7 +155,10 @@ struct Text {
 
 impl Text {
     fn new(argument: &str, reader: &mut Reader) -> Self {
-        let prefix = "--vary ";
+        Self::after("--vary ", argument, reader)
+    }
+
+    fn after(prefix: &str, argument: &str, reader: &mut Reader) -> Self {
         let quoted = format!("{prefix}{argument}");
         Self { source: reader.add_source(COMMAND_LINE, &quoted), quoted, start: prefix.len() }
     }
@@ -143,8 +182,14 @@ impl Text {
                     .refuse(reader);
             }
         };
+        self.values(key, values, reader)
+    }
+
+    /// The values that stand at the end of it, of a key that stands at its beginning.
+    fn values(&self, key: &str, values: &str, reader: &mut Reader) -> Option<Variation> {
         let key_start = self.start + key.len() - key.trim_start().len();
         let key = key.trim();
+        let key_end = (key_start + key.len()).min(self.quoted.len());
         let mut variation = Variation { key: key.to_owned(), values: Vec::new() };
         let values_start = self.quoted.len() - values.len();
         let mut valid = true;
@@ -154,7 +199,7 @@ impl Text {
             let quote = Quote {
                 name: COMMAND_LINE.into(),
                 text: self.quoted.as_str().into(),
-                key: key_start..key_start + key.len(),
+                key: key_start.min(key_end)..key_end,
                 value: start..start + element.len(),
                 verbatim: true,
             };

@@ -32,11 +32,14 @@ pub(crate) enum Command {
     Sweep(SweepArgs),
     /// Try the bit alone on its rock under every weight at every speed
     BitTest(BitTestArgs),
+    /// The bottom-hole assembly at rest: side force and tilt of the bit, contacts, bending, sag
+    Bha(BhaArgs),
     /// Solve the cases of a study and make its figures and tables
     Study(StudyArgs),
-    /// Make the report of a run, a sweep or a bit test again
+    /// Make the report of a run, a sweep, a bit test or an assembly again
     Report(ReportArgs),
-    /// Draw what a run, a sweep or a bit test left as SVG files; a second run on the same axes
+    /// Draw what a run, a sweep, a bit test or an assembly left as SVG files; a second run on the
+    /// same axes
     Plot(PlotArgs),
     /// Position and dogleg severity along a survey
     Survey(SurveyArgs),
@@ -141,7 +144,7 @@ impl RunArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ReportArgs {
-    /// Folder that a run, a sweep or a bit test wrote to
+    /// Folder that a run, a sweep, a bit test or an assembly wrote to
     #[arg(value_name = "DIR")]
     pub(crate) folder: PathBuf,
 
@@ -152,7 +155,7 @@ pub(crate) struct ReportArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct PlotArgs {
-    /// Folder that a run, a sweep or a bit test wrote to, or those of two runs
+    /// Folder that a run, a sweep, a bit test or an assembly wrote to, or those of two runs
     #[arg(value_name = "DIR", required = true, num_args = 1..=2)]
     pub(crate) folders: Vec<PathBuf>,
 
@@ -244,6 +247,74 @@ pub(crate) struct BitTestArgs {
 
     #[command(flatten)]
     pub(crate) batch: BatchArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BhaArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    /// The operation: drill, slide, trip_out, ... [default: the case's first one that drills]
+    #[arg(long, value_name = "KIND")]
+    pub(crate) operation: Option<String>,
+
+    /// Tool faces of the bend, such as `90deg` or `0deg..360deg/15deg` (a range always includes its
+    /// end) [default: a revolution in steps of 15 deg]
+    #[arg(long, value_name = "ANGLES")]
+    pub(crate) toolface: Option<String>,
+
+    /// Weights on bit, such as `20kN..120kN/20kN` [default: seven up to 1.5 times the operation's]
+    #[arg(long, value_name = "FORCES")]
+    pub(crate) weight: Option<String>,
+
+    /// Inclinations of a straight hole, such as `5deg..90deg/5deg` [default: these]
+    #[arg(long, value_name = "ANGLES")]
+    pub(crate) inclination: Option<String>,
+
+    /// Rate at which the holes of --inclination build down to the bit, such as `2deg/30m`; negative
+    /// where they drop [default: 0, straight]
+    #[arg(long, value_name = "RATE", allow_hyphen_values = true)]
+    pub(crate) build: Option<String>,
+
+    /// Solve the whole string, not only the assembly and 100 m of pipe above it
+    #[arg(long)]
+    pub(crate) whole: bool,
+
+    /// Points that are solved side by side [default: one per core]
+    #[arg(short, long, value_name = "N")]
+    pub(crate) jobs: Option<NonZeroUsize>,
+
+    // Not a doc comment, which would read `<case name>` as HTML.
+    #[arg(
+        short,
+        long,
+        value_name = "DIR",
+        help = "Folder for the results [default: out/<case name> bha]"
+    )]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Replace what lies in the folder: the results of another case
+    #[arg(long)]
+    pub(crate) overwrite: bool,
+
+    /// Units on the screen [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+
+    /// Write the tables as CSV too
+    #[arg(long)]
+    pub(crate) csv: bool,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+impl BhaArgs {
+    /// Where the results go.
+    pub(crate) fn output(&self) -> Output {
+        Output { folder: self.output.clone(), existing: existing(false, self.overwrite) }
+    }
 }
 
 #[derive(Debug, Args)]

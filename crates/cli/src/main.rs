@@ -2,6 +2,7 @@
 
 mod args;
 mod bench;
+mod bha;
 mod bit_test;
 mod catalogue;
 mod check;
@@ -41,6 +42,7 @@ fn main() -> ExitCode {
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
         Command::BitTest(args) => bit_test::bit_test(&args),
+        Command::Bha(args) => bha::bha(&args),
         Command::Study(args) => study::study(&args),
         Command::Report(args) => report::report(&args),
         Command::Plot(args) => plot::plot(&args),

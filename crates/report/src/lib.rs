@@ -1,6 +1,7 @@
 //! Pictures of what a run leaves: figures as SVG and PNG, and all of it as a page.
 #![warn(missing_docs)]
 
+mod bha;
 mod bit_test;
 mod bottom;
 mod cell;
@@ -15,13 +16,14 @@ mod study;
 mod sweep;
 mod thin;
 
+pub use bha::{Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, bha_plots};
 pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
 pub use bottom::BottomPicture;
 pub use cell::Cell;
 pub use draw::Drawing;
 pub use finding::{Finding, Level};
 pub use packed::Packed;
-pub use page::{bit_test_html, report_html, sweep_html};
+pub use page::{bha_html, bit_test_html, report_html, sweep_html};
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,
     drill_off_columns, frame_columns, plots, profile, shown_dimension, spectrum_dimension,

@@ -4,7 +4,8 @@ use serde::Serialize;
 use wholestring::outcome::Method;
 
 use crate::{
-    BitTest, BottomPicture, PageHead, PageTable, Plot, Report, Sweep, bit_test_plots,
+    Bha, BitTest, BottomPicture, PageHead, PageTable, Plot, Report, Sweep, bha_plots,
+    bit_test_plots,
     draw::palette,
     plots::{
         SETS,
@@ -190,6 +191,38 @@ pub fn bit_test_html(test: &BitTest) -> String {
         }
     }
     page(&test.head.title, &test.head.program, &data, &rest, PROGRAM)
+}
+
+/// What the program of an assembly's page reads.
+#[derive(Serialize)]
+struct BhaData<'a> {
+    #[serde(flatten)]
+    head: &'a PageHead,
+    message: Option<&'a str>,
+    page_tables: &'a [PageTable],
+    /// Name and title of each picture of what was varied.
+    sweeps: Vec<[&'a str; 2]>,
+}
+
+/// The page of an assembly at rest as the text of an HTML file: its figures in every set of units, and
+/// the tables.
+///
+/// No name in it can end the element that it stands in, whatever it holds.
+pub fn bha_html(bha: &Bha) -> String {
+    let data = BhaData {
+        head: &bha.head,
+        message: bha.message.as_deref(),
+        page_tables: &bha.page_tables,
+        sweeps: bha.sweeps.iter().map(|of| [of.name.as_str(), of.title.as_str()]).collect(),
+    };
+    let mut rest = licences();
+    for units in SETS {
+        for plot in bha_plots(bha, units) {
+            rest += "\n";
+            rest += &template(&plot.name.clone(), units, Some(plot));
+        }
+    }
+    page(&bha.head.title, &bha.head.program, &data, &rest, PROGRAM)
 }
 
 /// What stands on the page where JavaScript does not run.

@@ -5,6 +5,8 @@
 //! apply, and appear whole or not at all: each is written beside its final name and then renamed.
 #![warn(missing_docs)]
 
+mod bha;
+mod bha_tables;
 mod bit_test;
 mod bit_test_table;
 mod checkpoint;
@@ -27,9 +29,14 @@ mod summary;
 mod table;
 mod thrift;
 
+pub use bha::{BHA_VERSION, BhaFound, BhaPart, BhaPoint, BhaState, BhaSummary, BhaVaried};
+pub use bha_tables::{bha_contacts_table, bha_sweep_table, bha_table};
 pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
 pub use bit_test_table::bit_test_table;
-pub use columns::{BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
+pub use columns::{
+    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES,
+    SPECTRA, TIME, WEAR,
+};
 pub use digest::digest;
 pub use error::ResultsError;
 pub use finding::{Finding, Level};

@@ -3,7 +3,8 @@
 use std::{env, fs, path::Path};
 
 use wholestring_results::{
-    BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR,
+    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES,
+    SPECTRA, TIME, WEAR,
 };
 
 fn rows(columns: &[ColumnSpec]) -> String {
@@ -39,6 +40,9 @@ fn the_page_lists_every_column() {
         ("contact", CONTACT),
         ("bit-test", BIT_TEST),
         ("bottom_hole", BOTTOM_HOLE),
+        ("bha", BHA),
+        ("bha_contacts", BHA_CONTACTS),
+        ("bha_sweep", BHA_SWEEP),
     ] {
         expected = with_table(&expected, name, &rows(columns));
     }

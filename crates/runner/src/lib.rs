@@ -11,6 +11,7 @@
 //! | [`run`] | one case, operation after operation |
 //! | [`sweep`] | a case with all combinations of some values |
 //! | [`study`] | cases and sweeps, with the figures and tables to make of them |
+//! | [`bha`] | the bottom-hole assembly at rest |
 //! | [`bit_test`] | the bit alone on its rock |
 //! | [`mod@bench`] | the measurement of a machine's speed at all this |
 //!
@@ -44,6 +45,7 @@
 
 mod batch;
 pub mod bench;
+pub mod bha;
 pub mod bit_test;
 mod cancellation;
 mod catalogue;

@@ -3,12 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use wholestring_report::{
-    Plot, Report, Run, Spectrum, bit_test_plots, common_operations, plots, sweep_plots,
+    Plot, Report, Run, Spectrum, bha_plots, bit_test_plots, common_operations, plots, sweep_plots,
 };
 use wholestring_results::Summary;
 use wholestring_units::UnitSet;
 
 use crate::{
+    bha::page as bha,
     bit_test::page as bit_test,
     error::Error,
     folder_name::file_name,
@@ -31,6 +32,13 @@ pub fn pictures(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Vec<Plot>
         }
         _ if are_bit_tests => {
             return Err(bad("a bit test cannot be overlaid with anything"));
+        }
+        ([folder], _) if bha::is_bha(folder) => {
+            let found = bha::gather(folder, units).map_err(bad)?;
+            bha_plots(&found, &found.head.units)
+        }
+        _ if folders.iter().any(|of| bha::is_bha(of)) => {
+            return Err(bad("an assembly at rest cannot be overlaid with anything"));
         }
         ([folder], [true]) => {
             let sweep = sweep::gather(folder, units).map_err(bad)?;

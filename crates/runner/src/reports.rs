@@ -6,6 +6,7 @@ use wholestring_results::ResultsFolder;
 use wholestring_units::UnitSet;
 
 use crate::{
+    bha::page as bha,
     bit_test::page as bit_test,
     error::Error,
     page::{FILE, lacking, page},
@@ -26,6 +27,10 @@ pub fn write_report(folder: &Path, units: Option<UnitSet>) -> Result<PathBuf, Er
         Some(ResultsKind::BitTest) => {
             let test = bit_test::gather(folder, units).map_err(|error| bad(&error))?;
             bit_test::write(&results()?, &test)?;
+        }
+        Some(ResultsKind::Bha) => {
+            let found = bha::gather(folder, units).map_err(|error| bad(&error))?;
+            bha::write(&results()?, &found)?;
         }
         Some(ResultsKind::Run) => {
             if let Some(lacking) = lacking(folder).map_err(|error| bad(&error))? {

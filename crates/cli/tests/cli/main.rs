@@ -1,6 +1,7 @@
 //! The program as a user meets it: what it prints, what it writes and how it ends.
 
 mod bench;
+mod bha;
 mod bit_test;
 mod catalogue;
 mod check;

@@ -74,6 +74,7 @@ impl<'a> From<&'a StiffProfile> for Solution<'a> {
             hydraulics,
             bit_side_force_N: _,
             bit_tilt_rad: _,
+            axis: _,
             convergence: _,
         } = of;
         Self {

@@ -32,6 +32,33 @@ impl Sizing {
         Self { intervals }
     }
 
+    /// The shortest of the lengths that stretches of the string ask for, each with its lower and
+    /// its upper end from the bit, m, and its length, m. Together they ask for all of the string.
+    pub fn shortest(stretches: &[([f64; 2], f64)], reason: SizeReason) -> Self {
+        let mut places: Vec<f64> = stretches.iter().flat_map(|(ends_m, _)| *ends_m).collect();
+        places.retain(|place_m| place_m.is_finite());
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        let mut intervals: Vec<SizedInterval> = Vec::new();
+        for (index, from_bit_m) in places.iter().enumerate() {
+            let to_m = places.get(index + 1).copied().unwrap_or(from_bit_m + 1.0);
+            let middle_m = 0.5 * (from_bit_m + to_m);
+            let here = stretches
+                .iter()
+                .filter(|([low_m, high_m], _)| (*low_m..*high_m).contains(&middle_m));
+            let lengths = here.map(|(_, length_m)| *length_m);
+            let element_length_m = lengths.fold(f64::INFINITY, f64::min);
+            if !element_length_m.is_finite() {
+                continue;
+            }
+            if intervals.last().is_none_or(|last| last.element_length_m != element_length_m) {
+                let from_bit_m = *from_bit_m;
+                intervals.push(SizedInterval { from_bit_m, element_length_m, reason });
+            }
+        }
+        Self { intervals }
+    }
+
     /// The same with every length divided by `refinement`: for convergence studies.
     #[must_use]
     pub fn refined(mut self, refinement: u32) -> Self {

@@ -145,7 +145,7 @@ fn joint_m(component: &Component) -> Option<f64> {
 /// Upper end of the bottom-hole assembly, from the bit, m: where ordinary drill pipe begins, which
 /// has joints unless nothing in the string has. None of a string that is the same from end to end
 /// is an assembly.
-fn assembly_top_m(model: &Model) -> f64 {
+pub(crate) fn assembly_top_m(model: &Model) -> f64 {
     let components = model.string.components();
     let any_jointed = components.iter().any(|one| joint_m(one).is_some());
     let may_be = |one: &Component| {

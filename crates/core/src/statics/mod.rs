@@ -1,5 +1,6 @@
 //! Static torque and drag.
 
+pub mod assembly;
 pub mod buckling;
 mod circulation;
 mod sliding;

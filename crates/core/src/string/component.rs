@@ -51,6 +51,9 @@ pub struct Component {
     pub bend: Option<BodyBend>,
     /// Steel off the axis.
     pub eccentricity: Option<Eccentricity>,
+    /// Distance of its survey sensor from the lower end, m, if it holds one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub survey_sensor_m: Option<f64>,
 }
 
 /// Area of a ring, m².
@@ -79,6 +82,7 @@ impl Component {
             yield_strength_Pa: None,
             bend: None,
             eccentricity: None,
+            survey_sensor_m: None,
         }
     }
 

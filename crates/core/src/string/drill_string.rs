@@ -57,6 +57,24 @@ impl DrillString {
             .sum()
     }
 
+    /// The tool face of its lowest bend, rad, if it has any.
+    pub fn toolface_rad(&self) -> Option<f64> {
+        self.components.iter().find_map(|one| one.bend).map(|bend| bend.toolface_rad)
+    }
+
+    /// The same string turned until its lowest bend stands at a tool face, rad; other bends turn
+    /// with it.
+    #[must_use]
+    pub fn at_toolface(&self, toolface_rad: f64) -> Self {
+        let mut turned = self.clone();
+        if let Some(before_rad) = self.toolface_rad() {
+            for bend in turned.components.iter_mut().filter_map(|one| one.bend.as_mut()) {
+                bend.toolface_rad += toolface_rad - before_rad;
+            }
+        }
+        turned
+    }
+
     /// The component at a distance from the bit, and its place counted from the bit.
     ///
     /// Between two components it is the upper one; below the bit it is the bit, above the surface

@@ -39,6 +39,8 @@ pub struct ComponentSpec {
     pub bend: Option<BodyBend>,
     /// Steel off the axis.
     pub eccentricity: Option<Eccentricity>,
+    /// Distance of its survey sensor from the lower end, m, if it holds one.
+    pub survey_sensor_m: Option<f64>,
 }
 
 impl ComponentSpec {
@@ -62,6 +64,7 @@ impl ComponentSpec {
             yield_strength_Pa: None,
             bend: None,
             eccentricity: None,
+            survey_sensor_m: None,
         }
     }
 
@@ -78,6 +81,7 @@ impl ComponentSpec {
             yield_strength_Pa: self.yield_strength_Pa,
             bend: self.bend,
             eccentricity: self.eccentricity,
+            survey_sensor_m: self.survey_sensor_m,
         }
     }
 
@@ -126,6 +130,10 @@ impl ComponentSpec {
             let small = (0.0..=most).contains(&offset);
             fields.push(("eccentricity", offset, small, "a tenth of od at most"));
             fields.push(an_angle("eccentricity_phase", eccentricity.phase_rad));
+        }
+        if let Some(at) = self.survey_sensor_m {
+            let inside = (0.0..=length_m).contains(&at);
+            fields.push(("survey_sensor", at, inside, "a place on the component"));
         }
         let wrong = fields.into_iter().find(|&(_, _, valid, _)| !valid);
         wrong.map(|(field, value, _, expected)| (field, value, expected))

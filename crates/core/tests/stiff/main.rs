@@ -8,6 +8,8 @@ mod buckled;
 mod friction;
 mod joints;
 mod mesh;
+mod motor;
+mod motor_in_turn;
 mod transition;
 
 use serde_json::Value;

@@ -5,8 +5,8 @@ use std::{fs, path::PathBuf};
 use tempfile::TempDir;
 use wholestring::dynamics::{Channel, Frame};
 use wholestring_results::{
-    BitTestSummary, CONTACT, Column, ColumnSpec, Data, NODES, ResultsError, ResultsFolder, Summary,
-    TIME, Table, WEAR,
+    BhaSummary, BitTestSummary, CONTACT, Column, ColumnSpec, Data, NODES, ResultsError,
+    ResultsFolder, Summary, TIME, Table, WEAR,
 };
 
 use super::reader::{New, Reader};
@@ -67,7 +67,7 @@ const SUMMARY: &str = r#"{
   ]
 }"#;
 
-/// `summary.json`, and what a bit test leaves in its place.
+/// `summary.json`, and what a bit test or an assembly leaves in its place.
 fn summary() -> Reader {
     let scratch = Scratch::new("summary.json");
     let words = r#"
@@ -85,7 +85,9 @@ fn summary() -> Reader {
             again = Summary::read(&path).is_err();
         }
         assert!(!again, "it is not read back");
-        explained(BitTestSummary::read(&path), "summary.json") | explained(read, "summary.json")
+        explained(BitTestSummary::read(&path), "summary.json")
+            | explained(BhaSummary::read(&path), "summary.json")
+            | explained(read, "summary.json")
     })
 }
 

@@ -1,6 +1,7 @@
-// The page of a run, or of a bit test.
+// The page of a run, of a bit test, or of an assembly at rest.
 
 import "./style.css";
+import { bhaPage } from "./bha.js";
 import { bitTestPage } from "./bit_test.js";
 import { readReport } from "./data.js";
 import { runPage } from "./run.js";
@@ -8,5 +9,6 @@ import { useDimensions } from "./units.js";
 
 const report = readReport();
 useDimensions(report.dimensions, report.units);
-(report.bottoms ? bitTestPage : runPage)(report);
+const shows = report.sweeps ? bhaPage : report.bottoms ? bitTestPage : runPage;
+shows(report);
 document.documentElement.dataset.ready = "";

@@ -1,6 +1,7 @@
 //! Every column of every table. What the engine answers it declares itself; here are the tables
 //! made of it, and what only results hold.
 
+mod bha;
 mod bit_test;
 mod bottom_hole;
 mod contact;
@@ -12,8 +13,15 @@ mod wear;
 
 pub(crate) use self::bit_test::numbers as bit_test_numbers;
 pub use self::{
-    bit_test::BIT_TEST, bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, nodes::NODES,
-    spectra::SPECTRA, time::TIME, wear::WEAR,
+    bha::{BHA, BHA_CONTACTS, BHA_SWEEP},
+    bit_test::BIT_TEST,
+    bottom_hole::BOTTOM_HOLE,
+    contact::CONTACT,
+    frames::FRAMES,
+    nodes::NODES,
+    spectra::SPECTRA,
+    time::TIME,
+    wear::WEAR,
 };
 use wholestring::outcome;
 
@@ -75,7 +83,19 @@ mod tests {
 
     #[test]
     fn names_are_unique() {
-        for table in [NODES, TIME, WEAR, CONTACT, BOTTOM_HOLE, FRAMES, SPECTRA, BIT_TEST] {
+        for table in [
+            NODES,
+            TIME,
+            WEAR,
+            CONTACT,
+            BOTTOM_HOLE,
+            FRAMES,
+            SPECTRA,
+            BIT_TEST,
+            BHA,
+            BHA_CONTACTS,
+            BHA_SWEEP,
+        ] {
             for (index, column) in table.iter().enumerate() {
                 assert!(
                     table[..index].iter().all(|other| other.name != column.name),
@@ -100,7 +120,19 @@ mod tests {
     /// Whoever reads what a column means learns that it may be `null`.
     #[test]
     fn a_column_that_may_be_null_says_so() {
-        let tables = [NODES, TIME, WEAR, CONTACT, BOTTOM_HOLE, FRAMES, SPECTRA, BIT_TEST];
+        let tables = [
+            NODES,
+            TIME,
+            WEAR,
+            CONTACT,
+            BOTTOM_HOLE,
+            FRAMES,
+            SPECTRA,
+            BIT_TEST,
+            BHA,
+            BHA_CONTACTS,
+            BHA_SWEEP,
+        ];
         for column in tables.into_iter().flatten() {
             let says = column.meaning.contains("`null`") || column.meaning.contains("empty");
             assert_eq!(says, column.null_where.is_some(), "{}", column.name);

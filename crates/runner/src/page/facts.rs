@@ -80,7 +80,7 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
 }
 
 /// `trip_out` as people write it.
-pub(super) fn readable(name: &str) -> String {
+pub(crate) fn readable(name: &str) -> String {
     name.replace('_', " ")
 }
 

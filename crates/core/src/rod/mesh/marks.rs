@@ -14,7 +14,7 @@ pub(super) struct Mark {
     pub(super) fixed: bool,
 }
 
-/// Blades that are shorter than this touch at their middle, m: the tilt that they allow in their
+/// Blades that are shorter than this and than an element touch at their middle, m: the tilt that they allow in their
 /// clearance is more than a string bends over their length.
 const SHORT_BLADE_M: f64 = 0.5;
 
@@ -70,7 +70,9 @@ pub(super) fn radius_between_m(string: &DrillString, from_bit_m: f64, ends: [&Me
 fn blade_places_m(blades: &Blades, bottom: f64, top: f64, element_length_m: f64) -> Vec<f64> {
     let middle = 0.5 * (bottom + top);
     let half = 0.5 * blades.length_m;
-    if blades.length_m > SHORT_BLADE_M.max(CROWDED * element_length_m) {
+    let resolved = blades.length_m >= element_length_m;
+    if blades.length_m > CROWDED * element_length_m && (resolved || blades.length_m > SHORT_BLADE_M)
+    {
         vec![middle - half, middle + half]
     } else {
         vec![middle]

@@ -67,6 +67,16 @@ impl Mesh {
         Self::new(string, &Sizing::uniform(element_length_m))
     }
 
+    /// Its lower end: the elements that reach no farther from the bit than this, m, two at least.
+    #[must_use]
+    pub fn lower_end(mut self, length_m: f64) -> Self {
+        let beyond = self.nodes.partition_point(|node| node.from_bit_m > length_m);
+        let gone = beyond.min(self.elements.len().saturating_sub(2));
+        self.nodes.drain(..gone);
+        self.elements.drain(..gone);
+        self
+    }
+
     /// The node nearest to a place.
     pub fn nearest_node(&self, from_bit_m: f64) -> usize {
         // The distances go down along the nodes.

@@ -32,6 +32,8 @@ pub(super) struct Bending {
     /// How far the elements on the two sides of the node are apart about it, N·m: what their lengths
     /// leave out.
     pub(super) jump_N_m: Vec<f64>,
+    /// The same as a vector towards the centre of curvature.
+    pub(super) towards_N_m: Vec<Vector3<f64>>,
     /// Half-way to the next, N·m; at the bit nothing.
     pub(super) between_N_m: Vec<f64>,
     /// Sag half-way, m.
@@ -68,6 +70,7 @@ impl Bending {
             let jump = above.zip(below).map(|(above, below)| below.upper_N_m - above.lower_N_m);
             bending.at_node_N_m.push(moment.norm());
             bending.jump_N_m.push(jump.map_or(0.0, |jump| jump.norm()));
+            bending.towards_N_m.push(moment);
             bending.between_N_m.push(below.map_or(0.0, |of| of.half_way_N_m));
             bending.sag_m.push(below.map_or(0.0, |of| of.sag_m));
             bending.touches.push(below.map_or(0.0, |of| of.touches));

@@ -3,6 +3,7 @@
 
 mod active_set;
 mod at_rest;
+mod axis;
 mod barrier;
 mod bending;
 mod blocks;
@@ -24,9 +25,11 @@ mod string_in_hole;
 mod wall;
 
 pub use at_rest::AtRest;
+pub use axis::StringAxis;
 pub use equilibrium::{Convergence, Equilibrium};
 pub use error::StiffError;
 pub use profile::StiffProfile;
 pub use refine::MeshError;
 pub use settings::{End, StiffSettings};
+pub(crate) use solve::solve_on;
 pub use solve::{equilibrium, equilibrium_near, solve};

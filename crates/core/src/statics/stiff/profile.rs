@@ -3,6 +3,7 @@
 use std::ops::Deref;
 
 use super::{
+    axis::StringAxis,
     bending::Bending,
     contact,
     equilibrium::{Convergence, Equilibrium},
@@ -41,6 +42,8 @@ pub struct StiffProfile {
     pub bit_side_force_N: [f64; 2],
     /// Tilt of the bit against the hole's axis, rad, towards the high side and to the right of it.
     pub bit_tilt_rad: [f64; 2],
+    /// Where its axis lies in the hole, which wall it presses and how it bends.
+    pub axis: StringAxis,
     /// How the equilibrium was found.
     pub convergence: Convergence,
 }
@@ -66,7 +69,9 @@ impl StiffProfile {
         let surface_torque_N_m = surface_torque_N_m(string, &torques_N_m);
         profile.torque_N_m[0] = surface_torque_N_m;
         profile.torque_N_m[last] = string.bit_torque_N_m;
-        bear(model, operation, mesh, string, state, &mut profile);
+        let bending = Bending::of(string, state, mesh, model.mud.density_kg_per_m3);
+        let axis = StringAxis::new(model, string, state, &bending);
+        bear(model, operation, mesh, string, bending, &mut profile);
         deform(model, mesh, string, state, &torques_N_m, &mut profile);
         let rubbing = Rubbing { operation, string, state };
         press(model, mesh, &rubbing, &mut profile);
@@ -102,6 +107,7 @@ impl StiffProfile {
             hydraulics: string.hydraulics,
             bit_side_force_N,
             bit_tilt_rad,
+            axis,
             convergence: *convergence,
         }
     }
@@ -231,11 +237,10 @@ fn bear(
     operation: &Operation,
     mesh: &Mesh,
     string: &StringInHole,
-    state: &State,
+    bending: Bending,
     p: &mut Profile,
 ) {
     let mud = model.mud_column();
-    let bending = Bending::of(string, state, mesh, model.mud.density_kg_per_m3);
     let flow_m3_per_s = string.hydraulics.map_or(0.0, |_| operation.flow_now_m3_per_s());
     let stream_N_m2 = model.mud.density_kg_per_m3 * flow_m3_per_s * flow_m3_per_s;
     for (index, node) in string.nodes.iter().enumerate() {

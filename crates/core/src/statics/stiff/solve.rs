@@ -45,6 +45,22 @@ pub fn solve(
     Ok(StiffProfile::new(model, operation, &equilibrium))
 }
 
+/// The same with elements that are given: those of the whole string, or of its lower end alone, whose
+/// top then is on the hole's axis. `soft` is the soft string of the operation.
+///
+/// # Errors
+/// An equilibrium that was not found.
+pub(crate) fn solve_on(
+    model: &Model,
+    operation: &Operation,
+    settings: &StiffSettings,
+    soft: &SoftProfile,
+    mesh: Mesh,
+) -> Result<StiffProfile, StiffError> {
+    let equilibrium = Task { model, operation, settings, soft }.found(mesh, None)?;
+    Ok(StiffProfile::new(model, operation, &equilibrium))
+}
+
 /// The string at rest in one operation.
 ///
 /// # Errors
@@ -54,7 +70,8 @@ pub fn equilibrium(
     operation: &Operation,
     settings: &StiffSettings,
 ) -> Result<Equilibrium, StiffError> {
-    let task = Task::new(model, operation, settings)?;
+    let soft = soft::solve(model, operation, &SoftSettings::default())?;
+    let task = Task { model, operation, settings, soft: &soft };
     Ok(task.refine(task.found(task.mesh()?, None)?))
 }
 
@@ -70,7 +87,8 @@ pub fn equilibrium_near(
     settings: &StiffSettings,
     near: &Equilibrium,
 ) -> Result<Equilibrium, StiffError> {
-    let task = Task::new(model, operation, settings)?;
+    let soft = soft::solve(model, operation, &SoftSettings::default())?;
+    let task = Task { model, operation, settings, soft: &soft };
     let same = near.settings == *settings
         && (near.mesh.length_m() - model.string.length_m()).abs() < SAME_M;
     let mesh = if same { near.mesh.clone() } else { task.mesh()? };
@@ -83,19 +101,10 @@ struct Task<'a> {
     model: &'a Model,
     operation: &'a Operation,
     settings: &'a StiffSettings,
-    soft: SoftProfile,
+    soft: &'a SoftProfile,
 }
 
-impl<'a> Task<'a> {
-    fn new(
-        model: &'a Model,
-        operation: &'a Operation,
-        settings: &'a StiffSettings,
-    ) -> Result<Self, StiffError> {
-        let soft = soft::solve(model, operation, &SoftSettings::default())?;
-        Ok(Self { model, operation, settings, soft })
-    }
-
+impl Task<'_> {
     /// The mesh that the string asks for before its contacts are known.
     fn mesh(&self) -> Result<Mesh, StiffError> {
         let sizing = match self.settings.element_length {
@@ -137,7 +146,7 @@ impl<'a> Task<'a> {
     }
 
     fn string_in_hole(&self, mesh: &Mesh) -> StringInHole {
-        StringInHole::new(self.model, self.operation, self.settings, mesh, &self.soft)
+        StringInHole::new(self.model, self.operation, self.settings, mesh, self.soft)
     }
 
     fn equilibrium(

@@ -1,0 +1,70 @@
+//! `wholestring bha`: the bottom-hole assembly at rest.
+
+mod screen;
+
+use wholestring::operation::OperationKind;
+use wholestring_case::read_values;
+use wholestring_runner::{
+    Silent,
+    bha::{self, Request, Sweeps},
+};
+use wholestring_units::Dimension;
+
+use crate::{
+    args::BhaArgs, color::color, failure::Failure, input::load, interrupt, terminal::print_stdout,
+};
+
+pub(crate) fn bha(args: &BhaArgs) -> Result<(), Failure> {
+    let operation = args.operation.as_deref().map(operation).transpose()?;
+    let sweeps = sweeps(args)?;
+    let case = load(&args.case, args.quiet)?;
+    let units = args.units.unwrap_or(case.units);
+    let request = Request {
+        operation,
+        whole: args.whole,
+        sweeps,
+        units: Some(units),
+        output: args.output(),
+        csv: args.csv,
+        jobs: args.jobs,
+        ..Request::new(&case)
+    };
+    let outcome = bha::run(&request, &Silent, &interrupt::listen())?;
+    if args.quiet {
+        return Ok(());
+    }
+    let [alone_s, all_s] = outcome.took_s;
+    let place = outcome.folder.display();
+    print_stdout(&format!(
+        "{}The assembly took {alone_s:.2} s, everything {all_s:.1} s\nResults in {place}\n",
+        screen::text(&outcome.summary, units)
+    ))
+}
+
+fn operation(name: &str) -> Result<OperationKind, Failure> {
+    OperationKind::from_name(name).ok_or_else(|| {
+        let names = OperationKind::ALL.map(OperationKind::name).join(", ");
+        Failure::BadInput(format!("error: `{name}` is no operation: expected one of {names}"))
+    })
+}
+
+fn sweeps(args: &BhaArgs) -> Result<Sweeps, Failure> {
+    let read = |option: &str, text: &Option<String>, dimension: Dimension| {
+        let values = text.as_deref().map(|text| read_values(option, text, dimension));
+        values.transpose().map_err(|report| Failure::BadInput(report.render(color())))
+    };
+    let rates = read("--build", &args.build, Dimension::DoglegSeverity)?;
+    let build_rate_rad_per_m = match rates.as_deref() {
+        None => 0.0,
+        Some([rate]) => *rate,
+        Some(_) => {
+            return Err(Failure::BadInput("error: --build takes one rate".into()));
+        }
+    };
+    Ok(Sweeps {
+        toolfaces_rad: read("--toolface", &args.toolface, Dimension::Angle)?,
+        weights_N: read("--weight", &args.weight, Dimension::Force)?,
+        inclinations_rad: read("--inclination", &args.inclination, Dimension::Angle)?,
+        build_rate_rad_per_m,
+    })
+}

@@ -1,0 +1,250 @@
+//! What an assembly at rest shows on the screen.
+
+use wholestring::statics::assembly::{Contact, Touching};
+use wholestring_results::{BhaPoint, BhaState, BhaSummary, BhaVaried};
+use wholestring_units::{Dimension, UnitSet};
+
+use crate::screen_table::Table;
+
+/// Points of a sweep that the screen shows.
+const MOST: usize = 7;
+
+/// Bit, contacts, sag and largest stress, what was varied, and what is to be wary of.
+pub(super) fn text(summary: &BhaSummary, units: UnitSet) -> String {
+    let mut text = format!("{}\n\n", head(summary, units));
+    text += &bit(&summary.state, units);
+    text.push('\n');
+    text += &contacts(&summary.state, units);
+    text.push('\n');
+    text += &sag(&summary.state, units);
+    text += &largest(&summary.state, units);
+    for varied in BhaVaried::ALL {
+        text += &sweep(summary, varied, units);
+    }
+    text += &holding(summary, units);
+    for warning in summary.warnings() {
+        text += &format!("warning: {warning}\n");
+    }
+    text
+}
+
+fn head(summary: &BhaSummary, units: UnitSet) -> String {
+    let mut head = format!(
+        "{}: assembly at rest, {}, bit at {}, inclination {}",
+        summary.case,
+        summary.operation.replace('_', " "),
+        quantity(summary.bit_depth_m, Dimension::Length, units),
+        quantity(summary.inclination_rad, Dimension::Angle, units),
+    );
+    if summary.weight_on_bit_N > 0.0 {
+        let weight = quantity(summary.weight_on_bit_N, Dimension::Force, units);
+        head += &format!(", weight on bit {weight}");
+    }
+    if let Some(toolface_rad) = summary.toolface_rad {
+        let toolface = quantity(toolface_rad, Dimension::Angle, units);
+        head += &format!(", tool face {toolface}");
+    }
+    head
+}
+
+fn unit_of(label: &str, dimension: Dimension, units: UnitSet) -> String {
+    format!("{label}, {}", dimension.unit_in(units).symbol)
+}
+
+fn bit(state: &BhaState, units: UnitSet) -> String {
+    let mut table = Table::new(
+        "Bit",
+        1,
+        &["", "high side (builds)", "right (turns right)", "halving the elements changes"],
+    );
+    let errors = state.errors;
+    let rows = [
+        (
+            "side force",
+            Dimension::Force,
+            state.side_force_N,
+            errors.map(|errors| errors.side_force_N),
+        ),
+        ("tilt", Dimension::Angle, state.tilt_rad, errors.map(|errors| errors.tilt_rad)),
+    ];
+    for (label, dimension, [high, right], error) in rows {
+        table.row(vec![
+            unit_of(label, dimension, units),
+            number(high, dimension, units),
+            number(right, dimension, units),
+            error.map_or("–".into(), |error| small(error, dimension, units)),
+        ]);
+    }
+    table.text()
+}
+
+fn contacts(state: &BhaState, units: UnitSet) -> String {
+    let headings = [
+        "component".to_owned(),
+        "with".to_owned(),
+        unit_of("from the bit", Dimension::Length, units),
+        unit_of("MD", Dimension::Length, units),
+        unit_of("force", Dimension::Force, units),
+        unit_of("high side", Dimension::Force, units),
+        unit_of("right", Dimension::Force, units),
+        unit_of("side", Dimension::Angle, units),
+    ];
+    let mut table = Table::new("Contacts", 2, &headings.each_ref().map(String::as_str));
+    // Of jointed pipe the lowest joint.
+    let is_joint = |of: &Contact| of.touching == Touching::Joint;
+    let joint = state.contacts.iter().position(is_joint);
+    let shown = joint.map_or(state.contacts.len(), |joint| joint + 1);
+    for of in &state.contacts[..shown] {
+        let [low_m, high_m] = of.from_bit_m;
+        let mut place = number(low_m, Dimension::Length, units);
+        if high_m > low_m {
+            place = format!("{place} to {}", number(high_m, Dimension::Length, units));
+        }
+        table.row(vec![
+            of.name.clone(),
+            of.touching.name().to_owned(),
+            place,
+            number(of.md_m, Dimension::Length, units),
+            number(of.size_N(), Dimension::Force, units),
+            number(of.force_N[0], Dimension::Force, units),
+            number(of.force_N[1], Dimension::Force, units),
+            number(of.side_rad, Dimension::Angle, units),
+        ]);
+    }
+    let more = match state.contacts.len() - shown {
+        0 => String::new(),
+        more => format!("and {more} farther up, which are in bha_contacts\n"),
+    };
+    format!("{}{more}", table.text())
+}
+
+fn sag(state: &BhaState, units: UnitSet) -> String {
+    if state.sag.is_empty() {
+        return "Sag: no component has a survey_sensor; give its distance from the component's \
+                lower end under [[string]]\n"
+            .to_owned();
+    }
+    let mut text = String::new();
+    for sag in &state.sag {
+        let angle = |rad: f64| quantity(rad, Dimension::Angle, units);
+        let azimuth = match sag.azimuth_rad {
+            Some(azimuth_rad) => format!(", azimuth {}", angle(azimuth_rad)),
+            None => String::new(),
+        };
+        text += &format!(
+            "Sag at {} in {}: inclination {}{azimuth}; measured + correction = hole\n",
+            quantity(sag.from_bit_m, Dimension::Length, units),
+            sag.name,
+            angle(sag.inclination_rad),
+        );
+    }
+    text
+}
+
+fn largest(state: &BhaState, units: UnitSet) -> String {
+    let at = |metres: f64| quantity(metres, Dimension::Length, units);
+    let moment = state.largest_bending_moment_N_m;
+    let stress = state.largest_von_mises_stress_Pa;
+    format!(
+        "Largest bending moment {} at {} from the bit, von Mises stress {} at {}\n",
+        quantity(moment.value, Dimension::Torque, units),
+        at(moment.from_bit_m),
+        quantity(stress.value, Dimension::Pressure, units),
+        at(stress.from_bit_m)
+    )
+}
+
+fn sweep(summary: &BhaSummary, varied: BhaVaried, units: UnitSet) -> String {
+    let points: Vec<&BhaPoint> =
+        summary.sweep.iter().filter(|point| point.varied == varied).collect();
+    if points.is_empty() {
+        return String::new();
+    }
+    let (title, label, dimension) = match varied {
+        BhaVaried::Toolface => ("Other tool faces", "tool face", Dimension::Angle),
+        BhaVaried::Weight => ("Other weights", "weight on bit", Dimension::Force),
+        BhaVaried::Inclination => ("Other inclinations", "inclination", Dimension::Angle),
+    };
+    let headings = [
+        unit_of(label, dimension, units),
+        unit_of("side force, high side", Dimension::Force, units),
+        unit_of("right", Dimension::Force, units),
+        unit_of("tilt, high side", Dimension::Angle, units),
+    ];
+    let step = points.len().div_ceil(MOST).max(1);
+    let title = match step {
+        1 => title.to_owned(),
+        _ => format!("{title}: one in {step} of {} points", points.len()),
+    };
+    let mut table = Table::new(&title, 0, &headings.each_ref().map(String::as_str));
+    for point in points.iter().step_by(step) {
+        let found = |of: Option<f64>, dimension: Dimension| {
+            of.map_or("–".into(), |value| number(value, dimension, units))
+        };
+        table.row(vec![
+            plain(number(point.value(), dimension, units)),
+            found(point.found.map(|of| of.side_force_N[0]), Dimension::Force),
+            found(point.found.map(|of| of.side_force_N[1]), Dimension::Force),
+            found(point.found.map(|of| of.tilt_rad[0]), Dimension::Angle),
+        ]);
+    }
+    format!("\n{}", table.text())
+}
+
+fn holding(summary: &BhaSummary, units: UnitSet) -> String {
+    let mut text = String::from("\n");
+    let angles = summary.holding_inclinations_rad.iter();
+    let angles: Vec<String> = angles.map(|rad| quantity(*rad, Dimension::Angle, units)).collect();
+    if !angles.is_empty() {
+        text += &format!("It holds at an inclination of {}\n", angles.join(", "));
+    } else if let Some(first) = summary
+        .sweep
+        .iter()
+        .filter(|point| point.varied == BhaVaried::Inclination)
+        .find_map(|point| point.found)
+    {
+        let word = if first.side_force_N[0] > 0.0 { "builds" } else { "drops" };
+        text += &format!("It {word} at every inclination that was tried\n");
+    }
+    if let Some([high_N, right_N]) = summary.mean_side_force_N {
+        let force = |newton: f64| quantity(newton, Dimension::Force, units);
+        text += &format!(
+            "Mean of all tool faces: {} to the high side, {} to the right\n",
+            force(high_N),
+            force(right_N)
+        );
+    }
+    text
+}
+
+/// One digit of an error, as large as it is.
+fn small(si: f64, dimension: Dimension, units: UnitSet) -> String {
+    let value = dimension.unit_in(units).from_si(si);
+    if value >= 1e-3 { number(si, dimension, units) } else { format!("{value:.0e}") }
+}
+
+/// Without zeros after its last decimal.
+fn plain(number: String) -> String {
+    match number.contains('.') {
+        true => number.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => number,
+    }
+}
+
+/// Four digits of a quantity, with its unit.
+fn quantity(si: f64, dimension: Dimension, units: UnitSet) -> String {
+    format!("{} {}", plain(number(si, dimension, units)), dimension.unit_in(units).symbol)
+}
+
+/// A number in the reader's unit, with four digits or to the third decimal.
+fn number(si: f64, dimension: Dimension, units: UnitSet) -> String {
+    let value = dimension.unit_in(units).from_si(si);
+    let digits = match value.abs() {
+        size if size >= 1000.0 => 0,
+        size if size >= 100.0 => 1,
+        size if size >= 10.0 => 2,
+        _ => 3,
+    };
+    let text = format!("{value:.digits$}");
+    if text.trim_matches(['-', '0', '.']).is_empty() { "0".to_owned() } else { text }
+}

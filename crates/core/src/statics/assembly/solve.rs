@@ -1,0 +1,154 @@
+//! From a model and an operation to the assembly at rest.
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    axis::{self, AssemblyNode, Largest},
+    contact::{self, Contact},
+    extent::{self, Reach},
+    sag::{Sag, sag},
+    settings::AssemblySettings,
+};
+use crate::{
+    model::Model,
+    operation::Operation,
+    statics::{
+        soft::{self, SoftProfile, SoftSettings},
+        stiff::{self, Convergence, StiffError, StiffProfile},
+    },
+};
+
+/// The assembly at rest. Each pair is the part towards the high side and that to the right of it as one
+/// looks down the hole.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Assembly {
+    /// Side force of the bit on the rock, N: towards the high side it builds, to the right it turns
+    /// right.
+    pub bit_side_force_N: [f64; 2],
+    /// Tilt of the bit against the hole's axis, rad.
+    pub bit_tilt_rad: [f64; 2],
+    /// Where it touches, from the bit up; the bit first.
+    pub contacts: Vec<Contact>,
+    /// Sag at the survey sensors.
+    pub sag: Vec<Sag>,
+    /// Largest bending moment of the assembly, N·m.
+    pub largest_moment_N_m: Largest,
+    /// Largest bending stress of the assembly, Pa.
+    pub largest_bending_stress_Pa: Largest,
+    /// Largest von Mises stress of the assembly, Pa.
+    pub largest_von_mises_Pa: Largest,
+    /// Nodes of all that was solved, from the bit up.
+    pub nodes: Vec<AssemblyNode>,
+    /// Upper end of the assembly from the bit, m: where ordinary pipe begins.
+    pub length_m: f64,
+    /// How the equilibrium was found.
+    pub convergence: Convergence,
+    /// What elements half as long change; none where that was not tried.
+    pub errors: Option<AssemblyErrors>,
+}
+
+/// What elements half as long change: an estimate of what is left of the error.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct AssemblyErrors {
+    /// Of the side force, N.
+    pub side_force_N: f64,
+    /// Of the bit's tilt, rad.
+    pub tilt_rad: f64,
+    /// Of the largest bending moment, N·m.
+    pub largest_moment_N_m: f64,
+    /// Of the largest von Mises stress, Pa.
+    pub largest_von_mises_Pa: f64,
+    /// Of the first sensor's inclination, rad; zero without a sensor.
+    pub sag_rad: f64,
+}
+
+/// The assembly of a string at rest in one operation: in elements that are shorter where contacts
+/// begin or end, and once more with every element halved, which says how far to trust it.
+///
+/// # Errors
+/// Those of the [stiff string](stiff::solve).
+pub fn solve(
+    model: &Model,
+    operation: &Operation,
+    settings: &AssemblySettings,
+) -> Result<Assembly, StiffError> {
+    let soft = soft::solve(model, operation, &SoftSettings::default())?;
+    let first = once(model, operation, settings, &soft, &[], 1)?;
+    let ends_m = contact::ends_m(&model.string, &first.nodes, first.length_m);
+    let coarse = once(model, operation, settings, &soft, &ends_m, 1)?;
+    let fine = once(model, operation, settings, &soft, &ends_m, 2)?;
+    let errors = AssemblyErrors::between(&coarse, &fine);
+    Ok(Assembly { errors: Some(errors), ..fine })
+}
+
+/// The same without shorter elements and without the second solution: for one of many points.
+///
+/// # Errors
+/// Those of the [stiff string](stiff::solve).
+pub fn solve_once(
+    model: &Model,
+    operation: &Operation,
+    settings: &AssemblySettings,
+) -> Result<Assembly, StiffError> {
+    let soft = soft::solve(model, operation, &SoftSettings::default())?;
+    once(model, operation, settings, &soft, &[], 1)
+}
+
+fn once(
+    model: &Model,
+    operation: &Operation,
+    settings: &AssemblySettings,
+    soft: &SoftProfile,
+    ends_m: &[f64],
+    refinement: u32,
+) -> Result<Assembly, StiffError> {
+    let mesh = extent::mesh(model, operation, settings, ends_m, refinement)?;
+    let from_bit_m: Vec<f64> = mesh.nodes.iter().map(|node| node.from_bit_m).collect();
+    let found = stiff::solve_on(model, operation, &settings.stiff, soft, mesh)?;
+    Ok(Assembly::new(model, settings, &found, &from_bit_m))
+}
+
+impl Assembly {
+    fn new(
+        model: &Model,
+        settings: &AssemblySettings,
+        found: &StiffProfile,
+        from_bit_m: &[f64],
+    ) -> Self {
+        let reach = Reach::of(model, settings);
+        let nodes = axis::nodes(model, found, from_bit_m);
+        let within = nodes.partition_point(|node| node.from_bit_m <= reach.assembly_m);
+        let assembly = &nodes[..within];
+        Self {
+            bit_side_force_N: found.bit_side_force_N,
+            bit_tilt_rad: found.bit_tilt_rad,
+            contacts: contact::contacts(&model.string, &nodes),
+            sag: sag(model, &nodes),
+            largest_moment_N_m: Largest::of(assembly, AssemblyNode::bending_moment_N_m),
+            largest_bending_stress_Pa: Largest::of(assembly, |node| node.bending_stress_Pa),
+            largest_von_mises_Pa: Largest::of(assembly, |node| node.von_mises_stress_Pa),
+            length_m: reach.assembly_m,
+            convergence: found.convergence,
+            errors: None,
+            nodes,
+        }
+    }
+}
+
+impl AssemblyErrors {
+    fn between(a: &Assembly, b: &Assembly) -> Self {
+        let apart = |of: fn(&Assembly) -> [f64; 2]| {
+            let ([x, y], [u, v]) = (of(a), of(b));
+            (x - u).hypot(y - v)
+        };
+        let sag = |of: &Assembly| of.sag.first().map_or(0.0, |sag| sag.inclination_rad);
+        Self {
+            side_force_N: apart(|of| of.bit_side_force_N),
+            tilt_rad: apart(|of| of.bit_tilt_rad),
+            largest_moment_N_m: (a.largest_moment_N_m.value - b.largest_moment_N_m.value).abs(),
+            largest_von_mises_Pa: (a.largest_von_mises_Pa.value - b.largest_von_mises_Pa.value)
+                .abs(),
+            sag_rad: (sag(a) - sag(b)).abs(),
+        }
+    }
+}

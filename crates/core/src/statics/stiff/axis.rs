@@ -1,0 +1,53 @@
+//! Where the string's axis lies in its hole.
+
+use nalgebra::Vector3;
+
+use super::{bending::Bending, state::State, string_in_hole::StringInHole};
+use crate::model::Model;
+
+/// Where the string's axis lies in its hole, from the surface to the bit. Each pair is the part towards
+/// the high side and that to the right of it as one looks down the hole.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct StringAxis {
+    /// Offset from the hole's axis, m.
+    pub offset_m: Vec<[f64; 2]>,
+    /// Tilt of the axis downwards against the hole's, rad; at a bend that of the part above it.
+    pub tilt_rad: Vec<[f64; 2]>,
+    /// Contact force on the wall, N; at the bit what holds it to the axis.
+    pub push_N: Vec<[f64; 2]>,
+    /// Bending moment, N·m, towards the centre of curvature.
+    pub moment_N_m: Vec<[f64; 2]>,
+    /// Radius of the hole, m.
+    pub hole_radius_m: Vec<f64>,
+}
+
+impl StringAxis {
+    pub(super) fn new(
+        model: &Model,
+        string: &StringInHole,
+        state: &State,
+        bending: &Bending,
+    ) -> Self {
+        let mut axis = Self::default();
+        for (index, node) in string.nodes.iter().enumerate() {
+            let [e1, e2, tangent] = node.axes;
+            let high = model.well.path.high_side_of(node.md_m, &tangent);
+            let right = tangent.cross(&high);
+            let parts = |of: Vector3<f64>| [of.dot(&high), of.dot(&right)];
+            let u = state.offset_m[index];
+            let offset = e1 * u.x + e2 * u.y;
+            let toward = offset / offset.norm().max(f64::MIN_POSITIVE);
+            let push = toward * state.normal_N[index] + offset * node.hold_N_per_m;
+            axis.offset_m.push(parts(offset));
+            axis.tilt_rad.push(parts(state.heading[index].along));
+            axis.push_N.push(parts(push));
+            axis.moment_N_m.push(parts(bending.towards_N_m[index]));
+            axis.hole_radius_m.push(if node.has_wall() {
+                node.clearance_m + node.contact_radius_m
+            } else {
+                0.5 * model.well.hole.at(node.md_m).diameter_m
+            });
+        }
+        axis
+    }
+}

@@ -1,0 +1,252 @@
+//! The assembly in its hole, from the side and from above, drawn wider than it is.
+
+use super::{
+    Bha, BhaPart,
+    figures::{conditions, shown_to_m, three},
+};
+use crate::{
+    figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
+    plots::Shown,
+};
+
+/// Size of the figure and of a panel, mm.
+const WIDTH_MM: f64 = 180.0;
+const PANEL_MM: f64 = 46.0;
+
+/// Width of the frames, mm: the figure's but for margins, label and ticks.
+const FRAME_MM: f64 = 160.0;
+
+/// Half of what a panel shows over the radius of the hole.
+const AROUND: f64 = 1.35;
+
+/// Part of a contact force from which it is marked in a plane.
+const SEEN: f64 = 0.1;
+
+/// Most forces that are written into a view.
+const NAMED: usize = 8;
+
+const WALL: Ink = Ink::Rock;
+const BODY: Ink = Ink::Line(0);
+const BLADES: Ink = Ink::Line(1);
+const TOUCH: Ink = Ink::Line(3);
+
+/// Lateral exaggeration of the two views.
+fn exaggeration(bha: &Bha) -> f64 {
+    let radius_m = largest_radius_m(bha);
+    (PANEL_MM / (2.0 * AROUND * radius_m)) / (FRAME_MM / shown_to_m(bha).max(1e-3))
+}
+
+fn largest_radius_m(bha: &Bha) -> f64 {
+    let to_m = shown_to_m(bha);
+    let nodes = bha.from_bit_m.iter().zip(&bha.hole_radius_m);
+    nodes.filter(|(at, _)| **at <= to_m).map(|(_, radius)| *radius).fold(1e-3, f64::max)
+}
+
+pub(super) fn figure(bha: &Bha, shown: Shown<'_>) -> Figure {
+    let times = exaggeration(bha);
+    let times: f64 = format!("{times:.1e}").parse().unwrap_or(times);
+    let to_m = shown_to_m(bha);
+    let bend = bha.parts.iter().find_map(|part| part.bend_m);
+    let marked = |ink| Sample::Point(ink, Shape::Tip);
+    let mut keys = vec![
+        Key { name: "wall".into(), sample: Sample::Area(WALL) },
+        Key { name: "bit and bodies".into(), sample: Sample::Area(BODY) },
+    ];
+    if bha.parts.iter().any(|part| part.blades_m.is_some()) {
+        keys.push(Key { name: "blades".into(), sample: Sample::Area(BLADES) });
+    }
+    let axis = Key { name: "axis of the string".into(), sample: Sample::Line(BODY, Stroke::Solid) };
+    keys.push(axis);
+    keys.push(Key { name: "contact force".into(), sample: marked(TOUCH) });
+    if bend.is_some_and(|at| at <= to_m) {
+        let sample = Sample::Point(Ink::Text, Shape::Diamond);
+        keys.push(Key { name: "bend".into(), sample });
+    }
+    // On a page it stands where the title does not.
+    let name = format!("drawn {times} times as wide as long");
+    keys.push(Key { name, sample: Sample::Words });
+    let panels = vec![
+        panel(bha, 0, "From the side, high side up", shown),
+        panel(bha, 1, "From above, right side up", shown),
+    ];
+    let mut shared = Axis::new(
+        shown.label("Distance from the bit", "length"),
+        Range::Fixed(-0.01 * shown.value(to_m, "length"), shown.value(to_m, "length")),
+    );
+    shared.min_span = 0.0;
+    Figure {
+        title: bha.head.title.clone(),
+        subtitle: conditions(bha, shown),
+        keys,
+        layout: Layout::across(1, WIDTH_MM, PANEL_MM),
+        shared,
+        panels,
+        hole: Vec::new(),
+    }
+}
+
+/// A picture in one plane.
+struct View<'a> {
+    bha: &'a Bha,
+    /// 0 towards the high side, 1 to the right.
+    side: usize,
+    shown: Shown<'a>,
+}
+
+fn panel(bha: &Bha, side: usize, title: &str, shown: Shown<'_>) -> Panel {
+    let view = View { bha, side, shown };
+    let half = view.wide(AROUND * largest_radius_m(bha));
+    let mut axis = Axis::new(shown.label(title, "diameter"), Range::Fixed(-half, half));
+    axis.min_span = 2.0 * half;
+    let mut marks = view.walls(half);
+    marks.extend(view.string());
+    marks.extend(view.touches());
+    for at_m in &bha.sensors_m {
+        let label = if side == 0 { "survey sensor" } else { "" };
+        marks.push(Mark::SharedRule { at: view.long(*at_m), label: label.into() });
+    }
+    Panel::new(axis, marks)
+}
+
+impl View<'_> {
+    fn long(&self, metres: f64) -> f64 {
+        self.shown.value(metres, "length")
+    }
+
+    fn wide(&self, metres: f64) -> f64 {
+        self.shown.value(metres, "diameter")
+    }
+
+    /// A quantity of the nodes at a distance from the bit.
+    fn at(&self, of: &[f64], from_bit_m: f64) -> f64 {
+        let at = &self.bha.from_bit_m;
+        let above = at.partition_point(|node| *node < from_bit_m).clamp(1, at.len() - 1);
+        let (low, high) = (at[above - 1], at[above]);
+        let part = ((from_bit_m - low) / (high - low)).clamp(0.0, 1.0);
+        of[above - 1] + part * (of[above] - of[above - 1])
+    }
+
+    fn offset_m(&self, from_bit_m: f64) -> f64 {
+        self.at(&self.bha.offset_m[self.side], from_bit_m)
+    }
+
+    /// Rock on either side of the hole, and the wall as two lines.
+    fn walls(&self, half: f64) -> Vec<Mark> {
+        let to_m = shown_to_m(self.bha);
+        let nodes = self.bha.from_bit_m.iter().zip(&self.bha.hole_radius_m);
+        let mut nodes: Vec<(f64, f64)> = nodes
+            .filter(|(at, _)| **at <= to_m)
+            .map(|(at, radius)| (self.long(*at), self.wide(*radius)))
+            .collect();
+        let last_m = self.at(&self.bha.hole_radius_m, to_m);
+        nodes.push((self.long(to_m), self.wide(last_m)));
+        let mut marks = Vec::new();
+        for sign in [1.0, -1.0] {
+            let points = nodes.iter().map(|(at, radius)| (*at, sign * radius, sign * half));
+            // Twice, so that it hides more of what lies below.
+            let rock = Mark::Band { ink: WALL, points: points.collect() };
+            marks.extend([rock.clone(), rock]);
+        }
+        for sign in [1.0, -1.0] {
+            let points = nodes.iter().map(|(at, radius)| (*at, sign * radius));
+            let points = points.collect();
+            marks.push(Mark::Curve { ink: Ink::Text, stroke: Stroke::Solid, points });
+        }
+        let bottom = nodes.first().map_or(0.0, |first| first.1);
+        let points = vec![(0.0, -bottom), (0.0, bottom)];
+        marks.push(Mark::Curve { ink: Ink::Text, stroke: Stroke::Solid, points });
+        marks
+    }
+
+    /// A stretch of the string with a diameter.
+    fn body(&self, [from_m, to_m]: [f64; 2], od_m: f64, ink: Ink) -> Vec<Mark> {
+        let to_m = to_m.min(shown_to_m(self.bha));
+        if to_m <= from_m {
+            return Vec::new();
+        }
+        let inner = self.bha.from_bit_m.iter().copied();
+        let inner = inner.filter(|at| (from_m..to_m).contains(at) && *at > from_m);
+        let places = std::iter::once(from_m).chain(inner).chain([to_m]);
+        let edges: Vec<(f64, f64, f64)> = places
+            .map(|at| {
+                let middle = self.offset_m(at);
+                let [low, high] = [middle - 0.5 * od_m, middle + 0.5 * od_m];
+                (self.long(at), self.wide(low), self.wide(high))
+            })
+            .collect();
+        let mut marks = vec![Mark::Band { ink, points: edges.clone() }];
+        for side in [|e: &(f64, f64, f64)| e.1, |e: &(f64, f64, f64)| e.2] {
+            let points = edges.iter().map(|edge| (edge.0, side(edge))).collect();
+            marks.push(Mark::Curve { ink, stroke: Stroke::Solid, points });
+        }
+        for edge in [edges[0], edges[edges.len() - 1]] {
+            let points = vec![(edge.0, edge.1), (edge.0, edge.2)];
+            marks.push(Mark::Curve { ink, stroke: Stroke::Solid, points });
+        }
+        marks
+    }
+
+    fn string(&self) -> Vec<Mark> {
+        let mut marks = Vec::new();
+        for part in &self.bha.parts {
+            marks.extend(self.body([part.from_bit_m, part.to_bit_m], part.od_m, BODY));
+        }
+        for part in &self.bha.parts {
+            marks.extend(self.blades(part));
+        }
+        let to_m = shown_to_m(self.bha);
+        let nodes = self.bha.from_bit_m.iter().zip(&self.bha.offset_m[self.side]);
+        let mut points: Vec<(f64, f64)> = nodes
+            .filter(|(at, _)| **at <= to_m)
+            .map(|(at, offset)| (self.long(*at), self.wide(*offset)))
+            .collect();
+        points.push((self.long(to_m), self.wide(self.offset_m(to_m))));
+        marks.push(Mark::Curve { ink: BODY, stroke: Stroke::Solid, points });
+        let bends = self.bha.parts.iter().filter_map(|part| part.bend_m);
+        let points: Vec<(f64, f64)> = bends
+            .filter(|at| *at <= to_m)
+            .map(|at| (self.long(at), self.wide(self.offset_m(at))))
+            .collect();
+        if !points.is_empty() {
+            marks.push(Mark::Points { ink: Ink::Text, shape: Shape::Diamond, points });
+        }
+        marks
+    }
+
+    fn blades(&self, part: &BhaPart) -> Vec<Mark> {
+        let Some([od_m, length_m]) = part.blades_m else {
+            return Vec::new();
+        };
+        let middle_m = 0.5 * (part.from_bit_m + part.to_bit_m);
+        self.body([middle_m - 0.5 * length_m, middle_m + 0.5 * length_m], od_m, BLADES)
+    }
+
+    /// Contacts on the side of the wall that they press in this plane, the largest with their forces.
+    fn touches(&self) -> Vec<Mark> {
+        let to_m = shown_to_m(self.bha);
+        let seen = self.bha.contacts.iter().filter(|of| {
+            let size_N = of.force_N[0].hypot(of.force_N[1]);
+            of.at_m <= to_m && size_N > 0.0 && of.force_N[self.side].abs() >= SEEN * size_N
+        });
+        let mut seen: Vec<_> = seen.collect();
+        seen.sort_by(|a, b| b.force_N[self.side].abs().total_cmp(&a.force_N[self.side].abs()));
+        let place = |of: &&super::BhaContact| {
+            let radius_m = self.at(&self.bha.hole_radius_m, of.at_m);
+            (self.long(of.at_m), self.wide(radius_m) * of.force_N[self.side].signum())
+        };
+        let mut marks = Vec::new();
+        for (shape, up) in [(Shape::Triangle, true), (Shape::Tip, false)] {
+            let of = seen.iter().filter(|of| (of.force_N[self.side] > 0.0) == up);
+            let points: Vec<(f64, f64)> = of.map(place).collect();
+            if !points.is_empty() {
+                marks.push(Mark::Points { ink: TOUCH, shape, points });
+            }
+        }
+        for of in seen.iter().take(NAMED) {
+            let force_N = of.force_N[self.side].abs();
+            let text = three(self.shown, force_N, "force");
+            marks.push(Mark::Name { at: place(of), text });
+        }
+        marks
+    }
+}

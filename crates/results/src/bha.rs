@@ -1,0 +1,200 @@
+//! `summary.json` of an assembly at rest.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use wholestring::statics::assembly::{AssemblyErrors, Contact, Largest, Sag};
+
+use crate::{
+    ResultsError,
+    json::{read_versioned, write_json},
+};
+
+/// Version of the layout of the files of an assembly at rest; raised when a key changes or goes.
+pub const BHA_VERSION: u32 = 1;
+
+/// `summary.json` of an assembly at rest. Each pair is the part towards the high side and that to the
+/// right of it as one looks down the hole.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct BhaSummary {
+    /// [`BHA_VERSION`] of the program that wrote it.
+    pub schema_version: u32,
+    /// Name of the case.
+    pub case: String,
+    /// The case's settings with all defaults filled in.
+    pub settings: Value,
+    /// The operation: `drill`, `slide`, ...
+    pub operation: String,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// Weight on bit, N.
+    pub weight_on_bit_N: f64,
+    /// Tool face of the lowest bend, rad; none without one.
+    pub toolface_rad: Option<f64>,
+    /// Inclination of the hole at the bit, rad.
+    pub inclination_rad: f64,
+    /// Azimuth of the hole at the bit, rad.
+    pub azimuth_rad: f64,
+    /// What was found.
+    pub state: BhaState,
+    /// Components as far as they were solved, from the bit up.
+    pub parts: Vec<BhaPart>,
+    /// Build rate of the holes in which the inclination was varied, rad/m.
+    pub build_rate_rad_per_m: f64,
+    /// Mean side force of the bit over the tool faces, N; none where they were not varied over a revolution.
+    pub mean_side_force_N: Option<[f64; 2]>,
+    /// Inclinations at which the side force towards the high side is zero, rad.
+    pub holding_inclinations_rad: Vec<f64>,
+    /// Weights at which it is zero, N.
+    pub holding_weights_N: Vec<f64>,
+    /// The assembly at other tool faces, weights and inclinations.
+    pub sweep: Vec<BhaPoint>,
+}
+
+/// An assembly at rest.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct BhaState {
+    /// Side force of the bit on the rock, N.
+    pub side_force_N: [f64; 2],
+    /// Tilt of the bit against the hole's axis, rad.
+    pub tilt_rad: [f64; 2],
+    /// Upper end of the assembly from the bit, m: where ordinary pipe begins.
+    pub length_m: f64,
+    /// How much of the string was solved, from the bit, m.
+    pub solved_m: f64,
+    /// Largest bending moment of the assembly, N·m.
+    pub largest_bending_moment_N_m: Largest,
+    /// Largest bending stress of the assembly, Pa.
+    pub largest_bending_stress_Pa: Largest,
+    /// Largest von Mises stress of the assembly, Pa.
+    pub largest_von_mises_stress_Pa: Largest,
+    /// Where it touches, from the bit up; the bit first.
+    pub contacts: Vec<Contact>,
+    /// Sag at the survey sensors; measured + correction = hole.
+    pub sag: Vec<Sag>,
+    /// What elements half as long change.
+    pub errors: Option<AssemblyErrors>,
+    /// Elements.
+    pub elements: usize,
+    /// Largest force out of balance, as a part of the string's weight.
+    pub residual: f64,
+    /// Whether every small motion costs energy.
+    pub stable: bool,
+}
+
+/// A component.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct BhaPart {
+    /// What it is called.
+    pub name: String,
+    /// Its lower end, from the bit, m.
+    pub from_bit_m: f64,
+    /// Its upper end, from the bit, m.
+    pub to_bit_m: f64,
+    /// Outside diameter of the body, m.
+    pub od_m: f64,
+    /// Diameter over its blades, m, and their length, m.
+    pub blades_m: Option<[f64; 2]>,
+    /// Diameter of its tool joints, m.
+    pub joint_od_m: Option<f64>,
+    /// Distance of its bend from the bit, m.
+    pub bend_m: Option<f64>,
+}
+
+/// What is varied.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum BhaVaried {
+    /// The tool face of the lowest bend, the others with it.
+    Toolface,
+    /// The weight on bit, and its torque in proportion.
+    Weight,
+    /// The inclination, of a straight hole or one with a constant build rate.
+    Inclination,
+}
+
+impl BhaVaried {
+    /// All, in the order in which they are reported.
+    pub const ALL: [Self; 3] = [Self::Toolface, Self::Weight, Self::Inclination];
+
+    /// Its name in results.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Toolface => "toolface",
+            Self::Weight => "weight",
+            Self::Inclination => "inclination",
+        }
+    }
+}
+
+/// The assembly at another tool face, weight or inclination.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct BhaPoint {
+    /// What is varied.
+    pub varied: BhaVaried,
+    /// Tool face of the lowest bend, rad; none without one.
+    pub toolface_rad: Option<f64>,
+    /// Weight on bit, N.
+    pub weight_on_bit_N: f64,
+    /// Inclination of the hole at the bit, rad.
+    pub inclination_rad: f64,
+    /// Why there is no equilibrium; empty where there is one.
+    pub message: String,
+    /// What was found; none without an equilibrium.
+    pub found: Option<BhaFound>,
+}
+
+/// What a point of a sweep keeps.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct BhaFound {
+    /// Side force of the bit on the rock, N.
+    pub side_force_N: [f64; 2],
+    /// Tilt of the bit against the hole's axis, rad.
+    pub tilt_rad: [f64; 2],
+    /// Largest bending moment of the assembly, N·m.
+    pub largest_bending_moment_N_m: f64,
+    /// Largest von Mises stress of the assembly, Pa.
+    pub largest_von_mises_stress_Pa: f64,
+    /// Correction of the first sensor's inclination, rad.
+    pub sag_inclination_rad: Option<f64>,
+    /// The same of its azimuth.
+    pub sag_azimuth_rad: Option<f64>,
+}
+
+impl BhaPoint {
+    /// The number that is varied, SI.
+    pub fn value(&self) -> f64 {
+        match self.varied {
+            BhaVaried::Toolface => self.toolface_rad.unwrap_or(f64::NAN),
+            BhaVaried::Weight => self.weight_on_bit_N,
+            BhaVaried::Inclination => self.inclination_rad,
+        }
+    }
+}
+
+impl BhaSummary {
+    /// Writes the summary as indented JSON.
+    pub fn write(&self, path: &Path) -> Result<(), ResultsError> {
+        write_json(self, path)
+    }
+
+    /// Reads back a summary, and refuses one of another [`BHA_VERSION`].
+    pub fn read(path: &Path) -> Result<Self, ResultsError> {
+        read_versioned(path, BHA_VERSION..=BHA_VERSION)
+    }
+
+    /// What is to be wary of, a sentence for each.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut warnings = Vec::new();
+        if !self.state.stable {
+            warnings.push("the state is not stable: a small push changes it".to_owned());
+        }
+        let failed = self.sweep.iter().filter(|point| point.found.is_none()).count();
+        if failed > 0 {
+            let all = self.sweep.len();
+            warnings.push(format!("{failed} of {all} points of the sweeps have no equilibrium"));
+        }
+        warnings
+    }
+}

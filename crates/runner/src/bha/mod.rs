@@ -1,0 +1,10 @@
+//! The bottom-hole assembly at rest: side force and tilt of the bit, contacts, bending, sag; at other tool
+//! faces, weights and inclinations too.
+
+pub(crate) mod page;
+mod page_tables;
+mod points;
+mod request;
+
+pub use points::Sweeps;
+pub use request::{Outcome, Request, run};

@@ -1,0 +1,183 @@
+//! The assembly at other tool faces, weights and inclinations.
+
+use std::{f64::consts::PI, sync::Mutex};
+
+use wholestring::{
+    model::Model,
+    operation::Operation,
+    statics::assembly::{self, AssemblySettings, in_straight_hole},
+};
+use wholestring_results::{BhaFound, BhaPoint, BhaVaried};
+
+use crate::{
+    cancellation::CancellationToken,
+    error::Error,
+    parallel::{in_parallel, lock},
+};
+
+const DEGREE: f64 = PI / 180.0;
+
+/// What is varied, one after the other, SI; what a front leaves out has a default.
+#[derive(Debug, Clone, Default)]
+pub struct Sweeps {
+    /// Tool faces of the lowest bend, rad: a revolution in steps of 15° where nothing is said and the
+    /// string has a bend.
+    pub toolfaces_rad: Option<Vec<f64>>,
+    /// Weights on bit, N: seven up to one and a half times that of an operation that has one.
+    pub weights_N: Option<Vec<f64>>,
+    /// Inclinations of a straight hole, rad: from 5° to 90° in steps of 5°.
+    pub inclinations_rad: Option<Vec<f64>>,
+    /// Rate at which those holes build down to the bit, rad/m.
+    pub build_rate_rad_per_m: f64,
+}
+
+/// A point that is to be solved.
+struct Wanted {
+    varied: BhaVaried,
+    value: f64,
+}
+
+/// What is solved at every point.
+pub(super) struct Base<'a> {
+    pub(super) model: &'a Model,
+    pub(super) operation: &'a Operation,
+    pub(super) settings: &'a AssemblySettings,
+    /// How much of the string is solved, m.
+    pub(super) solved_m: f64,
+    pub(super) jobs: usize,
+    pub(super) cancellation: &'a CancellationToken,
+}
+
+impl Base<'_> {
+    /// All points, in the order of what is varied.
+    pub(super) fn points(&self, sweeps: &Sweeps) -> Result<Vec<BhaPoint>, Error> {
+        let wanted = self.wanted(sweeps)?;
+        let order: Vec<usize> = (0..wanted.len()).collect();
+        let done: Vec<Mutex<Option<BhaPoint>>> = order.iter().map(|_| Mutex::default()).collect();
+        in_parallel(self.jobs, &order, |index| {
+            if !self.cancellation.is_cancelled() {
+                let point = self.point(&wanted[index], sweeps.build_rate_rad_per_m);
+                *lock(&done[index]) = Some(point);
+            }
+        });
+        let done: Option<Vec<BhaPoint>> = done.iter().map(|point| lock(point).take()).collect();
+        done.ok_or(Error::Interrupted)
+    }
+
+    fn wanted(&self, sweeps: &Sweeps) -> Result<Vec<Wanted>, Error> {
+        let has_bend = self.model.string.toolface_rad().is_some();
+        let toolfaces = match &sweeps.toolfaces_rad {
+            Some(_) if !has_bend => {
+                return Err(Error::BadInput(
+                    "no component of the string has a bend: there is no tool face to vary".into(),
+                ));
+            }
+            Some(given) => given.clone(),
+            None if has_bend => (0..=24).map(|step| f64::from(step) * 15.0 * DEGREE).collect(),
+            None => Vec::new(),
+        };
+        let weight_N = self.operation.weight_on_bit_now_N();
+        let on_bottom = self.operation.kind.on_bottom();
+        let weights = match &sweeps.weights_N {
+            Some(_) if !on_bottom => {
+                let name = self.operation.kind.name();
+                return Err(Error::BadInput(format!(
+                    "{name} has no weight on the bit to vary: choose an operation that drills"
+                )));
+            }
+            Some(given) => given.clone(),
+            None if weight_N > 0.0 => {
+                (0..=6).map(|step| f64::from(step) * 0.25 * weight_N).collect()
+            }
+            None => Vec::new(),
+        };
+        if let Some(wrong) = weights.iter().find(|weight_N| **weight_N < 0.0) {
+            return Err(Error::BadInput(format!(
+                "a weight on bit of {:.1} kN is less than nothing",
+                1e-3 * wrong
+            )));
+        }
+        let inclinations = match &sweeps.inclinations_rad {
+            Some(given) => given.clone(),
+            None => (1..=18).map(|step| f64::from(step) * 5.0 * DEGREE).collect(),
+        };
+        if let Some(wrong) = inclinations.iter().find(|rad| !(0.0..=PI).contains(*rad)) {
+            return Err(Error::BadInput(format!(
+                "an inclination of {:.1} deg is outside 0 to 180 deg",
+                wrong / DEGREE
+            )));
+        }
+        let all = [
+            (BhaVaried::Toolface, toolfaces),
+            (BhaVaried::Weight, weights),
+            (BhaVaried::Inclination, inclinations),
+        ];
+        Ok(all
+            .into_iter()
+            .flat_map(|(varied, mut values)| {
+                values.sort_by(f64::total_cmp);
+                values.into_iter().map(move |value| Wanted { varied, value })
+            })
+            .collect())
+    }
+
+    fn point(&self, wanted: &Wanted, build_rate_rad_per_m: f64) -> BhaPoint {
+        let bit_m = self.operation.bit_depth_m;
+        let mut point = BhaPoint {
+            varied: wanted.varied,
+            toolface_rad: self.model.string.toolface_rad(),
+            weight_on_bit_N: self.operation.weight_on_bit_now_N(),
+            inclination_rad: self.model.well.path.at(bit_m).inclination_rad(),
+            message: String::new(),
+            found: None,
+        };
+        let mut operation = *self.operation;
+        let model = match wanted.varied {
+            BhaVaried::Toolface => {
+                point.toolface_rad = Some(wanted.value);
+                let string = self.model.string.at_toolface(wanted.value);
+                Ok(Model { string, ..self.model.clone() })
+            }
+            BhaVaried::Weight => {
+                point.weight_on_bit_N = wanted.value;
+                operation = at_weight(&operation, wanted.value);
+                Ok(self.model.clone())
+            }
+            BhaVaried::Inclination => {
+                point.inclination_rad = wanted.value;
+                let build = (build_rate_rad_per_m, self.solved_m);
+                in_straight_hole(self.model, &operation, wanted.value, build)
+            }
+        };
+        let found = model.map_err(|error| error.to_string()).and_then(|model| {
+            let found = assembly::solve_once(&model, &operation, self.settings);
+            found.map_err(|error| error.to_string())
+        });
+        match found {
+            Ok(found) => {
+                let sag = found.sag.first();
+                point.found = Some(BhaFound {
+                    side_force_N: found.bit_side_force_N,
+                    tilt_rad: found.bit_tilt_rad,
+                    largest_bending_moment_N_m: found.largest_moment_N_m.value,
+                    largest_von_mises_stress_Pa: found.largest_von_mises_Pa.value,
+                    sag_inclination_rad: sag.map(|sag| sag.inclination_rad),
+                    sag_azimuth_rad: sag.and_then(|sag| sag.azimuth_rad),
+                });
+            }
+            Err(message) => point.message = message,
+        }
+        point
+    }
+}
+
+/// The operation at another weight; its bit's torque in proportion.
+fn at_weight(operation: &Operation, weight_N: f64) -> Operation {
+    let part =
+        if operation.weight_on_bit_N > 0.0 { weight_N / operation.weight_on_bit_N } else { 1.0 };
+    Operation {
+        weight_on_bit_N: weight_N,
+        bit_torque_N_m: part * operation.bit_torque_N_m,
+        ..*operation
+    }
+}

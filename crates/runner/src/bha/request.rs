@@ -1,0 +1,245 @@
+//! An assembly at rest that is requested, and what came of it.
+
+use std::{f64::consts::TAU, num::NonZeroUsize, path::PathBuf, thread, time::Instant};
+
+use serde_json::json;
+use wholestring::{
+    operation::{Operation, OperationKind},
+    statics::assembly::{self, Assembly, AssemblySettings, Extent, zeros},
+};
+use wholestring_case::Case;
+use wholestring_results::{
+    BHA_VERSION, BhaPart, BhaPoint, BhaState, BhaSummary, BhaVaried, Occupant, ResultsFolder,
+    bha_contacts_table, bha_sweep_table, bha_table, digest,
+};
+use wholestring_units::UnitSet;
+
+use super::{
+    page,
+    points::{Base, Sweeps},
+};
+use crate::{
+    cancellation::CancellationToken, claim::Claim, error::Error, folder_name::default_output,
+    observer::Observer, output::Output, run::stiff_settings,
+};
+
+/// Names of the tables, without their extension.
+pub(super) const NODES: &str = "bha";
+const CONTACTS: &str = "bha_contacts";
+const SWEEP: &str = "bha_sweep";
+
+/// A case whose assembly is to be solved.
+#[derive(Debug)]
+pub struct Request<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// The operation; the first one that drills where nothing is said, or the first.
+    pub operation: Option<OperationKind>,
+    /// Whether the whole string is solved, rather than the assembly and 100 m of pipe above it.
+    pub whole: bool,
+    /// What is varied.
+    pub sweeps: Sweeps,
+    /// Units of the pictures and the page; the case's where nothing is said.
+    pub units: Option<UnitSet>,
+    /// Where the results go.
+    pub output: Output,
+    /// Whether to write the tables as CSV too.
+    pub csv: bool,
+    /// Points that are solved side by side; one per core where nothing is said.
+    pub jobs: Option<NonZeroUsize>,
+}
+
+impl<'a> Request<'a> {
+    /// The case with nothing said beside it.
+    pub fn new(case: &'a Case) -> Self {
+        Self {
+            case,
+            operation: None,
+            whole: false,
+            sweeps: Sweeps::default(),
+            units: None,
+            output: Output::default(),
+            csv: false,
+            jobs: None,
+        }
+    }
+}
+
+/// What came of it.
+#[derive(Debug)]
+pub struct Outcome {
+    /// What was found, as `summary.json` has it.
+    pub summary: BhaSummary,
+    /// Where the results are.
+    pub folder: PathBuf,
+    /// Time on the clock of the assembly itself, s, and of all.
+    pub took_s: [f64; 2],
+}
+
+/// Solves the assembly of a case, and writes its tables, its pictures and its page.
+///
+/// # Errors
+/// An operation that the case has not, something to vary that it has not, a folder that the results cannot
+/// go to, or an assembly without an equilibrium.
+pub fn run(
+    request: &Request<'_>,
+    observer: &dyn Observer,
+    cancellation: &CancellationToken,
+) -> Result<Outcome, Error> {
+    let case = request.case;
+    let operation = operation(case, request.operation)?;
+    let extent = if request.whole { Extent::Whole } else { AssemblySettings::default().extent };
+    let settings = AssemblySettings {
+        stiff: stiff_settings(&case.dynamics),
+        extent,
+        ..AssemblySettings::default()
+    };
+    let name = format!("{} bha", case.name);
+    let claimed = Claim {
+        occupant: Occupant {
+            kind: "assembly".into(),
+            name: name.clone(),
+            identity: digest(&json!([case.identity(), operation.kind.name()])),
+        },
+        output: &request.output,
+        default: default_output(&name),
+        shared: false,
+        observer,
+        is_unfinished: &|_| false,
+        is_part: &|_| false,
+        refuse: &|_| Ok(()),
+    }
+    .folder()?;
+    let start = Instant::now();
+    let found = assembly::solve(&case.model, operation, &settings).map_err(Error::failed)?;
+    let alone_s = start.elapsed().as_secs_f64();
+    let jobs = request.jobs.or_else(|| thread::available_parallelism().ok());
+    let base = Base {
+        model: &case.model,
+        operation,
+        settings: &AssemblySettings { extent: AssemblySettings::default().extent, ..settings },
+        solved_m: found.nodes.last().map_or(0.0, |top| top.from_bit_m),
+        jobs: jobs.map_or(1, NonZeroUsize::get),
+        cancellation,
+    };
+    let points = base.points(&request.sweeps)?;
+    let summary = summary(request, operation, &found, points);
+    write(&claimed.folder, &summary, &found, request)?;
+    let units = request.units.unwrap_or(case.units);
+    page::write(&claimed.folder, &page::gather(claimed.folder.path(), Some(units))?)?;
+    let took_s = [alone_s, start.elapsed().as_secs_f64()];
+    Ok(Outcome { summary, folder: claimed.folder.path().to_owned(), took_s })
+}
+
+fn operation(case: &Case, wanted: Option<OperationKind>) -> Result<&Operation, Error> {
+    let mut all = case.operations.iter();
+    let found = match wanted {
+        Some(kind) => all.find(|one| one.kind == kind),
+        None => all.find(|one| one.kind.on_bottom()).or_else(|| case.operations.first()),
+    };
+    found.ok_or_else(|| {
+        let names: Vec<&str> = case.operations.iter().map(|one| one.kind.name()).collect();
+        let wanted = wanted.map_or("operation", OperationKind::name);
+        Error::BadInput(format!("the case has no {wanted}: it has {}", names.join(", ")))
+    })
+}
+
+fn write(
+    folder: &ResultsFolder,
+    summary: &BhaSummary,
+    found: &Assembly,
+    request: &Request<'_>,
+) -> Result<(), Error> {
+    let components = request.case.model.string.components();
+    let nodes = bha_table(&found.nodes, |component| &components[component].name);
+    folder.write_table(NODES, &nodes, request.csv)?;
+    folder.write_table(CONTACTS, &bha_contacts_table(&found.contacts), request.csv)?;
+    folder.write_table(SWEEP, &bha_sweep_table(&summary.sweep), request.csv)?;
+    summary.write(&folder.path().join("summary.json"))?;
+    Ok(())
+}
+
+fn summary(
+    request: &Request<'_>,
+    operation: &Operation,
+    found: &Assembly,
+    sweep: Vec<BhaPoint>,
+) -> BhaSummary {
+    let case = request.case;
+    let at_bit = case.model.well.path.at(operation.bit_depth_m);
+    let solved_m = found.nodes.last().map_or(0.0, |top| top.from_bit_m);
+    let force = |varied: BhaVaried| -> Vec<(f64, [f64; 2])> {
+        let points = sweep.iter().filter(|point| point.varied == varied);
+        points.filter_map(|point| Some((point.value(), point.found?.side_force_N))).collect()
+    };
+    let high = |varied: BhaVaried| {
+        zeros(&force(varied).iter().map(|(value, force)| (*value, force[0])).collect::<Vec<_>>())
+    };
+    BhaSummary {
+        schema_version: BHA_VERSION,
+        case: case.name.clone(),
+        settings: case.settings.clone(),
+        operation: operation.kind.name().to_owned(),
+        bit_depth_m: operation.bit_depth_m,
+        weight_on_bit_N: operation.weight_on_bit_now_N(),
+        toolface_rad: case.model.string.toolface_rad(),
+        inclination_rad: at_bit.inclination_rad(),
+        azimuth_rad: at_bit.azimuth_rad(),
+        state: BhaState {
+            side_force_N: found.bit_side_force_N,
+            tilt_rad: found.bit_tilt_rad,
+            length_m: found.length_m,
+            solved_m,
+            largest_bending_moment_N_m: found.largest_moment_N_m,
+            largest_bending_stress_Pa: found.largest_bending_stress_Pa,
+            largest_von_mises_stress_Pa: found.largest_von_mises_Pa,
+            contacts: found.contacts.clone(),
+            sag: found.sag.clone(),
+            errors: found.errors,
+            elements: found.convergence.elements,
+            residual: found.convergence.residual,
+            stable: found.convergence.stable,
+        },
+        parts: parts(case, solved_m),
+        build_rate_rad_per_m: request.sweeps.build_rate_rad_per_m,
+        mean_side_force_N: mean(&force(BhaVaried::Toolface)),
+        holding_inclinations_rad: high(BhaVaried::Inclination),
+        holding_weights_N: high(BhaVaried::Weight),
+        sweep,
+    }
+}
+
+/// Mean over the tool faces of a whole revolution in equal steps; none of anything else.
+fn mean(points: &[(f64, [f64; 2])]) -> Option<[f64; 2]> {
+    let [(first, _), (second, _), .., (last, _)] = points else {
+        return None;
+    };
+    let step = second - first;
+    let even = points.windows(2).all(|pair| (pair[1].0 - pair[0].0 - step).abs() < 1e-6);
+    let closed = (last - first - TAU).abs() < 1e-6;
+    let once = (last + step - first - TAU).abs() < 1e-6;
+    if !(even && (closed || once)) {
+        return None;
+    }
+    let points = &points[..points.len() - usize::from(closed)];
+    let count = points.len() as f64;
+    Some([0, 1].map(|side| points.iter().map(|(_, force)| force[side]).sum::<f64>() / count))
+}
+
+fn parts(case: &Case, solved_m: f64) -> Vec<BhaPart> {
+    let spans = case.model.string.spans().take_while(|span| span.from_bit_m < solved_m);
+    spans
+        .map(|span| {
+            let of = span.component;
+            BhaPart {
+                name: of.name.clone(),
+                from_bit_m: span.from_bit_m,
+                to_bit_m: span.to_bit_m.min(solved_m),
+                od_m: of.od_m,
+                blades_m: of.blades.map(|blades| [blades.od_m, blades.length_m]),
+                joint_od_m: of.joints.map(|joints| joints.od_m),
+                bend_m: of.bend.map(|bend| span.from_bit_m + bend.from_lower_end_m),
+            }
+        })
+        .collect()
+}
