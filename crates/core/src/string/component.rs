@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-use super::{BodyBend, Eccentricity, Material};
+use super::{BodyBend, Eccentricity, LateralForce, Material};
 use crate::GRAVITY_M_PER_S2;
 
 /// Tool joints: the thick, short ends of a pipe, the only part of it that usually touches the wall.
@@ -51,6 +51,8 @@ pub struct Component {
     pub bend: Option<BodyBend>,
     /// Steel off the axis.
     pub eccentricity: Option<Eccentricity>,
+    /// A force across it.
+    pub lateral_force: Option<LateralForce>,
 }
 
 /// Area of a ring, m².
@@ -79,6 +81,7 @@ impl Component {
             yield_strength_Pa: None,
             bend: None,
             eccentricity: None,
+            lateral_force: None,
         }
     }
 

@@ -1,11 +1,14 @@
 //! S1a: a string of twelve joints in a build.
 
-use wholestring::string::{ComponentLength, ComponentSpec, ToolJoints};
+use wholestring::{
+    ends::TopEnd,
+    string::{ComponentLength, ComponentSpec, ToolJoints},
+};
 
 use crate::{
     common,
     common::{number, report_worst, verification, verify},
-    force_N, nearest, piece, pinned, pressed, solve,
+    force_N, nearest, piece, pressed, settings, solve,
 };
 
 /// Forces and curvatures at the joints, with tension and nearly without. Elements of 0.6 m against an
@@ -35,11 +38,12 @@ fn s1a_twelve_joints_in_a_build() {
                 ..piece(&inputs["pipe"], ComponentLength::ToSurface)
             },
         ];
-        let model = common::model(path, hole, parts, common::mud(0.0), length_m);
+        let mut model = common::model(path, hole, parts, common::mud(0.0), length_m);
+        model.ends.top = TopEnd::Pinned;
         // Without friction the tension grows upwards by the weight along the hole.
-        let free = solve(&model, &pressed(length_m, 0.0), &pinned(0.6));
+        let free = solve(&model, &pressed(length_m, 0.0), &settings(0.6));
         let pull_N = input("T_top_N") - free.scalars.hook_load_N;
-        let found = solve(&model, &pressed(length_m, -pull_N), &pinned(0.6));
+        let found = solve(&model, &pressed(length_m, -pull_N), &settings(0.6));
         let joints = expected["tool_joints"].as_array().expect("joints");
         let largest =
             |key: &str| joints.iter().map(|joint| number(&joint[key]).abs()).fold(0.0, f64::max);

@@ -21,5 +21,5 @@ mod wall;
 pub use equilibrium::Convergence;
 pub use error::StiffError;
 pub use profile::StiffProfile;
-pub use settings::{End, StiffSettings};
+pub use settings::StiffSettings;
 pub use solve::solve;

@@ -115,6 +115,7 @@ impl CatalogueEntry {
             material,
             bend: None,
             eccentricity: None,
+            lateral_force: None,
             yield_strength_Pa: Some(self.yield_strength_Pa),
         }
     }
