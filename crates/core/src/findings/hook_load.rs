@@ -31,10 +31,10 @@ fn judged(model: &Model, level: Level, hook_load_N: f64) -> Finding {
     Finding::new(Kind::HookLoadNegative, level).value(hook_load_N).limit(limit_N)
 }
 
-/// The least hook load that the rig gives. A rig that pushes does so up to its force.
+/// The least hook load of a string that goes down. A rig that pushes does so up to its force.
 fn min_N(model: &Model) -> f64 {
     match model.rig.snubbing_force_N {
-        Some(push_N) => -push_N * (1.0 + NONE),
+        Some(push_N) => -push_N * (1.0 - NONE),
         None => NONE * weight_N(model),
     }
 }

@@ -54,7 +54,7 @@ fn beam_at_rest(model: Model, operation: Operation) -> Case {
 
 /// Beams whose ends are held in every way, with a lateral force to the right, while they turn or not:
 /// the force is fixed in space. Deflections, side forces of the bit and moments are those of the stiff
-/// string within 1e-4 of the largest.
+/// string within 1e-4 of the largest: found 1e-13, for the elements are the same.
 #[test]
 fn beams_with_ends_of_every_kind() {
     let mut cases = Vec::new();
@@ -94,8 +94,8 @@ fn a_lateral_force_presses_the_bit() {
     let model = beam(ends, Some([4.0, FORCE_N, std::f64::consts::FRAC_PI_2]));
     let case = beam_at_rest(model, operation(OperationKind::TripOut, LENGTH_M));
     let found_N = -bit_forces_N(&case.run())[1];
-    verify("Beams", "the bit's share of a lateral force to the right, dynamics")
-        .absolute(3e-3, "thin beams; shear and slopes")
+    verify("ends", "the bit's share of a lateral force to the right in the dynamics")
+        .absolute(1e-3, "thin beams; shear and slopes")
         .report(0.5 * b * b * (3.0 - b), found_N / FORCE_N);
 }
 
@@ -134,7 +134,7 @@ fn a_stuck_string_stretches_by_its_free_length() {
     });
     let steel_N = cases[0].model.string.components()[0].axial_stiffness_N();
     let found = each(&cases, |case| case.run().scalars);
-    verify("Free point", "stretch under a pull on the bit, dynamics, m")
+    verify("ends", "stretch of the dynamics under a pull on the bit, m")
         .relative(1e-4, "what is left of the start")
         .report(PULL_N * DEPTH_M / steel_N, found[1].stretch_m - found[0].stretch_m);
     assert_close("hook load", found[1].hook_load_N - found[0].hook_load_N, PULL_N, 1e-4);
