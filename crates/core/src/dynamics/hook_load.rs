@@ -256,7 +256,17 @@ mod tests {
 
     /// Tries until a lift is within a hundredth of the target; how many it took.
     fn tries(target_N: f64, first_N: f64, weight_N: impl Fn(f64) -> f64) -> Option<usize> {
-        let mut search = Search::new(first_N, 0.0);
+        tries_from(0.0, target_N, first_N, weight_N)
+    }
+
+    /// The same of a rig that gives this lift at least.
+    fn tries_from(
+        least_N: f64,
+        target_N: f64,
+        first_N: f64,
+        weight_N: impl Fn(f64) -> f64,
+    ) -> Option<usize> {
+        let mut search = Search::new(first_N, least_N);
         (1..=MAX_TUNING_RUNS).find(|_| {
             let excess_N = weight_N(search.lift_N) - target_N;
             if excess_N.abs() <= WEIGHT_TOLERANCE * target_N {
@@ -298,6 +308,15 @@ mod tests {
             let tries = tries(60e3, first, weight).expect("found");
             assert!(tries <= 12, "{tries} tries from {first} N");
         }
+    }
+
+    /// Where nothing hangs the weight on the bit is what the rig pushes, if it does.
+    #[test]
+    fn a_rig_that_pushes_goes_below_zero() {
+        let weight = |lift: f64| 10e3 - lift;
+        assert_eq!(tries(60e3, 5e3, weight), None);
+        assert_eq!(tries_from(-80e3, 60e3, 5e3, weight), Some(2));
+        assert_eq!(tries_from(-40e3, 60e3, 5e3, weight), None);
     }
 
     /// A bit that cannot bear what is requested, however little is lifted, and a weight that jumps
