@@ -250,7 +250,6 @@ impl Operation {
 
 #[cfg(test)]
 mod tests {
-    use super::Operation;
     use super::OperationKind::{
         self, BackReam, Drill, Ream, RotateOffBottom, Slide, TripIn, TripOut,
     };
@@ -268,7 +267,7 @@ mod tests {
     #[test]
     fn a_bit_is_pressed_on_bottom_and_pulled_off_it() {
         for kind in OperationKind::ALL {
-            let operation = Operation::new(kind, 1e3).weight_on_bit_N(4e4).bit_pull_N(9e4);
+            let operation = super::Operation::new(kind, 1e3).weight_on_bit_N(4e4).bit_pull_N(9e4);
             let expected = if kind.on_bottom() { -4e4 } else { 9e4 };
             assert_eq!(operation.tension_at_bit_N(), expected);
         }

@@ -114,11 +114,7 @@ fn c05_joints_under_a_pull() {
         let middle_per_m = found.bending_moment_N_m[joint + 4] / input("EI");
         report_worst([
             row("curvature at a joint", "1/m", "curvature_TJ_rad_m", per_m),
-            row(
-                "curvature between joints over that of the arc",
-                "mid_curvature_rad_m",
-                middle_per_m,
-            ),
+            row("curvature between joints", "1/m", "mid_curvature_rad_m", middle_per_m),
             row("force of a joint", "N", "TJ_side_force_N", found.contact_force_N[joint]),
         ]);
     }

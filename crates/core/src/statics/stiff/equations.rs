@@ -256,9 +256,9 @@ impl Equations {
         }
     }
 
-    /// Holds every node across the hole where it is, by so much, N/m: what costs no energy, as going
-    /// round a vertical hole, has an answer then. Equilibria stay what they are.
-    pub(super) fn hold_across(&mut self, by_N_per_m: f64) {
+    /// Shifts the matrix across the hole by so much, N/m (Levenberg's regularisation): what costs no
+    /// energy, as going round a vertical hole, has an answer then. Equilibria stay what they are.
+    pub(super) fn shift_across(&mut self, by_N_per_m: f64) {
         for diagonal in &mut self.matrix.diagonal {
             diagonal[(0, 0)] += by_N_per_m;
             diagonal[(1, 1)] += by_N_per_m;

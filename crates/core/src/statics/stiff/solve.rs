@@ -38,7 +38,7 @@ const LEAST: f64 = 1e-9;
 /// Newton steps after which no further round begins.
 const MOST: usize = 1000;
 
-/// What costs less energy than this part of what a swinging pipe is held by costs none: a buckled pipe
+/// What costs less energy than this part of the foundation that the weight is costs none: a buckled pipe
 /// in a vertical hole may go round it.
 const NEUTRAL: f64 = 1e-5;
 
@@ -235,6 +235,6 @@ fn is_stable(string: &StringInHole, state: &State, equations: &mut Equations) ->
             across += wall;
         }
     }
-    equations.hold_across(NEUTRAL * string.swing_N_per_m());
+    equations.shift_across(NEUTRAL * string.foundation_N_per_m());
     equations.matrix.is_positive_definite()
 }

@@ -65,9 +65,9 @@ impl StringInHole {
         }
     }
 
-    /// Mean weight of a node over its mean clearance, N/m: what a pipe that swings in its hole is
-    /// held by.
-    pub(super) fn swing_N_per_m(&self) -> f64 {
+    /// Mean weight of a node over its mean clearance, N/m: the elastic foundation on which a pipe lies on
+    /// the low side of its hole, `w/r` of Dawson and Paslay.
+    pub(super) fn foundation_N_per_m(&self) -> f64 {
         let walled = self.nodes.iter().filter(|node| node.has_wall());
         let (sum_m, count) =
             walled.fold((0.0, 0.0), |(sum, count), node| (sum + node.clearance_m, count + 1.0));
