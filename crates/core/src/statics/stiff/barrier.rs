@@ -132,12 +132,11 @@ impl<'a> Barrier<'a> {
     }
 
     fn ends(&self, state: &State, index: usize) -> Ends {
-        let [upper, lower] = [index, index + 1].map(|node| state.position_m(self.string, node));
         let directors = [
             self.string.elements[index].seen(&state.heading[index]),
             state.heading[index + 1].along,
         ];
-        Ends { chord_m: lower - upper, directors }
+        Ends { chord_m: state.chord_m(self.string, index), directors }
     }
 
     /// Room of a node, m.

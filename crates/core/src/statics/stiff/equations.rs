@@ -115,11 +115,8 @@ impl Equations {
             diagonal[(0, 0)] = node.hold_N_per_m;
             diagonal[(1, 1)] = node.hold_N_per_m;
         }
-        let mut above = state.position_m(string, 0);
         for index in 0..string.elements.len() {
-            let below = state.position_m(string, index + 1);
-            self.add_element(string, state, index, below - above, torque_N_m);
-            above = below;
+            self.add_element(string, state, index, torque_N_m);
         }
         self.hold_ends(string);
     }
@@ -129,13 +126,13 @@ impl Equations {
         string: &StringInHole,
         state: &State,
         index: usize,
-        chord_m: Vector3<f64>,
         torque_N_m: Option<&[f64]>,
     ) {
         let element = &string.elements[index];
         let nodes = [&string.nodes[index], &string.nodes[index + 1]];
         let headings = [&state.heading[index], &state.heading[index + 1]];
         let seen = [Seen::of(headings[0], element.bend.as_ref()), Seen::of(headings[1], None)];
+        let chord_m = state.chord_m(string, index);
         let ends = Ends { chord_m, directors: [seen[0].director, seen[1].director] };
         let tension_N = state.tension_N[index];
         let of = Tangent::of(&element.stiffness, &ends, tension_N);
@@ -344,9 +341,8 @@ mod tests {
     /// Tensions that fit the shape.
     fn fit(string: &StringInHole, state: &mut State) {
         for (index, element) in string.elements.iter().enumerate() {
-            let [upper, lower] = [index, index + 1].map(|node| state.position_m(string, node));
             let directors = [element.seen(&state.heading[index]), state.heading[index + 1].along];
-            let ends = Ends { chord_m: lower - upper, directors };
+            let ends = Ends { chord_m: state.chord_m(string, index), directors };
             let longer_m = ends.longer_m(&element.stiffness) - element.slack_m;
             state.tension_N[index] = element.stiffness.axial * longer_m;
         }

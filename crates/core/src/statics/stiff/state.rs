@@ -71,9 +71,21 @@ impl State {
 
     /// Where a node is.
     pub(super) fn position_m(&self, string: &StringInHole, index: usize) -> Vector3<f64> {
-        let node = &string.nodes[index];
+        string.nodes[index].anchor_m + self.moved_m(string, index)
+    }
+
+    /// From where to where an element reaches. The places of its nodes are not subtracted: of two that
+    /// are kilometres away rounding would be left, and an element is stiff.
+    pub(super) fn chord_m(&self, string: &StringInHole, index: usize) -> Vector3<f64> {
+        string.elements[index].anchor_chord_m
+            + (self.moved_m(string, index + 1) - self.moved_m(string, index))
+    }
+
+    /// How far a node is from its place on the hole's axis.
+    fn moved_m(&self, string: &StringInHole, index: usize) -> Vector3<f64> {
+        let [first, second, along] = &string.nodes[index].axes;
         let u = &self.offset_m[index];
-        node.anchor_m + node.axes[0] * u.x + node.axes[1] * u.y + node.axes[2] * u.z
+        first * u.x + second * u.y + along * u.z
     }
 
     /// Moves the nodes by a part of a step.

@@ -22,6 +22,8 @@ use crate::{
 /// An element between a node and the next.
 #[derive(Debug, Clone)]
 pub(in super::super) struct Element {
+    /// From its upper node's place on the hole's axis to its lower node's, m.
+    pub(in super::super) anchor_chord_m: Vector3<f64>,
     /// Its stiffness.
     pub(in super::super) stiffness: Stiffness<f64>,
     /// `g` of the element without tension, m: on the hole's axis it has the soft string's tension.
@@ -60,11 +62,10 @@ pub(super) fn between(
         let stiffness = Stiffness::new(&of.section, of.length_m);
         let middle_m = 0.5 * (upper.md_m + lower.md_m);
         let guess_N = soft.tension_at_N(middle_m);
-        let centred = Ends {
-            chord_m: lower.anchor_m - upper.anchor_m,
-            directors: [upper.axes[2], lower.axes[2]],
-        };
+        let anchor_chord_m = lower.anchor_m - upper.anchor_m;
+        let centred = Ends { chord_m: anchor_chord_m, directors: [upper.axes[2], lower.axes[2]] };
         Element {
+            anchor_chord_m,
             slack_m: centred.longer_m(&stiffness) - guess_N / stiffness.axial,
             stiffness,
             guess_N,
