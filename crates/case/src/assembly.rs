@@ -119,18 +119,16 @@ pub(crate) fn assemble(
             ),
         )
         .help("length = \"to surface\" in the last component fills the rest")),
-        AssemblyError::Dimension {
-            index,
-            field: "bend_at",
-            ..
-        } => {
+        AssemblyError::Dimension { index, field: field @ ("bend_at" | "lateral_force_at"), .. } => {
             let table = tables.get(*index);
-            let given = table.and_then(|table| table.value.bend_at.given().map(|at| at.place));
-            let place = given.or(table.map(|table| table.place)).unwrap_or(top);
-            Diagnostic::error("the bend is at the end of the string").at(
-                place,
-                "expected 0.3 m or more from the bit and from the surface",
-            )
+            let given = table.and_then(|table| match *field {
+                "bend_at" => table.value.bend_at.given(),
+                _ => table.value.lateral_force_at.given(),
+            });
+            let place = given.map(|at| at.place).or(table.map(|table| table.place)).unwrap_or(top);
+            let what = if *field == "bend_at" { "the bend" } else { "the lateral force" };
+            Diagnostic::error(format!("{what} is at the end of the string"))
+                .at(place, "expected 0.3 m or more from the bit and from the surface")
         }
         AssemblyError::Dimension { index, .. } => {
             let place = tables.get(*index).map(|table| table.place).unwrap_or(top);

@@ -1,20 +1,21 @@
-//! What a component has in its body: a bend, steel off the axis, a survey sensor.
+//! What a component has in its body, a bend, steel off the axis, a survey sensor, and what acts across it.
 
 use wholestring::string::{
-    BodyBend, Cavity, ComponentLength, ComponentSpec, Eccentricity, MAX_ECCENTRIC,
+    BodyBend, Cavity, ComponentLength, ComponentSpec, Eccentricity, LateralForce, MAX_ECCENTRIC,
 };
 use wholestring_units::number_text;
 
-use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned};
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned, source::Span};
 
 use crate::component::{ComponentTable, mm};
 
 impl ComponentTable {
-    /// Gives `component` its bend, its eccentricity and its sensor.
+    /// Gives `component` its bend, its eccentricity, its sensor and its lateral force.
     pub(crate) fn body(&self, component: &mut ComponentSpec, reader: &mut Reader) -> Option<()> {
         component.bend = self.bend(component, reader)?;
         component.eccentricity = self.eccentricity(component, reader)?;
         component.survey_sensor_m = self.survey_sensor(component, reader)?;
+        component.lateral_force = self.lateral(component, reader)?;
         Some(())
     }
 
@@ -41,28 +42,61 @@ impl ComponentTable {
             alone(toolface, "bend_toolface", "bend", reader);
             return Some(None);
         };
-        let from_lower_end_m = match (at, component.length) {
-            (Some(at), ComponentLength::Metres(length_m)) if at.value > length_m => {
-                let length = self.length.at()?;
-                return Diagnostic::error("the bend is not on its component")
-                    .at(at.place, format!("expected {} m at most", number_text(length_m)))
-                    .at(length.place, "the component's length")
-                    .refuse(reader);
-            }
-            (Some(at), _) => at.value,
-            (None, ComponentLength::Metres(length_m)) => 0.5 * length_m,
-            (None, ComponentLength::ToSurface) => {
-                return Diagnostic::error("`bend` needs `bend_at`")
-                    .at(bend.place, "`bend_at` is missing")
-                    .help("the middle of a component that runs to the surface moves with the bit")
-                    .refuse(reader);
-            }
-        };
+        let from_lower_end_m =
+            self.place_of(["bend", "bend_at"], bend.place, at, component, reader)?;
         Some(Some(BodyBend {
             angle_rad: bend.value,
             from_lower_end_m,
             toolface_rad: toolface.map_or(0.0, |at| at.value),
         }))
+    }
+
+    fn lateral(
+        &self,
+        component: &ComponentSpec,
+        reader: &mut Reader,
+    ) -> Option<Option<LateralForce>> {
+        let names = ["lateral_force", "lateral_force_at"];
+        let at = self.lateral_force_at.optional()?;
+        let toolface = self.lateral_force_toolface.optional()?;
+        let Some(force) = self.lateral_force.optional()? else {
+            alone(at, "lateral_force_at", "lateral_force", reader);
+            alone(toolface, "lateral_force_toolface", "lateral_force", reader);
+            return Some(None);
+        };
+        Some(Some(LateralForce {
+            force_N: force.value,
+            from_lower_end_m: self.place_of(names, force.place, at, component, reader)?,
+            toolface_rad: toolface.map_or(0.0, |at| at.value),
+        }))
+    }
+
+    /// Where on the component something is, m from its lower end: where it is given, or the middle.
+    fn place_of(
+        &self,
+        [name, name_at]: [&str; 2],
+        place: Span,
+        at: Option<&Spanned<f64>>,
+        component: &ComponentSpec,
+        reader: &mut Reader,
+    ) -> Option<f64> {
+        match (at, component.length) {
+            (Some(at), ComponentLength::Metres(length_m)) if at.value > length_m => {
+                let length = self.length.at()?;
+                Diagnostic::error(format!("`{name}` is not on its component"))
+                    .at(at.place, format!("expected {} m at most", number_text(length_m)))
+                    .at(length.place, "the component's length")
+                    .refuse(reader)
+            }
+            (Some(at), _) => Some(at.value),
+            (None, ComponentLength::Metres(length_m)) => Some(0.5 * length_m),
+            (None, ComponentLength::ToSurface) => {
+                Diagnostic::error(format!("`{name}` needs `{name_at}`"))
+                    .at(place, format!("`{name_at}` is missing"))
+                    .help("the middle of a component that runs to the surface moves with the bit")
+                    .refuse(reader)
+            }
+        }
     }
 
     fn eccentricity(

@@ -63,6 +63,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let rig = case.rig.get().and_then(|rig| rig.build(reader));
     if let (Some(rig), Some(hoist)) = (case.rig.get(), case.hoist.get()) {
         hoist.check_block(rig, reader);
+        hoist.check_push(rig, reader);
     }
 
     let well = case.well.at();
@@ -101,6 +102,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         let lowest = lowest.map(|bit| bit.od_m).zip(od);
         rock::drilling(&case.rock, bit, required_by, lowest, reader)
     });
+    let ends = case.ends.get().and_then(|ends| ends.build(case.bit.get(), reader));
     let around = Around {
         radius_m: bit_radius_m,
         flow_m3_per_s: operation.and_then(|operation| operation.flow_rate.get().copied()),
@@ -193,6 +195,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         string: drill_string?,
         mud: mud?,
         rig: rig?,
+        ends: ends?,
         buckling: *case.buckling.get()?.criterion.get()?,
     };
     let soft = case.buckling.get()?.soft()?;

@@ -10,6 +10,7 @@ use crate::{
     buckling::BucklingTable,
     component::ComponentTable,
     dynamics::DynamicsTable,
+    ends::EndsTable,
     mesh::MeshTable,
     model_rule::{MODELS, ModelRule},
     mud::MudTable,
@@ -48,6 +49,8 @@ table! {
         string: Vec<Spanned<ComponentTable>> = required(List::tables::<ComponentTable>(
             "components ([[string]])", 5000,
         ));
+        /// How the ends of the string are held across the hole.
+        ends: EndsTable = optional(Section::<EndsTable>::RULE);
         /// The bit on the rock.
         bit: BitTable = optional(Section::<BitTable>::RULE);
         /// Solid rock under the bit.

@@ -141,8 +141,8 @@ table! {
             "931 MPa",
         ));
         /// Bend fixed in its body, which turns with it: of a motor's bent housing, of a bent sub.
-        /// The angle between the axes above and below, deg unless a unit is given. Dynamic model
-        /// only. Default: none. Raising it presses bit and housing against opposite sides of the
+        /// The angle between the axes above and below, deg unless a unit is given. Stiff and dynamic
+        /// models. Default: none. Raising it presses bit and housing against opposite sides of the
         /// hole.
         bend: f64 = optional(bend_angle());
         /// Distance of the bend from the component's lower end; a node stands there. Default: its
@@ -156,6 +156,25 @@ table! {
         /// side, clockwise as one looks down the hole, deg unless a unit is given. Default: 0, the
         /// high side.
         bend_toolface: f64 = optional(direction("90 deg"));
+        /// Force across it, fixed in space however the string turns: of a rotary steerable, whose pads
+        /// press the wall on the other side by as much. Stiff and dynamic models; the soft string
+        /// leaves it out, and says so. Default: none. Raising it presses the bit to that side, or, from
+        /// beyond a stabiliser, to the other.
+        lateral_force: f64 = optional(Quantity::si(
+            Dimension::Force,
+            Range::from_to(0.0, 1e6).usual(100.0, 1e5),
+            "15 kN",
+        ));
+        /// Distance of that force from the component's lower end; a node stands there. Default: its
+        /// middle.
+        lateral_force_at: f64 = optional(Quantity::si(
+            Dimension::Length,
+            Range::from_to(0.0, 20_000.0),
+            "0.8 m",
+        ));
+        /// Direction to which the tool is pushed: the angle from the high side at the bit, clockwise as
+        /// one looks down the hole, deg unless a unit is given. Default: 0, the high side.
+        lateral_force_toolface: f64 = optional(direction("90 deg"));
         /// Distance of its steel's centre of mass from the axis, at most a tenth of od: an
         /// imbalance that throws it outwards with the square of the rotary speed. Dynamic model
         /// only. Default: none.

@@ -33,6 +33,7 @@ mod component;
 mod dimension;
 mod dynamics;
 mod effort;
+mod ends;
 mod fit;
 mod hole;
 mod identity;

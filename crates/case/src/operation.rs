@@ -52,6 +52,13 @@ table! {
             Range::from_to(0.0, 5e6).usual(1e3, 7e5),
             "6 tf",
         ));
+        /// Pull on the bit while it is off bottom: what a stuck bit, a fish or a core holds the string
+        /// back by. Tension at the bit; what comes of it at the surface, the overpull, is more by what
+        /// it presses to the wall on the way. Raising it raises the hook load. Default: none.
+        bit_pull: f64 = default(
+            Quantity::si(Dimension::Force, Range::from_to(0.0, 1e7).usual(1e3, 3e6), "200 kN"),
+            0.0,
+        );
         /// Rate of penetration at this weight on bit and rotary speed. Needed by "drill", and by
         /// "slide" in the dynamic model; all laws of the bit but the rate law find their own.
         rop: f64 = optional(Quantity::si(
@@ -164,6 +171,16 @@ impl OperationTable {
         Some(())
     }
 
+    /// Warns of a pull on a bit that is on bottom all the time.
+    fn check_pull(&self, kinds: &[Spanned<OperationKind>], reader: &mut Reader) {
+        if let Some(given) = self.bit_pull.given()
+            && kinds.iter().all(|kind| kind.value.on_bottom())
+        {
+            let why = "used off bottom: on bottom the bit has its `wob`";
+            reader.report(Diagnostic::idle("bit_pull", given.place, why));
+        }
+    }
+
     /// The operations, with the set points that each needs.
     pub(crate) fn build(
         &self,
@@ -177,6 +194,7 @@ impl OperationTable {
         let law = table.law_keys();
         let by_rate = law.is_some_and(|law| law.finds_rate().is_none());
         once_each(kinds, OperationKind::name, reader)?;
+        self.check_pull(kinds, reader);
         let find = |wanted: fn(OperationKind) -> bool| kinds.iter().find(|at| wanted(at.value));
         let rotating = find(OperationKind::rotates);
         let on_bottom = find(OperationKind::on_bottom);
@@ -206,6 +224,7 @@ impl OperationTable {
                 .report(reader);
         }
         let trip_speed = *self.trip_speed.get()?;
+        let bit_pull = *self.bit_pull.get()?;
         let flow_rate = *self.flow_rate.get()?;
         let bit_pressure_drop = *self.bit_pressure_drop.get()?;
         let (rpm, wob, rop) = (rpm?, wob?, rop?);
@@ -227,6 +246,7 @@ impl OperationTable {
                 bit_depth_m,
                 rotary_speed_rad_per_s: rpm.unwrap_or(0.0),
                 weight_on_bit_N: wob.unwrap_or(0.0),
+                bit_pull_N: bit_pull,
                 bit_torque_N_m: torque_N_m.unwrap_or(0.0),
                 rate_of_penetration_m_per_s: rop.unwrap_or(SLIDE_ROP_M_PER_S),
                 trip_speed_m_per_s: trip_speed,

@@ -14,13 +14,19 @@ use wholestring_config::prelude::*;
 const SAME_BLOCK: f64 = 0.05;
 
 table! {
-    /// Limits of the rig. They change no result; a run warns of an operation that exceeds them.
+    /// Limits of the rig. A run warns of an operation that exceeds them; `snubbing_force` alone changes
+    /// what the dynamic model does.
     RigTable in "[rig]" {
         /// Weight of travelling block and top drive. Never part of the reported hook load. How they
         /// move with the top of the string is `mass` of `[hoist]`.
         block_weight: f64 = optional(force("20 tf"));
         /// Largest load that the hoist carries, block included.
         hoist_capacity: f64 = optional(force("450 tf"));
+        /// Largest force with which the rig pushes the string into the hole, the block's weight apart:
+        /// of a snubbing unit, an injector head for coiled tubing, a pull-down. The hook load then
+        /// goes down to its negative; beyond it the string does not go down. Default: none, the rig
+        /// carries and does not push.
+        snubbing_force: f64 = optional(force("250 kN"));
         /// Rated (continuous) torque of the top drive.
         top_drive_torque: f64 = optional(Quantity::si(
             Dimension::Torque,
@@ -49,6 +55,7 @@ impl RigTable {
         Some(Rig {
             block_weight_N: block.map(|at| at.value),
             hoist_capacity_N: capacity.map(|at| at.value),
+            snubbing_force_N: self.snubbing_force.optional()?.map(|at| at.value),
             top_drive_torque_N_m: self.top_drive_torque.optional()?.map(|at| at.value),
         })
     }
@@ -128,10 +135,11 @@ table! {
             Range::from_to(-10.0, 10.0),
             "0.3 m/s",
         )).used_with(&[BLOCK_VELOCITY]);
-        /// Hook load: lifting force on the top of the string, block excluded.
+        /// Hook load: lifting force on the top of the string, block excluded. A negative one pushes, no
+        /// more than `snubbing_force` of `[rig]`.
         hook_load: f64 = optional(Quantity::si(
             Dimension::Force,
-            Range::from_to(0.0, 1e8).usual(1e3, 2e7),
+            Range::from_to(-1e8, 1e8).usual(-1e6, 2e7),
             "900 kN",
         )).used_with(&[HOOK_LOAD]);
         /// Tuned lift: how far the mean weight on bit may be from `wob`, as a part of it. Raising
@@ -177,6 +185,24 @@ impl HoistTable {
                 )
                 .report(reader);
         }
+    }
+
+    /// A push that the rig does not give.
+    pub(crate) fn check_push(&self, rig: &RigTable, reader: &mut Reader) {
+        let Some(load) = self.hook_load.given() else { return };
+        let push = rig.snubbing_force.given();
+        let most_N = push.map_or(0.0, |at| at.value);
+        if load.value >= -most_N {
+            return;
+        }
+        let kN = |force_N: f64| format!("{} kN", number_text(force_N * 1e-3));
+        let mut diagnostic = Diagnostic::error("the rig does not push so hard")
+            .at(load.place, format!("pushes with {}", kN(-load.value)));
+        diagnostic = match push {
+            Some(push) => diagnostic.at(push.place, "the most that it gives"),
+            None => diagnostic.help("a rig that pushes has a snubbing_force in [rig]"),
+        };
+        diagnostic.report(reader);
     }
 
     pub(crate) fn line(&self) -> Option<HoistLine> {

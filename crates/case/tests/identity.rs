@@ -44,6 +44,8 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("dynamics.precision", ["double", "single"]),
     ("dynamics.start", ["prepared", "centred"]),
     ("dynamics.start_tension", ["static", "cold"]),
+    ("ends.bit", ["held", "free"]),
+    ("ends.top", ["clamped", "pinned"]),
     ("hoist.control", ["autodriller", "tuned-lift"]),
     ("hoist.max_speed", ["60 m/h", "61 m/h"]),
     ("mesh.accuracy", ["coarse", "fine"]),
@@ -88,7 +90,7 @@ const VALUES: &[(&str, [&str; 2])] = &[
 /// What is put before the drill pipe of the example, so that a component has everything.
 const TOOL: &str = "[[string]]\ncomponent = \"motor\"\nod = \"171 mm\"\nid = \"57 mm\"\nlength = \"9.6 m\"\n\
      bend = \"1.5 deg\"\nbend_at = \"2 m\"\nbend_toolface = \"90 deg\"\neccentricity = \"2 mm\"\n\
-     eccentricity_phase = \"90 deg\"\neccentricity_cavity = \"mud\"\nblade_od = \"212 mm\"\nblade_length = \"0.6 m\"\n";
+     eccentricity_phase = \"90 deg\"\nlateral_force = \"15 kN\"\nlateral_force_at = \"0.8 m\"\nlateral_force_toolface = \"90 deg\"\neccentricity_cavity = \"mud\"\nblade_od = \"212 mm\"\nblade_length = \"0.6 m\"\n";
 
 const JOINTED: &str = "[[string]]\ncomponent = \"pipe\"\nod = \"127 mm\"\nid = \"108.6 mm\"\nlength = \"96 m\"\n\
      joint_od = \"168 mm\"\njoint_spacing = \"9.6 m\"\nmass_per_length = \"32 kg/m\"\n";
@@ -342,6 +344,9 @@ fn settings_tell_of_bends_eccentricities_and_the_tolerance() {
     close("bend_rad", 1.5_f64.to_radians());
     close("bend_at_m", 2.0);
     close("bend_toolface_rad", 90_f64.to_radians());
+    close("lateral_force_N", 15e3);
+    close("lateral_force_at_m", 0.8);
+    close("lateral_force_toolface_rad", 90_f64.to_radians());
     close("eccentricity_m", 2e-3);
     close("eccentricity_phase_rad", 90_f64.to_radians());
     assert_eq!(motor["eccentricity_cavity"], "mud");

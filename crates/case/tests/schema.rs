@@ -159,6 +159,8 @@ fn quantities_have_usual_numbers() {
         ("stations", "rows of three, read one by one"),
         ("bend_at", "a place on the component, which bounds it"),
         ("bend_toolface", "any angle"),
+        ("lateral_force_at", "a place on the component, which bounds it"),
+        ("lateral_force_toolface", "any angle"),
         ("eccentricity_phase", "any angle"),
         ("face", "lengths that the bit's diameter bounds"),
         ("rock", "angles, energies and margins that the rock bounds"),

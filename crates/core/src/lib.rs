@@ -47,7 +47,7 @@
 //!
 //! 1. [`prelude`]: what such a program imports.
 //! 2. [`well`], [`string`] with its [catalogue](string::catalogue), [`mud`], [`rig`]: the four parts
-//!    of a [`model::Model`].
+//!    of a [`model::Model`]; [`ends`] says how the string's ends are held across the hole.
 //! 3. [`operation`]: what the driller does, with its set points.
 //! 4. [`statics::soft`]: torque and drag along the string at once; [`statics::buckling`].
 //! 5. [`dynamics`]: the string in time; its [`DynamicsSettings`](dynamics::DynamicsSettings) hold
@@ -94,6 +94,7 @@ extern crate self as wholestring;
 mod common;
 mod damage;
 pub mod dynamics;
+pub mod ends;
 pub mod findings;
 mod finite;
 #[doc(hidden)]

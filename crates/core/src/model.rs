@@ -3,7 +3,12 @@
 use serde::Serialize;
 
 use crate::{
-    GRAVITY_M_PER_S2, mud::Mud, rig::Rig, statics::buckling::Criterion, string::DrillString,
+    GRAVITY_M_PER_S2,
+    ends::{BitEnd, Ends},
+    mud::Mud,
+    rig::Rig,
+    statics::buckling::Criterion,
+    string::DrillString,
     well::Well,
 };
 
@@ -19,6 +24,8 @@ pub struct Model {
     pub mud: Mud,
     /// Hoist and top drive.
     pub rig: Rig,
+    /// How the ends of the string are held across the hole. The soft string knows nothing of it.
+    pub ends: Ends,
     /// Whose buckling loads compression is compared with.
     pub buckling: Criterion,
 }
@@ -38,9 +45,17 @@ pub struct MudColumn {
 }
 
 impl Model {
-    /// A well, a string and a mud on a rig without limits: set [`Self::rig`] for those.
+    /// A well, a string and a mud on a rig without limits, its ends as they usually are: set
+    /// [`Self::rig`] and [`Self::ends`] for others.
     pub fn new(well: Well, string: DrillString, mud: Mud) -> Self {
-        Self { well, string, mud, rig: Rig::default(), buckling: Criterion::default() }
+        Self {
+            well,
+            string,
+            mud,
+            rig: Rig::default(),
+            ends: Ends::default(),
+            buckling: Criterion::default(),
+        }
     }
 
     /// The mud at rest, its surface where measured depth begins.
@@ -55,8 +70,12 @@ impl Model {
     ///
     /// The lowest node always is. Where the first component fills the drilled hole, all of it is if it
     /// is a [bit](crate::string::Component::is_bit); of a motor or a collar without a bit no more than
-    /// a bit's length, for its body is pressed against the wall like any other.
+    /// a bit's length, for its body is pressed against the wall like any other. Of a free end nothing
+    /// is.
     pub(crate) fn held_length_m(&self) -> f64 {
+        if self.ends.bit == BitEnd::Free {
+            return 0.0;
+        }
         let lowest = &self.string.components()[0];
         let drilled = 0.5 * self.well.hole.at(self.string.length_m()).diameter_m;
         if drilled - 0.5 * lowest.od_m >= SNUG_M {

@@ -153,6 +153,9 @@ pub struct Operation {
     pub rotary_speed_rad_per_s: f64,
     /// Weight on bit when the bit is on bottom, N, positive in compression.
     pub weight_on_bit_N: f64,
+    /// Pull on the bit when it is off bottom, N: what a stuck bit, a fish or a core holds the string
+    /// back by.
+    pub bit_pull_N: f64,
     /// Torque of the bit at `weight_on_bit_N`, N·m.
     pub bit_torque_N_m: f64,
     /// Rate of penetration at `weight_on_bit_N` and `rotary_speed_rad_per_s`, m/s.
@@ -212,6 +215,17 @@ impl Operation {
         if self.kind.on_bottom() { self.weight_on_bit_N } else { 0.0 }
     }
 
+    /// Pull on the bit, N; zero on bottom.
+    pub fn bit_pull_now_N(&self) -> f64 {
+        if self.kind.on_bottom() { 0.0 } else { self.bit_pull_N }
+    }
+
+    /// Effective tension at the bit, N, but for the thrust of its jets: what pulls there, less the
+    /// weight on it.
+    pub fn tension_at_bit_N(&self) -> f64 {
+        self.bit_pull_now_N() - self.weight_on_bit_now_N()
+    }
+
     /// Bit torque that the string carries, N·m; zero off bottom. A sliding string carries the
     /// reaction of its motor, which is the same torque.
     pub fn bit_torque_now_N_m(&self) -> f64 {
@@ -253,6 +267,15 @@ mod tests {
             assert_eq!(kind.without_rotation(), pair.map_or(kind, |(_, slides)| *slides));
         }
         assert_eq!(RotateOffBottom.without_rotation(), RotateOffBottom);
+    }
+
+    #[test]
+    fn a_bit_is_pressed_on_bottom_and_pulled_off_it() {
+        for kind in OperationKind::ALL {
+            let operation = super::Operation::new(kind, 1e3).weight_on_bit_N(4e4).bit_pull_N(9e4);
+            let expected = if kind.on_bottom() { -4e4 } else { 9e4 };
+            assert_eq!(operation.tension_at_bit_N(), expected);
+        }
     }
 
     #[test]

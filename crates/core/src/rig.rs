@@ -9,6 +9,21 @@ pub struct Rig {
     pub block_weight_N: Option<f64>,
     /// Largest load that the hoist carries, N, block included.
     pub hoist_capacity_N: Option<f64>,
+    /// Largest force with which the rig pushes the string into the hole, N, the block's weight apart:
+    /// of a snubbing unit, an injector head, a pull-down. `None` of a rig that only carries.
+    pub snubbing_force_N: Option<f64>,
     /// Rated (continuous) torque of the top drive, N·m.
     pub top_drive_torque_N_m: Option<f64>,
+}
+
+impl Rig {
+    /// What the rig pushes the string into the hole with at most, N, the block's weight apart.
+    pub(crate) fn push_N(&self) -> f64 {
+        self.snubbing_force_N.unwrap_or(0.0)
+    }
+
+    /// The same with the weight of the block, where that is known.
+    pub(crate) fn push_with_block_N(&self) -> f64 {
+        self.push_N() + self.block_weight_N.unwrap_or(0.0)
+    }
 }

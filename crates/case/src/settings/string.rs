@@ -10,7 +10,8 @@ pub(super) fn string(string: &DrillString) -> Json {
     components.map(|of| Json::from(component(of))).collect()
 }
 
-/// What a component does not have, joints, blades, a bend or an eccentricity, is left out.
+/// What a component does not have, joints, blades, a bend, an eccentricity or a lateral force, is left
+/// out.
 fn component(component: &Component) -> Fields {
     Fields::of(component)
         .renamed([("name", "component")])
@@ -19,10 +20,13 @@ fn component(component: &Component) -> Fields {
         .spread("blades", "blade_")
         .spread("bend", "bend_")
         .spread("eccentricity", "eccentricity_")
+        .spread("lateral_force", "lateral_force_")
         .renamed([
             ("bend_angle_rad", "bend_rad"),
             ("bend_from_lower_end_m", "bend_at_m"),
             ("eccentricity_offset_m", "eccentricity_m"),
+            ("lateral_force_force_N", "lateral_force_N"),
+            ("lateral_force_from_lower_end_m", "lateral_force_at_m"),
         ])
         .words(["eccentricity_cavity"])
 }

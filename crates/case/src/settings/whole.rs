@@ -66,6 +66,7 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
         .with("string", string::string(&model.string))
         .with("bit", bit)
         .with("rig", to_json(&model.rig))
+        .with("ends", Fields::of(&model.ends).words(["top", "bit"]))
         .with("buckling", buckling(model, soft))
         .with("hoist", hoist::hoist(dynamics, operations, case.hoist.get()))
         .with("top_drive", hoist::top_drive(&dynamics.top_drive))

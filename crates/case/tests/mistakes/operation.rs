@@ -35,6 +35,7 @@ fn set_points() {
     each_warned(
         r#"
         warn_weight_on_bit: `wob = "6 tf"` -> `wob = "200 tf"`
+        warn_bit_pull_on_bottom: `wob = "6 tf"` -> `wob = "6 tf"\nbit_pull = "200 kN"`
         "#,
     );
     warned(

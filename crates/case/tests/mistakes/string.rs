@@ -36,6 +36,7 @@ fn sizes_and_lengths() {
         ("joint_wider_than_hole", explicit(&format!("{pipe}\njoint_od = \"9 in\""))),
         ("collar_wider_than_hole", explicit("od = \"8-1/2 in\"\nid = \"3 in\"")),
         ("bend_without_place", explicit(&format!("{pipe}\nbend = \"1.5 deg\""))),
+        ("lateral_force_without_place", explicit(&format!("{pipe}\nlateral_force = \"15 kN\""))),
         ("bend_of_a_turn", explicit(&format!("{pipe}\nbend = \"90 deg\"\nbend_at = \"2 m\""))),
         ("eccentricity_of_a_crank", explicit(&format!("{pipe}\neccentricity = \"30 mm\""))),
         (
@@ -49,6 +50,10 @@ fn sizes_and_lengths() {
         r#"
         bend_off_its_component: `length = "0.34 m"`
             -> `length = "0.34 m"\nbend = "1 deg"\nbend_at = "1.9 m"`
+        lateral_force_off_its_component: `length = "0.34 m"`
+            -> `length = "0.34 m"\nlateral_force = "15 kN"\nlateral_force_at = "1.9 m"`
+        lateral_force_at_the_bit: `length = "0.34 m"`
+            -> `length = "0.34 m"\nlateral_force = "15 kN"\nlateral_force_at = "0.1 m"`
         bend_at_the_bit: `length = "0.34 m"`
             -> `length = "0.34 m"\nbend = "1 deg"\nbend_at = "0.1 m"`
         bit_wider_than_casing: `od = "215.9 mm"` -> `od = "12-1/4 in"`
@@ -103,6 +108,8 @@ fn what_has_no_effect_or_is_odd() {
         warn_mass: `catalogue = "5-1/2 in 21.90 lb/ft S-135"`
             -> `catalogue = "5-1/2 in 21.90 lb/ft S-135"\nmass_per_length = "20 kg/m" `
         warn_moduli: `"76.923 GPa"` -> `"27 GPa"`
+        warn_lateral_force_keys: `catalogue = "5-1/2 in 21.90 lb/ft S-135"`
+            -> `catalogue = "5-1/2 in 21.90 lb/ft S-135"\nlateral_force_at = 2\nlateral_force_toolface = "90 deg" `
         warn_bend_keys: `catalogue = "5-1/2 in 21.90 lb/ft S-135"`
             -> `catalogue = "5-1/2 in 21.90 lb/ft S-135"\nbend_at = 2\nbend_toolface = "90 deg" `
         warn_eccentricity_keys: `catalogue = "5-1/2 in 21.90 lb/ft S-135"`

@@ -1,4 +1,4 @@
-//! Mistakes in `[top_drive]`, `[hoist]` and `[rig]`.
+//! Mistakes in `[top_drive]`, `[hoist]`, `[rig]` and `[ends]`.
 
 use crate::{
     common::{changed, read},
@@ -23,6 +23,12 @@ fn top_drive_and_hoist() {
         "hoist_speeds_reversed",
         read(&hoist("control = \"autodriller\"\nmin_speed = \"60 m/h\"\nmax_speed = \"10 m/h\"")),
     );
+    refused("hoist_pushes", read(&hoist("control = \"hook-load\"\nhook_load = \"-20 kN\"")));
+    let pushes = "[hoist]\ncontrol = \"hook-load\"\nhook_load = \"-20 kN\"\n[rig]\n";
+    let snubs =
+        |force: &str| changed("[rig] ", &format!("{pushes}snubbing_force = \"{force}\"\n#"));
+    refused("hoist_pushes_too_hard", read(&snubs("10 kN")));
+    read(&snubs("30 kN")).expect("a rig that pushes");
     refused("hoist_mass_negative", read(&hoist("mass = \"-20 t\"")));
     let block = |mass: &str| {
         let hoist = format!("[hoist]\nmass = \"{mass}\"\n[rig]\nblock_weight = \"20 tf\"\n#");
@@ -38,6 +44,8 @@ fn top_drive_and_hoist() {
     );
     each_warned(
         r#"
+        warn_stiffness_of_a_pinned_bit: `[bit]`
+            -> `[ends]\nbit = "pinned"\n[bit]\nlateral_stiffness = "1e7 N/m"`
         warn_hoist_key: `[mesh]` -> `[hoist]\ngain = 1e-7\n[mesh]`
         "#,
     );

@@ -102,7 +102,8 @@ pub fn tune_hook_load(
     if target_N <= 0.0 {
         return Err(TuningError::NoWeight(operation.kind.name()));
     }
-    let mut search = Search::new(guess_N(model, operation, settings)?);
+    let least_N = 0.0 - model.rig.push_N();
+    let mut search = Search::new(guess_N(model, operation, settings)?, least_N);
     let mut nearest: Option<TunedHookLoad> = None;
     for run in 1..=MAX_TUNING_RUNS {
         let settings = DynamicsSettings {
@@ -163,7 +164,7 @@ fn guess_N(
 ) -> Result<f64, SoftError> {
     let hook_load_N = |operation: &Operation| {
         let profile = soft::solve(model, operation, &SoftSettings::default())?;
-        Ok(profile.scalars.hook_load_N.max(0.0))
+        Ok(profile.scalars.hook_load_N.max(0.0 - model.rig.push_N()))
     };
     let guess_N = hook_load_N(operation)?;
     if settings.friction_law != FrictionLaw::Independent {
@@ -203,6 +204,8 @@ impl Try {
 struct Search {
     /// The lift to try.
     lift_N: f64,
+    /// The least that the rig gives.
+    least_N: f64,
     /// The last one that left too much weight, and the last one that left too little.
     heavy: Option<Try>,
     light: Option<Try>,
@@ -212,8 +215,8 @@ struct Search {
 }
 
 impl Search {
-    fn new(lift_N: f64) -> Self {
-        Self { lift_N, heavy: None, light: None, last: None, step_N: f64::INFINITY }
+    fn new(lift_N: f64, least_N: f64) -> Self {
+        Self { lift_N, least_N, heavy: None, light: None, last: None, step_N: f64::INFINITY }
     }
 
     /// Chooses the next lift, now that this one leaves so much too much weight, N.
@@ -240,7 +243,7 @@ impl Search {
             }
             _ => {
                 self.step_N = tried.step_N(last).min(GROWTH * self.step_N);
-                (tried.lift_N + self.step_N.copysign(excess_N)).max(0.0)
+                (tried.lift_N + self.step_N.copysign(excess_N)).max(self.least_N)
             }
         };
     }
@@ -253,7 +256,17 @@ mod tests {
 
     /// Tries until a lift is within a hundredth of the target; how many it took.
     fn tries(target_N: f64, first_N: f64, weight_N: impl Fn(f64) -> f64) -> Option<usize> {
-        let mut search = Search::new(first_N);
+        tries_from(0.0, target_N, first_N, weight_N)
+    }
+
+    /// The same of a rig that gives this lift at least.
+    fn tries_from(
+        least_N: f64,
+        target_N: f64,
+        first_N: f64,
+        weight_N: impl Fn(f64) -> f64,
+    ) -> Option<usize> {
+        let mut search = Search::new(first_N, least_N);
         (1..=MAX_TUNING_RUNS).find(|_| {
             let excess_N = weight_N(search.lift_N) - target_N;
             if excess_N.abs() <= WEIGHT_TOLERANCE * target_N {
@@ -295,6 +308,15 @@ mod tests {
             let tries = tries(60e3, first, weight).expect("found");
             assert!(tries <= 12, "{tries} tries from {first} N");
         }
+    }
+
+    /// Where nothing hangs the weight on the bit is what the rig pushes, if it does.
+    #[test]
+    fn a_rig_that_pushes_goes_below_zero() {
+        let weight = |lift: f64| 10e3 - lift;
+        assert_eq!(tries(60e3, 5e3, weight), None);
+        assert_eq!(tries_from(-80e3, 60e3, 5e3, weight), Some(2));
+        assert_eq!(tries_from(-40e3, 60e3, 5e3, weight), None);
     }
 
     /// A bit that cannot bear what is requested, however little is lifted, and a weight that jumps

@@ -42,11 +42,12 @@ macro_rules! kinds {
 }
 
 kinds! {
-    /// The hook load is at or below zero: the string does not go down by its weight. Against zero.
+    /// The hook load is at or below zero: the string does not go down by its weight. Against zero, or
+    /// what a rig that pushes gives.
     HookLoadNegative, "hook_load_negative", Force;
     /// A string that slides down does not bring the weight to the bit: the weight that was
     /// requested , against what arrives with the whole string slacked off and the block, where its
-    /// weight is known, pushing.
+    /// weight is known, and a rig that pushes, pushing.
     LockUp, "lock_up", Force;
     /// The mean weight on bit is below its target.
     WeightOnBitNotReached, "weight_on_bit_not_reached", Force;
@@ -89,6 +90,8 @@ kinds! {
     /// Standard deviation of the friction torque of a string that the bit shakes, where elements
     /// from joint to joint leave out how the pipe vibrates between its contacts.
     BendingWavesLeftOut, "bending_waves_left_out", Torque;
+    /// Lateral forces on components, in sum, that the soft string leaves out.
+    LateralForceLeftOut, "lateral_force_left_out", Force;
     /// An equilibrium that a small disturbance would leave.
     UnstableEquilibrium, "unstable_equilibrium", Ratio;
     /// Means of the window drift: what they are depends on when it began.

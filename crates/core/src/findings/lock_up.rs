@@ -29,9 +29,9 @@ pub fn at_rest(
         return None;
     }
     let segments = segments(model, operation, md_m);
-    let block_N = model.rig.block_weight_N.unwrap_or(0.0);
+    let push_N = model.rig.push_with_block_N();
     let asked_N = operation.weight_on_bit_now_N();
-    let arrives_N = weight_at_bit_N(&segments, block_N, model.buckling);
+    let arrives_N = weight_at_bit_N(&segments, push_N, model.buckling);
     if arrives_N >= asked_N - MISSING * weight_N(model) {
         return None;
     }
@@ -42,11 +42,12 @@ pub fn at_rest(
     })
 }
 
-/// Of a dynamic run, whose wall forces are those of the string as it lies: the hook is slack, and
-/// the string stands or does not press on the bit.
+/// Of a dynamic run, whose wall forces are those of the string as it lies: the hook is slack, or the
+/// rig pushes with all it has, and the string stands or does not press on the bit.
 pub fn of_dynamic(model: &Model, operation: &Operation, window: &Window<'_>) -> Option<Finding> {
     let hook_load_N = window.statistic("hook_load_N")?.mean;
-    if !operation.slides_down() || hook_load_N > MISSING * weight_N(model) {
+    let slack_N = MISSING * weight_N(model) - model.rig.push_N();
+    if !operation.slides_down() || hook_load_N > slack_N {
         return None;
     }
     let asked_N = operation.weight_on_bit_now_N();

@@ -9,6 +9,7 @@ mod finding;
 mod hook_load;
 mod interval;
 mod kind;
+mod lateral_force;
 mod lock_up;
 mod motion;
 mod numerics;
@@ -35,7 +36,9 @@ use window::Window;
 /// What is to be reported of an operation as the soft string solved it, the gravest first.
 pub fn of_soft(model: &Model, operation: &Operation, profile: &SoftProfile) -> Vec<Finding> {
     let line = buckling::Line::of(model, operation, &profile.profile);
-    gravest_first(at_rest(model, operation, &profile.scalars, &profile.profile, &line))
+    let mut found = at_rest(model, operation, &profile.scalars, &profile.profile, &line);
+    found.extend(lateral_force::left_out(model));
+    gravest_first(found)
 }
 
 /// What is to be reported of an operation as the stiff string solved it, the gravest first.

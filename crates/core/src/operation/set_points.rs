@@ -43,6 +43,7 @@ impl Operation {
             bit_depth_m,
             rotary_speed_rad_per_s: 0.0,
             weight_on_bit_N: 0.0,
+            bit_pull_N: 0.0,
             bit_torque_N_m: 0.0,
             rate_of_penetration_m_per_s: 0.0,
             trip_speed_m_per_s: Self::TRIP_SPEED_M_PER_S,
@@ -57,6 +58,8 @@ impl Operation {
         rotary_speed_rad_per_s,
         /// With a weight on bit, N, positive in compression.
         weight_on_bit_N,
+        /// With a pull on the bit off bottom, N.
+        bit_pull_N,
         /// With the torque of the bit at the weight on bit, N·m.
         bit_torque_N_m,
         /// With the rate of penetration at the weight on bit and the rotary speed, m/s.

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-use super::{BodyBend, Eccentricity, Material};
+use super::{BodyBend, Eccentricity, LateralForce, Material};
 use crate::GRAVITY_M_PER_S2;
 
 /// Tool joints: the thick, short ends of a pipe, the only part of it that usually touches the wall.
@@ -54,6 +54,8 @@ pub struct Component {
     /// Distance of its survey sensor from the lower end, m, if it holds one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub survey_sensor_m: Option<f64>,
+    /// A force across it.
+    pub lateral_force: Option<LateralForce>,
 }
 
 /// Area of a ring, m².
@@ -83,6 +85,7 @@ impl Component {
             bend: None,
             eccentricity: None,
             survey_sensor_m: None,
+            lateral_force: None,
         }
     }
 

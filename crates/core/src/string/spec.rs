@@ -1,8 +1,8 @@
 //! The string as a list of parts, before it is known how deep the bit is.
 
 use super::{
-    Blades, BodyBend, Component, DrillString, Eccentricity, Material, ToolJoints, body,
-    component::ring_area_m2,
+    Blades, BodyBend, Component, DrillString, Eccentricity, LateralForce, Material, ToolJoints,
+    body, component::ring_area_m2,
 };
 
 /// How long a component of a [`StringSpec`] is.
@@ -41,6 +41,8 @@ pub struct ComponentSpec {
     pub eccentricity: Option<Eccentricity>,
     /// Distance of its survey sensor from the lower end, m, if it holds one.
     pub survey_sensor_m: Option<f64>,
+    /// A force across it.
+    pub lateral_force: Option<LateralForce>,
 }
 
 impl ComponentSpec {
@@ -65,6 +67,7 @@ impl ComponentSpec {
             bend: None,
             eccentricity: None,
             survey_sensor_m: None,
+            lateral_force: None,
         }
     }
 
@@ -82,6 +85,7 @@ impl ComponentSpec {
             bend: self.bend,
             eccentricity: self.eccentricity,
             survey_sensor_m: self.survey_sensor_m,
+            lateral_force: self.lateral_force,
         }
     }
 
@@ -124,6 +128,13 @@ impl ComponentSpec {
             let inside = (0.0..=length_m).contains(&at);
             fields.push(("bend_at", at, inside, "a place on the component"));
             fields.push(an_angle("bend_toolface", bend.toolface_rad));
+        }
+        if let Some(lateral) = self.lateral_force {
+            let (force, at) = (lateral.force_N, lateral.from_lower_end_m);
+            fields.push(("lateral_force", force, force.is_finite(), "a force"));
+            let inside = (0.0..=length_m).contains(&at);
+            fields.push(("lateral_force_at", at, inside, "a place on the component"));
+            fields.push(an_angle("lateral_force_toolface", lateral.toolface_rad));
         }
         if let Some(eccentricity) = self.eccentricity {
             let (offset, most) = (eccentricity.offset_m, body::MAX_ECCENTRIC * self.od_m);
@@ -226,22 +237,25 @@ const LENGTH_TOLERANCE_M: f64 = 1e-3;
 /// Largest bend of a body, rad: adjustable housings have 3° at most, bent subs as much.
 const MAX_BEND_RAD: f64 = 0.175;
 
-/// Refuses a bend that is no bend between two parts of the string: at the bit or at the surface.
-fn bends_inside(string: DrillString) -> Result<DrillString, AssemblyError> {
+/// Refuses what has no node between the ends of the string, at the bit or at the surface: a bend, a
+/// lateral force.
+fn all_inside(string: DrillString) -> Result<DrillString, AssemblyError> {
     let length_m = string.length_m();
     for (index, span) in string.spans().enumerate() {
-        let Some(bend) = span.component.bend else {
-            continue;
-        };
-        let at = span.from_bit_m + bend.from_lower_end_m;
-        if at < body::NEAREST_BEND_M || at > length_m - body::NEAREST_BEND_M {
-            return Err(AssemblyError::Dimension {
-                index,
-                name: span.component.name.clone(),
-                field: "bend_at",
-                value: bend.from_lower_end_m,
-                expected: "0.3 m from both ends of the string",
-            });
+        let component = span.component;
+        let bend = component.bend.map(|bend| ("bend_at", bend.from_lower_end_m));
+        let force = component.lateral_force.map(|of| ("lateral_force_at", of.from_lower_end_m));
+        for (field, from_lower_end_m) in bend.into_iter().chain(force) {
+            let at = span.from_bit_m + from_lower_end_m;
+            if at < body::NEAREST_BEND_M || at > length_m - body::NEAREST_BEND_M {
+                return Err(AssemblyError::Dimension {
+                    index,
+                    name: component.name.clone(),
+                    field,
+                    value: from_lower_end_m,
+                    expected: "0.3 m from both ends of the string",
+                });
+            }
         }
     }
     Ok(string)
@@ -270,7 +284,7 @@ impl StringSpec {
                     let left_m = bit_depth_m - fixed_m;
                     if left_m > LENGTH_TOLERANCE_M {
                         components.push(spec.with_length(left_m));
-                        return bends_inside(DrillString::new(components));
+                        return all_inside(DrillString::new(components));
                     }
                     if components.is_empty() {
                         return Err(AssemblyError::BitDepth(bit_depth_m));
@@ -293,7 +307,7 @@ impl StringSpec {
         if let Some(top) = components.last_mut() {
             top.length_m += difference_m;
         }
-        bends_inside(DrillString::new(components))
+        all_inside(DrillString::new(components))
     }
 
     /// What can be checked without the depth of the bit.

@@ -3,12 +3,14 @@
 // Every test file uses its own part of this module.
 #![allow(dead_code, unreachable_pub, unused_imports)]
 
+pub mod beam;
 pub mod np13;
 
 use serde_json::Value;
 use wholestring::{
     GRAVITY_M_PER_S2,
     dynamics::{Band, Cutters, Excitation, MudMotor, RegenerativeLaw},
+    ends::Ends,
     mud::Rheology,
     prelude::*,
     well::{Interpolation, TieIn},
@@ -145,6 +147,7 @@ pub fn model(
         string: StringSpec { components }.assemble(bit_depth_m).expect("a sound string"),
         mud,
         rig: Rig::default(),
+        ends: Ends::default(),
         buckling: wholestring::statics::buckling::Criterion::default(),
     }
 }

@@ -6,6 +6,7 @@ use wholestring::{
         MeshSettings, Motor, Precision, ResumeError, Simulation, Start, TableLaw, TablePoint,
         UntilSteady,
     },
+    ends::{BitEnd, Ends, TopEnd},
     operation::OperationKind,
 };
 
@@ -16,8 +17,9 @@ use crate::{
 
 /// Drilling with the autodriller, tripping with the independent law from a centred start, sliding
 /// with the motor, drilling with an eccentric string in single precision, drilling by a table with
-/// noise, a motor that yields and side cutting: what changes in a run changes in one of them.
-fn cases() -> [Case; 5] {
+/// noise, a motor that yields and side cutting, tripping out with a pull on a clamped bit under a pinned
+/// top: what changes in a run changes in one of them.
+fn cases() -> [Case; 6] {
     let mut trip = moderate(OperationKind::TripIn, 0.3);
     trip.settings.friction_law = FrictionLaw::Independent;
     trip.settings.start = Start::Centred;
@@ -28,7 +30,10 @@ fn cases() -> [Case; 5] {
     measured.settings.bit = measured_bit();
     measured.operation.flow_rate_m3_per_s = 30e-3;
     measured.operation = measured.settings.bit.drilling_steadily(measured.operation);
-    let mut cases = [np13(0.3), trip, slide, single, measured];
+    let mut pulled = moderate(OperationKind::TripOut, 0.3);
+    pulled.operation.bit_pull_N = 50e3;
+    pulled.model.ends = Ends { top: TopEnd::Pinned, bit: BitEnd::Clamped };
+    let mut cases = [np13(0.3), trip, slide, single, measured, pulled];
     for case in &mut cases {
         case.lasts(1.5, 1.5);
     }

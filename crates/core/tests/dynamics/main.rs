@@ -16,6 +16,7 @@ mod centred;
 mod checkpoint;
 mod climb;
 mod control;
+mod ends;
 mod energy;
 mod friction;
 mod hold;

@@ -30,7 +30,8 @@ fn operations_have_their_kind_and_nothing_else() {
         .trip_speed_m_per_s(6.0)
         .flow_rate_m3_per_s(7.0)
         .bit_pressure_drop_Pa(8.0)
-        .motor_pressure_drop_Pa(9.0);
+        .motor_pressure_drop_Pa(9.0)
+        .bit_pull_N(10.0);
     let expected = Operation {
         kind: OperationKind::Slide,
         bit_depth_m: 1.0,
@@ -42,6 +43,7 @@ fn operations_have_their_kind_and_nothing_else() {
         flow_rate_m3_per_s: 7.0,
         bit_pressure_drop_Pa: 8.0,
         motor_pressure_drop_Pa: 9.0,
+        bit_pull_N: 10.0,
     };
     assert_eq!(set, expected);
 }

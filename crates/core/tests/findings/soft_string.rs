@@ -10,6 +10,7 @@ use wholestring::{
         soft,
         soft::{SoftError, SoftSettings},
     },
+    string::LateralForce,
 };
 
 use crate::{
@@ -41,6 +42,45 @@ fn a_hook_load_below_zero_is_told() {
         let found = soft_findings(&stands, &operation(TripIn, 1000.0));
         assert_eq!(only(&found, Kind::HookLoadNegative).unwrap().level, level);
     }
+}
+
+/// A rig that snubs makes a push a choice: nothing is found up to its force, an error beyond it, and
+/// its push reaches the bit.
+#[test]
+fn a_rig_that_pushes_brings_the_string_down() {
+    let level = |snubbing_force_N| {
+        let stations = [[0.0, 90.0, 0.0], [500.0, 90.0, 0.0]];
+        let mut model = five_inch(&stations, 0.2159, 0.3, 260.0);
+        model.rig.snubbing_force_N = snubbing_force_N;
+        let slide = at_full_depth(Slide, &model, 10e3);
+        let found = soft_findings(&model, &slide);
+        [Kind::HookLoadNegative, Kind::LockUp].map(|kind| only(&found, kind))
+    };
+    // What rubs and what is asked for.
+    let push_N = 0.3 * 260.0 * 500.0 + 10e3;
+    assert_eq!(level(Some(1.01 * push_N)), [None; 2]);
+    let [beyond, missing] = level(Some(0.9 * push_N)).map(|of| of.expect("a finding"));
+    assert_eq!((beyond.level, beyond.limit), (Level::Error, Some(-0.9 * push_N)));
+    assert_close("hook load", beyond.value.unwrap(), -push_N, 1e-9);
+    assert_close("arrives", missing.limit.unwrap(), 10e3 - 0.1 * push_N, 1e-6);
+    let [carried, _] = level(None).map(|of| of.expect("a finding"));
+    assert_eq!(carried.limit, Some(0.0));
+}
+
+/// The soft string says what it leaves out.
+#[test]
+fn a_lateral_force_is_left_out() {
+    let mut model = five_inch(&[[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]], 0.2159, 0.3, 260.0);
+    let turning = operation(RotateOffBottom, 1000.0);
+    none(&soft_findings(&model, &turning), Kind::LateralForceLeftOut);
+    let mut part = pipe(260.0, 0.0635, ComponentLength::ToSurface);
+    part.lateral_force =
+        Some(LateralForce { force_N: 15e3, from_lower_end_m: 1.0, toolface_rad: 0.0 });
+    let string = StringSpec { components: vec![part] }.assemble(1000.0);
+    model.string = string.expect("a sound string");
+    let found = soft_findings(&model, &turning);
+    let of = only(&found, Kind::LateralForceLeftOut).expect("a finding");
+    assert_eq!((of.level, of.value, of.limit), (Level::Note, Some(15e3), None));
 }
 
 /// In a straight slant without helix what is missing at the bit is what is missing at the hook.
@@ -170,6 +210,7 @@ fn rig_limits() {
             block_weight_N: block,
             hoist_capacity_N: Some((hook_N + block_N) / part),
             top_drive_torque_N_m: Some(torque_N_m / part),
+            ..Rig::default()
         };
         let found = soft_findings(&model, &turning);
         [Kind::HoistOverloaded, Kind::TopDriveOverloaded]

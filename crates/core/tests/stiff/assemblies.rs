@@ -4,13 +4,13 @@ use serde_json::Value;
 use wholestring::{
     prelude::*,
     statics::assembly::{self, AssemblySettings, Extent, Touching},
-    string::{Blades, ComponentLength, ComponentSpec, Material, ToolJoints},
+    string::{Blades, ComponentLength, ComponentSpec, Material},
 };
 
 use crate::{
     common,
     common::{number, report_worst, verification, verify},
-    force_N, nearest, piece, pinned, pressed, settings, solve,
+    force_N, nearest, piece, pressed, settings, solve,
 };
 
 /// An assembly of S1b.
@@ -158,65 +158,5 @@ fn c05_pendulum() {
         verify("C05", format!("side force of the bit {}, N", row["id"].as_str().expect("a name")))
             .relative(2e-2, "the file's; tension that grows up the pipe, and shear")
             .report(-expected, found.bit_side_force_N[0]);
-    }
-}
-
-/// C05: the end of a heavy beam is lifted off the floor on which it lies. Here the bit of a pipe in a
-/// level hole, on the axis; the clearance is the lift. Shear and elements of 0.2 m keep it within 0.5 %;
-/// the file allows 2 %.
-#[test]
-fn c05_lifted_beam() {
-    const LENGTH_M: f64 = 60.0;
-    let data = verification("C05_stiff_string_contact.json");
-    for row in data["lifted_heavy_beam"]["rows"].as_array().expect("rows") {
-        let input = |key: &str| number(&row["inputs"][key]);
-        let (lift_m, weight_N_per_m) = (input("lift_h"), input("q"));
-        let beam = pipe(0.127, 0.1086, input("EI"), weight_N_per_m);
-        let path = common::arcs(&[[0.0, 90.0, 0.0], [LENGTH_M, 90.0, 0.0]]);
-        let hole = common::open_hole(0.127 + 2.0 * lift_m, 0.0, LENGTH_M);
-        let model = common::model(path, hole, vec![beam], common::mud(0.0), LENGTH_M);
-        let found = solve(&model, &Operation::trip_out(LENGTH_M), &settings(0.2));
-        let expected = number(&row["expected"]["end_force_N"]);
-        verify("C05", format!("force that lifts a heavy beam by {lift_m} m, N"))
-            .relative(2e-2, "the file's; shear")
-            .report(-expected, found.bit_side_force_N[0]);
-    }
-}
-
-/// C05: weightless pipe between joints in an arc under tension; a joint in the middle of twenty. Shear,
-/// which the closed form leaves out, and elements of 0.3 m: 0.5 %.
-#[test]
-fn c05_joints_in_an_arc() {
-    let data = verification("C05_stiff_string_contact.json");
-    let rows = data["tool_joint_curved_hole"]["rows"].as_array().expect("rows");
-    assert!(!rows.is_empty());
-    for row in rows {
-        let input = |key: &str| number(&row["inputs"][key]);
-        let (tension_N, half_m) = (input("T_N"), input("half_joint_m"));
-        let rate_deg_per_m = input("dls_deg_30m") / 30.0;
-        let length_m = 40.0 * half_m;
-        // As heavy as the mud, and with nothing but joints to touch.
-        let mut part = pipe(0.127, 0.1086, input("EI"), 240.0);
-        part.joints = Some(ToolJoints { od_m: 0.28, spacing_m: 2.0 * half_m });
-        let to_deg = rate_deg_per_m * length_m;
-        let path = common::arcs(&[[0.0, 0.0, 0.0], [length_m, to_deg, 0.0]]);
-        let hole = common::open_hole(0.3, 0.0, length_m);
-        let mud = common::mud(part.material.density_kg_per_m3);
-        let model = common::model(path, hole, vec![part], mud, length_m);
-        let found = solve(&model, &pressed(length_m, -tension_N), &pinned(0.3));
-        // Under 1000 kN it is 0.15 m longer down to there.
-        let near = (0..found.md_m.len()).filter(|at| (found.md_m[*at] - 20.0 * half_m).abs() < 1.0);
-        let pressing =
-            near.max_by(|a, b| found.contact_force_N[*a].total_cmp(&found.contact_force_N[*b]));
-        let node = pressing.expect("a joint");
-        let expected = |key: &str| number(&row["expected"][key]);
-        let name = format!("{:.0} kN, {} deg/30 m", 1e-3 * tension_N, input("dls_deg_30m"));
-        let curvature_per_m = found.bending_moment_N_m[node] / input("EI");
-        verify("C05", format!("curvature at a joint, {name}, 1/m"))
-            .relative(5e-3, "elements of 0.3 m, and shear")
-            .report(expected("curvature_TJ_rad_m"), curvature_per_m);
-        verify("C05", format!("force of a joint, {name}, N"))
-            .relative(5e-3, "elements of 0.3 m, and shear")
-            .report(expected("TJ_side_force_N"), found.contact_force_N[node]);
     }
 }

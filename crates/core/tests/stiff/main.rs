@@ -5,6 +5,8 @@ mod common;
 
 mod assemblies;
 mod buckled;
+
+mod ends;
 mod friction;
 mod joints;
 mod mesh;
@@ -17,7 +19,7 @@ use wholestring::{
     dynamics::ContactLaw,
     prelude::*,
     sizing::ElementLength,
-    statics::stiff::{self, End, StiffProfile, StiffSettings},
+    statics::stiff::{self, StiffProfile, StiffSettings},
     string::{ComponentLength, ComponentSpec, Material},
 };
 
@@ -34,11 +36,6 @@ fn settings(element_length_m: f64) -> StiffSettings {
         bit_lateral_stiffness_N_per_m: 1e10,
         ..StiffSettings::default()
     }
-}
-
-/// The same, the top free to tilt.
-fn pinned(element_length_m: f64) -> StiffSettings {
-    StiffSettings { top: End::Pinned, ..settings(element_length_m) }
 }
 
 /// Solves and holds the equilibrium to what every one must be.

@@ -2,12 +2,13 @@
 //! much of the string matters, tool faces.
 
 use wholestring::{
+    ends::TopEnd,
     prelude::*,
     statics::assembly::{self, Assembly, AssemblySettings, Extent, in_straight_hole, zeros},
     string::{Blades, BodyBend, ComponentLength, ComponentSpec, ToolJoints},
 };
 
-use crate::{common, common::verify, pinned, pressed};
+use crate::{common, common::verify, pressed, settings};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
@@ -17,8 +18,8 @@ fn collar(length_m: f64) -> ComponentSpec {
     ComponentSpec::uniform("collar", 0.17, 0.07, length, common::steel())
 }
 
-fn settings(element_length_m: f64) -> AssemblySettings {
-    AssemblySettings { stiff: pinned(element_length_m), extent: Extent::Whole, element_length_m }
+fn whole(element_length_m: f64) -> AssemblySettings {
+    AssemblySettings { stiff: settings(element_length_m), extent: Extent::Whole, element_length_m }
 }
 
 /// A motor that touches at the bit, at its bend and at a stabiliser above, `a` and `b` apart, in an arc
@@ -55,8 +56,9 @@ fn a_bent_motor_on_three_points() {
         ];
         let hole = common::open_hole(0.3111, 0.0, length_m);
         let mud = common::mud(0.9 * steel.density_kg_per_m3);
-        let model = common::model(path, hole, parts, mud, length_m);
-        let found = assembly::solve_once(&model, &pressed(length_m, 0.0), &settings(0.25));
+        let mut model = common::model(path, hole, parts, mud, length_m);
+        model.ends.top = TopEnd::Pinned;
+        let found = assembly::solve_once(&model, &pressed(length_m, 0.0), &whole(0.25));
         found.expect("an equilibrium").bit_side_force_N
     };
     let straight_N = force_N(0.0, 0.0, 0.0);
@@ -97,9 +99,10 @@ fn sag_between_two_supports() {
         let part = ComponentSpec { survey_sensor_m: Some(sensor_m), ..collar(length_m) };
         let weight_N_per_m = part.mass_per_length_kg_per_m * wholestring::GRAVITY_M_PER_S2;
         let hole = common::open_hole(0.3, 0.0, length_m);
-        let model = common::model(path.clone(), hole, vec![part], common::mud(0.0), length_m);
+        let mut model = common::model(path.clone(), hole, vec![part], common::mud(0.0), length_m);
+        model.ends.top = TopEnd::Pinned;
         let operation = Operation::trip_out(length_m);
-        let found = assembly::solve(&model, &operation, &settings(0.05)).expect("rest");
+        let found = assembly::solve(&model, &operation, &whole(0.05)).expect("rest");
         assert_eq!(found.contacts.len(), 1, "nothing but the bit: {:?}", found.contacts);
         let across_N_per_m = weight_N_per_m * inclination.to_radians().sin();
         let x = sensor_m;

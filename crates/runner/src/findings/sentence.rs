@@ -90,6 +90,11 @@ pub(super) fn sentence(found: &Finding, of: &OperationSummary, around: &Around<'
              mesh.element_length = \"3.2 m\" has most of it",
             words.torque(words.value())
         ),
+        Kind::LateralForceLeftOut => format!(
+            "The soft string leaves out {} across its components: the stiff string and the dynamics \
+             have it",
+            words.force(words.value())
+        ),
         Kind::UnstableEquilibrium => {
             "The equilibrium found is not stable: a small disturbance would \
                                       leave it, and a buckled string would lie otherwise"
@@ -181,6 +186,9 @@ impl Words<'_> {
     fn hook_load(&self) -> String {
         let value_N = self.value();
         let hook_load = self.force(value_N);
+        if let Some(push_N) = self.rig.snubbing_force_N {
+            return self.push(value_N, push_N);
+        }
         if self.of.scalars.hook_load_N > value_N {
             return format!("The hook goes slack at times: hook load down to {hook_load}");
         }
@@ -204,13 +212,37 @@ impl Words<'_> {
         }
     }
 
+    /// Of a rig that pushes, and with how much at most, N.
+    fn push(&self, hook_load_N: f64, most_N: f64) -> String {
+        let (hook_load, most) = (self.force(hook_load_N), self.force(most_N));
+        let block_N = self.rig.block_weight_N.unwrap_or(0.0);
+        if self.of.scalars.hook_load_N > hook_load_N {
+            format!("The rig pushes with all of its {most} at times: hook load down to {hook_load}")
+        } else if self.found.level == Level::Error {
+            format!(
+                "The rig does not push the string down: hook load {hook_load}, the rig pushes with \
+                 {most} at most"
+            )
+        } else {
+            format!(
+                "The rig pushes the string down with all of its {most} and the block: hook load \
+                 {hook_load}, {} with the block",
+                self.force(hook_load_N + block_N)
+            )
+        }
+    }
+
     fn lock_up(&self) -> String {
         let (asked_N, arrives_N) = (self.value(), self.limit());
         let has_block = self.rig.block_weight_N.is_some_and(|block| block > 0.0);
         let block_pushes = has_block && !self.of.model.in_time();
-        let pushed = match block_pushes {
-            true => "with all of its weight slacked off and the block on it",
-            false => "with all of its weight slacked off",
+        let pushed = match (block_pushes, self.rig.snubbing_force_N.is_some()) {
+            (true, true) => {
+                "with all of its weight slacked off, the block on it and the rig pushing"
+            }
+            (true, false) => "with all of its weight slacked off and the block on it",
+            (false, true) => "with all of its weight slacked off and the rig pushing",
+            (false, false) => "with all of its weight slacked off",
         };
         let mut text = if asked_N > 0.0 && arrives_N >= 0.0 {
             format!(

@@ -127,7 +127,6 @@ pub(crate) fn stiff_settings(of: &DynamicsSettings) -> StiffSettings {
         refinement: of.mesh.refinement,
         contact_law: of.contact_law,
         bit_lateral_stiffness_N_per_m: of.bit.lateral_stiffness_N_per_m,
-        ..StiffSettings::default()
     }
 }
 

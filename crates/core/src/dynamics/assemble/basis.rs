@@ -19,6 +19,7 @@ use crate::{
         },
         simulation::settling::Settling,
     },
+    ends::BitEnd,
     model::Model,
     operation::Operation,
     rod::{
@@ -213,6 +214,7 @@ impl<R: Registers> Basis<R> {
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
         check(settings)?;
+        check_bit_end(model, operation, settings)?;
         let served = settings.precision.serves(operation, settings);
         served.map_err(SetupError::Precision)?;
         let (mesh, settling, plan) = mesh_and_plan(model, operation, settings)?;
@@ -246,6 +248,19 @@ impl<R: Registers> Basis<R> {
             stepper: Stepper::new(abilities),
             steps_per_sample,
         })
+    }
+}
+
+/// Refuses a bit that is held on the hole's axis by solid rock and by its end of the string.
+fn check_bit_end(
+    model: &Model,
+    operation: &Operation,
+    settings: &DynamicsSettings,
+) -> Result<(), SetupError> {
+    let on_rock = matches!(settings.bit.law, BitLaw::Rock(_)) && operation.kind.on_bottom();
+    match model.ends.bit {
+        BitEnd::Pinned | BitEnd::Clamped if on_rock => Err(SetupError::BitEnd),
+        _ => Ok(()),
     }
 }
 
@@ -300,6 +315,7 @@ impl Effort {
         settings: &DynamicsSettings,
     ) -> Result<Self, SetupError> {
         check(settings)?;
+        check_bit_end(model, operation, settings)?;
         let (mesh, settling, plan) = mesh_and_plan(model, operation, settings)?;
         check_weight_of_bit(settings, &plan)?;
         let laying_s = match settings.start {

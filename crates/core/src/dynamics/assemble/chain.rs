@@ -2,6 +2,7 @@
 
 use crate::{
     dynamics::kernel::chain::{Chain, node},
+    ends::{BitEnd, Ends, TopEnd},
     model::Model,
     rod::{element::Stiffness, mesh::Mesh, stability::StepPlan},
     simd::number::Real,
@@ -72,22 +73,26 @@ pub fn chain(model: &Model, mesh: &Mesh, plan: &StepPlan) -> Chain {
         node!(chain, below, mass_axial += subcycling.axial_kg);
         node!(chain, below, polar += subcycling.polar_kg_m2);
     }
-    release(&mut chain);
+    release(&mut chain, model.ends);
     chain
 }
 
 /// Frees the axial motion and the spin of all nodes, but for the spin of the top, which the top
-/// drive prescribes. The top is clamped laterally: it neither leaves the axis nor tilts.
-pub fn release(chain: &mut Chain) {
+/// drive prescribes. The top does not leave the axis, and what is clamped does not tilt.
+pub fn release(chain: &mut Chain, ends: Ends) {
     for index in 0..chain.nodes() {
         node!(chain, index, inv_mass_axial = 1.0 / node!(chain, index, mass_axial));
         node!(chain, index, inv_mass_lateral = 1.0 / node!(chain, index, mass_lateral));
         node!(chain, index, inv_polar = 1.0 / node!(chain, index, polar));
     }
     node!(chain, 0, inv_mass_lateral = 0.0);
-    node!(chain, 0, inv_rotary = 0.0);
-    node!(chain, 0, gyroscopic = 0.0);
     node!(chain, 0, inv_polar = 0.0);
+    let top = (ends.top == TopEnd::Clamped).then_some(0);
+    let bit = (ends.bit == BitEnd::Clamped).then_some(chain.nodes() - 1);
+    for clamped in top.into_iter().chain(bit) {
+        node!(chain, clamped, inv_rotary = 0.0);
+        node!(chain, clamped, gyroscopic = 0.0);
+    }
 }
 
 /// Holds the axial motion and the spin of all nodes: what is left is lateral.

@@ -39,6 +39,12 @@ pub enum SetupError {
         /// Of the rock.
         rock: f64,
     },
+    /// A bit that cannot leave its hole's axis, on solid rock that holds it by itself.
+    #[error(
+        "the bit is held on the hole's axis, and solid rock under it would push it off: expected an \
+         end that is held by its lateral stiffness, or a free one"
+    )]
+    BitEnd,
     /// An excitation of the caller's own under a law that has no rock front to shake.
     #[error("the excitation of the bit does not act under its law: {0}")]
     Excitation(&'static str),

@@ -25,6 +25,8 @@ pub struct Hoist {
     filtered_N: f64,
     /// What the autodriller's integral adds to the speed, m/s.
     integral_m_per_s: f64,
+    /// What it pushes with at most, N, the block's weight apart.
+    push_N: f64,
 }
 
 /// What an autodriller is to hold.
@@ -39,7 +41,7 @@ pub struct Target {
 /// What the hoist did in a step.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct HoistStep {
-    /// Force on the top of the string, N, upwards: the hook load.
+    /// Force on the top of the string, N, upwards: the hook load; negative where it pushes.
     pub hook_load_N: f64,
     /// Work done on the string, J.
     pub work_J: f64,
@@ -69,7 +71,13 @@ impl Hoist {
             velocity_m_per_s,
             filtered_N: target.weight_N,
             integral_m_per_s: 0.0,
+            push_N: 0.0,
         }
+    }
+
+    /// The same of a rig that pushes the string into the hole with at most this force, N.
+    pub fn pushing(self, push_N: f64) -> Self {
+        Self { push_N, ..self }
     }
 
     /// Changes what the hoist does from now on. An autodriller that takes over continues from the
@@ -152,8 +160,9 @@ impl Hoist {
                 let HoistLine { stiffness_N_per_m: k, damping_N_s_per_m: c, .. } = self.line;
                 // F = k x + c v with the x and v that F itself leaves at the step's end.
                 let stretch = k * (end - self.block_m) + c * (free - self.velocity_m_per_s);
-                // A line does not push.
-                (stretch / (1.0 + mobility * (k * dt + c))).max(-block_kg * GRAVITY_M_PER_S2)
+                // A line does not push; what snubs does, up to its force.
+                let least = -block_kg * GRAVITY_M_PER_S2 - self.push_N;
+                (stretch / (1.0 + mobility * (k * dt + c))).max(least)
             }
         };
         let taken = mobility * force;

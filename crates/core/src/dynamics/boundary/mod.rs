@@ -7,6 +7,7 @@ pub mod extension;
 pub mod friction_coefficient;
 pub mod hoist;
 pub mod hole;
+pub mod lateral_force;
 pub mod mud;
 pub mod top_drive;
 pub mod top_drive_controller;

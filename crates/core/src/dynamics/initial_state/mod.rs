@@ -17,6 +17,7 @@ use crate::{
         boundary::{
             anchor::Anchor,
             hole::{self, Borehole},
+            lateral_force,
         },
         initial_state::{guide::Guide, scene::Scene},
         kernel::{
@@ -24,6 +25,7 @@ use crate::{
             step::{MassDamping, coupled_step},
         },
     },
+    ends::{BitEnd, Ends, TopEnd},
     random::Random,
     rod::{element::react, mesh::Mesh},
     simd::vector::Vector,
@@ -83,9 +85,11 @@ pub fn initialise(
         borehole: scene.borehole,
         guide: &guide,
         mesh,
+        ends: scene.model.ends,
     };
     string.place(bit_md_m, settings.start == Start::Prepared);
     string.body.orient(&string.chain, &string.anchors);
+    lateral_force::add(&mut string.chain, &string.anchors, scene.model, mesh);
     string.disturb(settings.seed);
     if settings.start == Start::Prepared {
         string.set_motion(0.0, operation.rotation_rad_per_s());
@@ -114,6 +118,7 @@ struct InitialString<'a> {
     borehole: &'a Borehole,
     guide: &'a Guide,
     mesh: &'a Mesh,
+    ends: Ends,
 }
 
 impl InitialString<'_> {
@@ -162,18 +167,20 @@ impl InitialString<'_> {
         }
     }
 
-    /// Points each director along the string, the top's along the hole.
+    /// Points each director along the string, the top's and that of a clamped bit along the hole.
     fn point_directors(&mut self) {
         let last = self.mesh.nodes.len() - 1;
         let at: Vec<Vector3<f64>> = (0..=last)
             .map(|i| self.anchors[i].position_m + Vector3::from(self.chain.displacement(i)))
             .collect();
         for i in 0..=last {
-            // Central difference over the two elements at a node; the top is clamped to the hole.
-            let direction = if i == 0 {
-                self.chain.tangent(0).into()
+            // Central difference over the two elements at a node; what is clamped is so to the hole.
+            let clamped = i == 0 && self.ends.top == TopEnd::Clamped
+                || i == last && self.ends.bit == BitEnd::Clamped;
+            let direction = if clamped {
+                self.chain.tangent(i).into()
             } else {
-                (at[(i + 1).min(last)] - at[i - 1]).normalize()
+                (at[(i + 1).min(last)] - at[i.saturating_sub(1)]).normalize()
             };
             self.chain.set_director(i, direction.into());
         }
@@ -223,8 +230,10 @@ impl InitialString<'_> {
                 block.friction_rise.0.fill(0.0);
             }
         }
-        // No wall holds the bit: its own hole does, whatever weighs on it or bends there.
-        node!(chain, self.mesh.nodes.len() - 1, inv_mass_lateral = 0.0);
+        if self.ends.bit != BitEnd::Free {
+            // No wall holds the bit: its own hole does, whatever weighs on it or bends there.
+            node!(chain, self.mesh.nodes.len() - 1, inv_mass_lateral = 0.0);
+        }
         let steps = (SETTLING_S / input.dt).ceil() as usize;
         let (mut grown, growth) = (0.0, 1.0 / (GROWING * steps as f64 * f64::from(chain.parts())));
         for step in 0..steps {
@@ -247,7 +256,7 @@ impl InitialString<'_> {
             }
         }
         self.chain = chain.divided_at(None);
-        chain::release(&mut self.chain);
+        chain::release(&mut self.chain, self.ends);
         for i in 0..self.mesh.nodes.len() {
             let md = self.anchors[i].md_m;
             self.borehole.anchor(&mut self.chain, &mut self.anchors, i, md);

@@ -200,7 +200,8 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
     let (weight, weight_std) = end(&s.record.series.weight_on_bit_N);
     (p.tension_N[0], p.tension_std_N[0]) = (hook, hook_std);
     let jet = s.hydraulics.map_or(0.0, |mud| mud.jet_thrust_N);
-    (p.tension_N[n - 1], p.tension_std_N[n - 1]) = (-weight - jet, weight_std);
+    let pull = s.operation.bit_pull_now_N();
+    (p.tension_N[n - 1], p.tension_std_N[n - 1]) = (pull - weight - jet, weight_std);
     let contact_spans = contact_length::contact_spans(s.mesh, |i| record.normal(i).mean > 0.0);
     p.side_force_N_per_m = contact_length::spread(&contact_spans, n, |i| record.signed(i));
     let sides = record.percentiles(Quantity::Side);

@@ -90,7 +90,7 @@ pub enum HoistControl {
     Autodriller,
     /// The block moves at a constant speed, positive downwards, m/s.
     BlockVelocity(f64),
-    /// A constant lifting force on the top of the string, N; block excluded.
+    /// A constant lifting force on the top of the string, N; block excluded. A negative one pushes.
     HookLoad(f64),
 }
 

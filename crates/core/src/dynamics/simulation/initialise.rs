@@ -124,7 +124,8 @@ impl<R: Registers> Run<R> {
             Target { weight_N: first.weight_on_bit_now_N(), velocity_m_per_s: velocity },
             top,
             initial.hook_load_N,
-        );
+        )
+        .pushing(model.rig.push_N());
         let string = TorsionalString {
             impedance_N_m_s: torsion::impedance_N_m_s(&mesh.elements[0].section),
             frequency_Hz: torsion::lowest_frequency_Hz(mesh),
@@ -134,7 +135,8 @@ impl<R: Registers> Run<R> {
         let lighter_N = operation.weight_on_bit_now_N() - pressed_N;
         let bottom = bottom + lighter_N / settings.bit.law.stiffness_N_per_m();
         let hole_end_m = model.well.hole.sections().last().map_or(0.0, |s| s.to_md_m);
-        let mut bit = Bit::new(&settings.bit, operation, bottom, settings.seed);
+        let mut bit =
+            Bit::new(&settings.bit, operation, bottom, settings.seed).ending(model.ends.bit);
         bit.set_flow(first.flow_now_m3_per_s());
         if let Some(run_in) = run_in {
             bit.stand(run_in, &chain, &anchors[last]);

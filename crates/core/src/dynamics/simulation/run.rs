@@ -22,6 +22,7 @@ use crate::{
         },
         settings::{DynamicsSettings, HoistControl, Start},
     },
+    ends::{BitEnd, TopEnd},
     model::{Model, MudColumn},
     operation::Operation,
     outcome::TimeSeries,
@@ -30,7 +31,7 @@ use crate::{
         mesh::{Mesh, MeshNode},
         stability::StepPlan,
     },
-    simd::number::Real,
+    simd::{number::Real, vector::Vector},
 };
 
 /// Extra damping of the first seconds of a prepared start, relative to the rigid motion, 1/s.
@@ -222,17 +223,35 @@ impl<R: Real> Run<R> {
         }
     }
 
-    /// Keeps the top on the hole's axis and along it, wherever it has slid to.
+    /// Keeps the top on the hole's axis, and a clamped one along it, wherever it has slid to.
     pub(super) fn clamp_top(&mut self) {
+        let (along, z) = self.hole_at(0);
         let chain = &mut self.chain;
         let (tangent, curvature) = (chain.tangent(0), chain.curvature(0));
-        let z = chain.displacement(0).dot(tangent);
-        let along = tangent.plus(curvature, z);
-        let along = along.scaled(1.0 / along.dot(along).sqrt());
         let speed = chain.velocity(0).dot(along);
         chain.set_velocity(0, along.scaled(speed));
         chain.set_displacement(0, tangent.scaled(z).plus(curvature, 0.5 * z * z));
-        chain.set_director(0, along);
+        if self.model.ends.top == TopEnd::Clamped {
+            chain.set_director(0, along);
+        }
+    }
+
+    /// Keeps a clamped bit along the hole.
+    pub(super) fn clamp_bit(&mut self) {
+        if self.model.ends.bit == BitEnd::Clamped {
+            let last = self.chain.nodes() - 1;
+            let (along, _) = self.hole_at(last);
+            self.chain.set_director(last, along);
+        }
+    }
+
+    /// The hole's direction where a node has slid to, and how far along the hole that is from its
+    /// anchor, m.
+    fn hole_at(&self, index: usize) -> (Vector<f64>, f64) {
+        let (tangent, curvature) = (self.chain.tangent(index), self.chain.curvature(index));
+        let z = self.chain.displacement(index).dot(tangent);
+        let along = tangent.plus(curvature, z);
+        (along.scaled(1.0 / along.dot(along).sqrt()), z)
     }
 
     /// Damps the string by what mass-proportional damping takes in `steps`.

@@ -85,6 +85,7 @@ impl<R: Real> Run<R> {
             dt,
         );
         let after = self.state.body.follow(&mut self.chain, input);
+        self.clamp_bit();
         losses.damping += before.damping_loss_J;
         losses.mud += after.mud_loss_J;
         let work = StepWork { bit: bit.work_J, body: before.work_J, ..StepWork::default() };

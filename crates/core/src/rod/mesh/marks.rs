@@ -1,4 +1,4 @@
-//! The places where nodes must stand: ends, blades, bends, and joints where they can.
+//! The places where nodes must stand: ends, blades, bends, lateral forces, and joints where they can.
 
 use super::node::MeshNode;
 use crate::{
@@ -10,7 +10,8 @@ use crate::{
 pub(super) struct Mark {
     pub(super) from_bit_m: f64,
     pub(super) contact_radius_m: f64,
-    /// The ends, the stabilisers and the bends never give way; joints do, where they crowd.
+    /// The ends, the stabilisers, the bends and the lateral forces never give way; joints do, where
+    /// they crowd.
     pub(super) fixed: bool,
 }
 
@@ -116,12 +117,14 @@ pub(super) fn of(string: &DrillString, sizing: &Sizing) -> Vec<Mark> {
         }
         bottom = top;
     }
-    // A bend takes the node of a bit or a blade that is next to it.
-    for span in string.spans() {
-        let Some(bend) = span.component.bend else {
-            continue;
-        };
-        let from_bit_m = span.from_bit_m + bend.from_lower_end_m;
+    // A bend takes the node of a bit or a blade that is next to it, and a lateral force theirs.
+    let bends = string
+        .spans()
+        .filter_map(|span| span.component.bend.map(|bend| span.from_bit_m + bend.from_lower_end_m));
+    let forces = string.spans().filter_map(|span| {
+        span.component.lateral_force.map(|of| span.from_bit_m + of.from_lower_end_m)
+    });
+    for from_bit_m in bends.chain(forces) {
         let taken = |m: &Mark| m.fixed && (m.from_bit_m - from_bit_m).abs() < NEAREST_BEND_M;
         if !marks.iter().any(taken) {
             marks.push(Mark {

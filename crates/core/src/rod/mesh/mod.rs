@@ -37,11 +37,12 @@ pub struct Mesh {
 
 impl Mesh {
     /// Cuts `string` into elements of about the lengths of `sizing`, with a node at the bit, at the
-    /// top, on every stabiliser, at every bend of a body and on the tool joints.
+    /// top, on every stabiliser, at every bend of a body, at every lateral force and on the tool
+    /// joints.
     ///
     /// Elements are between 0.8 and 1.25 of those lengths wherever tool joints alone stand in the
     /// way: a joint that would leave a shorter element gives way to nodes at equal distances. Only
-    /// ends, stabilisers and bends make shorter ones.
+    /// ends, stabilisers, bends and lateral forces make shorter ones.
     ///
     /// Blades touch at both edges where they are longer than half a metre and half an element, so
     /// that a stabiliser resists tilting in its hole; shorter ones touch at their middle.
@@ -95,7 +96,7 @@ impl Mesh {
         let off = |i: &usize| (self.nodes[*i].from_bit_m - from_bit_m).abs();
         (1..self.nodes.len() - 1)
             .min_by(|a, b| off(a).total_cmp(&off(b)))
-            .expect("a bend has a node between the ends")
+            .expect("bends and lateral forces have a node between the ends")
     }
 
     /// From how many nodes to how many most of the string has a node that stands out over the one

@@ -76,6 +76,7 @@ pub(super) fn check(
     let axial = operation.axial_velocity_m_per_s();
     let density = model.mud.density_kg_per_m3;
     let weight_on_bit = operation.weight_on_bit_now_N();
+    let bit_pull = operation.bit_pull_now_N();
     let bit_torque = operation.bit_torque_now_N_m();
     for (quantity, expected, value, valid) in [
         (
@@ -87,6 +88,7 @@ pub(super) fn check(
         ("axial speed", "a finite number (m/s)", axial, axial.is_finite()),
         ("mud density", "zero or more (kg/m³)", density, density.is_finite() && density >= 0.0),
         ("weight on bit", "a finite number (N)", weight_on_bit, weight_on_bit.is_finite()),
+        ("pull on the bit", "a finite number (N)", bit_pull, bit_pull.is_finite()),
         ("bit torque", "a finite number (N·m)", bit_torque, bit_torque.is_finite()),
     ] {
         if !valid {

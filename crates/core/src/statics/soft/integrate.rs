@@ -318,10 +318,9 @@ pub(super) fn from_bit(
     for (segment, circulating) in segments.iter_mut().zip(circulating) {
         segment.circulating = circulating;
     }
-    // At the bit: F = −WOB less the thrust of the jets, M = M_bit.
+    // At the bit: F = P − WOB less the thrust of the jets, M = M_bit.
     let mut totals = Totals {
-        tension_N: -operation.weight_on_bit_now_N()
-            - hydraulics.map_or(0.0, |mud| mud.jet_thrust_N),
+        tension_N: operation.tension_at_bit_N() - hydraulics.map_or(0.0, |mud| mud.jet_thrust_N),
         torque_N_m: operation.bit_torque_now_N_m(),
         axial_friction_N: 0.0,
         side_force_N: 0.0,

@@ -11,7 +11,7 @@ use super::{
     blocks::Singular,
     contact::{self, Push},
     equations::Equations,
-    interior_point::{HELD, Iterated},
+    interior_point::{Iterated, SHIFT},
     state::State,
     string_in_hole::StringInHole,
 };
@@ -53,7 +53,7 @@ pub(super) fn iterate(
     for count in 1..=MOST {
         let torques_N_m = contact::torques_N_m(string, &state.normal_N);
         equations.assemble(string, state, Some(&torques_N_m));
-        equations.hold_across(HELD * string.swing_N_per_m());
+        equations.shift_across(SHIFT * string.foundation_N_per_m());
         for (index, coupling) in couplings.iter_mut().enumerate() {
             *coupling =
                 (state.normal_N[index] > 0.0).then(|| couple(string, state, equations, index));

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::{state::State, string_in_hole::StringInHole};
 use crate::{
+    ends::{BitEnd, TopEnd},
     rod::{
         beam_column::{BeamColumn, Middle},
         mesh::Mesh,
@@ -63,9 +64,10 @@ impl Bending {
                     let part = above.holds_N_m / (above.holds_N_m + below.holds_N_m);
                     below.upper_N_m * part + above.lower_N_m * (1.0 - part)
                 }
-                (None, Some(below)) => below.upper_N_m,
-                (Some(above), None) => above.lower_N_m,
-                (None, None) => Vector3::zeros(),
+                (None, Some(below)) if string.ends.top == TopEnd::Clamped => below.upper_N_m,
+                (Some(above), None) if string.ends.bit == BitEnd::Clamped => above.lower_N_m,
+                // An end that is free to tilt carries none.
+                _ => Vector3::zeros(),
             };
             let jump = above.zip(below).map(|(above, below)| below.upper_N_m - above.lower_N_m);
             bending.at_node_N_m.push(moment.norm());

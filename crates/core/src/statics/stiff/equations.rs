@@ -7,11 +7,13 @@ use super::{
     blocks::{Block, Entry, Tridiagonal},
     contact::Push,
     heading::Heading,
-    settings::End,
     state::State,
     string_in_hole::StringInHole,
 };
-use crate::rod::tangent::{Ends, Gradient, Tangent};
+use crate::{
+    ends::{BitEnd, TopEnd},
+    rod::tangent::{Ends, Gradient, Tangent},
+};
 
 /// The equations of a Newton step, without the wall: `matrix · step = force`.
 #[derive(Debug, Clone)]
@@ -25,6 +27,8 @@ pub(super) struct Equations {
     lengthening: Vec<Lengthening>,
     /// What carries the string at its top, N.
     pub(super) hook_load_N: f64,
+    /// What presses the bit across the hole, N: on what holds it there, if it does not leave the axis.
+    pub(super) bit_side_N: Vector2<f64>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -88,6 +92,7 @@ impl Equations {
             force: vec![Entry::zeros(); nodes],
             lengthening: Vec::with_capacity(nodes),
             hook_load_N: 0.0,
+            bit_side_N: Vector2::zeros(),
         }
     }
 
@@ -113,7 +118,7 @@ impl Equations {
         for index in 0..string.elements.len() {
             self.add_element(string, state, index, torque_N_m);
         }
-        self.hold_top(string);
+        self.hold_ends(string);
     }
 
     fn add_element(
@@ -208,26 +213,49 @@ impl Equations {
         }
     }
 
-    /// The top does not move, nor turn if it is clamped.
-    fn hold_top(&mut self, string: &StringInHole) {
+    /// The top does not move, nor turn if it is clamped. The bit moves along the hole, and across it as
+    /// its end lets it.
+    fn hold_ends(&mut self, string: &StringInHole) {
+        let last = self.force.len() - 1;
         self.hook_load_N = self.force[0][2];
-        let held = match string.top {
-            End::Clamped => 5,
-            End::Pinned => 3,
+        self.bit_side_N = self.force[last].fixed_rows::<2>(0).into_owned();
+        let held: &[usize] = match string.ends.top {
+            TopEnd::Clamped => &[0, 1, 2, 3, 4],
+            TopEnd::Pinned => &[0, 1, 2],
         };
-        for row in 0..held {
-            self.force[0][row] = 0.0;
-            self.matrix.diagonal[0].row_mut(row).fill(0.0);
-            self.matrix.diagonal[0].column_mut(row).fill(0.0);
-            self.matrix.diagonal[0][(row, row)] = 1.0;
-            self.matrix.upper[0].row_mut(row).fill(0.0);
-            self.matrix.lower[0].column_mut(row).fill(0.0);
+        for row in held {
+            self.hold(0, *row);
+        }
+        let held: &[usize] = match string.ends.bit {
+            BitEnd::Held | BitEnd::Free => &[],
+            BitEnd::Pinned => &[0, 1],
+            BitEnd::Clamped => &[0, 1, 3, 4],
+        };
+        for row in held {
+            self.hold(last, *row);
         }
     }
 
-    /// Holds every node across the hole where it is, by so much, N/m: what costs no energy, as going
-    /// round a vertical hole, has an answer then. Equilibria stay what they are.
-    pub(super) fn hold_across(&mut self, by_N_per_m: f64) {
+    /// An unknown of a node does not change.
+    fn hold(&mut self, node: usize, row: usize) {
+        self.force[node][row] = 0.0;
+        let matrix = &mut self.matrix;
+        matrix.diagonal[node].row_mut(row).fill(0.0);
+        matrix.diagonal[node].column_mut(row).fill(0.0);
+        matrix.diagonal[node][(row, row)] = 1.0;
+        if node + 1 < self.force.len() {
+            matrix.upper[node].row_mut(row).fill(0.0);
+            matrix.lower[node].column_mut(row).fill(0.0);
+        }
+        if let Some(above) = node.checked_sub(1) {
+            matrix.upper[above].column_mut(row).fill(0.0);
+            matrix.lower[above].row_mut(row).fill(0.0);
+        }
+    }
+
+    /// Shifts the matrix across the hole by so much, N/m (Levenberg's regularisation): what costs no
+    /// energy, as going round a vertical hole, has an answer then. Equilibria stay what they are.
+    pub(super) fn shift_across(&mut self, by_N_per_m: f64) {
         for diagonal in &mut self.matrix.diagonal {
             diagonal[(0, 0)] += by_N_per_m;
             diagonal[(1, 1)] += by_N_per_m;

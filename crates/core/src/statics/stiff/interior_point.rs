@@ -33,8 +33,8 @@ const FIRST: f64 = 0.1;
 /// clearance.
 const FLOOR: f64 = 1e-7;
 
-/// Part of what a swinging pipe is held by that every node is held by in a step.
-pub(super) const HELD: f64 = 1e-4;
+/// Shift of the matrix in a step, as a part of the foundation that the weight is.
+pub(super) const SHIFT: f64 = 1e-4;
 
 /// Steps shorter than this end it, m.
 const STILL_M: f64 = 1e-6;
@@ -100,7 +100,7 @@ pub(super) fn iterate(
     for count in 1..=MOST {
         let torques_N_m = contact::torques_N_m(string, &state.normal_N);
         equations.assemble(string, state, Some(&torques_N_m));
-        equations.hold_across(HELD * string.swing_N_per_m());
+        equations.shift_across(SHIFT * string.foundation_N_per_m());
         for index in &walled {
             couplings[*index] = couple(string, state, equations, *index, product);
         }

@@ -14,7 +14,7 @@ use super::{
 /// Forces out of balance that an equilibrium may have, as a part of the string's weight.
 const RESIDUAL: f64 = 1e-8;
 
-/// What costs less energy than this part of what a swinging pipe is held by costs none: a buckled pipe
+/// What costs less energy than this part of the foundation that the weight is costs none: a buckled pipe
 /// in a vertical hole may go round it.
 const NEUTRAL: f64 = 1e-5;
 
@@ -87,6 +87,6 @@ fn is_stable(string: &StringInHole, state: &State, equations: &mut Equations) ->
             across += wall;
         }
     }
-    equations.hold_across(NEUTRAL * string.swing_N_per_m());
+    equations.shift_across(NEUTRAL * string.foundation_N_per_m());
     equations.matrix.is_positive_definite()
 }

@@ -30,6 +30,6 @@ pub use equilibrium::{Convergence, Equilibrium};
 pub use error::StiffError;
 pub use profile::StiffProfile;
 pub use refine::MeshError;
-pub use settings::{End, StiffSettings};
+pub use settings::StiffSettings;
 pub(crate) use solve::solve_on;
 pub use solve::{equilibrium, equilibrium_near, solve};

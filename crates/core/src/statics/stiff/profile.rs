@@ -6,11 +6,13 @@ use super::{
     axis::StringAxis,
     bending::Bending,
     contact,
+    equations::Equations,
     equilibrium::{Convergence, Equilibrium},
     state::State,
     string_in_hole::StringInHole,
 };
 use crate::{
+    ends::BitEnd,
     model::Model,
     mud::Hydraulics,
     operation::Operation,
@@ -37,7 +39,7 @@ pub struct StiffProfile {
     pub scalars: Scalars,
     /// What the mud does; none without a rheology.
     pub hydraulics: Option<Hydraulics>,
-    /// Side force of the bit on the rock, N, towards the high side and to the right of it as one
+    /// Side force of the bit on the rock or on what holds it, N, towards the high side and to the right of it as one
     /// looks down the hole.
     pub bit_side_force_N: [f64; 2],
     /// Tilt of the bit against the hole's axis, rad, towards the high side and to the right of it.
@@ -65,7 +67,7 @@ impl StiffProfile {
         let jet_N = string.hydraulics.map_or(0.0, |mud| mud.jet_thrust_N);
         // At the ends the elements' middles are half an element off; hook and bit are there.
         profile.tension_N[0] = *hook_load_N;
-        profile.tension_N[last] = -operation.weight_on_bit_now_N() - jet_N;
+        profile.tension_N[last] = operation.tension_at_bit_N() - jet_N;
         let surface_torque_N_m = surface_torque_N_m(string, &torques_N_m);
         profile.torque_N_m[0] = surface_torque_N_m;
         profile.torque_N_m[last] = string.bit_torque_N_m;
@@ -99,7 +101,7 @@ impl StiffProfile {
                 &profile.side_force_N_per_m,
             ),
         };
-        let [bit_side_force_N, bit_tilt_rad] = at_bit(model, string, state);
+        let [bit_side_force_N, bit_tilt_rad] = at_bit(model, string, state, &torques_N_m);
         Self {
             profile,
             wear: hole_wear(mesh, &rubbing),
@@ -186,14 +188,29 @@ fn hole_wear(mesh: &Mesh, rubbing: &Rubbing<'_>) -> HoleWear {
 }
 
 /// Side force of the bit and its tilt, towards the high side and to the right of it.
-fn at_bit(model: &Model, string: &StringInHole, state: &State) -> [[f64; 2]; 2] {
+fn at_bit(
+    model: &Model,
+    string: &StringInHole,
+    state: &State,
+    torques_N_m: &[f64],
+) -> [[f64; 2]; 2] {
     let last = string.nodes.len() - 1;
     let node = &string.nodes[last];
     let [e1, e2, tangent] = node.axes;
     let high = model.well.path.high_side_of(node.md_m, &tangent);
     let right = tangent.cross(&high);
     let u = state.offset_m[last];
-    let pushed = (e1 * u.x + e2 * u.y) * node.hold_N_per_m;
+    let off = e1 * u.x + e2 * u.y;
+    let pushed = match string.ends.bit {
+        BitEnd::Held => off * node.hold_N_per_m,
+        BitEnd::Free => off.try_normalize(0.0).unwrap_or_default() * state.normal_N[last],
+        // On the axis: what the string presses there.
+        BitEnd::Pinned | BitEnd::Clamped => {
+            let mut equations = Equations::new(string.nodes.len());
+            equations.assemble(string, state, Some(torques_N_m));
+            e1 * equations.bit_side_N.x + e2 * equations.bit_side_N.y
+        }
+    };
     let tilt = state.heading[last].along;
     [[pushed.dot(&high), pushed.dot(&right)], [tilt.dot(&high), tilt.dot(&right)]]
 }

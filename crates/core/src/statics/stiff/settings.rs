@@ -2,16 +2,6 @@
 
 use crate::{sizing::ElementLength, wall::contact::ContactLaw};
 
-/// How an end of the string is held across the hole.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum End {
-    /// On the hole's axis and along it: in the rotary table, in a packer.
-    #[default]
-    Clamped,
-    /// On the hole's axis, free to tilt.
-    Pinned,
-}
-
 /// How the stiff string is solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StiffSettings {
@@ -21,10 +11,9 @@ pub struct StiffSettings {
     pub refinement: u32,
     /// How the wall answers penetration.
     pub contact_law: ContactLaw,
-    /// What holds the bit to the axis of its hole, N/m.
+    /// What holds the bit to the axis of its hole, N/m, where its end of the string is
+    /// [held](crate::ends::BitEnd::Held) so.
     pub bit_lateral_stiffness_N_per_m: f64,
-    /// How the top is held.
-    pub top: End,
 }
 
 impl Default for StiffSettings {
@@ -34,7 +23,6 @@ impl Default for StiffSettings {
             refinement: 1,
             contact_law: ContactLaw::Hertz { dissipation_s_per_m: 0.0 },
             bit_lateral_stiffness_N_per_m: 1e7,
-            top: End::Clamped,
         }
     }
 }

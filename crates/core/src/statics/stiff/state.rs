@@ -95,7 +95,7 @@ impl State {
     /// kilometres: short elements would be out of balance by it.
     pub(super) fn chord_m(&self, string: &StringInHole, index: usize) -> Vector3<f64> {
         let [upper, lower] = [index, index + 1].map(|node| self.moved_m(string, node));
-        string.elements[index].span_m + (lower - upper)
+        string.elements[index].anchor_chord_m + (lower - upper)
     }
 
     /// Moves the nodes by a part of a step.

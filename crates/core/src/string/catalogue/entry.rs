@@ -116,6 +116,7 @@ impl CatalogueEntry {
             bend: None,
             eccentricity: None,
             survey_sensor_m: None,
+            lateral_force: None,
             yield_strength_Pa: Some(self.yield_strength_Pa),
         }
     }

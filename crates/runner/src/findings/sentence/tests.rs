@@ -87,6 +87,30 @@ fn the_hook_load_is_told_with_and_without_the_block() {
 }
 
 #[test]
+fn a_rig_that_pushes_is_told_of_its_push() {
+    let rig = Rig { snubbing_force_N: Some(200e3), ..Rig::default() };
+    let said = |value_N, level, rig: &Rig| {
+        let found = found(Kind::HookLoadNegative, level, value_N, -200e3);
+        sentence(&found, &solved(ModelKind::Soft), &around(rig, UnitSet::Si))
+    };
+    assert_eq!(
+        said(-257.9e3, Level::Error, &rig),
+        "The rig does not push the string down: hook load -257.9 kN, the rig pushes with 200 kN at \
+         most"
+    );
+    assert_eq!(
+        said(-280e3, Level::Warning, &rig),
+        "The rig pushes with all of its 200 kN at times: hook load down to -280 kN"
+    );
+    let with_block = Rig { block_weight_N: Some(100e3), ..rig };
+    assert_eq!(
+        said(-257.9e3, Level::Warning, &with_block),
+        "The rig pushes the string down with all of its 200 kN and the block: hook load -257.9 kN, \
+         -157.9 kN with the block"
+    );
+}
+
+#[test]
 fn lock_up_tells_what_arrives() {
     let of = solved(ModelKind::Dynamic);
     let said = |asked_N, arrives_N| {

@@ -39,6 +39,7 @@ use super::{anchor::Anchor, executor::RockExecutor, extension::AnotherExtension}
 use crate::{
     damage::Damaged,
     dynamics::kernel::chain::{Chain, node},
+    ends::BitEnd,
     operation::Operation,
     rock::Drilling,
     simd::{number::Real, vector::Vector},
@@ -52,6 +53,8 @@ pub struct Bit {
     drive: Drive,
     /// None off bottom.
     cut: Option<Cut>,
+    /// What pulls it down the hole off bottom, N.
+    pull_N: f64,
     /// What shakes it besides its law.
     shaker: Option<CustomShaker>,
 }
@@ -92,8 +95,14 @@ impl Bit {
             motor,
             drive,
             cut,
+            pull_N: operation.bit_pull_now_N(),
             shaker: settings.excitation.as_ref().filter(|_| drills).map(CustomShaker::new),
         }
+    }
+
+    /// The same where the string's end is held so.
+    pub fn ending(self, end: BitEnd) -> Self {
+        Self { side: self.side.ending(end), ..self }
     }
 
     /// Stands the string's bit on the rock that it was run in on.
@@ -225,6 +234,13 @@ impl Bit {
             };
         } else {
             self.drive.run_free();
+            if self.pull_N != 0.0 {
+                let gained = approach.axial_mobility_s_per_kg * self.pull_N;
+                velocity = velocity.plus(tangent, gained);
+                displacement = displacement.plus(tangent, dt * gained);
+                work += self.pull_N * tangent.dot((step_start.velocity + velocity).scaled(0.5));
+                step.force_N = step.force_N.plus(tangent, self.pull_N);
+            }
         }
         chain.set_velocity(index, velocity);
         chain.set_displacement(index, displacement);

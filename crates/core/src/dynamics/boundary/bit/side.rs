@@ -2,12 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::simd::vector::Vector;
+use crate::{ends::BitEnd, simd::vector::Vector};
 
 /// The rock beside the bit.
 ///
 /// The bit is held by `F = k (u − s)`, `u` its place across the hole and `s` that to which it has
-/// cut the hole. On bottom it cuts sideways with the force and the speed, `s' = c |Ω| F`.
+/// cut the hole; `k` is infinite where it does not leave its hole's axis, and zero of a free end. On bottom it cuts sideways with the force and the speed, `s' = c |Ω| F`.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Side {
     stiffness_N_per_m: f64,
@@ -30,6 +30,11 @@ impl Side {
         Self { stiffness_N_per_m, cut_m_per_N, axis_m: Vector::zero() }
     }
 
+    /// The same of a bit whose end of the string is held so.
+    pub(super) fn ending(self, end: BitEnd) -> Self {
+        Self { stiffness_N_per_m: end.stiffness_N_per_m(self.stiffness_N_per_m), ..self }
+    }
+
     /// How far the bit has cut its hole off the axis, m.
     pub(super) fn cut_m(&self) -> Vector<f64> {
         self.axis_m
@@ -49,7 +54,11 @@ impl Side {
         let k = self.stiffness_N_per_m;
         let rate = self.cut_m_per_N * turning_rad_per_s.abs();
         // F = k (u − s) at the step's end: F slows the bit, and cuts the hole towards it.
-        let hold = k / (1.0 + k * (mobility + rate) * dt);
+        let hold = if k.is_finite() {
+            k / (1.0 + k * (mobility + rate) * dt)
+        } else {
+            1.0 / ((mobility + rate) * dt)
+        };
         let pressed = if rate > 0.0 {
             // The hole moves on with the bit: its cut lies across it wherever the bit is.
             let axis = self.axis_m.minus(tangent, self.axis_m.dot(tangent));

@@ -244,7 +244,8 @@ impl<R: Real> Source<'_, R> {
     }
 
     /// What the string carries at nodes, and the moment of the elements below at their lower ends;
-    /// `above` is that of the elements above. The bit, below which there is none, carries none.
+    /// `above` is that of the elements above. The bit, below which there is none,
+    /// carries none unless it is clamped.
     #[inline(always)]
     pub fn bearing<N: Doubles>(
         &self,

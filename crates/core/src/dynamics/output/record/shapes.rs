@@ -264,8 +264,10 @@ impl ShapeBlock {
         let odd = N::splat(1.0 / 3.0) * (far + deflection.bending) * column.odd();
         let holds = deflection.bending + deflection.pull * shape.at_ends + odd;
         let below = held / (held + holds).max(N::splat(N::TINY));
-        // A node that may not tilt hands nothing on from the one side to the other.
-        let below = ends.tilts::<N>(block, lane).if_positive(below, N::splat(1.0));
+        // A node that may not tilt hands nothing on from the one side to the other: the top has the
+        // element below it, a clamped bit, below which there is none, that above.
+        let clamped = holds.if_positive(N::splat(1.0), N::zero());
+        let below = ends.tilts::<N>(block, lane).if_positive(below, clamped);
         put(&mut self.at_ends, lane, shape.at_ends);
         put(&mut self.half_way, lane, shape.half_way);
         put(&mut self.odd, lane, odd);

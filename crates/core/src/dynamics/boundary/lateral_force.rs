@@ -1,0 +1,28 @@
+//! Forces across components, fixed in space.
+
+use super::anchor::Anchor;
+use crate::{
+    dynamics::kernel::chain::Chain,
+    model::Model,
+    rod::{bent::transported, mesh::Mesh},
+    simd::vector::Vector,
+};
+
+/// Adds the lateral forces of components to the weights of their nodes: like those they stay what
+/// they are, however the string turns. Their tool faces are angles from the high side at the bit,
+/// clockwise as one looks down the hole, carried up it without twisting.
+pub fn add(chain: &mut Chain, anchors: &[Anchor], model: &Model, mesh: &Mesh) {
+    let last = chain.nodes() - 1;
+    for span in model.string.spans() {
+        let Some(of) = span.component.lateral_force else { continue };
+        let index = mesh.nearest_inner_node(span.from_bit_m + of.from_lower_end_m);
+        let mut high = Vector::from(anchors[last].high_side);
+        for above in (index..last).rev() {
+            high = transported(high, chain.tangent(above + 1), chain.tangent(above));
+        }
+        let right = chain.tangent(index).cross(high);
+        let (sine, cosine) = of.toolface_rad.sin_cos();
+        let force = high.scaled(of.force_N * cosine).plus(right, of.force_N * sine);
+        chain.set_weight(index, chain.weight(index) + force);
+    }
+}

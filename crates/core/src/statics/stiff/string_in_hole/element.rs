@@ -1,0 +1,116 @@
+//! The elements between the nodes, and the mud that flows along them.
+
+use nalgebra::Vector3;
+
+use super::{super::heading::Heading, node::Node};
+use crate::{
+    model::Model,
+    mud::Hydraulics,
+    operation::Operation,
+    rod::{
+        element::Stiffness,
+        mesh::{Mesh, MeshElement},
+        tangent::Ends,
+    },
+    statics::{
+        circulation::{self, Circulating, Passage},
+        soft::SoftProfile,
+    },
+    wall::Bore,
+};
+
+/// An element between a node and the next.
+#[derive(Debug, Clone)]
+pub(in super::super) struct Element {
+    /// From its upper node's place on the hole's axis to its lower node's, m.
+    pub(in super::super) anchor_chord_m: Vector3<f64>,
+    /// Its stiffness.
+    pub(in super::super) stiffness: Stiffness<f64>,
+    /// `g` of the element without tension, m: on the hole's axis it has the soft string's tension.
+    pub(in super::super) slack_m: f64,
+    /// That tension, N.
+    pub(in super::super) guess_N: f64,
+    /// Torque that the mud takes of its rotation, N·m.
+    pub(in super::super) mud_torque_N_m: f64,
+    /// The director that it sees at its upper node, in parts of the node's frame: the last along
+    /// the node's director. Other than that where the body has a bend.
+    pub(in super::super) bend: Option<Vector3<f64>>,
+    /// How far its body may go from the hole's axis half-way, m.
+    pub(in super::super) body_clearance_m: f64,
+}
+
+impl Element {
+    /// The director that it sees at its upper node.
+    pub(in super::super) fn seen(&self, heading: &Heading) -> Vector3<f64> {
+        let [b1, b2] = heading.across;
+        let parts = self.bend.unwrap_or_else(Vector3::z);
+        b1 * parts.x + b2 * parts.y + heading.along * parts.z
+    }
+}
+
+/// The elements between nodes, the bends of the body left out.
+pub(super) fn between(
+    mesh: &Mesh,
+    bore: &Bore,
+    nodes: &[Node],
+    circulating: &[Circulating],
+    soft: &SoftProfile,
+) -> Vec<Element> {
+    let pairs = nodes.windows(2).zip(&mesh.elements).zip(circulating);
+    let element = |((pair, of), flow): ((&[Node], &MeshElement), &Circulating)| {
+        let (upper, lower) = (&pair[0], &pair[1]);
+        let stiffness = Stiffness::new(&of.section, of.length_m);
+        let middle_m = 0.5 * (upper.md_m + lower.md_m);
+        let guess_N = soft.tension_at_N(middle_m);
+        let anchor_chord_m = lower.anchor_m - upper.anchor_m;
+        let centred = Ends { chord_m: anchor_chord_m, directors: [upper.axes[2], lower.axes[2]] };
+        Element {
+            anchor_chord_m,
+            slack_m: centred.longer_m(&stiffness) - guess_N / stiffness.axial,
+            stiffness,
+            guess_N,
+            mud_torque_N_m: of.length_m * flow.torque_N_m_per_m,
+            bend: None,
+            body_clearance_m: bore.smooth_radius_m(middle_m) - 0.5 * of.section.od_m,
+        }
+    };
+    pairs.map(element).collect()
+}
+
+/// Bends the elements below the bends of the body, at their tool faces: angles from the high side
+/// at the bit, which has the parts `high_rad` everywhere.
+pub(super) fn bend(elements: &mut [Element], model: &Model, mesh: &Mesh, high_rad: f64) {
+    for span in model.string.spans() {
+        let Some(bend) = span.component.bend else { continue };
+        let index = mesh.nearest_inner_node(span.from_bit_m + bend.from_lower_end_m);
+        let (sine, cosine) = (high_rad + bend.toolface_rad).sin_cos();
+        let (across, along) = bend.angle_rad.sin_cos();
+        elements[index].bend = Some(Vector3::new(across * cosine, across * sine, along));
+    }
+}
+
+/// What the mud does to each element, from the top down.
+pub(super) fn circulation(
+    model: &Model,
+    operation: &Operation,
+    mesh: &Mesh,
+    depths_m: &[f64],
+) -> (Vec<Circulating>, Option<Hydraulics>) {
+    let passages: Vec<Passage> = (0..mesh.elements.len())
+        .rev()
+        .map(|index| {
+            let element = &mesh.elements[index];
+            let middle_m = 0.5 * (depths_m[index] + depths_m[index + 1]);
+            Passage {
+                length_m: element.length_m,
+                od_m: element.section.od_m,
+                bore_m2: element.section.bore_m2,
+                hole_diameter_m: model.well.hole.at(middle_m).diameter_m,
+                pressure_strain_per_Pa: element.section.pressure_strain_per_Pa,
+            }
+        })
+        .collect();
+    let (mut circulating, hydraulics) = circulation::along(model, operation, &passages);
+    circulating.reverse();
+    (circulating, hydraulics)
+}

@@ -1,0 +1,40 @@
+//! What acts on the nodes beside the wall.
+
+use nalgebra::Vector3;
+
+use super::node::Node;
+use crate::{model::Model, rod::mesh::Mesh, statics::circulation::Circulating};
+
+/// Adds the buoyed weight of the elements and the pull of the mud to the nodes at their ends.
+pub(super) fn add_weight(
+    nodes: &mut [Node],
+    mesh: &Mesh,
+    circulating: &[Circulating],
+    mud_kg_per_m3: f64,
+) {
+    for (index, (of, flow)) in mesh.elements.iter().zip(circulating).enumerate() {
+        let weight_N = 0.5 * of.length_m * of.section.buoyed_weight_N_per_m(mud_kg_per_m3);
+        let pull_N = 0.5 * of.length_m * flow.pull_N_per_m;
+        for node in &mut nodes[index..=index + 1] {
+            // A pull that adds to hook load points to the bit.
+            node.load_N += Vector3::z() * weight_N + node.axes[2] * pull_N;
+        }
+    }
+}
+
+/// Pulls at the bit with a tension, N.
+pub(super) fn add_pull(nodes: &mut [Node], tension_N: f64) {
+    if let Some(bit) = nodes.last_mut() {
+        bit.load_N += bit.axes[2] * tension_N;
+    }
+}
+
+/// Adds the lateral forces of components, at their tool faces: angles from the high side at the bit,
+/// which has the parts `high_rad` everywhere.
+pub(super) fn add_lateral(nodes: &mut [Node], model: &Model, mesh: &Mesh, high_rad: f64) {
+    for span in model.string.spans() {
+        let Some(of) = span.component.lateral_force else { continue };
+        let node = &mut nodes[mesh.nearest_inner_node(span.from_bit_m + of.from_lower_end_m)];
+        node.load_N += node.across(high_rad + of.toolface_rad) * of.force_N;
+    }
+}

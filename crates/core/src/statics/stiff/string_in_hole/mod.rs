@@ -1,0 +1,100 @@
+//! The string in its hole: what the iterations do not change.
+
+mod element;
+mod load;
+mod node;
+
+use super::settings::StiffSettings;
+use crate::{
+    ends,
+    model::Model,
+    mud::Hydraulics,
+    operation::Operation,
+    rod::mesh::Mesh,
+    statics::{circulation::Circulating, sliding::Sliding, soft::SoftProfile},
+    wall::Bore,
+};
+
+pub(super) use element::Element;
+pub(super) use node::Node;
+
+/// The string in its hole.
+#[derive(Debug, Clone)]
+pub(super) struct StringInHole {
+    /// From the top down.
+    pub(super) nodes: Vec<Node>,
+    /// From the top down.
+    pub(super) elements: Vec<Element>,
+    /// How its ends are held.
+    pub(super) ends: ends::Ends,
+    /// Torque of the bit, N·m.
+    pub(super) bit_torque_N_m: f64,
+    /// What the mud does; none without a rheology.
+    pub(super) hydraulics: Option<Hydraulics>,
+    /// What the flow does to each element.
+    pub(super) circulating: Vec<Circulating>,
+}
+
+impl StringInHole {
+    pub(super) fn new(
+        model: &Model,
+        operation: &Operation,
+        settings: &StiffSettings,
+        mesh: &Mesh,
+        soft: &SoftProfile,
+    ) -> Self {
+        let bore = Bore::new(&model.well.hole);
+        let depths_m = node::depths_m(model, &bore, operation.bit_depth_m, mesh, soft);
+        let (circulating, hydraulics) = element::circulation(model, operation, mesh, &depths_m);
+        let around = (Sliding::of(operation), soft);
+        let mut nodes = node::along(model, &bore, settings, mesh, &depths_m, around);
+        let mut elements = element::between(mesh, &bore, &nodes, &circulating, soft);
+        let high_rad = high_side_rad(model, &nodes);
+        element::bend(&mut elements, model, mesh, high_rad);
+        load::add_weight(&mut nodes, mesh, &circulating, model.mud.density_kg_per_m3);
+        let jet_N = hydraulics.map_or(0.0, |mud| mud.jet_thrust_N);
+        load::add_pull(&mut nodes, operation.tension_at_bit_N() - jet_N);
+        load::add_lateral(&mut nodes, model, mesh, high_rad);
+        Self {
+            nodes,
+            elements,
+            ends: model.ends,
+            bit_torque_N_m: operation.bit_torque_now_N_m(),
+            hydraulics,
+            circulating,
+        }
+    }
+
+    /// Mean weight of a node over its mean clearance, N/m: the elastic foundation on which a pipe lies on
+    /// the low side of its hole, `w/r` of Dawson and Paslay.
+    pub(super) fn foundation_N_per_m(&self) -> f64 {
+        let walled = self.nodes.iter().filter(|node| node.has_wall());
+        let (sum_m, count) =
+            walled.fold((0.0, 0.0), |(sum, count), node| (sum + node.clearance_m, count + 1.0));
+        let clearance_m = if count > 0.0 { sum_m / count } else { 1.0 };
+        self.weight_N() / self.nodes.len() as f64 / clearance_m
+    }
+
+    /// The same with a part of its friction.
+    pub(super) fn rubbed_by(&self, part: f64) -> Self {
+        let mut string = self.clone();
+        for node in &mut string.nodes {
+            node.friction = node.friction.map(|friction| friction * part);
+        }
+        string
+    }
+
+    /// Buoyed weight of the string, N.
+    pub(super) fn weight_N(&self) -> f64 {
+        self.nodes.iter().map(|node| node.load_N.z.abs()).sum()
+    }
+}
+
+/// The angle of the high side at the bit between the axes across the hole, rad, from the first to the
+/// second. They are carried along the hole: the high side at the bit has the same parts everywhere.
+fn high_side_rad(model: &Model, nodes: &[Node]) -> f64 {
+    nodes.last().map_or(0.0, |bit| {
+        let high = model.well.path.high_side_of(bit.md_m, &bit.axes[2]);
+        high.dot(&bit.axes[1]).atan2(high.dot(&bit.axes[0]))
+    })
+}
