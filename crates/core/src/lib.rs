@@ -111,6 +111,7 @@ mod simd;
 pub mod sizing;
 pub mod statics;
 pub mod string;
+pub mod torsional_stability;
 pub mod wall;
 pub mod well;
 

@@ -51,6 +51,8 @@ pub use simulation::{
 #[cfg(feature = "rayon")]
 pub use simulation::threads::ThreadsError;
 
+pub(crate) use assemble::hoisting::hoisting;
+pub use boundary::top_drive::{Gains, Shown, TorsionalString};
 pub(crate) use simulation::kernel_speed;
 
 pub use crate::{
