@@ -53,10 +53,55 @@ impl LumpedChain {
         Self { drag, ..self.clone() }
     }
 
+    /// The same with fewer nodes: neighbours are joined as long as a wave takes no longer than
+    /// `longest_s` from one node to the next. Springs act in series, what a node had goes to its
+    /// neighbours.
+    pub(super) fn merged(&self, longest_s: f64) -> Self {
+        let last = self.inertia.len() - 1;
+        let mut kept = vec![0];
+        let mut travel_s = 0.0;
+        for index in 0..last {
+            let across_s = self.across_s(index);
+            if index > 0 && travel_s + across_s > longest_s {
+                kept.push(index);
+                travel_s = 0.0;
+            }
+            travel_s += across_s;
+        }
+        kept.push(last);
+        let mut merged = Self {
+            inertia: vec![0.0; kept.len()],
+            stiffness: Vec::with_capacity(kept.len() - 1),
+            drag: vec![0.0; kept.len()],
+            stiffness_damping_s: self.stiffness_damping_s,
+        };
+        for (above, pair) in kept.windows(2).enumerate() {
+            let softness =
+                |to: usize| -> f64 { self.stiffness[pair[0]..to].iter().map(|k| 1.0 / k).sum() };
+            let whole = softness(pair[1]);
+            merged.stiffness.push(1.0 / whole);
+            // A node between two kept ones moves with both by where it lies between them.
+            for index in pair[0]..pair[1] {
+                let below = softness(index) / whole;
+                for (to, part) in [(above, 1.0 - below), (above + 1, below)] {
+                    merged.inertia[to] += part * self.inertia[index];
+                    merged.drag[to] += part * self.drag[index];
+                }
+            }
+        }
+        merged.inertia[kept.len() - 1] += self.inertia[last];
+        merged.drag[kept.len() - 1] += self.drag[last];
+        merged
+    }
+
+    /// Time in which a wave runs along a spring, s.
+    fn across_s(&self, index: usize) -> f64 {
+        (0.5 * (self.inertia[index] + self.inertia[index + 1]) / self.stiffness[index]).sqrt()
+    }
+
     /// Time in which a wave runs from one end to the other, s.
     pub(super) fn travel_s(&self) -> f64 {
-        let ends = self.inertia.windows(2).zip(&self.stiffness);
-        ends.map(|(j, k)| (0.5 * (j[0] + j[1]) / k).sqrt()).sum()
+        (0..self.stiffness.len()).map(|index| self.across_s(index)).sum()
     }
 
     /// What it shows at each frequency, its top as `top` says there.

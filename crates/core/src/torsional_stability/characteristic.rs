@@ -68,6 +68,17 @@ impl SteadyRotation {
         .collect()
     }
 
+    /// The same on chains of fewer nodes: a wave takes up to `longest_s` from one to the next.
+    pub(super) fn merged(&self, longest_s: f64) -> Self {
+        let torsion = self.torsion.merged(longest_s);
+        Self {
+            drive: self.drive.with_half(torsion.inertia[0]),
+            torsion,
+            axial: self.axial.merged(longest_s),
+            ..*self
+        }
+    }
+
     /// Time in which waves of both kinds run from one end of the string to the other, s: how fast
     /// the function turns.
     pub(super) fn travel_s(&self) -> f64 {

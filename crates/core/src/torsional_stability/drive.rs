@@ -57,6 +57,16 @@ impl LinearDrive {
         }
     }
 
+    /// The same on a string whose top node has another inertia, kg·m².
+    pub(super) fn with_half(self, half_kg_m2: f64) -> Self {
+        match self {
+            Self::Constant => Self::Constant,
+            Self::Tuned { inertia_kg_m2, gains, .. } => {
+                Self::Tuned { inertia_kg_m2, half_kg_m2, gains }
+            }
+        }
+    }
+
     /// What the chain's top node meets: `s² J + s K_p + K_i`, and what a controller that hears the
     /// string's torque adds of it, `(K_p s + K_i)/((s + ω₁) Z)`.
     pub(super) fn top(&self, s: Complex<f64>) -> TopEnd {

@@ -9,7 +9,13 @@ use wholestring::{
 };
 use wholestring_verification::verify;
 
-use crate::{band, in_torsion, turning, worst};
+use serde_json::Value;
+
+use crate::{
+    band,
+    common::{number, verification},
+    in_torsion, turning, worst,
+};
 
 /// Impedance of the pipe, N·m·s, and the time in which a wave runs through it, s.
 const IMPEDANCE: f64 = 400.0;
@@ -132,4 +138,39 @@ fn a_uniform_pipe_under_a_drive_has_the_roots_of_the_continuous_one() {
     for pair in errors.windows(2) {
         assert!((pair[0] / pair[1] / 4.0 - 1.0).abs() < 0.05, "{errors:?}");
     }
+}
+
+/// E02: 2500 m of pipe on a bottom-hole assembly, held at the top, barely damped: within 1 % of its
+/// computed lowest frequency, which is the source's tolerance.
+#[test]
+fn a_string_of_pipe_and_assembly_swings_at_its_frequency() {
+    let data = verification("E02_aarsnes_shor_synthetic_well.json");
+    let case = &data["cases"][0];
+    let part = |of: &Value, [polar, shear]: [&str; 2], length_m: f64| {
+        let (polar, shear) = (number(&of[polar]), number(&of[shear]));
+        (polar * number(&data["rho"]), shear * polar, length_m)
+    };
+    let low_m = number(&data["bha"]["Lc"]);
+    let pipe = part(&data["pipe"], ["Jp", "Gp"], number(&case["inputs"]["MD"]) - low_m);
+    let low = part(&data["bha"], ["Jc", "Gc"], low_m);
+    let (mut inertia, mut stiffness) = (vec![0.0], Vec::new());
+    for (inertia_kg_m, stiffness_N_m2, length_m) in [pipe, low] {
+        let elements = 200;
+        let of_one_m = length_m / f64::from(elements);
+        for _ in 0..elements {
+            let half = 0.5 * inertia_kg_m * of_one_m;
+            *inertia.last_mut().expect("a node") += half;
+            inertia.push(half);
+            stiffness.push(stiffness_N_m2 / of_one_m);
+        }
+    }
+    let drag = inertia.iter().map(|of| 1e-3 * of).collect();
+    let chain = LumpedChain { inertia, stiffness, drag, stiffness_damping_s: 0.0 };
+    let found = in_torsion(chain, LinearDrive::Constant, turning(0.0)).stability(band(0.3, 3.0));
+    assert!(found.is_stable());
+    let root = worst(&found);
+    assert!((root.growth_per_s + 0.5e-3).abs() < 1e-8, "{root:?}");
+    verify("E02", "lowest frequency by the roots of torsional stability, Hz")
+        .relative(0.01, "the tolerance of the source; 1e-5 of lumped inertia")
+        .report(number(&case["expected"]["f1_Hz"]), root.frequency_Hz);
 }
