@@ -104,8 +104,9 @@ impl LumpedChain {
         (0..self.stiffness.len()).map(|index| self.across_s(index)).sum()
     }
 
-    /// What it shows at each frequency, its top as `top` says there.
-    pub(super) fn responses(
+    /// What it shows at each frequency, its top as `top` says there; what a force on the top node
+    /// transfers to the bit where that is asked for.
+    pub(super) fn responses<const TRANSFERS: bool>(
         &self,
         frequencies: &[Complex<f64>],
         top: impl Fn(Complex<f64>) -> TopEnd,
@@ -113,18 +114,23 @@ impl LumpedChain {
         let mut found = Vec::with_capacity(frequencies.len() + LANES);
         for some in frequencies.chunks(LANES) {
             let ends: Vec<TopEnd> = some.iter().map(|s| top(*s)).collect();
-            found.extend_from_slice(&self.respond(some, &ends)[..some.len()]);
+            found.extend_from_slice(&self.respond::<TRANSFERS>(some, &ends)[..some.len()]);
         }
         found
     }
 
     /// Elimination from the top down: `p_i = m_i + k_i`, and the next node has `k_i m_i/p_i` of
     /// what is above it.
-    fn respond(&self, some: &[Complex<f64>], ends: &[TopEnd]) -> [Response; LANES] {
+    fn respond<const TRANSFERS: bool>(
+        &self,
+        some: &[Complex<f64>],
+        ends: &[TopEnd],
+    ) -> [Response; LANES] {
         let mut sweep = Sweep::new(some, ends, self);
         let last = self.inertia.len() - 1;
         for index in 1..last {
-            sweep.pass(self.inertia[index], self.drag[index], self.stiffness[index]);
+            let spring = self.stiffness[index];
+            sweep.pass::<TRANSFERS>(self.inertia[index], self.drag[index], spring);
             if index % RENORMALISED == 0 {
                 sweep.normalise();
             }
@@ -192,7 +198,7 @@ impl Sweep {
 
     /// Past a node and the spring below it.
     #[inline(always)]
-    fn pass(&mut self, inertia: f64, drag: f64, stiffness: f64) {
+    fn pass<const TRANSFERS: bool>(&mut self, inertia: f64, drag: f64, stiffness: f64) {
         let softness = 1.0 / stiffness;
         for l in 0..LANES {
             let spring = [stiffness * self.damped[0][l], stiffness * self.damped[1][l]];
@@ -209,9 +215,11 @@ impl Sweep {
             ];
             self.above[0][l] = part[0] * m[0] - part[1] * m[1];
             self.above[1][l] = part[0] * m[1] + part[1] * m[0];
-            let t = [self.transfer[0][l], self.transfer[1][l]];
-            self.transfer[0][l] = t[0] * part[0] - t[1] * part[1];
-            self.transfer[1][l] = t[0] * part[1] + t[1] * part[0];
+            if TRANSFERS {
+                let t = [self.transfer[0][l], self.transfer[1][l]];
+                self.transfer[0][l] = t[0] * part[0] - t[1] * part[1];
+                self.transfer[1][l] = t[0] * part[1] + t[1] * part[0];
+            }
             let d = [self.determinant[0][l] * softness, self.determinant[1][l] * softness];
             self.determinant[0][l] = d[0] * p[0] - d[1] * p[1];
             self.determinant[1][l] = d[0] * p[1] + d[1] * p[0];

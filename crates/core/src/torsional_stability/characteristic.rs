@@ -44,7 +44,7 @@ impl SteadyRotation {
     /// The characteristic function: the determinant of chains, top, hoist and bit. It has no poles
     /// but on the negative real axis and at zero.
     pub(super) fn values(&self, frequencies: &[Complex<f64>]) -> Vec<Value> {
-        let torsion = self.torsion.responses(frequencies, |s| self.drive.top(s));
+        let torsion = self.torsion.responses::<false>(frequencies, |s| self.drive.top(s));
         if self.bit.rock == LinearRock::Bears {
             let zero = Complex::new(0.0, 0.0);
             let of = torsion.iter().zip(frequencies).map(|(t, s)| Value {
@@ -53,7 +53,7 @@ impl SteadyRotation {
             });
             return of.collect();
         }
-        let axial = self.axial.responses(frequencies, |s| self.hoist.top(s));
+        let axial = self.axial.responses::<true>(frequencies, |s| self.hoist.top(s));
         let both = torsion.iter().zip(&axial).zip(frequencies);
         both.map(|((t, a), s)| {
             let answered = -a.transfer * self.hoist.answer(*s);

@@ -24,9 +24,9 @@ use crate::{
 const SLOWEST: f64 = 0.2;
 
 /// Nodes are merged as long as the fastest motion that is looked at turns by no more than this from
-/// one to the next, rad: its frequency is then off by a part of `0.3²/24`, 0.4 %, and that of a motion
-/// five times slower by 0.015 %.
-const MERGED_RAD: f64 = 0.3;
+/// one to the next, rad: its frequency is then off by a part of `0.4²/24`, 0.7 %, and that of a motion
+/// five times slower by 0.03 %.
+const MERGED_RAD: f64 = 0.4;
 
 /// A threshold is found to this part of itself.
 const THRESHOLD: f64 = 1e-3;

@@ -8,7 +8,7 @@ use nalgebra::Complex;
 use super::characteristic::{SteadyRotation, Value};
 
 /// Samples of the imaginary axis from one root of the string to the next.
-const PER_ROOT: f64 = 10.0;
+const PER_ROOT: f64 = 6.0;
 
 /// Largest turn of the function between two samples, rad, and largest change of the logarithm of its
 /// magnitude.

@@ -40,13 +40,12 @@ pub struct StabilitySettings {
 }
 
 impl StabilitySettings {
-    /// A fifth to twice the operation's speed and weight, motions up to 15 Hz.
+    /// A fifth to twice the operation's speed and weight, motions up to 25 Hz.
     pub fn around(operation: &Operation) -> Self {
-        let around =
-            |of: f64, values: usize| StabilityRange { from: 0.2 * of, to: 2.0 * of, values };
+        let around = |of: f64| StabilityRange { from: 0.2 * of, to: 2.0 * of, values: VALUES };
         Self {
-            speeds_rad_per_s: around(operation.rotary_speed_rad_per_s, 28),
-            weights_N: around(operation.weight_on_bit_N, 19),
+            speeds_rad_per_s: around(operation.rotary_speed_rad_per_s),
+            weights_N: around(operation.weight_on_bit_N),
             highest_Hz: HIGHEST_HZ,
         }
     }
@@ -66,5 +65,8 @@ impl StabilitySettings {
     }
 }
 
+/// Speeds and weights of a map where nothing else is said: the operation's own are among them.
+const VALUES: usize = 19;
+
 /// Fastest motion that is looked at where nothing else is said, Hz.
-pub const HIGHEST_HZ: f64 = 15.0;
+pub const HIGHEST_HZ: f64 = 25.0;
