@@ -145,9 +145,12 @@ impl<'a> TorsionalStability<'a> {
         }
     }
 
-    /// The operation at another speed and weight.
+    /// The operation at another speed and weight; the torque by which the rate law's motor turns is
+    /// in proportion to the weight.
     fn at(&self, rotary_speed_rad_per_s: f64, weight_on_bit_N: f64) -> Operation {
-        Operation { rotary_speed_rad_per_s, weight_on_bit_N, ..self.operation }
+        let own = &self.operation;
+        let bit_torque_N_m = own.bit_torque_N_m * weight_on_bit_N / own.weight_on_bit_N;
+        Operation { rotary_speed_rad_per_s, weight_on_bit_N, bit_torque_N_m, ..*own }
     }
 
     /// Lays the string in its hole under a weight on bit, turning at the operation's speed.

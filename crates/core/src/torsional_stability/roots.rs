@@ -155,7 +155,9 @@ impl SteadyRotation {
                 // s₁ − f₁ (s₁ − s₀)/(f₁ − f₀).
                 let step = (s1 - s0) / (-f0.over(&f1) + 1.0);
                 let s2 = s1 - step;
-                if !(s2.norm() <= 2.0 * band.highest_rad_per_s) {
+                // Not a number is not near.
+                let near = s2.norm() <= 2.0 * band.highest_rad_per_s;
+                if !near {
                     continue;
                 }
                 if step.norm() < 1e-9 * (1.0 + s1.norm()) {
