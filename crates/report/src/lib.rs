@@ -11,6 +11,7 @@ mod packed;
 mod page;
 mod plots;
 mod report;
+mod stability;
 mod study;
 mod sweep;
 mod thin;
@@ -30,6 +31,7 @@ pub use report::{
     ContactPicture, DisplayUnit, DrillOff, Fact, Frames, KeyResult, PageHead, PageTable, Part,
     Place, Report, Section, Solved, SpectrumPicture, TimeRun, Well,
 };
+pub use stability::{StabilityPicture, stability_plot};
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};
 pub use thin::thinned;

@@ -23,13 +23,16 @@ mod names;
 mod parquet_file;
 mod parquet_guard;
 mod spectrum;
+mod stability_table;
 mod summary;
 mod table;
 mod thrift;
 
 pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
 pub use bit_test_table::bit_test_table;
-pub use columns::{BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
+pub use columns::{
+    BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, STABILITY, TIME, WEAR,
+};
 pub use digest::digest;
 pub use error::ResultsError;
 pub use finding::{Finding, Level};
@@ -38,6 +41,7 @@ pub use frames::{FrameWriter, FramesSoFar};
 pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
 pub use spectrum::Spectrum;
+pub use stability_table::stability_table;
 pub use summary::{
     ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Status, Summary,
 };

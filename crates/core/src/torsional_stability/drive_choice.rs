@@ -63,7 +63,7 @@ impl StabilityAtWeight<'_> {
 
 impl Threshold {
     /// Whether it is stable from a lower speed on.
-    fn sooner_than(self, other: Self) -> bool {
+    pub(super) fn sooner_than(self, other: Self) -> bool {
         let speed = |of: Self| match of {
             Self::Everywhere => 0.0,
             Self::From(speed) => speed,

@@ -7,13 +7,14 @@ mod contact;
 mod frames;
 mod nodes;
 mod spectra;
+mod stability;
 mod time;
 mod wear;
 
 pub(crate) use self::bit_test::numbers as bit_test_numbers;
 pub use self::{
     bit_test::BIT_TEST, bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, nodes::NODES,
-    spectra::SPECTRA, time::TIME, wear::WEAR,
+    spectra::SPECTRA, stability::STABILITY, time::TIME, wear::WEAR,
 };
 use wholestring::outcome;
 
@@ -75,7 +76,8 @@ mod tests {
 
     #[test]
     fn names_are_unique() {
-        for table in [NODES, TIME, WEAR, CONTACT, BOTTOM_HOLE, FRAMES, SPECTRA, BIT_TEST] {
+        for table in [NODES, TIME, WEAR, CONTACT, BOTTOM_HOLE, FRAMES, SPECTRA, BIT_TEST, STABILITY]
+        {
             for (index, column) in table.iter().enumerate() {
                 assert!(
                     table[..index].iter().all(|other| other.name != column.name),
