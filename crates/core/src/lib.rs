@@ -52,9 +52,10 @@
 //! 4. [`statics::soft`]: torque and drag along the string at once; [`statics::buckling`].
 //! 5. [`dynamics`]: the string in time; its [`DynamicsSettings`](dynamics::DynamicsSettings) hold
 //!    the bit, the top drive, the hoist and the numerics, with defaults.
-//! 6. [`outcome`]: what solvers answer, each scalar and column with its unit and meaning;
+//! 6. [`torsional_stability`]: whether steady rotation grows into stick-slip.
+//! 7. [`outcome`]: what solvers answer, each scalar and column with its unit and meaning;
 //!    [`findings`]: what an engineer must be told of it.
-//! 7. [`rock`], [`rod`], [`wall`]: the parts of the dynamics by themselves.
+//! 8. [`rock`], [`rod`], [`wall`]: the parts of the dynamics by themselves.
 //!
 //! # Points of extension
 //!

@@ -23,6 +23,7 @@ mod names;
 mod parquet_file;
 mod parquet_guard;
 mod spectrum;
+mod stability;
 mod stability_table;
 mod summary;
 mod table;
@@ -41,6 +42,7 @@ pub use frames::{FrameWriter, FramesSoFar};
 pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
 pub use spectrum::Spectrum;
+pub use stability::{StabilitySummary, StableFrom, StableWhere, TriedController};
 pub use stability_table::stability_table;
 pub use summary::{
     ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Status, Summary,

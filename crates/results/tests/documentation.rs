@@ -3,7 +3,7 @@
 use std::{env, fs, path::Path};
 
 use wholestring_results::{
-    BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR,
+    BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, STABILITY, TIME, WEAR,
 };
 
 fn rows(columns: &[ColumnSpec]) -> String {
@@ -39,6 +39,7 @@ fn the_page_lists_every_column() {
         ("contact", CONTACT),
         ("bit-test", BIT_TEST),
         ("bottom_hole", BOTTOM_HOLE),
+        ("stability", STABILITY),
     ] {
         expected = with_table(&expected, name, &rows(columns));
     }

@@ -1,0 +1,137 @@
+//! The map of torsional stability of a case that drills.
+
+use std::{num::NonZeroUsize, sync::Mutex, thread};
+
+use wholestring::{
+    operation::{Operation, OperationKind},
+    torsional_stability::{
+        StabilityError, StabilityLine, StabilityRange, StabilitySettings, TorsionalStability,
+    },
+};
+use wholestring_case::Case;
+use wholestring_results::{StabilitySummary, StableFrom, StableWhere};
+use wholestring_units::{Dimension, UnitSet};
+
+use crate::{
+    error::Error,
+    parallel::{in_parallel, lock},
+};
+
+/// Rotary speeds and weights of the map.
+const SPEEDS: usize = 20;
+const WEIGHTS: usize = 19;
+
+/// The map of a case, and what it says of the case's own speed and weight.
+pub(super) struct Stability {
+    pub(super) summary: StabilitySummary,
+    pub(super) lines: Vec<StabilityLine>,
+}
+
+/// The map of an operation; why there is none of one that does not turn on bottom, or whose bit
+/// stands on solid rock.
+pub(super) fn find(
+    case: &Case,
+    operation: &Operation,
+) -> Result<Result<Stability, String>, Error> {
+    if operation.kind != OperationKind::Drill {
+        return Ok(Err(StabilityError::NotDrilling.to_string()));
+    }
+    match map(case, operation) {
+        Ok(found) => Ok(Ok(found)),
+        Err(error @ (StabilityError::SolidRock | StabilityError::Stands)) => {
+            Ok(Err(error.to_string()))
+        }
+        Err(error) => Err(Error::failed(error)),
+    }
+}
+
+fn map(case: &Case, operation: &Operation) -> Result<Stability, StabilityError> {
+    let settings = settings(case);
+    let string = TorsionalStability::new(&case.model, operation, &case.dynamics)?;
+    let of_case = string.of_case(&settings)?;
+    let weights = settings.weights_N.values();
+    let lines: Vec<Mutex<Option<Result<StabilityLine, StabilityError>>>> =
+        weights.iter().map(|_| Mutex::new(None)).collect();
+    let order: Vec<usize> = (0..weights.len()).collect();
+    let jobs = thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    in_parallel(jobs, &order, |index| {
+        *lock(&lines[index]) = Some(string.line(weights[index], &settings));
+    });
+    let lines: Result<Vec<StabilityLine>, StabilityError> =
+        lines.iter().filter_map(|line| lock(line).take()).collect();
+    let summary = StabilitySummary::new(&of_case, settings.highest_Hz);
+    Ok(Stability { summary, lines: lines? })
+}
+
+/// What the map covers.
+fn settings(case: &Case) -> StabilitySettings {
+    let range = |[from, to]: [f64; 2], values: usize| StabilityRange { from, to, values };
+    StabilitySettings {
+        speeds_rad_per_s: range(case.modes.rotary_rad_per_s, SPEEDS),
+        weights_N: range(case.modes.weights_N, WEIGHTS),
+        highest_Hz: case.modes.highest_frequency_Hz,
+    }
+}
+
+/// What it says, in sentences.
+pub(super) fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
+    let speed = |si: f64| Dimension::RotarySpeed.format(three(si / RPM) * RPM, units);
+    let weight = Dimension::Force.format(of.weight_on_bit_N, units);
+    let own = speed(of.rotary_speed_rad_per_s);
+    let mut sentences = vec![match of.from {
+        StableFrom { threshold_rad_per_s: Some(threshold), .. } => format!(
+            "At {weight} steady rotation is stable from {} on; the case's {own} is {:.0} % {}.",
+            speed(threshold),
+            100.0 * of.margin.unwrap_or(0.0).abs(),
+            if of.margin.unwrap_or(0.0) < 0.0 { "below" } else { "above" },
+        ),
+        StableFrom { stable: StableWhere::Everywhere, .. } => {
+            format!("At {weight} steady rotation is stable at all speeds of the map.")
+        }
+        _ => format!("At {weight} steady rotation is not stable even at the fastest speed of the map."),
+    }];
+    if let (Some(growth), Some(frequency)) = (of.growth_per_s, of.frequency_Hz) {
+        let how = if growth > 0.0 { "grows" } else { "dies away" };
+        sentences.push(format!(
+            "At {own} a swing of {frequency:.3} Hz {how} by {:.3} 1/s{}.",
+            growth.abs(),
+            if growth > 0.0 { ": it will stick and slip" } else { ", slowest of all" },
+        ));
+    }
+    if of.stalls {
+        sentences.push(format!(
+            "The string takes {} at the top, more than the top drive gives.",
+            Dimension::Torque.format(of.surface_torque_N_m, units)
+        ));
+    }
+    sentences.push(format!(
+        "The top drive sends back {:.0} % of a wave of the string's {:.3} Hz.",
+        100.0 * of.reflection,
+        of.string_frequency_Hz
+    ));
+    if let Some(better) = &of.better_controller {
+        let from = match better.from.threshold_rad_per_s {
+            Some(threshold) => format!("from {} on", speed(threshold)),
+            None => "at all speeds of the map".to_owned(),
+        };
+        sentences.push(format!(
+            "SoftTorque with impedance_ratio = {} would send back {:.0} %, and be stable {from}.",
+            better.impedance_ratio,
+            100.0 * better.reflection
+        ));
+    }
+    if of.lies_by == "soft" {
+        sentences.push(
+            "The stiff string found no equilibrium: contact forces are the soft string's.".into(),
+        );
+    }
+    sentences
+}
+
+/// rad/s in a revolution per minute.
+const RPM: f64 = std::f64::consts::PI / 30.0;
+
+/// A number in three digits.
+fn three(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}
