@@ -19,7 +19,7 @@ mod state;
 mod string_in_hole;
 mod wall;
 
-pub(crate) use at_rest::{AtRest, ElementAtRest, NodeAtRest};
+pub(crate) use at_rest::{AtRest, NodeAtRest};
 pub use equilibrium::Convergence;
 pub use error::StiffError;
 pub use profile::StiffProfile;
