@@ -19,6 +19,8 @@ mod frames;
 mod growing_table;
 mod hold;
 mod json;
+mod modes;
+mod modes_tables;
 mod names;
 mod parquet_file;
 mod parquet_guard;
@@ -29,13 +31,17 @@ mod thrift;
 
 pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
 pub use bit_test_table::bit_test_table;
-pub use columns::{BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR};
+pub use columns::{
+    BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODES,
+    MODE_SHAPES, NODES, RESPONSE, SPECTRA, TIME, WEAR,
+};
 pub use digest::digest;
 pub use error::ResultsError;
 pub use finding::{Finding, Level};
 pub use folder::ResultsFolder;
 pub use frames::{FrameWriter, FramesSoFar};
 pub use growing_table::{GrowingTable, TableSoFar};
+pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
 pub use hold::{Hold, Holding, Occupant};
 pub use spectrum::Spectrum;
 pub use summary::{

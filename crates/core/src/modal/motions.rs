@@ -107,6 +107,11 @@ impl SmallMotions {
         self.rest.stable
     }
 
+    /// Whether anything of the string is eccentric.
+    pub fn is_eccentric(&self) -> bool {
+        self.levers_kg_m.iter().flatten().any(|lever| *lever != 0.0)
+    }
+
     /// Natural frequencies below one, Hz, at the operation's rotary speed.
     pub fn count_below(&self, frequency_Hz: f64) -> usize {
         let omega = std::f64::consts::TAU * frequency_Hz;

@@ -5,6 +5,7 @@ mod bit_test;
 mod bottom_hole;
 mod contact;
 mod frames;
+mod modes;
 mod nodes;
 mod spectra;
 mod time;
@@ -12,7 +13,8 @@ mod wear;
 
 pub(crate) use self::bit_test::numbers as bit_test_numbers;
 pub use self::{
-    bit_test::BIT_TEST, bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, nodes::NODES,
+    bit_test::BIT_TEST, bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, modes::{CAMPBELL, CRITICAL_SPEEDS, MODES, MODE_SHAPES, RESPONSE},
+    nodes::NODES,
     spectra::SPECTRA, time::TIME, wear::WEAR,
 };
 use wholestring::outcome;
