@@ -12,7 +12,7 @@ use crate::{
     case::Case,
     case_table::CaseTable,
     dynamics::{DynamicsTable, GivenSettings},
-    effort, fit, hole,
+    effort, fit, hole, modes,
     operation::OperationTable,
     overrides::{self, Override},
     rock, roughness, schema,
@@ -220,6 +220,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         rock.value.check_effort(drilling, longest_s, rock.place, reader)?;
     }
     effort::check_effort(&models, &model, &operations, &dynamics, &case, reader)?;
+    let modes = case.modes.get()?;
+    let modes = modes::build(modes, &model.string, &operations, &dynamics, reader)?;
     let name = match case.name.optional()? {
         Some(given) => given.value.clone(),
         None => FilePath::new(name)
@@ -238,6 +240,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         records: &records,
         drilling: drilling.as_ref(),
         bit_test: bit_test.as_ref(),
+        modes: case.modes.given().map(|_| &modes),
     };
     let settings = settings(&given, &case);
     let checkpoint_interval_s = *case.dynamics.get()?.checkpoint_interval.get()?;
@@ -248,6 +251,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         model,
         operations,
         bit_test,
+        modes,
         soft,
         dynamics,
         tunes_hook_load,

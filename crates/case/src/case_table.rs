@@ -12,6 +12,7 @@ use crate::{
     dynamics::DynamicsTable,
     mesh::MeshTable,
     model_rule::{MODELS, ModelRule},
+    modes::ModesTable,
     mud::MudTable,
     operation::OperationTable,
     records::RecordsTable,
@@ -54,6 +55,8 @@ table! {
         rock: RockTable = optional(Section::<RockTable>::RULE);
         /// The bit alone on its rock.
         bit_test: BitTestTable = optional(Section::<BitTestTable>::RULE);
+        /// Natural frequencies and what meets them.
+        modes: ModesTable = optional(Section::<ModesTable>::RULE);
         /// Limits of the rig.
         rig: RigTable = optional(Section::<RigTable>::RULE);
         /// How the top of the string is moved along the hole in the dynamic model.

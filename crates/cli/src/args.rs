@@ -32,6 +32,8 @@ pub(crate) enum Command {
     Sweep(SweepArgs),
     /// Try the bit alone on its rock under every weight at every speed
     BitTest(BitTestArgs),
+    /// Find natural frequencies, critical speeds and the answer to a force that turns
+    Modes(ModesArgs),
     /// Solve the cases of a study and make its figures and tables
     Study(StudyArgs),
     /// Make the report of a run, a sweep or a bit test again
@@ -244,6 +246,41 @@ pub(crate) struct BitTestArgs {
 
     #[command(flatten)]
     pub(crate) batch: BatchArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ModesArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    /// Operation whose string at rest it is, such as `drill` [default: the case's first]
+    #[arg(long, value_name = "OPERATION")]
+    pub(crate) operation: Option<String>,
+
+    // Not a doc comment, which would read `<case name>` as HTML.
+    #[arg(
+        short,
+        long,
+        value_name = "DIR",
+        help = "Folder for the results [default: out/<case name> modes]"
+    )]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Replace what lies in the folder
+    #[arg(long)]
+    pub(crate) overwrite: bool,
+
+    /// Paint each picture as PNG too, with 300 dots per inch
+    #[arg(long)]
+    pub(crate) png: bool,
+
+    /// Units on the screen and the page [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
 }
 
 #[derive(Debug, Args)]

@@ -7,6 +7,7 @@ mod cell;
 mod draw;
 pub mod figure;
 mod finding;
+mod modes;
 mod packed;
 mod page;
 mod plots;
@@ -21,6 +22,9 @@ pub use bottom::BottomPicture;
 pub use cell::Cell;
 pub use draw::Drawing;
 pub use finding::{Finding, Level};
+pub use modes::{
+    AnswerCurve, CriticalRow, ModeBranch, ModeRow, ModeShape, Modes, modes_html, modes_plots,
+};
 pub use packed::Packed;
 pub use page::{bit_test_html, report_html, sweep_html};
 pub use plots::{

@@ -19,6 +19,8 @@ mod frames;
 mod growing_table;
 mod hold;
 mod json;
+mod modes;
+mod modes_tables;
 mod names;
 mod parquet_file;
 mod parquet_guard;
@@ -32,7 +34,8 @@ mod thrift;
 pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
 pub use bit_test_table::bit_test_table;
 pub use columns::{
-    BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, STABILITY, TIME, WEAR,
+    BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
+    MODES, NODES, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -41,6 +44,7 @@ pub use folder::ResultsFolder;
 pub use frames::{FrameWriter, FramesSoFar};
 pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
+pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
 pub use spectrum::Spectrum;
 pub use stability::{StabilitySummary, StableFrom, StableWhere, TriedController};
 pub use stability_table::stability_table;

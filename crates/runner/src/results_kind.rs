@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use crate::{bit_test::page::is_bit_test, error::Error, sweep::page::is_sweep};
+use crate::{
+    bit_test::page::is_bit_test, error::Error, modes::page::is_modes, sweep::page::is_sweep,
+};
 
 /// What a folder holds the results of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,6 +15,8 @@ pub enum ResultsKind {
     Sweep,
     /// A bit test.
     BitTest,
+    /// Small motions.
+    Modes,
 }
 
 impl ResultsKind {
@@ -21,6 +25,8 @@ impl ResultsKind {
     pub fn of(folder: &Path) -> Option<Self> {
         if is_bit_test(folder) {
             Some(Self::BitTest)
+        } else if is_modes(folder) {
+            Some(Self::Modes)
         } else if folder.join("summary.json").is_file() {
             Some(Self::Run)
         } else if is_sweep(folder) {
@@ -33,7 +39,7 @@ impl ResultsKind {
     /// A folder that holds none.
     pub(crate) fn none(folder: &Path) -> Error {
         Error::BadInput(format!(
-            "{} is no folder of a run, a sweep or a bit test: it holds neither summary.json nor \
+            "{} is no folder of a run, a sweep, a bit test or modes: it holds neither summary.json nor \
              sweep.csv",
             folder.display()
         ))

@@ -18,6 +18,7 @@ use crate::{
     bit_test::BitTest,
     buckling::{CRITERIA, HELIX_SIDE_FORCE},
     case_table::CaseTable,
+    modes::Modes,
     records::Records,
 };
 
@@ -34,6 +35,7 @@ pub(crate) struct Given<'a> {
     pub(crate) records: &'a Records,
     pub(crate) drilling: Option<&'a DrillingSpec>,
     pub(crate) bit_test: Option<&'a BitTest>,
+    pub(crate) modes: Option<&'a Modes>,
 }
 
 /// What the solvers were given, in SI, with units in the names of the keys.
@@ -49,6 +51,7 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
         records,
         drilling,
         bit_test,
+        modes,
     } = *given;
     let survey = case.well.get().and_then(|well| well.survey.get());
     let dynamics_table = case.dynamics.get();
@@ -78,6 +81,9 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
     }
     if let Some(test) = bit_test {
         whole = whole.with("bit_test", rock::bit_test(test));
+    }
+    if let Some(modes) = modes {
+        whole = whole.with("modes", to_json(modes));
     }
     whole.into()
 }

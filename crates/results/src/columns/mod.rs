@@ -5,6 +5,7 @@ mod bit_test;
 mod bottom_hole;
 mod contact;
 mod frames;
+mod modes;
 mod nodes;
 mod spectra;
 mod stability;
@@ -13,8 +14,16 @@ mod wear;
 
 pub(crate) use self::bit_test::numbers as bit_test_numbers;
 pub use self::{
-    bit_test::BIT_TEST, bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, nodes::NODES,
-    spectra::SPECTRA, stability::STABILITY, time::TIME, wear::WEAR,
+    bit_test::BIT_TEST,
+    bottom_hole::BOTTOM_HOLE,
+    contact::CONTACT,
+    frames::FRAMES,
+    modes::{CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, RESPONSE},
+    nodes::NODES,
+    spectra::SPECTRA,
+    stability::STABILITY,
+    time::TIME,
+    wear::WEAR,
 };
 use wholestring::outcome;
 

@@ -9,7 +9,8 @@ use wholestring::{
     },
 };
 use wholestring_case::Case;
-use wholestring_results::{StabilitySummary, StableFrom, StableWhere};
+use wholestring_report::StabilityPicture;
+use wholestring_results::{StabilitySummary, StableFrom, StableWhere, Table};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
@@ -27,15 +28,13 @@ pub(super) struct Stability {
     pub(super) lines: Vec<StabilityLine>,
 }
 
-/// The map of an operation; why there is none of one that does not turn on bottom, or whose bit
-/// stands on solid rock.
-pub(super) fn find(
-    case: &Case,
-    operation: &Operation,
-) -> Result<Result<Stability, String>, Error> {
-    if operation.kind != OperationKind::Drill {
+/// The map of an operation that drills, or else of the case's first that does; why there is none where
+/// no operation turns on bottom, or the bit stands on solid rock.
+pub(super) fn find(case: &Case, operation: &Operation) -> Result<Result<Stability, String>, Error> {
+    let drills = |of: &&Operation| of.kind == OperationKind::Drill;
+    let Some(operation) = [operation].into_iter().chain(&case.operations).find(drills) else {
         return Ok(Err(StabilityError::NotDrilling.to_string()));
-    }
+    };
     match map(case, operation) {
         Ok(found) => Ok(Ok(found)),
         Err(error @ (StabilityError::SolidRock | StabilityError::Stands)) => {
@@ -74,7 +73,7 @@ fn settings(case: &Case) -> StabilitySettings {
 }
 
 /// What it says, in sentences.
-pub(super) fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
+pub fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
     let speed = |si: f64| Dimension::RotarySpeed.format(three(si / RPM) * RPM, units);
     let weight = Dimension::Force.format(of.weight_on_bit_N, units);
     let own = speed(of.rotary_speed_rad_per_s);
@@ -88,7 +87,9 @@ pub(super) fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
         StableFrom { stable: StableWhere::Everywhere, .. } => {
             format!("At {weight} steady rotation is stable at all speeds of the map.")
         }
-        _ => format!("At {weight} steady rotation is not stable even at the fastest speed of the map."),
+        _ => format!(
+            "At {weight} steady rotation is not stable even at the fastest speed of the map."
+        ),
     }];
     if let (Some(growth), Some(frequency)) = (of.growth_per_s, of.frequency_Hz) {
         let how = if growth > 0.0 { "grows" } else { "dies away" };
@@ -134,4 +135,24 @@ const RPM: f64 = std::f64::consts::PI / 30.0;
 /// A number in three digits.
 fn three(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)
+}
+
+/// The map as the page shows it, from its table.
+pub(super) fn picture(table: &Table, of: &StabilitySummary) -> StabilityPicture {
+    let column = |name: &str| -> Vec<f64> {
+        let column = table.numbers(name).unwrap_or_default();
+        column.iter().map(|value| value.unwrap_or(f64::NAN)).collect()
+    };
+    let all_weights_N = column("weight_on_bit_N");
+    let mut weights_N = all_weights_N.clone();
+    weights_N.dedup();
+    let speeds = all_weights_N.len() / weights_N.len().max(1);
+    let thresholds = column("threshold_rad_per_s");
+    StabilityPicture {
+        speeds_rad_per_s: column("rotary_speed_rad_per_s").into_iter().take(speeds).collect(),
+        weights_N,
+        growth_per_s: column("growth_per_s"),
+        thresholds_rad_per_s: thresholds.into_iter().step_by(speeds.max(1)).collect(),
+        own: [of.rotary_speed_rad_per_s, of.weight_on_bit_N],
+    }
 }

@@ -121,7 +121,7 @@ fn solve_stiff(case: &Case, operation: &Operation, record: &mut Record) -> Statu
 }
 
 /// The mesh, the wall and the bit's hold of a case are the same whatever solves it.
-fn stiff_settings(of: &DynamicsSettings) -> StiffSettings {
+pub(crate) fn stiff_settings(of: &DynamicsSettings) -> StiffSettings {
     StiffSettings {
         element_length: of.mesh.element_length,
         refinement: of.mesh.refinement,

@@ -2,6 +2,7 @@
 //! clearance counted, contact found.
 
 mod active_set;
+mod at_rest;
 mod barrier;
 mod bending;
 mod blocks;
@@ -18,8 +19,10 @@ mod state;
 mod string_in_hole;
 mod wall;
 
+pub(crate) use at_rest::{AtRest, NodeAtRest};
 pub use equilibrium::Convergence;
 pub use error::StiffError;
 pub use profile::StiffProfile;
 pub use settings::{End, StiffSettings};
+pub(crate) use solve::at_rest;
 pub use solve::solve;

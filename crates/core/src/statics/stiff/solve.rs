@@ -4,13 +4,14 @@ use nalgebra::{Matrix2, Vector2};
 
 use super::{
     StiffError, StiffProfile, StiffSettings, active_set,
+    at_rest::AtRest,
     barrier::Barrier,
     contact::{self, Push},
     equations::Equations,
     equilibrium::{Convergence, Equilibrium},
     interior_point::{self, Begins},
     state::State,
-    string_in_hole::StringInHole,
+    string_in_hole::{Node, StringInHole},
 };
 use crate::{
     model::Model,
@@ -60,6 +61,19 @@ pub fn solve(
 ) -> Result<StiffProfile, StiffError> {
     let equilibrium = equilibrium(model, operation, settings)?;
     Ok(StiffProfile::new(model, operation, &equilibrium))
+}
+
+/// The string of one operation at rest, for what moves about that.
+///
+/// # Errors
+/// As [`solve`].
+pub(crate) fn at_rest(
+    model: &Model,
+    operation: &Operation,
+    settings: &StiffSettings,
+) -> Result<AtRest, StiffError> {
+    let equilibrium = equilibrium(model, operation, settings)?;
+    Ok(AtRest::new(model, settings.top, &equilibrium))
 }
 
 pub(super) fn equilibrium(
@@ -224,17 +238,23 @@ fn is_stable(string: &StringInHole, state: &State, equations: &mut Equations) ->
     equations.assemble(string, state, None);
     equations.hook_load_N = hook_load_N;
     for (index, node) in string.nodes.iter().enumerate() {
-        let normal_N = state.normal_N[index];
-        if normal_N > 0.0 {
-            let (direction, radius_m) = direction(state, index);
-            let radial = direction * direction.transpose();
-            let (_, gives_m_per_N) = node.compliance.penetration_m(normal_N);
-            let wall =
-                radial / gives_m_per_N + (Matrix2::identity() - radial) * (normal_N / radius_m);
+        if let Some(wall_N_per_m) = wall_N_per_m(node, state, index) {
             let mut across = equations.matrix.diagonal[index].fixed_view_mut::<2, 2>(0, 0);
-            across += wall;
+            across += wall_N_per_m;
         }
     }
     equations.hold_across(NEUTRAL * string.swing_N_per_m());
     equations.matrix.is_positive_definite()
+}
+
+/// What the wall of a node that touches it holds small motions across the hole with, N/m: it gives
+/// way along the normal, and around the hole its force turns with the node. None of another node.
+pub(super) fn wall_N_per_m(node: &Node, state: &State, index: usize) -> Option<Matrix2<f64>> {
+    let normal_N = state.normal_N[index];
+    (normal_N > 0.0).then(|| {
+        let (direction, radius_m) = direction(state, index);
+        let radial = direction * direction.transpose();
+        let (_, gives_m_per_N) = node.compliance.penetration_m(normal_N);
+        radial / gives_m_per_N + (Matrix2::identity() - radial) * (normal_N / radius_m)
+    })
 }

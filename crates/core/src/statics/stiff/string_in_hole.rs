@@ -207,12 +207,7 @@ impl StringInHole {
     /// side at the bit, clockwise as one looks down the hole, carried up the string without
     /// twisting.
     fn bend(&mut self, model: &Model, mesh: &Mesh) {
-        let last = self.nodes.len() - 1;
-        let bit = &self.nodes[last];
-        let high = model.well.path.high_side_of(bit.md_m, &bit.axes[2]);
-        // The hole's axes are carried along it: the high side at the bit has the same parts
-        // everywhere.
-        let high_rad = high.dot(&bit.axes[1]).atan2(high.dot(&bit.axes[0]));
+        let high_rad = self.high_side_rad(model);
         for span in model.string.spans() {
             let Some(bend) = span.component.bend else { continue };
             let index = mesh.nearest_inner_node(span.from_bit_m + bend.from_lower_end_m);
@@ -220,6 +215,14 @@ impl StringInHole {
             let (across, along) = bend.angle_rad.sin_cos();
             self.elements[index].bend = Some(Vector3::new(across * cosine, across * sine, along));
         }
+    }
+
+    /// Direction of the high side at the bit in the axes across the hole, rad. The axes are carried
+    /// along the hole: it has the same parts everywhere.
+    pub(super) fn high_side_rad(&self, model: &Model) -> f64 {
+        let bit = &self.nodes[self.nodes.len() - 1];
+        let high = model.well.path.high_side_of(bit.md_m, &bit.axes[2]);
+        high.dot(&bit.axes[1]).atan2(high.dot(&bit.axes[0]))
     }
 
     /// Mean weight of a node over its mean clearance, N/m: what a pipe that swings in its hole is
