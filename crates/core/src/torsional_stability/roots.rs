@@ -24,6 +24,9 @@ const FOLLOWED: usize = 8;
 /// Part of the way to where a root seems to be at which the second point of a secant stands.
 const NEAR: f64 = 0.05;
 
+/// Rounds in which growing roots are looked for that were not found at first.
+const ROUNDS: usize = 6;
+
 /// Steps of a secant.
 const STEPS: usize = 40;
 
@@ -89,13 +92,17 @@ impl SteadyRotation {
             self.trace(|angle| Complex::from_polar(low, angle), [0.0, FRAC_PI_2], 24, false);
         let turns = (turn(&outer) - turn(&inner) - turn(&axis)) / PI;
         let unstable_roots = turns.round().max(0.0) as usize;
-        let mut found = self.follow(starts(&axis), band);
-        let mut growing = count(&found, band);
-        if growing < unstable_roots {
-            found.extend(self.follow(everywhere(band, travel_s), band));
+        let mut found = self.follow(starts(&axis), band, &[]);
+        // Others, with those that are known divided out.
+        for round in 0..ROUNDS {
+            if count(&found, band) >= unstable_roots {
+                break;
+            }
+            let more = self.follow(everywhere(band, travel_s, round), band, &found);
+            found.extend(more);
             distinct(&mut found);
-            growing = count(&found, band);
         }
+        let growing = count(&found, band);
         let worst = found.iter().max_by(|a, b| a.re.total_cmp(&b.re));
         Stability {
             unstable_roots,
@@ -138,11 +145,32 @@ impl SteadyRotation {
         samples
     }
 
-    /// Follows secants to roots in the band, each once.
-    fn follow(&self, starts: Vec<[Complex<f64>; 2]>, band: Band) -> Vec<Complex<f64>> {
+    /// The function without the roots that are known.
+    fn divided(&self, frequencies: &[Complex<f64>], known: &[Complex<f64>]) -> Vec<Value> {
+        let mut values = self.values(frequencies);
+        for (value, s) in values.iter_mut().zip(frequencies) {
+            for root in known {
+                let mut off = *s - root;
+                if root.im > 0.0 {
+                    off *= *s - root.conj();
+                }
+                value.mantissa /= off / off.norm();
+                value.ln_scale -= off.norm().ln();
+            }
+        }
+        values
+    }
+
+    /// Follows secants to roots in the band that are not known, each once.
+    fn follow(
+        &self,
+        starts: Vec<[Complex<f64>; 2]>,
+        band: Band,
+        known: &[Complex<f64>],
+    ) -> Vec<Complex<f64>> {
         let mut found = Vec::new();
         let ends: Vec<Complex<f64>> = starts.iter().flatten().copied().collect();
-        let values = self.values(&ends);
+        let values = self.divided(&ends, known);
         let mut going: Vec<[(Complex<f64>, Value); 2]> = ends
             .chunks_exact(2)
             .zip(values.chunks_exact(2))
@@ -160,7 +188,10 @@ impl SteadyRotation {
                 if !near {
                     continue;
                 }
-                if step.norm() < 1e-9 * (1.0 + s1.norm()) {
+                // A first step beside a huge value is small wherever it is taken.
+                let before = (s1 - s0).norm();
+                let size = 1.0 + s1.norm();
+                if step.norm() < 1e-9 * size && before < 1e-4 * size {
                     // Of a pair, the one above.
                     found.push(Complex::new(s2.re, s2.im.abs()));
                 } else {
@@ -171,7 +202,7 @@ impl SteadyRotation {
             if next.is_empty() {
                 break;
             }
-            let values = self.values(&next);
+            let values = self.divided(&next, known);
             let ends = next.into_iter().zip(values);
             going = kept.into_iter().zip(ends).map(|(before, now)| [before, now]).collect();
         }
@@ -229,15 +260,16 @@ fn starts(axis: &[Sample]) -> Vec<[Complex<f64>; 2]> {
     starts
 }
 
-/// Starts all over the quarter in which roots grow.
-fn everywhere(band: Band, travel_s: f64) -> Vec<[Complex<f64>; 2]> {
+/// Starts all over the quarter in which roots grow, elsewhere in each round.
+fn everywhere(band: Band, travel_s: f64, round: usize) -> Vec<[Complex<f64>; 2]> {
     let between = PI / travel_s;
     let rows = (band.highest_rad_per_s / between) as usize + 1;
-    let columns = [0.01, 0.03, 0.1, 0.3, 1.0, 3.0];
-    (0..4 * rows)
-        .flat_map(|row| columns.iter().map(move |re| (row, re)))
+    let shift = (0.37 + 0.618 * round as f64).fract();
+    let columns = [0.03, 0.3, 1.0, 3.0].map(|re| re * (0.7 + shift));
+    (0..rows)
+        .flat_map(|row| columns.into_iter().map(move |re| (row, re)))
         .map(|(row, re)| {
-            let s = Complex::new(re * between, 0.25 * (row as f64 + 0.37) * between);
+            let s = Complex::new(re * between, (row as f64 + shift) * between);
             [s, s * Complex::new(1.001, 0.001)]
         })
         .collect()

@@ -96,7 +96,7 @@ pub fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
         sentences.push(format!(
             "At {own} a swing of {frequency:.3} Hz {how} by {:.3} 1/s{}.",
             growth.abs(),
-            if growth > 0.0 { ": it will stick and slip" } else { ", slowest of all" },
+            if growth > 0.0 { ", fastest of all" } else { ", slowest of all" },
         ));
     }
     if of.stalls {
