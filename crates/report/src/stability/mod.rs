@@ -19,3 +19,6 @@ pub struct StabilityPicture {
     /// The case's own rotary speed, rad/s, and weight on bit, N.
     pub own: [f64; 2],
 }
+
+#[cfg(test)]
+mod tests;
