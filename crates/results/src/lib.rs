@@ -32,8 +32,8 @@ mod thrift;
 pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
 pub use bit_test_table::bit_test_table;
 pub use columns::{
-    BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODES,
-    MODE_SHAPES, NODES, RESPONSE, SPECTRA, TIME, WEAR,
+    BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
+    MODES, NODES, RESPONSE, SPECTRA, TIME, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -41,8 +41,8 @@ pub use finding::{Finding, Level};
 pub use folder::ResultsFolder;
 pub use frames::{FrameWriter, FramesSoFar};
 pub use growing_table::{GrowingTable, TableSoFar};
-pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
 pub use hold::{Hold, Holding, Occupant};
+pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
 pub use spectrum::Spectrum;
 pub use summary::{
     ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Status, Summary,

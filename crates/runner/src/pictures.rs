@@ -11,8 +11,8 @@ use wholestring_units::UnitSet;
 use crate::{
     bit_test::page as bit_test,
     error::Error,
-    modes::page as modes,
     folder_name::file_name,
+    modes::page as modes,
     page::{Tables, gather, lacking, spectra::spectra, table},
     results_kind::ResultsKind,
     sweep::page as sweep,

@@ -8,11 +8,7 @@ use wholestring_runner::{
 };
 
 use crate::{
-    args::ModesArgs,
-    failure::Failure,
-    input::load,
-    progress::RunScreen,
-    terminal::print_stdout,
+    args::ModesArgs, failure::Failure, input::load, progress::RunScreen, terminal::print_stdout,
 };
 
 pub(crate) fn modes(args: &ModesArgs) -> Result<(), Failure> {

@@ -9,7 +9,9 @@ pub enum ModalError {
     #[error(transparent)]
     Stiff(#[from] StiffError),
     /// Modes were left out.
-    #[error("{wanted} modes from {from_Hz} Hz on were not all found: ask for fewer, or from another frequency on")]
+    #[error(
+        "{wanted} modes from {from_Hz} Hz on were not all found: ask for fewer, or from another frequency on"
+    )]
     Incomplete {
         /// So many were wanted.
         wanted: usize,

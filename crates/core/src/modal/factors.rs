@@ -92,9 +92,7 @@ impl<T: ComplexField<RealField = f64> + Copy> Factors<T> {
             negative: 0,
         };
         for (row, mut pivot) in diagonal.enumerate() {
-            let scale = std::array::from_fn(|k| {
-                pivot.0[k][k].real().abs().max(f64::MIN_POSITIVE)
-            });
+            let scale = std::array::from_fn(|k| pivot.0[k][k].real().abs().max(f64::MIN_POSITIVE));
             if let Some(above) = row.checked_sub(1) {
                 pivot.less_transpose_times(&upper[above], &factors.coupling[above]);
             }

@@ -62,7 +62,8 @@ impl SmallMotions {
         let mut bodies = Vec::with_capacity(rest.elements.len());
         for (index, element) in rest.mesh.elements.iter().enumerate() {
             let half_m = 0.5 * element.length_m;
-            let quadratic = 0.5 * mud.density_kg_per_m3 * mud.drag_coefficient * element.section.od_m;
+            let quadratic =
+                0.5 * mud.density_kg_per_m3 * mud.drag_coefficient * element.section.od_m;
             for end in &mut drag[index..=index + 1] {
                 end[0] += half_m * mud.linear_drag_Pa_s;
                 end[1] += half_m * quadratic;
@@ -136,8 +137,8 @@ impl SmallMotions {
     /// Of the lateral family, which an [`Assembly`] has.
     pub fn family(&self, family: Family, count: usize) -> Result<Vec<Mode>, ModalError> {
         assert_ne!(family, Family::Lateral, "an assembly's");
-        let found = family::modes(&self.chain, family, count)
-            .ok_or(ModalError::Lost(family.name()))?;
+        let found =
+            family::modes(&self.chain, family, count).ok_or(ModalError::Lost(family.name()))?;
         // A mode that shares its energy with lateral motion is of the family that it was found from.
         Ok(found.iter().map(|mode| Mode { family, ..self.real(mode) }).collect())
     }
@@ -179,8 +180,7 @@ impl SmallMotions {
         let first = self.nodes() - chain.nodes();
         let (energy, in_assembly) = energy(chain, motion, assembly.saturating_sub(first));
         let most = energy.iter().copied().fold(0.0, f64::max);
-        let family =
-            Family::ALL.into_iter().zip(energy).find(|(_, part)| *part == most);
+        let family = Family::ALL.into_iter().zip(energy).find(|(_, part)| *part == most);
         let family = family.map_or(Family::Lateral, |(family, _)| family);
         let mut shape = vec![[Complex::new(0.0, 0.0); MOTIONS]; self.nodes()];
         for (node, own) in motion.chunks_exact(MOTIONS).enumerate() {
@@ -222,7 +222,8 @@ impl SmallMotions {
     /// A node's motion in the directions that people know.
     fn towards_high_side(&self, own: &[Complex<f64>]) -> [Complex<f64>; MOTIONS] {
         let (sine, cosine) = self.rest.high_side_rad.sin_cos();
-        let turn = |x: Complex<f64>, y: Complex<f64>| [x * cosine + y * sine, y * cosine - x * sine];
+        let turn =
+            |x: Complex<f64>, y: Complex<f64>| [x * cosine + y * sine, y * cosine - x * sine];
         let ([x, y], [tilt_x, tilt_y]) = (turn(own[0], own[1]), turn(own[3], own[4]));
         [x, y, own[2], tilt_x, tilt_y, own[5]]
     }

@@ -91,8 +91,7 @@ impl Assembly<'_> {
             for (node, speed) in speeds_m_per_s.iter_mut().enumerate() {
                 let [x, y] = [motion[node * MOTIONS], motion[node * MOTIONS + 1]];
                 // Of a circle it is the speed, of a line its mean square root.
-                let now =
-                    rotary_rad_per_s * (0.5 * (x.norm_sqr() + y.norm_sqr())).sqrt();
+                let now = rotary_rad_per_s * (0.5 * (x.norm_sqr() + y.norm_sqr())).sqrt();
                 change = change.max((now - *speed).abs());
                 most = most.max(now);
                 // Halfway, so that drag and speed do not swing about each other.
@@ -188,8 +187,7 @@ impl Assembly<'_> {
             let mut rhs = force[node];
             if node > 0 {
                 // The pencil of the block to the left is this one's to the right, transposed.
-                let left =
-                    complex(&chain.upper[node - 1], &damping.upper[node - 1]).transpose();
+                let left = complex(&chain.upper[node - 1], &damping.upper[node - 1]).transpose();
                 block -= left * coupling[node - 1];
                 rhs -= left * solved[node - 1];
             }
@@ -234,8 +232,8 @@ impl Assembly<'_> {
             let about = (Vector3::from(pose.d1) + Vector3::from(pose.d2)).normalize();
             let [along, about] = [along, about].map(|of| of * of.transpose());
             let stretch = along * (beta * k.axial);
-            let turn = (Matrix3::identity() - about) * (beta * k.bending)
-                + about * (beta * k.twist);
+            let turn =
+                (Matrix3::identity() - about) * (beta * k.bending) + about * (beta * k.twist);
             let ends = [index, index + 1];
             let frames = ends.map(|node| {
                 let at = &self.of.rest.nodes[self.first + node];

@@ -2,7 +2,10 @@
 
 use nalgebra::{Complex, DMatrix, SymmetricEigen};
 
-use super::{chain::{Chain, MOTIONS}, search::RealMode};
+use super::{
+    chain::{Chain, MOTIONS},
+    search::RealMode,
+};
 
 /// Modes of the chain at rest, and how rotation couples them.
 #[derive(Debug, Clone)]

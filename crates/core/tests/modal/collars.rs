@@ -79,10 +79,22 @@ impl Beam {
         let over = 1.0 / (1.0 + tension_N / shear_N);
         let turning = 2.0 * rotary * self.rotary_rad_per_s * omega - rotary * omega * omega;
         Transfer::from_row_slice(&[
-            0.0, over, 0.0, over / shear_N,
-            0.0, 0.0, 1.0 / (steel.youngs_modulus_Pa * second), 0.0,
-            0.0, tension_N * over + turning, 0.0, tension_N * over / shear_N - 1.0,
-            -mass * omega * omega, 0.0, 0.0, 0.0,
+            0.0,
+            over,
+            0.0,
+            over / shear_N,
+            0.0,
+            0.0,
+            1.0 / (steel.youngs_modulus_Pa * second),
+            0.0,
+            0.0,
+            tension_N * over + turning,
+            0.0,
+            tension_N * over / shear_N - 1.0,
+            -mass * omega * omega,
+            0.0,
+            0.0,
+            0.0,
         ])
     }
 

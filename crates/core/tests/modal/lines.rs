@@ -29,13 +29,13 @@ fn d09_hanging_string() {
         youngs_modulus_Pa: input("E"),
         shear_modulus_Pa: input("G"),
     };
-    let part =
-        ComponentSpec::uniform("pipe", 0.127, 0.1086, ComponentLength::ToSurface, steel);
+    let part = ComponentSpec::uniform("pipe", 0.127, 0.1086, ComponentLength::ToSurface, steel);
     let path = common::arcs(&[[0.0, 0.0, 0.0], [LENGTH_M, 0.0, 0.0]]);
     let hole = common::open_hole(0.3, 0.0, LENGTH_M);
     let model = common::model(path, hole, vec![part], common::mud(0.0), LENGTH_M);
     let operation = Operation::rotate_off_bottom(LENGTH_M).rotary_speed_rad_per_s(1.0);
-    let hoist_line = HoistLine { stiffness_N_per_m: 1e11, ..DynamicsSettings::default().hoist_line };
+    let hoist_line =
+        HoistLine { stiffness_N_per_m: 1e11, ..DynamicsSettings::default().hoist_line };
     let dynamics = DynamicsSettings { hoist_line, ..DynamicsSettings::default() };
     let motions = SmallMotions::new(&model, &operation, &pinned(5.0), &dynamics).expect("rest");
     let mut rows = Vec::new();

@@ -68,9 +68,12 @@ fn d09_eccentric_pipe() {
         let widest = found[0].amplitude_m / OFFSET_M;
         if ratio <= 2.0 {
             rows.push(
-                verify("D09", format!("middle of an eccentric pipe at {ratio} of resonance over its offset"))
-                    .relative(3e-3, "the grid of nodes and shear")
-                    .row(sum.norm(), widest),
+                verify(
+                    "D09",
+                    format!("middle of an eccentric pipe at {ratio} of resonance over its offset"),
+                )
+                .relative(3e-3, "the grid of nodes and shear")
+                .row(sum.norm(), widest),
             );
         }
     }

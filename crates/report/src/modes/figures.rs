@@ -6,8 +6,7 @@ use super::{ModeShape, Modes};
 use crate::{
     Plot,
     figure::{
-        Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape,
-        Stroke,
+        Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape, Stroke,
     },
     plots::Shown,
 };
@@ -86,9 +85,8 @@ impl Drawing<'_> {
         for order in orders {
             // A line from the origin, as far as the frame goes.
             let end = fastest.min(top * TAU / order);
-            let points: Vec<(f64, f64)> = [0.0, end]
-                .map(|speed| (self.speed(speed), order * speed / TAU))
-                .to_vec();
+            let points: Vec<(f64, f64)> =
+                [0.0, end].map(|speed| (self.speed(speed), order * speed / TAU)).to_vec();
             marks.push(Mark::Name { at: points[1], text: order_name(order) });
             marks.push(Mark::Curve { ink: Ink::Note, stroke: Stroke::Dashed, points });
         }
@@ -240,8 +238,12 @@ impl Drawing<'_> {
             panel("Largest amplitude", "diameter", &answer.amplitude_m),
             panel("Largest bending stress", "pressure", &answer.bending_stress_Pa),
         ];
-        let mut figure =
-            self.figure(self.speed_axis(Range::Tight), Layout::across(2, 180.0, 70.0), panels, Vec::new());
+        let mut figure = self.figure(
+            self.speed_axis(Range::Tight),
+            Layout::across(2, 180.0, 70.0),
+            panels,
+            Vec::new(),
+        );
         figure.subtitle = format!("Answer to {}", self.modes.forcing);
         figure
     }

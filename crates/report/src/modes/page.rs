@@ -1,11 +1,10 @@
 //! The page of small motions as one file that needs nothing else.
 
-use super::{Modes, figures::{modes_plots, order_name}};
-use crate::{
-    Grid, Head, StudyPage, StudyPart, Verdict,
-    plots::Shown,
-    study_html,
+use super::{
+    Modes,
+    figures::{modes_plots, order_name},
 };
+use crate::{Grid, Head, StudyPage, StudyPart, Verdict, plots::Shown, study_html};
 
 /// What the numbers stand for.
 const ABOUT: &str = "Small motions about the string at rest: natural frequencies and shapes, and \

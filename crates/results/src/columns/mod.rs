@@ -13,9 +13,15 @@ mod wear;
 
 pub(crate) use self::bit_test::numbers as bit_test_numbers;
 pub use self::{
-    bit_test::BIT_TEST, bottom_hole::BOTTOM_HOLE, contact::CONTACT, frames::FRAMES, modes::{CAMPBELL, CRITICAL_SPEEDS, MODES, MODE_SHAPES, RESPONSE},
+    bit_test::BIT_TEST,
+    bottom_hole::BOTTOM_HOLE,
+    contact::CONTACT,
+    frames::FRAMES,
+    modes::{CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, RESPONSE},
     nodes::NODES,
-    spectra::SPECTRA, time::TIME, wear::WEAR,
+    spectra::SPECTRA,
+    time::TIME,
+    wear::WEAR,
 };
 use wholestring::outcome;
 

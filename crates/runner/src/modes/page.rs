@@ -2,9 +2,7 @@
 
 use std::path::Path;
 
-use wholestring_report::{
-    Cell, CriticalRow, Fact, ModeRow, Modes, modes_html, modes_plots,
-};
+use wholestring_report::{Cell, CriticalRow, Fact, ModeRow, Modes, modes_html, modes_plots};
 use wholestring_results::{ModesSummary, ResultsError, ResultsFolder, Spot};
 use wholestring_units::UnitSet;
 

@@ -90,10 +90,7 @@ fn operation<'a>(case: &'a Case, name: Option<&str>) -> Result<&'a Operation, Er
     case.operations.iter().find(named).ok_or_else(|| {
         let names = case.operations.iter().map(|of| of.kind.name()).collect::<Vec<_>>();
         let name = name.unwrap_or_default();
-        Error::BadInput(format!(
-            "the case has no operation `{name}`: it has {}",
-            names.join(", ")
-        ))
+        Error::BadInput(format!("the case has no operation `{name}`: it has {}", names.join(", ")))
     })
 }
 
@@ -103,9 +100,8 @@ fn find(case: &Case, operation: &Operation) -> Result<(ModesSummary, ModesTables
     let motions = SmallMotions::new(&case.model, operation, &settings, &case.dynamics)
         .map_err(Error::failed)?;
     let assembly = motions.assembly(wanted.assembly_m);
-    let lateral = assembly
-        .lateral(0.0, wanted.count, motions.rotary_rad_per_s())
-        .map_err(Error::failed)?;
+    let lateral =
+        assembly.lateral(0.0, wanted.count, motions.rotary_rad_per_s()).map_err(Error::failed)?;
     let family = |of| motions.family(of, wanted.count).map_err(Error::failed);
     let others = [family(Family::Axial)?, family(Family::Torsional)?].concat();
     let campbell = assembly
@@ -141,11 +137,7 @@ fn speeds([from, to]: [f64; 2], number: usize) -> Vec<f64> {
 }
 
 /// What is eccentric of the string; where nothing is, the case's force.
-fn forcing(
-    case: &Case,
-    motions: &SmallMotions,
-    middle_m: impl Fn() -> f64,
-) -> (Forcing, String) {
+fn forcing(case: &Case, motions: &SmallMotions, middle_m: impl Fn() -> f64) -> (Forcing, String) {
     if motions.is_eccentric() {
         return (Forcing::Imbalance, "imbalance of the eccentric components".to_owned());
     }
