@@ -15,9 +15,8 @@ use wholestring_config::prelude::*;
 /// Modes of each family where the case does not say.
 const COUNT: u64 = 10;
 
-/// Slowest and fastest rotary speeds where nothing says more, rad/s, and how much faster than its
-/// operations a string is looked at.
-const SLOWEST: f64 = 10.0 * PI / 30.0;
+/// Fastest rotary speed where nothing says more, rad/s, and how much faster than its operations a
+/// string is looked at.
 const FASTEST: f64 = 200.0 * PI / 30.0;
 const FASTER: f64 = 1.5;
 
@@ -50,7 +49,7 @@ table! {
             "200 m",
         ));
         /// Slowest rotary speed of the diagram; a bare number is in rev/min.
-        slowest: f64 = default(speed("10 rpm"), SLOWEST);
+        slowest: f64 = default(speed("20 rpm"), 0.0);
         /// Fastest rotary speed of the diagram; a bare number is in rev/min. Default: one and a
         /// half times that of the operations, at least 200 rpm.
         fastest: f64 = optional(speed("200 rpm"));
@@ -91,7 +90,7 @@ fn weight(example: &'static str) -> Quantity {
 }
 
 fn speed(example: &'static str) -> Quantity {
-    let range = Range::from_to(PI / 30.0, 1000.0 * PI / 30.0);
+    let range = Range::from_to(0.0, 1000.0 * PI / 30.0);
     Quantity::si(Dimension::RotarySpeed, range, example).bare("rev/min", PI / 30.0)
 }
 

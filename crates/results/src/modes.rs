@@ -70,8 +70,8 @@ pub struct ModeFound {
     pub precession: f64,
     /// Parts of its kinetic energy: lateral, axial, torsional.
     pub energy: [f64; 3],
-    /// Where it bends the string's steel most.
-    pub most_bent: Spot,
+    /// Where it strains the string's steel most.
+    pub most_strained: Spot,
 }
 
 /// A rotary speed at which an order of the rotation meets a natural frequency.
@@ -89,8 +89,8 @@ pub struct CriticalSpeed {
     pub family: String,
     /// Number within the family, from 1.
     pub number: usize,
-    /// Where the mode bends the string's steel most.
-    pub most_bent: Spot,
+    /// Where the mode strains the string's steel most.
+    pub most_strained: Spot,
 }
 
 /// The tables of small motions.

@@ -13,7 +13,7 @@ impl ModesSummary {
                 &[
                     ("family", &[&of.family]),
                     ("whirl", &[whirl]),
-                    ("component", &[&of.most_bent.component]),
+                    ("component", &[&of.most_strained.component]),
                 ],
                 &[
                     ("number", &[of.number as f64]),
@@ -22,8 +22,8 @@ impl ModesSummary {
                     ("lateral_energy", &[lateral]),
                     ("axial_energy", &[axial]),
                     ("torsional_energy", &[torsional]),
-                    ("most_bent_md_m", &[of.most_bent.md_m]),
-                    ("most_bent_from_bit_m", &[of.most_bent.from_bit_m]),
+                    ("most_strained_md_m", &[of.most_strained.md_m]),
+                    ("most_strained_from_bit_m", &[of.most_strained.from_bit_m]),
                 ],
             );
         }
@@ -35,15 +35,15 @@ impl ModesSummary {
         let mut table = Table::with_columns(CRITICAL_SPEEDS);
         for of in &self.critical_speeds {
             table.append(
-                &[("family", &[&of.family]), ("component", &[&of.most_bent.component])],
+                &[("family", &[&of.family]), ("component", &[&of.most_strained.component])],
                 &[
                     ("order", &[of.order]),
                     ("rotary_speed_rad_per_s", &[of.rotary_speed_rad_per_s]),
                     ("frequency_Hz", &[of.frequency_Hz]),
                     ("branch", &[of.branch as f64]),
                     ("number", &[of.number as f64]),
-                    ("most_bent_md_m", &[of.most_bent.md_m]),
-                    ("most_bent_from_bit_m", &[of.most_bent.from_bit_m]),
+                    ("most_strained_md_m", &[of.most_strained.md_m]),
+                    ("most_strained_from_bit_m", &[of.most_strained.from_bit_m]),
                 ],
             );
         }

@@ -22,11 +22,11 @@ pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
     let headings = [
         "mode".to_owned(),
         "whirl".to_owned(),
-        "bends most in".to_owned(),
+        "strained most in".to_owned(),
         "frequency, Hz".to_owned(),
         "period, s".to_owned(),
         format!("1x at, {}", speed.symbol),
-        format!("bends most at MD, {}", length.symbol),
+        format!("strained most at MD, {}", length.symbol),
     ];
     let mut table = Table::new(&title, 3, &headings.each_ref().map(String::as_str));
     let depth = |of: &Spot| format!("{:.1}", length.from_si(of.md_m));
@@ -34,32 +34,32 @@ pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
         table.row(vec![
             format!("{} {}", of.family, of.number),
             of.whirl.clone().unwrap_or_default(),
-            of.most_bent.component.clone(),
+            of.most_strained.component.clone(),
             format!("{:.4}", of.frequency_Hz),
             format!("{:.3}", 1.0 / of.frequency_Hz),
             format!("{:.1}", speed.from_si(TAU * of.frequency_Hz)),
-            depth(&of.most_bent),
+            depth(&of.most_strained),
         ]);
     }
     let mut text = table.text();
     if !summary.critical_speeds.is_empty() {
         let headings = [
             "mode".to_owned(),
-            "bends most in".to_owned(),
+            "strained most in".to_owned(),
             format!("critical speed, {}", speed.symbol),
             "order".to_owned(),
             "frequency, Hz".to_owned(),
-            format!("bends most at MD, {}", length.symbol),
+            format!("strained most at MD, {}", length.symbol),
         ];
         let mut table = Table::new("Critical speeds", 2, &headings.each_ref().map(String::as_str));
         for of in &summary.critical_speeds {
             table.row(vec![
                 format!("{} {}", of.family, of.number),
-                of.most_bent.component.clone(),
+                of.most_strained.component.clone(),
                 format!("{:.1}", speed.from_si(of.rotary_speed_rad_per_s)),
                 format!("{}", (1e3 * of.order).round() / 1e3),
                 format!("{:.4}", of.frequency_Hz),
-                depth(&of.most_bent),
+                depth(&of.most_strained),
             ]);
         }
         text += &format!("\n{}", table.text());

@@ -38,8 +38,8 @@ pub struct Critical {
     pub frequency_Hz: f64,
     /// Number of its branch.
     pub branch: usize,
-    /// Where it bends the string most.
-    pub most_bent: Place,
+    /// Where it strains the string most.
+    pub most_strained: Place,
 }
 
 /// Natural frequencies against rotary speed, and where orders meet them.
@@ -107,7 +107,7 @@ impl Assembly<'_> {
                         rotary_rad_per_s: at,
                         frequency_Hz: mode.frequency_Hz,
                         branch: branches.len(),
-                        most_bent: mode.most_bent.clone(),
+                        most_strained: mode.most_strained.clone(),
                     });
                 }
             }
@@ -185,7 +185,7 @@ impl Assembly<'_> {
                 rotary_rad_per_s: to,
                 frequency_Hz: mode.frequency_Hz,
                 branch,
-                most_bent: mode.most_bent,
+                most_strained: mode.most_strained,
             });
         }
         found

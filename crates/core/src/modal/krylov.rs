@@ -19,7 +19,7 @@ pub(super) struct Krylov {
     root_mass: Vec<f64>,
     factors: Factors<f64>,
     /// The shift `σ`, rad²/s².
-    pub(super) shift: f64,
+    shift: f64,
     /// Orthonormal.
     basis: Vec<Vec<f64>>,
     /// The operator in the basis but for the block that was added last.
@@ -83,11 +83,6 @@ impl Krylov {
             space.meet_chance();
         }
         space
-    }
-
-    /// Frequencies of the chain below the shift.
-    pub(super) fn below(&self) -> usize {
-        self.factors.negative
     }
 
     /// Vectors in the basis.

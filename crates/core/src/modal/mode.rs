@@ -56,8 +56,9 @@ pub struct Mode {
     pub in_assembly: f64,
     /// How far it is a circle with the rotation: 1, against it: −1, to and fro: 0.
     pub precession: f64,
-    /// Where it bends the string's steel most.
-    pub most_bent: Place,
+    /// Where it strains the string's steel most: where a lateral mode bends it, an axial one pulls
+    /// it, a torsional one twists it.
+    pub most_strained: Place,
     /// Its shape at each node of the string from the top down: displacement towards the high side,
     /// to the right of it and along the hole, m, rotation about the same directions, rad; the
     /// largest displacement is 1 m, of a torsional mode the largest turn 1 rad. The high side is

@@ -203,14 +203,18 @@ impl SmallMotions {
             lead.conj() / lead.norm().max(f64::MIN_POSITIVE) / size(of).max(f64::MIN_POSITIVE)
         });
         shape.iter_mut().flatten().for_each(|x| *x *= scale);
-        let (element, _) = self.most_bent(first, motion);
+        let element = match family {
+            Family::Lateral => self.most_bent(first, motion).0,
+            Family::Axial => self.most_sheared(first, motion, 2),
+            Family::Torsional => self.most_sheared(first, motion, 5),
+        };
         Mode {
             frequency_Hz: omega / std::f64::consts::TAU,
             family,
             energy,
             in_assembly,
             precession: precession(chain, motion),
-            most_bent: self.place(element),
+            most_strained: self.place(element),
             shape,
         }
     }
@@ -250,6 +254,20 @@ impl SmallMotions {
         };
         let elements = (0..nodes - 1).map(|node| (first + node, stress(node)));
         elements.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((first, 0.0))
+    }
+
+    /// The element that a motion along the hole (2) or about the axis (5) strains most.
+    fn most_sheared(&self, first: usize, motion: &[Complex<f64>], k: usize) -> usize {
+        let strain = |node: usize| {
+            let apart = motion[(node + 1) * MOTIONS + k] - motion[node * MOTIONS + k];
+            let mesh = &self.rest.mesh.elements[first + node];
+            // The surface of a thicker body turns farther.
+            let radius_m = if k == 5 { 0.5 * mesh.section.od_m } else { 1.0 };
+            apart.norm() * radius_m / mesh.length_m
+        };
+        let nodes = motion.len() / MOTIONS;
+        let most = (0..nodes - 1).max_by(|a, b| strain(*a).total_cmp(&strain(*b)));
+        first + most.unwrap_or(0)
     }
 
     /// The middle of an element.

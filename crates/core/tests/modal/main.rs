@@ -4,7 +4,9 @@
 mod common;
 
 mod beams;
+mod collars;
 mod lines;
+mod response;
 
 use wholestring::{
     dynamics::{ContactLaw, DynamicsSettings},

@@ -198,18 +198,14 @@ impl Drawing<'_> {
             let shapes = self.modes.shapes.iter().filter(|of| of.family == name);
             let shapes: Vec<&ModeShape> = shapes.take(DRAWN_OTHERS).collect();
             let mut marks = Vec::new();
-            let mut keys = Vec::new();
             for (number, of) in shapes.iter().enumerate() {
                 let values = if place == 1 { &of.along_m } else { &of.turn_rad };
                 let (ink, stroke) = (Ink::Line(number), Stroke::of(number));
                 marks.push(Mark::Curve { ink, stroke, points: self.along(&of.md_m, values) });
-                keys.push(Key {
-                    name: format!("{}: {:.3} Hz", of.number, self.frequency_Hz(of)),
-                    sample: Sample::Line(ink, stroke),
-                });
             }
-            let axis = Axis::new(format!("{name} shape"), Range::Fixed(-1.1, 1.1));
-            panels.push(Panel { axis, marks, keys });
+            let hertz = shapes.iter().map(|of| format!("{:.3}", self.frequency_Hz(of)));
+            let title = format!("{name}: {} Hz", hertz.collect::<Vec<_>>().join(", "));
+            panels.push(Panel::new(Axis::new(title, Range::Fixed(-1.1, 1.1)), marks));
         }
         let layout = Layout {
             direction: Direction::Down,
@@ -217,7 +213,11 @@ impl Drawing<'_> {
             width_mm: 150.0,
             panel_mm: 130.0,
         };
-        self.figure(self.depth(), layout, panels, Vec::new())
+        let key = |number: usize| Key {
+            name: format!("mode {}", number + 1),
+            sample: Sample::Line(Ink::Line(number), Stroke::of(number)),
+        };
+        self.figure(self.depth(), layout, panels, (0..DRAWN_OTHERS).map(key).collect())
     }
 
     fn response(&self) -> Figure {

@@ -50,8 +50,8 @@ pub struct ModeRow {
     pub whirl: Option<String>,
     /// Parts of its kinetic energy: lateral, axial, torsional.
     pub energy: [f64; 3],
-    /// Measured depth, m, and component where it bends the string most.
-    pub most_bent: (f64, String),
+    /// Measured depth, m, and component where it strains the string most.
+    pub most_strained: (f64, String),
 }
 
 /// A rotary speed at which an order of the rotation meets a natural frequency.
@@ -67,8 +67,8 @@ pub struct CriticalRow {
     pub family: String,
     /// Number within the family, from 1.
     pub number: usize,
-    /// Measured depth, m, and component where the mode bends the string most.
-    pub most_bent: (f64, String),
+    /// Measured depth, m, and component where the mode strains the string most.
+    pub most_strained: (f64, String),
 }
 
 /// The shape of a mode along the string, from the top down.

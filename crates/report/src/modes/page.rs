@@ -112,11 +112,11 @@ fn modes_part(modes: &Modes, shown: Shown<'_>) -> StudyPart {
         ("1x at", false),
         ("whirl", true),
         ("lateral, axial, torsional energy, %", false),
-        ("bends most at MD", false),
+        ("strained most at MD", false),
         ("component", true),
     ]);
     let rows = modes.modes.iter().map(|of| {
-        let [md, component] = place(shown, &of.most_bent);
+        let [md, component] = place(shown, &of.most_strained);
         let energy = of.energy.map(|part| format!("{:.0}", 100.0 * part)).join(", ");
         let speed = std::f64::consts::TAU * of.frequency_Hz;
         row(vec![
@@ -148,11 +148,11 @@ fn critical_part(modes: &Modes, shown: Shown<'_>) -> StudyPart {
         ("family", true),
         ("mode", false),
         ("frequency, Hz", false),
-        ("bends most at MD", false),
+        ("strained most at MD", false),
         ("component", true),
     ]);
     let rows = modes.critical.iter().map(|of| {
-        let [md, component] = place(shown, &of.most_bent);
+        let [md, component] = place(shown, &of.most_strained);
         let speed = shown.value(of.rotary_rad_per_s, "rotary speed");
         row(vec![
             format!("{speed:.1} {}", shown.symbol("rotary speed")),

@@ -14,8 +14,8 @@ pub const MODES: &[ColumnSpec] = specs! {
     "lateral_energy": Ratio, "Lateral part of its kinetic energy";
     "axial_energy": Ratio, "Axial part of its kinetic energy";
     "torsional_energy": Ratio, "Torsional part of its kinetic energy";
-    "most_bent_md_m": Depth, "Where it bends the string's steel most";
-    "most_bent_from_bit_m": Length, "The same place, from the bit";
+    "most_strained_md_m": Depth, "Where it strains the string's steel most";
+    "most_strained_from_bit_m": Length, "The same place, from the bit";
     "component": Words, "The component there";
 };
 
@@ -52,8 +52,8 @@ pub const CRITICAL_SPEEDS: &[ColumnSpec] = specs! {
     "branch": Ratio, "Branch of `campbell.parquet`";
     "family": Words, "As in `modes.parquet`";
     "number": Ratio, "Number within the family, from 1";
-    "most_bent_md_m": Depth, "Where the mode bends the string's steel most";
-    "most_bent_from_bit_m": Length, "The same place, from the bit";
+    "most_strained_md_m": Depth, "Where the mode strains the string's steel most";
+    "most_strained_from_bit_m": Length, "The same place, from the bit";
     "component": Words, "The component there";
 };
 

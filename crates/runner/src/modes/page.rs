@@ -47,7 +47,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Modes, Res
                 frequency_Hz: of.frequency_Hz,
                 whirl: of.whirl.clone(),
                 energy: of.energy,
-                most_bent: place(&of.most_bent),
+                most_strained: place(&of.most_strained),
             })
             .collect(),
         critical: summary
@@ -59,7 +59,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Modes, Res
                 frequency_Hz: of.frequency_Hz,
                 family: of.family.clone(),
                 number: of.number,
-                most_bent: place(&of.most_bent),
+                most_strained: place(&of.most_strained),
             })
             .collect(),
         shapes: shapes::shapes(&table(folder, SHAPES)?),

@@ -176,7 +176,7 @@ fn found(modes: &[Mode]) -> Vec<ModeFound> {
         whirl: of.whirl().map(|whirl| whirl.name().to_owned()),
         precession: of.precession,
         energy: of.energy,
-        most_bent: spot(&of.most_bent),
+        most_strained: spot(&of.most_strained),
     };
     modes.iter().enumerate().map(found).collect()
 }
@@ -191,7 +191,7 @@ fn critical(campbell: &Campbell) -> Vec<CriticalSpeed> {
             branch: of.branch,
             family: branch.family.name().to_owned(),
             number: branch.number,
-            most_bent: spot(&of.most_bent),
+            most_strained: spot(&of.most_strained),
         }
     });
     critical.collect()
