@@ -84,8 +84,8 @@ pub struct StabilitySummary {
     pub string_frequency_Hz: f64,
     /// Characteristic torsional impedance of the uppermost pipe, N·m·s.
     pub pipe_impedance_N_m_s: f64,
-    /// Part of a torsional wave of that frequency that the top drive sends back.
-    pub reflection: f64,
+    /// Frequencies, Hz, and the part of a torsional wave of each that the top drive sends back.
+    pub reflections: Vec<[f64; 2]>,
     /// A better controller; none where none is needed, or none that was tried is.
     pub better_controller: Option<TriedController>,
 }
@@ -109,7 +109,7 @@ impl StabilitySummary {
             highest_frequency_Hz,
             string_frequency_Hz: of.string_frequency_Hz,
             pipe_impedance_N_m_s: of.pipe_impedance_N_m_s,
-            reflection: of.reflection,
+            reflections: of.reflections.to_vec(),
             better_controller: of.tuned.map(|of| TriedController {
                 impedance_ratio: of.impedance_ratio,
                 proportional_N_m_s: of.gains.proportional_N_m_s,

@@ -5,6 +5,9 @@ use super::{
     roots::Stability,
 };
 
+/// Frequencies at which the top drive's reflection is said, over the string's lowest.
+const REFLECTED: [f64; 4] = [1.0, 2.0, 4.0, 8.0];
+
 /// The case's own speed and weight on the map, and its top drive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StabilityOfCase {
@@ -26,8 +29,9 @@ pub struct StabilityOfCase {
     pub string_frequency_Hz: f64,
     /// Characteristic torsional impedance of the uppermost pipe, N·m·s.
     pub pipe_impedance_N_m_s: f64,
-    /// Part of a torsional wave of that frequency that the top drive sends back.
-    pub reflection: f64,
+    /// Frequencies, Hz, from that one up, and the part of a torsional wave of each that the top drive
+    /// sends back.
+    pub reflections: [[f64; 2]; REFLECTED.len()],
     /// A controller with a lower threshold; none where the case is stable at all speeds, the drive
     /// has no inertia, or nothing that was tried is better.
     pub tuned: Option<TunedDrive>,
@@ -68,7 +72,10 @@ impl TorsionalStability<'_> {
             lies_by: line.lies_by,
             string_frequency_Hz: string.frequency_Hz,
             pipe_impedance_N_m_s: string.impedance_N_m_s,
-            reflection: self.drive().reflection(string.impedance_N_m_s, string.frequency_Hz),
+            reflections: REFLECTED.map(|times| {
+                let frequency_Hz = times * string.frequency_Hz;
+                [frequency_Hz, self.drive().reflection(string.impedance_N_m_s, frequency_Hz)]
+            }),
             tuned,
         })
     }

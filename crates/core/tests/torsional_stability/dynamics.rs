@@ -174,3 +174,37 @@ fn friction_that_falls_with_speed_makes_the_string_swing() {
     settings.bit.law = BitLaw::Custom(CustomLaw::new(WeakeningBit { by: 0.0 }, 1e8));
     hold_to_the_dynamics("falling friction", &model, &settings, 240.0);
 }
+
+/// SoftTorque tuned to the string has a lower threshold than a stiff drive; it sends back
+/// `(a − 1)/(a + 1)` of the string's frequency, and its threshold is that of a map of all speeds.
+#[test]
+fn a_tuned_drive_lowers_the_threshold() {
+    let model = model();
+    let stiff = SpeedController::Pi { proportional_N_m_s: 38e3, integral_N_m: 100e3 };
+    let settings = settings(stiff);
+    let operation = drilling(&settings, rpm(80.0));
+    let stability = TorsionalStability::new(&model, &operation, &settings).expect("a case");
+    let map = StabilitySettings::around(&operation);
+    let map = StabilitySettings {
+        speeds_rad_per_s: StabilityRange { from: rpm(20.0), to: rpm(240.0), values: 23 },
+        ..map
+    };
+    let found = stability.of_case(&map).expect("a case");
+    let Threshold::From(before) = found.threshold else {
+        panic!("{:?}", found.threshold);
+    };
+    assert!(found.margin().is_some_and(|margin| (margin - rpm(80.0) / before + 1.0).abs() < 1e-12));
+    let tuned = found.tuned.expect("a better drive");
+    let Threshold::From(after) = tuned.threshold else {
+        panic!("{:?}", tuned.threshold);
+    };
+    assert!(after < 0.99 * before, "{after} {before}");
+    let ratio = tuned.impedance_ratio;
+    assert!((tuned.reflection - (ratio - 1.0) / (ratio + 1.0)).abs() < 1e-9);
+    let controller = SpeedController::SoftTorque { impedance_ratio: ratio, frequency_Hz: None };
+    let line = stability.at_weight(WEIGHT_N).expect("a weight").under(controller).line(&map);
+    let Threshold::From(whole) = line.expect("a line").threshold else {
+        panic!("a threshold");
+    };
+    assert!((whole / after - 1.0).abs() < 3e-3, "{whole} {after}");
+}

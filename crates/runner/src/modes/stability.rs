@@ -105,10 +105,12 @@ pub fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
             Dimension::Torque.format(of.surface_torque_N_m, units)
         ));
     }
+    let parts = of.reflections.iter().map(|[frequency_Hz, part]| {
+        format!("{:.0} % of a wave of {frequency_Hz:.2} Hz", 100.0 * part)
+    });
+    let parts = parts.collect::<Vec<_>>().join(", ");
     sentences.push(format!(
-        "The top drive sends back {:.0} % of a wave of the string's {:.3} Hz.",
-        100.0 * of.reflection,
-        of.string_frequency_Hz
+        "The top drive sends back {parts}; the string's lowest torsional frequency is the first."
     ));
     if let Some(better) = &of.better_controller {
         let from = match better.from.threshold_rad_per_s {
@@ -120,6 +122,8 @@ pub fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
             better.impedance_ratio,
             100.0 * better.reflection
         ));
+    } else if of.from.stable != StableWhere::Everywhere && gives_way(of) {
+        sentences.push("No SoftTorque that was tried has a lower threshold.".into());
     }
     if of.lies_by == "soft" {
         sentences.push(
@@ -127,6 +131,11 @@ pub fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
         );
     }
     sentences
+}
+
+/// Whether the drive has inertia: a constant speed sends all of every wave back.
+fn gives_way(of: &StabilitySummary) -> bool {
+    of.reflections.iter().any(|[_, part]| *part < 1.0)
 }
 
 /// rad/s in a revolution per minute.
