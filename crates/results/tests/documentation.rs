@@ -3,7 +3,8 @@
 use std::{env, fs, path::Path};
 
 use wholestring_results::{
-    BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, TIME, WEAR,
+    BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
+    MODES, NODES, RESPONSE, SPECTRA, TIME, WEAR,
 };
 
 fn rows(columns: &[ColumnSpec]) -> String {
@@ -39,6 +40,11 @@ fn the_page_lists_every_column() {
         ("contact", CONTACT),
         ("bit-test", BIT_TEST),
         ("bottom_hole", BOTTOM_HOLE),
+        ("modes", MODES),
+        ("mode_shapes", MODE_SHAPES),
+        ("campbell", CAMPBELL),
+        ("critical_speeds", CRITICAL_SPEEDS),
+        ("response", RESPONSE),
     ] {
         expected = with_table(&expected, name, &rows(columns));
     }
