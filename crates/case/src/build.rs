@@ -240,7 +240,6 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         records: &records,
         drilling: drilling.as_ref(),
         bit_test: bit_test.as_ref(),
-        modes: case.modes.given().map(|_| &modes),
     };
     let settings = settings(&given, &case);
     let checkpoint_interval_s = *case.dynamics.get()?.checkpoint_interval.get()?;

@@ -3,7 +3,8 @@
 use std::{env, fs, path::Path};
 
 use wholestring_results::{
-    BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES, SPECTRA, STABILITY, TIME, WEAR,
+    BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
+    MODES, NODES, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
 };
 
 fn rows(columns: &[ColumnSpec]) -> String {
@@ -40,6 +41,11 @@ fn the_page_lists_every_column() {
         ("bit-test", BIT_TEST),
         ("bottom_hole", BOTTOM_HOLE),
         ("stability", STABILITY),
+        ("modes", MODES),
+        ("mode_shapes", MODE_SHAPES),
+        ("campbell", CAMPBELL),
+        ("critical_speeds", CRITICAL_SPEEDS),
+        ("response", RESPONSE),
     ] {
         expected = with_table(&expected, name, &rows(columns));
     }

@@ -18,7 +18,6 @@ use crate::{
     bit_test::BitTest,
     buckling::{CRITERIA, HELIX_SIDE_FORCE},
     case_table::CaseTable,
-    modes::Modes,
     records::Records,
 };
 
@@ -35,7 +34,6 @@ pub(crate) struct Given<'a> {
     pub(crate) records: &'a Records,
     pub(crate) drilling: Option<&'a DrillingSpec>,
     pub(crate) bit_test: Option<&'a BitTest>,
-    pub(crate) modes: Option<&'a Modes>,
 }
 
 /// What the solvers were given, in SI, with units in the names of the keys.
@@ -51,7 +49,6 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
         records,
         drilling,
         bit_test,
-        modes,
     } = *given;
     let survey = case.well.get().and_then(|well| well.survey.get());
     let dynamics_table = case.dynamics.get();
@@ -81,9 +78,6 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
     }
     if let Some(test) = bit_test {
         whole = whole.with("bit_test", rock::bit_test(test));
-    }
-    if let Some(modes) = modes {
-        whole = whole.with("modes", to_json(modes));
     }
     whole.into()
 }

@@ -22,7 +22,7 @@ const HEAVY: f64 = 1.5;
 /// Shorter components do not end an assembly, m: crossovers, subs.
 const SHORT_M: f64 = 15.0;
 
-/// The assembly where nothing ends it, m.
+/// The assembly where drill pipe begins as low as a bit, or nothing ends it, m.
 const LONGEST_M: f64 = 300.0;
 
 /// Modes that are looked for beyond those wanted, and how many rounds.
@@ -30,14 +30,14 @@ const BEYOND: usize = 6;
 const ROUNDS: usize = 6;
 
 /// Length of a string's assembly, m: from the bit up to the drill pipe, which is what weighs less
-/// than one and a half times the lightest of its pipes; 300 m where there is no other.
+/// than one and a half times the lightest of its pipes; 300 m where there is hardly any other.
 pub fn assembly_length_m(string: &DrillString) -> f64 {
     let long = || string.spans().filter(|span| span.component.length_m >= SHORT_M);
     let weight = |span: &crate::string::Span<'_>| span.component.mass_per_length_kg_per_m;
     let lightest = long().map(|span| weight(&span)).fold(f64::INFINITY, f64::min);
     let pipe = long().find(|span| weight(span) < HEAVY * lightest);
     let length_m = pipe.map_or(0.0, |span| span.from_bit_m);
-    if length_m > 0.0 { length_m } else { LONGEST_M.min(string.length_m()) }
+    if length_m > SHORT_M { length_m } else { LONGEST_M.min(string.length_m()) }
 }
 
 /// The lowest part of a string, and its lateral modes.

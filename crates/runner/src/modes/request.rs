@@ -119,7 +119,7 @@ fn find(case: &Case, operation: &Operation) -> Result<(ModesSummary, ModesTables
     let summary = ModesSummary {
         schema_version: MODES_VERSION,
         case: case.name.clone(),
-        settings: case.settings.clone(),
+        settings: settings(case),
         operation: operation.kind.name().to_owned(),
         rotary_speed_rad_per_s: motions.rotary_rad_per_s(),
         elements: motions.nodes() - 1,
@@ -137,6 +137,13 @@ fn find(case: &Case, operation: &Operation) -> Result<(ModesSummary, ModesTables
         response: tables::response(&answers),
     };
     Ok((summary, tables))
+}
+
+/// The case's settings, and what is asked of the string at rest.
+fn settings(case: &Case) -> serde_json::Value {
+    let mut settings = case.settings.clone();
+    settings["modes"] = serde_json::json!(case.modes);
+    settings
 }
 
 /// So many speeds over a range.

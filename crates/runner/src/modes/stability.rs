@@ -65,8 +65,10 @@ fn map(case: &Case, operation: &Operation) -> Result<Stability, StabilityError> 
 /// What the map covers.
 fn settings(case: &Case) -> StabilitySettings {
     let range = |[from, to]: [f64; 2], values: usize| StabilityRange { from, to, values };
+    let [slowest, fastest] = case.modes.rotary_rad_per_s;
     StabilitySettings {
-        speeds_rad_per_s: range(case.modes.rotary_rad_per_s, SPEEDS),
+        // A string that stands has no steady rotation.
+        speeds_rad_per_s: range([slowest.max(fastest / SPEEDS as f64), fastest], SPEEDS),
         weights_N: range(case.modes.weights_N, WEIGHTS),
         highest_Hz: case.modes.highest_frequency_Hz,
     }
