@@ -78,7 +78,7 @@ pub fn run(request: &Request<'_>, observer: &dyn Observer) -> Result<Outcome, Er
     let folder = &claimed.folder;
     let begun = Instant::now();
     let (mut summary, tables) = find(case, operation)?;
-    let map = stability::find(case, operation)?;
+    let map = stability::find(case, operation);
     match &map {
         Ok(found) => summary.torsional_stability = Some(found.summary.clone()),
         Err(reason) => summary.no_torsional_stability = Some(reason.clone()),

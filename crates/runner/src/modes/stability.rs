@@ -13,10 +13,7 @@ use wholestring_report::StabilityPicture;
 use wholestring_results::{StabilitySummary, StableFrom, StableWhere, Table};
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::{
-    error::Error,
-    parallel::{in_parallel, lock},
-};
+use crate::parallel::{in_parallel, lock};
 
 /// Rotary speeds and weights of the map.
 const SPEEDS: usize = 20;
@@ -28,20 +25,13 @@ pub(super) struct Stability {
     pub(super) lines: Vec<StabilityLine>,
 }
 
-/// The map of an operation that drills, or else of the case's first that does; why there is none where
-/// no operation turns on bottom, or the bit stands on solid rock.
-pub(super) fn find(case: &Case, operation: &Operation) -> Result<Result<Stability, String>, Error> {
+/// The map of an operation that drills, or else of the case's first that does; why there is none, where
+/// no operation turns on bottom, the bit stands on solid rock, or settings of the dynamics are not sound.
+pub(super) fn find(case: &Case, operation: &Operation) -> Result<Stability, String> {
     let drills = |of: &&Operation| of.kind == OperationKind::Drill;
-    let Some(operation) = [operation].into_iter().chain(&case.operations).find(drills) else {
-        return Ok(Err(StabilityError::NotDrilling.to_string()));
-    };
-    match map(case, operation) {
-        Ok(found) => Ok(Ok(found)),
-        Err(error @ (StabilityError::SolidRock | StabilityError::Stands)) => {
-            Ok(Err(error.to_string()))
-        }
-        Err(error) => Err(Error::failed(error)),
-    }
+    let operation = [operation].into_iter().chain(&case.operations).find(drills);
+    let found = operation.map(|operation| map(case, operation));
+    found.unwrap_or(Err(StabilityError::NotDrilling)).map_err(|error| error.to_string())
 }
 
 fn map(case: &Case, operation: &Operation) -> Result<Stability, StabilityError> {
