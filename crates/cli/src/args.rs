@@ -36,9 +36,9 @@ pub(crate) enum Command {
     Modes(ModesArgs),
     /// Solve the cases of a study and make its figures and tables
     Study(StudyArgs),
-    /// Make the report of a run, a sweep or a bit test again
+    /// Make the report of a run, a sweep, a bit test or modes again
     Report(ReportArgs),
-    /// Draw what a run, a sweep or a bit test left as SVG files; a second run on the same axes
+    /// Draw what a run, a sweep, a bit test or modes left as SVG files; a second run on the same axes
     Plot(PlotArgs),
     /// Position and dogleg severity along a survey
     Survey(SurveyArgs),
@@ -143,7 +143,7 @@ impl RunArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ReportArgs {
-    /// Folder that a run, a sweep or a bit test wrote to
+    /// Folder that a run, a sweep, a bit test or modes wrote to
     #[arg(value_name = "DIR")]
     pub(crate) folder: PathBuf,
 
@@ -154,7 +154,7 @@ pub(crate) struct ReportArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct PlotArgs {
-    /// Folder that a run, a sweep or a bit test wrote to, or those of two runs
+    /// Folder that a run, a sweep, a bit test or modes wrote to, or those of two runs
     #[arg(value_name = "DIR", required = true, num_args = 1..=2)]
     pub(crate) folders: Vec<PathBuf>,
 

@@ -20,11 +20,11 @@ fn few<'a>(more: &[&'a str]) -> Vec<&'a str> {
 #[test]
 fn modes_of_a_slant_well() {
     let desk = Desk::new();
-    let output = desk.done(&few(&["-o", "out", "--operation", "drill"]));
+    let output = desk.done(&few(&["-o", "out", "--operation", "rotate_off_bottom"]));
     let said = String::from_utf8(output.stdout).unwrap();
     let summary = ModesSummary::read(&desk.path("out/summary.json")).unwrap();
     assert!(summary.stable);
-    assert_eq!(summary.operation, "drill");
+    assert_eq!(summary.operation, "rotate_off_bottom");
     assert_eq!(summary.settings["modes"]["orders"], serde_json::json!([1.0, 4.0]));
     let of = |family: &str| summary.modes.iter().filter(|of| of.family == family).count();
     assert_eq!([of("lateral"), of("axial"), of("torsional")], [3; 3]);
@@ -93,7 +93,7 @@ fn a_map_of_torsional_stability() {
 #[test]
 fn what_is_eccentric_is_what_pushes() {
     let desk = Desk::new();
-    let eccentric = ["--set", "string.1.eccentricity=2 mm", "-o", "out", "--quiet"];
+    let eccentric = ["--set", "string.0.eccentricity=2 mm", "-o", "out", "--quiet"];
     let output = desk.done(&few(&eccentric));
     assert!(output.stdout.is_empty());
     let summary = ModesSummary::read(&desk.path("out/summary.json")).unwrap();

@@ -102,8 +102,8 @@ fn operation<'a>(case: &'a Case, name: Option<&str>) -> Result<&'a Operation, Er
 
 fn find(case: &Case, operation: &Operation) -> Result<(ModesSummary, ModesTables), Error> {
     let wanted = &case.modes;
-    let settings = stiff_settings(&case.dynamics);
-    let motions = SmallMotions::new(&case.model, operation, &settings, &case.dynamics)
+    let at_rest = stiff_settings(&case.dynamics);
+    let motions = SmallMotions::new(&case.model, operation, &at_rest, &case.dynamics)
         .map_err(Error::failed)?;
     let assembly = motions.assembly(wanted.assembly_m);
     let lateral =
