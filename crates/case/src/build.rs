@@ -12,7 +12,7 @@ use crate::{
     case::Case,
     case_table::CaseTable,
     dynamics::{DynamicsTable, GivenSettings},
-    effort, fit, hole,
+    effort, fit, hole, modes,
     operation::OperationTable,
     overrides::{self, Override},
     rock, roughness, schema,
@@ -223,6 +223,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         rock.value.check_effort(drilling, longest_s, rock.place, reader)?;
     }
     effort::check_effort(&models, &model, &operations, &dynamics, &case, reader)?;
+    let modes = case.modes.get()?;
+    let modes = modes::build(modes, &model.string, &operations, &dynamics, reader)?;
     let name = match case.name.optional()? {
         Some(given) => given.value.clone(),
         None => FilePath::new(name)
@@ -251,6 +253,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         model,
         operations,
         bit_test,
+        modes,
         soft,
         dynamics,
         tunes_hook_load,

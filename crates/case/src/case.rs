@@ -11,7 +11,7 @@ use wholestring::{
 use wholestring_config::diagnostic::Report;
 use wholestring_units::UnitSet;
 
-use crate::{bit_test::BitTest, records::Records};
+use crate::{bit_test::BitTest, modes::Modes, records::Records};
 
 /// A case in which everything has been checked.
 #[derive(Debug, Clone)]
@@ -29,6 +29,8 @@ pub struct Case {
     /// The bit alone on its rock: of a case with `[bit_test]`, and of one whose operation drills
     /// solid rock.
     pub bit_test: Option<BitTest>,
+    /// Which natural frequencies are looked for, and what meets them.
+    pub modes: Modes,
     /// What the soft string needs beside these.
     pub soft: SoftSettings,
     /// What a dynamic run needs beside these.

@@ -13,6 +13,7 @@ use crate::{
     ends::EndsTable,
     mesh::MeshTable,
     model_rule::{MODELS, ModelRule},
+    modes::ModesTable,
     mud::MudTable,
     operation::OperationTable,
     records::RecordsTable,
@@ -57,6 +58,8 @@ table! {
         rock: RockTable = optional(Section::<RockTable>::RULE);
         /// The bit alone on its rock.
         bit_test: BitTestTable = optional(Section::<BitTestTable>::RULE);
+        /// Natural frequencies and what meets them.
+        modes: ModesTable = optional(Section::<ModesTable>::RULE);
         /// Limits of the rig.
         rig: RigTable = optional(Section::<RigTable>::RULE);
         /// How the top of the string is moved along the hole in the dynamic model.

@@ -12,6 +12,16 @@ const WITHOUT_EFFECT: &[(&str, &str)] = &[
     ("name", "what the case is called"),
     ("units", "what people are shown"),
     ("dynamics.checkpoint_interval", "how much a kill costs"),
+    ("modes.count", "what is asked of the string at rest"),
+    ("modes.assembly", "what is asked of the string at rest"),
+    ("modes.slowest", "what is asked of the string at rest"),
+    ("modes.fastest", "what is asked of the string at rest"),
+    ("modes.orders", "what is asked of the string at rest"),
+    ("modes.force", "what is asked of the string at rest"),
+    ("modes.force_at", "what is asked of the string at rest"),
+    ("modes.lightest", "what the map of stability covers"),
+    ("modes.heaviest", "what the map of stability covers"),
+    ("modes.highest_frequency", "what the map of stability covers"),
     ("well.hole.0.from", "where the section above ends: anything else is refused"),
 ];
 

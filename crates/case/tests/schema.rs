@@ -168,6 +168,7 @@ fn quantities_have_usual_numbers() {
         ("schedule", "times, and what starts and ends at rest"),
         ("dynamics", "times and numbers of the method"),
         ("bit_test", "times, and speeds down to one revolution in a minute"),
+        ("modes", "speeds from rest on, and a place on the string, which bounds it"),
         ("records", "times and depths that the run bounds"),
         ("points", "rows of a table"),
         ("table", "rows of a table"),

@@ -34,12 +34,14 @@ pub(crate) enum Command {
     BitTest(BitTestArgs),
     /// The bottom-hole assembly at rest: side force and tilt of the bit, contacts, bending, sag
     Bha(BhaArgs),
+    /// Find natural frequencies, critical speeds and the answer to a force that turns
+    Modes(ModesArgs),
     /// Solve the cases of a study and make its figures and tables
     Study(StudyArgs),
-    /// Make the report of a run, a sweep, a bit test or an assembly again
+    /// Make the report of a run, a sweep, a bit test, an assembly or modes again
     Report(ReportArgs),
-    /// Draw what a run, a sweep, a bit test or an assembly left as SVG files; a second run on the
-    /// same axes
+    /// Draw what a run, a sweep, a bit test, an assembly or modes left as SVG files; a second run on
+    /// the same axes
     Plot(PlotArgs),
     /// Position and dogleg severity along a survey
     Survey(SurveyArgs),
@@ -144,7 +146,7 @@ impl RunArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ReportArgs {
-    /// Folder that a run, a sweep, a bit test or an assembly wrote to
+    /// Folder that a run, a sweep, a bit test, an assembly or modes wrote to
     #[arg(value_name = "DIR")]
     pub(crate) folder: PathBuf,
 
@@ -155,7 +157,7 @@ pub(crate) struct ReportArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct PlotArgs {
-    /// Folder that a run, a sweep, a bit test or an assembly wrote to, or those of two runs
+    /// Folder that a run, a sweep, a bit test, an assembly or modes wrote to, or those of two runs
     #[arg(value_name = "DIR", required = true, num_args = 1..=2)]
     pub(crate) folders: Vec<PathBuf>,
 
@@ -315,6 +317,41 @@ impl BhaArgs {
     pub(crate) fn output(&self) -> Output {
         Output { folder: self.output.clone(), existing: existing(false, self.overwrite) }
     }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ModesArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    /// Operation whose string at rest it is, such as `drill` [default: the case's first]
+    #[arg(long, value_name = "OPERATION")]
+    pub(crate) operation: Option<String>,
+
+    // Not a doc comment, which would read `<case name>` as HTML.
+    #[arg(
+        short,
+        long,
+        value_name = "DIR",
+        help = "Folder for the results [default: out/<case name> modes]"
+    )]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Replace what lies in the folder
+    #[arg(long)]
+    pub(crate) overwrite: bool,
+
+    /// Paint each picture as PNG too, with 300 dots per inch
+    #[arg(long)]
+    pub(crate) png: bool,
+
+    /// Units on the screen and the page [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
 }
 
 #[derive(Debug, Args)]

@@ -14,6 +14,7 @@ mod failure;
 mod findings;
 mod input;
 mod interrupt;
+mod modes;
 mod new_case;
 mod plot;
 mod progress;
@@ -43,6 +44,7 @@ fn main() -> ExitCode {
         Command::Sweep(args) => sweep::sweep(&args),
         Command::BitTest(args) => bit_test::bit_test(&args),
         Command::Bha(args) => bha::bha(&args),
+        Command::Modes(args) => modes::modes(&args),
         Command::Study(args) => study::study(&args),
         Command::Report(args) => report::report(&args),
         Command::Plot(args) => plot::plot(&args),

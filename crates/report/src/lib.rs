@@ -8,10 +8,12 @@ mod cell;
 mod draw;
 pub mod figure;
 mod finding;
+mod modes;
 mod packed;
 mod page;
 mod plots;
 mod report;
+mod stability;
 mod study;
 mod sweep;
 mod thin;
@@ -22,6 +24,9 @@ pub use bottom::BottomPicture;
 pub use cell::Cell;
 pub use draw::Drawing;
 pub use finding::{Finding, Level};
+pub use modes::{
+    AnswerCurve, CriticalRow, ModeBranch, ModeRow, ModeShape, Modes, modes_html, modes_plots,
+};
 pub use packed::Packed;
 pub use page::{bha_html, bit_test_html, report_html, sweep_html};
 pub use plots::{
@@ -32,6 +37,7 @@ pub use report::{
     ContactPicture, DisplayUnit, DrillOff, Fact, Frames, KeyResult, PageHead, PageTable, Part,
     Place, Report, Section, Solved, SpectrumPicture, TimeRun, Well,
 };
+pub use stability::{StabilityPicture, stability_plot};
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};
 pub use thin::thinned;

@@ -45,6 +45,8 @@ pub enum StudyPart {
         grid: Grid,
         /// Its files beside the page, without their endings.
         files: String,
+        /// The endings of those files.
+        endings: &'static [&'static str],
     },
 }
 
@@ -140,12 +142,12 @@ fn part(index: usize, part: &StudyPart) -> String {
             let endings = endings.into_iter().filter(|of| *of != "png" || *painted);
             (title, caption, body, files, endings.collect::<Vec<_>>())
         }
-        StudyPart::Table { title, caption, grid, files } => (
+        StudyPart::Table { title, caption, grid, files, endings } => (
             title,
             caption,
             format!("<div class=\"scrolls\">{}</div>", table(grid)),
             files,
-            vec!["md", "csv"],
+            endings.to_vec(),
         ),
     };
     let links: Vec<String> = endings
@@ -222,6 +224,7 @@ mod tests {
                         rows: vec![vec![(nasty.clone(), Verdict::Differs)]],
                     },
                     files: nasty.clone(),
+                    endings: &["md", "csv"],
                 },
                 StudyPart::Figure {
                     title: nasty.clone(),

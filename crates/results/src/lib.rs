@@ -21,10 +21,14 @@ mod frames;
 mod growing_table;
 mod hold;
 mod json;
+mod modes;
+mod modes_tables;
 mod names;
 mod parquet_file;
 mod parquet_guard;
 mod spectrum;
+mod stability;
+mod stability_table;
 mod summary;
 mod table;
 mod thrift;
@@ -34,8 +38,8 @@ pub use bha_tables::{bha_contacts_table, bha_sweep_table, bha_table};
 pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
 pub use bit_test_table::bit_test_table;
 pub use columns::{
-    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES,
-    SPECTRA, TIME, WEAR,
+    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS,
+    ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -44,7 +48,10 @@ pub use folder::ResultsFolder;
 pub use frames::{FrameWriter, FramesSoFar};
 pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
+pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
 pub use spectrum::Spectrum;
+pub use stability::{StabilitySummary, StableFrom, StableWhere, TriedController};
+pub use stability_table::stability_table;
 pub use summary::{
     ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Status, Summary,
 };

@@ -7,7 +7,7 @@ use wholestring::{
     dynamics::{self, Indicators, Statistic, TableUse, TunedHookLoad},
     mud::Hydraulics,
     outcome::{ModelKind, Scalars},
-    statics::stiff::AtRest,
+    statics::stiff::EquilibriumSummary,
 };
 
 use crate::{
@@ -104,7 +104,7 @@ pub struct OperationSummary {
     pub hydraulics: Option<Hydraulics>,
     /// How the equilibrium was found and what the bit does in it; the stiff string only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub at_rest: Option<AtRest>,
+    pub at_rest: Option<EquilibriumSummary>,
     /// Statistics over the window by quantity; dynamic models only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub statistics: Option<BTreeMap<String, Statistic>>,

@@ -3,8 +3,8 @@
 use std::{env, fs, path::Path};
 
 use wholestring_results::{
-    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CONTACT, ColumnSpec, FRAMES, NODES,
-    SPECTRA, TIME, WEAR,
+    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS,
+    ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
 };
 
 fn rows(columns: &[ColumnSpec]) -> String {
@@ -43,6 +43,12 @@ fn the_page_lists_every_column() {
         ("bha", BHA),
         ("bha_contacts", BHA_CONTACTS),
         ("bha_sweep", BHA_SWEEP),
+        ("stability", STABILITY),
+        ("modes", MODES),
+        ("mode_shapes", MODE_SHAPES),
+        ("campbell", CAMPBELL),
+        ("critical_speeds", CRITICAL_SPEEDS),
+        ("response", RESPONSE),
     ] {
         expected = with_table(&expected, name, &rows(columns));
     }

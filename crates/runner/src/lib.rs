@@ -13,6 +13,7 @@
 //! | [`study`] | cases and sweeps, with the figures and tables to make of them |
 //! | [`bha`] | the bottom-hole assembly at rest |
 //! | [`bit_test`] | the bit alone on its rock |
+//! | [`modes`] | natural frequencies, critical speeds and the answer to a force that turns |
 //! | [`mod@bench`] | the measurement of a machine's speed at all this |
 //!
 //! [`Comparison`] has the answers of a run side by side, [`survey`] the positions along a survey,
@@ -58,6 +59,7 @@ mod error;
 pub mod findings;
 mod folder_name;
 mod keep;
+pub mod modes;
 mod observer;
 mod output;
 mod page;

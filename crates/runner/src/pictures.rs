@@ -1,9 +1,10 @@
-//! The pictures of a run, of two on the same axes, of a sweep, or of a bit test.
+//! The pictures of a run, of two on the same axes, of a sweep, of a bit test, or of small motions.
 
 use std::path::{Path, PathBuf};
 
 use wholestring_report::{
-    Plot, Report, Run, Spectrum, bha_plots, bit_test_plots, common_operations, plots, sweep_plots,
+    Plot, Report, Run, Spectrum, bha_plots, bit_test_plots, common_operations, modes_plots, plots,
+    sweep_plots,
 };
 use wholestring_results::Summary;
 use wholestring_units::UnitSet;
@@ -13,6 +14,7 @@ use crate::{
     bit_test::page as bit_test,
     error::Error,
     folder_name::file_name,
+    modes::page as modes,
     page::{Tables, gather, lacking, spectra::spectra, table},
     results_kind::ResultsKind,
     sweep::page as sweep,
@@ -24,12 +26,18 @@ use crate::{
 /// Folders whose results cannot be drawn, or not together.
 pub fn pictures(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Vec<Plot>, Error> {
     let are_sweeps = sweeps(folders);
+    let are_modes = folders.iter().any(|of| modes::is_modes(of));
     let are_bit_tests = folders.iter().any(|of| bit_test::is_bit_test(of));
     let plots = match (folders, &are_sweeps[..]) {
         ([folder], _) if are_bit_tests => {
             let test = bit_test::gather(folder, units).map_err(bad)?;
             bit_test_plots(&test, &test.head.units)
         }
+        ([folder], _) if are_modes => {
+            let found = modes::gather(folder, units).map_err(bad)?;
+            modes_plots(&found, &found.head.units)
+        }
+        _ if are_modes => return Err(bad("modes cannot be overlaid with anything")),
         _ if are_bit_tests => {
             return Err(bad("a bit test cannot be overlaid with anything"));
         }

@@ -9,12 +9,13 @@ use crate::{
     bha::page as bha,
     bit_test::page as bit_test,
     error::Error,
+    modes::page as modes,
     page::{FILE, lacking, page},
     results_kind::ResultsKind,
     sweep::page as sweep,
 };
 
-/// Makes the page of a run, a sweep or a bit test again, from the files in its folder, and says
+/// Makes the page of a run, a sweep, a bit test or small motions again, from the files in its folder, and says
 /// where it is. It opens with these units, with the case's where none are given.
 ///
 /// # Errors
@@ -31,6 +32,10 @@ pub fn write_report(folder: &Path, units: Option<UnitSet>) -> Result<PathBuf, Er
         Some(ResultsKind::Bha) => {
             let found = bha::gather(folder, units).map_err(|error| bad(&error))?;
             bha::write(&results()?, &found)?;
+        }
+        Some(ResultsKind::Modes) => {
+            let found = modes::gather(folder, units).map_err(|error| bad(&error))?;
+            modes::write(&results()?, &found, false)?;
         }
         Some(ResultsKind::Run) => {
             if let Some(lacking) = lacking(folder).map_err(|error| bad(&error))? {

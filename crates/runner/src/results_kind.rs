@@ -2,7 +2,10 @@
 
 use std::path::Path;
 
-use crate::{bha::page::is_bha, bit_test::page::is_bit_test, error::Error, sweep::page::is_sweep};
+use crate::{
+    bha::page::is_bha, bit_test::page::is_bit_test, error::Error, modes::page::is_modes,
+    sweep::page::is_sweep,
+};
 
 /// What a folder holds the results of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,6 +18,8 @@ pub enum ResultsKind {
     BitTest,
     /// An assembly at rest.
     Bha,
+    /// Small motions.
+    Modes,
 }
 
 impl ResultsKind {
@@ -25,6 +30,8 @@ impl ResultsKind {
             Some(Self::BitTest)
         } else if is_bha(folder) {
             Some(Self::Bha)
+        } else if is_modes(folder) {
+            Some(Self::Modes)
         } else if folder.join("summary.json").is_file() {
             Some(Self::Run)
         } else if is_sweep(folder) {
@@ -37,7 +44,7 @@ impl ResultsKind {
     /// A folder that holds none.
     pub(crate) fn none(folder: &Path) -> Error {
         Error::BadInput(format!(
-            "{} is no folder of a run, a sweep, a bit test or an assembly: it holds neither summary.json nor \
+            "{} is no folder of a run, a sweep, a bit test, an assembly or modes: it holds neither summary.json nor \
              sweep.csv",
             folder.display()
         ))

@@ -14,6 +14,7 @@ mod endings;
 mod findings;
 mod folders;
 mod frames;
+mod modes;
 mod new_case;
 mod plot;
 mod remarks;

@@ -67,6 +67,8 @@ kinds! {
     Time => "s", "time";
     /// A frequency, Hz.
     Frequency => "Hz", "frequency";
+    /// How fast something grows, 1/s.
+    Growth => "1/s", "frequency";
 }
 
 impl QuantityKind {
@@ -79,6 +81,10 @@ impl QuantityKind {
         let mut left = unit.len();
         while left > 0 {
             left -= 1;
+            if left == 0 && unit[0] == b'1' && end > 0 {
+                // `growth_per_s`: nothing stands for the one of `1/s`.
+                return Some(name.split_at(end).0);
+            }
             let written: &[u8] = match unit[left] {
                 b'/' => b"_per_",
                 // `·` and `³` are of two bytes, the first of which is the same.
@@ -115,6 +121,8 @@ mod tests {
             ("hook_load_N", QuantityKind::Force, Some("hook_load")),
             ("friction_torque_N_m_per_m", QuantityKind::TorquePerLength, Some("friction_torque")),
             ("flow_rate_m3_per_s", QuantityKind::FlowRate, Some("flow_rate")),
+            ("growth_per_s", QuantityKind::Growth, Some("growth")),
+            ("growth_Hz", QuantityKind::Growth, None),
             ("contact_fraction", QuantityKind::Ratio, Some("contact_fraction")),
             ("hook_load_N", QuantityKind::Torque, None),
             ("hook_loadN", QuantityKind::Force, None),

@@ -9,7 +9,7 @@ use crate::{
     mud::Hydraulics,
     statics::{
         soft::SoftProfile,
-        stiff::{AtRest, StiffProfile},
+        stiff::{EquilibriumSummary, StiffProfile},
     },
 };
 
@@ -27,7 +27,7 @@ pub struct Solution<'a> {
     /// Along the hole.
     pub wear: &'a HoleWear,
     /// Of an equilibrium: how it was found, and what its bit does. The stiff string only.
-    pub at_rest: Option<AtRest>,
+    pub at_rest: Option<EquilibriumSummary>,
     /// In time; none of a method that answers with a state of equilibrium.
     pub in_time: Option<InTime<'a>>,
 }

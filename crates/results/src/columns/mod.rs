@@ -6,8 +6,10 @@ mod bit_test;
 mod bottom_hole;
 mod contact;
 mod frames;
+mod modes;
 mod nodes;
 mod spectra;
+mod stability;
 mod time;
 mod wear;
 
@@ -18,8 +20,10 @@ pub use self::{
     bottom_hole::BOTTOM_HOLE,
     contact::CONTACT,
     frames::FRAMES,
+    modes::{CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, RESPONSE},
     nodes::NODES,
     spectra::SPECTRA,
+    stability::STABILITY,
     time::TIME,
     wear::WEAR,
 };
@@ -95,6 +99,7 @@ mod tests {
             BHA,
             BHA_CONTACTS,
             BHA_SWEEP,
+            STABILITY,
         ] {
             for (index, column) in table.iter().enumerate() {
                 assert!(

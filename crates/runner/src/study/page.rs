@@ -46,6 +46,7 @@ pub(super) fn show(
             caption: table.caption.clone(),
             grid,
             files: format!("tables/{}", table.name),
+            endings: &["md", "csv"],
         });
     }
     let page = study_html(&StudyPage {

@@ -64,31 +64,18 @@ impl Body {
     /// [`Self::orient`]: until then `toward` holds the part towards the high side and the part to
     /// the right of it.
     pub fn new(model: &Model, mesh: &Mesh) -> Self {
-        let (mut bends, mut levers) = (Vec::<Bend>::new(), vec![[0.0; 2]; mesh.nodes.len()]);
+        let mut bends = Vec::<Bend>::new();
         for span in model.string.spans() {
             if let Some(bend) = span.component.bend {
                 let index = mesh.nearest_inner_node(span.from_bit_m + bend.from_lower_end_m);
                 let (sine, cosine) = bend.toolface_rad.sin_cos();
                 bends.push(Bend::new(index, bend.angle_rad, Vector(cosine, sine, 0.0)));
             }
-            if let Some(eccentricity) = span.component.eccentricity {
-                let moment = span.component.mass_per_length_kg_per_m
-                    * eccentricity
-                        .effective_offset_m(model.mud.density_kg_per_m3, &span.component.material);
-                share_out(mesh, [span.from_bit_m, span.to_bit_m], |node, metres| {
-                    let lever = moment * metres;
-                    let (sine, cosine) = eccentricity.phase_rad.sin_cos();
-                    levers[node][0] += lever * cosine;
-                    levers[node][1] += lever * sine;
-                });
-            }
         }
         bends.sort_by_key(|bend| bend.index);
-        let imbalances = levers
+        let imbalances = levers_kg_m(model, mesh)
             .iter()
             .enumerate()
-            // The top is clamped to its axis and turned by the top drive.
-            .skip(1)
             .filter(|(_, [x, y])| x.hypot(*y) > 0.0)
             .map(|(index, [x, y])| {
                 let size = x.hypot(*y);
@@ -235,6 +222,28 @@ impl Body {
         let energy_J = |(index, of_node)| imbalance::energy_J(chain, index, &of_node);
         self.imbalances(chain).map(energy_J).sum()
     }
+}
+
+/// Imbalance of each node, kg·m: its part towards the high side at the start, and that to the right
+/// of it as one looks down the hole. The top has none: it is clamped to its axis and turned by the
+/// top drive.
+pub(crate) fn levers_kg_m(model: &Model, mesh: &Mesh) -> Vec<[f64; 2]> {
+    let mut levers = vec![[0.0; 2]; mesh.nodes.len()];
+    for span in model.string.spans() {
+        if let Some(eccentricity) = span.component.eccentricity {
+            let moment = span.component.mass_per_length_kg_per_m
+                * eccentricity
+                    .effective_offset_m(model.mud.density_kg_per_m3, &span.component.material);
+            share_out(mesh, [span.from_bit_m, span.to_bit_m], |node, metres| {
+                let lever = moment * metres;
+                let (sine, cosine) = eccentricity.phase_rad.sin_cos();
+                levers[node][0] += lever * cosine;
+                levers[node][1] += lever * sine;
+            });
+        }
+    }
+    levers[0] = [0.0; 2];
+    levers
 }
 
 /// Shares a stretch of the string (its lower and upper end from the bit, m) out between the nodes,

@@ -1,40 +1,106 @@
-//! What an equilibrium tells of itself and of its bit, for whoever writes it down.
+//! The string at rest as others read it, who look at small motions about it.
 
-use serde::{Deserialize, Serialize};
+use nalgebra::{Matrix2, Vector2, Vector3};
 
-use super::{equilibrium::Convergence, profile::StiffProfile};
-use crate::finite;
+use super::{
+    contact, equilibrium::Equilibrium, judge::wall_N_per_m, string_in_hole::high_side_rad,
+};
+use crate::{
+    model::Model,
+    rod::{
+        element::{Pose, Stiffness},
+        mesh::Mesh,
+        vector::Vector,
+    },
+};
 
-/// How an equilibrium was found, how sound it is, and what its bit does to the rock.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct AtRest {
-    /// How it was found.
-    #[serde(flatten)]
-    pub convergence: Convergence,
-    /// Side force of the bit on the rock towards the high side, N: what builds.
-    #[serde(with = "finite")]
-    pub bit_side_force_high_N: f64,
-    /// To the right of it as one looks down the hole, N.
-    #[serde(with = "finite")]
-    pub bit_side_force_right_N: f64,
-    /// Tilt of the bit against the hole's axis towards the high side, rad.
-    #[serde(with = "finite")]
-    pub bit_tilt_high_rad: f64,
-    /// To the right of it, rad.
-    #[serde(with = "finite")]
-    pub bit_tilt_right_rad: f64,
+/// A node at rest.
+#[derive(Debug, Clone)]
+pub(crate) struct NodeAtRest {
+    /// Its measured depth, m.
+    pub(crate) md_m: f64,
+    /// Two directions across the hole, and the hole's.
+    pub(crate) axes: [Vector3<f64>; 3],
+    /// Two directions across the string, and the string's.
+    pub(crate) frame: [Vector3<f64>; 3],
+    /// Offset from the hole's axis across it, m.
+    pub(crate) offset_m: Vector2<f64>,
+    /// Contact force, N.
+    pub(crate) normal_N: f64,
+    /// What holds small motions across the hole, N/m: the wall where it touches, the rock beside
+    /// the bit.
+    pub(crate) held_N_per_m: Matrix2<f64>,
 }
 
-impl From<&StiffProfile> for AtRest {
-    fn from(of: &StiffProfile) -> Self {
-        let [bit_side_force_high_N, bit_side_force_right_N] = of.bit_side_force_N;
-        let [bit_tilt_high_rad, bit_tilt_right_rad] = of.bit_tilt_rad;
+/// An element at rest.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ElementAtRest {
+    /// Its stiffness, with the rest length that gives it its tension.
+    pub(crate) stiffness: Stiffness<f64>,
+    /// How it stands, twisted by its torque.
+    pub(crate) pose: Pose<f64>,
+}
+
+/// The string at rest.
+#[derive(Debug, Clone)]
+pub(crate) struct AtRest {
+    /// How it is cut.
+    pub(crate) mesh: Mesh,
+    /// From the top down.
+    pub(crate) nodes: Vec<NodeAtRest>,
+    /// From the top down.
+    pub(crate) elements: Vec<ElementAtRest>,
+    /// Direction of the high side at the bit in the axes across the hole, rad: the same at all
+    /// nodes.
+    pub(crate) high_side_rad: f64,
+    /// Whether every small motion costs energy.
+    pub(crate) stable: bool,
+}
+
+impl AtRest {
+    pub(super) fn new(model: &Model, of: &Equilibrium) -> Self {
+        let Equilibrium { mesh, string, state, convergence, .. } = of;
+        let nodes = string.nodes.iter().enumerate().map(|(index, node)| {
+            let heading = &state.heading[index];
+            let [b1, b2] = heading.across;
+            let wall = wall_N_per_m(node, state, index).unwrap_or_else(Matrix2::zeros);
+            NodeAtRest {
+                md_m: node.md_m,
+                axes: node.axes,
+                frame: [b1, b2, heading.along],
+                offset_m: state.offset_m[index].xy(),
+                normal_N: state.normal_N[index],
+                held_N_per_m: wall + Matrix2::identity() * node.hold_N_per_m,
+            }
+        });
+        let torques_N_m = contact::torques_N_m(string, &state.normal_N);
+        let elements = string.elements.iter().enumerate().map(|(index, element)| {
+            let k = element.stiffness;
+            // The tension is EA/L of what the chord and its bowing are longer than this.
+            let stiffness = Stiffness { length: k.length + element.slack_m, ..k };
+            ElementAtRest {
+                pose: Pose {
+                    anchor_chord: state.chord_m(string, index).into(),
+                    anchor_excess: 0.0,
+                    displacement: Vector::zero(),
+                    velocity: Vector::zero(),
+                    d1: element.seen(&state.heading[index]).into(),
+                    d2: state.heading[index + 1].along.into(),
+                    w1: Vector::zero(),
+                    w2: Vector::zero(),
+                    spin: 0.0,
+                    // The torque of a string that is turned from above twists it back.
+                    twist: -torques_N_m[index] / k.twist,
+                },
+                stiffness,
+            }
+        });
         Self {
-            convergence: of.convergence,
-            bit_side_force_high_N,
-            bit_side_force_right_N,
-            bit_tilt_high_rad,
-            bit_tilt_right_rad,
+            nodes: nodes.collect(),
+            elements: elements.collect(),
+            high_side_rad: high_side_rad(model, &string.nodes),
+            stable: convergence.stable,
+            mesh: mesh.clone(),
         }
     }
 }

@@ -8,7 +8,7 @@ use super::{
     equations::Equations,
     equilibrium::Convergence,
     state::State,
-    string_in_hole::StringInHole,
+    string_in_hole::{Node, StringInHole},
 };
 
 /// Forces out of balance that an equilibrium may have, as a part of the string's weight.
@@ -76,17 +76,23 @@ fn is_stable(string: &StringInHole, state: &State, equations: &mut Equations) ->
     equations.assemble(string, state, None);
     equations.hook_load_N = hook_load_N;
     for (index, node) in string.nodes.iter().enumerate() {
-        let normal_N = state.normal_N[index];
-        if normal_N > 0.0 {
-            let (direction, radius_m) = direction(state, index);
-            let radial = direction * direction.transpose();
-            let (_, gives_m_per_N) = node.compliance.penetration_m(normal_N);
-            let wall =
-                radial / gives_m_per_N + (Matrix2::identity() - radial) * (normal_N / radius_m);
+        if let Some(wall_N_per_m) = wall_N_per_m(node, state, index) {
             let mut across = equations.matrix.diagonal[index].fixed_view_mut::<2, 2>(0, 0);
-            across += wall;
+            across += wall_N_per_m;
         }
     }
     equations.shift_across(NEUTRAL * string.foundation_N_per_m());
     equations.matrix.is_positive_definite()
+}
+
+/// What the wall of a node that touches it holds small motions across the hole with, N/m: it gives
+/// way along the normal, and around the hole its force turns with the node. None of another node.
+pub(super) fn wall_N_per_m(node: &Node, state: &State, index: usize) -> Option<Matrix2<f64>> {
+    let normal_N = state.normal_N[index];
+    (normal_N > 0.0).then(|| {
+        let (direction, radius_m) = direction(state, index);
+        let radial = direction * direction.transpose();
+        let (_, gives_m_per_N) = node.compliance.penetration_m(normal_N);
+        radial / gives_m_per_N + (Matrix2::identity() - radial) * (normal_N / radius_m)
+    })
 }

@@ -22,14 +22,16 @@ mod settings;
 mod solve;
 mod state;
 mod string_in_hole;
+mod summary;
 mod wall;
 
-pub use at_rest::AtRest;
+pub(crate) use at_rest::{AtRest, NodeAtRest};
 pub use axis::StringAxis;
 pub use equilibrium::{Convergence, Equilibrium};
 pub use error::StiffError;
 pub use profile::StiffProfile;
 pub use refine::MeshError;
 pub use settings::StiffSettings;
-pub(crate) use solve::solve_on;
+pub(crate) use solve::{at_rest, solve_on};
 pub use solve::{equilibrium, equilibrium_near, solve};
+pub use summary::EquilibriumSummary;

@@ -92,7 +92,7 @@ impl StringInHole {
 
 /// The angle of the high side at the bit between the axes across the hole, rad, from the first to the
 /// second. They are carried along the hole: the high side at the bit has the same parts everywhere.
-fn high_side_rad(model: &Model, nodes: &[Node]) -> f64 {
+pub(super) fn high_side_rad(model: &Model, nodes: &[Node]) -> f64 {
     nodes.last().map_or(0.0, |bit| {
         let high = model.well.path.high_side_of(bit.md_m, &bit.axes[2]);
         high.dot(&bit.axes[1]).atan2(high.dot(&bit.axes[0]))

@@ -1,0 +1,81 @@
+//! What small motions show on the screen.
+
+use std::f64::consts::TAU;
+
+use wholestring_results::{ModesSummary, Spot};
+use wholestring_runner::modes::stability_sentences;
+use wholestring_units::{Dimension, UnitSet};
+
+use crate::screen_table::Table;
+
+/// The modes and the critical speeds as tables, and what is to be wary of.
+pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
+    let speed = Dimension::RotarySpeed.unit_in(units);
+    let length = Dimension::Length.unit_in(units);
+    let title = format!(
+        "{}: {} at {}, an assembly of {}",
+        summary.case,
+        summary.operation.replace('_', " "),
+        Dimension::RotarySpeed.format(summary.rotary_speed_rad_per_s, units),
+        Dimension::Length.format((10.0 * summary.assembly_length_m).round() / 10.0, units),
+    );
+    let headings = [
+        "mode".to_owned(),
+        "whirl".to_owned(),
+        "strained most in".to_owned(),
+        "frequency, Hz".to_owned(),
+        "period, s".to_owned(),
+        format!("1x at, {}", speed.symbol),
+        format!("strained most at MD, {}", length.symbol),
+    ];
+    let mut table = Table::new(&title, 3, &headings.each_ref().map(String::as_str));
+    let depth = |of: &Spot| format!("{:.1}", length.from_si(of.md_m));
+    for of in &summary.modes {
+        table.row(vec![
+            format!("{} {}", of.family, of.number),
+            of.whirl.clone().unwrap_or_default(),
+            of.most_strained.component.clone(),
+            format!("{:.4}", of.frequency_Hz),
+            format!("{:.3}", 1.0 / of.frequency_Hz),
+            format!("{:.1}", speed.from_si(TAU * of.frequency_Hz)),
+            depth(&of.most_strained),
+        ]);
+    }
+    let mut text = table.text();
+    if !summary.critical_speeds.is_empty() {
+        let headings = [
+            "mode".to_owned(),
+            "strained most in".to_owned(),
+            format!("critical speed, {}", speed.symbol),
+            "order".to_owned(),
+            "frequency, Hz".to_owned(),
+            format!("strained most at MD, {}", length.symbol),
+        ];
+        let mut table = Table::new("Critical speeds", 2, &headings.each_ref().map(String::as_str));
+        for of in &summary.critical_speeds {
+            table.row(vec![
+                format!("{} {}", of.family, of.number),
+                of.most_strained.component.clone(),
+                format!("{:.1}", speed.from_si(of.rotary_speed_rad_per_s)),
+                format!("{}", (1e3 * of.order).round() / 1e3),
+                format!("{:.4}", of.frequency_Hz),
+                depth(&of.most_strained),
+            ]);
+        }
+        text += &format!("\n{}", table.text());
+    }
+    text += "\nTorsional stability\n";
+    let sentences = match (&summary.torsional_stability, &summary.no_torsional_stability) {
+        (Some(of), _) => stability_sentences(of, units),
+        (None, Some(why)) => vec![format!("no map: {why}")],
+        (None, None) => Vec::new(),
+    };
+    for sentence in sentences {
+        text += &format!("  {sentence}\n");
+    }
+    if !summary.stable {
+        text += "warning: the string at rest is not stable; what it would leave that state by has \
+                 no frequency\n";
+    }
+    text
+}

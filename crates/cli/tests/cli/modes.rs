@@ -1,0 +1,114 @@
+//! `modes`: natural frequencies, critical speeds and the answer to a force that turns.
+
+use std::fs;
+
+use wholestring_results::{
+    CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, ModesSummary, RESPONSE, STABILITY, Table,
+};
+
+use crate::desk::{Desk, transcript};
+
+/// Three modes of each family, orders 1 and 4, in the slant well.
+const FEW: [&str; 6] =
+    ["modes", "slant.toml", "--set", "modes.count=3", "--set", "modes.orders=[1, 4]"];
+
+fn few<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&FEW, more].concat()
+}
+
+/// Terminal, folder, tables and page tell the same.
+#[test]
+fn modes_of_a_slant_well() {
+    let desk = Desk::new();
+    let output = desk.done(&few(&["-o", "out", "--operation", "rotate_off_bottom"]));
+    let said = String::from_utf8(output.stdout).unwrap();
+    let summary = ModesSummary::read(&desk.path("out/summary.json")).unwrap();
+    assert!(summary.stable);
+    assert_eq!(summary.operation, "rotate_off_bottom");
+    assert_eq!(summary.settings["modes"]["orders"], serde_json::json!([1.0, 4.0]));
+    let of = |family: &str| summary.modes.iter().filter(|of| of.family == family).count();
+    assert_eq!([of("lateral"), of("axial"), of("torsional")], [3; 3]);
+    for mode in &summary.modes {
+        assert!(said.contains(&format!("{:.4}", mode.frequency_Hz)), "{said}");
+        assert!((mode.energy.iter().sum::<f64>() - 1.0).abs() < 1e-9);
+    }
+    assert!(!summary.critical_speeds.is_empty());
+    for critical in &summary.critical_speeds {
+        let met = critical.order * critical.rotary_speed_rad_per_s / std::f64::consts::TAU;
+        assert!((met / critical.frequency_Hz - 1.0).abs() < 1e-6, "{critical:?}");
+    }
+    for (name, columns) in [
+        ("modes", MODES),
+        ("mode_shapes", MODE_SHAPES),
+        ("campbell", CAMPBELL),
+        ("critical_speeds", CRITICAL_SPEEDS),
+        ("response", RESPONSE),
+    ] {
+        let table = Table::read_parquet(&desk.path(&format!("out/{name}.parquet"))).unwrap();
+        assert!(table.is_like(&Table::with_columns(columns)), "{name}");
+        assert!(table.rows() > 0, "{name}");
+    }
+    let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+    assert!(page.contains("Campbell diagram") && page.contains("Critical speeds"));
+
+    // The page is made of the files.
+    fs::remove_file(desk.path("out/report.html")).unwrap();
+    desk.done(&["report", "out"]);
+    assert_eq!(fs::read_to_string(desk.path("out/report.html")).unwrap(), page);
+    desk.done(&["plot", "out", "--units", "field"]);
+    for name in ["campbell", "mode_shapes", "string_shapes", "response"] {
+        assert!(desk.path(&format!("out/plots/{name}.svg")).is_file(), "{name}");
+    }
+}
+
+/// The map is of the operation that drills, whichever is asked for; terminal, tables and page tell
+/// the same of it.
+#[test]
+fn a_map_of_torsional_stability() {
+    let desk = Desk::new();
+    let asked =
+        ["--set", "modes.heaviest=120 kN", "--set", "modes.highest_frequency=3", "-o", "out"];
+    let output = desk.done(&few(&asked));
+    let said = String::from_utf8(output.stdout).unwrap();
+    let summary = ModesSummary::read(&desk.path("out/summary.json")).unwrap();
+    let stability = summary.torsional_stability.expect("slant.toml drills");
+    assert_eq!(stability.highest_frequency_Hz, 3.0);
+    assert!(stability.complete && summary.no_torsional_stability.is_none());
+    assert!(said.contains("steady rotation is "), "{said}");
+    let table = Table::read_parquet(&desk.path("out/stability.parquet")).unwrap();
+    assert!(table.is_like(&Table::with_columns(STABILITY)));
+    assert_eq!(table.rows(), 20 * 19);
+    let weights = table.numbers("weight_on_bit_N").unwrap();
+    assert_eq!(weights.last(), Some(&Some(120e3)));
+    assert!(desk.path("out/stability.svg").is_file());
+    let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+    assert!(page.contains("Torsional stability"));
+
+    let output = desk.run(&few(&["--set", "modes.lightest=2000 kN"]));
+    assert_eq!(output.status.code(), Some(2));
+    assert!(transcript(&output).contains("the map of [modes] has no weights on bit"));
+}
+
+/// Eccentric collars push by themselves.
+#[test]
+fn what_is_eccentric_is_what_pushes() {
+    let desk = Desk::new();
+    let eccentric = ["--set", "string.0.eccentricity=2 mm", "-o", "out", "--quiet"];
+    let output = desk.done(&few(&eccentric));
+    assert!(output.stdout.is_empty());
+    let summary = ModesSummary::read(&desk.path("out/summary.json")).unwrap();
+    assert_eq!(summary.forcing, "imbalance of the eccentric components");
+}
+
+/// Bad input gets an answer.
+#[test]
+fn an_operation_that_the_case_lacks() {
+    let desk = Desk::new();
+    let output = desk.run(&few(&["--operation", "fly"]));
+    assert_eq!(output.status.code(), Some(2));
+    assert!(transcript(&output).contains("the case has no operation `fly`: it has "));
+    let output =
+        desk.run(&few(&["--set", "modes.fastest=10 rpm", "--set", "modes.slowest=20 rpm"]));
+    assert_eq!(output.status.code(), Some(2));
+    assert!(transcript(&output).contains("the diagram of [modes] has no speeds"));
+}

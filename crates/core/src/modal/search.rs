@@ -1,0 +1,92 @@
+//! All modes of a chain from a frequency on, none left out.
+
+use super::{
+    chain::Chain,
+    krylov::{Krylov, Ritz},
+};
+
+/// What may be left over of a mode; the square of its angular frequency errs by the square of this.
+const CONVERGED: f64 = 1e-7;
+
+/// Steps between two looks.
+const STEPS: usize = 3;
+
+/// Vectors beyond so many for each mode that is wanted, and beyond a number for any, are too many.
+const MOST_EACH: usize = 12;
+const MOST: usize = 120;
+
+/// Steps that find about where so many modes end.
+const BISECTIONS: usize = 12;
+
+/// Frequencies closer than this part of their square are one for the count.
+const APART: f64 = 1e-7;
+
+/// A real mode: of a chain that does not rotate.
+#[derive(Debug, Clone)]
+pub(super) struct RealMode {
+    /// Square of its angular frequency, rad²/s².
+    pub(super) lambda: f64,
+    /// Its motion, six numbers a node, of unit modal mass.
+    pub(super) motion: Vec<f64>,
+}
+
+/// The first `count` modes of a chain above a frequency, rad/s, by rising frequency; a few more
+/// where frequencies coincide, fewer where there are no more. None where they were not found:
+/// the count of Sylvester's law says so.
+pub(super) fn above(chain: &Chain, omega: f64, count: usize) -> Option<Vec<RealMode>> {
+    let least = omega * omega;
+    let below = chain.shifted(least).negative;
+    let mut space = Krylov::new(chain, shift(chain, least, below, count), &[]);
+    let freedoms = chain.freedoms();
+    let most = (MOST + MOST_EACH * count).min(freedoms);
+    loop {
+        let mut fresh = true;
+        for _ in 0..STEPS {
+            fresh = space.extend();
+        }
+        let whole = !fresh || space.size() >= freedoms;
+        let mut found = space.ritz();
+        found.retain(|of| of.residual < CONVERGED && of.lambda > least);
+        found.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
+        // The last that is wanted must stand clear of the next, so that they can be counted.
+        let clear = (count..=found.len()).find_map(|number| {
+            let last = found[number - 1].lambda;
+            let next = found.get(number).map_or(last * (1.0 + 2.0 * APART), |of| of.lambda);
+            (next - last > APART * last).then_some((number, 0.5 * (last + next)))
+        });
+        let complete = clear
+            .filter(|(number, between)| chain.shifted(*between).negative == below + number)
+            .map(|(number, _)| number)
+            .or((whole && found.len() == freedoms - below).then_some(found.len()));
+        if let Some(number) = complete {
+            let mode = |of: &Ritz| RealMode { lambda: of.lambda, motion: space.motion(of) };
+            return Some(found[..number].iter().map(mode).collect());
+        }
+        if clear.is_some() || !fresh {
+            // One is missing that the vectors so far have nothing of, or little.
+            space.meet_chance();
+        }
+        if space.size() >= most && whole || space.size() > most {
+            return None;
+        }
+    }
+}
+
+/// Where to look for so many modes: at the least, or amid them where others lie below.
+fn shift(chain: &Chain, least: f64, below: usize, count: usize) -> f64 {
+    if below == 0 {
+        return least;
+    }
+    let (mut low, mut high) = (least, 2.0 * least);
+    for _ in 0..BISECTIONS {
+        let inside = chain.shifted(high).negative - below;
+        if inside < count {
+            (low, high) = (high, high + 2.0 * (high - low));
+        } else if inside > 2 * count {
+            high = 0.5 * (low + high);
+        } else {
+            break;
+        }
+    }
+    0.5 * (least + high)
+}

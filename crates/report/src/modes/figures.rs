@@ -1,0 +1,253 @@
+//! Pictures of small motions.
+
+use std::f64::consts::TAU;
+
+use super::{ModeShape, Modes};
+use crate::{
+    Plot,
+    figure::{
+        Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape, Stroke,
+    },
+    plots::Shown,
+    stability::stability_plot,
+};
+
+/// Families, in the order of their colours.
+const FAMILIES: [&str; 3] = ["lateral", "axial", "torsional"];
+
+/// Lateral shapes that are drawn, and shapes of the other families.
+const DRAWN: usize = 6;
+const DRAWN_OTHERS: usize = 3;
+
+/// Every picture of small motions, in a set of units (`si`, `metric` or `field`): `campbell`,
+/// `mode_shapes`, `string_shapes`, `response` and, of a string that drills, `stability`.
+pub fn modes_plots(modes: &Modes, units: &str) -> Vec<Plot> {
+    let drawing = Drawing { modes, shown: Shown::new(&modes.head.dimensions, units) };
+    let plot = |name: &str, figure| Plot { name: name.into(), figure };
+    let mut plots = vec![
+        plot("campbell", drawing.campbell()),
+        plot("mode_shapes", drawing.lateral_shapes()),
+        plot("string_shapes", drawing.string_shapes()),
+        plot("response", drawing.response()),
+    ];
+    plots.extend(modes.stability_map.iter().map(|map| stability_plot(map, &modes.head, units)));
+    plots
+}
+
+/// Small motions on their way to paper.
+struct Drawing<'a> {
+    modes: &'a Modes,
+    shown: Shown<'a>,
+}
+
+fn family(name: &str) -> usize {
+    FAMILIES.iter().position(|of| *of == name).unwrap_or(0)
+}
+
+/// A number of turns as people say it: `1x`.
+pub(super) fn order_name(order: f64) -> String {
+    format!("{}x", (order * 1000.0).round() / 1000.0)
+}
+
+impl Drawing<'_> {
+    fn speed(&self, rad_per_s: f64) -> f64 {
+        self.shown.value(rad_per_s, "rotary speed")
+    }
+
+    fn speed_axis(&self, range: Range) -> Axis {
+        Axis::new(self.shown.label("Rotary speed", "rotary speed"), range)
+    }
+
+    fn figure(&self, shared: Axis, layout: Layout, panels: Vec<Panel>, keys: Vec<Key>) -> Figure {
+        let facts = self.modes.head.facts.iter().filter_map(|fact| self.shown.fact(fact));
+        Figure {
+            title: self.modes.head.title.clone(),
+            subtitle: facts.collect::<Vec<_>>().join("; "),
+            keys,
+            layout,
+            shared,
+            panels,
+            hole: Vec::new(),
+        }
+    }
+
+    fn campbell(&self) -> Figure {
+        let modes = self.modes;
+        let speeds = modes.branches.first().map_or(&[][..], |of| &of.rotary_rad_per_s);
+        let fastest = speeds.last().copied().unwrap_or(1.0);
+        // The lateral modes fill the picture; torsional and axial ones that lie higher are cut off.
+        let highest = |of: &str| {
+            let all = modes.branches.iter().filter(move |branch| branch.family == of);
+            all.flat_map(|branch| branch.frequency_Hz.iter().copied()).fold(0.0, f64::max)
+        };
+        let top = 1.15 * highest("lateral").max(fastest / TAU);
+        let mut marks = Vec::new();
+        let mut orders: Vec<f64> = modes.critical.iter().map(|of| of.order).collect();
+        orders.sort_by(f64::total_cmp);
+        orders.dedup();
+        for order in orders {
+            // A line from the origin, as far as the frame goes.
+            let end = fastest.min(top * TAU / order);
+            let points: Vec<(f64, f64)> =
+                [0.0, end].map(|speed| (self.speed(speed), order * speed / TAU)).to_vec();
+            marks.push(Mark::Name { at: points[1], text: order_name(order) });
+            marks.push(Mark::Curve { ink: Ink::Note, stroke: Stroke::Dashed, points });
+        }
+        for branch in &modes.branches {
+            let stroke = if branch.whirl == "backward" { Stroke::Dotted } else { Stroke::Solid };
+            let points = branch.rotary_rad_per_s.iter().zip(&branch.frequency_Hz);
+            let points = points
+                .map(|(speed, hz)| (self.speed(*speed), if *hz <= top { *hz } else { f64::NAN }));
+            let ink = Ink::Line(family(&branch.family));
+            marks.push(Mark::Curve { ink, stroke, points: points.collect() });
+        }
+        for (place, name) in FAMILIES.iter().enumerate() {
+            let of = modes.critical.iter().filter(|of| of.family == *name);
+            let points = of
+                .filter(|of| of.frequency_Hz <= top)
+                .map(|of| (self.speed(of.rotary_rad_per_s), of.frequency_Hz));
+            let points: Vec<(f64, f64)> = points.collect();
+            marks.push(Mark::Points { ink: Ink::Line(place), shape: Shape::of(0), points });
+        }
+        marks.push(Mark::SharedRule {
+            at: self.speed(modes.rotary_rad_per_s),
+            label: modes.operation.replace('_', " "),
+        });
+        let mut keys: Vec<Key> = FAMILIES
+            .iter()
+            .enumerate()
+            .map(|(place, name)| Key {
+                name: (*name).to_owned(),
+                sample: Sample::Line(Ink::Line(place), Stroke::Solid),
+            })
+            .collect();
+        keys.push(Key {
+            name: "backward whirl".into(),
+            sample: Sample::Line(Ink::Line(0), Stroke::Dotted),
+        });
+        keys.push(Key {
+            name: "critical speed".into(),
+            sample: Sample::Point(Ink::Line(0), Shape::of(0)),
+        });
+        let axis = Axis::new("Natural frequency, Hz", Range::Fixed(0.0, top));
+        let shared = self.speed_axis(Range::Fixed(0.0, self.speed(fastest)));
+        let layout = Layout::across(1, 180.0, 110.0);
+        self.figure(shared, layout, vec![Panel::new(axis, marks)], keys)
+    }
+
+    /// How far the shape goes from the hole's middle line in two directions.
+    fn lateral_panel(&self, of: &ModeShape) -> Panel {
+        let hertz = self.frequency_Hz(of);
+        let curve = |values: &[f64], place: usize, stroke: Stroke| Mark::Curve {
+            ink: Ink::Line(place),
+            stroke,
+            points: self.along(&of.md_m, values),
+        };
+        let [high, right, high_later, right_later] = &of.across_m;
+        let title = format!("{}: {hertz:.3} Hz", of.number);
+        Panel::new(
+            Axis::new(title, Range::Fixed(-1.1, 1.1)),
+            vec![
+                curve(high_later, 0, Stroke::Dotted),
+                curve(right_later, 1, Stroke::Dotted),
+                curve(high, 0, Stroke::Solid),
+                curve(right, 1, Stroke::Solid),
+            ],
+        )
+    }
+
+    fn along(&self, md_m: &[f64], values: &[f64]) -> Vec<(f64, f64)> {
+        let places = self.shown.values(md_m, "length");
+        places.into_iter().zip(values.iter().copied()).collect()
+    }
+
+    fn frequency_Hz(&self, of: &ModeShape) -> f64 {
+        let same = |row: &&super::ModeRow| row.family == of.family && row.number == of.number;
+        self.modes.modes.iter().find(same).map_or(f64::NAN, |row| row.frequency_Hz)
+    }
+
+    fn depth(&self) -> Axis {
+        Axis { down: true, ..Axis::new(self.shown.label("Measured depth", "length"), Range::Tight) }
+    }
+
+    fn lateral_shapes(&self) -> Figure {
+        let lateral = self.modes.shapes.iter().filter(|of| of.family == "lateral").take(DRAWN);
+        let panels: Vec<Panel> = lateral.map(|of| self.lateral_panel(of)).collect();
+        let key = |name: &str, place: usize, stroke: Stroke| Key {
+            name: name.to_owned(),
+            sample: Sample::Line(Ink::Line(place), stroke),
+        };
+        let keys = vec![
+            key("towards the high side", 0, Stroke::Solid),
+            key("to the right of it", 1, Stroke::Solid),
+            key("a quarter of a period later", 0, Stroke::Dotted),
+        ];
+        let layout = Layout {
+            direction: Direction::Down,
+            columns: panels.len().max(1),
+            width_mm: 200.0,
+            panel_mm: 150.0,
+        };
+        self.figure(self.depth(), layout, panels, keys)
+    }
+
+    fn string_shapes(&self) -> Figure {
+        let mut panels = Vec::new();
+        for name in ["axial", "torsional"] {
+            let place = family(name);
+            let shapes = self.modes.shapes.iter().filter(|of| of.family == name);
+            let shapes: Vec<&ModeShape> = shapes.take(DRAWN_OTHERS).collect();
+            let mut marks = Vec::new();
+            for (number, of) in shapes.iter().enumerate() {
+                let values = if place == 1 { &of.along_m } else { &of.turn_rad };
+                let (ink, stroke) = (Ink::Line(number), Stroke::of(number));
+                marks.push(Mark::Curve { ink, stroke, points: self.along(&of.md_m, values) });
+            }
+            let hertz = shapes.iter().map(|of| format!("{:.3}", self.frequency_Hz(of)));
+            let title = format!("{name}: {} Hz", hertz.collect::<Vec<_>>().join(", "));
+            panels.push(Panel::new(Axis::new(title, Range::Fixed(-1.1, 1.1)), marks));
+        }
+        let layout = Layout {
+            direction: Direction::Down,
+            columns: panels.len(),
+            width_mm: 150.0,
+            panel_mm: 130.0,
+        };
+        let key = |number: usize| Key {
+            name: format!("mode {}", number + 1),
+            sample: Sample::Line(Ink::Line(number), Stroke::of(number)),
+        };
+        self.figure(self.depth(), layout, panels, (0..DRAWN_OTHERS).map(key).collect())
+    }
+
+    fn response(&self) -> Figure {
+        let answer = &self.modes.answer;
+        let panel = |name: &str, dimension: &str, values: &[f64]| {
+            let speeds = self.shown.values(&answer.rotary_rad_per_s, "rotary speed");
+            let values = self.shown.values(values, dimension);
+            let points = speeds.into_iter().zip(values).collect();
+            let axis = Axis {
+                scale: Scale::Logarithmic,
+                ..Axis::new(self.shown.label(name, dimension), Range::Tight)
+            };
+            let curve = Mark::Curve { ink: Ink::Line(0), stroke: Stroke::Solid, points };
+            let at = Mark::SharedRule {
+                at: self.speed(self.modes.rotary_rad_per_s),
+                label: self.modes.operation.replace('_', " "),
+            };
+            Panel::new(axis, vec![curve, at])
+        };
+        let panels = vec![
+            panel("Largest amplitude", "diameter", &answer.amplitude_m),
+            panel("Largest bending stress", "pressure", &answer.bending_stress_Pa),
+        ];
+        let mut figure = self.figure(
+            self.speed_axis(Range::Tight),
+            Layout::across(2, 180.0, 70.0),
+            panels,
+            Vec::new(),
+        );
+        figure.subtitle = format!("Answer to {}", self.modes.forcing);
+        figure
+    }
+}

@@ -1,0 +1,24 @@
+//! The map of torsional stability on paper.
+
+mod figure;
+
+pub use figure::stability_plot;
+
+/// The map of torsional stability. Numbers are SI; one that is not known is not finite.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StabilityPicture {
+    /// Rotary speeds, rad/s, growing.
+    pub speeds_rad_per_s: Vec<f64>,
+    /// Weights on bit, N, growing.
+    pub weights_N: Vec<f64>,
+    /// How fast the small motion grows that grows most, 1/s: for the first weight at each speed, then
+    /// for the next.
+    pub growth_per_s: Vec<f64>,
+    /// From which speed on each weight is stable, rad/s: zero where all are, infinite where none is.
+    pub thresholds_rad_per_s: Vec<f64>,
+    /// The case's own rotary speed, rad/s, and weight on bit, N.
+    pub own: [f64; 2],
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,27 @@
+//! Columns of `stability.parquet`.
+
+use super::specs;
+use crate::ColumnSpec;
+
+/// Columns of `stability.parquet`: the map of torsional stability, a row for each rotary speed at each
+/// weight on bit.
+pub const STABILITY: &[ColumnSpec] = specs! {
+    "weight_on_bit_N": Force, "Weight on bit";
+    "rotary_speed_rad_per_s": RotarySpeed, "Rotary speed at surface";
+    "unstable_roots": Ratio, "Roots of small motions that grow, a pair counted twice";
+    "growth_per_s": Growth,
+        "How fast the small motion grows that grows most; negative where all die away",
+        null_where "none was found";
+    "frequency_Hz": Frequency, "Its frequency", null_where "none was found";
+    "complete": Ratio,
+        "1 where as many growing motions were followed as there are; 0 where `growth_per_s` is the \
+         least that the largest can be";
+    "threshold_rad_per_s": RotarySpeed,
+        "Rotary speed from which on this weight is stable; 0 where all speeds of the map are",
+        null_where "not even the fastest speed of the map is stable";
+    "surface_torque_N_m": Torque, "Torque at the top while the string turns steadily";
+    "stalls": Ratio, "1 where that is more than the top drive gives, else 0";
+    "lies_by": Words,
+        "Method that said how the string lies in its hole: `stiff`, or `soft` where that found no \
+         equilibrium";
+};

@@ -1,0 +1,39 @@
+//! `stability.parquet`: the map of torsional stability.
+
+use wholestring::torsional_stability::{StabilityLine, Threshold};
+
+use crate::{STABILITY, Table};
+
+/// A row for each speed at each weight.
+pub fn stability_table(lines: &[StabilityLine]) -> Table {
+    let mut table = Table::with_columns(STABILITY);
+    for line in lines {
+        let threshold = match line.threshold {
+            Threshold::Everywhere => 0.0,
+            Threshold::From(speed) => speed,
+            Threshold::Nowhere => f64::NAN,
+        };
+        for point in &line.points {
+            let of = &point.stability;
+            let worst = of.worst;
+            let [growth, frequency] =
+                worst.map_or([f64::NAN; 2], |of| [of.growth_per_s, of.frequency_Hz]);
+            let truth = |of: bool| f64::from(u8::from(of));
+            table.append(
+                &[("lies_by", &[line.lies_by.name()])],
+                &[
+                    ("weight_on_bit_N", &[point.weight_on_bit_N]),
+                    ("rotary_speed_rad_per_s", &[point.rotary_speed_rad_per_s]),
+                    ("unstable_roots", &[of.unstable_roots as f64]),
+                    ("growth_per_s", &[growth]),
+                    ("frequency_Hz", &[frequency]),
+                    ("complete", &[truth(of.complete)]),
+                    ("threshold_rad_per_s", &[threshold]),
+                    ("surface_torque_N_m", &[line.surface_torque_N_m]),
+                    ("stalls", &[truth(line.stalls)]),
+                ],
+            );
+        }
+    }
+    table
+}

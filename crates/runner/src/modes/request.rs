@@ -1,0 +1,205 @@
+//! Small motions that are requested, and what came of them.
+
+use std::{
+    path::PathBuf,
+    time::{Duration, Instant},
+};
+
+use wholestring::{
+    modal::{Campbell, Family, Forcing, Mode, Place, SmallMotions},
+    operation::Operation,
+};
+use wholestring_case::Case;
+use wholestring_results::{
+    CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Occupant, Spot, digest,
+};
+use wholestring_units::{Dimension, UnitSet};
+
+use super::{page, stability, tables};
+use crate::{
+    claim::Claim, error::Error, folder_name::default_output, observer::Observer, output::Output,
+    run::stiff_settings,
+};
+
+/// Rotary speeds of the diagram, and of the answer to a force.
+const SPEEDS: usize = 41;
+const ANSWERS: usize = 191;
+
+/// A case whose small motions are looked for.
+#[derive(Debug)]
+pub struct Request<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// The operation whose string at rest it is, by its name; the case's first where none is given.
+    pub operation: Option<&'a str>,
+    /// Units of the pictures and the page; the case's where nothing is said.
+    pub units: Option<UnitSet>,
+    /// Where the results go.
+    pub output: Output,
+    /// Whether the page and its pictures are painted as PNG too.
+    pub png: bool,
+}
+
+/// What came of it.
+#[derive(Debug)]
+pub struct Outcome {
+    /// What was found, as `summary.json` has it.
+    pub summary: ModesSummary,
+    /// Where the results are.
+    pub folder: PathBuf,
+    /// How long it took, writing apart.
+    pub took: Duration,
+}
+
+/// Finds the small motions of a case, and writes their tables, their pictures and their page.
+///
+/// # Errors
+/// An operation that the case does not have, a string without a state at rest, or a folder that the
+/// results cannot go to.
+pub fn run(request: &Request<'_>, observer: &dyn Observer) -> Result<Outcome, Error> {
+    let case = request.case;
+    let operation = operation(case, request.operation)?;
+    let name = format!("{} modes", case.name);
+    let claimed = Claim {
+        occupant: Occupant {
+            kind: "modes".into(),
+            name: name.clone(),
+            identity: digest(&(case.identity(), operation.kind.name(), &case.modes)),
+        },
+        output: &request.output,
+        default: default_output(&name),
+        shared: false,
+        observer,
+        is_unfinished: &|_| false,
+        is_part: &|_| true,
+        refuse: &|_| Ok(()),
+    }
+    .folder()?;
+    let folder = &claimed.folder;
+    let begun = Instant::now();
+    let (mut summary, tables) = find(case, operation)?;
+    let map = stability::find(case, operation);
+    match &map {
+        Ok(found) => summary.torsional_stability = Some(found.summary.clone()),
+        Err(reason) => summary.no_torsional_stability = Some(reason.clone()),
+    }
+    let took = begun.elapsed();
+    tables::write(folder, &summary, &tables)?;
+    tables::write_stability(folder, map.ok().as_ref())?;
+    let units = request.units.unwrap_or(case.units);
+    page::write(folder, &page::gather(folder.path(), Some(units))?, request.png)?;
+    Ok(Outcome { summary, folder: folder.path().to_owned(), took })
+}
+
+fn operation<'a>(case: &'a Case, name: Option<&str>) -> Result<&'a Operation, Error> {
+    let named = |of: &&Operation| name.is_none_or(|name| of.kind.name() == name);
+    case.operations.iter().find(named).ok_or_else(|| {
+        let names = case.operations.iter().map(|of| of.kind.name()).collect::<Vec<_>>();
+        let name = name.unwrap_or_default();
+        Error::BadInput(format!("the case has no operation `{name}`: it has {}", names.join(", ")))
+    })
+}
+
+fn find(case: &Case, operation: &Operation) -> Result<(ModesSummary, ModesTables), Error> {
+    let wanted = &case.modes;
+    let at_rest = stiff_settings(&case.dynamics);
+    let motions = SmallMotions::new(&case.model, operation, &at_rest, &case.dynamics)
+        .map_err(Error::failed)?;
+    let assembly = motions.assembly(wanted.assembly_m);
+    let lateral =
+        assembly.lateral(0.0, wanted.count, motions.rotary_rad_per_s()).map_err(Error::failed)?;
+    let family = |of| motions.family(of, wanted.count).map_err(Error::failed);
+    let others = [family(Family::Axial)?, family(Family::Torsional)?].concat();
+    let campbell = assembly
+        .campbell(wanted.count, &others, &speeds(wanted.rotary_rad_per_s, SPEEDS), &wanted.orders)
+        .map_err(Error::failed)?;
+    let (forcing, words) = forcing(case, &motions, || assembly.middle_of_longest_span_m());
+    let answers = assembly.respond(forcing, &speeds(wanted.rotary_rad_per_s, ANSWERS));
+    let modes: Vec<Mode> = [lateral, others].concat();
+    let summary = ModesSummary {
+        schema_version: MODES_VERSION,
+        case: case.name.clone(),
+        settings: settings(case),
+        operation: operation.kind.name().to_owned(),
+        rotary_speed_rad_per_s: motions.rotary_rad_per_s(),
+        elements: motions.nodes() - 1,
+        stable: motions.is_stable(),
+        assembly_length_m: assembly.length_m(),
+        forcing: words,
+        modes: found(&modes),
+        critical_speeds: critical(&campbell),
+        torsional_stability: None,
+        no_torsional_stability: None,
+    };
+    let tables = ModesTables {
+        shapes: tables::shapes(&motions, &summary.modes, &modes, assembly.top_node()),
+        campbell: tables::campbell(&campbell),
+        response: tables::response(&answers),
+    };
+    Ok((summary, tables))
+}
+
+/// The case's settings, and what is asked of the string at rest.
+fn settings(case: &Case) -> serde_json::Value {
+    let mut settings = case.settings.clone();
+    settings["modes"] = serde_json::json!(case.modes);
+    settings
+}
+
+/// So many speeds over a range.
+fn speeds([from, to]: [f64; 2], number: usize) -> Vec<f64> {
+    (0..number).map(|k| from + (to - from) * k as f64 / (number - 1) as f64).collect()
+}
+
+/// What is eccentric of the string; where nothing is, the case's force.
+fn forcing(case: &Case, motions: &SmallMotions, middle_m: impl Fn() -> f64) -> (Forcing, String) {
+    if motions.is_eccentric() {
+        return (Forcing::Imbalance, "imbalance of the eccentric components".to_owned());
+    }
+    let from_bit_m = case.modes.force_from_bit_m.unwrap_or_else(middle_m);
+    let force_N = case.modes.force_N;
+    let show = |dimension: Dimension, value: f64| dimension.format(value, case.units);
+    let words = format!(
+        "a force of {} that turns with the string, {} from the bit",
+        show(Dimension::Force, force_N),
+        show(Dimension::Length, (10.0 * from_bit_m).round() / 10.0)
+    );
+    (Forcing::Force { force_N, from_bit_m }, words)
+}
+
+fn spot(of: &Place) -> Spot {
+    Spot { md_m: of.md_m, from_bit_m: of.from_bit_m, component: of.component.clone() }
+}
+
+fn found(modes: &[Mode]) -> Vec<ModeFound> {
+    let number = |index: usize| {
+        let before = modes[..=index].iter();
+        before.filter(|of| of.family == modes[index].family).count()
+    };
+    let found = |(index, of): (usize, &Mode)| ModeFound {
+        family: of.family.name().to_owned(),
+        number: number(index),
+        frequency_Hz: of.frequency_Hz,
+        whirl: of.whirl().map(|whirl| whirl.name().to_owned()),
+        precession: of.precession,
+        energy: of.energy,
+        most_strained: spot(&of.most_strained),
+    };
+    modes.iter().enumerate().map(found).collect()
+}
+
+fn critical(campbell: &Campbell) -> Vec<CriticalSpeed> {
+    let critical = campbell.critical.iter().map(|of| {
+        let branch = &campbell.branches[of.branch];
+        CriticalSpeed {
+            order: of.order,
+            rotary_speed_rad_per_s: of.rotary_rad_per_s,
+            frequency_Hz: of.frequency_Hz,
+            branch: of.branch,
+            family: branch.family.name().to_owned(),
+            number: branch.number,
+            most_strained: spot(&of.most_strained),
+        }
+    });
+    critical.collect()
+}

@@ -1,0 +1,159 @@
+//! The map of torsional stability of a case that drills.
+
+use std::{num::NonZeroUsize, sync::Mutex, thread};
+
+use wholestring::{
+    operation::{Operation, OperationKind},
+    torsional_stability::{
+        StabilityError, StabilityLine, StabilityRange, StabilitySettings, TorsionalStability,
+    },
+};
+use wholestring_case::Case;
+use wholestring_report::StabilityPicture;
+use wholestring_results::{StabilitySummary, StableFrom, StableWhere, Table};
+use wholestring_units::{Dimension, UnitSet};
+
+use crate::parallel::{in_parallel, lock};
+
+/// Rotary speeds and weights of the map.
+const SPEEDS: usize = 20;
+const WEIGHTS: usize = 19;
+
+/// The map of a case, and what it says of the case's own speed and weight.
+pub(super) struct Stability {
+    pub(super) summary: StabilitySummary,
+    pub(super) lines: Vec<StabilityLine>,
+}
+
+/// The map of an operation that drills, or else of the case's first that does; why there is none, where
+/// no operation turns on bottom, the bit stands on solid rock, or settings of the dynamics are not sound.
+pub(super) fn find(case: &Case, operation: &Operation) -> Result<Stability, String> {
+    let drills = |of: &&Operation| of.kind == OperationKind::Drill;
+    let operation = [operation].into_iter().chain(&case.operations).find(drills);
+    let found = operation.map(|operation| map(case, operation));
+    found.unwrap_or(Err(StabilityError::NotDrilling)).map_err(|error| error.to_string())
+}
+
+fn map(case: &Case, operation: &Operation) -> Result<Stability, StabilityError> {
+    let settings = settings(case);
+    let string = TorsionalStability::new(&case.model, operation, &case.dynamics)?;
+    let of_case = string.of_case(&settings)?;
+    let weights = settings.weights_N.values();
+    let lines: Vec<Mutex<Option<Result<StabilityLine, StabilityError>>>> =
+        weights.iter().map(|_| Mutex::new(None)).collect();
+    let order: Vec<usize> = (0..weights.len()).collect();
+    let jobs = thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    in_parallel(jobs, &order, |index| {
+        *lock(&lines[index]) = Some(string.line(weights[index], &settings));
+    });
+    let lines: Result<Vec<StabilityLine>, StabilityError> =
+        lines.iter().filter_map(|line| lock(line).take()).collect();
+    let summary = StabilitySummary::new(&of_case, settings.highest_Hz);
+    Ok(Stability { summary, lines: lines? })
+}
+
+/// What the map covers.
+fn settings(case: &Case) -> StabilitySettings {
+    let range = |[from, to]: [f64; 2], values: usize| StabilityRange { from, to, values };
+    let [slowest, fastest] = case.modes.rotary_rad_per_s;
+    StabilitySettings {
+        // A string that stands has no steady rotation.
+        speeds_rad_per_s: range([slowest.max(fastest / SPEEDS as f64), fastest], SPEEDS),
+        weights_N: range(case.modes.weights_N, WEIGHTS),
+        highest_Hz: case.modes.highest_frequency_Hz,
+    }
+}
+
+/// What it says, in sentences.
+pub fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
+    let speed = |si: f64| Dimension::RotarySpeed.format(three(si / RPM) * RPM, units);
+    let weight = Dimension::Force.format(of.weight_on_bit_N, units);
+    let own = speed(of.rotary_speed_rad_per_s);
+    let mut sentences = vec![match of.from {
+        StableFrom { threshold_rad_per_s: Some(threshold), .. } => format!(
+            "At {weight} steady rotation is stable from {} on; the case's {own} is {:.0} % {}.",
+            speed(threshold),
+            100.0 * of.margin.unwrap_or(0.0).abs(),
+            if of.margin.unwrap_or(0.0) < 0.0 { "below" } else { "above" },
+        ),
+        StableFrom { stable: StableWhere::Everywhere, .. } => {
+            format!("At {weight} steady rotation is stable at all speeds of the map.")
+        }
+        _ => format!(
+            "At {weight} steady rotation is not stable even at the fastest speed of the map."
+        ),
+    }];
+    if let (Some(growth), Some(frequency)) = (of.growth_per_s, of.frequency_Hz) {
+        let how = if growth > 0.0 { "grows" } else { "dies away" };
+        sentences.push(format!(
+            "At {own} a swing of {frequency:.3} Hz {how} by {:.3} 1/s{}.",
+            growth.abs(),
+            if growth > 0.0 { ", fastest of all" } else { ", slowest of all" },
+        ));
+    }
+    if of.stalls {
+        sentences.push(format!(
+            "The string takes {} at the top, more than the top drive gives.",
+            Dimension::Torque.format(of.surface_torque_N_m, units)
+        ));
+    }
+    let parts = of.reflections.iter().map(|[frequency_Hz, part]| {
+        format!("{:.0} % of a wave of {frequency_Hz:.2} Hz", 100.0 * part)
+    });
+    let parts = parts.collect::<Vec<_>>().join(", ");
+    sentences.push(format!(
+        "The top drive sends back {parts}; the string's lowest torsional frequency is the first."
+    ));
+    if let Some(better) = &of.better_controller {
+        let from = match better.from.threshold_rad_per_s {
+            Some(threshold) => format!("from {} on", speed(threshold)),
+            None => "at all speeds of the map".to_owned(),
+        };
+        sentences.push(format!(
+            "SoftTorque with impedance_ratio = {} would send back {:.0} %, and be stable {from}.",
+            better.impedance_ratio,
+            100.0 * better.reflection
+        ));
+    } else if of.from.stable != StableWhere::Everywhere && gives_way(of) {
+        sentences.push("No SoftTorque that was tried has a lower threshold.".into());
+    }
+    if of.lies_by == "soft" {
+        sentences.push(
+            "The stiff string found no equilibrium: contact forces are the soft string's.".into(),
+        );
+    }
+    sentences
+}
+
+/// Whether the drive has inertia: a constant speed sends all of every wave back.
+fn gives_way(of: &StabilitySummary) -> bool {
+    of.reflections.iter().any(|[_, part]| *part < 1.0)
+}
+
+/// rad/s in a revolution per minute.
+const RPM: f64 = std::f64::consts::PI / 30.0;
+
+/// A number in three digits.
+fn three(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}
+
+/// The map as the page shows it, from its table.
+pub(super) fn picture(table: &Table, of: &StabilitySummary) -> StabilityPicture {
+    let column = |name: &str| -> Vec<f64> {
+        let column = table.numbers(name).unwrap_or_default();
+        column.iter().map(|value| value.unwrap_or(f64::NAN)).collect()
+    };
+    let all_weights_N = column("weight_on_bit_N");
+    let mut weights_N = all_weights_N.clone();
+    weights_N.dedup();
+    let speeds = all_weights_N.len() / weights_N.len().max(1);
+    let thresholds = column("threshold_rad_per_s");
+    StabilityPicture {
+        speeds_rad_per_s: column("rotary_speed_rad_per_s").into_iter().take(speeds).collect(),
+        weights_N,
+        growth_per_s: column("growth_per_s"),
+        thresholds_rad_per_s: thresholds.into_iter().step_by(speeds.max(1)).collect(),
+        own: [of.rotary_speed_rad_per_s, of.weight_on_bit_N],
+    }
+}
