@@ -43,6 +43,21 @@ impl Tridiagonal {
         }
     }
 
+    /// Takes the unknown `k` of a block row out: its equation says that it is what is on the right.
+    pub(super) fn hold(&mut self, row: usize, k: usize) {
+        self.diagonal[row].row_mut(k).fill(0.0);
+        self.diagonal[row].column_mut(k).fill(0.0);
+        self.diagonal[row][(k, k)] = 1.0;
+        if row < self.upper.len() {
+            self.upper[row].row_mut(k).fill(0.0);
+            self.lower[row].column_mut(k).fill(0.0);
+        }
+        if let Some(above) = row.checked_sub(1) {
+            self.upper[above].column_mut(k).fill(0.0);
+            self.lower[above].row_mut(k).fill(0.0);
+        }
+    }
+
     /// Solves for a right-hand side in place, by block elimination with row exchanges within
     /// blocks. The matrix is used up.
     pub(super) fn solve(&mut self, rhs: &mut [Entry]) -> Result<(), Singular> {

@@ -239,18 +239,7 @@ impl Equations {
     /// An unknown of a node does not change.
     fn hold(&mut self, node: usize, row: usize) {
         self.force[node][row] = 0.0;
-        let matrix = &mut self.matrix;
-        matrix.diagonal[node].row_mut(row).fill(0.0);
-        matrix.diagonal[node].column_mut(row).fill(0.0);
-        matrix.diagonal[node][(row, row)] = 1.0;
-        if node + 1 < self.force.len() {
-            matrix.upper[node].row_mut(row).fill(0.0);
-            matrix.lower[node].column_mut(row).fill(0.0);
-        }
-        if let Some(above) = node.checked_sub(1) {
-            matrix.upper[above].column_mut(row).fill(0.0);
-            matrix.lower[above].row_mut(row).fill(0.0);
-        }
+        self.matrix.hold(node, row);
     }
 
     /// Shifts the matrix across the hole by so much, N/m (Levenberg's regularisation): what costs no
