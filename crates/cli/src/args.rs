@@ -32,7 +32,7 @@ pub(crate) enum Command {
     Sweep(SweepArgs),
     /// Try the bit alone on its rock under every weight at every speed
     BitTest(BitTestArgs),
-    /// The bottom-hole assembly at rest: side force and tilt of the bit, contacts, bending, sag
+    /// The bottom-hole assembly at rest: side force of the bit, contacts, bending, sag
     Bha(BhaArgs),
     /// Find natural frequencies, critical speeds and the answer to a force that turns
     Modes(ModesArgs),

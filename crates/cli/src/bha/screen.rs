@@ -220,7 +220,11 @@ fn holding(summary: &BhaSummary, units: UnitSet) -> String {
 /// One digit of an error, as large as it is.
 fn small(si: f64, dimension: Dimension, units: UnitSet) -> String {
     let value = dimension.unit_in(units).from_si(si);
-    if value >= 1e-3 { number(si, dimension, units) } else { format!("{value:.0e}") }
+    if value >= 1e-3 || value == 0.0 {
+        number(si, dimension, units)
+    } else {
+        format!("{value:.0e}")
+    }
 }
 
 /// Without zeros after its last decimal.
