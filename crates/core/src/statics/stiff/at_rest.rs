@@ -3,10 +3,12 @@
 use nalgebra::{Matrix2, Vector2, Vector3};
 
 use super::{
-    contact, equilibrium::Equilibrium, judge::wall_N_per_m, string_in_hole::high_side_rad,
+    StiffError, StiffSettings, contact, equilibrium::Equilibrium, judge::wall_N_per_m,
+    solve::equilibrium, string_in_hole::high_side_rad,
 };
 use crate::{
     model::Model,
+    operation::Operation,
     rod::{
         element::{Pose, Stiffness},
         mesh::Mesh,
@@ -57,8 +59,21 @@ pub(crate) struct AtRest {
     pub(crate) stable: bool,
 }
 
+/// The string of one operation at rest.
+///
+/// # Errors
+/// As [`solve`](super::solve).
+pub(crate) fn at_rest(
+    model: &Model,
+    operation: &Operation,
+    settings: &StiffSettings,
+) -> Result<AtRest, StiffError> {
+    let equilibrium = equilibrium(model, operation, settings)?;
+    Ok(AtRest::new(model, &equilibrium))
+}
+
 impl AtRest {
-    pub(super) fn new(model: &Model, of: &Equilibrium) -> Self {
+    fn new(model: &Model, of: &Equilibrium) -> Self {
         let Equilibrium { mesh, string, state, convergence, .. } = of;
         let nodes = string.nodes.iter().enumerate().map(|(index, node)| {
             let heading = &state.heading[index];

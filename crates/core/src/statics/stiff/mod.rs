@@ -25,13 +25,13 @@ mod string_in_hole;
 mod summary;
 mod wall;
 
-pub(crate) use at_rest::{AtRest, NodeAtRest};
+pub(crate) use at_rest::{AtRest, NodeAtRest, at_rest};
 pub use axis::StringAxis;
 pub use equilibrium::{Convergence, Equilibrium};
 pub use error::StiffError;
 pub use profile::StiffProfile;
 pub use refine::MeshError;
 pub use settings::StiffSettings;
-pub(crate) use solve::{at_rest, solve_on};
+pub(crate) use solve::solve_on;
 pub use solve::{equilibrium, equilibrium_near, solve};
 pub use summary::EquilibriumSummary;

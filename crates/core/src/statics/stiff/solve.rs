@@ -2,7 +2,6 @@
 
 use super::{
     StiffError, StiffProfile, StiffSettings,
-    at_rest::AtRest,
     cascade::{from_the_middle, warm_start},
     equations::Equations,
     equilibrium::{Convergence, Equilibrium},
@@ -60,19 +59,6 @@ pub(crate) fn solve_on(
 ) -> Result<StiffProfile, StiffError> {
     let equilibrium = Task { model, operation, settings, soft }.found(mesh, None)?;
     Ok(StiffProfile::new(model, operation, &equilibrium))
-}
-
-/// The string of one operation at rest, for what moves about that.
-///
-/// # Errors
-/// As [`solve`].
-pub(crate) fn at_rest(
-    model: &Model,
-    operation: &Operation,
-    settings: &StiffSettings,
-) -> Result<AtRest, StiffError> {
-    let equilibrium = equilibrium(model, operation, settings)?;
-    Ok(AtRest::new(model, &equilibrium))
 }
 
 /// The string at rest in one operation.
