@@ -101,9 +101,12 @@ pub fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
         format!("{:.0} % of a wave of {frequency_Hz:.2} Hz", 100.0 * part)
     });
     let parts = parts.collect::<Vec<_>>().join(", ");
-    sentences.push(format!(
-        "The top drive sends back {parts}; the string's lowest torsional frequency is the first."
-    ));
+    sentences.push(match gives_way(of) {
+        true => format!(
+            "The top drive sends back {parts}; the first is the string's lowest torsional frequency."
+        ),
+        false => "The top turns at a constant speed and sends back all of every wave.".into(),
+    });
     if let Some(better) = &of.better_controller {
         let from = match better.from.threshold_rad_per_s {
             Some(threshold) => format!("from {} on", speed(threshold)),

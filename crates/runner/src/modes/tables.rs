@@ -30,17 +30,16 @@ pub(super) fn write(
     summary.write(&folder.path().join("summary.json"))
 }
 
-/// Writes the map of torsional stability; without one, that of an earlier run goes.
+/// Writes the map of torsional stability; without one, that of an earlier run goes, its picture too.
 pub(super) fn write_stability(
     folder: &ResultsFolder,
     map: Option<&Stability>,
 ) -> Result<(), ResultsError> {
     match map {
         Some(map) => folder.write_table(STABILITY, &stability_table(&map.lines), true),
-        None => {
-            folder.remove(&format!("{STABILITY}.parquet"))?;
-            folder.remove(&format!("{STABILITY}.csv"))
-        }
+        None => ["parquet", "csv", "svg", "png"]
+            .iter()
+            .try_for_each(|ending| folder.remove(&format!("{STABILITY}.{ending}"))),
     }
 }
 
