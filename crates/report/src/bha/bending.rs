@@ -2,7 +2,7 @@
 
 use super::{
     Bha,
-    figures::{conditions, shown_to_m},
+    shared::{conditions, shown_to_m},
 };
 use crate::{
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Stroke},

@@ -2,6 +2,7 @@
 
 mod bending;
 mod figures;
+mod shared;
 mod sweeps;
 mod views;
 

@@ -2,7 +2,7 @@
 
 use super::{
     Bha, BhaSweep, BhaSweepPoint,
-    figures::{conditions, three},
+    shared::{conditions, three},
 };
 use crate::{
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},

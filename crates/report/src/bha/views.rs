@@ -2,7 +2,7 @@
 
 use super::{
     Bha, BhaPart,
-    figures::{conditions, shown_to_m, three},
+    shared::{conditions, shown_to_m, three},
 };
 use crate::{
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},

@@ -1,6 +1,7 @@
 //! The bottom-hole assembly at rest: side force and tilt of the bit, contacts, bending, sag; at other tool
 //! faces, weights and inclinations too.
 
+mod nodes;
 pub(crate) mod page;
 mod page_tables;
 mod points;

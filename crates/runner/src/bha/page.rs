@@ -8,7 +8,7 @@ use wholestring_report::{
 use wholestring_results::{BhaSummary, BhaVaried, ResultsError, ResultsFolder, Table};
 use wholestring_units::UnitSet;
 
-use super::{page_tables::page_tables, request::NODES};
+use super::{nodes::NODES, page_tables::page_tables};
 use crate::{
     column::numbers,
     page::{self, FILE, facts::readable, inputs, table, write_picture},

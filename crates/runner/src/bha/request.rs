@@ -15,6 +15,7 @@ use wholestring_results::{
 use wholestring_units::UnitSet;
 
 use super::{
+    nodes::NODES,
     page,
     points::{Base, Sweeps},
 };
@@ -23,8 +24,7 @@ use crate::{
     observer::Observer, output::Output, run::stiff_settings,
 };
 
-/// Names of the tables, without their extension.
-pub(super) const NODES: &str = "bha";
+/// Names of the other tables, without their extension.
 const CONTACTS: &str = "bha_contacts";
 const SWEEP: &str = "bha_sweep";
 
