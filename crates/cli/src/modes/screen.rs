@@ -2,11 +2,21 @@
 
 use std::f64::consts::TAU;
 
-use wholestring_results::{ModesSummary, Spot};
+use wholestring_results::{CriticalSpeed, ModesSummary, Spot};
 use wholestring_runner::modes::stability_sentences;
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::screen_table::Table;
+
+/// Part of the operation's rotary speed within which critical speeds are shown.
+const NEAR: f64 = 0.3;
+
+/// Whether a critical speed is near the operation's rotary speed; all are to a string that does not
+/// rotate.
+fn is_near(summary: &ModesSummary, of: &CriticalSpeed) -> bool {
+    let speed = summary.rotary_speed_rad_per_s;
+    speed == 0.0 || (of.rotary_speed_rad_per_s - speed).abs() <= NEAR * speed
+}
 
 /// The modes and the critical speeds as tables, and what is to be wary of.
 pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
@@ -42,7 +52,9 @@ pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
         ]);
     }
     let mut text = table.text();
-    if !summary.critical_speeds.is_empty() {
+    let near: Vec<&CriticalSpeed> =
+        summary.critical_speeds.iter().filter(|of| is_near(summary, of)).collect();
+    if !near.is_empty() {
         let headings = [
             "mode".to_owned(),
             "strained most in".to_owned(),
@@ -52,7 +64,7 @@ pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
             format!("strained most at MD, {}", length.symbol),
         ];
         let mut table = Table::new("Critical speeds", 2, &headings.each_ref().map(String::as_str));
-        for of in &summary.critical_speeds {
+        for of in &near {
             table.row(vec![
                 format!("{} {}", of.family, of.number),
                 of.most_strained.component.clone(),
@@ -63,6 +75,10 @@ pub(super) fn text(summary: &ModesSummary, units: UnitSet) -> String {
             ]);
         }
         text += &format!("\n{}", table.text());
+    }
+    let others = summary.critical_speeds.len() - near.len();
+    if others > 0 {
+        text += &format!("{others} critical speeds farther off are in critical_speeds.csv\n");
     }
     text += "\nTorsional stability\n";
     let sentences = match (&summary.torsional_stability, &summary.no_torsional_stability) {

@@ -53,6 +53,13 @@ pub struct Assembly<'a> {
     top: usize,
 }
 
+impl SmallMotions {
+    /// The assembly: the string from the bit up to a length, m.
+    pub fn assembly(&self, length_m: f64) -> Assembly<'_> {
+        Assembly::new(self, length_m)
+    }
+}
+
 /// Modes of the assembly that does not rotate, and how rotation couples them.
 pub(super) struct Modes {
     pub(super) rest: Vec<search::RealMode>,

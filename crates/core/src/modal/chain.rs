@@ -1,15 +1,8 @@
 //! The string's small motions as a chain of nodes: what holds them and what they weigh.
 
-use nalgebra::{Complex, SMatrix, SVector};
+use nalgebra::{Complex, SVector};
 
-use super::factors::{Block, Factors};
-
-/// Motions of a node: displacement along two directions across the hole and along it, rotation about
-/// two directions across the string and about it.
-pub(super) const MOTIONS: usize = 6;
-
-/// How a node's forces change with a node's motion.
-pub(super) type Stiffness = SMatrix<f64, MOTIONS, MOTIONS>;
+use super::factors::{Block, Factors, MOTIONS, Stiffness};
 
 /// A number for each motion of a node.
 pub(super) type Entry = SVector<f64, MOTIONS>;

@@ -1,8 +1,13 @@
 //! Factors of a Hermitian block-tridiagonal matrix, and how many of its eigenvalues are negative.
 
-use nalgebra::ComplexField;
+use nalgebra::{ComplexField, SMatrix};
 
-use super::chain::{MOTIONS, Stiffness};
+/// Motions of a node: displacement along two directions across the hole and along it, rotation about
+/// two directions across the string and about it.
+pub(super) const MOTIONS: usize = 6;
+
+/// How a node's forces change with a node's motion.
+pub(super) type Stiffness = SMatrix<f64, MOTIONS, MOTIONS>;
 
 /// Pivots smaller than this part of what stood in their place are taken for as large: the matrix is
 /// singular to rounding.
@@ -51,10 +56,10 @@ impl<T: ComplexField<RealField = f64> + Copy> Block<T> {
     /// This times a real one.
     fn times(&self, of: &Stiffness) -> Self {
         let mut product = [[T::zero(); MOTIONS]; MOTIONS];
-        for row in 0..MOTIONS {
-            for k in 0..MOTIONS {
-                for column in 0..MOTIONS {
-                    product[row][column] += self.0[row][k].scale(of[(k, column)]);
+        for (sums, own) in product.iter_mut().zip(&self.0) {
+            for (k, part) in own.iter().enumerate() {
+                for (column, sum) in sums.iter_mut().enumerate() {
+                    *sum += part.scale(of[(k, column)]);
                 }
             }
         }
@@ -121,12 +126,12 @@ impl<T: ComplexField<RealField = f64> + Copy> Factors<T> {
             let (own, after) = rhs[node * MOTIONS..].split_at_mut(MOTIONS);
             let mut solved = [T::zero(); MOTIONS];
             for (row, found) in solved.iter_mut().enumerate() {
-                for k in 0..MOTIONS {
-                    *found += self.inverse[node].0[row][k] * own[k];
+                for (part, x) in self.inverse[node].0[row].iter().zip(&*own) {
+                    *found += *part * *x;
                 }
                 if let Some(coupling) = self.coupling.get(node) {
-                    for k in 0..MOTIONS {
-                        *found -= coupling.0[row][k] * after[k];
+                    for (part, x) in coupling.0[row].iter().zip(&*after) {
+                        *found -= *part * *x;
                     }
                 }
             }

@@ -2,6 +2,7 @@
 
 use super::{
     chain::Chain,
+    factors::MOTIONS,
     krylov::{Krylov, Ritz},
     line::Line,
     search::RealMode,
@@ -63,9 +64,9 @@ pub(super) fn modes(chain: &Chain, family: Family, count: usize) -> Option<Vec<R
     let mut found: Vec<RealMode> = Vec::new();
     for number in 0..count.min(line.freedoms()) {
         let guess = line.mode(number);
-        let mut whole = vec![0.0; chain.nodes() * super::chain::MOTIONS];
+        let mut whole = vec![0.0; chain.nodes() * MOTIONS];
         for (node, moved) in guess.shape.iter().enumerate() {
-            whole[node * super::chain::MOTIONS + motion] = *moved;
+            whole[node * MOTIONS + motion] = *moved;
         }
         found.push(follow(chain, guess.lambda, whole, &found)?);
     }

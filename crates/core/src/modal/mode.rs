@@ -2,11 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::{
-    chain::{Chain, MOTIONS},
-    family::Family,
-    place::Place,
-};
+use super::{chain::Chain, factors::MOTIONS, family::Family, place::Place};
 
 /// Which way a mode goes round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

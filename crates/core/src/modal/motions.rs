@@ -3,9 +3,9 @@
 use nalgebra::{Complex, Matrix3, Vector3};
 
 use super::{
-    assembly::Assembly,
-    chain::{Chain, MOTIONS},
+    chain::Chain,
     error::ModalError,
+    factors::MOTIONS,
     family::{self, Family},
     mode::{Mode, energy, farthest, precession},
     place::Place,
@@ -134,18 +134,13 @@ impl SmallMotions {
     /// Where one of them was not found.
     ///
     /// # Panics
-    /// Of the lateral family, which an [`Assembly`] has.
+    /// Of the lateral family, which an [assembly](super::Assembly) has.
     pub fn family(&self, family: Family, count: usize) -> Result<Vec<Mode>, ModalError> {
         assert_ne!(family, Family::Lateral, "an assembly's");
         let found =
             family::modes(&self.chain, family, count).ok_or(ModalError::Lost(family.name()))?;
         // A mode that shares its energy with lateral motion is of the family that it was found from.
         Ok(found.iter().map(|mode| Mode { family, ..self.real(mode) }).collect())
-    }
-
-    /// The assembly: the string from the bit up to a length, m.
-    pub fn assembly(&self, length_m: f64) -> Assembly<'_> {
-        Assembly::new(self, length_m)
     }
 
     fn real(&self, of: &RealMode) -> Mode {

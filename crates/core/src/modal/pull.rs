@@ -2,7 +2,10 @@
 
 use nalgebra::{Matrix3, SMatrix};
 
-use super::chain::{Chain, Entry, Stiffness};
+use super::{
+    chain::{Chain, Entry},
+    factors::Stiffness,
+};
 use crate::{
     dynamics::{DynamicsSettings, HoistControl, lateral_mass_kg_per_m},
     model::Model,

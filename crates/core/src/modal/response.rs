@@ -4,7 +4,7 @@ use nalgebra::{Complex, Matrix2, Matrix3, SMatrix, SVector, Vector3};
 
 use super::{
     assembly::Assembly,
-    chain::{MOTIONS, Stiffness},
+    factors::{MOTIONS, Stiffness},
     mode::farthest,
     place::Place,
 };

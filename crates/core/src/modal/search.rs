@@ -8,6 +8,9 @@ use super::{
 /// What may be left over of a mode; the square of its angular frequency errs by the square of this.
 const CONVERGED: f64 = 1e-7;
 
+/// Modes that are looked for at a time.
+const SLICE: usize = 16;
+
 /// Steps between two looks.
 const STEPS: usize = 3;
 
@@ -34,7 +37,29 @@ pub(super) struct RealMode {
 /// where frequencies coincide, fewer where there are no more. None where they were not found:
 /// the count of Sylvester's law says so.
 pub(super) fn above(chain: &Chain, omega: f64, count: usize) -> Option<Vec<RealMode>> {
-    let least = omega * omega;
+    let mut found = Vec::new();
+    let mut least = omega * omega;
+    // A few at a time: what many vectors take to be kept apart grows with their square.
+    while found.len() < count {
+        let wanted = (count - found.len()).min(SLICE);
+        let slice = slice(chain, least, wanted)?;
+        let whole = slice.modes.len() < wanted;
+        found.extend(slice.modes);
+        least = slice.end;
+        if whole {
+            break;
+        }
+    }
+    Some(found)
+}
+
+/// Some modes, and a square of angular frequency between the last and the next.
+struct Slice {
+    modes: Vec<RealMode>,
+    end: f64,
+}
+
+fn slice(chain: &Chain, least: f64, count: usize) -> Option<Slice> {
     let below = chain.shifted(least).negative;
     let mut space = Krylov::new(chain, shift(chain, least, below, count), &[]);
     let freedoms = chain.freedoms();
@@ -56,11 +81,10 @@ pub(super) fn above(chain: &Chain, omega: f64, count: usize) -> Option<Vec<RealM
         });
         let complete = clear
             .filter(|(number, between)| chain.shifted(*between).negative == below + number)
-            .map(|(number, _)| number)
-            .or((whole && found.len() == freedoms - below).then_some(found.len()));
-        if let Some(number) = complete {
+            .or((whole && found.len() == freedoms - below).then_some((found.len(), least)));
+        if let Some((number, end)) = complete {
             let mode = |of: &Ritz| RealMode { lambda: of.lambda, motion: space.motion(of) };
-            return Some(found[..number].iter().map(mode).collect());
+            return Some(Slice { modes: found[..number].iter().map(mode).collect(), end });
         }
         if clear.is_some() || !fresh {
             // One is missing that the vectors so far have nothing of, or little.

@@ -2,10 +2,7 @@
 
 use nalgebra::{Complex, DMatrix, SymmetricEigen};
 
-use super::{
-    chain::{Chain, MOTIONS},
-    search::RealMode,
-};
+use super::{chain::Chain, factors::MOTIONS, search::RealMode};
 
 /// Modes of the chain at rest, and how rotation couples them.
 #[derive(Debug, Clone)]

@@ -204,7 +204,7 @@ impl Drawing<'_> {
                 marks.push(Mark::Curve { ink, stroke, points: self.along(&of.md_m, values) });
             }
             let hertz = shapes.iter().map(|of| format!("{:.3}", self.frequency_Hz(of)));
-            let title = format!("{name}: {} Hz", hertz.collect::<Vec<_>>().join(", "));
+            let title = format!("{name}: {} Hz", hertz.collect::<Vec<_>>().join(" / "));
             panels.push(Panel::new(Axis::new(title, Range::Fixed(-1.1, 1.1)), marks));
         }
         let layout = Layout {

@@ -2,9 +2,15 @@
 
 use nalgebra::{Matrix2, Vector2, Vector3};
 
-use super::{contact, equilibrium::Equilibrium, settings::End, solve::wall_N_per_m};
+use super::{
+    StiffError, StiffSettings, contact,
+    equilibrium::Equilibrium,
+    settings::End,
+    solve::{equilibrium, wall_N_per_m},
+};
 use crate::{
     model::Model,
+    operation::Operation,
     rod::{
         element::{Pose, Stiffness},
         mesh::Mesh,
@@ -57,8 +63,21 @@ pub(crate) struct AtRest {
     pub(crate) stable: bool,
 }
 
+/// The string of one operation at rest.
+///
+/// # Errors
+/// As [`solve`](super::solve).
+pub(crate) fn at_rest(
+    model: &Model,
+    operation: &Operation,
+    settings: &StiffSettings,
+) -> Result<AtRest, StiffError> {
+    let equilibrium = equilibrium(model, operation, settings)?;
+    Ok(AtRest::new(model, settings.top, &equilibrium))
+}
+
 impl AtRest {
-    pub(super) fn new(model: &Model, top: End, of: &Equilibrium) -> Self {
+    fn new(model: &Model, top: End, of: &Equilibrium) -> Self {
         let Equilibrium { mesh, string, state, convergence, .. } = of;
         let nodes = string.nodes.iter().enumerate().map(|(index, node)| {
             let heading = &state.heading[index];

@@ -19,10 +19,9 @@ mod state;
 mod string_in_hole;
 mod wall;
 
-pub(crate) use at_rest::{AtRest, NodeAtRest};
+pub(crate) use at_rest::{AtRest, NodeAtRest, at_rest};
 pub use equilibrium::Convergence;
 pub use error::StiffError;
 pub use profile::StiffProfile;
 pub use settings::{End, StiffSettings};
-pub(crate) use solve::at_rest;
 pub use solve::solve;

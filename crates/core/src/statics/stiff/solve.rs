@@ -4,7 +4,6 @@ use nalgebra::{Matrix2, Vector2};
 
 use super::{
     StiffError, StiffProfile, StiffSettings, active_set,
-    at_rest::AtRest,
     barrier::Barrier,
     contact::{self, Push},
     equations::Equations,
@@ -61,19 +60,6 @@ pub fn solve(
 ) -> Result<StiffProfile, StiffError> {
     let equilibrium = equilibrium(model, operation, settings)?;
     Ok(StiffProfile::new(model, operation, &equilibrium))
-}
-
-/// The string of one operation at rest, for what moves about that.
-///
-/// # Errors
-/// As [`solve`].
-pub(crate) fn at_rest(
-    model: &Model,
-    operation: &Operation,
-    settings: &StiffSettings,
-) -> Result<AtRest, StiffError> {
-    let equilibrium = equilibrium(model, operation, settings)?;
-    Ok(AtRest::new(model, settings.top, &equilibrium))
 }
 
 pub(super) fn equilibrium(
