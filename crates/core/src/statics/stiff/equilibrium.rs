@@ -2,10 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{
-    StiffProfile, StiffSettings, refine::MeshError, state::State, string_in_hole::StringInHole,
-};
-use crate::{finite, model::Model, operation::Operation, rod::mesh::Mesh};
+use super::{StiffSettings, mesh_error::MeshError, state::State, string_in_hole::StringInHole};
+use crate::{finite, rod::mesh::Mesh};
 
 /// How the equilibrium was found.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -37,11 +35,6 @@ pub struct Equilibrium {
 }
 
 impl Equilibrium {
-    /// Torque and drag of the model and the operation that it is the equilibrium of.
-    pub fn profile(&self, model: &Model, operation: &Operation) -> StiffProfile {
-        StiffProfile::new(model, operation, self)
-    }
-
     /// How it was found.
     pub fn convergence(&self) -> &Convergence {
         &self.convergence

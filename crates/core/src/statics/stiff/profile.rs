@@ -115,6 +115,13 @@ impl StiffProfile {
     }
 }
 
+impl Equilibrium {
+    /// Torque and drag of the model and the operation that it is the equilibrium of.
+    pub fn profile(&self, model: &Model, operation: &Operation) -> StiffProfile {
+        StiffProfile::new(model, operation, self)
+    }
+}
+
 /// Torque at the top, of what the elements carry, N·m.
 fn surface_torque_N_m(string: &StringInHole, torques_N_m: &[f64]) -> f64 {
     torques_N_m[0] + 0.5 * string.elements[0].mud_torque_N_m

@@ -1,35 +1,15 @@
 //! Where a mesh is too coarse for the bending that it shows, and what that is worth.
 
-use serde::{Deserialize, Serialize};
-
-use super::{bending::Bending, equilibrium::Equilibrium, profile::hook_and_torque};
-use crate::{finite, model::Model};
+use super::{
+    bending::Bending, equilibrium::Equilibrium, mesh_error::MeshError, profile::hook_and_torque,
+};
+use crate::model::Model;
 
 /// How much farther than the body a node of a joint or a blade stands out, m.
 const STANDS_OUT_M: f64 = 1e-4;
 
 /// Elements that are shorter are not cut, m.
 const SHORTEST_M: f64 = 0.2;
-
-/// What the elements' lengths leave uncertain, by the last two meshes.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct MeshError {
-    /// Hook load, N.
-    #[serde(with = "finite")]
-    pub hook_load_N: f64,
-    /// Surface torque, N·m.
-    #[serde(with = "finite")]
-    pub surface_torque_N_m: f64,
-    /// Sum of the contact forces, N.
-    #[serde(with = "finite")]
-    pub side_force_total_N: f64,
-    /// Bending moment at a node, N·m: the largest change.
-    #[serde(with = "finite")]
-    pub bending_moment_N_m: f64,
-    /// Where that is, measured depth, m.
-    #[serde(with = "finite")]
-    pub md_m: f64,
-}
 
 impl Equilibrium {
     /// The elements that are too long: in which a contact of the body begins or ends, whose body
