@@ -65,17 +65,13 @@ fn main() {
     );
     println!("compression along the soft string:");
     println!("                           wells  found  stable  lock up  lost  no reason");
-    let classes: [(&str, fn(&Try) -> bool); 3] = [
-        ("below the sinusoidal load", |one| one.over[0] < 1.0),
-        ("to twice the helical load", |one| one.over[0] >= 1.0 && one.over[1] <= 2.0),
-        ("beyond", |one| one.over[0] >= 1.0 && one.over[1] > 2.0),
-    ];
-    for (name, belongs) in classes {
+    for class in Class::ALL {
         let count = |what: &dyn Fn(&Try) -> bool| {
-            tried.iter().filter(|one| belongs(one) && what(one)).count()
+            tried.iter().filter(|one| Class::of(one) == class && what(one)).count()
         };
         println!(
-            "{name}  {:6} {:6} {:7} {:8} {:5} {:10}",
+            "{:25}  {:6} {:6} {:7} {:8} {:5} {:10}",
+            class.name(),
             count(&|_| true),
             count(&|one| matches!(one.end, End::Found { .. })),
             count(&|one| one.end == End::Found { stable: true }),
@@ -106,6 +102,34 @@ struct Try {
     /// The largest compression over the loads of the sinusoid and of the helix.
     over: [f64; 2],
     end: End,
+}
+
+/// By the largest compression along the string.
+#[derive(Clone, Copy, PartialEq)]
+enum Class {
+    Below,
+    Buckled,
+    Beyond,
+}
+
+impl Class {
+    const ALL: [Self; 3] = [Self::Below, Self::Buckled, Self::Beyond];
+
+    fn of(one: &Try) -> Self {
+        match one.over {
+            [sinusoidal, _] if sinusoidal < 1.0 => Self::Below,
+            [_, helical] if helical <= 2.0 => Self::Buckled,
+            _ => Self::Beyond,
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Below => "below the sinusoidal load",
+            Self::Buckled => "to twice the helical load",
+            Self::Beyond => "beyond",
+        }
+    }
 }
 
 #[derive(PartialEq)]

@@ -7,7 +7,7 @@ use crate::{
     rod::mesh::Mesh,
     statics::{
         soft::{SoftError, soft_string},
-        stiff::{self, StiffSettings},
+        stiff,
     },
 };
 
@@ -48,14 +48,7 @@ impl Pressing {
         settings: &DynamicsSettings,
         operation: &Operation,
     ) -> Result<Self, SoftError> {
-        let stiff = StiffSettings {
-            element_length: settings.mesh.element_length,
-            refinement: settings.mesh.refinement,
-            contact_law: settings.contact_law,
-            bit_lateral_stiffness_N_per_m: settings.bit.lateral_stiffness_N_per_m,
-            ..StiffSettings::default()
-        };
-        if let Ok(found) = stiff::solve(model, operation, &stiff) {
+        if let Ok(found) = stiff::solve(model, operation, &settings.stiff_string()) {
             let places = found.md_m.iter().zip(&found.contact_force_N);
             return Ok(Self {
                 contact_force_N: on_nodes(mesh, operation.bit_depth_m, places),

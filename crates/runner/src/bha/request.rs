@@ -21,7 +21,7 @@ use super::{
 };
 use crate::{
     cancellation::CancellationToken, claim::Claim, error::Error, folder_name::default_output,
-    observer::Observer, output::Output, run::stiff_settings,
+    observer::Observer, output::Output,
 };
 
 /// Names of the other tables, without their extension.
@@ -90,7 +90,7 @@ pub fn run(
     let operation = operation(case, request.operation)?;
     let extent = if request.whole { Extent::Whole } else { AssemblySettings::default().extent };
     let settings = AssemblySettings {
-        stiff: stiff_settings(&case.dynamics),
+        stiff: case.dynamics.stiff_string(),
         extent,
         ..AssemblySettings::default()
     };

@@ -18,7 +18,6 @@ use wholestring_units::{Dimension, UnitSet};
 use super::{page, stability, tables};
 use crate::{
     claim::Claim, error::Error, folder_name::default_output, observer::Observer, output::Output,
-    run::stiff_settings,
 };
 
 /// Rotary speeds of the diagram, and of the answer to a force.
@@ -102,7 +101,7 @@ fn operation<'a>(case: &'a Case, name: Option<&str>) -> Result<&'a Operation, Er
 
 fn find(case: &Case, operation: &Operation) -> Result<(ModesSummary, ModesTables), Error> {
     let wanted = &case.modes;
-    let at_rest = stiff_settings(&case.dynamics);
+    let at_rest = case.dynamics.stiff_string();
     let motions = SmallMotions::new(&case.model, operation, &at_rest, &case.dynamics)
         .map_err(Error::failed)?;
     let assembly = motions.assembly(wanted.assembly_m);

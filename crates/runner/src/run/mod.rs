@@ -7,6 +7,6 @@ mod stop;
 mod way;
 
 pub use request::{Outcome, Request, run};
-pub(crate) use solve::{solve, stiff_settings};
+pub(crate) use solve::solve;
 pub use stop::Stop;
 pub(crate) use way::{Way, checkpoint_every};

@@ -10,10 +10,7 @@ use wholestring::{
     findings,
     operation::Operation,
     outcome::{ModelKind, Solution},
-    statics::{
-        soft,
-        stiff::{self, StiffSettings},
-    },
+    statics::{soft, stiff},
 };
 use wholestring_case::Case;
 use wholestring_results::{ResultsFolder, Status};
@@ -109,7 +106,7 @@ fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) -> Status
 }
 
 fn solve_stiff(case: &Case, operation: &Operation, record: &mut Record) -> Status {
-    match stiff::solve(&case.model, operation, &stiff_settings(&case.dynamics)) {
+    match stiff::solve(&case.model, operation, &case.dynamics.stiff_string()) {
         Ok(profile) => {
             record.add(operation, &Solution::from(&profile), CarriedOut::AT_ONCE);
             let found = findings::of_stiff(&case.model, operation, &profile);
@@ -117,16 +114,6 @@ fn solve_stiff(case: &Case, operation: &Operation, record: &mut Record) -> Statu
             Status::Complete
         }
         Err(error) => unsolvable("stiff string", &error),
-    }
-}
-
-/// The mesh, the wall and the bit's hold of a case are the same whatever solves it.
-pub(crate) fn stiff_settings(of: &DynamicsSettings) -> StiffSettings {
-    StiffSettings {
-        element_length: of.mesh.element_length,
-        refinement: of.mesh.refinement,
-        contact_law: of.contact_law,
-        bit_lateral_stiffness_N_per_m: of.bit.lateral_stiffness_N_per_m,
     }
 }
 

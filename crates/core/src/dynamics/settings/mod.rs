@@ -14,6 +14,7 @@ use crate::{
         output::probe::Probe,
         settings::{mesh::MeshSettings, schedule::Schedule},
     },
+    statics::stiff::StiffSettings,
     wall::{contact::ContactLaw, friction::STRIBECK_SPEED_M_PER_S},
 };
 
@@ -292,6 +293,16 @@ pub struct DynamicsSettings {
 }
 
 impl DynamicsSettings {
+    /// The same mesh, wall and hold of the bit for the stiff string.
+    pub fn stiff_string(&self) -> StiffSettings {
+        StiffSettings {
+            element_length: self.mesh.element_length,
+            refinement: self.mesh.refinement,
+            contact_law: self.contact_law,
+            bit_lateral_stiffness_N_per_m: self.bit.lateral_stiffness_N_per_m,
+        }
+    }
+
     /// Part of its rotary speed that the top is given at `time_s` by its start.
     pub(super) fn start_ramp(&self, time_s: f64) -> f64 {
         let ramp_s = self.centred.ramp_s;
