@@ -5,6 +5,7 @@ mod common;
 
 mod assemblies;
 mod buckled;
+mod criteria;
 
 mod ends;
 mod friction;

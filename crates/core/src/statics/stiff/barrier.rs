@@ -22,7 +22,7 @@ use super::{
 use crate::{random::Random, rod::tangent::Ends};
 
 /// Newton steps before it gives up.
-const MOST: usize = 200;
+const MOST: usize = 600;
 
 /// Part of the way to the wall that a step may take.
 const TO_THE_WALL: f64 = 0.995;
