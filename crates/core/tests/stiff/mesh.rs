@@ -43,7 +43,7 @@ fn a_mesh_finds_its_contacts() {
     let mut rows = Vec::new();
     for (name, tolerance, found) in [("standard", 5e-4, &found), ("fine", 1e-4, &finer)] {
         let row = |what: &str, expected: f64, found: f64| {
-            verify("stiff", format!("{what} of the {name} mesh that finds its contacts, N"))
+            verify("stiff mesh", format!("{what} of the {name} mesh that finds its contacts, N"))
                 .relative(tolerance, "elements of 0.4 m, converged to 2e-7")
                 .row(expected, found)
         };

@@ -77,7 +77,7 @@ pub fn equilibrium(
 
 /// The string at rest, begun with that of a neighbouring friction, load or depth (a warm start):
 /// faster, and the same where there is but one equilibrium. Where that does not converge it begins
-/// anew.
+/// anew. A string of the same length and settings keeps the neighbour's mesh and its error.
 ///
 /// # Errors
 /// As of [`solve`].
@@ -91,9 +91,13 @@ pub fn equilibrium_near(
     let task = Task { model, operation, settings, soft: &soft };
     let same = near.settings == *settings
         && (near.mesh.length_m() - model.string.length_m()).abs() < SAME_M;
-    let mesh = if same { near.mesh.clone() } else { task.mesh()? };
-    let found = task.found(mesh, Some(near))?;
-    Ok(task.refine(found))
+    if !same {
+        return Ok(task.refine(task.found(task.mesh()?, Some(near))?));
+    }
+    // Refined for the neighbour: a mesh that grew from one to the next would have no end.
+    let mut found = task.found(near.mesh.clone(), Some(near))?;
+    found.convergence.mesh_error = near.convergence.mesh_error;
+    Ok(found)
 }
 
 /// What is asked for.
