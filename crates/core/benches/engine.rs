@@ -180,8 +180,8 @@ fn broomstick(threads: usize) {
             1 => Operation::trip_in(depth_m),
             _ => Operation::rotate_off_bottom(depth_m),
         };
-        let solved = stiff::solve(&case.model, &operation, &StiffSettings::default());
-        black_box(solved.expect("an equilibrium"));
+        // Where a string cannot go down there is none, which takes its time, too.
+        black_box(stiff::solve(&case.model, &operation, &StiffSettings::default())).ok();
     };
     std::thread::scope(|scope| {
         for first in 0..threads {
