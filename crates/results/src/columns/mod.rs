@@ -85,22 +85,25 @@ mod tests {
 
     use super::*;
 
+    /// What each file holds.
+    const TABLES: [&[ColumnSpec]; 12] = [
+        NODES,
+        TIME,
+        WEAR,
+        CONTACT,
+        BOTTOM_HOLE,
+        FRAMES,
+        SPECTRA,
+        BIT_TEST,
+        BHA,
+        BHA_CONTACTS,
+        BHA_SWEEP,
+        STABILITY,
+    ];
+
     #[test]
     fn names_are_unique() {
-        for table in [
-            NODES,
-            TIME,
-            WEAR,
-            CONTACT,
-            BOTTOM_HOLE,
-            FRAMES,
-            SPECTRA,
-            BIT_TEST,
-            BHA,
-            BHA_CONTACTS,
-            BHA_SWEEP,
-            STABILITY,
-        ] {
+        for table in TABLES {
             for (index, column) in table.iter().enumerate() {
                 assert!(
                     table[..index].iter().all(|other| other.name != column.name),
@@ -125,20 +128,7 @@ mod tests {
     /// Whoever reads what a column means learns that it may be `null`.
     #[test]
     fn a_column_that_may_be_null_says_so() {
-        let tables = [
-            NODES,
-            TIME,
-            WEAR,
-            CONTACT,
-            BOTTOM_HOLE,
-            FRAMES,
-            SPECTRA,
-            BIT_TEST,
-            BHA,
-            BHA_CONTACTS,
-            BHA_SWEEP,
-        ];
-        for column in tables.into_iter().flatten() {
+        for column in TABLES.into_iter().flatten() {
             let says = column.meaning.contains("`null`") || column.meaning.contains("empty");
             assert_eq!(says, column.null_where.is_some(), "{}", column.name);
         }

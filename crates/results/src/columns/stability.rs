@@ -10,14 +10,16 @@ pub const STABILITY: &[ColumnSpec] = specs! {
     "rotary_speed_rad_per_s": RotarySpeed, "Rotary speed at surface";
     "unstable_roots": Ratio, "Roots of small motions that grow, a pair counted twice";
     "growth_per_s": Growth,
-        "How fast the small motion grows that grows most; negative where all die away",
+        "How fast the small motion grows that grows most; negative where all die away, `null` where \
+         none was found",
         null_where "none was found";
-    "frequency_Hz": Frequency, "Its frequency", null_where "none was found";
+    "frequency_Hz": Frequency, "Its frequency, `null` where none was found", null_where "none was found";
     "complete": Ratio,
         "1 where as many growing motions were followed as there are; 0 where `growth_per_s` is the \
          least that the largest can be";
     "threshold_rad_per_s": RotarySpeed,
-        "Rotary speed from which on this weight is stable; 0 where all speeds of the map are",
+        "Rotary speed from which on this weight is stable; 0 where all speeds of the map are, `null` \
+         where not even the fastest is",
         null_where "not even the fastest speed of the map is stable";
     "surface_torque_N_m": Torque, "Torque at the top while the string turns steadily";
     "stalls": Ratio, "1 where that is more than the top drive gives, else 0";
