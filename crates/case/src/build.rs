@@ -251,6 +251,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         units,
         models,
         model,
+        string: spec?,
         operations,
         bit_test,
         modes,

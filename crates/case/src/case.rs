@@ -7,8 +7,10 @@ use wholestring::{
     outcome::ModelKind,
     rock::DrillingSpec,
     statics::soft::SoftSettings,
+    string::StringSpec,
 };
 use wholestring_config::diagnostic::Report;
+use wholestring_plan::Setup;
 use wholestring_units::UnitSet;
 
 use crate::{bit_test::BitTest, modes::Modes, records::Records};
@@ -24,6 +26,8 @@ pub struct Case {
     pub models: Vec<ModelKind>,
     /// Well, string, mud and rig.
     pub model: Model,
+    /// The string before it was cut to the depth of the bit.
+    pub string: StringSpec,
     /// The operations to solve, in the order of the case.
     pub operations: Vec<Operation>,
     /// The bit alone on its rock: of a case with `[bit_test]`, and of one whose operation drills
@@ -55,6 +59,18 @@ impl Case {
     /// Whether the forces that a model answers with hold the friction of a helix.
     pub fn has_helix_friction(&self, model: ModelKind) -> bool {
         model.method().has_helix_friction || model == ModelKind::Soft && self.soft.helix_side_force
+    }
+
+    /// What the model is made of, to be made again at other depths and frictions.
+    pub fn setup(&self) -> Setup {
+        Setup {
+            well: self.model.well.clone(),
+            string: self.string.clone(),
+            mud: self.model.mud,
+            rig: self.model.rig,
+            ends: self.model.ends,
+            buckling: self.model.buckling,
+        }
     }
 
     /// Bit and solid rock, in a run or in a bit test; none where nothing requires them.

@@ -47,6 +47,8 @@ impl Case {
             warnings: _,
             // What does not change the answer.
             checkpoint_interval_s: _,
+            // The model holds it, cut to the depth of the bit.
+            string: _,
             // What is asked of the string at rest.
             modes: _,
             // What is reported of the others.

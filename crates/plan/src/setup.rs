@@ -1,0 +1,172 @@
+//! What a model at any depth of the bit and any friction is made of.
+
+use wholestring::{
+    ends::Ends,
+    model::Model,
+    mud::Mud,
+    rig::Rig,
+    statics::buckling::Criterion,
+    string::{AssemblyError, ComponentLength, StringSpec},
+    well::{Friction, Hole, HoleError, HoleKind, Well},
+};
+
+/// A well, a string whose topmost component is as long as the bit's depth asks for, a mud and a rig.
+#[derive(Debug, Clone)]
+pub struct Setup {
+    /// Path of the hole and its sections, down to the deepest bit.
+    pub well: Well,
+    /// Components from the bit up.
+    pub string: StringSpec,
+    /// Drilling fluid.
+    pub mud: Mud,
+    /// Hoist and top drive.
+    pub rig: Rig,
+    /// How the ends of the string are held across the hole.
+    pub ends: Ends,
+    /// Whose buckling loads compression is compared with.
+    pub buckling: Criterion,
+}
+
+/// Friction factors of a well: of its casings and of its open hole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WallFriction {
+    /// Of every casing and liner.
+    pub cased: Friction,
+    /// Of the rock.
+    pub open: Friction,
+}
+
+impl WallFriction {
+    /// The same everywhere.
+    pub const fn uniform(coefficient: f64) -> Self {
+        let friction = Friction::uniform(coefficient);
+        Self { cased: friction, open: friction }
+    }
+
+    /// Of one kind of hole.
+    pub const fn of(&self, kind: HoleKind) -> Friction {
+        match kind {
+            HoleKind::Casing => self.cased,
+            HoleKind::Open => self.open,
+        }
+    }
+}
+
+impl Setup {
+    /// The model with the bit at a measured depth, m: pipe is added or laid down at the surface. Where no
+    /// component runs to the surface, the topmost one does.
+    ///
+    /// # Errors
+    /// A depth that the components below the topmost one are too long for.
+    pub fn at(&self, bit_depth_m: f64) -> Result<Model, AssemblyError> {
+        let string = self.running().assemble(bit_depth_m)?;
+        Ok(Model {
+            well: self.well.clone(),
+            string,
+            mud: self.mud,
+            rig: self.rig,
+            ends: self.ends,
+            buckling: self.buckling,
+        })
+    }
+
+    /// The same with other friction factors.
+    ///
+    /// # Errors
+    /// A factor that is out of its range.
+    pub fn with_friction(&self, friction: &WallFriction) -> Result<Self, HoleError> {
+        let mut sections = self.well.hole.sections().to_vec();
+        for section in &mut sections {
+            section.friction = friction.of(section.kind);
+        }
+        let hole = Hole::new(sections)?.with_roughness(self.well.hole.roughness().copied())?;
+        Ok(Self { well: Well { path: self.well.path.clone(), hole }, ..self.clone() })
+    }
+
+    /// Length of what stands below the component that runs to the surface, m: the shallowest depth of the
+    /// bit.
+    pub fn shallowest_m(&self) -> f64 {
+        let components = self.running().components;
+        let length = |length: ComponentLength| match length {
+            ComponentLength::Metres(length_m) => length_m,
+            ComponentLength::ToSurface => 0.0,
+        };
+        components.iter().map(|component| length(component.length)).sum()
+    }
+
+    /// The string whose topmost component runs to the surface.
+    fn running(&self) -> StringSpec {
+        let mut string = self.string.clone();
+        if let Some(top) = string.components.last_mut() {
+            top.length = ComponentLength::ToSurface;
+        }
+        string
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wholestring::{
+        prelude::*,
+        statics::soft::soft_string,
+        string::{ComponentLength::Metres, ComponentSpec},
+    };
+
+    fn setup() -> Setup {
+        let path = Path::minimum_curvature(&[
+            Station::from_degrees(0.0, 0.0, 0.0),
+            Station::from_degrees(500.0, 0.0, 0.0),
+            Station::from_degrees(1400.0, 60.0, 0.0),
+            Station::from_degrees(2000.0, 60.0, 0.0),
+        ])
+        .expect("a path");
+        let hole = Hole::new(vec![
+            HoleSection::casing(0.0..1000.0, 0.2224, 0.2),
+            HoleSection::open(1000.0..2000.0, 0.2159, 0.3),
+        ])
+        .expect("a hole");
+        let string = StringSpec::from_bit(ComponentSpec::bit(0.2159, 0.3))
+            .catalogue("6-1/2 in x 2-13/16 in collar", Metres(99.7))
+            .and_then(|string| string.catalogue("5 in 19.50 lb/ft S-135", Metres(1900.0)))
+            .expect("a string");
+        Setup {
+            well: Well { path, hole },
+            string,
+            mud: Mud::of_density(1200.0),
+            rig: Rig::default(),
+            ends: Ends::default(),
+            buckling: Criterion::default(),
+        }
+    }
+
+    #[test]
+    fn pipe_is_laid_down_at_the_surface() {
+        let setup = setup();
+        assert!((setup.shallowest_m() - 100.0).abs() < 1e-9);
+        for depth_m in [100.5, 700.0, 2000.0] {
+            let string = setup.at(depth_m).expect("a model").string;
+            assert!((string.length_m() - depth_m).abs() < 1e-9);
+            assert!((string.components()[1].length_m - 99.7).abs() < 1e-9);
+        }
+        assert!(matches!(setup.at(50.0), Err(AssemblyError::AssemblyTooLong { .. })));
+    }
+
+    #[test]
+    fn each_kind_of_hole_has_its_friction() {
+        let friction = WallFriction { cased: Friction::uniform(0.1), open: Friction::uniform(0.5) };
+        let changed = setup().with_friction(&friction).expect("a setup");
+        let [cased, open] = changed.well.hole.sections() else { panic!("two sections") };
+        assert_eq!([cased.friction, open.friction], [friction.cased, friction.open]);
+        assert!(setup().with_friction(&WallFriction::uniform(-0.1)).is_err());
+        // Nothing else changes: without friction both hang the same.
+        let hang = |setup: &Setup| {
+            let model = setup.at(1500.0).expect("a model");
+            soft_string(&model, &Operation::trip_out(1500.0)).expect("an answer").scalars
+        };
+        let smooth = WallFriction::uniform(0.0);
+        let [first, second] =
+            [setup(), changed].map(|setup| hang(&setup.with_friction(&smooth).expect("a setup")));
+        assert_eq!(first.hook_load_N, second.hook_load_N);
+    }
+}
