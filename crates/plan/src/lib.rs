@@ -5,6 +5,11 @@
 //! reads files, prints or starts threads. A [`Setup`] gives the model at any depth of the bit.
 #![warn(missing_docs)]
 
+mod broomstick;
 mod setup;
 
+pub use broomstick::{
+    Broomstick, BroomstickPoint, BroomstickTask, BucklingWeight, FrictionLevel, Frictions,
+    KindFriction, LevelFriction, NoAnswer, PointAnswer, Statics, bit_depths_m,
+};
 pub use setup::{Setup, WallFriction};
