@@ -49,6 +49,14 @@ impl KindFriction {
     /// Less than this no hole is taken to rub by taking away.
     pub const LEAST: f64 = 0.05;
 
+    /// As another one is beside a section's own, beside this one.
+    fn beside(self, other: Self) -> Self {
+        match self {
+            Self::Given(friction) => Self::Given(other.of(&friction)),
+            Self::Shifted(_) => other,
+        }
+    }
+
     /// The friction of a section.
     pub fn of(&self, own: &Friction) -> Friction {
         match *self {
@@ -84,6 +92,12 @@ impl LevelFriction {
     pub const fn uniform(coefficient: f64) -> Self {
         let friction = KindFriction::Given(Friction::uniform(coefficient));
         Self { cased: friction, open: friction }
+    }
+
+    /// As another level is beside each section's own friction, beside this one.
+    #[must_use]
+    pub fn beside(&self, other: &Self) -> Self {
+        Self { cased: self.cased.beside(other.cased), open: self.open.beside(other.open) }
     }
 
     /// The friction of a section.
