@@ -5,6 +5,8 @@
 //! reads files, prints or starts threads. A [`Setup`] gives the model at any depth of the bit.
 #![warn(missing_docs)]
 
+pub mod limits;
 mod setup;
+pub mod strength;
 
 pub use setup::{Setup, WallFriction};

@@ -58,6 +58,10 @@ pub struct Component {
     pub lateral_force: Option<LateralForce>,
 }
 
+/// Yield strength in shear over that in tension: 0.096167 of API RP 7G's `Q = 0.096167 J Y/D` is a
+/// sixth of it, by `2/D` for the outer radius and 12 inches to a foot.
+const SHEAR_PER_TENSILE_YIELD: f64 = 6.0 * 0.096167;
+
 /// Area of a ring, m².
 pub(super) fn ring_area_m2(od_m: f64, id_m: f64) -> f64 {
     PI / 4.0 * (od_m * od_m - id_m * id_m)
@@ -160,9 +164,9 @@ impl Component {
     /// known.
     ///
     /// `Q = 2 J (0.577 Y) / D`: the shear stress at the surface reaches von Mises' `Y/√3`, with the
-    /// 0.577 of API RP 7G (in inches, psi and ft·lbf its `0.096167 J Y / D`), 0.06 % below `1/√3`.
+    /// constant of API RP 7G, in inches, psi and ft·lbf `0.096167 J Y / D`, 0.06 % below `1/√3`.
     pub fn torsional_yield_N_m(&self) -> Option<f64> {
-        let shear_yield_Pa = 0.577 * self.yield_strength_Pa?;
+        let shear_yield_Pa = SHEAR_PER_TENSILE_YIELD * self.yield_strength_Pa?;
         Some(2.0 * self.polar_moment_m4() * shear_yield_Pa / self.od_m)
     }
 }
