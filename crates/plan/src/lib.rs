@@ -5,8 +5,12 @@
 //! reads files, prints or starts threads. A [`Setup`] gives the model at any depth of the bit.
 #![warn(missing_docs)]
 
+pub mod fatigue;
 pub mod limits;
 mod setup;
+mod stage;
 pub mod strength;
+pub mod wear;
 
 pub use setup::{Setup, WallFriction};
+pub use stage::{Stage, drilled_lengths_m};
