@@ -117,10 +117,8 @@ fn a_pipe_that_hangs() {
 /// asked for nothing, a body without yield strength is told.
 #[test]
 fn each_component_has_its_limit() {
-    let plain = ComponentSpec {
-        yield_strength_Pa: None,
-        ..five_inch("plain", Metres(99.7), YIELD_PA)
-    };
+    let plain =
+        ComponentSpec { yield_strength_Pa: None, ..five_inch("plain", Metres(99.7), YIELD_PA) };
     let model = vertical(
         2500.0,
         vec![
@@ -331,8 +329,8 @@ fn buckling_of_a_level_pipe() {
     let found = soft(&model, &slide, &LimitSettings::default());
     let body = &model.string.components()[0];
     let clearance_m = 0.5 * (0.3 - body.od_m);
-    let dawson_N = 2.0
-        * (body.bending_stiffness_N_m2() * weight_N_per_m(&model, 0) / clearance_m).sqrt();
+    let dawson_N =
+        2.0 * (body.bending_stiffness_N_m2() * weight_N_per_m(&model, 0) / clearance_m).sqrt();
     for (kind, critical_N) in [
         (LimitKind::SinusoidalBuckling, dawson_N),
         (LimitKind::HelicalBuckling, 2.0_f64.sqrt() * dawson_N),
@@ -371,10 +369,8 @@ fn connections_that_are_given() {
     assert_close("body", of(&found, LimitKind::Tension, Some(0)).capacity, yield_N, 1e-9);
     assert_eq!(found.first().map(|of| of.kind), Some(LimitKind::MakeUp));
     // Joints are known where the body is not.
-    let unknown = ComponentSpec {
-        yield_strength_Pa: None,
-        ..five_inch("pipe", ToSurface, YIELD_PA)
-    };
+    let unknown =
+        ComponentSpec { yield_strength_Pa: None, ..five_inch("pipe", ToSurface, YIELD_PA) };
     let found = soft(&vertical(1000.0, vec![unknown]), &drill, &settings);
     assert_eq!(of(&found, LimitKind::Torsion, Some(0)).capacity, 4.2e4);
     let lacks: Vec<_> = found.unchecked.iter().map(|of| of.kind).collect();
@@ -392,8 +388,7 @@ fn factors_are_required() {
         of(&found, LimitKind::Tension, Some(0))
     };
     let factor = level(1.0).factor;
-    for (part, expected) in
-        [(0.9, Standing::Kept), (0.95, Standing::Near), (1.05, Standing::Short)]
+    for (part, expected) in [(0.9, Standing::Kept), (0.95, Standing::Near), (1.05, Standing::Short)]
     {
         let limit = level(part * factor);
         assert_eq!(limit.level, expected);
@@ -409,12 +404,8 @@ fn factors_are_required() {
 #[test]
 fn the_worst_point_is_told() {
     let pipe = five_inch("pipe", ToSurface, YIELD_PA);
-    let model = in_hole(
-        &[[0.0, 0.0, 0.0], [900.0, 90.0, 0.0]],
-        0.3,
-        Mud::of_density(1200.0),
-        vec![pipe],
-    );
+    let model =
+        in_hole(&[[0.0, 0.0, 0.0], [900.0, 90.0, 0.0]], 0.3, Mud::of_density(1200.0), vec![pipe]);
     let out = Operation::trip_out(900.0).bit_pull_N(2e5);
     let solved = soft_string(&model, &out).expect("a sound model");
     let found = limits(&model, &out, &(&solved).into(), &LimitSettings::default());

@@ -9,7 +9,12 @@ use super::{
 use crate::strength::{Body, BodyLoads, PipeClass, worst_stress};
 
 /// Adds the limits of the components.
-pub fn limits(strengths: &Strengths, loads: &Loads<'_>, settings: &LimitSettings, found: &mut Limits) {
+pub fn limits(
+    strengths: &Strengths,
+    loads: &Loads<'_>,
+    settings: &LimitSettings,
+    found: &mut Limits,
+) {
     let mut worst = vec![None::<(Limit, usize)>; LimitKind::ALL.len() * strengths.count()];
     for row in 0..loads.rows() {
         for component in loads.components(row) {

@@ -63,7 +63,7 @@ impl Limit {
         capacity: f64,
         factors: &DesignFactors,
     ) -> Option<Self> {
-        if !(load > 0.0) || !capacity.is_finite() {
+        if load.is_nan() || load <= 0.0 || !capacity.is_finite() {
             return None;
         }
         let (factor, required) = (capacity / load, factors.of(kind));

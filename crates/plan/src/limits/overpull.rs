@@ -20,7 +20,8 @@ pub fn limits(
         return;
     }
     let LimitSettings { factors, overpull_N, .. } = settings;
-    let limit = |margin_N: f64| Limit::new(LimitKind::Overpull, *overpull_N, margin_N.max(0.0), factors);
+    let limit =
+        |margin_N: f64| Limit::new(LimitKind::Overpull, *overpull_N, margin_N.max(0.0), factors);
     let mut least = vec![None::<Limit>; strengths.count()];
     for row in 0..loads.rows() {
         for component in loads.components(row) {

@@ -47,7 +47,7 @@ impl Collapse {
     /// that its tension makes yield.
     pub fn of(slenderness: f64, yield_strength_Pa: f64, axial_stress_Pa: f64) -> Self {
         let pulled = (axial_stress_Pa / yield_strength_Pa).max(0.0);
-        if !(pulled < 1.0) {
+        if pulled.is_nan() || pulled >= 1.0 {
             return Self { pressure_Pa: 0.0, regime: CollapseRegime::Yield };
         }
         let left = (1.0 - 0.75 * pulled * pulled).sqrt() - 0.5 * pulled;

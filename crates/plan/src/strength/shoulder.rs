@@ -47,8 +47,8 @@ impl RotaryShoulder {
 
     /// Area of a pin without relief groove, `A_p = π/4 ((C − B)² − d²)`, m².
     pub fn pin_area_m2(&self) -> f64 {
-        let root_m = 2.0 * (0.5 * self.thread_height_m - self.root_truncation_m)
-            + self.taper * PIN_AT_M;
+        let root_m =
+            2.0 * (0.5 * self.thread_height_m - self.root_truncation_m) + self.taper * PIN_AT_M;
         FRAC_PI_4 * ((self.pitch_diameter_m - root_m).powi(2) - self.id_m.powi(2))
     }
 

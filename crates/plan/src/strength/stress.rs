@@ -121,7 +121,10 @@ pub fn surface_stresses(body: &Component, loads: &BodyLoads) -> [SurfaceStress; 
 /// The point of a body that bears most: among equals the inner one, on the side that is pulled.
 pub fn worst_stress(body: &Component, loads: &BodyLoads) -> SurfaceStress {
     let [first, rest @ ..] = surface_stresses(body, loads);
-    rest.into_iter().fold(first, |worst, next| {
-        if next.von_mises_Pa > worst.von_mises_Pa { next } else { worst }
-    })
+    rest.into_iter().fold(
+        first,
+        |worst, next| {
+            if next.von_mises_Pa > worst.von_mises_Pa { next } else { worst }
+        },
+    )
 }
