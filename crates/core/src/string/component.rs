@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-use super::{BodyBend, Eccentricity, LateralForce, Material};
+use super::{BodyBend, ConnectionStrength, Eccentricity, LateralForce, Material};
 use crate::GRAVITY_M_PER_S2;
 
 /// Tool joints: the thick, short ends of a pipe, the only part of it that usually touches the wall.
@@ -47,6 +47,9 @@ pub struct Component {
     pub material: Material,
     /// Minimum yield strength, Pa, where known.
     pub yield_strength_Pa: Option<f64>,
+    /// What its connections bear.
+    #[serde(skip_serializing_if = "ConnectionStrength::is_unknown")]
+    pub connection: ConnectionStrength,
     /// A bend of its body.
     pub bend: Option<BodyBend>,
     /// Steel off the axis.
@@ -86,6 +89,7 @@ impl Component {
             blades: None,
             material,
             yield_strength_Pa: None,
+            connection: ConnectionStrength::default(),
             bend: None,
             eccentricity: None,
             survey_sensor_m: None,
