@@ -267,3 +267,25 @@ fn pipe_is_added_at_the_surface() {
     still.add(&Stage::moved(&model, &slide, &solved, 90.0).expect("it moves"), &settings);
     assert!(still.rows().all(|row| row.damage == 0.0));
 }
+
+/// Where a pipe meets a thicker component, each is damaged by its own bending: the soft string bends both as the
+/// hole.
+#[test]
+fn neighbours_damage_each_other_not() {
+    let settings = FatigueSettings { sn_curve: RULE, tensile_strength_Pa: Some(TENSILE_PA) };
+    let (mut model, drill) = in_an_arc(400.0, 1e5);
+    let of = |name, od_m, length| ComponentSpec::uniform(name, od_m, 0.0714, length, steel());
+    let components = vec![of("pipe", 0.127, Metres(200.0)), of("collar", 0.2032, ToSurface)];
+    model.string = StringSpec { components }.assemble(400.0).expect("a string");
+    let solved = soft_string(&model, &drill).expect("a sound model");
+    let mut damage = Damage::default();
+    let stage = Stage::moved(&model, &drill, &solved, 90.0).expect("it drills");
+    damage.add(&stage, &settings);
+    for (index, body) in model.string.components().iter().enumerate() {
+        let bending_Pa = 210e9 * 0.1_f64.to_radians() * 0.5 * body.od_m;
+        let equivalent_Pa = bending_Pa / (1.0 - 1e5 / body.area_m2() / TENSILE_PA);
+        let expected = stage.revolutions() / RULE.cycles(equivalent_Pa);
+        let worst = damage.worst(index).expect("a tensile strength").damage;
+        assert_close(&body.name, worst, expected, 1e-8);
+    }
+}

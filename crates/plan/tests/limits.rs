@@ -11,14 +11,11 @@ use wholestring::{
     prelude::*,
     rig::Rig,
     statics::stiff::{self, StiffSettings},
-    string::{Component, ToolJoints},
+    string::{Component, ConnectionStrength, ToolJoints, catalogue::PipeClass},
 };
 use wholestring_plan::{
-    limits::{
-        ComponentRatings, DesignFactors, Limit, LimitKind, LimitSettings, Limits, Missing,
-        RigRatings, Standing, limits,
-    },
-    strength::{BendSide, Body, BodyLoads, PSI_PA, PipeClass, Surface, worst_stress},
+    limits::{DesignFactors, Limit, LimitKind, LimitSettings, Limits, Missing, Standing, limits},
+    strength::{BendSide, BodyLoads, PSI_PA, Surface, worst_stress},
 };
 use wholestring_verification::{report_worst, verify};
 
@@ -30,6 +27,12 @@ fn five_inch(name: &str, length: ComponentLength, yield_strength_Pa: f64) -> Com
         yield_strength_Pa: Some(yield_strength_Pa),
         ..ComponentSpec::uniform(name, 5.0 * INCH_M, 4.276 * INCH_M, length, steel())
     }
+}
+
+/// The same, worn to what its class leaves.
+fn worn(new: &ComponentSpec, class: PipeClass) -> ComponentSpec {
+    let od_m = new.id_m + class.wall_left() * (new.od_m - new.id_m);
+    ComponentSpec { od_m, class, ..new.clone() }
 }
 
 /// A string in a hole of 0.3 m through stations of measured depth, inclination and azimuth, m and degrees.
@@ -157,16 +160,14 @@ fn s3b_through_the_whole_path() {
         let premium = number(input, "od_in") < 4.99;
         let class = if premium { PipeClass::Premium } else { PipeClass::New };
         let tension_N = number(input, "tension_lbf") * POUND_FORCE_N;
-        let model = vertical(1000.0, vec![whole.clone()]);
+        let model = vertical(1000.0, vec![worn(&whole, class)]);
         let weight_N = 1000.0 * weight_N_per_m(&model, 0);
         let drill = Operation::drill(1000.0)
             .rotary_speed_rad_per_s(12.0)
             .rate_of_penetration_m_per_s(1e-9)
             .weight_on_bit_N(weight_N - tension_N)
             .bit_torque_N_m(2e4);
-        let ratings = ComponentRatings { class, ..ComponentRatings::default() };
-        let settings = LimitSettings { components: vec![ratings], ..LimitSettings::default() };
-        let found = soft(&model, &drill, &settings);
+        let found = soft(&model, &drill, &LimitSettings::default());
         // The tension that is asked for is that at the top; where it is none, the pipe below is pressed.
         if tension_N == 0.0 {
             continue;
@@ -176,7 +177,7 @@ fn s3b_through_the_whole_path() {
         assert!(pulled || tension_N < weight_N, "{combined:?}");
         assert_close("torque", combined.load, 2e4, 1e-6);
         if pulled {
-            let what = format!("torsional yield of a {} pipe that drills, N·m", class.name());
+            let what = format!("torsional yield of a {class:?} pipe that drills, N·m");
             rows.push((what, combined.capacity, number(expected, "torque_under_tension_Nm")));
         }
         let torsion = of(&found, LimitKind::Torsion, Some(0));
@@ -199,27 +200,26 @@ fn bending_at_joints_counts() {
     let joints = Some(ToolJoints { od_m: 0.1683, spacing_m: 9.6 });
     let pipe = ComponentSpec { joints, ..five_inch("pipe", ToSurface, YIELD_PA) };
     let mud = Mud::of_density(steel().density_kg_per_m3);
-    let model = in_hole(&[[0.0, 0.0, 0.0], [600.0, 60.0, 0.0]], 0.0, mud, vec![pipe]);
+    let model = |pipe| in_hole(&[[0.0, 0.0, 0.0], [600.0, 60.0, 0.0]], 0.0, mud, vec![pipe]);
     let drill = Operation::drill(600.0)
         .rotary_speed_rad_per_s(12.0)
         .rate_of_penetration_m_per_s(1e-3)
         .weight_on_bit_N(-tension_N)
         .bit_torque_N_m(torque_N_m);
-    let body = &model.string.components()[0];
-    let x = 4.8 * (tension_N / body.bending_stiffness_N_m2()).sqrt();
-    let curvature_per_m = rate_per_m * x / x.tanh();
+    let settings = LimitSettings::default();
     let mut rows = Vec::new();
     for class in PipeClass::ALL {
-        let ratings = ComponentRatings { class, ..ComponentRatings::default() };
-        let settings = LimitSettings { components: vec![ratings], ..LimitSettings::default() };
+        // Weightless whatever is left of it.
+        let body = worn(&pipe, class);
+        let model = model(body);
+        let body = &model.string.components()[0];
         let found = of(&soft(&model, &drill, &settings), LimitKind::VonMises, Some(0));
-        let left = Body::of(body, class).expect("graded");
-        let (od_m, area_m2) = (left.left().od_m, left.left().area_m2());
-        let bent_Pa = 210e9 * curvature_per_m * 0.5 * od_m;
-        let sheared_Pa = torque_N_m * 0.5 * od_m / left.left().polar_moment_m4();
-        let normal_Pa = tension_N / area_m2 + bent_Pa;
+        let x = 4.8 * (tension_N / body.bending_stiffness_N_m2()).sqrt();
+        let bent_Pa = 210e9 * rate_per_m * x / x.tanh() * 0.5 * body.od_m;
+        let sheared_Pa = torque_N_m * 0.5 * body.od_m / body.polar_moment_m4();
+        let normal_Pa = tension_N / body.area_m2() + bent_Pa;
         let expected_Pa = (normal_Pa.powi(2) + 3.0 * sheared_Pa.powi(2)).sqrt();
-        let what = format!("von Mises stress of {} pipe in an arc with joints, Pa", class.name());
+        let what = format!("von Mises stress of {class:?} pipe in an arc with joints, Pa");
         rows.push((what, found.load, expected_Pa));
         let point = found.stress.expect("a point");
         assert_eq!((point.surface, point.side), (Surface::Outer, BendSide::Tension));
@@ -227,8 +227,8 @@ fn bending_at_joints_counts() {
     report_worst(rows.iter().map(|(what, computed, expected)| {
         verify("S3a", what).relative(1e-9, "rounding").row(*expected, *computed)
     }));
+    let model = model(pipe);
     let solved = stiff::solve(&model, &drill, &StiffSettings::default()).expect("an equilibrium");
-    let settings = LimitSettings::default();
     let stiff = limits(&model, &drill, &(&solved).into(), &settings);
     let largest = solved.von_mises_stress_Pa.iter().copied().fold(0.0, f64::max);
     assert_close("stiff", of(&stiff, LimitKind::VonMises, Some(0)).load, largest, 1e-9);
@@ -243,13 +243,13 @@ fn burst_and_the_pump() {
     };
     let stations = [[0.0, 0.0, 0.0], [2000.0, 0.0, 0.0]];
     let pipe = five_inch("pipe", ToSurface, YIELD_PA);
-    let model = in_hole(&stations, 0.3, mud, vec![pipe]);
+    let mut model = in_hole(&stations, 0.3, mud, vec![pipe]);
+    model.rig.pump_pressure_limit_Pa = Some(35e6);
     let turn = Operation::rotate_off_bottom(2000.0)
         .rotary_speed_rad_per_s(12.0)
         .flow_rate_m3_per_s(0.03)
         .bit_pressure_drop_Pa(8e6);
-    let rig = RigRatings { pump_pressure_Pa: Some(35e6), ..RigRatings::default() };
-    let settings = LimitSettings { rig, ..LimitSettings::default() };
+    let settings = LimitSettings::default();
     let solved = soft_string(&model, &turn).expect("a sound model");
     let found = limits(&model, &turn, &(&solved).into(), &settings);
     let pump_Pa = solved.hydraulics.expect("a rheology").pump_pressure_Pa;
@@ -312,6 +312,19 @@ fn sliding_down_a_slant() {
         let expected = weight_N * cos / (friction * weight_N * sin + asked_N);
         assert_close("lock-up", lock_up.factor, expected, 1e-6);
         assert_eq!(lock_up.level == Standing::Passed, expected < 1.0, "{asked_N}");
+        // Nothing is kept for a pull where nothing is pulled.
+        assert!(found.worst(LimitKind::Overpull).is_none());
+        // What the block weighs pushes too.
+        let mut pushed = model.clone();
+        pushed.rig.block_weight_N = Some(1e4);
+        let found = soft(&pushed, &down, &LimitSettings::default());
+        let expected = (weight_N * cos + 1e4) / (friction * weight_N * sin + asked_N);
+        assert_close(
+            "pushed",
+            found.worst(LimitKind::LockUp).expect("a limit").factor,
+            expected,
+            1e-6,
+        );
     }
 }
 
@@ -347,19 +360,19 @@ fn buckling_of_a_level_pipe() {
 /// make-up torque that is passed.
 #[test]
 fn connections_that_are_given() {
-    let model = vertical(1000.0, vec![five_inch("pipe", ToSurface, YIELD_PA)]);
+    let connection = ConnectionStrength {
+        make_up_torque_N_m: Some(2.5e4),
+        torsional_yield_N_m: Some(4.2e4),
+        tensile_yield_N: Some(9e9),
+    };
+    let pipe = ComponentSpec { connection, ..five_inch("pipe", ToSurface, YIELD_PA) };
+    let model = vertical(1000.0, vec![pipe.clone()]);
     let drill = Operation::drill(1000.0)
         .rotary_speed_rad_per_s(12.0)
         .rate_of_penetration_m_per_s(1e-3)
         .weight_on_bit_N(5e4)
         .bit_torque_N_m(3e4);
-    let ratings = ComponentRatings {
-        make_up_torque_N_m: Some(2.5e4),
-        joint_torsional_yield_N_m: Some(4.2e4),
-        joint_tensile_yield_N: Some(9e9),
-        ..ComponentRatings::default()
-    };
-    let settings = LimitSettings { components: vec![ratings], ..LimitSettings::default() };
+    let settings = LimitSettings::default();
     let found = soft(&model, &drill, &settings);
     let made_up = of(&found, LimitKind::MakeUp, Some(0));
     assert_close("make-up", made_up.factor, 2.5e4 / 3e4, 1e-6);
@@ -369,8 +382,7 @@ fn connections_that_are_given() {
     assert_close("body", of(&found, LimitKind::Tension, Some(0)).capacity, yield_N, 1e-9);
     assert_eq!(found.first().map(|of| of.kind), Some(LimitKind::MakeUp));
     // Joints are known where the body is not.
-    let unknown =
-        ComponentSpec { yield_strength_Pa: None, ..five_inch("pipe", ToSurface, YIELD_PA) };
+    let unknown = ComponentSpec { yield_strength_Pa: None, ..pipe };
     let found = soft(&vertical(1000.0, vec![unknown]), &drill, &settings);
     assert_eq!(of(&found, LimitKind::Torsion, Some(0)).capacity, 4.2e4);
     let lacks: Vec<_> = found.unchecked.iter().map(|of| of.kind).collect();
@@ -427,4 +439,36 @@ fn the_worst_point_is_told() {
 
 fn second_moment_m4(model: &Model) -> f64 {
     model.string.components()[0].second_moment_m4()
+}
+
+/// A pipe below a stiffer one bears its own bending where the two meet, not the other's: the soft string bends
+/// both as the hole.
+#[test]
+fn each_component_bends_by_its_own_stiffness() {
+    let weightless = Mud::of_density(steel().density_kg_per_m3);
+    let heavy = ComponentSpec { id_m: 3.0 * INCH_M, ..five_inch("heavy", ToSurface, YIELD_PA) };
+    let heavy = ComponentSpec {
+        mass_per_length_kg_per_m: ComponentSpec::uniform(
+            "",
+            heavy.od_m,
+            heavy.id_m,
+            ToSurface,
+            steel(),
+        )
+        .mass_per_length_kg_per_m,
+        ..heavy
+    };
+    let model = in_hole(
+        &[[0.0, 0.0, 0.0], [600.0, 60.0, 0.0]],
+        0.0,
+        weightless,
+        vec![five_inch("pipe", Metres(300.0), YIELD_PA), heavy],
+    );
+    let pulled = Operation::trip_out(600.0).bit_pull_N(1e5);
+    let found = soft(&model, &pulled, &LimitSettings::default());
+    for (component, body) in model.string.components().iter().enumerate() {
+        let bent_Pa = 210e9 * 0.1_f64.to_radians() * 0.5 * body.od_m;
+        let stress = of(&found, LimitKind::VonMises, Some(component)).load;
+        assert_close("stress", stress, bent_Pa + 1e5 / body.area_m2(), 1e-9);
+    }
 }

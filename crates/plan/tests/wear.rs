@@ -9,12 +9,12 @@ use wholestring::{
     GRAVITY_M_PER_S2,
     prelude::*,
     string::ToolJoints,
-    well::{HoleKind, HoleSection},
+    well::{CasingPipe, HoleKind, HoleSection},
 };
 use wholestring_plan::{
     Stage, drilled_lengths_m,
     strength::{PSI_PA, Tube},
-    wear::{CasingError, CasingPipe, CasingWear, Groove, worn_m3_per_m},
+    wear::{CasingError, CasingWear, Groove, WearFactors, WearRow, WornPipe, worn_m3_per_m},
 };
 use wholestring_verification::{report_worst, verify};
 
@@ -126,19 +126,29 @@ fn depth_and_area_are_inverse() {
 }
 
 const JOINT_OD_M: f64 = 0.16828;
-const CASING: CasingPipe = CasingPipe {
-    section: 0,
-    od_m: 0.244475,
-    yield_strength_Pa: Some(80e3 * PSI_PA),
-    wear_factor_per_Pa: 2e-10 / PSI_PA,
-};
+const FACTOR_PER_PA: f64 = 2e-10 / PSI_PA;
+const CASING: CasingPipe = CasingPipe { od_m: 0.244475, yield_strength_Pa: Some(80e3 * PSI_PA) };
+
+fn factors() -> WearFactors {
+    WearFactors { usual_per_Pa: 9e-10 / PSI_PA, of_section_per_Pa: vec![(0, FACTOR_PER_PA)] }
+}
+
+fn pipe_left(row: &WearRow) -> WornPipe {
+    row.pipe.expect("a casing that is known")
+}
 
 /// A level hole, cased in its first 1000 m, and a pipe in air that weighs 1500 N/m.
 fn level() -> Model {
     let station = |md_m| Station::from_degrees(md_m, 90.0, 0.0);
     let path = Path::minimum_curvature(&[station(0.0), station(2000.0)]).expect("a path");
+    // Around the hole the friction is four fifths of that along it.
+    let friction = Friction { around: 0.8, ..Friction::uniform(0.25) };
     let hole = Hole::new(vec![
-        HoleSection::casing(0.0..1002.0, 0.220498, 0.25),
+        HoleSection {
+            casing: Some(CASING),
+            friction,
+            ..HoleSection::casing(0.0..1002.0, 0.220498, 0.25)
+        },
         HoleSection::open(1002.0..2000.0, 0.2159, 0.25),
     ])
     .expect("a hole");
@@ -167,7 +177,7 @@ fn s6_through_the_whole_path() {
         duration_s: 100.0 * 3600.0,
     };
     let [by_force, by_work] = [CasingWear::add, CasingWear::add_by_work].map(|add| {
-        let mut wear = CasingWear::new(&model.well.hole, &[CASING]).expect("casing");
+        let mut wear = CasingWear::new(&model.well.hole, &factors()).expect("casing");
         add(&mut wear, &stage);
         wear.rows()
     });
@@ -186,7 +196,7 @@ fn s6_through_the_whole_path() {
                 ));
                 rows.push((
                     format!("part of the wall that is gone {at}, %"),
-                    100.0 * row.worn_part(),
+                    100.0 * pipe_left(row).worn_part(),
                     expected("wear_percent_of_wall"),
                 ));
             }
@@ -196,7 +206,7 @@ fn s6_through_the_whole_path() {
         verify("S6", what).relative(1e-6, "the file's").row(*expected, *computed)
     }));
     // What is left: Barlow by the wall, the collapse of a pipe with that wall all round.
-    let row = by_force[100];
+    let row = pipe_left(&by_force[100]);
     let [new_Pa, worn_Pa] = row.burst_Pa.expect("a grade");
     assert_close("burst", worn_Pa / new_Pa, row.wall_left_m / row.wall_m, 1e-12);
     let thin = Tube {
@@ -223,7 +233,7 @@ fn a_campaign_is_its_stages() {
         .bit_torque_N_m(1e3);
     let solved = soft_string(&model, &drill).expect("a sound model");
     let worn = |lengths_m: &[f64]| {
-        let mut wear = CasingWear::new(&model.well.hole, &[CASING]).expect("casing");
+        let mut wear = CasingWear::new(&model.well.hole, &factors()).expect("casing");
         for length_m in lengths_m {
             let stage = Stage::moved(&model, &drill, &solved, *length_m).expect("it moves");
             wear.add(&stage);
@@ -232,7 +242,7 @@ fn a_campaign_is_its_stages() {
     };
     let whole = worn(&[600.0]);
     let sliding_m = (600.0 / 5e-3 * 10.0 * 0.5 * JOINT_OD_M).hypot(600.0);
-    let expected = worn_m3_per_m(CASING.wear_factor_per_Pa, 1500.0, sliding_m);
+    let expected = worn_m3_per_m(FACTOR_PER_PA, 1500.0, sliding_m);
     assert_close("volume", whole, expected, 1e-9);
     let depths_m = [1400.0, 1500.0, 1800.0, 2000.0];
     let parts = drilled_lengths_m(&depths_m);
@@ -256,34 +266,49 @@ fn worn_through() {
             solution: (&solved).into(),
             duration_s: hours * 3600.0,
         };
-        let mut wear = CasingWear::new(&model.well.hole, &[CASING]).expect("casing");
+        let mut wear = CasingWear::new(&model.well.hole, &factors()).expect("casing");
         wear.add(&stage);
         let row = wear.rows()[20];
-        assert!(row.groove_m.is_none_or(|depth_m| depth_m > row.wall_m), "{row:?}");
-        assert_eq!((row.wall_left_m, row.worn_part()), (0.0, 1.0));
-        assert_eq!(row.burst_Pa.expect("a grade")[1], 0.0);
-        assert!(row.collapse_Pa.expect("a grade")[1] < 1.0);
+        let left = pipe_left(&row);
+        assert!(row.groove_m.is_none_or(|depth_m| depth_m > left.wall_m), "{row:?}");
+        assert_eq!((left.wall_left_m, left.worn_part()), (0.0, 1.0));
+        assert_eq!(left.burst_Pa.expect("a grade")[1], 0.0);
+        assert_eq!(left.collapse_Pa.expect("a grade")[1], 0.0);
     }
     // And nothing where nothing turned.
-    let wear = CasingWear::new(&model.well.hole, &[CASING]).expect("casing").rows();
-    assert!(wear.iter().all(|row| row.groove_m == Some(0.0) && row.wall_left_m == row.wall_m));
+    let wear = CasingWear::new(&model.well.hole, &factors()).expect("casing").rows();
+    let whole = |row: &WearRow| pipe_left(row).wall_left_m == pipe_left(row).wall_m;
+    assert!(wear.iter().all(|row| row.groove_m == Some(0.0) && whole(row)));
 }
 
-/// What cannot be worn is refused by what is wrong with it.
+/// What cannot be worn is refused by what is wrong with it; casing of which no pipe is known has a groove, and
+/// nobody knows what is left.
 #[test]
 fn casing_that_is_none() {
     let model = level();
-    let refused = |pipe: CasingPipe| CasingWear::new(&model.well.hole, &[pipe]).expect_err("wrong");
+    let refused = |of: WearFactors| CasingWear::new(&model.well.hole, &of).expect_err("wrong");
     assert_eq!(model.well.hole.sections()[1].kind, HoleKind::Open);
     for section in [1, 9] {
-        assert_eq!(refused(CasingPipe { section, ..CASING }), CasingError::NotCased { section });
+        let of_section_per_Pa = vec![(section, 1e-14)];
+        let error = refused(WearFactors { of_section_per_Pa, ..WearFactors::default() });
+        assert_eq!(error, CasingError::NotCased { section });
     }
+    for factor_per_Pa in [0.0, -1.0, f64::NAN] {
+        let of_section_per_Pa = vec![(0, factor_per_Pa)];
+        let error = refused(WearFactors { of_section_per_Pa, ..WearFactors::default() });
+        assert!(matches!(error, CasingError::Factor { section: 0, .. }), "{error}");
+    }
+    let with = |casing: Option<CasingPipe>| {
+        let mut sections = model.well.hole.sections().to_vec();
+        sections[0].casing = casing;
+        CasingWear::new(&Hole::new(sections).expect("a hole"), &WearFactors::default())
+    };
     for od_m in [0.2, 0.220498, f64::NAN, f64::INFINITY] {
-        let error = refused(CasingPipe { od_m, ..CASING });
+        let error = with(Some(CasingPipe { od_m, ..CASING })).expect_err("wrong");
         assert!(matches!(error, CasingError::NoWall { .. }), "{error}");
     }
-    for wear_factor_per_Pa in [0.0, -1.0, f64::NAN] {
-        let error = refused(CasingPipe { wear_factor_per_Pa, ..CASING });
-        assert!(matches!(error, CasingError::OutOfRange { .. }), "{error}");
-    }
+    assert!(with(None).expect("casing").rows().iter().all(|row| row.pipe.is_none()));
+    let ungraded = CasingPipe { yield_strength_Pa: None, ..CASING };
+    let rows = with(Some(ungraded)).expect("casing").rows();
+    assert!(rows.iter().all(|row| pipe_left(row).burst_Pa.is_none()));
 }

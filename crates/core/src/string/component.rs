@@ -4,7 +4,9 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-use super::{BodyBend, ConnectionStrength, Eccentricity, LateralForce, Material};
+use super::{
+    BodyBend, ConnectionStrength, Eccentricity, LateralForce, Material, catalogue::PipeClass,
+};
 use crate::GRAVITY_M_PER_S2;
 
 /// Tool joints: the thick, short ends of a pipe, the only part of it that usually touches the wall.
@@ -47,6 +49,9 @@ pub struct Component {
     pub material: Material,
     /// Minimum yield strength, Pa, where known.
     pub yield_strength_Pa: Option<f64>,
+    /// How worn its body is: [`Self::od_m`] is what is left of it.
+    #[serde(skip_serializing_if = "PipeClass::is_new")]
+    pub class: PipeClass,
     /// What its connections bear.
     #[serde(skip_serializing_if = "ConnectionStrength::is_unknown")]
     pub connection: ConnectionStrength,
@@ -89,6 +94,7 @@ impl Component {
             blades: None,
             material,
             yield_strength_Pa: None,
+            class: PipeClass::New,
             connection: ConnectionStrength::default(),
             bend: None,
             eccentricity: None,

@@ -6,11 +6,11 @@ use super::{
     loads::Loads,
     strengths::{Strength, Strengths},
 };
-use crate::strength::{Body, BodyLoads, PipeClass, worst_stress};
+use crate::strength::worst_stress;
 
 /// Adds the limits of the components.
 pub fn limits(
-    strengths: &Strengths,
+    strengths: &Strengths<'_>,
     loads: &Loads<'_>,
     settings: &LimitSettings,
     found: &mut Limits,
@@ -33,22 +33,16 @@ pub fn limits(
     }
     for (limit, row) in worst.into_iter().flatten() {
         let stress = (limit.kind == LimitKind::VonMises)
-            .then(|| strengths.component(limit.component?).body.as_ref())
+            .then(|| strengths.component(limit.component?).body)
             .flatten()
-            .map(|(body, _)| worst_stress(body.left(), &carried(body, loads, row)));
+            .map(|body| worst_stress(body.component(), &loads.body(row)));
         found.limits.push(Limit { stress, ..limit });
     }
 }
 
-/// What is left of a body carries there: bent as the whole one is.
-fn carried(body: &Body, loads: &Loads<'_>, row: usize) -> BodyLoads {
-    let whole = loads.body(row);
-    BodyLoads { bending_N_m: body.bending_left_N_m(whole.bending_N_m), ..whole }
-}
-
 /// Tells load and capacity of each kind at a row.
 fn at_row(
-    strength: &Strength,
+    strength: &Strength<'_>,
     loads: &Loads<'_>,
     row: usize,
     component: usize,
@@ -61,22 +55,22 @@ fn at_row(
     if let Some(yield_N_m) = strength.torsional_yield_N_m() {
         tell(LimitKind::Torsion, torque_N_m, yield_N_m);
     }
-    if let Some(made_up_N_m) = strength.ratings.make_up_torque_N_m {
+    if let Some(made_up_N_m) = strength.connection.make_up_torque_N_m {
         tell(LimitKind::MakeUp, torque_N_m, made_up_N_m);
     }
-    if let Some((body, _)) = &strength.body {
+    if let Some(body) = &strength.body {
         let bears_N_m = body.torsional_yield_under_N_m(tension_N);
         tell(LimitKind::TensionAndTorsion, torque_N_m, bears_N_m);
     }
     if !loads.bends(row, component) {
         return;
     }
-    if let Some((body, section)) = &strength.body {
-        let of = carried(body, loads, row);
+    if let Some(body) = &strength.body {
+        let of = loads.body(row);
         let burst_Pa = of.inside_Pa - of.outside_Pa;
-        let new = strength.ratings.class == PipeClass::New;
-        let stress_Pa = loads.largest_von_mises_Pa(row).filter(|_| new).unwrap_or_else(|| {
-            section.von_mises_Pa(tension_N, of.bending_N_m, torque_N_m, burst_Pa * burst_Pa)
+        let stress_Pa = loads.largest_von_mises_Pa(row).unwrap_or_else(|| {
+            let (section, bent_N_m) = (body.section(), of.bending_N_m);
+            section.von_mises_Pa(tension_N, bent_N_m, torque_N_m, burst_Pa * burst_Pa)
         });
         tell(LimitKind::VonMises, stress_Pa, body.yield_strength_Pa());
         tell(LimitKind::Burst, burst_Pa, body.burst_Pa());

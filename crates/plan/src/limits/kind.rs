@@ -78,10 +78,10 @@ macro_rules! kinds {
 }
 
 kinds! {
-    /// Effective tension against the tensile yield of body or tool joint, whichever is less. Default
+    /// Effective tension against the tensile yield of body or connection, whichever is less. Default
     /// 1/0.9: API RP 7G's customary 90 % of the yield.
     Tension = tension, "Tension": Force, breaks true, 1.0 / 0.9;
-    /// Torque against the torsional yield of body or tool joint, whichever is less. Default 1.25: 80 % of
+    /// Torque against the torsional yield of body or connection, whichever is less. Default 1.25: 80 % of
     /// the yield, as commonly planned.
     Torsion = torsion, "Torsion": Torque, breaks true, 1.25;
     /// Torque against the torsional yield of the body under the tension that is there (API RP 7G).

@@ -69,7 +69,7 @@ impl<'a> Loads<'a> {
         of(&p.torque_N_m).max(of(&p.torque_p05_N_m)).max(of(&p.torque_p95_N_m))
     }
 
-    /// Largest von Mises stress of any sample, Pa, of the new body; known of dynamics.
+    /// Largest von Mises stress of any sample, Pa; known of dynamics.
     pub fn largest_von_mises_Pa(&self, row: usize) -> Option<f64> {
         self.profile.von_mises_stress_max_Pa.get(row).copied()
     }

@@ -16,7 +16,7 @@ mod strengths;
 
 pub use kind::{DesignFactors, LimitKind};
 pub use limit::{Limit, Limits, Missing, Standing, Unchecked};
-pub use settings::{ComponentRatings, LimitSettings, RigRatings};
+pub use settings::LimitSettings;
 
 use wholestring::{model::Model, operation::Operation, outcome::Solution};
 
@@ -29,7 +29,7 @@ pub fn limits(
     settings: &LimitSettings,
 ) -> Limits {
     let mut found = Limits::default();
-    let strengths = strengths::Strengths::of(model, settings, &mut found);
+    let strengths = strengths::Strengths::of(model, &mut found);
     let loads = loads::Loads::of(model, operation, solution);
     along::limits(&strengths, &loads, settings, &mut found);
     overpull::limits(model, operation, &strengths, &loads, settings, &mut found);

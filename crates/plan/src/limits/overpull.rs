@@ -11,7 +11,7 @@ use crate::strength::margin_of_overpull_N;
 pub fn limits(
     model: &Model,
     operation: &Operation,
-    strengths: &Strengths,
+    strengths: &Strengths<'_>,
     loads: &Loads<'_>,
     settings: &LimitSettings,
     found: &mut Limits,

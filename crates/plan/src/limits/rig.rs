@@ -13,7 +13,7 @@ pub fn limits(model: &Model, loads: &Loads<'_>, settings: &LimitSettings, found:
     let rig = &model.rig;
     let hangs_N = loads.hook_load_N + rig.block_weight_N.unwrap_or(0.0);
     let torque_N_m = loads.surface_torque_N_m;
-    let peak_N_m = settings.rig.top_drive_peak_torque_N_m;
+    let peak_N_m = rig.top_drive_peak_torque_N_m;
     let mut check = |kind, load: f64, capacity: Option<f64>, missing| match capacity {
         Some(capacity) => found.limits.extend(Limit::new(kind, load, capacity, &settings.factors)),
         None => found.lacks(kind, None, missing),
@@ -22,7 +22,7 @@ pub fn limits(model: &Model, loads: &Loads<'_>, settings: &LimitSettings, found:
     check(LimitKind::TopDrive, torque_N_m, rig.top_drive_torque_N_m, Missing::TopDriveTorque);
     check(LimitKind::TopDrivePeak, torque_N_m, peak_N_m, Missing::TopDrivePeakTorque);
     let pump_Pa = loads.pump_pressure_Pa;
-    let (limit_Pa, missing) = match (pump_Pa, settings.rig.pump_pressure_Pa) {
+    let (limit_Pa, missing) = match (pump_Pa, rig.pump_pressure_limit_Pa) {
         (_, None) => (None, Missing::PumpPressureLimit),
         (None, Some(_)) => (None, Missing::Rheology),
         (Some(_), limit_Pa) => (limit_Pa, Missing::Rheology),

@@ -1,22 +1,25 @@
 //! What each component bears.
 
-use wholestring::{model::Model, string::BodySection};
+use wholestring::{
+    model::Model,
+    string::{Component, ConnectionStrength},
+};
 
 use super::{
+    kind::LimitKind,
     limit::{Limits, Missing},
-    settings::{ComponentRatings, LimitSettings},
 };
-use crate::{limits::LimitKind, strength::Body};
+use crate::strength::Body;
 
 /// What a component bears.
-pub struct Strength {
-    pub ratings: ComponentRatings,
+pub struct Strength<'a> {
+    pub connection: ConnectionStrength,
     /// Its body; none where the yield strength is not known.
-    pub body: Option<(Body, BodySection)>,
+    pub body: Option<Body<'a>>,
 }
 
 /// What the components bear, from the bit up.
-pub struct Strengths(Vec<Strength>);
+pub struct Strengths<'a>(Vec<Strength<'a>>);
 
 /// Kinds that need the yield strength of the body.
 const OF_YIELD: [LimitKind; 6] = [
@@ -28,38 +31,33 @@ const OF_YIELD: [LimitKind; 6] = [
     LimitKind::Collapse,
 ];
 
-impl Strengths {
+impl<'a> Strengths<'a> {
     /// Tells what is not known, but of a bit.
-    pub fn of(model: &Model, settings: &LimitSettings, found: &mut Limits) -> Self {
+    pub fn of(model: &'a Model, found: &mut Limits) -> Self {
         let components = model.string.components().iter().enumerate();
-        let strength = |(index, component): (usize, &wholestring::string::Component)| {
-            let ratings = settings.components.get(index).copied().unwrap_or_default();
-            let body = Body::of(component, ratings.class);
+        let strength = |(index, component): (usize, &'a Component)| {
+            let strength = Strength { connection: component.connection, body: Body::of(component) };
             if !component.is_bit() {
-                let of_joints = |kind| match kind {
-                    LimitKind::Tension => ratings.joint_tensile_yield_N,
-                    LimitKind::Torsion => ratings.joint_torsional_yield_N_m,
-                    _ => None,
-                };
                 for kind in OF_YIELD {
-                    if body.is_none() && of_joints(kind).is_none() {
+                    let known = match kind {
+                        LimitKind::Tension => strength.tensile_yield_N().is_some(),
+                        LimitKind::Torsion => strength.torsional_yield_N_m().is_some(),
+                        _ => strength.body.is_some(),
+                    };
+                    if !known {
                         found.lacks(kind, Some(index), Missing::YieldStrength);
                     }
                 }
-                if ratings.make_up_torque_N_m.is_none() {
+                if strength.connection.make_up_torque_N_m.is_none() {
                     found.lacks(LimitKind::MakeUp, Some(index), Missing::MakeUpTorque);
                 }
             }
-            let body = body.map(|body| {
-                let section = body.section();
-                (body, section)
-            });
-            Strength { ratings, body }
+            strength
         };
         Self(components.map(strength).collect())
     }
 
-    pub fn component(&self, index: usize) -> &Strength {
+    pub fn component(&self, index: usize) -> &Strength<'a> {
         &self.0[index]
     }
 
@@ -68,17 +66,17 @@ impl Strengths {
     }
 }
 
-impl Strength {
-    /// The tension at which body or tool joint yields, N.
+impl Strength<'_> {
+    /// The tension at which body or connection yields, N.
     pub fn tensile_yield_N(&self) -> Option<f64> {
-        let body = self.body.as_ref().map(|(body, _)| body.tensile_yield_N());
-        least(body, self.ratings.joint_tensile_yield_N)
+        let body = self.body.map(|body| body.tensile_yield_N());
+        least(body, self.connection.tensile_yield_N)
     }
 
-    /// The torque at which body or tool joint yields, N·m.
+    /// The torque at which body or connection yields, N·m.
     pub fn torsional_yield_N_m(&self) -> Option<f64> {
-        let body = self.body.as_ref().map(|(body, _)| body.torsional_yield_N_m());
-        least(body, self.ratings.joint_torsional_yield_N_m)
+        let body = self.body.map(|body| body.torsional_yield_N_m());
+        least(body, self.connection.torsional_yield_N_m)
     }
 }
 

@@ -1,21 +1,17 @@
 //! What pipe bears: the stresses in a body, and the strengths of API RP 7G and API TR 5C3.
 //!
-//! A [`Body`] is the tube of a component as its [class](PipeClass) leaves it; a [`Tube`] is what burst and
-//! collapse need, of drill pipe and casing alike. Theory and sources: `docs/src/theory/strength.md`.
+//! A [`Body`] is the tube of a component; a [`Tube`] is what burst and collapse need, of drill pipe and casing
+//! alike. Theory and sources: `docs/src/theory/strength.md`.
 
 mod body;
-mod class;
 mod collapse;
 mod overpull;
-mod shoulder;
 mod stress;
 mod tube;
 
 pub use body::Body;
-pub use class::PipeClass;
 pub use collapse::{Collapse, CollapseRegime};
 pub use overpull::{ALLOWED_PART_OF_YIELD, margin_of_overpull_N};
-pub use shoulder::RotaryShoulder;
 pub use stress::{BendSide, BodyLoads, Surface, SurfaceStress, surface_stresses, worst_stress};
 pub use tube::{MILL_TOLERANCE, Tube};
 

@@ -4,10 +4,14 @@ use std::f64::consts::PI;
 
 use wholestring::{
     outcome::HOLE_STEP_M,
-    well::{Hole, HoleSection},
+    well::{Hole, HoleKind, HoleSection},
 };
 
-use super::{CasingPipe, WearRow, casing::CasingError, worn_by_work_m3_per_m, worn_m3_per_m};
+use super::{
+    WearRow,
+    casing::{CasingError, WearFactors, is_cased},
+    worn_by_work_m3_per_m, worn_m3_per_m,
+};
 use crate::Stage;
 
 /// What the operations of a campaign take of the casings of a hole, in stretches of
@@ -19,8 +23,10 @@ pub struct CasingWear {
 
 #[derive(Debug, Clone, PartialEq)]
 struct Casing {
-    pipe: CasingPipe,
+    /// Section of the hole, counted from the surface.
+    index: usize,
     section: HoleSection,
+    factor_per_Pa: f64,
     stretches: Vec<Stretch>,
 }
 
@@ -56,19 +62,30 @@ impl Casing {
 }
 
 impl CasingWear {
-    /// Casings of a hole, not worn yet.
+    /// The cased sections of a hole, not worn yet.
     ///
     /// # Errors
-    /// A section without casing, a casing without wall, a wear factor or a yield strength that is not more
-    /// than zero.
-    pub fn new(hole: &Hole, pipes: &[CasingPipe]) -> Result<Self, CasingError> {
-        let casing = |pipe: &CasingPipe| {
-            let section = *pipe.section(hole)?;
-            let length_m = section.to_md_m - section.from_md_m;
-            let count = (length_m / HOLE_STEP_M).ceil().max(1.0) as usize;
-            Ok(Casing { pipe: *pipe, section, stretches: vec![Stretch::default(); count] })
-        };
-        let casings = pipes.iter().map(casing).collect::<Result<_, _>>()?;
+    /// A wear factor of a section without casing, or one that is not more than zero; a casing without wall.
+    pub fn new(hole: &Hole, factors: &WearFactors) -> Result<Self, CasingError> {
+        let sections = hole.sections();
+        for &(section, _) in &factors.of_section_per_Pa {
+            if sections.get(section).is_none_or(|of| of.kind != HoleKind::Casing) {
+                return Err(CasingError::NotCased { section });
+            }
+        }
+        let mut casings = Vec::new();
+        for (index, section) in sections.iter().enumerate() {
+            if is_cased(index, section, factors)? {
+                let length_m = section.to_md_m - section.from_md_m;
+                let count = (length_m / HOLE_STEP_M).ceil().max(1.0) as usize;
+                casings.push(Casing {
+                    index,
+                    section: *section,
+                    factor_per_Pa: factors.of_per_Pa(index),
+                    stretches: vec![Stretch::default(); count],
+                });
+            }
+        }
         Ok(Self { casings })
     }
 
@@ -84,7 +101,7 @@ impl CasingWear {
             let radius_m = rubs_m(stage, ends_m);
             let sliding_m = (2.0 * PI * radius_m * revolutions).hypot(travel_m);
             for casing in &mut self.casings {
-                let factor = casing.pipe.wear_factor_per_Pa;
+                let factor = casing.factor_per_Pa;
                 let worn = worn_m3_per_m(factor, side_force_N_per_m, sliding_m);
                 casing.wear(ends_m, worn, radius_m);
             }
@@ -104,7 +121,7 @@ impl CasingWear {
                 let friction = casing.section.friction;
                 let around = if turns { friction.around } else { 1.0 };
                 let worn = worn_by_work_m3_per_m(
-                    casing.pipe.wear_factor_per_Pa,
+                    casing.factor_per_Pa,
                     power_W_per_m * stage.duration_s,
                     friction.kinetic * around,
                 );
@@ -121,7 +138,7 @@ impl CasingWear {
             let Stretch { worn_m3_per_m, by_radius } = casing.stretches[index];
             let joint_m = by_radius / worn_m3_per_m;
             let middle_m = 0.5 * (begin_m + end_m);
-            WearRow::of(&casing.pipe, &casing.section, middle_m, worn_m3_per_m, joint_m)
+            WearRow::of(casing.index, &casing.section, middle_m, worn_m3_per_m, joint_m)
         };
         let of = |casing: &Casing| -> Vec<WearRow> {
             (0..casing.stretches.len()).map(|index| row(casing, index)).collect()

@@ -1,6 +1,6 @@
 //! The casing that is worn, and what is left of it.
 
-use wholestring::well::{Hole, HoleKind, HoleSection};
+use wholestring::well::{HoleKind, HoleSection};
 
 use super::Groove;
 use crate::strength::{Collapse, MILL_TOLERANCE, PSI_PA, Tube};
@@ -10,24 +10,34 @@ use crate::strength::{Collapse, MILL_TOLERANCE, PSI_PA, Tube};
 /// metal: take one that was measured.
 pub const DEFAULT_WEAR_FACTOR_PER_PA: f64 = 5e-10 / PSI_PA;
 
-/// The pipe of a cased section of the hole.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CasingPipe {
-    /// Section of the hole, counted from the surface; its diameter is the bore.
-    pub section: usize,
-    /// Outside diameter, m.
-    pub od_m: f64,
-    /// Minimum yield strength, Pa, if known.
-    pub yield_strength_Pa: Option<f64>,
-    /// Wear factor with the string and the mud that pass, 1/Pa.
-    pub wear_factor_per_Pa: f64,
+/// Wear factors of the casings of a hole.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WearFactors {
+    /// Where no other is given, 1/Pa.
+    pub usual_per_Pa: f64,
+    /// Of sections of the hole, counted from the surface, 1/Pa.
+    pub of_section_per_Pa: Vec<(usize, f64)>,
+}
+
+impl Default for WearFactors {
+    fn default() -> Self {
+        Self { usual_per_Pa: DEFAULT_WEAR_FACTOR_PER_PA, of_section_per_Pa: Vec::new() }
+    }
+}
+
+impl WearFactors {
+    /// That of a section, 1/Pa.
+    pub fn of_per_Pa(&self, section: usize) -> f64 {
+        let own = self.of_section_per_Pa.iter().find(|(of, _)| *of == section);
+        own.map_or(self.usual_per_Pa, |(_, factor)| *factor)
+    }
 }
 
 /// Why casing cannot be worn.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CasingError {
-    /// No such section, or one without casing.
+    /// A wear factor of no such section, or of one without casing.
     #[error("hole section {section} is not cased")]
     NotCased {
         /// Which.
@@ -45,37 +55,37 @@ pub enum CasingError {
         /// Diameter of the bore, m.
         bore_m: f64,
     },
-    /// A number that is not more than zero.
-    #[error("casing of hole section {section}: {quantity} is {value}, expected more than zero")]
-    OutOfRange {
+    /// A wear factor that is not more than zero.
+    #[error(
+        "casing of hole section {section}: wear factor is {factor_per_Pa} 1/Pa, expected more than zero"
+    )]
+    Factor {
         /// Which section.
         section: usize,
-        /// Which number.
-        quantity: &'static str,
-        /// What it is, SI.
-        value: f64,
+        /// The wear factor, 1/Pa.
+        factor_per_Pa: f64,
     },
 }
 
-impl CasingPipe {
-    /// Its section of the hole, if it is sound.
-    pub(super) fn section<'a>(&self, hole: &'a Hole) -> Result<&'a HoleSection, CasingError> {
-        let section = self.section;
-        let of = hole.sections().get(section).filter(|of| of.kind == HoleKind::Casing);
-        let of = of.ok_or(CasingError::NotCased { section })?;
-        let (od_m, bore_m) = (self.od_m, of.diameter_m);
-        if !(od_m > bore_m && od_m.is_finite()) {
-            return Err(CasingError::NoWall { section, od_m, bore_m });
-        }
-        for (quantity, value) in [
-            ("wear factor, 1/Pa,", self.wear_factor_per_Pa),
-            ("yield strength, Pa,", self.yield_strength_Pa.unwrap_or(1.0)),
-        ] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(CasingError::OutOfRange { section, quantity, value });
-            }
-        }
-        Ok(of)
+/// Whether a section of the hole is cased, if all of it is sound.
+pub(super) fn is_cased(
+    index: usize,
+    section: &HoleSection,
+    factors: &WearFactors,
+) -> Result<bool, CasingError> {
+    if section.kind != HoleKind::Casing {
+        return Ok(false);
+    }
+    let (bore_m, factor_per_Pa) = (section.diameter_m, factors.of_per_Pa(index));
+    if let Some(pipe) = section.casing
+        && !(pipe.od_m > bore_m && pipe.od_m.is_finite())
+    {
+        return Err(CasingError::NoWall { section: index, od_m: pipe.od_m, bore_m });
+    }
+    if factor_per_Pa > 0.0 && factor_per_Pa.is_finite() {
+        Ok(true)
+    } else {
+        Err(CasingError::Factor { section: index, factor_per_Pa })
     }
 }
 
@@ -91,9 +101,16 @@ pub struct WearRow {
     /// Depth of the groove, m; more than the wall where it is worn through, none where no groove holds the
     /// volume.
     pub groove_m: Option<f64>,
+    /// What is left of the pipe; none where the casing's pipe is not known.
+    pub pipe: Option<WornPipe>,
+}
+
+/// What is left of a casing's pipe.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WornPipe {
     /// Nominal wall, m.
     pub wall_m: f64,
-    /// Wall that is left at the bottom of the groove, m.
+    /// Wall that is left at the bottom of the groove, m; zero where it is worn through.
     pub wall_left_m: f64,
     /// Burst of the new and of the worn casing, Pa; none where the yield strength is not known.
     pub burst_Pa: Option<[f64; 2]>,
@@ -102,44 +119,47 @@ pub struct WearRow {
     pub collapse_Pa: Option<[f64; 2]>,
 }
 
-impl WearRow {
+impl WornPipe {
     /// Part of the wall that is gone, one at most.
     pub fn worn_part(&self) -> f64 {
         1.0 - self.wall_left_m / self.wall_m
     }
 
-    /// Of a volume that is gone, with what rubbed on this radius, m.
-    pub(super) fn of(
-        pipe: &CasingPipe,
-        section: &HoleSection,
-        md_m: f64,
-        worn_m3_per_m: f64,
-        joint_m: f64,
-    ) -> Self {
+    /// With a groove of a depth, m.
+    fn of(section: &HoleSection, groove_m: Option<f64>) -> Option<Self> {
+        let pipe = section.casing?;
         let wall_m = 0.5 * (pipe.od_m - section.diameter_m);
-        let groove = Groove { bore_m: 0.5 * section.diameter_m, joint_m };
-        let groove_m = if worn_m3_per_m > 0.0 { groove.depth_m(worn_m3_per_m) } else { Some(0.0) };
         let wall_left_m = (wall_m - groove_m.unwrap_or(wall_m)).max(0.0);
+        let walls_m = [wall_m, wall_left_m];
         let tube = pipe.yield_strength_Pa.map(|yield_strength_Pa| Tube {
             od_m: pipe.od_m,
             id_m: section.diameter_m,
             yield_strength_Pa,
         });
-        Self {
-            md_m,
-            section: pipe.section,
-            worn_m3_per_m,
-            groove_m,
-            wall_m,
-            wall_left_m,
-            burst_Pa: tube
-                .map(|tube| [wall_m, wall_left_m].map(|of| tube.barlow_Pa(MILL_TOLERANCE * of))),
-            collapse_Pa: tube.map(|tube| {
-                [wall_m, wall_left_m].map(|of| {
-                    let slenderness = tube.od_m / of.max(f64::MIN_POSITIVE);
-                    Collapse::of(slenderness, tube.yield_strength_Pa, 0.0).pressure_Pa
-                })
-            }),
-        }
+        let burst_Pa = tube.map(|tube| walls_m.map(|of| tube.barlow_Pa(MILL_TOLERANCE * of)));
+        let collapse = |tube: Tube, wall_m: f64| {
+            if wall_m <= 0.0 {
+                return 0.0;
+            }
+            Collapse::of(tube.od_m / wall_m, tube.yield_strength_Pa, 0.0).pressure_Pa
+        };
+        let collapse_Pa = tube.map(|tube| walls_m.map(|of| collapse(tube, of)));
+        Some(Self { wall_m, wall_left_m, burst_Pa, collapse_Pa })
+    }
+}
+
+impl WearRow {
+    /// Of a volume that is gone from a section, with what rubbed on this radius, m.
+    pub(super) fn of(
+        index: usize,
+        section: &HoleSection,
+        md_m: f64,
+        worn_m3_per_m: f64,
+        joint_m: f64,
+    ) -> Self {
+        let groove = Groove { bore_m: 0.5 * section.diameter_m, joint_m };
+        let groove_m = if worn_m3_per_m > 0.0 { groove.depth_m(worn_m3_per_m) } else { Some(0.0) };
+        let pipe = WornPipe::of(section, groove_m);
+        Self { md_m, section: index, worn_m3_per_m, groove_m, pipe }
     }
 }

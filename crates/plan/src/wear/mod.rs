@@ -9,7 +9,7 @@ mod casing;
 mod groove;
 
 pub use campaign::CasingWear;
-pub use casing::{CasingError, CasingPipe, DEFAULT_WEAR_FACTOR_PER_PA, WearRow};
+pub use casing::{CasingError, DEFAULT_WEAR_FACTOR_PER_PA, WearFactors, WearRow, WornPipe};
 pub use groove::Groove;
 
 /// Volume of casing that goes per metre, m³/m, by the linear model of wear factors: `V = F q s`, with the wear
