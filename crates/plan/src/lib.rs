@@ -5,6 +5,8 @@
 //! reads files, prints or starts threads. A [`Setup`] gives the model at any depth of the bit.
 #![warn(missing_docs)]
 
+mod broomstick;
+mod campaign;
 pub mod fatigue;
 pub mod limits;
 mod setup;
@@ -12,5 +14,10 @@ mod stage;
 pub mod strength;
 pub mod wear;
 
+pub use broomstick::{
+    Broomstick, BroomstickPoint, BroomstickTask, BucklingWeight, FrictionLevel, Frictions,
+    KindFriction, LevelFriction, NoAnswer, PointAnswer, Statics, bit_depths_m,
+};
+pub use campaign::{Campaign, CampaignSettings, Share};
 pub use setup::{Setup, WallFriction};
-pub use stage::{Stage, drilled_lengths_m};
+pub use stage::{Stage, lengths_m};

@@ -46,13 +46,14 @@ impl<'a> Stage<'a> {
     }
 }
 
-/// The length that each of some depths of the bit stands for where the hole is drilled from the first to the
-/// last, m: half the way to its neighbours. The depths grow.
-pub fn drilled_lengths_m(bit_depths_m: &[f64]) -> Vec<f64> {
-    let last = bit_depths_m.len().saturating_sub(1);
-    let of = |row: usize| {
-        let (above, below) = (row.saturating_sub(1), (row + 1).min(last));
-        0.5 * (bit_depths_m[below] - bit_depths_m[above])
-    };
-    (0..bit_depths_m.len()).map(of).collect()
+/// The length of hole below a depth, m, that each of some depths of the bit stands for: half the way to its
+/// neighbours. The depths grow; they add up to the way from the first of them, or from the depth that is given
+/// where that is deeper, to the last.
+pub fn lengths_m(bit_depths_m: &[f64], below_m: f64) -> Vec<f64> {
+    let half_way_m = |pair: &[f64]| 0.5 * (pair[0] + pair[1]);
+    let between_m = bit_depths_m.windows(2).map(half_way_m);
+    let ends_m = bit_depths_m.first().into_iter().copied();
+    let ends_m = ends_m.chain(between_m).chain(bit_depths_m.last().copied());
+    let ends_m: Vec<f64> = ends_m.map(|of| of.max(below_m)).collect();
+    ends_m.windows(2).map(|ends_m| ends_m[1] - ends_m[0]).collect()
 }

@@ -9,6 +9,7 @@ mod magnitudes;
 mod mud;
 mod operation;
 mod overrides;
+mod plan;
 mod records;
 mod rock;
 mod schedule;

@@ -74,6 +74,21 @@ impl Damage {
         }
     }
 
+    /// Adds what other operations took of the same string.
+    pub fn merge(&mut self, other: &Self) {
+        if self.cells.len() < other.cells.len() {
+            self.cells.resize(other.cells.len(), Vec::new());
+        }
+        for (cells, other) in self.cells.iter_mut().zip(&other.cells) {
+            if cells.len() < other.len() {
+                cells.resize(other.len(), 0.0);
+            }
+            for (sum, damage) in cells.iter_mut().zip(other) {
+                *sum += damage;
+            }
+        }
+    }
+
     /// All cells, from the bit up.
     pub fn rows(&self) -> impl Iterator<Item = DamageRow> + '_ {
         self.cells.iter().enumerate().flat_map(|(component, cells)| {

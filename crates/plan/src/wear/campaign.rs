@@ -130,6 +130,16 @@ impl CasingWear {
         }
     }
 
+    /// Adds what other operations took of the same casings.
+    pub fn merge(&mut self, other: &Self) {
+        for (casing, other) in self.casings.iter_mut().zip(&other.casings) {
+            for (stretch, other) in casing.stretches.iter_mut().zip(&other.stretches) {
+                stretch.worn_m3_per_m += other.worn_m3_per_m;
+                stretch.by_radius += other.by_radius;
+            }
+        }
+    }
+
     /// What is left of the casings, from the surface down. Where several diameters have rubbed, the groove has
     /// the mean of their radii by the volume that each took.
     pub fn rows(&self) -> Vec<WearRow> {
