@@ -1,13 +1,19 @@
 //! `casing` and `diameter` of `[[well.hole]]`.
 
 use wholestring::well::{
-    HoleKind,
+    CasingPipe, HoleKind,
     casing::{self, Casing},
 };
 use wholestring_config::prelude::*;
 use wholestring_units::UnitSet;
 
 use crate::hole::HoleTable;
+
+/// How wide a section is, and the casing that says so.
+pub(crate) struct Bore {
+    pub(crate) diameter_m: f64,
+    pub(crate) casing: Option<CasingPipe>,
+}
 
 impl HoleTable {
     /// Where the diameter comes from, if the case says it.
@@ -17,12 +23,12 @@ impl HoleTable {
     }
 
     /// The diameter of the hole, given or that of the casing; `None` after a mistake.
-    pub(crate) fn diameter_m(&self, reader: &mut Reader) -> Option<f64> {
+    pub(crate) fn bore(&self, reader: &mut Reader) -> Option<Bore> {
         let diameter = self.diameter.optional()?;
         let Some(name) = self.casing.optional()? else {
             let diameter = diameter?;
             self.warn_of_outside_diameter(diameter, reader);
-            return Some(diameter.value);
+            return Some(Bore { diameter_m: diameter.value, casing: None });
         };
         if let Some(diameter) = diameter {
             return Diagnostic::error("`diameter` is given beside `casing`")
@@ -40,7 +46,11 @@ impl HoleTable {
                 .refuse(reader);
         }
         match casing::find(&name.value) {
-            Ok(found) => Some(found.id_m),
+            Ok(found) => {
+                let yield_strength_Pa = found.grade.map(|grade| grade.yield_strength_Pa);
+                let casing = Some(CasingPipe { od_m: found.od_m, yield_strength_Pa });
+                Some(Bore { diameter_m: found.id_m, casing })
+            }
             Err(unknown) => {
                 let nearest: Vec<String> =
                     unknown.nearest.iter().map(|name| format!("\"{name}\"")).collect();

@@ -88,8 +88,9 @@ table! {
         /// Length, m unless a unit is given, or "to surface" for the topmost one, which then fills
         /// the rest of the string.
         length: ComponentLength = required(LengthRule);
-        /// Entry of the catalogue of API drill pipe, heavy-weight and collars, such as
-        /// "5-1/2 in 21.90 lb/ft S-135": gives diameters, joints, mass and yield strength.
+        /// Entry of the catalogue of API drill pipe, heavy-weight, collars and coiled tubing, such as
+        /// "5-1/2 in 21.90 lb/ft S-135": gives diameters, joints, mass, yield strength and what the
+        /// connections bear. Drill pipe that is worn ends with its class, "premium" or "class 2".
         catalogue: String = optional(Text);
         /// Outside diameter of the body, m unless a unit is given. Needed without `catalogue`.
         od: f64 = optional(diameter("139.7 mm"));
@@ -139,6 +140,13 @@ table! {
             Dimension::Pressure,
             Range::from_to(1e7, 1e10).usual(1.5e8, 1.5e9),
             "931 MPa",
+        ));
+        /// Torque that its connections are made up with, for limits: a string that turns with more
+        /// makes them up further. Default: the catalogue's, or unknown.
+        make_up_torque: f64 = optional(Quantity::si(
+            Dimension::Torque,
+            Range::positive_to(1e6).usual(1e3, 2e5),
+            "36.7 kN.m",
         ));
         /// Bend fixed in its body, which turns with it: of a motor's bent housing, of a bent sub.
         /// The angle between the axes above and below, deg unless a unit is given. Stiff and dynamic

@@ -3,7 +3,7 @@
 use wholestring::well::{Friction, Hole, HoleError, HoleKind, HoleSection};
 use wholestring_config::{prelude::*, table::required_unless};
 
-use crate::roughness::RoughnessTable;
+use crate::{casing::Bore, roughness::RoughnessTable};
 
 table! {
     /// Friction between string and wall: sliding and at rest, along the hole and around it.
@@ -160,8 +160,8 @@ pub(crate) fn build(
         } else if let Some(from) = table.value.from.given() {
             valid &= check_from(from, above, sections.is_empty(), reader);
         }
-        let diameter_m = table.value.diameter_m(reader);
-        match section(&table.value, above.map_or(0.0, |(md_m, _)| md_m), diameter_m) {
+        let bore = table.value.bore(reader);
+        match section(&table.value, above.map_or(0.0, |(md_m, _)| md_m), bore) {
             Some(section) => sections.push(section),
             None => valid = false,
         }
@@ -212,7 +212,8 @@ fn check_from(
     false
 }
 
-fn section(table: &HoleTable, from_md_m: f64, diameter_m: Option<f64>) -> Option<HoleSection> {
+fn section(table: &HoleTable, from_md_m: f64, bore: Option<Bore>) -> Option<HoleSection> {
+    let Bore { diameter_m, casing } = bore?;
     let kind = *table.kind.get()?;
     let (youngs_modulus_Pa, poisson_ratio) = kind.elastic_constants();
     let youngs_modulus = table.youngs_modulus.optional()?;
@@ -221,11 +222,12 @@ fn section(table: &HoleTable, from_md_m: f64, diameter_m: Option<f64>) -> Option
         kind,
         from_md_m,
         to_md_m: *table.to.get()?,
-        diameter_m: diameter_m?,
+        diameter_m,
         friction: *table.friction.get()?,
         youngs_modulus_Pa: youngs_modulus.map_or(youngs_modulus_Pa, |at| at.value),
         poisson_ratio: poisson.map_or(poisson_ratio, |at| at.value),
         roughness: *table.roughness.get()?,
+        casing,
     })
 }
 

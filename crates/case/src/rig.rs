@@ -28,12 +28,21 @@ table! {
         /// carries and does not push.
         snubbing_force: f64 = optional(force("250 kN"));
         /// Rated (continuous) torque of the top drive.
-        top_drive_torque: f64 = optional(Quantity::si(
-            Dimension::Torque,
-            Range::positive_to(1e6).usual(2e3, 2e5),
-            "45 kN.m",
+        top_drive_torque: f64 = optional(torque("45 kN.m"));
+        /// Largest torque that the top drive gives for a short time. A dynamic run may reach it at
+        /// times; its mean is held against the rated torque.
+        top_drive_peak_torque: f64 = optional(torque("70 kN.m"));
+        /// Largest pressure of pumps, standpipe and hoses.
+        pump_pressure_limit: f64 = optional(Quantity::si(
+            Dimension::Pressure,
+            Range::positive_to(2e8).usual(5e6, 1.1e8),
+            "345 bar",
         ));
     }
+}
+
+fn torque(example: &'static str) -> Quantity {
+    Quantity::si(Dimension::Torque, Range::positive_to(1e6).usual(2e3, 2e5), example)
 }
 
 fn force(example: &'static str) -> Quantity {
@@ -52,11 +61,23 @@ impl RigTable {
                 .at(capacity.place, "largest load, block included")
                 .refuse(reader);
         }
+        let torque = self.top_drive_torque.optional()?;
+        let peak = self.top_drive_peak_torque.optional()?;
+        if let (Some(torque), Some(peak)) = (torque, peak)
+            && peak.value < torque.value
+        {
+            return Diagnostic::error("the top drive's peak torque is below its rated one")
+                .at(peak.place, "for a short time")
+                .at(torque.place, "all the time")
+                .refuse(reader);
+        }
         Some(Rig {
             block_weight_N: block.map(|at| at.value),
             hoist_capacity_N: capacity.map(|at| at.value),
             snubbing_force_N: self.snubbing_force.optional()?.map(|at| at.value),
-            top_drive_torque_N_m: self.top_drive_torque.optional()?.map(|at| at.value),
+            top_drive_torque_N_m: torque.map(|at| at.value),
+            top_drive_peak_torque_N_m: peak.map(|at| at.value),
+            pump_pressure_limit_Pa: self.pump_pressure_limit.optional()?.map(|at| at.value),
         })
     }
 }

@@ -25,6 +25,16 @@ impl ComponentTable {
             Some(given) => Some(given.value),
             None => component.yield_strength_Pa,
         };
+        if let Some(given) = self.make_up_torque.optional()? {
+            let yields_N_m = component.connection.torsional_yield_N_m;
+            if yields_N_m.is_some_and(|yields_N_m| given.value > yields_N_m) {
+                let yields = number_text((yields_N_m.unwrap_or_default() / 100.0).round() / 10.0);
+                return Diagnostic::error("the connection yields before it is made up")
+                    .at(given.place, format!("expected less than {yields} kN.m"))
+                    .refuse(reader);
+            }
+            component.connection.make_up_torque_N_m = Some(given.value);
+        }
         self.joints(&mut component, reader)?;
         self.blades(&mut component, reader)?;
         self.body(&mut component, reader)?;

@@ -104,7 +104,7 @@ const TOOL: &str = "[[string]]\ncomponent = \"motor\"\nod = \"171 mm\"\nid = \"5
      eccentricity_phase = \"90 deg\"\nlateral_force = \"15 kN\"\nlateral_force_at = \"0.8 m\"\nlateral_force_toolface = \"90 deg\"\neccentricity_cavity = \"mud\"\nblade_od = \"212 mm\"\nblade_length = \"0.6 m\"\n";
 
 const JOINTED: &str = "[[string]]\ncomponent = \"pipe\"\nod = \"127 mm\"\nid = \"108.6 mm\"\nlength = \"96 m\"\n\
-     joint_od = \"168 mm\"\njoint_spacing = \"9.6 m\"\nmass_per_length = \"32 kg/m\"\n";
+     joint_od = \"168 mm\"\njoint_spacing = \"9.6 m\"\nmass_per_length = \"32 kg/m\"\nmake_up_torque = \"36 kN.m\"\n";
 
 const LISTED: &str =
     "[[string]]\ncomponent = \"pipe\"\ncatalogue = \"5 in 19.50 lb/ft G-105\"\nlength = \"96 m\"\n";

@@ -1,5 +1,7 @@
 //! The rig: hoist and top drive.
 
+pub mod catalogue;
+
 use serde::Serialize;
 
 /// What the rig can carry and turn. `None` means that no limit was given.
@@ -14,6 +16,12 @@ pub struct Rig {
     pub snubbing_force_N: Option<f64>,
     /// Rated (continuous) torque of the top drive, N·m.
     pub top_drive_torque_N_m: Option<f64>,
+    /// Largest torque that the top drive gives for a short time, N·m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub top_drive_peak_torque_N_m: Option<f64>,
+    /// Largest pressure of pumps, standpipe and hoses, Pa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pump_pressure_limit_Pa: Option<f64>,
 }
 
 impl Rig {

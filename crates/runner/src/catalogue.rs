@@ -1,58 +1,91 @@
-//! The tubulars that a case can name, found by words.
+//! What a case can name, and what rigs commonly have, found by words.
 
 use wholestring::{
-    string::catalogue::{self, CatalogueEntry, TubularKind, describes},
+    rig::catalogue as rigs,
+    string::catalogue::{self, CatalogueEntry, PipeClass, TubularKind, describes},
     well::casing::{self, Casing},
 };
 
 /// The kinds of tubulars of a string, and the words by which they are found.
-const KINDS: [(TubularKind, &str); 3] = [
+const KINDS: [(TubularKind, &str); 4] = [
     (TubularKind::DrillPipe, "drill pipe dp"),
     (TubularKind::HeavyWeight, "heavy-weight drill pipe hwdp hwt"),
     (TubularKind::Collar, "drill collars dc"),
+    (TubularKind::CoiledTubing, "coiled tubing ct"),
 ];
 
-/// The words by which casing is found.
+/// The words by which casing, top drives and hoists are found.
 const CASING_WORDS: &str = "casing csg liner";
+const TOP_DRIVE_WORDS: &str = "rig";
+const HOIST_WORDS: &str = "rig hoists";
 
 /// What the catalogue has of some words.
 #[derive(Debug)]
-pub struct Tubulars {
-    /// Those of a string, kind after kind; none is without an entry.
+pub struct Found {
+    /// Tubulars of a string, kind after kind; none is without an entry.
     pub string: Vec<(TubularKind, Vec<CatalogueEntry>)>,
     /// Those of a hole.
     pub casings: Vec<Casing>,
+    /// What turns a string.
+    pub top_drives: Vec<rigs::TopDriveClass>,
+    /// What carries it.
+    pub hoists: Vec<rigs::HoistClass>,
 }
 
-impl Tubulars {
-    /// What has all of these words and numbers, whole or cut short; without any, everything.
+impl Found {
+    /// What has all of these words and numbers, whole or cut short; without any, everything. Worn
+    /// drill pipe and grades of casing are found where their word is among them.
     pub fn described(query: &str) -> Self {
-        let entries = catalogue::entries();
+        let class = PipeClass::ALL.into_iter().rfind(|class| describes(query, class.suffix()));
+        let class = class.unwrap_or_default();
+        let entries = catalogue::entries().into_iter().map(|entry| match entry.kind {
+            TubularKind::DrillPipe if class != PipeClass::New => entry.worn(class),
+            _ => entry,
+        });
+        let entries: Vec<CatalogueEntry> = entries.collect();
         let found = KINDS.iter().map(|(kind, words)| {
             let alike = entries.iter().filter(|entry| entry.kind == *kind);
             let found = alike.filter(|entry| {
-                let connection = entry.joints.map_or("", |joints| joints.connection);
+                let connection = entry.connection.as_ref().map_or("", |of| of.name.as_ref());
                 describes(&format!("{} {words} {connection}", entry.designation), query)
             });
             (*kind, found.cloned().collect::<Vec<_>>())
         });
         let string = found.filter(|(_, entries)| !entries.is_empty()).collect();
+        let grade = casing::grades().find(|grade| describes(query, grade.name));
+        let name = grade.map_or("", |grade| grade.name);
         let mut casings = casing::entries();
-        casings.retain(|one| describes(&format!("{} {CASING_WORDS}", one.designation), query));
-        Self { string, casings }
+        casings.iter_mut().for_each(|one| one.grade = grade);
+        casings
+            .retain(|one| describes(&format!("{} {name} {CASING_WORDS}", one.designation), query));
+        let mut top_drives = rigs::top_drives();
+        top_drives
+            .retain(|one| describes(&format!("{} {TOP_DRIVE_WORDS}", one.designation), query));
+        let mut hoists = rigs::hoists();
+        hoists.retain(|one| describes(&format!("{} {HOIST_WORDS}", one.designation), query));
+        Self { string, casings, top_drives, hoists }
     }
 
-    /// Whether there are none.
+    /// Whether there is nothing.
     pub fn is_empty(&self) -> bool {
-        self.string.is_empty() && self.casings.is_empty()
+        let Self { string, casings, top_drives, hoists } = self;
+        string.is_empty() && casings.is_empty() && top_drives.is_empty() && hoists.is_empty()
     }
 
-    /// Where their dimensions come from, in the order of the tubulars.
-    pub fn sources(&self) -> Vec<&'static str> {
+    /// Whether there is anything that a case can name.
+    pub fn has_tubulars(&self) -> bool {
+        !self.string.is_empty() || !self.casings.is_empty()
+    }
+
+    /// Where all of it comes from, in its order.
+    pub fn sources(&self) -> Vec<String> {
         let entries = self.string.iter().flat_map(|(_, entries)| entries);
-        let mut sources: Vec<&'static str> = entries.map(|entry| entry.source).collect();
-        sources.extend((!self.casings.is_empty()).then_some(casing::SOURCE));
-        sources.dedup();
+        let mut sources: Vec<String> = entries.map(|entry| entry.source.to_string()).collect();
+        sources.extend((!self.casings.is_empty()).then(|| casing::SOURCE.to_owned()));
+        let has_rigs = !self.top_drives.is_empty() || !self.hoists.is_empty();
+        sources.extend(has_rigs.then(|| rigs::SOURCE.to_owned()));
+        let mut told = std::collections::HashSet::new();
+        sources.retain(|source| told.insert(source.clone()));
         sources
     }
 }

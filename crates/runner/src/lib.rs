@@ -19,7 +19,7 @@
 //!
 //! [`Comparison`] has the answers of a run side by side, [`survey`] the positions along a survey,
 //! and
-//! [`Tubulars`] what a case can name.
+//! [`Found`] what the catalogue has.
 //! [`write_report`] and [`pictures()`] make the page and the pictures of what lies in a folder
 //! again.
 //!
@@ -78,7 +78,7 @@ pub mod sweep;
 
 pub use batch::{BatchOptions, BatchOutcome, CaseWithErrors, FailedCase};
 pub use cancellation::CancellationToken;
-pub use catalogue::Tubulars;
+pub use catalogue::Found;
 pub use claim::FolderRefused;
 pub use comparison::{ComparedColumn, ComparedRow, Comparison, Deviation, Drift};
 pub use error::{Error, Unsound};

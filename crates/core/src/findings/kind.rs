@@ -63,8 +63,11 @@ kinds! {
     HelicalBuckling, "helical_buckling", Force;
     /// The load on the hoist, block included where its weight is known, against its capacity.
     HoistOverloaded, "hoist_overloaded", Force;
-    /// The surface torque against the top drive's rated torque.
+    /// The surface torque against the top drive's rated torque, or its peak torque where that is
+    /// exceeded.
     TopDriveOverloaded, "top_drive_overloaded", Torque;
+    /// The pressure that the pump delivers at against the limit of pumps and standpipe.
+    PumpPressure, "pump_pressure", Pressure;
     /// The top drive gives all of the torque that it is allowed, and still turns.
     TopDriveAtLimit, "top_drive_at_limit", Torque;
     /// The top drive gives all of the torque that it is allowed, and does not turn.

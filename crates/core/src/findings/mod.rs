@@ -26,6 +26,7 @@ pub use strength::YIELD_USE_WARNING;
 use crate::{
     dynamics::{DynamicOutcome, DynamicsSettings},
     model::Model,
+    mud::Hydraulics,
     operation::Operation,
     outcome::{Profile, Scalars},
     statics::{soft::SoftProfile, stiff::StiffProfile},
@@ -38,6 +39,7 @@ pub fn of_soft(model: &Model, operation: &Operation, profile: &SoftProfile) -> V
     let line = buckling::Line::of(model, operation, &profile.profile);
     let mut found = at_rest(model, operation, &profile.scalars, &profile.profile, &line);
     found.extend(lateral_force::left_out(model));
+    found.extend(pump_at_rest(model, profile.hydraulics.as_ref()));
     gravest_first(found)
 }
 
@@ -46,7 +48,13 @@ pub fn of_stiff(model: &Model, operation: &Operation, profile: &StiffProfile) ->
     let line = buckling::Line::of(model, operation, &profile.profile);
     let mut found = at_rest(model, operation, &profile.scalars, &profile.profile, &line);
     found.extend(numerics::equilibrium(&profile.convergence));
+    found.extend(pump_at_rest(model, profile.hydraulics.as_ref()));
     gravest_first(found)
+}
+
+/// What is to be reported of the pump's pressure, where the mud has a rheology.
+fn pump_at_rest(model: &Model, hydraulics: Option<&Hydraulics>) -> Option<Finding> {
+    rig::pump(&model.rig, [hydraulics?.pump_pressure_Pa; 2])
 }
 
 /// What is to be reported of a state of equilibrium.
@@ -86,6 +94,7 @@ pub fn of_dynamic(
     found.extend(buckling::findings(&line));
     found.extend(rig::hoist(&model.rig, window.mean_and_max("hook_load_N")));
     found.extend(rig::top_drive(&model.rig, window.torque_N_m()));
+    found.extend(window.pump_pressure_Pa().and_then(|of| rig::pump(&model.rig, of)));
     found.extend(strength::yield_use(&outcome.nodes.md_m, &outcome.nodes.yield_use));
     found.extend(motion::findings(settings, outcome, &window));
     found.extend(numerics::findings(model, outcome));

@@ -37,6 +37,14 @@ impl<'a> Window<'a> {
         of.map_or([0.0; 2], |of| [of.mean.abs(), of.max.max(-of.min)])
     }
 
+    /// Mean and largest of the pressures that the pump delivers at, Pa; none without a rheology.
+    pub fn pump_pressure_Pa(&self) -> Option<[f64; 2]> {
+        let samples: Vec<f64> =
+            self.series(|of| &of.pump_pressure_Pa).iter().flatten().copied().collect();
+        let largest_Pa = samples.iter().copied().reduce(f64::max)?;
+        Some([mean(&samples), largest_Pa])
+    }
+
     /// A scalar of the run over the window.
     pub fn series<T>(&self, of: fn(&TimeSeries) -> &Vec<T>) -> &'a [T] {
         let values = of(&self.outcome.series);

@@ -4,6 +4,7 @@ mod body;
 mod builder;
 pub mod catalogue;
 mod component;
+mod connection;
 mod drill_string;
 mod lateral_force;
 mod material;
@@ -12,6 +13,7 @@ mod strength;
 
 pub use body::{BodyBend, Cavity, Eccentricity, MAX_ECCENTRIC, NEAREST_BEND_M};
 pub use component::{Blades, Component, ToolJoints};
+pub use connection::{ConnectionStrength, RotaryConnection, Shoulder};
 pub use drill_string::{DrillString, Span};
 pub use lateral_force::LateralForce;
 pub use material::Material;

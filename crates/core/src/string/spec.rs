@@ -1,8 +1,8 @@
 //! The string as a list of parts, before it is known how deep the bit is.
 
 use super::{
-    Blades, BodyBend, Component, DrillString, Eccentricity, LateralForce, Material, ToolJoints,
-    body, component::ring_area_m2,
+    Blades, BodyBend, Component, ConnectionStrength, DrillString, Eccentricity, LateralForce,
+    Material, ToolJoints, body, catalogue::PipeClass, component::ring_area_m2,
 };
 
 /// How long a component of a [`StringSpec`] is.
@@ -35,6 +35,10 @@ pub struct ComponentSpec {
     pub material: Material,
     /// Minimum yield strength, Pa, where known.
     pub yield_strength_Pa: Option<f64>,
+    /// How worn its body is: [`Self::od_m`] is what is left of it.
+    pub class: PipeClass,
+    /// What its connections bear.
+    pub connection: ConnectionStrength,
     /// A bend of its body.
     pub bend: Option<BodyBend>,
     /// Steel off the axis.
@@ -64,6 +68,8 @@ impl ComponentSpec {
             blades: None,
             material,
             yield_strength_Pa: None,
+            class: PipeClass::New,
+            connection: ConnectionStrength::default(),
             bend: None,
             eccentricity: None,
             survey_sensor_m: None,
@@ -82,6 +88,8 @@ impl ComponentSpec {
             blades: self.blades,
             material: self.material,
             yield_strength_Pa: self.yield_strength_Pa,
+            class: self.class,
+            connection: self.connection,
             bend: self.bend,
             eccentricity: self.eccentricity,
             survey_sensor_m: self.survey_sensor_m,
@@ -122,6 +130,8 @@ impl ComponentSpec {
             fields.push(("blade_length", blades.length_m, length, expected));
         }
         fields.extend(self.yield_strength_Pa.map(|of| positive("yield_strength", of)));
+        let make_up = self.connection.make_up_torque_N_m;
+        fields.extend(make_up.map(|of| positive("make_up_torque", of)));
         if let Some(bend) = self.bend {
             let (angle, at) = (bend.angle_rad, bend.from_lower_end_m);
             fields.push(("bend", angle, angle.abs() <= MAX_BEND_RAD, "10 deg at most"));

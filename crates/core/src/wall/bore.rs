@@ -181,6 +181,7 @@ mod tests {
             youngs_modulus_Pa: 210e9,
             poisson_ratio: 0.3,
             roughness: 1.0,
+            casing: None,
         };
         let hole = Hole::new(vec![section(0.0, 100.0, 0.3), section(100.0, 200.0, 0.2)]).unwrap();
         let bore = Bore::new(&hole);

@@ -1,4 +1,4 @@
-//! Casing by its size and weight, as API Spec 5CT lists it.
+//! Casing by its size, weight and grade, as API Spec 5CT lists it.
 //!
 //! Only dimensions are stored, as facts with the standard that they come from: what casing is
 //! called by is its outside diameter, while the string moves in the inside one.
@@ -6,10 +6,31 @@
 use crate::string::catalogue::parts::{Part, parts};
 
 const INCH_M: f64 = 0.0254;
+const PSI_PA: f64 = 6894.757293168361;
 const POUND_PER_FOOT_KG_PER_M: f64 = 0.453_592_37 / 0.3048;
 
 /// Where the dimensions come from.
 pub const SOURCE: &str = "API Spec 5CT (outside diameter, nominal weight, wall, drift mandrel)";
+
+/// Grades and their minimum yield strength, psi: of API Spec 5CT, the old C-95, and two makers' grades
+/// of high collapse resistance, which yield as L-80 and P-110.
+const GRADES: [(&str, f64); 15] = [
+    ("H-40", 40e3),
+    ("J-55", 55e3),
+    ("K-55", 55e3),
+    ("M-65", 65e3),
+    ("N-80", 80e3),
+    ("L-80", 80e3),
+    ("HCL-80", 80e3),
+    ("C-90", 90e3),
+    ("R-95", 95e3),
+    ("T-95", 95e3),
+    ("C-95", 95e3),
+    ("C-110", 110e3),
+    ("P-110", 110e3),
+    ("HCP-110", 110e3),
+    ("Q-125", 125e3),
+];
 
 /// Two outside diameters closer than this are the same, in: "9.63 in" is 9-5/8 in.
 const DIAMETER_TOLERANCE_IN: f64 = 0.006;
@@ -61,6 +82,29 @@ const SIZES: [Size; 14] = [
     Size { name: "20", od_in: 20.0, weights: &[(94.0, 0.438), (106.5, 0.500), (133.0, 0.635)] },
 ];
 
+/// What casing is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CasingGrade {
+    /// Name: `L-80`.
+    pub name: &'static str,
+    /// Minimum yield strength, Pa.
+    pub yield_strength_Pa: f64,
+}
+
+/// Every grade, the weakest first.
+pub fn grades() -> impl Iterator<Item = CasingGrade> {
+    GRADES.iter().map(|&(name, psi)| CasingGrade { name, yield_strength_Pa: psi * PSI_PA })
+}
+
+/// The grade of those letters and that number, `l` and 80.
+fn grade(letters: &str, number: f64) -> Option<CasingGrade> {
+    grades().find(|grade| {
+        grade.name.split_once('-').is_some_and(|(own, yields)| {
+            own.eq_ignore_ascii_case(letters) && yields.parse() == Ok(number)
+        })
+    })
+}
+
 /// Casing of one size and weight.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Casing {
@@ -74,6 +118,8 @@ pub struct Casing {
     pub drift_m: f64,
     /// Nominal mass per length with thread and coupling, kg/m.
     pub mass_per_length_kg_per_m: f64,
+    /// Grade, where the designation says it.
+    pub grade: Option<CasingGrade>,
 }
 
 /// Why a designation names no casing.
@@ -108,10 +154,11 @@ fn casing(size: &Size, weight_lb_per_ft: f64, wall_in: f64) -> Casing {
         id_m: id_in * INCH_M,
         drift_m: (id_in - drift_allowance_in(size.od_in)) * INCH_M,
         mass_per_length_kg_per_m: weight_lb_per_ft * POUND_PER_FOOT_KG_PER_M,
+        grade: None,
     }
 }
 
-/// All casing, by size and weight.
+/// All casing, by size and weight, without a grade.
 pub fn entries() -> Vec<Casing> {
     let of_size = |size: &'static Size| {
         let weights = size.weights.iter();
@@ -130,7 +177,8 @@ pub fn of_outside_diameter(od_m: f64) -> Vec<Casing> {
 /// The casing of a designation.
 ///
 /// Understood are `9-5/8 in 40 lb/ft` and the usual other spellings, a grade and a connection among
-/// them: `9 5/8" 47# L-80 casing`, `13.375 in 68 ppf K55 BTC`.
+/// them: `9 5/8" 47# L-80 casing`, `13.375 in 68 ppf K55 BTC`. The grade is kept beside the
+/// designation.
 ///
 /// ```
 /// use wholestring::well::casing;
@@ -138,6 +186,7 @@ pub fn of_outside_diameter(od_m: f64) -> Vec<Casing> {
 /// let pipe = casing::find("9 5/8\" 40# N-80")?;
 /// assert_eq!(pipe.designation, "9-5/8 in 40.0 lb/ft");
 /// assert!((pipe.id_m / 0.0254 - 8.835).abs() < 1e-9);
+/// assert_eq!(pipe.grade.map(|grade| grade.name), Some("N-80"));
 ///
 /// let error = casing::find("9-5/8 in 41 lb/ft").unwrap_err();
 /// assert_eq!(error.nearest[0], "9-5/8 in 40.0 lb/ft");
@@ -149,9 +198,9 @@ pub fn of_outside_diameter(od_m: f64) -> Vec<Casing> {
 pub fn find(designation: &str) -> Result<Casing, UnknownCasing> {
     let mut entries = entries();
     // Text longer than any spelling of a tubular is not read.
-    let requested = (designation.len() <= 120).then(|| size_and_weight(designation)).flatten();
+    let requested = (designation.len() <= 120).then(|| Reading::of(designation)).flatten();
     let distance = |casing: &Casing| -> (f64, f64) {
-        let Some((od_in, weight)) = requested else {
+        let Some(Reading { od_in, weight, .. }) = requested else {
             return (0.0, 0.0);
         };
         let own = casing.mass_per_length_kg_per_m / POUND_PER_FOOT_KG_PER_M;
@@ -163,7 +212,8 @@ pub fn find(designation: &str) -> Result<Casing, UnknownCasing> {
         requested.is_some() && size < DIAMETER_TOLERANCE_IN && weight < WEIGHT_TOLERANCE_LB_PER_FT
     };
     if let Some(found) = entries.iter().find(|casing| same(casing)) {
-        return Ok(found.clone());
+        let grade = requested.and_then(|of| of.grade);
+        return Ok(Casing { grade, ..found.clone() });
     }
     if requested.is_some() {
         entries.sort_by(|a, b| {
@@ -184,33 +234,42 @@ pub fn find(designation: &str) -> Result<Casing, UnknownCasing> {
     })
 }
 
-/// Outside diameter in inches and weight in lb/ft, if there is one; `None` where a word is not
-/// understood.
-fn size_and_weight(designation: &str) -> Option<(f64, Option<f64>)> {
-    let mut numbers = Vec::new();
-    let mut parts = parts(designation).into_iter().peekable();
-    while let Some(part) = parts.next() {
-        match part {
-            Part::Number(number) => numbers.push(number),
-            Part::Word(word) => match word.as_str() {
-                "in" | "inch" | "inches" | "od" | "lb" | "lbs" | "lbm" | "ft" | "ppf" | "per"
-                | "casing" | "csg" | "liner" | "lnr" | "grade" | "btc" | "ltc" | "stc" | "lc"
-                | "sc" | "bc" => {}
-                // Grades: H-40, J-55, K-55, M-65, N-80, L-80, R-95, C-90, T-95, C-110, P-110,
-                // Q-125.
-                "h" | "j" | "k" | "m" | "n" | "l" | "r" | "c" | "t" | "p" | "q"
-                    if matches!(parts.peek(), Some(Part::Number(_))) =>
-                {
-                    parts.next();
-                }
-                _ => return None,
-            },
+/// What a designation says.
+#[derive(Clone, Copy)]
+struct Reading {
+    od_in: f64,
+    /// lb/ft.
+    weight: Option<f64>,
+    grade: Option<CasingGrade>,
+}
+
+impl Reading {
+    /// `None` where a word is not understood.
+    fn of(designation: &str) -> Option<Self> {
+        let mut numbers = Vec::new();
+        let mut found = None;
+        let mut parts = parts(designation).into_iter().peekable();
+        while let Some(part) = parts.next() {
+            match part {
+                Part::Number(number) => numbers.push(number),
+                Part::Word(word) => match word.as_str() {
+                    "in" | "inch" | "inches" | "od" | "lb" | "lbs" | "lbm" | "ft" | "ppf"
+                    | "per" | "casing" | "csg" | "liner" | "lnr" | "grade" | "btc" | "ltc"
+                    | "stc" | "lc" | "sc" | "bc" => {}
+                    letters => match parts.next() {
+                        Some(Part::Number(number)) if found.is_none() => {
+                            found = Some(grade(letters, number)?);
+                        }
+                        _ => return None,
+                    },
+                },
+            }
         }
-    }
-    match numbers[..] {
-        [od_in] => Some((od_in, None)),
-        [od_in, weight] => Some((od_in, Some(weight))),
-        _ => None,
+        match numbers[..] {
+            [od_in] => Some(Self { od_in, weight: None, grade: found }),
+            [od_in, weight] => Some(Self { od_in, weight: Some(weight), grade: found }),
+            _ => None,
+        }
     }
 }
 
@@ -279,6 +338,20 @@ mod tests {
             let found = find(spelling).map(|casing| casing.designation);
             assert_eq!(found.as_deref(), Ok("9-5/8 in 40.0 lb/ft"), "{spelling}");
         }
+    }
+
+    /// Yields are what the grades are named by.
+    #[test]
+    fn grades_are_kept() {
+        for grade in grades() {
+            let name = format!("9-5/8 in 40 lb/ft {}", grade.name);
+            assert_eq!(find(&name).map(|casing| casing.grade), Ok(Some(grade)), "{name}");
+            let ksi: f64 = grade.name.split_once('-').expect("named so").1.parse().expect("ksi");
+            assert!((grade.yield_strength_Pa / PSI_PA / 1e3 - ksi).abs() < 1e-9, "{}", grade.name);
+        }
+        assert_eq!(find("9-5/8 in 40 lb/ft").expect("casing").grade, None);
+        assert!(find("9-5/8 in 40 lb/ft L-85").is_err());
+        assert!(find("9-5/8 in 40 lb/ft L-80 N-80").is_err());
     }
 
     #[test]

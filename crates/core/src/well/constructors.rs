@@ -60,6 +60,7 @@ impl HoleSection {
             youngs_modulus_Pa,
             poisson_ratio,
             roughness: 1.0,
+            casing: None,
         }
     }
 }

@@ -46,6 +46,15 @@ impl Friction {
     }
 }
 
+/// The pipe that a cased wall is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct CasingPipe {
+    /// Outside diameter, m; the inside one is that of the hole.
+    pub od_m: f64,
+    /// Minimum yield strength, Pa, where the grade is known.
+    pub yield_strength_Pa: Option<f64>,
+}
+
 /// One stretch of hole with the same diameter, wall and friction.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct HoleSection {
@@ -65,6 +74,9 @@ pub struct HoleSection {
     pub poisson_ratio: f64,
     /// What the hole's [`Roughness`] is multiplied by here.
     pub roughness: f64,
+    /// The casing's pipe, where it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub casing: Option<CasingPipe>,
 }
 
 /// The hole's sections, from the surface down, without gaps or overlaps.

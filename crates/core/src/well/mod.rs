@@ -12,7 +12,7 @@ mod roughness;
 mod station;
 mod vertical;
 
-pub use hole::{Friction, Hole, HoleError, HoleKind, HoleSection, NARROWEST_BAND};
+pub use hole::{CasingPipe, Friction, Hole, HoleError, HoleKind, HoleSection, NARROWEST_BAND};
 pub use interpolation::Interpolation;
 pub(crate) use path::Heading;
 pub use path::{Path, PathError, PathPoint, TieIn};

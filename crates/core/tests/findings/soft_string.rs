@@ -223,6 +223,43 @@ fn rig_limits() {
     assert_eq!(levels(0.79, Some(block_N)), [None; 2]);
     // Without the block the hoist has less to carry.
     assert_eq!(levels(1.01, None), [None, Some(Error)]);
+    // A peak torque alone is the limit; beside a rating, what lasts is held against the rating.
+    let mut top_drive = |rated: Option<f64>, peak: f64| {
+        model.rig = Rig {
+            top_drive_torque_N_m: rated.map(|part| torque_N_m / part),
+            top_drive_peak_torque_N_m: Some(torque_N_m / peak),
+            ..Rig::default()
+        };
+        let found = soft_findings(&model, &turning);
+        only(&found, Kind::TopDriveOverloaded).map(|of| (of.level, torque_N_m / of.limit))
+    };
+    let near = |found: Option<(Level, f64)>, level, part: f64| {
+        let (at, against) = found.expect("a finding");
+        assert_eq!(at, level);
+        assert!((against - part).abs() < 1e-9, "{against}");
+    };
+    near(top_drive(None, 0.9), Note, 0.9);
+    near(top_drive(Some(1.1), 0.9), Error, 1.1);
+    near(top_drive(Some(1.2), 1.1), Error, 1.1);
+    assert_eq!(top_drive(Some(0.7), 0.5), None);
+}
+
+#[test]
+fn pump_limit() {
+    let mut model = five_inch(&[[0.0, 60.0, 0.0], [1000.0, 60.0, 0.0]], 0.2159, 0.3, 260.0);
+    model.mud.rheology = Some(wholestring::mud::Rheology::Newtonian { viscosity_Pa_s: 0.02 });
+    let mut turning = operation(RotateOffBottom, 1000.0);
+    turning.flow_rate_m3_per_s = 0.03;
+    let profile = soft::solve(&model, &turning, &SoftSettings::default()).unwrap();
+    let pressure_Pa = profile.hydraulics.expect("a mud that flows").pump_pressure_Pa;
+    let mut level = |part: f64| {
+        model.rig.pump_pressure_limit_Pa = Some(pressure_Pa / part);
+        only(&soft_findings(&model, &turning), Kind::PumpPressure).map(|of| of.level)
+    };
+    assert_eq!(
+        [1.01, 0.95, 0.89].map(&mut level),
+        [Some(Level::Error), Some(Level::Warning), None]
+    );
 }
 
 /// A column knows what a finding knows, and no more: a stretch of the column's word longer than a

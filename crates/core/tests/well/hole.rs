@@ -12,6 +12,7 @@ fn section(from_md_m: f64, to_md_m: f64) -> HoleSection {
         youngs_modulus_Pa: 210e9,
         poisson_ratio: 0.3,
         roughness: 1.0,
+        casing: None,
     }
 }
 

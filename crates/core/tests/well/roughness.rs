@@ -29,6 +29,7 @@ fn hole() -> Hole {
         youngs_modulus_Pa: 51.5e9,
         poisson_ratio: 0.33,
         roughness,
+        casing: None,
     };
     Hole::new(vec![section(0.0, 500.0, 0.0), section(500.0, 5000.0, 1.0)])
         .and_then(|hole| hole.with_roughness(Some(rough(1))))

@@ -1,13 +1,17 @@
 //! The answers of a task, friction by friction.
 
 use wholestring::{
-    findings::{of_soft, of_stiff},
+    findings::{Finding, of_soft, of_stiff},
+    model::Model,
     operation::Operation,
+    outcome::Solution,
     statics::{
         soft,
         stiff::{self, Equilibrium, StiffError},
     },
 };
+
+use crate::limits::limits;
 
 use super::{
     Broomstick, BroomstickPoint, BroomstickTask, FrictionLevel,
@@ -47,7 +51,22 @@ fn by_soft(
     let model = of.setup(level).at(operation.bit_depth_m)?;
     let solved = soft::solve(&model, operation, &of.soft)?;
     let findings = of_soft(&model, operation, &solved);
-    Ok(PointAnswer::new(solved.scalars, &solved.profile, findings))
+    Ok(answer(of, level, &model, operation, &(&solved).into(), findings))
+}
+
+/// What a solution comes to.
+fn answer(
+    of: &Broomstick,
+    level: FrictionLevel,
+    model: &Model,
+    operation: &Operation,
+    solution: &Solution<'_>,
+    findings: Vec<Finding>,
+) -> PointAnswer {
+    let campaign = of.campaign.as_ref().filter(|_| level == FrictionLevel::Expected);
+    let limits = limits(model, operation, solution, &of.limits);
+    let share = campaign.and_then(|campaign| campaign.share(model, operation, solution));
+    PointAnswer::new(solution.scalars, solution.profile, findings, limits, share)
 }
 
 /// The answer, and where the string rests, to begin another search with.
@@ -72,7 +91,8 @@ fn by_stiff(
         Ok(found) => {
             let solved = found.profile(&model, operation);
             let findings = of_stiff(&model, operation, &solved);
-            (Ok(PointAnswer::new(solved.scalars, &solved.profile, findings)), Some(found))
+            let answer = answer(of, level, &model, operation, &(&solved).into(), findings);
+            (Ok(answer), Some(found))
         }
         Err(error) => (Err(error.into()), None),
     }

@@ -22,7 +22,7 @@ use wholestring::{
     well::HoleError,
 };
 
-use crate::Setup;
+use crate::{Campaign, CampaignSettings, Setup, limits::LimitSettings, wear::CasingError};
 
 /// A string at several depths of the bit, with several frictions.
 #[derive(Debug, Clone)]
@@ -36,6 +36,9 @@ pub struct Broomstick {
     models: Vec<Statics>,
     soft: SoftSettings,
     stiff: StiffSettings,
+    limits: LimitSettings,
+    /// What the operations with the friction that is expected are part of.
+    campaign: Option<Campaign>,
 }
 
 /// What is solved together: one operation at one depth by one model, with every friction; or the
@@ -69,6 +72,8 @@ impl Broomstick {
             models,
             soft: SoftSettings::default(),
             stiff: StiffSettings::default(),
+            limits: LimitSettings::default(),
+            campaign: None,
         })
     }
 
@@ -76,6 +81,23 @@ impl Broomstick {
     #[must_use]
     pub fn with_settings(self, soft: SoftSettings, stiff: StiffSettings) -> Self {
         Self { soft, stiff, ..self }
+    }
+
+    /// The same with what its loads are compared with.
+    #[must_use]
+    pub fn with_limits(self, limits: LimitSettings) -> Self {
+        Self { limits, ..self }
+    }
+
+    /// The same with a campaign: its operations with the friction that is expected have their
+    /// [`Share`](crate::Share) of it.
+    ///
+    /// # Errors
+    /// Casing that cannot be worn.
+    pub fn with_campaign(self, settings: &CampaignSettings) -> Result<Self, CasingError> {
+        let hole = &self.setup(FrictionLevel::Expected).well.hole;
+        let campaign = Campaign::new(settings, hole, &self.operations, &self.depths_m)?;
+        Ok(Self { campaign: Some(campaign), ..self })
     }
 
     /// The string at a level of friction.

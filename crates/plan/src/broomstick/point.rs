@@ -12,6 +12,7 @@ use wholestring::{
 };
 
 use super::FrictionLevel;
+use crate::{Share, limits::Limits};
 
 /// The models that a plan is made by: states of equilibrium, which take milliseconds to seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
@@ -105,12 +106,22 @@ pub struct PointAnswer {
     pub buckling: Buckling,
     /// What is to be reported of it, the gravest first.
     pub findings: Vec<Finding>,
+    /// How near it is to what string and rig bear.
+    pub limits: Limits,
+    /// What it takes of string and casing; none where it is no part of a campaign.
+    pub share: Option<Share>,
 }
 
 impl PointAnswer {
-    pub(super) fn new(scalars: Scalars, profile: &Profile, findings: Vec<Finding>) -> Self {
+    pub(super) fn new(
+        scalars: Scalars,
+        profile: &Profile,
+        findings: Vec<Finding>,
+        limits: Limits,
+        share: Option<Share>,
+    ) -> Self {
         let rows = 0..profile.md_m.len();
         let buckling = rows.map(|row| profile.buckling(row)).max().unwrap_or(Buckling::None);
-        Self { scalars, buckling, findings }
+        Self { scalars, buckling, findings, limits, share }
     }
 }

@@ -48,6 +48,12 @@ pub(super) fn sentence(found: &Finding, of: &OperationSummary, around: &Around<'
         Kind::HelicalBuckling => words.buckled("Buckled to a helix"),
         Kind::HoistOverloaded => words.hoist(),
         Kind::TopDriveOverloaded => words.top_drive(),
+        Kind::PumpPressure => format!(
+            "Pump pressure of {} {} the limit of {}",
+            words.pressure(words.value()),
+            if words.value() > words.limit() { "exceeds" } else { "comes near" },
+            words.pressure(words.limit())
+        ),
         Kind::TopDriveAtLimit => format!(
             "The top drive works at its torque limit of {}{}",
             words.torque(words.limit()),
@@ -141,6 +147,10 @@ impl Words<'_> {
 
     fn torque(&self, torque_N_m: f64) -> String {
         Dimension::Torque.format(self.shown(Dimension::Torque, torque_N_m), self.units)
+    }
+
+    fn pressure(&self, pressure_Pa: f64) -> String {
+        Dimension::Pressure.format(self.shown(Dimension::Pressure, pressure_Pa), self.units)
     }
 
     fn depth(&self, md_m: f64) -> String {
@@ -305,15 +315,21 @@ impl Words<'_> {
     }
 
     fn top_drive(&self) -> String {
+        let peak_N_m = self.rig.top_drive_peak_torque_N_m;
+        let which = if peak_N_m == Some(self.limit()) { "peak" } else { "rated" };
         if self.value() > self.limit() {
-            return format!(
-                "Surface torque of {} exceeds the top drive's rated torque of {}",
+            let mut text = format!(
+                "Surface torque of {} exceeds the top drive's {which} torque of {}",
                 self.torque(self.value()),
                 self.torque(self.limit())
             );
+            if let (Level::Note, Some(peak_N_m)) = (self.found.level, peak_N_m) {
+                text += &format!(" at times, within its peak torque of {}", self.torque(peak_N_m));
+            }
+            return text;
         }
         let mut text = format!(
-            "Surface torque up to {} of the top drive's rated torque",
+            "Surface torque up to {} of the top drive's {which} torque",
             percent(self.value() / self.limit())
         );
         if let Some(of) = self.of.indicators.and_then(|of| of.top_drive) {

@@ -1,7 +1,7 @@
 //! Reading a designation the way people write it.
 
 use super::{
-    CatalogueEntry, CatalogueError, TubularKind, entries,
+    CatalogueEntry, CatalogueError, PipeClass, TubularKind, coiled, entries,
     parts::{Part, parts},
 };
 
@@ -10,14 +10,18 @@ const DIAMETER_TOLERANCE_IN: f64 = 0.006;
 /// Two nominal weights closer than this are the same, lb/ft; those of one size differ by 1.7 or
 /// more.
 const WEIGHT_TOLERANCE_LB_PER_FT: f64 = 0.15;
+/// Two walls of coiled tubing closer than this are the same, in; makers round 0.190 to 0.19 and
+/// 0.188.
+const WALL_TOLERANCE_IN: f64 = 0.0025;
 /// How many entries an error names.
 const NEAREST: usize = 4;
 
 /// The entry of a designation.
 ///
 /// Understood are `5-1/2 in 21.90 lb/ft S-135`, `HWDP 5 in 49.3 lb/ft` and
-/// `8 in x 2-13/16 in collar`, and the usual other spellings: `5 1/2" 21.9 ppf S135`,
-/// `5.5 in 21.90# s-135 drill pipe`. An unknown designation is answered with the nearest entries:
+/// `8 in x 2-13/16 in collar`, `CT 2 in x 0.190 in CT-90`, and the usual other spellings:
+/// `5 1/2" 21.9 ppf S135`, `5.5 in 21.90# s-135 drill pipe`. Drill pipe may have a class,
+/// `5 in 19.50 lb/ft S-135 premium` or `... class 2`. An unknown designation is answered with the nearest entries:
 ///
 /// ```
 /// use wholestring::string::catalogue;
@@ -40,7 +44,13 @@ pub fn find(designation: &str) -> Result<CatalogueEntry, CatalogueError> {
         let own = Reading::of(&entry.designation);
         requested.as_ref().zip(own).is_some_and(|(requested, own)| own.same(requested))
     });
-    found.cloned().ok_or_else(|| unknown(designation, requested.as_ref(), &entries))
+    match (found, &requested) {
+        (Some(found), Some(requested)) if requested.class != PipeClass::New => {
+            Ok(found.worn(requested.class))
+        }
+        (Some(found), _) => Ok(found.clone()),
+        (None, _) => Err(unknown(designation, requested.as_ref(), &entries)),
+    }
 }
 
 /// Ranks by numbers where the designation was understood, by spelling otherwise.
@@ -69,9 +79,11 @@ fn unknown(
         })
         .collect();
     ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let of_pipe = requested.filter(|of| of.kind == TubularKind::DrillPipe);
+    let suffix = of_pipe.map_or("", |of| of.class.suffix());
     CatalogueError::Unknown {
         designation: designation.to_owned(),
-        nearest: ranked.into_iter().take(NEAREST).map(|(_, name)| name.clone()).collect(),
+        nearest: ranked.into_iter().take(NEAREST).map(|(_, name)| name.clone() + suffix).collect(),
     }
 }
 
@@ -95,20 +107,25 @@ fn edit_distance(a: &[char], b: &[char]) -> usize {
 struct Reading {
     kind: TubularKind,
     od_in: f64,
-    /// Nominal weight in lb/ft, or the bore of a collar in inches; of heavy-weight pipe, whose
+    /// Nominal weight in lb/ft, or in inches the bore of a collar or the wall of coiled tubing; of heavy-weight pipe, whose
     /// sizes have one weight each, it may be left out.
     second: Option<f64>,
-    /// Letter of the grade: `e`, `x`, `g`, `s`.
+    /// Letter of the grade, `e`, `x`, `g`, `s`, or `ct90` of coiled tubing.
     grade: Option<String>,
+    /// How worn it is.
+    class: PipeClass,
 }
 
 impl Reading {
     fn same(&self, other: &Self) -> bool {
         let tolerance = match self.kind {
             TubularKind::Collar => DIAMETER_TOLERANCE_IN,
+            TubularKind::CoiledTubing => WALL_TOLERANCE_IN,
             TubularKind::DrillPipe | TubularKind::HeavyWeight => WEIGHT_TOLERANCE_LB_PER_FT,
         };
+        // Drill pipe alone has classes.
         self.kind == other.kind
+            && (self.kind == TubularKind::DrillPipe || self.class == other.class)
             && self.grade == other.grade
             && (self.od_in - other.od_in).abs() < DIAMETER_TOLERANCE_IN
             && match (self.second, other.second) {
@@ -130,6 +147,7 @@ impl Reading {
     fn of(designation: &str) -> Option<Self> {
         let mut kind = TubularKind::DrillPipe;
         let mut grade = None;
+        let mut class = PipeClass::New;
         let mut numbers: Vec<f64> = Vec::new();
         let mut parts = parts(designation).into_iter().peekable();
         while let Some(part) = parts.next() {
@@ -138,6 +156,20 @@ impl Reading {
                 Part::Word(word) => match word.as_str() {
                     "hwdp" | "hw" | "hwt" | "heavy" => kind = TubularKind::HeavyWeight,
                     "collar" | "collars" | "dc" | "dcs" | "nmdc" => kind = TubularKind::Collar,
+                    "ct" | "coiled" | "coil" => {
+                        kind = TubularKind::CoiledTubing;
+                        if let (None, Some(&Part::Number(of))) = (&grade, parts.peek())
+                            && let Some(name) = coiled::grade(of)
+                        {
+                            grade = Some(name);
+                            parts.next();
+                        }
+                    }
+                    "premium" | "prem" => class = PipeClass::Premium,
+                    "class" => match parts.next() {
+                        Some(Part::Number(2.0)) => class = PipeClass::Class2,
+                        _ => return None,
+                    },
                     "e" | "x" | "g" | "s" => match (word.as_str(), parts.peek()) {
                         ("e", Some(Part::Number(75.0)))
                         | ("x", Some(Part::Number(95.0)))
@@ -153,15 +185,15 @@ impl Reading {
                     },
                     "in" | "inch" | "inches" | "lb" | "lbs" | "lbm" | "ft" | "ppf" | "per"
                     | "weight" | "drill" | "pipe" | "dp" | "drillpipe" | "od" | "id" | "bore"
-                    | "grade" | "by" => {}
+                    | "grade" | "by" | "new" | "tubing" | "tube" | "wall" | "string" => {}
                     _ => return None,
                 },
             }
         }
         match numbers[..] {
-            [od_in, second] => Some(Self { kind, od_in, second: Some(second), grade }),
+            [od_in, second] => Some(Self { kind, od_in, second: Some(second), grade, class }),
             [od_in] if kind == TubularKind::HeavyWeight => {
-                Some(Self { kind, od_in, second: None, grade })
+                Some(Self { kind, od_in, second: None, grade, class })
             }
             _ => None,
         }
@@ -194,6 +226,13 @@ mod tests {
             ("8 in x 2-13/16 in collar", "8 in x 2-13/16 in collar"),
             ("drill collar 8\" × 2 13/16\"", "8 in x 2-13/16 in collar"),
             ("DC 6.5 x 2.8125", "6-1/2 in x 2-13/16 in collar"),
+            ("5 in 19.50 lb/ft S-135 premium", "5 in 19.50 lb/ft S-135 premium"),
+            ("premium 5\" 19.5# S135", "5 in 19.50 lb/ft S-135 premium"),
+            ("5 in 19.5 ppf G-105 Class 2", "5 in 19.50 lb/ft G-105 class 2"),
+            ("new 5 in 19.5 ppf G-105", "5 in 19.50 lb/ft G-105"),
+            ("CT 2 in x 0.190 in CT-90", "CT 2 in x 0.190 in CT-90"),
+            ("coiled tubing 2\" 0.188 wall CT90", "CT 2 in x 0.190 in CT-90"),
+            ("2-3/8 in x .204 CT 110", "CT 2-3/8 in x 0.204 in CT-110"),
         ] {
             let found = find(spelling).map(|entry| entry.designation);
             assert_eq!(found.as_deref(), Ok(designation), "{spelling}");
@@ -215,13 +254,28 @@ mod tests {
         };
         assert_eq!(nearest("5-1/2 in 21.90 lb/ft")[0], "5-1/2 in 21.90 lb/ft E-75");
         assert_eq!(nearest("5 in 19.50 lb/ft S-140")[0], "5 in 19.50 lb/ft S-135");
+        assert_eq!(nearest("5 in 19.9 lb/ft S-135 premium")[0], "5 in 19.50 lb/ft S-135 premium");
+        // Other tubulars have no class.
+        assert_eq!(nearest("HWDP 5 in 49.3 lb/ft premium")[0], "HWDP 5 in 49.3 lb/ft");
+        assert_eq!(nearest("CT 2 in x 0.19 in CT-95")[0], "CT 2 in x 0.190 in CT-70");
         assert_eq!(nearest("HWDP 5 in 44 lb/ft")[0], "HWDP 5 in 49.3 lb/ft");
         assert_eq!(nearest("8 in x 2-7/8 in collar")[0], "8 in x 2-13/16 in collar");
         // The light weights are made in E-75 alone.
         assert_eq!(nearest("5 in 16.25 lb/ft S-135").len(), NEAREST);
-        for nonsense in
-            ["", " ", "pipe", "5//0 in 3", "1/0 in 2", "1.2.3 in", "½", "\u{130}", "139.7 mm S-135"]
-        {
+        for nonsense in [
+            "",
+            " ",
+            "pipe",
+            "class",
+            "class 3 5 in 19.5 lb/ft S-135",
+            "CT",
+            "5//0 in 3",
+            "1/0 in 2",
+            "1.2.3 in",
+            "½",
+            "\u{130}",
+            "139.7 mm S-135",
+        ] {
             assert_eq!(nearest(nonsense).len(), NEAREST, "{nonsense}");
         }
         assert_eq!(nearest(&"5 ".repeat(100_000)).len(), NEAREST);

@@ -1,9 +1,11 @@
 //! One tubular of the catalogue.
 
-use std::f64::consts::PI;
+use std::{borrow::Cow, f64::consts::PI};
 
+use super::PipeClass;
 use crate::string::{
-    ComponentLength, ComponentSpec, Material, ToolJoints, component::ring_area_m2,
+    ComponentLength, ComponentSpec, ConnectionStrength, Material, ToolJoints,
+    component::ring_area_m2,
 };
 
 /// What a catalogue entry is.
@@ -15,13 +17,22 @@ pub enum TubularKind {
     HeavyWeight,
     /// Drill collar.
     Collar,
+    /// Coiled tubing.
+    CoiledTubing,
+}
+
+/// The connections of a catalogue entry.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EntryConnection {
+    /// What they are called: `NC50`.
+    pub name: Cow<'static, str>,
+    /// What they bear.
+    pub strength: ConnectionStrength,
 }
 
 /// The tool joints of a catalogue entry: everything that their mass needs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JointDimensions {
-    /// Rotary shouldered connection.
-    pub connection: &'static str,
     /// Outside diameter, m.
     pub od_m: f64,
     /// Inside diameter, m.
@@ -48,12 +59,16 @@ pub struct CatalogueEntry {
     pub od_m: f64,
     /// Inside diameter of the body, m.
     pub id_m: f64,
-    /// Tool joints; `None` for collars.
+    /// How worn it is.
+    pub class: PipeClass,
+    /// Tool joints; `None` for collars and coiled tubing.
     pub joints: Option<JointDimensions>,
+    /// Connections at its ends; `None` where it has none, or may have many.
+    pub connection: Option<EntryConnection>,
     /// Minimum yield strength of the body, Pa.
     pub yield_strength_Pa: f64,
     /// Where the dimensions come from.
-    pub source: &'static str,
+    pub source: Cow<'static, str>,
 }
 
 /// Volume of metal of a joint's two tapers, 18° on the box's elevator shoulder and 35° on the
@@ -95,6 +110,18 @@ impl CatalogueEntry {
         density_kg_per_m3 * volume_m3 / joint.spacing_m
     }
 
+    /// The same worn evenly from outside to what its class allows, its joints as new.
+    #[must_use]
+    pub fn worn(&self, class: PipeClass) -> Self {
+        let wall_m = class.wall_left() * (self.od_m - self.id_m) / 2.0;
+        Self {
+            designation: format!("{}{}", self.designation, class.suffix()),
+            class,
+            od_m: self.id_m + 2.0 * wall_m,
+            ..self.clone()
+        }
+    }
+
     /// A component of this tubular, for a string of the given length and metal.
     pub fn component(
         &self,
@@ -118,6 +145,8 @@ impl CatalogueEntry {
             survey_sensor_m: None,
             lateral_force: None,
             yield_strength_Pa: Some(self.yield_strength_Pa),
+            class: self.class,
+            connection: self.connection.as_ref().map_or_else(Default::default, |of| of.strength),
         }
     }
 }

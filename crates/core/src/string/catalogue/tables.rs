@@ -1,21 +1,22 @@
 //! The dimensions, in inches as the standards print them.
 
-use super::{CatalogueEntry, JointDimensions, TubularKind};
+use super::{
+    CatalogueEntry, EntryConnection, JointDimensions, PipeClass, TubularKind, coiled, connections,
+};
+use crate::string::ConnectionStrength;
 
-const INCH_M: f64 = 0.0254;
-const PSI_PA: f64 = 6894.757293168361;
+pub(super) const INCH_M: f64 = 0.0254;
+pub(super) const PSI_PA: f64 = 6894.757293168361;
 
 /// Grades of drill pipe and their minimum yield strength, psi (API Spec 5DP).
 const GRADES: [(&str, f64); 4] =
     [("E-75", 75_000.0), ("X-95", 95_000.0), ("G-105", 105_000.0), ("S-135", 135_000.0)];
 
-const PIPE_SOURCE: &str =
-    "API Spec 5DP (body, grades), API RP 7G (tool joints), range 2 pipe in stands of 28.8 m";
-const PROPRIETARY_SOURCE: &str =
-    "API Spec 5DP (body, grades), XT57 tool joint (proprietary), range 2 pipe in stands of 28.8 m";
+const PIPE_SOURCE: &str = "API Spec 5DP (body, grades), API RP 7G (tool joints, torques), range 2 pipe in stands of 28.8 m";
+const PROPRIETARY_SOURCE: &str = "API Spec 5DP (body, grades), XT57 tool joint (proprietary, its torques its maker's), range 2 pipe in stands of 28.8 m";
 const HEAVY_WEIGHT_SOURCE: &str =
     "API Spec 7-1 and API RP 7G (body, 55 ksi tube, joints, wear pad), range 2 pipe";
-const COLLAR_SOURCE: &str = "API Spec 7-1 (outside diameter, bore, yield strength)";
+const COLLAR_SOURCE: &str = "API Spec 7-1 (outside diameter, bore, yield strength), API RP 7G (torques; the connection is a usual one)";
 
 /// Distance between joints of range 2 drill pipe, m: a third of a stand of 28.8 m. API Spec 5DP
 /// lets a range 2 pipe be 8.84 to 9.75 m long with its tool joint.
@@ -130,38 +131,44 @@ const HEAVY_WEIGHTS: [HeavyWeight; 6] = [
     HeavyWeight { size: "6-5/8", od: 6.625, id: 4.5, weight: "70.8", connection: "6-5/8 FH", joint_od: 8.0, joint_id: 4.625, pad_od: 7.125 },
 ];
 
-/// Drill collars: outside diameter and bore.
+/// Drill collars: outside diameter, bore and the connection that API Spec 7-1 and common practice
+/// put on them.
 #[rustfmt::skip]
-const COLLARS: [(&str, f64, &str, f64); 24] = [
-    ("3-1/8", 3.125, "1-1/4", 1.25),
-    ("3-1/2", 3.5, "1-1/2", 1.5),
-    ("4-1/8", 4.125, "2", 2.0),
-    ("4-3/4", 4.75, "2", 2.0),
-    ("4-3/4", 4.75, "2-1/4", 2.25),
-    ("5", 5.0, "2-1/4", 2.25),
-    ("6", 6.0, "2-1/4", 2.25),
-    ("6", 6.0, "2-13/16", 2.8125),
-    ("6-1/4", 6.25, "2-1/4", 2.25),
-    ("6-1/4", 6.25, "2-13/16", 2.8125),
-    ("6-1/2", 6.5, "2-1/4", 2.25),
-    ("6-1/2", 6.5, "2-13/16", 2.8125),
-    ("6-3/4", 6.75, "2-1/4", 2.25),
-    ("6-3/4", 6.75, "2-13/16", 2.8125),
-    ("7", 7.0, "2-1/4", 2.25),
-    ("7", 7.0, "2-13/16", 2.8125),
-    ("7-1/4", 7.25, "2-13/16", 2.8125),
-    ("7-3/4", 7.75, "2-13/16", 2.8125),
-    ("8", 8.0, "2-13/16", 2.8125),
-    ("8-1/4", 8.25, "2-13/16", 2.8125),
-    ("9", 9.0, "2-13/16", 2.8125),
-    ("9-1/2", 9.5, "3", 3.0),
-    ("10", 10.0, "3", 3.0),
-    ("11", 11.0, "3", 3.0),
+const COLLARS: [(&str, f64, &str, f64, &str); 24] = [
+    ("3-1/8", 3.125, "1-1/4", 1.25, "NC23"),
+    ("3-1/2", 3.5, "1-1/2", 1.5, "NC26"),
+    ("4-1/8", 4.125, "2", 2.0, "NC31"),
+    ("4-3/4", 4.75, "2", 2.0, "NC35"),
+    ("4-3/4", 4.75, "2-1/4", 2.25, "NC35"),
+    ("5", 5.0, "2-1/4", 2.25, "NC38"),
+    ("6", 6.0, "2-1/4", 2.25, "NC44"),
+    ("6", 6.0, "2-13/16", 2.8125, "NC44"),
+    ("6-1/4", 6.25, "2-1/4", 2.25, "NC46"),
+    ("6-1/4", 6.25, "2-13/16", 2.8125, "NC46"),
+    ("6-1/2", 6.5, "2-1/4", 2.25, "NC46"),
+    ("6-1/2", 6.5, "2-13/16", 2.8125, "NC46"),
+    ("6-3/4", 6.75, "2-1/4", 2.25, "NC50"),
+    ("6-3/4", 6.75, "2-13/16", 2.8125, "NC50"),
+    ("7", 7.0, "2-1/4", 2.25, "NC50"),
+    ("7", 7.0, "2-13/16", 2.8125, "NC50"),
+    ("7-1/4", 7.25, "2-13/16", 2.8125, "NC50"),
+    ("7-3/4", 7.75, "2-13/16", 2.8125, "NC56"),
+    ("8", 8.0, "2-13/16", 2.8125, "NC56"),
+    ("8-1/4", 8.25, "2-13/16", 2.8125, "6-5/8 REG"),
+    ("9", 9.0, "2-13/16", 2.8125, "NC61"),
+    ("9-1/2", 9.5, "3", 3.0, "7-5/8 REG"),
+    ("10", 10.0, "3", 3.0, "NC70"),
+    ("11", 11.0, "3", 3.0, "NC77"),
 ];
 
 /// Minimum yield strength of collars, psi: 110 ksi below 7 in, 100 ksi from there (API Spec 7-1).
 fn collar_yield_psi(od: f64) -> f64 {
     if od < 7.0 { 110_000.0 } else { 100_000.0 }
+}
+
+/// A connection of the catalogue.
+fn connected(name: &'static str, strength: ConnectionStrength) -> Option<EntryConnection> {
+    Some(EntryConnection { name: name.into(), strength })
 }
 
 pub(super) fn entries() -> Vec<CatalogueEntry> {
@@ -170,50 +177,68 @@ pub(super) fn entries() -> Vec<CatalogueEntry> {
         for (&(connection, joint_od, joint_id, joint_length), (grade, yield_psi)) in
             pipe.joints.iter().zip(GRADES)
         {
+            let joint = JointDimensions {
+                od_m: joint_od * INCH_M,
+                id_m: joint_id * INCH_M,
+                length_m: joint_length * INCH_M,
+                upset_od_m: Some(pipe.upset_od * INCH_M),
+                spacing_m: PIPE_SPACING_M,
+                pad_m: None,
+            };
+            let strength = connections::tool_joint(connection, joint.od_m, joint.id_m);
             entries.push(CatalogueEntry {
                 designation: format!("{} in {} lb/ft {grade}", pipe.size, pipe.weight),
                 kind: TubularKind::DrillPipe,
+                class: PipeClass::New,
                 od_m: pipe.od * INCH_M,
                 id_m: (pipe.od - 2.0 * pipe.wall) * INCH_M,
-                joints: Some(JointDimensions {
-                    connection,
-                    od_m: joint_od * INCH_M,
-                    id_m: joint_id * INCH_M,
-                    length_m: joint_length * INCH_M,
-                    upset_od_m: Some(pipe.upset_od * INCH_M),
-                    spacing_m: PIPE_SPACING_M,
-                    pad_m: None,
-                }),
+                joints: Some(joint),
+                connection: connected(connection, strength),
                 yield_strength_Pa: yield_psi * PSI_PA,
-                source: if connection == "XT57" { PROPRIETARY_SOURCE } else { PIPE_SOURCE },
+                source: match connections::connection(connection) {
+                    Some(_) => PIPE_SOURCE.into(),
+                    None => PROPRIETARY_SOURCE.into(),
+                },
             });
         }
     }
-    entries.extend(HEAVY_WEIGHTS.iter().map(|pipe| CatalogueEntry {
-        designation: format!("HWDP {} in {} lb/ft", pipe.size, pipe.weight),
-        kind: TubularKind::HeavyWeight,
-        od_m: pipe.od * INCH_M,
-        id_m: pipe.id * INCH_M,
-        joints: Some(JointDimensions {
-            connection: pipe.connection,
+    entries.extend(HEAVY_WEIGHTS.iter().map(|pipe| {
+        let joint = JointDimensions {
             od_m: pipe.joint_od * INCH_M,
             id_m: pipe.joint_id * INCH_M,
             length_m: HEAVY_WEIGHT_JOINT * INCH_M,
             upset_od_m: None,
             spacing_m: HEAVY_WEIGHT_SPACING_M,
             pad_m: Some((pipe.pad_od * INCH_M, HEAVY_WEIGHT_PAD * INCH_M)),
-        }),
-        yield_strength_Pa: HEAVY_WEIGHT_YIELD_PSI * PSI_PA,
-        source: HEAVY_WEIGHT_SOURCE,
+        };
+        let strength = connections::heavy_weight(pipe.connection, joint.od_m, joint.id_m);
+        CatalogueEntry {
+            designation: format!("HWDP {} in {} lb/ft", pipe.size, pipe.weight),
+            kind: TubularKind::HeavyWeight,
+            class: PipeClass::New,
+            od_m: pipe.od * INCH_M,
+            id_m: pipe.id * INCH_M,
+            joints: Some(joint),
+            connection: connected(pipe.connection, strength),
+            yield_strength_Pa: HEAVY_WEIGHT_YIELD_PSI * PSI_PA,
+            source: HEAVY_WEIGHT_SOURCE.into(),
+        }
     }));
-    entries.extend(COLLARS.iter().map(|&(od_name, od, bore_name, bore)| CatalogueEntry {
-        designation: format!("{od_name} in x {bore_name} in collar"),
-        kind: TubularKind::Collar,
-        od_m: od * INCH_M,
-        id_m: bore * INCH_M,
-        joints: None,
-        yield_strength_Pa: collar_yield_psi(od) * PSI_PA,
-        source: COLLAR_SOURCE,
+    entries.extend(COLLARS.iter().map(|&(od_name, od, bore_name, bore, connection)| {
+        let (od_m, id_m, yield_psi) = (od * INCH_M, bore * INCH_M, collar_yield_psi(od));
+        let strength = connections::collar(connection, od_m, id_m, yield_psi);
+        CatalogueEntry {
+            designation: format!("{od_name} in x {bore_name} in collar"),
+            kind: TubularKind::Collar,
+            class: PipeClass::New,
+            od_m,
+            id_m,
+            joints: None,
+            connection: connected(connection, strength),
+            yield_strength_Pa: yield_psi * PSI_PA,
+            source: COLLAR_SOURCE.into(),
+        }
     }));
+    entries.extend(coiled::entries());
     entries
 }

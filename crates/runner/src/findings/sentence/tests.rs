@@ -87,6 +87,33 @@ fn the_hook_load_is_told_with_and_without_the_block() {
 }
 
 #[test]
+fn rated_and_peak_torque_are_told_apart() {
+    let rig = Rig {
+        top_drive_torque_N_m: Some(40e3),
+        top_drive_peak_torque_N_m: Some(60e3),
+        pump_pressure_limit_Pa: Some(30e6),
+        ..Rig::default()
+    };
+    let said = |kind, level, value, limit| {
+        let found = found(kind, level, value, limit);
+        sentence(&found, &solved(ModelKind::Soft), &around(&rig, UnitSet::Si))
+    };
+    assert_eq!(
+        said(Kind::TopDriveOverloaded, Level::Error, 65e3, 60e3),
+        "Surface torque of 65 kN.m exceeds the top drive's peak torque of 60 kN.m"
+    );
+    assert_eq!(
+        said(Kind::TopDriveOverloaded, Level::Note, 55e3, 40e3),
+        "Surface torque of 55 kN.m exceeds the top drive's rated torque of 40 kN.m at times, \
+         within its peak torque of 60 kN.m"
+    );
+    assert_eq!(
+        said(Kind::PumpPressure, Level::Error, 32e6, 30e6),
+        "Pump pressure of 32 MPa exceeds the limit of 30 MPa"
+    );
+}
+
+#[test]
 fn a_rig_that_pushes_is_told_of_its_push() {
     let rig = Rig { snubbing_force_N: Some(200e3), ..Rig::default() };
     let said = |value_N, level, rig: &Rig| {

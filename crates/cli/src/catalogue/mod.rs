@@ -1,0 +1,64 @@
+//! `wholestring catalogue`: what a case can name, and what rigs commonly have.
+
+mod rigs;
+mod tubulars;
+
+use wholestring_runner::Found;
+use wholestring_units::{Dimension, Unit, UnitSet};
+
+use crate::{args::CatalogueArgs, failure::Failure, terminal::print_stdout};
+
+pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
+    let query = args.words.join(" ");
+    let units = args.units.unwrap_or(UnitSet::Si);
+    let found = Found::described(&query);
+    if found.is_empty() {
+        return Err(Failure::BadInput(format!(
+            "error: the catalogue has nothing of `{query}`\n\
+             help: search by size, weight, grade, class or kind, such as 5-1/2, 21.9, S-135, premium, \
+             hwdp, collar, coiled, casing, rig; \
+             without a word everything is listed"
+        )));
+    }
+    let string = found.string.iter();
+    let mut tables: Vec<String> =
+        string.map(|(kind, entries)| tubulars::of_string(*kind, entries, units)).collect();
+    if !found.casings.is_empty() {
+        tables.push(tubulars::casing(&found.casings, units));
+    }
+    if !found.top_drives.is_empty() {
+        tables.push(rigs::top_drives(&found.top_drives, units));
+    }
+    if !found.hoists.is_empty() {
+        tables.push(rigs::hoists(&found.hoists, units));
+    }
+    let how =
+        "In a case: catalogue = \"NAME\" under [[string]]; casing = \"NAME\" under [[well.hole]]\n";
+    let sources: Vec<String> =
+        found.sources().iter().map(|source| format!("  {source}\n")).collect();
+    print_stdout(&format!(
+        "{}\n\
+         {}\
+         Sources:\n{}",
+        tables.join("\n"),
+        if found.has_tubulars() { how } else { "" },
+        sources.concat()
+    ))
+}
+
+/// A heading with the unit of what stands below it.
+fn heading(what: &str, unit: &Unit) -> String {
+    format!("{what} {}", unit.symbol)
+}
+
+/// The units of dimensions in a set.
+fn units_of<const N: usize>(dimensions: [Dimension; N], units: UnitSet) -> [&'static Unit; N] {
+    dimensions.map(|dimension| dimension.unit_in(units))
+}
+
+/// To three digits or the unit, whichever is finer.
+fn number(unit: &Unit, si: f64) -> String {
+    let value = unit.from_si(si);
+    let decimals = if value.abs() < 99.95 { 1 } else { 0 };
+    format!("{value:.decimals$}")
+}
