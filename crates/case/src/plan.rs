@@ -9,7 +9,9 @@ use wholestring::{
 };
 use wholestring_config::prelude::*;
 use wholestring_plan::{
-    Broomstick, FrictionLevel, Frictions, KindFriction, LevelFriction, Setup, Statics, bit_depths_m,
+    Broomstick, FrictionLevel, Frictions, KindFriction, LevelFriction, Setup, Statics,
+    bit_depths_m,
+    limits::{DesignFactors, LimitSettings},
 };
 
 use crate::{
@@ -52,6 +54,13 @@ table! {
         operations: Vec<Spanned<OperationKind>> = optional(List::or_one(
             KindRule, "operations", OperationKind::ALL.len(),
         ));
+        /// Pull that is to be left at the surface, to pull a stuck string free.
+        overpull_margin: f64 = default(
+            Quantity::si(Dimension::Force, Range::positive_to(1e7).usual(5e4, 2e6), "450 kN"),
+            LimitSettings::default().overpull_N,
+        );
+        /// Safety factors of pipe and rig.
+        factors: FactorsTable = optional(Section::<FactorsTable>::RULE);
         /// "soft" (fast), "stiff" (with bending stiffness and clearance, some seconds a depth), or
         /// both.
         models: Vec<Spanned<Statics>> = default(
@@ -87,6 +96,66 @@ table! {
         /// Of the rock. Default: as without this level.
         open: Friction = optional(FrictionRule);
     }
+}
+
+table! {
+    /// Safety factors: the least that capacity over load is to be.
+    FactorsTable in "[plan.factors]" {
+        /// Effective tension against the tensile yield of pipe or connection.
+        tension: f64 = default(factor(), DesignFactors::default().tension);
+        /// Torque against the torsional yield of pipe or connection.
+        torsion: f64 = default(factor(), DesignFactors::default().torsion);
+        /// Torque against the torsional yield under the tension that is there.
+        tension_and_torsion: f64 = default(factor(), DesignFactors::default().tension_and_torsion);
+        /// Von Mises stress against the yield strength.
+        von_mises: f64 = default(factor(), DesignFactors::default().von_mises);
+        /// Pressure from inside against burst.
+        burst: f64 = default(factor(), DesignFactors::default().burst);
+        /// Pressure from outside against collapse.
+        collapse: f64 = default(factor(), DesignFactors::default().collapse);
+        /// Torque against the make-up torque of the connections.
+        make_up: f64 = default(factor(), DesignFactors::default().make_up);
+        /// Hook load and block against the hoist.
+        hoist: f64 = default(factor(), DesignFactors::default().hoist);
+        /// Surface torque against the rated torque of the top drive.
+        top_drive: f64 = default(factor(), DesignFactors::default().top_drive);
+        /// Surface torque against the largest torque of the top drive.
+        top_drive_peak: f64 = default(factor(), DesignFactors::default().top_drive_peak);
+        /// Standpipe pressure against the limit of the pump.
+        pump_pressure: f64 = default(factor(), DesignFactors::default().pump_pressure);
+        /// Compression against the load of the sinusoid.
+        sinusoidal_buckling: f64 = default(factor(), DesignFactors::default().sinusoidal_buckling);
+        /// Compression against the load of the helix.
+        helical_buckling: f64 = default(factor(), DesignFactors::default().helical_buckling);
+        /// What drives a sliding string down against what holds it.
+        lock_up: f64 = default(factor(), DesignFactors::default().lock_up);
+        /// What is left for overpull against `overpull_margin`.
+        overpull: f64 = default(factor(), DesignFactors::default().overpull);
+    }
+}
+
+fn factor() -> Number {
+    Number { unit: "", range: Range::from_to(0.1, 10.0).usual(0.9, 3.0) }
+}
+
+fn factors(table: &FactorsTable) -> Option<DesignFactors> {
+    Some(DesignFactors {
+        tension: *table.tension.get()?,
+        torsion: *table.torsion.get()?,
+        tension_and_torsion: *table.tension_and_torsion.get()?,
+        von_mises: *table.von_mises.get()?,
+        burst: *table.burst.get()?,
+        collapse: *table.collapse.get()?,
+        make_up: *table.make_up.get()?,
+        hoist: *table.hoist.get()?,
+        top_drive: *table.top_drive.get()?,
+        top_drive_peak: *table.top_drive_peak.get()?,
+        pump_pressure: *table.pump_pressure.get()?,
+        sinusoidal_buckling: *table.sinusoidal_buckling.get()?,
+        helical_buckling: *table.helical_buckling.get()?,
+        lock_up: *table.lock_up.get()?,
+        overpull: *table.overpull.get()?,
+    })
 }
 
 fn depth(example: &'static str) -> Quantity {
@@ -153,6 +222,8 @@ pub struct Plan {
     pub operations: Vec<Operation>,
     /// By which models.
     pub models: Vec<Statics>,
+    /// What pipe and rig are to keep.
+    pub limits: LimitSettings,
 }
 
 impl Case {
@@ -161,9 +232,9 @@ impl Case {
     /// # Errors
     /// A friction factor that is out of its range, which the reader of a case has seen to.
     pub fn broomstick(&self) -> Result<Broomstick, HoleError> {
-        let Plan { frictions, bit_depths_m, operations, models } = self.plan.clone();
+        let Plan { frictions, bit_depths_m, operations, models, limits } = self.plan.clone();
         let of = Broomstick::new(&self.setup(), &frictions, operations, bit_depths_m, models)?;
-        Ok(of.with_settings(self.soft, self.dynamics.stiff_string()))
+        Ok(of.with_settings(self.soft, self.dynamics.stiff_string()).with_limits(limits))
     }
 }
 
@@ -195,6 +266,10 @@ pub(crate) fn build(
         bit_depths_m: depths_m?,
         operations: operations?,
         models: models.iter().map(|at| at.value).collect(),
+        limits: LimitSettings {
+            factors: factors(table.factors.get()?)?,
+            overpull_N: *table.overpull_margin.get()?,
+        },
     })
 }
 

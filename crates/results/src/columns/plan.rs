@@ -65,6 +65,23 @@ pub const PLAN_BUCKLING: &[ColumnSpec] = plan_specs! {
     "message": Words, "Why there is no answer; else empty", null_where "there is an answer";
 };
 
+/// Columns of `plan_limits.parquet`: a load against what bears it, for each depth of the bit, model,
+/// operation, friction, kind of limit and component where it is nearest to its limit.
+pub const PLAN_LIMITS: &[ColumnSpec] = plan_specs! {
+    "bit_depth_m": Depth, "Measured depth of the bit";
+    "kind": Words, "`tension`, `torsion`, `von_mises`, `hoist`, ...";
+    "component": Words, "The component; empty of the rig", null_where "it is of the rig";
+    "md_m": Depth, "Where, or `null` of the rig", null_where "it is of the rig";
+    "load": Ratio, "The load, in `unit`";
+    "capacity": Ratio, "What is borne, in `unit`";
+    "unit": Words, "`N`, `N·m` or `Pa`";
+    "factor": Ratio, "Capacity over load";
+    "required": Ratio, "The least factor that is to be kept";
+    "standing": Words,
+        "`kept`, `near` (kept by less than a tenth), `short` (not kept) or `passed` (the load is beyond \
+         the capacity)";
+};
+
 /// Columns of `plan_friction.parquet`: a row for each hole section at each level of friction.
 pub const PLAN_FRICTION: &[ColumnSpec] = super::specs! {
     "friction": Words, "`low`, `expected` or `high`";

@@ -2,6 +2,8 @@
 
 mod tables;
 
+pub use tables::plan_limits_table;
+
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -39,6 +41,11 @@ pub struct PlanSummary {
     pub points: Vec<PlanPoint>,
     /// Friction after friction, operation after operation, down the hole.
     pub buckling: Vec<PlanBuckling>,
+    /// Of each kind of limit and each operation the one that is nearest, of all models, frictions and
+    /// depths.
+    pub worst_limits: Vec<PlanLimit>,
+    /// What could not be checked, and what is missing for it.
+    pub unchecked: Vec<String>,
 }
 
 /// Friction of a hole section at a level.
@@ -111,6 +118,44 @@ pub struct PlanBuckling {
     pub helical_weight_N: Option<f64>,
     /// Why there is no answer.
     pub message: Option<String>,
+}
+
+/// A load against what bears it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlanLimit {
+    /// Name of the model.
+    pub model: String,
+    /// `low`, `expected` or `high`.
+    pub friction: String,
+    /// Name of the operation.
+    pub operation: String,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// What it is of: `tension`, `hoist`, ...
+    pub kind: String,
+    /// The component; none of the rig.
+    pub component: Option<String>,
+    /// Where, measured depth in m; none of the rig.
+    pub md_m: Option<f64>,
+    /// The load.
+    pub load: f64,
+    /// What is borne.
+    pub capacity: f64,
+    /// SI unit of both.
+    pub unit: String,
+    /// Capacity over load.
+    pub factor: f64,
+    /// The least factor that is to be kept.
+    pub required: f64,
+    /// `kept`, `near`, `short` or `passed`.
+    pub standing: String,
+}
+
+impl PlanLimit {
+    /// Factor over the required one: less than one where it is not kept.
+    pub fn reserve(&self) -> f64 {
+        self.factor / self.required
+    }
 }
 
 impl PlanSummary {

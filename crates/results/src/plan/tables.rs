@@ -1,7 +1,34 @@
 //! The tables of a plan: what its summary has, row by row.
 
-use super::PlanSummary;
-use crate::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, Table};
+use super::{PlanLimit, PlanSummary};
+use crate::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, Table};
+
+/// A row for each limit.
+pub fn plan_limits_table(limits: &[PlanLimit]) -> Table {
+    let mut table = Table::with_columns(PLAN_LIMITS);
+    for of in limits {
+        table.append(
+            &[
+                ("model", &[&of.model]),
+                ("friction", &[&of.friction]),
+                ("operation", &[&of.operation]),
+                ("kind", &[&of.kind]),
+                ("component", &[of.component.as_deref().unwrap_or_default()]),
+                ("unit", &[&of.unit]),
+                ("standing", &[&of.standing]),
+            ],
+            &[
+                ("bit_depth_m", &[of.bit_depth_m]),
+                ("md_m", &[of.md_m.unwrap_or(f64::NAN)]),
+                ("load", &[of.load]),
+                ("capacity", &[of.capacity]),
+                ("factor", &[of.factor]),
+                ("required", &[of.required]),
+            ],
+        );
+    }
+    table
+}
 
 impl PlanSummary {
     /// A row for each point.

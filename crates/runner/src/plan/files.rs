@@ -6,13 +6,19 @@ use wholestring_results::{Column, PlanPoint, PlanSummary, ResultsError, ResultsF
 pub(super) const BROOMSTICK: &str = "plan_broomstick";
 pub(super) const BUCKLING: &str = "plan_buckling";
 pub(super) const FRICTION: &str = "plan_friction";
+pub(super) const LIMITS: &str = "plan_limits";
 
 /// Name of the workbook.
 pub(super) const WORKBOOK: &str = "plan.xlsx";
 
 /// Writes the summary and all tables, as CSV too: the page leads to them; and the numbers of each
 /// picture.
-pub(super) fn write(folder: &ResultsFolder, summary: &PlanSummary) -> Result<(), ResultsError> {
+pub(super) fn write(
+    folder: &ResultsFolder,
+    summary: &PlanSummary,
+    limits: &Table,
+) -> Result<(), ResultsError> {
+    folder.write_table(LIMITS, limits, true)?;
     folder.write_table(BROOMSTICK, &summary.broomstick_table(), true)?;
     folder.write_table(BUCKLING, &summary.buckling_table(), true)?;
     folder.write_table(FRICTION, &summary.friction_table(), true)?;

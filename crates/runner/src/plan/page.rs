@@ -3,18 +3,21 @@
 use std::path::Path;
 
 use serde_json::Value as Json;
+use wholestring_plan::limits::LimitKind;
 use wholestring_report::{
-    BucklingCurve, Cell, Fact, Level, Plan, PlanCurve, PlanLevel, PlanRig, PlanSpot, Section,
-    operation_name, plan_html, plan_plots,
+    BucklingCurve, Cell, Fact, Level, Plan, PlanCurve, PlanLevel, PlanLimitRow, PlanRig, PlanSpot,
+    Section, operation_name, plan_html, plan_plots, shown_dimension,
 };
-use wholestring_results::{Level as Grave, PlanPoint, PlanSummary, ResultsError, ResultsFolder};
+use wholestring_results::{
+    Level as Grave, PlanLimit, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table,
+};
 use wholestring_units::UnitSet;
 
 use super::{
-    files::{BROOMSTICK, WORKBOOK},
+    files::{BROOMSTICK, LIMITS, WORKBOOK},
     workbook::workbook,
 };
-use crate::page::{self, FILE, write_picture};
+use crate::page::{self, FILE, table, write_picture};
 
 /// Levels of friction, from the least to the most.
 pub(super) const LEVELS: [&str; 3] = ["low", "expected", "high"];
@@ -42,9 +45,10 @@ pub(crate) fn write(folder: &ResultsFolder, plan: &Plan, png: bool) -> Result<()
 pub(crate) fn write_workbook(
     folder: &ResultsFolder,
     summary: &PlanSummary,
+    limits: &Table,
     units: UnitSet,
 ) -> Result<(), crate::error::Error> {
-    let bytes = workbook(summary, units).bytes().map_err(crate::error::Error::failed)?;
+    let bytes = workbook(summary, limits, units).bytes().map_err(crate::error::Error::failed)?;
     Ok(folder.write_file(WORKBOOK, &bytes)?)
 }
 
@@ -57,7 +61,7 @@ pub(crate) fn write_again(
     let plan = of_summary(&summary, units);
     let units = plan.head.units.parse().unwrap_or_default();
     write(folder, &plan, false)?;
-    write_workbook(folder, &summary, units)
+    write_workbook(folder, &summary, &table(folder.path(), LIMITS)?, units)
 }
 
 /// Everything that is reported of a plan.
@@ -86,6 +90,8 @@ fn of_summary(summary: &PlanSummary, units: Option<UnitSet>) -> Plan {
         curves: curves(summary),
         buckling: buckling(summary),
         hole: hole(summary),
+        limits: summary.worst_limits.iter().map(limit).collect(),
+        unchecked: summary.unchecked.clone(),
         rig: PlanRig {
             block_N: number(&rig["block_weight_N"]),
             hoist_N: number(&rig["hoist_capacity_N"]),
@@ -176,6 +182,25 @@ fn buckling(summary: &PlanSummary) -> Vec<BucklingCurve> {
         }
     }
     curves
+}
+
+fn limit(of: &PlanLimit) -> PlanLimitRow {
+    let kind = LimitKind::ALL.iter().find(|kind| kind.name() == of.kind);
+    let dimension = kind.map_or("", |kind| shown_dimension(kind.quantity()));
+    PlanLimitRow {
+        kind: kind.map_or_else(|| of.kind.replace('_', " "), |kind| kind.label().to_owned()),
+        operation: of.operation.clone(),
+        friction: of.friction.clone(),
+        bit_depth_m: of.bit_depth_m,
+        component: of.component.clone().unwrap_or_default(),
+        md_m: of.md_m,
+        load: of.load,
+        capacity: of.capacity,
+        dimension: dimension.to_owned(),
+        factor: of.factor,
+        required: of.required,
+        standing: of.standing.clone(),
+    }
 }
 
 /// Sections of the hole with the friction that is expected.

@@ -3,10 +3,13 @@
 use std::{num::NonZeroUsize, time::Duration};
 
 use wholestring_case::Case;
-use wholestring_results::{Occupant, PlanSummary, digest};
+use wholestring_results::{Occupant, PlanSummary, digest, plan_limits_table};
 use wholestring_units::UnitSet;
 
-use super::{files, page, work::Work};
+use super::{
+    files, page,
+    work::{Ended, Work},
+};
 use crate::{
     batch::BatchOutcome, cancellation::CancellationToken, claim::Claim, error::Error,
     folder_name::default_output, observer::Observer, output::Output,
@@ -66,10 +69,11 @@ pub fn run(
     let folder = &claimed.folder;
     let work = Work::new(request, &broomstick, identity, folder, observer, cancellation)?;
     work.solve_all()?;
-    let (summary, batch) = work.end()?;
-    files::write(folder, &summary)?;
+    let Ended { summary, limits, batch } = work.end();
+    let limits = plan_limits_table(&limits);
+    files::write(folder, &summary, &limits)?;
     let units = request.units.unwrap_or(case.units);
     page::write(folder, &page::gather(folder.path(), Some(units))?, request.png)?;
-    page::write_workbook(folder, &summary, units)?;
+    page::write_workbook(folder, &summary, &limits, units)?;
     Ok(Outcome { summary, batch })
 }

@@ -1,8 +1,10 @@
 //! What was found as results have it.
 
+use std::collections::BTreeSet;
+
 use wholestring::well::HoleKind;
 use wholestring_plan::{Broomstick, BroomstickPoint, BucklingWeight, FrictionLevel};
-use wholestring_results::{PlanBuckling, PlanFinding, PlanFriction, PlanPoint};
+use wholestring_results::{PlanBuckling, PlanFinding, PlanFriction, PlanLimit, PlanPoint};
 
 pub(super) fn points(found: &[BroomstickPoint]) -> Vec<PlanPoint> {
     let point = |of: &BroomstickPoint| {
@@ -26,6 +28,46 @@ pub(super) fn points(found: &[BroomstickPoint]) -> Vec<PlanPoint> {
         }
     };
     found.iter().map(point).collect()
+}
+
+/// What pipe and rig bear at these points.
+pub(super) fn limits(of: &Broomstick, found: &[BroomstickPoint]) -> Vec<PlanLimit> {
+    let mut rows = Vec::new();
+    for point in found {
+        let Ok(answer) = &point.outcome else { continue };
+        let components = &of.setup(point.friction).string.components;
+        rows.extend(answer.limits.limits.iter().map(|limit| PlanLimit {
+            model: point.model.name().to_owned(),
+            friction: point.friction.name().to_owned(),
+            operation: point.operation.name().to_owned(),
+            bit_depth_m: point.bit_depth_m,
+            kind: limit.kind.name().to_owned(),
+            component: limit.component.and_then(|at| Some(components.get(at)?.name.clone())),
+            md_m: limit.md_m,
+            load: limit.load,
+            capacity: limit.capacity,
+            unit: limit.kind.quantity().unit().to_owned(),
+            factor: limit.factor,
+            required: limit.required,
+            standing: limit.level.name().to_owned(),
+        }));
+    }
+    rows
+}
+
+/// What could not be checked at these points, in words.
+pub(super) fn unchecked(of: &Broomstick, found: &[BroomstickPoint]) -> BTreeSet<String> {
+    let mut words = BTreeSet::new();
+    for point in found {
+        let Ok(answer) = &point.outcome else { continue };
+        let components = &of.setup(point.friction).string.components;
+        for one in &answer.limits.unchecked {
+            let component = one.component.and_then(|at| components.get(at));
+            let whose = component.map_or_else(String::new, |of| format!(" of {}", of.name));
+            words.insert(format!("{}{whose}: {}", one.kind.label(), one.missing.words()));
+        }
+    }
+    words
 }
 
 pub(super) fn buckling(found: &[BucklingWeight]) -> Vec<PlanBuckling> {

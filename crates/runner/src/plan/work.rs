@@ -1,17 +1,17 @@
 //! The work of a plan, on all cores, kept as it comes.
 
-use std::{sync::Mutex, thread, time::Instant};
+use std::{collections::BTreeSet, sync::Mutex, thread, time::Instant};
 
 use serde::{Deserialize, Serialize};
 use serde_json::json;
-use wholestring_plan::{Broomstick, BroomstickTask, FrictionLevel, Statics};
+use wholestring_plan::{Broomstick, BroomstickTask, FrictionLevel, Statics, limits::LimitKind};
 use wholestring_results::{
-    PLAN_VERSION, PlanBuckling, PlanPoint, PlanSummary, ResultsError, ResultsFolder,
+    PLAN_VERSION, PlanBuckling, PlanLimit, PlanPoint, PlanSummary, ResultsError, ResultsFolder,
 };
 
 use super::{
     request::Request,
-    rows::{buckling, frictions, points},
+    rows::{buckling, frictions, limits, points, unchecked},
 };
 use crate::{
     batch::BatchOutcome,
@@ -35,7 +35,7 @@ enum Piece {
 /// What came of a piece.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 enum Done {
-    Points(Vec<PlanPoint>),
+    Points(Vec<PlanPoint>, Vec<PlanLimit>, BTreeSet<String>),
     Buckling(Vec<PlanBuckling>),
 }
 
@@ -44,6 +44,29 @@ enum Done {
 struct Kept<D> {
     identity: String,
     done: D,
+}
+
+/// What became of the work.
+pub(super) struct Ended {
+    pub(super) summary: PlanSummary,
+    pub(super) limits: Vec<PlanLimit>,
+    pub(super) batch: BatchOutcome,
+}
+
+/// Of each kind and each operation the limit with the least reserve, in the order of the kinds.
+fn worst(limits: &[PlanLimit]) -> Vec<PlanLimit> {
+    let mut found: Vec<&PlanLimit> = Vec::new();
+    for of in limits {
+        let same = |one: &&PlanLimit| one.kind == of.kind && one.operation == of.operation;
+        match found.iter().position(same) {
+            Some(place) if of.reserve() < found[place].reserve() => found[place] = of,
+            Some(_) => {}
+            None => found.push(of),
+        }
+    }
+    let place = |of: &&PlanLimit| LimitKind::ALL.iter().position(|kind| kind.name() == of.kind);
+    found.sort_by_key(place);
+    found.into_iter().cloned().collect()
 }
 
 /// Pieces that are solved together.
@@ -145,7 +168,11 @@ impl<'a> Work<'a> {
                 return;
             }
             let done = match self.pieces[index] {
-                Piece::Points(task) => Done::Points(points(&self.broomstick.solve(&task))),
+                Piece::Points(task) => {
+                    let found = self.broomstick.solve(&task);
+                    let of = self.broomstick;
+                    Done::Points(points(&found), limits(of, &found), unchecked(of, &found))
+                }
                 Piece::Buckling(depth_m) => {
                     Done::Buckling(buckling(&self.broomstick.weights_to_buckle(depth_m)))
                 }
@@ -172,16 +199,21 @@ impl<'a> Work<'a> {
     }
 
     /// What was found, and how it went.
-    pub(super) fn end(self) -> Result<(PlanSummary, BatchOutcome), ResultsError> {
+    pub(super) fn end(self) -> Ended {
         let case = self.request.case;
         let all = self.pieces.len();
         let mut batch = BatchOutcome::begin(self.folder.path(), all, self.start, self.cancellation);
         batch.finished = self.ended();
         let done = self.done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
         let (mut points, mut weights) = (Vec::new(), Vec::new());
+        let (mut all_limits, mut lacking) = (Vec::new(), BTreeSet::new());
         for one in done.into_iter().flatten() {
             match one {
-                Done::Points(of) => points.extend(of),
+                Done::Points(of, limits, unchecked) => {
+                    points.extend(of);
+                    all_limits.extend(limits);
+                    lacking.extend(unchecked);
+                }
                 Done::Buckling(of) => weights.extend(of),
             }
         }
@@ -210,6 +242,7 @@ impl<'a> Work<'a> {
             "bit_depths_m": plan.bit_depths_m,
             "operations": operations,
             "models": models,
+            "limits": plan.limits,
         });
         let summary = PlanSummary {
             schema_version: PLAN_VERSION,
@@ -222,7 +255,9 @@ impl<'a> Work<'a> {
             missing: expected - points.len(),
             points,
             buckling: weights,
+            worst_limits: worst(&all_limits),
+            unchecked: lacking.into_iter().collect(),
         };
-        Ok((summary, batch))
+        Ended { summary, limits: all_limits, batch }
     }
 }

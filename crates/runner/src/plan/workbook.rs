@@ -20,7 +20,7 @@ const STROKES: [Stroke; 3] = [Stroke::Dotted, Stroke::Solid, Stroke::Dashed];
 const BROOMSTICK: &str = "Broomstick";
 
 /// The workbook of a plan in these units.
-pub(super) fn workbook(summary: &PlanSummary, units: UnitSet) -> Workbook {
+pub(super) fn workbook(summary: &PlanSummary, limits: &Table, units: UnitSet) -> Workbook {
     let points = summary.broomstick_table();
     let tables = [
         (
@@ -33,6 +33,7 @@ pub(super) fn workbook(summary: &PlanSummary, units: UnitSet) -> Workbook {
             &summary.buckling_table(),
             "Weights on bit under which the string buckles",
         ),
+        ("Limits", limits, "Loads against what bears them, in the unit of each row"),
         ("Friction", &summary.friction_table(), "Friction of each hole section at each level"),
     ];
     let sheets: Vec<Sheet> =
