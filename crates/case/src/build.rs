@@ -16,7 +16,7 @@ use crate::{
     effort, fit, hole, modes,
     operation::OperationTable,
     overrides::{self, Override},
-    rock, roughness, schema,
+    plan, rock, roughness, schema,
     settings::{Given, settings},
 };
 
@@ -231,6 +231,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     effort::check_effort(&models, &model, &operations, &dynamics, &case, reader)?;
     let modes = case.modes.get()?;
     let modes = modes::build(modes, &model.string, &operations, &dynamics, reader)?;
+    let spec = spec?;
+    let plan = plan::build(case.plan.get()?, &plan::setup(&model, &spec), &operations, reader)?;
     let name = match case.name.optional()? {
         Some(given) => given.value.clone(),
         None => FilePath::new(name)
@@ -257,10 +259,11 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         units,
         models,
         model,
-        string: spec?,
+        string: spec,
         operations,
         bit_test,
         modes,
+        plan,
         soft,
         dynamics,
         tunes_hook_load,

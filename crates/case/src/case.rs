@@ -13,7 +13,7 @@ use wholestring_config::diagnostic::Report;
 use wholestring_plan::Setup;
 use wholestring_units::UnitSet;
 
-use crate::{bit_test::BitTest, modes::Modes, records::Records};
+use crate::{bit_test::BitTest, modes::Modes, plan, plan::Plan, records::Records};
 
 /// A case in which everything has been checked.
 #[derive(Debug, Clone)]
@@ -35,6 +35,8 @@ pub struct Case {
     pub bit_test: Option<BitTest>,
     /// Which natural frequencies are looked for, and what meets them.
     pub modes: Modes,
+    /// What a plan computes.
+    pub plan: Plan,
     /// What the soft string needs beside these.
     pub soft: SoftSettings,
     /// What a dynamic run needs beside these.
@@ -63,14 +65,7 @@ impl Case {
 
     /// What the model is made of, to be made again at other depths and frictions.
     pub fn setup(&self) -> Setup {
-        Setup {
-            well: self.model.well.clone(),
-            string: self.string.clone(),
-            mud: self.model.mud,
-            rig: self.model.rig,
-            ends: self.model.ends,
-            buckling: self.model.buckling,
-        }
+        plan::setup(&self.model, &self.string)
     }
 
     /// Bit and solid rock, in a run or in a bit test; none where nothing requires them.

@@ -16,6 +16,7 @@ use crate::{
     modes::ModesTable,
     mud::MudTable,
     operation::OperationTable,
+    plan::PlanTable,
     records::RecordsTable,
     rig::{HoistTable, RigTable},
     rock::RockTable,
@@ -63,6 +64,8 @@ table! {
         bit_test: BitTestTable = optional(Section::<BitTestTable>::RULE);
         /// Natural frequencies and what meets them.
         modes: ModesTable = optional(Section::<ModesTable>::RULE);
+        /// What `wholestring plan` computes.
+        plan: PlanTable = optional(Section::<PlanTable>::RULE);
         /// Limits of the rig.
         rig: RigTable = optional(Section::<RigTable>::RULE);
         /// How the top of the string is moved along the hole in the dynamic model.

@@ -21,7 +21,7 @@ table! {
     }
 }
 
-fn coefficient() -> Number {
+pub(crate) fn coefficient() -> Number {
     Number { unit: "", range: Range::from_to(0.0, 2.0).usual(0.05, 0.8) }
 }
 

@@ -49,8 +49,9 @@ impl Case {
             checkpoint_interval_s: _,
             // The model holds it, cut to the depth of the bit.
             string: _,
-            // What is asked of the string at rest.
+            // What is asked of the string at rest, and at other depths.
             modes: _,
+            plan: _,
             // What is reported of the others.
             settings: _,
         } = self;

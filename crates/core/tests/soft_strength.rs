@@ -152,7 +152,7 @@ fn s3a_von_mises() {
 }
 
 /// A05: the tension and the torque at which API RP 7G lets a body yield are the yield strength in
-/// von Mises' stress: exactly, and but for the standard's 0.577 in place of `1/√3`, 0.06 %.
+/// von Mises' stress: exactly, and but for the standard's 0.577002 in place of `1/√3`, 0.06 %.
 #[test]
 fn a05_yields_at_the_strength_of_the_standard() {
     let pipe = Component {
@@ -166,7 +166,7 @@ fn a05_yields_at_the_strength_of_the_standard() {
     assert_close("pulled", pulled, yield_Pa, 1e-14);
     let torque_N_m = pipe.torsional_yield_N_m().expect("graded");
     let twisted = section.von_mises_Pa(0.0, 0.0, torque_N_m, 0.0);
-    assert_close("twisted", twisted, 0.577 * 3.0_f64.sqrt() * yield_Pa, 1e-12);
+    assert_close("twisted", twisted, 6.0 * 0.096167 * 3.0_f64.sqrt() * yield_Pa, 1e-12);
 }
 
 const JOINT_OD_M: f64 = 0.1683;

@@ -5,7 +5,20 @@
 //! reads files, prints or starts threads. A [`Setup`] gives the model at any depth of the bit.
 #![warn(missing_docs)]
 
+mod broomstick;
+mod campaign;
+pub mod fatigue;
 pub mod hydraulics;
+pub mod limits;
 mod setup;
+mod stage;
+pub mod strength;
+pub mod wear;
 
+pub use broomstick::{
+    Broomstick, BroomstickPoint, BroomstickTask, BucklingWeight, FrictionLevel, Frictions,
+    KindFriction, LevelFriction, NoAnswer, PointAnswer, Statics, bit_depths_m,
+};
+pub use campaign::{Campaign, CampaignSettings, Share};
 pub use setup::{Setup, WallFriction};
+pub use stage::{Stage, lengths_m};

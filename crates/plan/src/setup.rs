@@ -7,7 +7,7 @@ use wholestring::{
     rig::Rig,
     statics::buckling::Criterion,
     string::{AssemblyError, ComponentLength, StringSpec},
-    well::{Friction, Hole, HoleError, HoleKind, Well},
+    well::{Friction, Hole, HoleError, HoleKind, HoleSection, Well},
 };
 
 /// A well, a string whose topmost component is as long as the bit's depth asks for, a mud and a rig.
@@ -75,9 +75,20 @@ impl Setup {
     /// # Errors
     /// A factor that is out of its range.
     pub fn with_friction(&self, friction: &WallFriction) -> Result<Self, HoleError> {
+        self.with_friction_of(|section| friction.of(section.kind))
+    }
+
+    /// The same with the friction that each section is given.
+    ///
+    /// # Errors
+    /// A factor that is out of its range.
+    pub fn with_friction_of(
+        &self,
+        friction: impl Fn(&HoleSection) -> Friction,
+    ) -> Result<Self, HoleError> {
         let mut sections = self.well.hole.sections().to_vec();
         for section in &mut sections {
-            section.friction = friction.of(section.kind);
+            section.friction = friction(section);
         }
         let hole = Hole::new(sections)?.with_roughness(self.well.hole.roughness().copied())?;
         Ok(Self { well: Well { path: self.well.path.clone(), hole }, ..self.clone() })

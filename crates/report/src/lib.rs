@@ -11,12 +11,14 @@ mod finding;
 mod modes;
 mod packed;
 mod page;
+mod plan;
 mod plots;
 mod report;
 mod stability;
 mod study;
 mod sweep;
 mod thin;
+mod workbook;
 
 pub use bha::{Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, bha_plots};
 pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
@@ -29,6 +31,10 @@ pub use modes::{
 };
 pub use packed::Packed;
 pub use page::{bha_html, bit_test_html, report_html, sweep_html};
+pub use plan::{
+    BucklingCurve, Plan, PlanCurve, PlanLevel, PlanRig, PlanSpot, operation_name, plan_html,
+    plan_plots,
+};
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,
     drill_off_columns, frame_columns, plots, profile, shown_dimension, spectrum_dimension,
@@ -41,3 +47,6 @@ pub use stability::{StabilityPicture, stability_plot};
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};
 pub use thin::thinned;
+pub use workbook::{
+    Cells, Sheet, SheetColumn, Workbook, WorkbookChart, WorkbookError, WorkbookSeries,
+};

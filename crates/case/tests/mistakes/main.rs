@@ -10,6 +10,7 @@ mod magnitudes;
 mod mud;
 mod operation;
 mod overrides;
+mod plan;
 mod records;
 mod rock;
 mod schedule;

@@ -4,7 +4,9 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-use super::{BodyBend, ConnectionStrength, Eccentricity, LateralForce, Material};
+use super::{
+    BodyBend, ConnectionStrength, Eccentricity, LateralForce, Material, catalogue::PipeClass,
+};
 use crate::GRAVITY_M_PER_S2;
 
 /// Tool joints: the thick, short ends of a pipe, the only part of it that usually touches the wall.
@@ -47,6 +49,9 @@ pub struct Component {
     pub material: Material,
     /// Minimum yield strength, Pa, where known.
     pub yield_strength_Pa: Option<f64>,
+    /// How worn its body is: [`Self::od_m`] is what is left of it.
+    #[serde(skip_serializing_if = "PipeClass::is_new")]
+    pub class: PipeClass,
     /// What its connections bear.
     #[serde(skip_serializing_if = "ConnectionStrength::is_unknown")]
     pub connection: ConnectionStrength,
@@ -60,6 +65,10 @@ pub struct Component {
     /// A force across it.
     pub lateral_force: Option<LateralForce>,
 }
+
+/// Yield strength in shear over that in tension: 0.096167 of API RP 7G's `Q = 0.096167 J Y/D` is a
+/// sixth of it, by `2/D` for the outer radius and 12 inches to a foot.
+const SHEAR_PER_TENSILE_YIELD: f64 = 6.0 * 0.096167;
 
 /// Area of a ring, m².
 pub(super) fn ring_area_m2(od_m: f64, id_m: f64) -> f64 {
@@ -85,6 +94,7 @@ impl Component {
             blades: None,
             material,
             yield_strength_Pa: None,
+            class: PipeClass::New,
             connection: ConnectionStrength::default(),
             bend: None,
             eccentricity: None,
@@ -164,9 +174,9 @@ impl Component {
     /// known.
     ///
     /// `Q = 2 J (0.577 Y) / D`: the shear stress at the surface reaches von Mises' `Y/√3`, with the
-    /// 0.577 of API RP 7G (in inches, psi and ft·lbf its `0.096167 J Y / D`), 0.06 % below `1/√3`.
+    /// constant of API RP 7G, in inches, psi and ft·lbf `0.096167 J Y / D`, 0.06 % below `1/√3`.
     pub fn torsional_yield_N_m(&self) -> Option<f64> {
-        let shear_yield_Pa = 0.577 * self.yield_strength_Pa?;
+        let shear_yield_Pa = SHEAR_PER_TENSILE_YIELD * self.yield_strength_Pa?;
         Some(2.0 * self.polar_moment_m4() * shear_yield_Pa / self.od_m)
     }
 }

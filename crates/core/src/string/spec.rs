@@ -2,7 +2,7 @@
 
 use super::{
     Blades, BodyBend, Component, ConnectionStrength, DrillString, Eccentricity, LateralForce,
-    Material, ToolJoints, body, component::ring_area_m2,
+    Material, ToolJoints, body, catalogue::PipeClass, component::ring_area_m2,
 };
 
 /// How long a component of a [`StringSpec`] is.
@@ -35,6 +35,8 @@ pub struct ComponentSpec {
     pub material: Material,
     /// Minimum yield strength, Pa, where known.
     pub yield_strength_Pa: Option<f64>,
+    /// How worn its body is: [`Self::od_m`] is what is left of it.
+    pub class: PipeClass,
     /// What its connections bear.
     pub connection: ConnectionStrength,
     /// A bend of its body.
@@ -66,6 +68,7 @@ impl ComponentSpec {
             blades: None,
             material,
             yield_strength_Pa: None,
+            class: PipeClass::New,
             connection: ConnectionStrength::default(),
             bend: None,
             eccentricity: None,
@@ -85,6 +88,7 @@ impl ComponentSpec {
             blades: self.blades,
             material: self.material,
             yield_strength_Pa: self.yield_strength_Pa,
+            class: self.class,
             connection: self.connection,
             bend: self.bend,
             eccentricity: self.eccentricity,

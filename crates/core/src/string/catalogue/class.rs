@@ -1,7 +1,10 @@
 //! How worn a drill pipe may be.
 
+use serde::Serialize;
+
 /// Class of a used drill pipe: how much of its wall is left.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum PipeClass {
     /// Nominal wall.
     #[default]
@@ -9,6 +12,7 @@ pub enum PipeClass {
     /// 80 % of the nominal wall at least.
     Premium,
     /// 70 % of the nominal wall at least.
+    #[serde(rename = "class 2")]
     Class2,
 }
 
@@ -24,6 +28,11 @@ impl PipeClass {
             Self::Premium => 0.8,
             Self::Class2 => 0.7,
         }
+    }
+
+    /// Whether it has its nominal wall.
+    pub const fn is_new(&self) -> bool {
+        matches!(self, Self::New)
     }
 
     /// What a designation ends with; nothing for new pipe.

@@ -151,6 +151,7 @@ impl CatalogueEntry {
             survey_sensor_m: None,
             lateral_force: None,
             yield_strength_Pa: Some(self.yield_strength_Pa),
+            class: self.class,
             connection: self.connection.as_ref().map_or_else(Default::default, |of| of.strength),
         }
     }

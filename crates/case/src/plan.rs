@@ -1,0 +1,366 @@
+//! `[plan]`: what `wholestring plan` computes.
+
+use serde::Serialize;
+use wholestring::{
+    model::Model,
+    operation::{Operation, OperationKind},
+    string::StringSpec,
+    well::{Friction, HoleError, HoleKind},
+};
+use wholestring_config::prelude::*;
+use wholestring_plan::{
+    Broomstick, FrictionLevel, Frictions, KindFriction, LevelFriction, Setup, Statics, bit_depths_m,
+};
+
+use crate::{
+    case::Case,
+    hole::{FrictionRule, coefficient},
+    operation_kind::KindRule,
+    words::words,
+};
+
+/// Depths of the bit where the case does not say.
+const DEPTHS: u64 = 30;
+
+/// The models of a plan.
+const STATICS: &[(&str, Statics)] = words!(Statics);
+
+/// Most depths.
+const MAX_DEPTHS: usize = 1000;
+
+/// Rotary speed off bottom of a case that gives none, rad/s: 60 rev/min.
+const USUAL_ROTATION_RAD_PER_S: f64 = 2.0 * std::f64::consts::PI;
+
+table! {
+    /// What `wholestring plan` computes: hook load and torque against the depth of the bit, and what
+    /// goes with them.
+    PlanTable in "[plan]" {
+        /// Low, expected and high friction. Default: expected is the friction of each
+        /// `[[well.hole]]`, low 0.1 less, high 0.1 more.
+        friction: FrictionsTable = optional(Section::<FrictionsTable>::RULE);
+        /// How many depths of the bit, evenly from the shallowest to that of the operation. The lower
+        /// ends of hole sections are added.
+        depths: u64 = default(Count { from: 2, to: MAX_DEPTHS as u64 }, DEPTHS);
+        /// Shallowest depth of the bit. Default: a metre more than what stands below the string's
+        /// topmost component.
+        shallowest: f64 = optional(depth("500 m"));
+        /// Depths of the bit, one by one, in place of `depths` and `shallowest`.
+        bit_depths: Vec<Spanned<f64>> = optional(List::of(depth("1500 m"), "depths", MAX_DEPTHS));
+        /// What is done at every depth, with the set points of [operation]. Default: "trip_out",
+        /// "trip_in", "rotate_off_bottom" and what [operation] drills with. Off bottom a case without
+        /// `rpm` turns with 60 rev/min.
+        operations: Vec<Spanned<OperationKind>> = optional(List::or_one(
+            KindRule, "operations", OperationKind::ALL.len(),
+        ));
+        /// "soft" (fast), "stiff" (with bending stiffness and clearance, some seconds a depth), or
+        /// both.
+        models: Vec<Spanned<Statics>> = default(
+            List::or_one(
+                Choice { noun: "a model of a plan", words: STATICS },
+                "models",
+                Statics::ALL.len(),
+            ),
+            vec![Spanned { value: Statics::Soft, place: Span::default() }],
+        );
+    }
+}
+
+table! {
+    /// Friction, low, expected and high: each a coefficient, or { cased = 0.2, open = 0.3 } with a
+    /// coefficient or a table as of `[[well.hole]]` for each.
+    FrictionsTable in "[plan.friction]" {
+        /// The least friction. Default: 0.1 less than what is expected, but 0.05 at the least, where as
+        /// much is expected.
+        low: GivenLevel = optional(LevelRule);
+        /// The friction that is expected. Default: each section's own.
+        expected: GivenLevel = optional(LevelRule);
+        /// The most friction. Default: 0.1 more than what is expected.
+        high: GivenLevel = optional(LevelRule);
+    }
+}
+
+table! {
+    /// Friction of casings and of the rock at one level.
+    LevelTable in "a level of [plan.friction]" {
+        /// Of every casing and liner. Default: as without this level.
+        cased: Friction = optional(FrictionRule);
+        /// Of the rock. Default: as without this level.
+        open: Friction = optional(FrictionRule);
+    }
+}
+
+fn depth(example: &'static str) -> Quantity {
+    let range = Range::positive_to(20_000.0).usual(10.0, 13_000.0);
+    Quantity::si(Dimension::Length, range, example)
+}
+
+/// What a level gives of its friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct GivenLevel {
+    cased: Option<Friction>,
+    open: Option<Friction>,
+}
+
+impl GivenLevel {
+    /// The level, what is not given taken from another one.
+    fn or(self, other: LevelFriction) -> LevelFriction {
+        LevelFriction {
+            cased: self.cased.map_or(other.cased, KindFriction::Given),
+            open: self.open.map_or(other.open, KindFriction::Given),
+        }
+    }
+}
+
+/// The friction of a level: a coefficient, or one each for casing and rock.
+struct LevelRule;
+
+impl Rule for LevelRule {
+    type Value = GivenLevel;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<GivenLevel> {
+        match &node.value {
+            Value::Number { .. } => {
+                let friction = Some(Friction::uniform(coefficient().read(node, reader)?));
+                Some(GivenLevel { cased: friction, open: friction })
+            }
+            Value::Table(entries) => {
+                let table = LevelTable::read(entries, node.place, reader);
+                let given = |field: &Field<Friction>| Some(field.optional()?.map(|at| at.value));
+                let (cased, open) = (given(&table.cased), given(&table.open));
+                Some(GivenLevel { cased: cased?, open: open? })
+            }
+            _ => {
+                let expected = "a coefficient such as 0.3, or { cased = 0.2, open = 0.3 }";
+                reader.expected(node, expected);
+                None
+            }
+        }
+    }
+
+    fn schema(&self) -> serde_json::Value {
+        serde_json::json!({ "anyOf": [coefficient().schema(), LevelTable::schema()] })
+    }
+}
+
+/// What a plan computes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Plan {
+    /// Low, expected and high friction.
+    pub frictions: Frictions,
+    /// Depths of the bit, m, growing.
+    pub bit_depths_m: Vec<f64>,
+    /// What is done at every depth.
+    pub operations: Vec<Operation>,
+    /// By which models.
+    pub models: Vec<Statics>,
+}
+
+impl Case {
+    /// The string at every depth, with every friction, of its plan.
+    ///
+    /// # Errors
+    /// A friction factor that is out of its range, which the reader of a case has seen to.
+    pub fn broomstick(&self) -> Result<Broomstick, HoleError> {
+        let Plan { frictions, bit_depths_m, operations, models } = self.plan.clone();
+        let of = Broomstick::new(&self.setup(), &frictions, operations, bit_depths_m, models)?;
+        Ok(of.with_settings(self.soft, self.dynamics.stiff_string()))
+    }
+}
+
+/// What a model is made of, to be made again at other depths and frictions.
+pub(crate) fn setup(model: &Model, string: &StringSpec) -> Setup {
+    Setup {
+        well: model.well.clone(),
+        string: string.clone(),
+        mud: model.mud,
+        rig: model.rig,
+        ends: model.ends,
+        buckling: model.buckling,
+    }
+}
+
+pub(crate) fn build(
+    table: &PlanTable,
+    setup: &Setup,
+    own: &[Operation],
+    reader: &mut Reader,
+) -> Option<Plan> {
+    let frictions = frictions(table, setup, reader);
+    let depths_m = depths_m(table, setup, own.first()?.bit_depth_m, reader);
+    let operations = operations(table, own, reader);
+    let models = table.models.get()?;
+    once_each(models, Statics::name, reader)?;
+    Some(Plan {
+        frictions: frictions?,
+        bit_depths_m: depths_m?,
+        operations: operations?,
+        models: models.iter().map(|at| at.value).collect(),
+    })
+}
+
+fn frictions(table: &PlanTable, setup: &Setup, reader: &mut Reader) -> Option<Frictions> {
+    let usual = Frictions::default();
+    let Some(given) = table.friction.optional()? else {
+        return Some(usual);
+    };
+    let levels = [&given.value.low, &given.value.expected, &given.value.high];
+    let places = levels.map(|level| level.place());
+    let [low, expected, high] = levels.map(Field::optional);
+    let level = |given: Option<&Spanned<GivenLevel>>, other: LevelFriction| {
+        given.map_or(other, |at| at.value.or(other))
+    };
+    let expected = level(expected?, usual.expected);
+    let frictions = Frictions {
+        low: level(low?, expected.beside(&usual.low)),
+        expected,
+        high: level(high?, expected.beside(&usual.high)),
+    };
+    // Each must be at least the one before it in every section, along the hole and around it.
+    for [less, more] in [[0, 1], [1, 2]] {
+        let [less_level, more_level] = [less, more].map(|place| FrictionLevel::ALL[place]);
+        for section in setup.well.hole.sections() {
+            let [a, b] = [less_level, more_level].map(|level| frictions.of(level).of(section));
+            let parts = [
+                ("along", a.kinetic, b.kinetic),
+                ("around", a.kinetic * a.around, b.kinetic * b.around),
+            ];
+            let wrong = parts.into_iter().find(|(_, a, b)| *a > *b + 1e-12);
+            let Some((way, a, b)) = wrong else { continue };
+            let names = [less_level, more_level].map(FrictionLevel::name);
+            let kind = match section.kind {
+                HoleKind::Casing => "casing",
+                HoleKind::Open => "open hole",
+            };
+            let rounded = |value: f64| number_text((1e6 * value).round() / 1e6);
+            let mut diagnostic = Diagnostic::error(format!(
+                "{} friction is more than {} friction: {} and {} {way} the hole in the {kind} down \
+                 to {} m",
+                names[0],
+                names[1],
+                rounded(a),
+                rounded(b),
+                number_text(section.to_md_m)
+            ));
+            for (place, level) in [(places[less], names[0]), (places[more], names[1])] {
+                diagnostic = match place {
+                    Some(place) => diagnostic.at(place, format!("{level} friction")),
+                    None => diagnostic.help(format!(
+                        "give `{level}` too: without it, it is each section's own friction"
+                    )),
+                };
+            }
+            return diagnostic.refuse(reader);
+        }
+    }
+    Some(frictions)
+}
+
+fn depths_m(
+    table: &PlanTable,
+    setup: &Setup,
+    deepest_m: f64,
+    reader: &mut Reader,
+) -> Option<Vec<f64>> {
+    let shallowest = table.shallowest.optional()?;
+    let Some(listed) = table.bit_depths.optional()? else {
+        let count = *table.depths.get()? as usize;
+        if let Some(from) = shallowest {
+            check_depth(from, setup, reader)?;
+            if from.value >= deepest_m {
+                return Diagnostic::error(
+                    "the shallowest depth of the plan is no shallower than the bit",
+                )
+                .at(from.place, format!("the bit is at {} m", number_text(deepest_m)))
+                .refuse(reader);
+            }
+        }
+        return Some(bit_depths_m(setup, shallowest.map(|at| at.value), deepest_m, count));
+    };
+    for (given, name) in
+        [(table.depths.place(), "depths"), (shallowest.map(|at| at.place), "shallowest")]
+    {
+        if let Some(place) = given {
+            let why = "`bit_depths` lists the depths";
+            reader.report(Diagnostic::idle(name, place, why));
+        }
+    }
+    let listed = &listed.value;
+    for (index, at) in listed.iter().enumerate() {
+        check_depth(at, setup, reader)?;
+        if let Some(first) = listed[..index].iter().find(|first| first.value == at.value) {
+            return Diagnostic::error(format!("{} m is listed twice", number_text(at.value)))
+                .at(at.place, "again here")
+                .at(first.place, "first here")
+                .refuse(reader);
+        }
+    }
+    let mut depths_m: Vec<f64> = listed.iter().map(|at| at.value).collect();
+    depths_m.sort_by(f64::total_cmp);
+    Some(depths_m)
+}
+
+/// A depth must be in the hole, and leave room for the components below the pipe.
+fn check_depth(at: &Spanned<f64>, setup: &Setup, reader: &mut Reader) -> Option<()> {
+    let metres = |value: f64| number_text((1e3 * value).round() / 1e3);
+    let hole_m = setup.well.hole.sections().last().map_or(0.0, |last| last.to_md_m);
+    if at.value > hole_m {
+        return Diagnostic::error(format!(
+            "a bit depth of the plan is beyond the hole: {} m, the hole ends at {} m",
+            metres(at.value),
+            metres(hole_m)
+        ))
+        .at(at.place, format!("expected {} m or less", metres(hole_m)))
+        .refuse(reader);
+    }
+    let assembly_m = setup.shallowest_m();
+    if at.value <= assembly_m {
+        return Diagnostic::error(format!(
+            "a bit depth of the plan leaves no room for the string: {} m stand below its topmost \
+             component",
+            metres(assembly_m)
+        ))
+        .at(at.place, format!("expected more than {} m", metres(assembly_m)))
+        .refuse(reader);
+    }
+    Some(())
+}
+
+fn operations(table: &PlanTable, own: &[Operation], reader: &mut Reader) -> Option<Vec<Operation>> {
+    use OperationKind::{RotateOffBottom, TripIn, TripOut};
+    let first = own.first()?;
+    let set = |kind: OperationKind| {
+        let found = own.iter().find(|one| one.kind == kind);
+        found.copied().unwrap_or(Operation { kind, ..*first })
+    };
+    let Some(listed) = table.operations.optional()? else {
+        let mut rotating = set(RotateOffBottom);
+        if rotating.rotary_speed_rad_per_s == 0.0 {
+            rotating.rotary_speed_rad_per_s = USUAL_ROTATION_RAD_PER_S;
+        }
+        let drilling = own.iter().filter(|one| one.kind.on_bottom()).copied();
+        return Some([set(TripOut), set(TripIn), rotating].into_iter().chain(drilling).collect());
+    };
+    once_each(&listed.value, OperationKind::name, reader)?;
+    let mut operations = Vec::new();
+    for at in &listed.value {
+        let name = at.value.name();
+        if at.value.on_bottom() && !own.iter().any(|one| one.kind == at.value) {
+            return Diagnostic::error(format!("`{name}` of the plan is no operation of the case"))
+                .at(at.place, "drills with the set points of [operation]")
+                .help(format!("add \"{name}\" to `kind` in [operation]"))
+                .refuse(reader);
+        }
+        let mut operation = set(at.value);
+        if at.value.rotates() && operation.rotary_speed_rad_per_s == 0.0 {
+            if at.value != RotateOffBottom {
+                return Diagnostic::error(format!("`{name}` of the plan needs `rpm`"))
+                    .at(at.place, "turns the string; `rpm` is missing in [operation]")
+                    .help("such as rpm = 70")
+                    .refuse(reader);
+            }
+            operation.rotary_speed_rad_per_s = USUAL_ROTATION_RAD_PER_S;
+        }
+        operations.push(operation);
+    }
+    Some(operations)
+}

@@ -1,0 +1,99 @@
+//! The answers of a task, friction by friction.
+
+use wholestring::{
+    findings::{Finding, of_soft, of_stiff},
+    model::Model,
+    operation::Operation,
+    outcome::Solution,
+    statics::{
+        soft,
+        stiff::{self, Equilibrium, StiffError},
+    },
+};
+
+use crate::limits::limits;
+
+use super::{
+    Broomstick, BroomstickPoint, BroomstickTask, FrictionLevel,
+    point::{NoAnswer, PointAnswer, Statics},
+};
+
+/// The points of a task in the order of [`FrictionLevel::ALL`].
+pub(super) fn answers(of: &Broomstick, task: &BroomstickTask) -> Vec<BroomstickPoint> {
+    let operation = &task.operation;
+    let point = |friction: FrictionLevel, outcome| BroomstickPoint {
+        model: task.model,
+        friction,
+        operation: operation.kind,
+        bit_depth_m: operation.bit_depth_m,
+        outcome,
+    };
+    match task.model {
+        Statics::Soft => {
+            let levels = FrictionLevel::ALL.into_iter();
+            levels.map(|level| point(level, by_soft(of, level, operation))).collect()
+        }
+        Statics::Stiff => {
+            // The string rests with other friction much as it does with what is expected.
+            let (expected, found) = by_stiff(of, FrictionLevel::Expected, operation, None);
+            let beside = |level| point(level, by_stiff(of, level, operation, found.as_ref()).0);
+            let [low, high] = [FrictionLevel::Low, FrictionLevel::High].map(beside);
+            vec![low, point(FrictionLevel::Expected, expected), high]
+        }
+    }
+}
+
+fn by_soft(
+    of: &Broomstick,
+    level: FrictionLevel,
+    operation: &Operation,
+) -> Result<PointAnswer, NoAnswer> {
+    let model = of.setup(level).at(operation.bit_depth_m)?;
+    let solved = soft::solve(&model, operation, &of.soft)?;
+    let findings = of_soft(&model, operation, &solved);
+    Ok(answer(of, level, &model, operation, &(&solved).into(), findings))
+}
+
+/// What a solution comes to.
+fn answer(
+    of: &Broomstick,
+    level: FrictionLevel,
+    model: &Model,
+    operation: &Operation,
+    solution: &Solution<'_>,
+    findings: Vec<Finding>,
+) -> PointAnswer {
+    let campaign = of.campaign.as_ref().filter(|_| level == FrictionLevel::Expected);
+    let limits = limits(model, operation, solution, &of.limits);
+    let share = campaign.and_then(|campaign| campaign.share(model, operation, solution));
+    PointAnswer::new(solution.scalars, solution.profile, findings, limits, share)
+}
+
+/// The answer, and where the string rests, to begin another search with.
+fn by_stiff(
+    of: &Broomstick,
+    level: FrictionLevel,
+    operation: &Operation,
+    near: Option<&Equilibrium>,
+) -> (Result<PointAnswer, NoAnswer>, Option<Equilibrium>) {
+    let model = match of.setup(level).at(operation.bit_depth_m) {
+        Ok(model) => model,
+        Err(error) => return (Err(error.into()), None),
+    };
+    let anew = || stiff::equilibrium(&model, operation, &of.stiff);
+    let found: Result<Equilibrium, StiffError> = match near {
+        Some(near) => {
+            stiff::equilibrium_near(&model, operation, &of.stiff, near).or_else(|_| anew())
+        }
+        None => anew(),
+    };
+    match found {
+        Ok(found) => {
+            let solved = found.profile(&model, operation);
+            let findings = of_stiff(&model, operation, &solved);
+            let answer = answer(of, level, &model, operation, &(&solved).into(), findings);
+            (Ok(answer), Some(found))
+        }
+        Err(error) => (Err(error.into()), None),
+    }
+}

@@ -1,0 +1,152 @@
+//! The weight on bit under which a string begins to buckle.
+
+use wholestring::{
+    model::Model,
+    operation::{Operation, OperationKind},
+    outcome::Profile,
+    statics::soft::{self, SoftError},
+};
+
+use super::{Broomstick, FrictionLevel, NoAnswer};
+
+/// More weight than any bit bears, N: a string that stands it does not buckle.
+const MOST_N: f64 = 5e6;
+
+/// What the weight is found to, as a part of it, and at the least, N.
+const PART: f64 = 1e-4;
+const LEAST_N: f64 = 1.0;
+
+/// Halvings of an interval by which the weight is found in any case.
+const STEPS: usize = 60;
+
+/// Rotary speed of a string whose operations do not turn, rad/s: 60 rev/min.
+pub(crate) const USUAL_ROTATION_RAD_PER_S: f64 = 2.0 * std::f64::consts::PI;
+
+/// Rate of penetration where the operations give none, m/s: 10 m/h. The soft string asks for its
+/// sign, and of a string that turns for its smallness.
+const USUAL_RATE_M_PER_S: f64 = 10.0 / 3600.0;
+
+/// The least weight on bit under which a string buckles somewhere, at one depth with one friction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BucklingWeight {
+    /// How much friction there is.
+    pub friction: FrictionLevel,
+    /// How it drills: [`OperationKind::Drill`], turning, or [`OperationKind::Slide`].
+    pub operation: OperationKind,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// For a sinusoid and for a helix, N; zero where it buckles without weight, none where it does
+    /// not under any that a bit bears. Or why nothing is known.
+    pub weights_N: Result<[Option<f64>; 2], NoAnswer>,
+}
+
+/// For each friction and each way to drill.
+pub(super) fn at(of: &Broomstick, bit_depth_m: f64) -> Vec<BucklingWeight> {
+    let base = of.operations.first().copied();
+    let base = base.unwrap_or_else(|| Operation::drill(bit_depth_m));
+    let mut found = Vec::new();
+    for friction in FrictionLevel::ALL {
+        let model = of.setup(friction).at(bit_depth_m);
+        for operation in [OperationKind::Drill, OperationKind::Slide] {
+            let own = of.operations.iter().find(|own| own.kind == operation);
+            let operation = drilling(*own.unwrap_or(&base), operation, bit_depth_m);
+            let weights_N = match &model {
+                Ok(model) => weights_N(of, model, &operation),
+                Err(error) => Err(error.clone().into()),
+            };
+            found.push(BucklingWeight {
+                friction,
+                operation: operation.kind,
+                bit_depth_m,
+                weights_N,
+            });
+        }
+    }
+    found
+}
+
+/// An operation that drills, with the set points of another one.
+fn drilling(of: Operation, kind: OperationKind, bit_depth_m: f64) -> Operation {
+    let or = |value: f64, usual: f64| if value > 0.0 { value } else { usual };
+    Operation {
+        kind,
+        bit_depth_m,
+        rotary_speed_rad_per_s: or(of.rotary_speed_rad_per_s, USUAL_ROTATION_RAD_PER_S),
+        rate_of_penetration_m_per_s: or(of.rate_of_penetration_m_per_s, USUAL_RATE_M_PER_S),
+        ..of
+    }
+}
+
+fn weights_N(
+    of: &Broomstick,
+    model: &Model,
+    operation: &Operation,
+) -> Result<[Option<f64>; 2], NoAnswer> {
+    let margins_N = |weight_N: f64| {
+        match soft::solve(model, &operation.weight_on_bit_N(weight_N), &of.soft) {
+            Ok(solved) => Ok(margins_N(&solved.profile)),
+            // Only a helix locks up.
+            Err(SoftError::LocksUp { .. }) => Ok([f64::NEG_INFINITY; 2]),
+            Err(error) => Err(error),
+        }
+    };
+    let unloaded = margins_N(0.0)?;
+    let mut found = [None; 2];
+    for shape in 0..2 {
+        found[shape] = least(unloaded[shape], |weight_N| Ok(margins_N(weight_N)?[shape]))?;
+    }
+    Ok(found)
+}
+
+/// How much more compression the string bears where it bears least more, before a sinusoid and
+/// before a helix, N; infinite where nothing can buckle.
+fn margins_N(profile: &Profile) -> [f64; 2] {
+    [&profile.sinusoidal_load_N, &profile.helical_load_N].map(|loads_N| {
+        let rows = loads_N.iter().zip(&profile.tension_N);
+        let left = rows.filter_map(|(load_N, tension_N)| Some((*load_N)? + tension_N));
+        left.fold(f64::INFINITY, f64::min)
+    })
+}
+
+/// The least weight whose margin is none; it falls as the weight grows. Without friction it falls as
+/// fast, so that the margin is the step.
+fn least(
+    unloaded_N: f64,
+    margin_N: impl Fn(f64) -> Result<f64, SoftError>,
+) -> Result<Option<f64>, NoAnswer> {
+    if unloaded_N <= 0.0 {
+        return Ok(Some(0.0));
+    }
+    let (mut low, mut high) = ((0.0, unloaded_N), (0.0, unloaded_N));
+    while high.1 > 0.0 {
+        low = high;
+        let next_N = low.0 + low.1.max(0.01 * low.0).max(LEAST_N);
+        if next_N.is_nan() || next_N > MOST_N {
+            return Ok(None);
+        }
+        high = (next_N, margin_N(next_N)?);
+    }
+    // Regula falsi with Illinois' weights: an end that stays counts half.
+    let mut ends = [low, high];
+    let mut stayed = None;
+    for _ in 0..STEPS {
+        let [low, high] = ends;
+        if high.0 - low.0 <= (PART * high.0).max(LEAST_N) {
+            break;
+        }
+        let linear = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
+        let room = 0.01 * (high.0 - low.0);
+        let next_N = match linear.is_finite() && high.1.is_finite() {
+            true => linear.clamp(low.0 + room, high.0 - room),
+            false => 0.5 * (low.0 + high.0),
+        };
+        let next = (next_N, margin_N(next_N)?);
+        let replaced = usize::from(next.1 <= 0.0);
+        ends[replaced] = next;
+        if stayed == Some(1 - replaced) {
+            ends[1 - replaced].1 *= 0.5;
+        }
+        stayed = Some(1 - replaced);
+    }
+    Ok(Some(ends[1].0))
+}

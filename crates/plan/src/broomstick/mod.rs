@@ -1,0 +1,138 @@
+//! Hook load and surface torque against the depth of the bit, for several frictions: what a driller
+//! compares his weight indicator with, and calls a broomstick for its shape.
+//!
+//! Each point is one operation of one string, so long that it reaches the bit, at one friction: a
+//! [soft](wholestring::statics::soft) or a [stiff](wholestring::statics::stiff) string. Beside them
+//! stands the weight on bit under which the string begins to buckle.
+
+mod answer;
+mod buckling_weight;
+mod depths;
+mod friction;
+mod point;
+
+pub use buckling_weight::BucklingWeight;
+pub use depths::bit_depths_m;
+pub use friction::{FrictionLevel, Frictions, KindFriction, LevelFriction};
+pub use point::{BroomstickPoint, NoAnswer, PointAnswer, Statics};
+
+use wholestring::{
+    operation::Operation,
+    statics::{soft::SoftSettings, stiff::StiffSettings},
+    well::HoleError,
+};
+
+use crate::{Campaign, CampaignSettings, Setup, limits::LimitSettings, wear::CasingError};
+
+/// A string at several depths of the bit, with several frictions.
+#[derive(Debug, Clone)]
+pub struct Broomstick {
+    /// The well, the string, the mud and the rig at each of [`FrictionLevel::ALL`].
+    setups: [Setup; FrictionLevel::ALL.len()],
+    /// What is done; their depths are those of the case.
+    operations: Vec<Operation>,
+    /// Depths of the bit, m, growing.
+    depths_m: Vec<f64>,
+    models: Vec<Statics>,
+    soft: SoftSettings,
+    stiff: StiffSettings,
+    limits: LimitSettings,
+    /// What the operations with the friction that is expected are part of.
+    campaign: Option<Campaign>,
+}
+
+/// What is solved together: one operation at one depth by one model, with every friction; or the
+/// weight to buckle at one depth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BroomstickTask {
+    /// The model.
+    pub model: Statics,
+    /// The operation, with the depth of its bit.
+    pub operation: Operation,
+}
+
+impl Broomstick {
+    /// A broomstick of these operations at these depths, m, by these models.
+    ///
+    /// # Errors
+    /// A friction factor that is out of its range.
+    pub fn new(
+        setup: &Setup,
+        frictions: &Frictions,
+        operations: Vec<Operation>,
+        depths_m: Vec<f64>,
+        models: Vec<Statics>,
+    ) -> Result<Self, HoleError> {
+        let at = |level: FrictionLevel| frictions.of(level).applied_to(setup);
+        let [low, expected, high] = FrictionLevel::ALL.map(at);
+        Ok(Self {
+            setups: [low?, expected?, high?],
+            operations,
+            depths_m,
+            models,
+            soft: SoftSettings::default(),
+            stiff: StiffSettings::default(),
+            limits: LimitSettings::default(),
+            campaign: None,
+        })
+    }
+
+    /// The same with the settings of its models.
+    #[must_use]
+    pub fn with_settings(self, soft: SoftSettings, stiff: StiffSettings) -> Self {
+        Self { soft, stiff, ..self }
+    }
+
+    /// The same with what its loads are compared with.
+    #[must_use]
+    pub fn with_limits(self, limits: LimitSettings) -> Self {
+        Self { limits, ..self }
+    }
+
+    /// The same with a campaign: its operations with the friction that is expected have their
+    /// [`Share`](crate::Share) of it.
+    ///
+    /// # Errors
+    /// Casing that cannot be worn.
+    pub fn with_campaign(self, settings: &CampaignSettings) -> Result<Self, CasingError> {
+        let hole = &self.setup(FrictionLevel::Expected).well.hole;
+        let campaign = Campaign::new(settings, hole, &self.operations, &self.depths_m)?;
+        Ok(Self { campaign: Some(campaign), ..self })
+    }
+
+    /// The string at a level of friction.
+    pub fn setup(&self, level: FrictionLevel) -> &Setup {
+        &self.setups[level as usize]
+    }
+
+    /// Depths of the bit, m, growing.
+    pub fn depths_m(&self) -> &[f64] {
+        &self.depths_m
+    }
+
+    /// What is to be solved: model after model, operation after operation, down the hole.
+    pub fn tasks(&self) -> Vec<BroomstickTask> {
+        let operations = |model: Statics| {
+            let depths = |of: &Operation| {
+                let of = *of;
+                self.depths_m.iter().map(move |bit_depth_m| BroomstickTask {
+                    model,
+                    operation: Operation { bit_depth_m: *bit_depth_m, ..of },
+                })
+            };
+            self.operations.iter().flat_map(depths).collect::<Vec<_>>()
+        };
+        self.models.iter().flat_map(|model| operations(*model)).collect()
+    }
+
+    /// The points of a task, one for each of [`FrictionLevel::ALL`]. What has no answer says why.
+    pub fn solve(&self, task: &BroomstickTask) -> Vec<BroomstickPoint> {
+        answer::answers(self, task)
+    }
+
+    /// The weights on bit under which the soft string begins to buckle with its bit at a depth, m,
+    /// for each of [`FrictionLevel::ALL`] and each way to drill.
+    pub fn weights_to_buckle(&self, bit_depth_m: f64) -> Vec<BucklingWeight> {
+        buckling_weight::at(self, bit_depth_m)
+    }
+}

@@ -1,0 +1,10 @@
+//! What the operations of a plan do to string and casing, all together.
+//!
+//! The section is drilled from a depth to the deepest of the bit; the string is pulled and run, and turns off
+//! bottom at the end. Each solved operation has its [`Share`], and the shares of all add up.
+
+mod settings;
+mod share;
+
+pub use settings::{Campaign, CampaignSettings};
+pub use share::Share;

@@ -1,0 +1,56 @@
+//! Permissible dogleg severity by Lubinski.
+
+use wholestring::string::Component;
+
+use crate::strength::PSI_PA;
+
+/// The bending stress that a pipe endures under a tension, of API RP 7G (as commonly printed).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EnduranceCurve {
+    /// `σ_b = 19500 − 10/67 σ_t − 0.6/670² (σ_t − 33500)²` psi, up to 67,000 psi: of grade E-75.
+    E75,
+    /// `σ_b = 20000 (1 − σ_t/145000)` psi, up to 133,400 psi: of grade S-135.
+    S135,
+}
+
+impl EnduranceCurve {
+    /// Of a pipe of a minimum yield strength, Pa: that of S-135 from 105,000 psi on. The standard prints no
+    /// others.
+    pub fn of(yield_strength_Pa: f64) -> Self {
+        if yield_strength_Pa > 100e3 * PSI_PA { Self::S135 } else { Self::E75 }
+    }
+
+    /// Bending stress, Pa, that is endured under a tensile stress, Pa; a compression counts as none.
+    pub fn bending_Pa(self, tensile_Pa: f64) -> f64 {
+        let tensile = tensile_Pa.max(0.0) / PSI_PA;
+        let (bending, most) = match self {
+            Self::E75 => {
+                let apart = tensile - 33_500.0;
+                let bow = 0.6 / (670.0 * 670.0) * apart * apart;
+                (19_500.0 - 10.0 / 67.0 * tensile - bow, 67_000.0)
+            }
+            Self::S135 => (20_000.0 * (1.0 - tensile / 145_000.0), 133_400.0),
+        };
+        if tensile > most { 0.0 } else { bending.max(0.0) * PSI_PA }
+    }
+}
+
+/// The dogleg severity in which a pipe may turn for ever under an effective tension, N, rad/m (Lubinski 1961,
+/// API RP 7G):
+///
+/// ```text
+/// c = σ_b/(E D/2) tanh(KL)/(KL),      K = √(T/EI), L half of the distance between tool joints
+/// ```
+///
+/// Without tool joints, and in compression, the pipe bends as the hole does.
+pub fn permissible_dogleg_rad_per_m(
+    component: &Component,
+    tension_N: f64,
+    curve: EnduranceCurve,
+) -> f64 {
+    let bending_Pa = curve.bending_Pa(tension_N / component.area_m2());
+    let smooth = bending_Pa / (component.material.youngs_modulus_Pa * 0.5 * component.od_m);
+    let half_spacing_m = component.joints.map_or(0.0, |joints| 0.5 * joints.spacing_m);
+    let root = half_spacing_m * (tension_N.max(0.0) / component.bending_stiffness_N_m2()).sqrt();
+    if root > 0.0 { smooth * root.tanh() / root } else { smooth }
+}

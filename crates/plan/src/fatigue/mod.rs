@@ -1,0 +1,17 @@
+//! Fatigue of pipe that turns in doglegs.
+//!
+//! Each revolution bends every fibre once to and fro: by the curvature that the pipe has there, at its tool
+//! joints more than the hole. [`rows`] tells what an hour costs and which dogleg is permissible, [`Damage`] sums
+//! a campaign by Miner's rule. Theory and sources: `docs/src/theory/fatigue.md`.
+
+mod damage;
+mod dogleg;
+mod goodman;
+mod rate;
+mod sn_curve;
+
+pub use damage::{CELL_M, Damage, DamageRow};
+pub use dogleg::{EnduranceCurve, permissible_dogleg_rad_per_m};
+pub use goodman::{equivalent_amplitude_Pa, minimum_tensile_strength_Pa};
+pub use rate::{FatigueRow, FatigueSettings, rows};
+pub use sn_curve::SnCurve;

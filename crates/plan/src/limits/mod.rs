@@ -1,0 +1,39 @@
+//! The limits of an operation: what each component and the rig bear, and how near it is to that.
+//!
+//! [`limits`] compares the loads of a solved operation with what is known of strength and rig. What is not
+//! known is [told](Unchecked), what carries no load is left out. Theory and sources of the
+//! [factors](DesignFactors): `docs/src/theory/strength.md`.
+
+mod along;
+mod kind;
+mod limit;
+mod loads;
+mod lock_up;
+mod overpull;
+mod rig;
+mod settings;
+mod strengths;
+
+pub use kind::{DesignFactors, LimitKind};
+pub use limit::{Limit, Limits, Missing, Standing, Unchecked};
+pub use settings::LimitSettings;
+
+use wholestring::{model::Model, operation::Operation, outcome::Solution};
+
+/// The limits of a solved operation: of each kind one for each component that it concerns, at the place
+/// where it is nearest to its limit, and one for the rig.
+pub fn limits(
+    model: &Model,
+    operation: &Operation,
+    solution: &Solution<'_>,
+    settings: &LimitSettings,
+) -> Limits {
+    let mut found = Limits::default();
+    let strengths = strengths::Strengths::of(model, &mut found);
+    let loads = loads::Loads::of(model, operation, solution);
+    along::limits(&strengths, &loads, settings, &mut found);
+    overpull::limits(model, operation, &strengths, &loads, settings, &mut found);
+    rig::limits(model, &loads, settings, &mut found);
+    lock_up::limit(model, operation, &loads, settings, &mut found);
+    found
+}

@@ -1,0 +1,19 @@
+//! What pipe bears: the stresses in a body, and the strengths of API RP 7G and API TR 5C3.
+//!
+//! A [`Body`] is the tube of a component; a [`Tube`] is what burst and collapse need, of drill pipe and casing
+//! alike. Theory and sources: `docs/src/theory/strength.md`.
+
+mod body;
+mod collapse;
+mod overpull;
+mod stress;
+mod tube;
+
+pub use body::Body;
+pub use collapse::{Collapse, CollapseRegime};
+pub use overpull::{ALLOWED_PART_OF_YIELD, margin_of_overpull_N};
+pub use stress::{BendSide, BodyLoads, Surface, SurfaceStress, surface_stresses, worst_stress};
+pub use tube::{MILL_TOLERANCE, Tube};
+
+/// A pound-force per square inch, Pa.
+pub const PSI_PA: f64 = 6_894.757_293_168_361;

@@ -1,0 +1,79 @@
+//! The groove that a tool joint wears into casing.
+
+use std::f64::consts::PI;
+
+/// A groove: what a circle of the joint's radius takes of the casing outside its bore.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Groove {
+    /// Radius of the bore, m.
+    pub bore_m: f64,
+    /// Radius of what rubs, m; less than that of the bore.
+    pub joint_m: f64,
+}
+
+/// `θ − sin θ cos θ`, without loss where the angle is small: the segment of a circle that half an angle `θ` of
+/// arc cuts off, over the square of the radius.
+fn segment(angle: f64) -> f64 {
+    if angle < 0.05 {
+        // The next term is 2e-15 of the first.
+        let square = angle * angle;
+        let tail = 1.0 / 5.0 - square * (2.0 / 105.0 - square / 945.0);
+        return 2.0 / 3.0 * angle * square * (1.0 - square * tail);
+    }
+    angle - angle.sin() * angle.cos()
+}
+
+impl Groove {
+    /// Distance from the bore's axis to the joint's where the groove is so deep, m.
+    fn apart_m(&self, depth_m: f64) -> f64 {
+        self.bore_m - self.joint_m + depth_m
+    }
+
+    /// Half of its width at the bore, m, by its depth: `√(d (2R − d))`, the bore's chord, with
+    /// `d = h (2r − h)/2e` its height.
+    pub fn half_width_m(&self, depth_m: f64) -> f64 {
+        let height_m = depth_m * (2.0 * self.joint_m - depth_m) / (2.0 * self.apart_m(depth_m));
+        (height_m * (2.0 * self.bore_m - height_m)).max(0.0).sqrt()
+    }
+
+    /// Its area, m², by its depth: the segment of the joint's circle beyond the chord, less that of the bore.
+    pub fn area_m2(&self, depth_m: f64) -> f64 {
+        if depth_m <= 0.0 {
+            return 0.0;
+        }
+        let apart_m = self.apart_m(depth_m);
+        let height_m = depth_m * (2.0 * self.joint_m - depth_m) / (2.0 * apart_m);
+        let half_m = self.half_width_m(depth_m);
+        let from_bore_m = self.bore_m - height_m;
+        let of_joint = half_m.atan2(from_bore_m - apart_m);
+        let of_bore = half_m.atan2(from_bore_m);
+        self.joint_m.powi(2) * segment(of_joint) - self.bore_m.powi(2) * segment(of_bore)
+    }
+
+    /// How deep a groove of an area is, m²; none of one that is larger than the circle of what rubs, or of what
+    /// fills the bore.
+    pub fn depth_m(&self, area_m2: f64) -> Option<f64> {
+        if !(self.joint_m > 0.0 && self.joint_m < self.bore_m) || area_m2.is_nan() {
+            return None;
+        }
+        if area_m2 <= 0.0 {
+            return Some(0.0);
+        }
+        let (mut less_m, mut more_m) = (0.0, 2.0 * self.joint_m);
+        if area_m2 >= PI * self.joint_m.powi(2) {
+            return None;
+        }
+        // The area grows with the depth: halving ends where no number lies between.
+        loop {
+            let middle_m = 0.5 * (less_m + more_m);
+            if middle_m <= less_m || middle_m >= more_m || more_m - less_m < 1e-15 * more_m {
+                return Some(middle_m);
+            }
+            if self.area_m2(middle_m) < area_m2 {
+                less_m = middle_m;
+            } else {
+                more_m = middle_m;
+            }
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! What the tests share: verification files and their units.
+// Every test file uses its own part of this module.
+#![allow(dead_code)]
+
+use serde_json::Value;
+use wholestring::string::{Component, Material};
+
+pub const INCH_M: f64 = 0.0254;
+pub const POUND_FORCE_N: f64 = 0.45359237 * 9.80665;
+pub const FOOT_POUND_N_M: f64 = 0.3048 * POUND_FORCE_N;
+
+/// A file of `verification/`, parsed.
+pub fn verification(name: &str) -> Value {
+    let path =
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../verification").join(name);
+    let text = std::fs::read_to_string(&path)
+        .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// A number of such a file.
+#[track_caller]
+pub fn number(of: &Value, key: &str) -> f64 {
+    of[key].as_f64().unwrap_or_else(|| panic!("no number {key} in {of}"))
+}
+
+/// Steel of 7850 kg/m³, 210 GPa and 80 GPa.
+pub fn steel() -> Material {
+    Material { density_kg_per_m3: 7850.0, youngs_modulus_Pa: 210e9, shear_modulus_Pa: 80e9 }
+}
+
+/// A pipe of a yield strength, Pa.
+pub fn pipe(od_m: f64, id_m: f64, yield_strength_Pa: f64) -> Component {
+    Component {
+        yield_strength_Pa: Some(yield_strength_Pa),
+        ..Component::uniform("pipe", od_m, id_m, 1.0, steel())
+    }
+}
+
+#[track_caller]
+pub fn assert_close(what: &str, obtained: f64, expected: f64, tolerance: f64) {
+    let error = (obtained - expected).abs() / expected.abs();
+    assert!(error <= tolerance, "{what}: {obtained} for {expected}, {error:.2e} apart");
+}

@@ -1,0 +1,474 @@
+//! Limits of solved operations, against closed forms through the whole path: model, soft or stiff string,
+//! limits.
+
+mod common;
+
+use std::f64::consts::PI;
+
+use common::*;
+use wholestring::{
+    mud::Rheology,
+    prelude::*,
+    rig::Rig,
+    statics::stiff::{self, StiffSettings},
+    string::{Component, ConnectionStrength, ToolJoints, catalogue::PipeClass},
+};
+use wholestring_plan::{
+    limits::{DesignFactors, Limit, LimitKind, LimitSettings, Limits, Missing, Standing, limits},
+    strength::{BendSide, BodyLoads, PSI_PA, Surface, worst_stress},
+};
+use wholestring_verification::{report_worst, verify};
+
+const YIELD_PA: f64 = 135e3 * PSI_PA;
+
+/// 5 in 19.50 lb/ft, plain, in air.
+fn five_inch(name: &str, length: ComponentLength, yield_strength_Pa: f64) -> ComponentSpec {
+    ComponentSpec {
+        yield_strength_Pa: Some(yield_strength_Pa),
+        ..ComponentSpec::uniform(name, 5.0 * INCH_M, 4.276 * INCH_M, length, steel())
+    }
+}
+
+/// The same, worn to what its class leaves.
+fn worn(new: &ComponentSpec, class: PipeClass) -> ComponentSpec {
+    let od_m = new.id_m + class.wall_left() * (new.od_m - new.id_m);
+    ComponentSpec { od_m, class, ..new.clone() }
+}
+
+/// A string in a hole of 0.3 m through stations of measured depth, inclination and azimuth, m and degrees.
+fn in_hole(
+    stations: &[[f64; 3]],
+    friction: f64,
+    mud: Mud,
+    components: Vec<ComponentSpec>,
+) -> Model {
+    let stations: Vec<Station> =
+        stations.iter().map(|&[md, inc, azi]| Station::from_degrees(md, inc, azi)).collect();
+    let path = Path::minimum_curvature(&stations).expect("a sound survey");
+    let depth_m = path.last_md_m();
+    let hole = Hole::new(vec![HoleSection::open(0.0..depth_m, 0.3, friction)]).expect("a hole");
+    let string = StringSpec { components }.assemble(depth_m).expect("a string");
+    Model::new(Well { path, hole }, string, mud)
+}
+
+fn vertical(length_m: f64, components: Vec<ComponentSpec>) -> Model {
+    let stations = [[0.0, 0.0, 0.0], [length_m, 0.0, 0.0]];
+    in_hole(&stations, 0.3, Mud::of_density(0.0), components)
+}
+
+fn soft(model: &Model, operation: &Operation, settings: &LimitSettings) -> Limits {
+    let solved = soft_string(model, operation).expect("a sound model");
+    limits(model, operation, &(&solved).into(), settings)
+}
+
+fn weight_N_per_m(model: &Model, component: usize) -> f64 {
+    model.string.components()[component]
+        .buoyed_weight_per_length_N_per_m(model.mud.density_kg_per_m3)
+}
+
+#[track_caller]
+fn of(found: &Limits, kind: LimitKind, component: Option<usize>) -> Limit {
+    let mut all = found.limits.iter().filter(|of| of.kind == kind && of.component == component);
+    let limit = *all.next().unwrap_or_else(|| panic!("no {kind:?} of {component:?}: {found:?}"));
+    assert!(all.next().is_none(), "twice: {kind:?} of {component:?}");
+    assert!((limit.factor - limit.capacity / limit.load).abs() < 1e-12 * limit.factor);
+    limit
+}
+
+/// A pipe that hangs: its weight, at its top; the margin of overpull of S3b.
+#[test]
+fn a_pipe_that_hangs() {
+    let mut model = vertical(3000.0, vec![five_inch("pipe", ToSurface, YIELD_PA)]);
+    model.rig = Rig {
+        hoist_capacity_N: Some(2.0e6),
+        block_weight_N: Some(3e5),
+        top_drive_torque_N_m: Some(5e4),
+        ..Rig::default()
+    };
+    let settings = LimitSettings { overpull_N: 1e6, ..LimitSettings::default() };
+    let found = soft(&model, &Operation::trip_out(3000.0), &settings);
+    let hangs_N = 3000.0 * weight_N_per_m(&model, 0);
+    let yield_N = 712_070.437_765_568_3 * POUND_FORCE_N;
+    let tension = of(&found, LimitKind::Tension, Some(0));
+    assert_close("load", tension.load, hangs_N, 1e-9);
+    assert_close("capacity", tension.capacity, yield_N, 1e-9);
+    assert_eq!((tension.md_m, tension.level), (Some(0.0), Standing::Kept));
+    assert_close("reserve", tension.reserve(), 0.9 * yield_N / hangs_N, 1e-9);
+    let stress = of(&found, LimitKind::VonMises, Some(0));
+    assert_close("stress", stress.load, hangs_N * YIELD_PA / yield_N, 1e-9);
+    assert_close("as the points", stress.stress.expect("points").von_mises_Pa, stress.load, 1e-12);
+
+    let pipe = of(&found, LimitKind::Overpull, Some(0));
+    assert_close("margin", pipe.capacity, 0.9 * yield_N - hangs_N, 1e-9);
+    let hoist = of(&found, LimitKind::Overpull, None);
+    assert_close("of the hoist", hoist.capacity, 0.9 * 2.0e6 - hangs_N - 3e5, 1e-9);
+    assert_eq!([pipe.level, hoist.level], [Standing::Kept, Standing::Short]);
+    assert_close("hoist", of(&found, LimitKind::Hoist, None).load, hangs_N + 3e5, 1e-9);
+    let first = found.first().expect("a limit");
+    assert_eq!(first.kind, LimitKind::Hoist);
+
+    // Nothing turns, flows or presses: no such limit is listed, and what is not known is told.
+    use LimitKind::*;
+    for kind in [Torsion, TensionAndTorsion, TopDrive, Burst, Collapse, HelicalBuckling, LockUp] {
+        assert!(found.worst(kind).is_none(), "{kind:?}");
+    }
+    let lacks: Vec<_> = found.unchecked.iter().map(|of| (of.kind, of.component)).collect();
+    assert_eq!(lacks, [(MakeUp, Some(0)), (TopDrivePeak, None), (PumpPressure, None)]);
+}
+
+/// Each component of a tapered string bears most at its own top, whichever of two rows that is; the bit is
+/// asked for nothing, a body without yield strength is told.
+#[test]
+fn each_component_has_its_limit() {
+    let plain =
+        ComponentSpec { yield_strength_Pa: None, ..five_inch("plain", Metres(99.7), YIELD_PA) };
+    let model = vertical(
+        2500.0,
+        vec![
+            ComponentSpec::bit(0.2159, 0.3),
+            plain,
+            five_inch("weak", Metres(1400.0), 75e3 * PSI_PA),
+            five_inch("strong", ToSurface, YIELD_PA),
+        ],
+    );
+    let found = soft(&model, &Operation::trip_out(2500.0), &LimitSettings::default());
+    let hung_N = |components: usize| -> f64 {
+        let below = model.string.components()[..components].iter().enumerate();
+        below.map(|(index, of)| weight_N_per_m(&model, index) * of.length_m).sum()
+    };
+    for (component, md_m) in [(2, 1000.0), (3, 0.0)] {
+        let tension = of(&found, LimitKind::Tension, Some(component));
+        assert_close("tension", tension.load, hung_N(component + 1), 1e-9);
+        assert!((tension.md_m.expect("a place") - md_m).abs() < 1e-6);
+    }
+    let lacks = |component| {
+        let of = found.unchecked.iter().filter(|of| of.component == Some(component));
+        of.filter(|of| of.missing == Missing::YieldStrength).count()
+    };
+    assert_eq!([0, 1, 2, 3].map(lacks), [0, 6, 0, 0]);
+}
+
+/// S3b through the whole path: drilling in a vertical hole, the top carries the weight less that on the bit
+/// and the torque of the bit, against the torsional yield under that tension.
+#[test]
+fn s3b_through_the_whole_path() {
+    let data = verification("S3b_torque_under_tension_overpull.json");
+    let whole = five_inch("pipe", ToSurface, YIELD_PA);
+    let mut rows = Vec::new();
+    for case in data["cases"].as_array().expect("cases") {
+        let (input, expected) = (&case["inputs"], &case["expected"]);
+        let premium = number(input, "od_in") < 4.99;
+        let class = if premium { PipeClass::Premium } else { PipeClass::New };
+        let tension_N = number(input, "tension_lbf") * POUND_FORCE_N;
+        let model = vertical(1000.0, vec![worn(&whole, class)]);
+        let weight_N = 1000.0 * weight_N_per_m(&model, 0);
+        let drill = Operation::drill(1000.0)
+            .rotary_speed_rad_per_s(12.0)
+            .rate_of_penetration_m_per_s(1e-9)
+            .weight_on_bit_N(weight_N - tension_N)
+            .bit_torque_N_m(2e4);
+        let found = soft(&model, &drill, &LimitSettings::default());
+        // The tension that is asked for is that at the top; where it is none, the pipe below is pressed.
+        if tension_N == 0.0 {
+            continue;
+        }
+        let combined = of(&found, LimitKind::TensionAndTorsion, Some(0));
+        let pulled = combined.md_m == Some(0.0);
+        assert!(pulled || tension_N < weight_N, "{combined:?}");
+        assert_close("torque", combined.load, 2e4, 1e-6);
+        if pulled {
+            let what = format!("torsional yield of a {class:?} pipe that drills, N·m");
+            rows.push((what, combined.capacity, number(expected, "torque_under_tension_Nm")));
+        }
+        let torsion = of(&found, LimitKind::Torsion, Some(0));
+        let yield_N_m = number(expected, "torsional_yield_ftlbf") * FOOT_POUND_N_M;
+        assert_close("torsion", torsion.capacity, yield_N_m, 1e-9);
+    }
+    assert!(rows.len() >= 6);
+    report_worst(rows.iter().map(|(what, computed, expected)| {
+        verify("S3b", what)
+            .relative(1e-6, "the file's; the tension at the top by integration")
+            .row(*expected, *computed)
+    }));
+}
+
+/// Weightless pipe with tool joints in an arc under a tension: bent by `x coth x` more than the hole at its
+/// joints. Von Mises of it, new and worn, by the closed forms; and of the stiff string.
+#[test]
+fn bending_at_joints_counts() {
+    let (tension_N, torque_N_m, rate_per_m) = (4e5, 8e3, (3.0_f64 / 30.0).to_radians());
+    let joints = Some(ToolJoints { od_m: 0.1683, spacing_m: 9.6 });
+    let pipe = ComponentSpec { joints, ..five_inch("pipe", ToSurface, YIELD_PA) };
+    let mud = Mud::of_density(steel().density_kg_per_m3);
+    let model = |pipe| in_hole(&[[0.0, 0.0, 0.0], [600.0, 60.0, 0.0]], 0.0, mud, vec![pipe]);
+    let drill = Operation::drill(600.0)
+        .rotary_speed_rad_per_s(12.0)
+        .rate_of_penetration_m_per_s(1e-3)
+        .weight_on_bit_N(-tension_N)
+        .bit_torque_N_m(torque_N_m);
+    let settings = LimitSettings::default();
+    let mut rows = Vec::new();
+    for class in PipeClass::ALL {
+        // Weightless whatever is left of it.
+        let body = worn(&pipe, class);
+        let model = model(body);
+        let body = &model.string.components()[0];
+        let found = of(&soft(&model, &drill, &settings), LimitKind::VonMises, Some(0));
+        let x = 4.8 * (tension_N / body.bending_stiffness_N_m2()).sqrt();
+        let bent_Pa = 210e9 * rate_per_m * x / x.tanh() * 0.5 * body.od_m;
+        let sheared_Pa = torque_N_m * 0.5 * body.od_m / body.polar_moment_m4();
+        let normal_Pa = tension_N / body.area_m2() + bent_Pa;
+        let expected_Pa = (normal_Pa.powi(2) + 3.0 * sheared_Pa.powi(2)).sqrt();
+        let what = format!("von Mises stress of {class:?} pipe in an arc with joints, Pa");
+        rows.push((what, found.load, expected_Pa));
+        let point = found.stress.expect("a point");
+        assert_eq!((point.surface, point.side), (Surface::Outer, BendSide::Tension));
+    }
+    report_worst(rows.iter().map(|(what, computed, expected)| {
+        verify("S3a", what).relative(1e-9, "rounding").row(*expected, *computed)
+    }));
+    let model = model(pipe);
+    let solved = stiff::solve(&model, &drill, &StiffSettings::default()).expect("an equilibrium");
+    let stiff = limits(&model, &drill, &(&solved).into(), &settings);
+    let largest = solved.von_mises_stress_Pa.iter().copied().fold(0.0, f64::max);
+    assert_close("stiff", of(&stiff, LimitKind::VonMises, Some(0)).load, largest, 1e-9);
+}
+
+/// What a mud that flows presses from inside is most at the surface: the pressure of the pump.
+#[test]
+fn burst_and_the_pump() {
+    let mud = Mud {
+        rheology: Some(Rheology::Newtonian { viscosity_Pa_s: 0.02 }),
+        ..Mud::of_density(1200.0)
+    };
+    let stations = [[0.0, 0.0, 0.0], [2000.0, 0.0, 0.0]];
+    let pipe = five_inch("pipe", ToSurface, YIELD_PA);
+    let mut model = in_hole(&stations, 0.3, mud, vec![pipe]);
+    model.rig.pump_pressure_limit_Pa = Some(35e6);
+    let turn = Operation::rotate_off_bottom(2000.0)
+        .rotary_speed_rad_per_s(12.0)
+        .flow_rate_m3_per_s(0.03)
+        .bit_pressure_drop_Pa(8e6);
+    let settings = LimitSettings::default();
+    let solved = soft_string(&model, &turn).expect("a sound model");
+    let found = limits(&model, &turn, &(&solved).into(), &settings);
+    let pump_Pa = solved.hydraulics.expect("a rheology").pump_pressure_Pa;
+    let pump = of(&found, LimitKind::PumpPressure, None);
+    assert_eq!([pump.load, pump.capacity], [pump_Pa, 35e6]);
+    let burst = of(&found, LimitKind::Burst, Some(0));
+    assert_close("inside", burst.load, pump_Pa, 1e-9);
+    assert_eq!(burst.md_m, Some(0.0));
+    assert_close("Barlow", burst.capacity / PSI_PA, 17_104.5, 1e-9);
+    assert!(found.worst(LimitKind::Collapse).is_none());
+
+    // Without a rheology nobody knows what the pump must give.
+    let still = Model { mud: Mud::of_density(1200.0), ..model };
+    let found = soft(&still, &turn, &settings);
+    let lacks = found.unchecked.iter().find(|of| of.kind == LimitKind::PumpPressure);
+    assert_eq!(lacks.expect("a note").missing, Missing::Rheology);
+}
+
+/// Where the pressure outside is the larger: collapse under the tension that is there, by API TR 5C3. Loads
+/// by hand.
+#[test]
+fn collapse_under_tension() {
+    let model = vertical(1000.0, vec![five_inch("pipe", ToSurface, YIELD_PA)]);
+    let hang = Operation::trip_out(1000.0);
+    let mut solved = soft_string(&model, &hang).expect("a sound model");
+    // As if the string were run empty in 1200 kg/m³.
+    let weight_Pa_per_m = 1200.0 * 9.80665;
+    let outside = solved.profile.md_m.iter().map(|md_m| weight_Pa_per_m * md_m);
+    solved.profile.outside_pressure_Pa = outside.collect();
+    let found = limits(&model, &hang, &(&solved).into(), &LimitSettings::default());
+    let collapse = of(&found, LimitKind::Collapse, Some(0));
+    let md_m = collapse.md_m.expect("a place");
+    assert_close("load", collapse.load, weight_Pa_per_m * md_m, 1e-12);
+    // Nearly nothing pulls at the bit, where the mud presses most.
+    assert!(md_m > 999.0);
+    let untouched = 15_672.0 * PSI_PA;
+    assert_close("capacity", collapse.capacity, untouched, 2e-3);
+}
+
+/// A string that slides down a slant: what drives it is `w L cos θ`, what holds it `μ w L sin θ` and the bit.
+#[test]
+fn sliding_down_a_slant() {
+    let (friction, inc_deg, length_m) = (0.2, 60.0_f64, 1500.0);
+    let pipe = five_inch("pipe", ToSurface, YIELD_PA);
+    let stations = [[0.0, inc_deg, 0.0], [length_m, inc_deg, 0.0]];
+    let model = in_hole(&stations, friction, Mud::of_density(1200.0), vec![pipe]);
+    let weight_N = length_m * weight_N_per_m(&model, 0);
+    let (sin, cos) = inc_deg.to_radians().sin_cos();
+    for asked_N in [0.0, 2e4, 6e4, 1.2e5] {
+        let down = if asked_N > 0.0 {
+            Operation::slide(length_m)
+                .weight_on_bit_N(asked_N)
+                .bit_torque_N_m(1e3)
+                .rate_of_penetration_m_per_s(1e-3)
+        } else {
+            Operation::trip_in(length_m)
+        };
+        let found = soft(&model, &down, &LimitSettings::default());
+        let lock_up = found.worst(LimitKind::LockUp).expect("a limit");
+        let expected = weight_N * cos / (friction * weight_N * sin + asked_N);
+        assert_close("lock-up", lock_up.factor, expected, 1e-6);
+        assert_eq!(lock_up.level == Standing::Passed, expected < 1.0, "{asked_N}");
+        // Nothing is kept for a pull where nothing is pulled.
+        assert!(found.worst(LimitKind::Overpull).is_none());
+        // What the block weighs pushes too.
+        let mut pushed = model.clone();
+        pushed.rig.block_weight_N = Some(1e4);
+        let found = soft(&pushed, &down, &LimitSettings::default());
+        let expected = (weight_N * cos + 1e4) / (friction * weight_N * sin + asked_N);
+        assert_close(
+            "pushed",
+            found.worst(LimitKind::LockUp).expect("a limit").factor,
+            expected,
+            1e-6,
+        );
+    }
+}
+
+/// Compression of a level pipe against Dawson and Paslay's `2 √(EI w/r)` and the helix's `√2` of it.
+#[test]
+fn buckling_of_a_level_pipe() {
+    let pipe = five_inch("pipe", ToSurface, YIELD_PA);
+    let stations = [[0.0, 90.0, 0.0], [1000.0, 90.0, 0.0]];
+    let model = in_hole(&stations, 0.0, Mud::of_density(1200.0), vec![pipe]);
+    let pressed_N = 3e5;
+    let slide = Operation::slide(1000.0)
+        .weight_on_bit_N(pressed_N)
+        .bit_torque_N_m(1e3)
+        .rate_of_penetration_m_per_s(1e-3);
+    let found = soft(&model, &slide, &LimitSettings::default());
+    let body = &model.string.components()[0];
+    let clearance_m = 0.5 * (0.3 - body.od_m);
+    let dawson_N =
+        2.0 * (body.bending_stiffness_N_m2() * weight_N_per_m(&model, 0) / clearance_m).sqrt();
+    for (kind, critical_N) in [
+        (LimitKind::SinusoidalBuckling, dawson_N),
+        (LimitKind::HelicalBuckling, 2.0_f64.sqrt() * dawson_N),
+    ] {
+        let limit = of(&found, kind, Some(0));
+        assert_close(kind.name(), limit.factor, critical_N / pressed_N, 1e-6);
+        // Buckled, but neither broken nor stopped.
+        assert_eq!(limit.level, Standing::Short);
+        assert!(!kind.breaks());
+    }
+}
+
+/// What is given of connections takes the place of what is stronger: tool joints that yield before the body, a
+/// make-up torque that is passed.
+#[test]
+fn connections_that_are_given() {
+    let connection = ConnectionStrength {
+        make_up_torque_N_m: Some(2.5e4),
+        torsional_yield_N_m: Some(4.2e4),
+        tensile_yield_N: Some(9e9),
+    };
+    let pipe = ComponentSpec { connection, ..five_inch("pipe", ToSurface, YIELD_PA) };
+    let model = vertical(1000.0, vec![pipe.clone()]);
+    let drill = Operation::drill(1000.0)
+        .rotary_speed_rad_per_s(12.0)
+        .rate_of_penetration_m_per_s(1e-3)
+        .weight_on_bit_N(5e4)
+        .bit_torque_N_m(3e4);
+    let settings = LimitSettings::default();
+    let found = soft(&model, &drill, &settings);
+    let made_up = of(&found, LimitKind::MakeUp, Some(0));
+    assert_close("make-up", made_up.factor, 2.5e4 / 3e4, 1e-6);
+    assert_eq!(made_up.level, Standing::Passed);
+    assert_eq!(of(&found, LimitKind::Torsion, Some(0)).capacity, 4.2e4);
+    let yield_N = 712_070.437_765_568_3 * POUND_FORCE_N;
+    assert_close("body", of(&found, LimitKind::Tension, Some(0)).capacity, yield_N, 1e-9);
+    assert_eq!(found.first().map(|of| of.kind), Some(LimitKind::MakeUp));
+    // Joints are known where the body is not.
+    let unknown = ComponentSpec { yield_strength_Pa: None, ..pipe };
+    let found = soft(&vertical(1000.0, vec![unknown]), &drill, &settings);
+    assert_eq!(of(&found, LimitKind::Torsion, Some(0)).capacity, 4.2e4);
+    let lacks: Vec<_> = found.unchecked.iter().map(|of| of.kind).collect();
+    assert!(!lacks.contains(&LimitKind::Torsion) && lacks.contains(&LimitKind::VonMises));
+}
+
+/// Factors are those that are asked for.
+#[test]
+fn factors_are_required() {
+    let model = vertical(3000.0, vec![five_inch("pipe", ToSurface, YIELD_PA)]);
+    let level = |tension: f64| {
+        let factors = DesignFactors { tension, ..DesignFactors::default() };
+        let settings = LimitSettings { factors, ..LimitSettings::default() };
+        let found = soft(&model, &Operation::trip_out(3000.0), &settings);
+        of(&found, LimitKind::Tension, Some(0))
+    };
+    let factor = level(1.0).factor;
+    for (part, expected) in [(0.9, Standing::Kept), (0.95, Standing::Near), (1.05, Standing::Short)]
+    {
+        let limit = level(part * factor);
+        assert_eq!(limit.level, expected);
+        assert_close("reserve", limit.reserve(), 1.0 / part, 1e-12);
+    }
+    assert_eq!(DesignFactors::default().bad_factor(), None);
+    let bad = DesignFactors { burst: -1.0, ..DesignFactors::default() };
+    assert_eq!(bad.bad_factor(), Some((LimitKind::Burst, -1.0)));
+}
+
+/// A pull on the bit of a bent pipe, by hand: at the worst point of the worst place stand the stresses of
+/// `worst_stress`.
+#[test]
+fn the_worst_point_is_told() {
+    let pipe = five_inch("pipe", ToSurface, YIELD_PA);
+    let model =
+        in_hole(&[[0.0, 0.0, 0.0], [900.0, 90.0, 0.0]], 0.3, Mud::of_density(1200.0), vec![pipe]);
+    let out = Operation::trip_out(900.0).bit_pull_N(2e5);
+    let solved = soft_string(&model, &out).expect("a sound model");
+    let found = limits(&model, &out, &(&solved).into(), &LimitSettings::default());
+    let limit = of(&found, LimitKind::VonMises, Some(0));
+    let row = solved.md_m.iter().position(|md_m| Some(*md_m) == limit.md_m).expect("a row");
+    let loads = BodyLoads {
+        effective_tension_N: solved.tension_N[row],
+        bending_N_m: 210e9 * PI / 1800.0 * second_moment_m4(&model),
+        inside_Pa: solved.inside_pressure_Pa[row],
+        outside_Pa: solved.outside_pressure_Pa[row],
+        ..BodyLoads::default()
+    };
+    let body: &Component = &model.string.components()[0];
+    let expected = worst_stress(body, &loads);
+    let point = limit.stress.expect("a point");
+    assert_close("stress", point.von_mises_Pa, expected.von_mises_Pa, 1e-9);
+    assert_close("load", limit.load, expected.von_mises_Pa, 1e-9);
+}
+
+fn second_moment_m4(model: &Model) -> f64 {
+    model.string.components()[0].second_moment_m4()
+}
+
+/// A pipe below a stiffer one bears its own bending where the two meet, not the other's: the soft string bends
+/// both as the hole.
+#[test]
+fn each_component_bends_by_its_own_stiffness() {
+    let weightless = Mud::of_density(steel().density_kg_per_m3);
+    let heavy = ComponentSpec { id_m: 3.0 * INCH_M, ..five_inch("heavy", ToSurface, YIELD_PA) };
+    let heavy = ComponentSpec {
+        mass_per_length_kg_per_m: ComponentSpec::uniform(
+            "",
+            heavy.od_m,
+            heavy.id_m,
+            ToSurface,
+            steel(),
+        )
+        .mass_per_length_kg_per_m,
+        ..heavy
+    };
+    let model = in_hole(
+        &[[0.0, 0.0, 0.0], [600.0, 60.0, 0.0]],
+        0.0,
+        weightless,
+        vec![five_inch("pipe", Metres(300.0), YIELD_PA), heavy],
+    );
+    let pulled = Operation::trip_out(600.0).bit_pull_N(1e5);
+    let found = soft(&model, &pulled, &LimitSettings::default());
+    for (component, body) in model.string.components().iter().enumerate() {
+        let bent_Pa = 210e9 * 0.1_f64.to_radians() * 0.5 * body.od_m;
+        let stress = of(&found, LimitKind::VonMises, Some(component)).load;
+        assert_close("stress", stress, bent_Pa + 1e5 / body.area_m2(), 1e-9);
+    }
+}

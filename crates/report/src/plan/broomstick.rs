@@ -1,0 +1,168 @@
+//! Hook load and surface torque against the depth of the bit.
+
+use super::{
+    Plan, PlanCurve, PlanSpot,
+    figures::over_depth,
+    words::{colour, on_bottom, operation_name, rotates},
+};
+use crate::{
+    figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},
+    plots::Shown,
+};
+
+/// A limit farther beyond the curves than this part of them is told, not drawn: it would flatten
+/// them.
+const FAR: f64 = 1.35;
+
+/// Curves that differ by less than this part of the largest are one to the eye.
+const SAME: f64 = 2e-3;
+
+/// Strokes of low, expected and high friction.
+const STROKES: [Stroke; 3] = [Stroke::Dotted, Stroke::Solid, Stroke::Dashed];
+
+/// What a picture shows of each point.
+struct Quantity<'a> {
+    title: &'a str,
+    dimension: &'a str,
+    of: fn(&PlanSpot) -> f64,
+    limit: Option<f64>,
+    limit_name: &'a str,
+}
+
+/// Slack-off to the left, rotating, pick-up to the right; beside it what drills.
+pub(super) fn hook_load(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
+    let quantity = Quantity {
+        title: "Hook load without block",
+        dimension: "force",
+        of: |spot| spot.hook_load_N,
+        limit: plan.rig.hook_load_N(),
+        limit_name: "hoist",
+    };
+    figure(plan, shown, &quantity, |_| true)
+}
+
+/// Torque at the top of what turns.
+pub(super) fn torque(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
+    let quantity = Quantity {
+        title: "Surface torque",
+        dimension: "torque",
+        of: |spot| spot.torque_N_m,
+        limit: plan.rig.top_drive_N_m,
+        limit_name: "top drive",
+    };
+    figure(plan, shown, &quantity, rotates)
+}
+
+fn figure(
+    plan: &Plan,
+    shown: Shown<'_>,
+    quantity: &Quantity<'_>,
+    is_shown: fn(&str) -> bool,
+) -> Option<Figure> {
+    let all = plan.operations().into_iter().filter(|of| is_shown(of));
+    let (drilling, off): (Vec<&str>, Vec<&str>) = all.partition(|of| on_bottom(of));
+    let groups = [(off, "off bottom"), (drilling, "on bottom")];
+    let groups = groups.into_iter().filter(|(operations, _)| !operations.is_empty());
+    let mut told = Vec::new();
+    let mut panels = Vec::new();
+    let mut operations = Vec::new();
+    for (group, name) in groups {
+        let (panel, beyond) = panel(plan, shown, quantity, &group, name);
+        panels.push(panel);
+        told.extend(beyond.filter(|of| !told.contains(of)).collect::<Vec<_>>());
+        operations.extend(group);
+    }
+    let keys = keys(plan, &operations);
+    let subtitle = subtitle(plan, told);
+    (!panels.is_empty()).then(|| over_depth(plan, shown, &subtitle, keys, panels))
+}
+
+fn panel(
+    plan: &Plan,
+    shown: Shown<'_>,
+    quantity: &Quantity<'_>,
+    operations: &[&str],
+    name: &str,
+) -> (Panel, impl Iterator<Item = String> + use<>) {
+    let value = |spot: &PlanSpot| shown.value((quantity.of)(spot), quantity.dimension);
+    let depth = |spot: &PlanSpot| shown.value(spot.bit_depth_m, "length");
+    let points = |of: &PlanCurve| -> Vec<(f64, f64)> {
+        of.points.iter().map(|spot| (depth(spot), value(spot))).collect()
+    };
+    let mut marks = Vec::new();
+    let mut largest = 0.0_f64;
+    for operation in operations {
+        let ink = Ink::Line(colour(operation));
+        for (place, model) in plan.models.iter().enumerate() {
+            let mut ends: Vec<((f64, f64), &str)> = Vec::new();
+            for of in plan.of(model, operation) {
+                let points = points(of);
+                let finite = points.iter().filter(|(_, value)| value.is_finite());
+                largest = finite.clone().fold(largest, |most, (_, value)| most.max(value.abs()));
+                let label = plan.levels.get(of.level).map_or("", |level| &level.label);
+                ends.extend(finite.last().map(|end| (*end, label)));
+                marks.push(match place {
+                    0 => Mark::Curve { ink, stroke: STROKES[of.level % 3], points },
+                    _ => Mark::Points { ink, shape: Shape::of(of.level), points },
+                });
+            }
+            if place == 0 {
+                marks.extend(names(&ends, largest));
+            }
+        }
+    }
+    let limit = quantity.limit.map(|limit| shown.value(limit, quantity.dimension));
+    let is_near = limit.is_some_and(|limit| limit <= FAR * largest);
+    if let (Some(at), true) = (limit, is_near) {
+        marks.push(Mark::OwnRule { at, label: quantity.limit_name.to_owned() });
+    }
+    let told = quantity.limit.filter(|_| !is_near).map(|limit| {
+        format!("{} {}", quantity.limit_name, shown.quantity(limit, quantity.dimension))
+    });
+    let title = format!("{} {name}", quantity.title);
+    let axis = Axis::new(shown.label(&title, quantity.dimension), Range::Zero);
+    (Panel::new(axis, marks), told.into_iter())
+}
+
+/// The friction at the end of each line; nothing where the lines of all frictions are one.
+fn names(ends: &[((f64, f64), &str)], largest: f64) -> Vec<Mark> {
+    let values = || ends.iter().map(|(end, _)| end.1);
+    let spread =
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min);
+    if spread < SAME * largest {
+        return Vec::new();
+    }
+    let name = |(at, text): &((f64, f64), &str)| Mark::Name { at: *at, text: (*text).to_owned() };
+    ends.iter().map(name).collect()
+}
+
+fn keys(plan: &Plan, operations: &[&str]) -> Vec<Key> {
+    let key = |name: String, sample| Key { name, sample };
+    let mut keys: Vec<Key> = operations
+        .iter()
+        .map(|of| {
+            let ink = Ink::Line(colour(of));
+            key(operation_name(of).to_owned(), Sample::Line(ink, Stroke::Solid))
+        })
+        .collect();
+    for (place, level) in plan.levels.iter().enumerate() {
+        let name = format!("{} friction, {}", level.name, level.label);
+        keys.push(key(name, Sample::Line(Ink::Note, STROKES[place % 3])));
+    }
+    if let [_, others @ ..] = &plan.models[..] {
+        for model in others {
+            for (place, level) in plan.levels.iter().enumerate() {
+                let name = format!("{model} string, {} friction", level.name);
+                keys.push(key(name, Sample::Point(Ink::Note, Shape::of(place))));
+            }
+        }
+    }
+    keys
+}
+
+/// What the picture is of, and limits that lie beyond it.
+fn subtitle(plan: &Plan, told: Vec<String>) -> String {
+    let lines = plan.models.first().map(|model| format!("lines: {model} string"));
+    let limits = told.into_iter().map(|of| format!("limit of the {of}, beyond the picture"));
+    lines.into_iter().chain(limits).collect::<Vec<_>>().join("; ")
+}

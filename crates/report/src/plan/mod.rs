@@ -1,0 +1,127 @@
+//! What a page reports of a plan, and its pictures.
+
+mod broomstick;
+mod buckling;
+mod figures;
+mod page;
+mod tables;
+#[cfg(test)]
+mod tests;
+mod words;
+
+pub use figures::plan_plots;
+pub use page::plan_html;
+pub use words::operation_name;
+
+use crate::{Level, PageHead, Section};
+
+/// A plan as its page shows it. Numbers are SI; what has no answer is not a number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// Under the name of the case.
+    pub head: PageHead,
+    /// What is to be wary of.
+    pub message: Option<String>,
+    /// Models by their names, the first drawn as lines, others as points.
+    pub models: Vec<String>,
+    /// Levels of friction, from the least to the most.
+    pub levels: Vec<PlanLevel>,
+    /// Hook load and torque: model after model, operation after operation, level after level.
+    pub curves: Vec<PlanCurve>,
+    /// Weights to buckle: operation after operation, level after level.
+    pub buckling: Vec<BucklingCurve>,
+    /// Sections of the hole, from the surface down.
+    pub hole: Vec<Section>,
+    /// What the rig bears.
+    pub rig: PlanRig,
+    /// Weight on bit of what drills, N.
+    pub weight_on_bit_N: Option<f64>,
+}
+
+/// A level of friction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanLevel {
+    /// `low`, `expected` or `high`.
+    pub name: String,
+    /// What stands at the ends of its lines: `0.25`, or `0.2 / 0.3` of casing and rock.
+    pub label: String,
+    /// Each kind of hole with its coefficients along the hole and around it, as people read them.
+    pub sections: Vec<String>,
+}
+
+/// One operation by one model with one friction, down the hole.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanCurve {
+    /// Name of the model.
+    pub model: String,
+    /// Name of the operation.
+    pub operation: String,
+    /// Place of its friction among [`Plan::levels`].
+    pub level: usize,
+    /// Depth after depth.
+    pub points: Vec<PlanSpot>,
+}
+
+/// One operation at one depth.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanSpot {
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// Hook load without block, N.
+    pub hook_load_N: f64,
+    /// Surface torque, N·m.
+    pub torque_N_m: f64,
+    /// `none`, `sinusoidal`, `helical`, or nothing.
+    pub buckling: String,
+    /// The gravest finding and how grave it is.
+    pub worst: Option<(String, Level)>,
+    /// Why there is no answer.
+    pub message: Option<String>,
+}
+
+/// Weights on bit under which the string begins to buckle, down the hole.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BucklingCurve {
+    /// `drill` or `slide`.
+    pub operation: String,
+    /// Place of its friction among [`Plan::levels`].
+    pub level: usize,
+    /// Measured depth of the bit, m, and the weights of a sinusoid and of a helix, N.
+    pub points: Vec<(f64, [f64; 2])>,
+}
+
+/// What the rig bears.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct PlanRig {
+    /// Weight of the block, N.
+    pub block_N: Option<f64>,
+    /// Capacity of the hoist, block included, N.
+    pub hoist_N: Option<f64>,
+    /// Torque of the top drive, N·m.
+    pub top_drive_N_m: Option<f64>,
+}
+
+impl PlanRig {
+    /// What the hoist carries beside the block, N.
+    pub fn hook_load_N(&self) -> Option<f64> {
+        Some(self.hoist_N? - self.block_N.unwrap_or(0.0))
+    }
+}
+
+impl Plan {
+    /// The curves of a model and an operation, from the least friction to the most.
+    fn of<'a>(&'a self, model: &'a str, operation: &'a str) -> impl Iterator<Item = &'a PlanCurve> {
+        self.curves.iter().filter(move |of| of.model == model && of.operation == operation)
+    }
+
+    /// Operations in their order.
+    fn operations(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = Vec::new();
+        for of in &self.curves {
+            if !names.contains(&of.operation.as_str()) {
+                names.push(&of.operation);
+            }
+        }
+        names
+    }
+}

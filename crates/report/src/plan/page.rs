@@ -1,0 +1,61 @@
+//! The page of a plan as one file that needs nothing else.
+
+use super::{Plan, figures::plan_plots, tables};
+use crate::{StudyPage, StudyPart, plots::Shown, study_html};
+
+/// What the numbers stand for.
+const ABOUT: &str = "Hook load and surface torque against the depth of the bit: the same string, its \
+    topmost pipe as long as the depth asks for, in each operation with low, expected and high \
+    friction. The workbook plan.xlsx has every table, with charts of its own.";
+
+/// Title and caption of each picture.
+const PICTURES: [(&str, &str, &str); 3] = [
+    (
+        "hook_load",
+        "Hook load",
+        "Slack-off to the left, rotating in the middle, pick-up to the right; the friction stands at \
+         the end of each line. Where a line ends early, the string has no answer below. Dotted \
+         across: casing shoes.",
+    ),
+    ("torque", "Surface torque", "Of what turns; the friction stands at the end of each line."),
+    (
+        "buckling_weight",
+        "Weight to buckle",
+        "The least weight on bit under which the string begins to be a sinusoid, or a helix, \
+         somewhere: left turning, right sliding, where friction takes a part of the push on the way \
+         down.",
+    ),
+];
+
+/// The page as the text of an HTML file. No name in it can end the element that it stands in.
+pub fn plan_html(plan: &Plan) -> String {
+    let shown = Shown::new(&plan.head.dimensions, &plan.head.units);
+    let facts = plan.head.facts.iter().filter_map(|fact| shown.fact(fact));
+    let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
+    if let Some(message) = &plan.message {
+        description += &format!("\n\n{message}");
+    }
+    let plots = plan_plots(plan, &plan.head.units);
+    let pictures = PICTURES.iter().filter_map(|(name, title, caption)| {
+        let plot = plots.iter().find(|plot| plot.name == *name)?;
+        Some(StudyPart::Figure {
+            title: (*title).to_owned(),
+            caption: (*caption).to_owned(),
+            figure: Some(Box::new(plot.figure.clone())),
+            files: (*name).to_owned(),
+            painted: false,
+        })
+    });
+    let mut parts: Vec<StudyPart> = pictures.collect();
+    parts.extend(tables::at_depth(plan, shown));
+    parts.push(tables::frictions(plan));
+    parts.extend(tables::against_depth(plan, shown));
+    parts.extend(tables::buckling(plan, shown));
+    parts.extend(tables::without_answer(plan));
+    study_html(&StudyPage {
+        program: plan.head.program.clone(),
+        title: plan.head.title.clone(),
+        description,
+        parts,
+    })
+}

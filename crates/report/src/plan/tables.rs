@@ -1,0 +1,219 @@
+//! Tables of a plan's page.
+
+use super::{
+    Plan, PlanSpot,
+    words::{four, on_bottom, operation_name, rotates},
+};
+use crate::{Grid, Head, Level, StudyPart, Verdict, plots::Shown};
+
+/// Reasons that are listed; more are counted.
+const REASONS: usize = 8;
+
+type Row = Vec<(String, Verdict)>;
+
+fn head(text: impl Into<String>, words: bool) -> Head {
+    Head { text: text.into(), words }
+}
+
+fn row(cells: Vec<String>) -> Row {
+    cells.into_iter().map(|cell| (cell, Verdict::None)).collect()
+}
+
+fn part(title: String, caption: &str, grid: Grid, files: &str) -> StudyPart {
+    StudyPart::Table {
+        title,
+        caption: caption.to_owned(),
+        grid,
+        files: files.to_owned(),
+        endings: &["csv", "parquet"],
+    }
+}
+
+/// What each level of friction is.
+pub(super) fn frictions(plan: &Plan) -> StudyPart {
+    let heads = vec![head("friction", true), head("coefficients along the hole", true)];
+    let rows = plan.levels.iter().map(|of| row(vec![of.name.clone(), of.sections.join("; ")]));
+    part(
+        "Friction".into(),
+        "Low, expected and high friction of this plan.",
+        Grid { heads, rows: rows.collect() },
+        "plan_friction",
+    )
+}
+
+/// Every operation at the deepest depth.
+pub(super) fn at_depth(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+    let deepest = |points: &[PlanSpot]| points.last().cloned();
+    let depth_m = plan.curves.iter().filter_map(|of| deepest(&of.points)).last()?.bit_depth_m;
+    let block_N = plan.rig.block_N;
+    let (force, torque) = (shown.symbol("force"), shown.symbol("torque"));
+    let mut heads = vec![
+        head("operation", true),
+        head("friction", true),
+        head("model", true),
+        head(format!("hook load, {force}"), false),
+    ];
+    heads.extend(block_N.map(|_| head(format!("with block, {force}"), false)));
+    heads.extend([
+        head(format!("surface torque, {torque}"), false),
+        head("buckling", true),
+        head("gravest finding", true),
+    ]);
+    let rows = plan.curves.iter().filter_map(|of| {
+        let spot = deepest(&of.points)?;
+        let level = plan.levels.get(of.level)?;
+        let quantity = |si: f64, dimension: &str| four(shown.value(si, dimension));
+        let mut cells = vec![
+            operation_name(&of.operation).to_owned(),
+            format!("{}, {}", level.name, level.label),
+            of.model.clone(),
+            quantity(spot.hook_load_N, "force"),
+        ];
+        cells.extend(block_N.map(|block| quantity(spot.hook_load_N + block, "force")));
+        let finding = match (&spot.worst, &spot.message) {
+            (_, Some(_)) => "no answer".to_owned(),
+            (Some((kind, level)), _) => format!("{}: {}", word(*level), kind.replace('_', " ")),
+            (None, None) => String::new(),
+        };
+        cells.extend([quantity(spot.torque_N_m, "torque"), spot.buckling.clone(), finding]);
+        Some(row(cells))
+    });
+    let grid = Grid { heads, rows: rows.collect() };
+    let title = format!("With the bit at {}", shown.quantity(depth_m, "length"));
+    Some(part(title, "Every operation at the deepest depth of the plan.", grid, "plan_broomstick"))
+}
+
+/// How grave a finding is, in a word.
+fn word(level: Level) -> &'static str {
+    match level {
+        Level::Error => "error",
+        Level::Warning => "warning",
+        Level::Note => "note",
+    }
+}
+
+/// A number of every operation with every friction against depth, for each model.
+pub(super) fn against_depth(plan: &Plan, shown: Shown<'_>) -> Vec<StudyPart> {
+    let mut parts = Vec::new();
+    for model in &plan.models {
+        let hook = grid(plan, shown, model, "force", |of| of.hook_load_N, |_| true);
+        parts.push(part(
+            format!("Hook load without block, {}, {model} string", shown.symbol("force")),
+            "Against the depth of the bit.",
+            hook,
+            "plan_broomstick",
+        ));
+        let torque = grid(plan, shown, model, "torque", |of| of.torque_N_m, rotates);
+        if torque.heads.len() > 1 {
+            parts.push(part(
+                format!("Surface torque, {}, {model} string", shown.symbol("torque")),
+                "Against the depth of the bit.",
+                torque,
+                "plan_broomstick",
+            ));
+        }
+    }
+    parts
+}
+
+fn grid(
+    plan: &Plan,
+    shown: Shown<'_>,
+    model: &str,
+    dimension: &str,
+    of: fn(&PlanSpot) -> f64,
+    is_shown: fn(&str) -> bool,
+) -> Grid {
+    let mut heads = vec![head(format!("bit depth, {}", shown.symbol("length")), false)];
+    let mut columns = Vec::new();
+    // Slack-off to the left, pick-up to the right, then what drills.
+    let mut operations = plan.operations();
+    operations.sort_by_key(|of| (on_bottom(of), order(of)));
+    for operation in operations.into_iter().filter(|of| is_shown(of)) {
+        for curve in plan.of(model, operation) {
+            let level = plan.levels.get(curve.level).map_or("", |level| &level.label);
+            heads.push(head(format!("{} {level}", operation_name(operation)), false));
+            columns.push(curve);
+        }
+    }
+    let rows = columns.first().map_or(0, |first| first.points.len());
+    let rows = (0..rows).map(|place| {
+        let depth_m = columns[0].points[place].bit_depth_m;
+        let mut cells = vec![format!("{:.0}", shown.value(depth_m, "length"))];
+        cells.extend(columns.iter().map(|curve| {
+            let value = curve.points.get(place).map_or(f64::NAN, of);
+            four(shown.value(value, dimension))
+        }));
+        row(cells)
+    });
+    Grid { heads, rows: rows.collect() }
+}
+
+fn order(operation: &str) -> u8 {
+    match operation {
+        "trip_in" | "ream" => 0,
+        "rotate_off_bottom" => 1,
+        _ => 2,
+    }
+}
+
+/// Weights to buckle against depth, with the friction that is expected.
+pub(super) fn buckling(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+    let force = shown.symbol("force");
+    let expected = plan.levels.len() / 2;
+    let curves: Vec<_> = plan.buckling.iter().filter(|of| of.level == expected).collect();
+    let first = curves.first()?;
+    let mut heads = vec![head(format!("bit depth, {}", shown.symbol("length")), false)];
+    for of in &curves {
+        for shape in ["sinusoid", "helix"] {
+            heads.push(head(format!("{}: {shape}", operation_name(&of.operation)), false));
+        }
+    }
+    let rows = (0..first.points.len()).map(|place| {
+        let mut cells = vec![format!("{:.0}", shown.value(first.points[place].0, "length"))];
+        for of in &curves {
+            let weights_N = of.points.get(place).map_or([f64::NAN; 2], |of| of.1);
+            cells.extend(weights_N.map(|weight| four(shown.value(weight, "force"))));
+        }
+        row(cells)
+    });
+    let grid = Grid { heads, rows: rows.collect() };
+    let title = format!("Least weight on bit to buckle, {force}");
+    Some(part(title, "With the friction that is expected.", grid, "plan_buckling"))
+}
+
+/// What has no answer, and why.
+pub(super) fn without_answer(plan: &Plan) -> Option<StudyPart> {
+    let mut reasons: Vec<(String, usize)> = Vec::new();
+    for of in &plan.curves {
+        for message in of.points.iter().filter_map(|spot| spot.message.as_ref()) {
+            let level = plan.levels.get(of.level).map_or("", |level| &level.name);
+            let operation = operation_name(&of.operation);
+            let text = format!("{operation}, {level} friction, {} string: {message}", of.model);
+            match reasons.iter_mut().find(|(reason, _)| *reason == text) {
+                Some((_, count)) => *count += 1,
+                None => reasons.push((text, 1)),
+            }
+        }
+    }
+    if reasons.is_empty() {
+        return None;
+    }
+    let heads = vec![head("why", true), head("points", false)];
+    let more: usize = reasons.iter().skip(REASONS).map(|(_, count)| count).sum();
+    let mut rows: Vec<Row> = reasons
+        .into_iter()
+        .take(REASONS)
+        .map(|(reason, count)| row(vec![reason, count.to_string()]))
+        .collect();
+    if more > 0 {
+        rows.push(row(vec!["other reasons, in the table".into(), more.to_string()]));
+    }
+    let grid = Grid { heads, rows };
+    Some(part(
+        "Without an answer".into(),
+        "Points that were tried in vain.",
+        grid,
+        "plan_broomstick",
+    ))
+}

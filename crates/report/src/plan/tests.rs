@@ -1,0 +1,154 @@
+use std::collections::BTreeMap;
+
+use super::{BucklingCurve, Plan, PlanCurve, PlanLevel, PlanRig, PlanSpot, plan_html, plan_plots};
+use crate::{
+    Cell, DisplayUnit, Fact, Level, PageHead, Section,
+    figure::{Mark, Panel},
+};
+
+fn plan() -> Plan {
+    let unit = |symbol: &str, factor: f64| DisplayUnit { symbol: symbol.into(), factor };
+    let units = [
+        ("length", [unit("m", 1.0), unit("m", 1.0), unit("ft", 0.3048)]),
+        ("diameter", [unit("mm", 1e-3), unit("mm", 1e-3), unit("in", 0.0254)]),
+        ("force", [unit("kN", 1e3), unit("t", 9806.65), unit("klbf", 4448.22)]),
+        ("torque", [unit("kN·m", 1e3), unit("kN·m", 1e3), unit("ft·lbf", 1.355_82)]),
+    ];
+    let units = units.map(|(name, units)| (name.to_owned(), units));
+    let levels = ["low", "expected", "high"].into_iter().zip(["0.1", "0.2", "0.3"]);
+    let depths = [500.0, 1000.0, 2000.0];
+    let curve = |operation: &str, level: usize| {
+        let pull = match operation {
+            "trip_out" => level as f64,
+            "trip_in" => -(level as f64),
+            _ => 0.0,
+        };
+        let points = depths.map(|bit_depth_m| {
+            let lost = operation == "trip_in" && level == 2 && bit_depth_m > 1500.0;
+            let value = |value: f64| if lost { f64::NAN } else { value };
+            PlanSpot {
+                bit_depth_m,
+                hook_load_N: value(200.0 * bit_depth_m * (1.0 + 0.2 * pull)),
+                torque_N_m: value(if operation == "drill" { 5.0 * bit_depth_m } else { 0.0 }),
+                buckling: if lost { String::new() } else { "none".into() },
+                worst: (operation == "trip_in")
+                    .then(|| ("helical_buckling".into(), Level::Warning)),
+                message: lost.then(|| "the string <locks> up".to_owned()),
+            }
+        });
+        PlanCurve {
+            model: "soft".into(),
+            operation: operation.into(),
+            level,
+            points: points.into(),
+        }
+    };
+    let operations = ["trip_out", "trip_in", "rotate_off_bottom", "drill"];
+    Plan {
+        head: PageHead {
+            program: "wholestring".into(),
+            title: "<Well> & \"plan\"".into(),
+            units: "si".into(),
+            dimensions: BTreeMap::from(units),
+            facts: vec![Fact { label: "Depths".into(), value: Cell::Text("3".into()) }],
+        },
+        message: None,
+        models: vec!["soft".into()],
+        levels: levels
+            .map(|(name, label)| PlanLevel {
+                name: name.into(),
+                label: label.into(),
+                sections: vec![format!("casing {label}")],
+            })
+            .collect(),
+        curves: operations.iter().flat_map(|of| [0, 1, 2].map(|level| curve(of, level))).collect(),
+        buckling: ["drill", "slide"]
+            .iter()
+            .flat_map(|of| {
+                [0, 1, 2].map(|level| BucklingCurve {
+                    operation: (*of).into(),
+                    level,
+                    points: depths.map(|depth| (depth, [4e4, 6e4])).into(),
+                })
+            })
+            .collect(),
+        hole: vec![
+            Section {
+                kind: "casing".into(),
+                from_m: 0.0,
+                to_m: 900.0,
+                diameter_m: 0.22,
+                friction: 0.2,
+            },
+            Section {
+                kind: "open".into(),
+                from_m: 900.0,
+                to_m: 2000.0,
+                diameter_m: 0.2,
+                friction: 0.2,
+            },
+        ],
+        rig: PlanRig { block_N: Some(2e5), hoist_N: Some(8e5), top_drive_N_m: Some(1e6) },
+        weight_on_bit_N: Some(3e4),
+    }
+}
+
+fn names(panel: &Panel) -> Vec<((f64, f64), &str)> {
+    let name = |mark: &'_ Mark| match mark {
+        Mark::Name { at, text } => Some((*at, text.clone())),
+        _ => None,
+    };
+    let all = panel.marks.iter().filter_map(name);
+    all.map(|(at, text)| (at, Box::leak(text.into_boxed_str()) as &str)).collect()
+}
+
+/// Each operation has a line for each friction, with the friction at its end, which is where the last
+/// answer is; lines that are one have none. The hoist's limit is without its block, and drawn where it
+/// is near.
+#[test]
+fn lines_end_with_their_friction() {
+    let plots = plan_plots(&plan(), "si");
+    let known: Vec<&str> = plots.iter().map(|of| of.name.as_str()).collect();
+    assert_eq!(known, ["hook_load", "torque", "buckling_weight"]);
+    let [off, on] = &plots[0].figure.panels[..] else { panic!("two panels") };
+    assert_eq!(off.axis.label, "Hook load without block off bottom, kN");
+    let found = names(off);
+    assert_eq!(found.len(), 6, "{found:?}");
+    assert_eq!(found[2], ((2000.0, 560.0), "0.3"));
+    assert_eq!(found[5], ((1000.0, 120.0), "0.3"));
+    let hoist = |mark: &&Mark| matches!(mark, Mark::OwnRule { at, .. } if *at == 600.0);
+    assert_eq!(off.marks.iter().filter(hoist).count(), 1);
+    assert!(names(on).is_empty());
+    let shoes = plots[0].figure.hole.iter().filter(|of| of.shoe);
+    assert_eq!(shoes.map(|of| of.to).collect::<Vec<_>>(), [900.0]);
+    // A top drive that is far from its limit is told.
+    assert!(
+        plots[1].figure.subtitle.contains("top drive 1000 kN·m"),
+        "{}",
+        plots[1].figure.subtitle
+    );
+    // In the reader's units.
+    let field = plan_plots(&plan(), "field");
+    assert_eq!(field[0].figure.panels[0].axis.label, "Hook load without block off bottom, klbf");
+}
+
+/// The page has the pictures, the tables, what is found and why something has no answer, and nothing in
+/// it becomes markup.
+#[test]
+fn the_page_says_everything() {
+    let page = plan_html(&plan());
+    for expected in [
+        "Hook load",
+        "Surface torque, kN·m, soft string",
+        "slack-off 0.1",
+        "warning: helical buckling",
+        "the string &lt;locks&gt; up",
+        "plan_broomstick.parquet",
+        "href=\"hook_load.csv\"",
+        "With the bit at 2000 m",
+    ] {
+        assert!(page.contains(expected), "{expected}");
+    }
+    assert_eq!(page.matches("<svg").count(), 3);
+    assert!(!page.contains("<Well>") && !page.contains("<locks>"));
+}

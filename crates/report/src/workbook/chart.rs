@@ -1,0 +1,96 @@
+//! Charts that are Excel's own, of the numbers in the sheets.
+
+use rust_xlsxwriter::{
+    Chart, ChartLegendPosition, ChartLine, ChartLineDashType, ChartType, Format, Worksheet,
+    XlsxError,
+};
+
+use super::{Workbook, sheet::FIRST_ROW};
+use crate::{draw::Ink as Colour, figure::Stroke};
+
+/// Curves down a depth axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WorkbookChart {
+    /// What stands over it.
+    pub title: String,
+    /// What stands at the axis across, unit included.
+    pub across: String,
+    /// What stands at the axis down, unit included.
+    pub down: String,
+    /// Its curves.
+    pub series: Vec<WorkbookSeries>,
+}
+
+/// A curve: some rows of two columns of a sheet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WorkbookSeries {
+    /// What the legend calls it.
+    pub name: String,
+    /// Name of the sheet.
+    pub sheet: String,
+    /// Place of the column that goes across.
+    pub across: usize,
+    /// Place of the column that goes down.
+    pub down: usize,
+    /// The rows, counted from zero.
+    pub rows: std::ops::Range<usize>,
+    /// Place of its colour among those of curves.
+    pub colour: usize,
+    /// How it is drawn.
+    pub stroke: Stroke,
+}
+
+/// Rows over the charts, and the room of one.
+const TOP: u32 = 2;
+const ROWS: u32 = 31;
+const COLUMNS: u16 = 11;
+const SIZE: [u32; 2] = [680, 600];
+
+pub(super) fn write(on: &mut Worksheet, workbook: &Workbook) -> Result<(), XlsxError> {
+    on.set_name("Charts")?;
+    on.write_with_format(0, 0, &workbook.title, &Format::new().set_bold().set_font_size(14))?;
+    for (row, line) in (1..).zip(&workbook.about) {
+        on.write_string(row, 0, line)?;
+    }
+    let top = TOP + workbook.about.len() as u32;
+    for (place, of) in (0u32..).zip(&workbook.charts) {
+        let (row, column) = (top + place / 2 * ROWS, (place % 2) as u16 * COLUMNS);
+        on.insert_chart(row, column, &chart(of))?;
+    }
+    on.set_landscape().set_print_fit_to_pages(1, 0);
+    Ok(())
+}
+
+fn chart(of: &WorkbookChart) -> Chart {
+    let mut chart = Chart::new(ChartType::ScatterStraight);
+    chart.title().set_name(&of.title);
+    chart.x_axis().set_name(&of.across);
+    // Depth grows down the page, and what goes across stands on top.
+    chart.y_axis().set_name(&of.down).set_reverse().set_min(0);
+    chart.legend().set_position(ChartLegendPosition::Bottom);
+    chart.set_width(SIZE[0]).set_height(SIZE[1]);
+    for series in &of.series {
+        let rows = [series.rows.start, series.rows.end.saturating_sub(1)];
+        let [first, last] = rows.map(|row| FIRST_ROW + row as u32);
+        let range = |column: usize| {
+            let column = column as u16;
+            (series.sheet.as_str(), first, column, last, column)
+        };
+        let [red, green, blue] = Colour::Line(series.colour).rgb();
+        let colour = u32::from_be_bytes([0, red, green, blue]);
+        let dash = match series.stroke {
+            Stroke::Solid => ChartLineDashType::Solid,
+            Stroke::Dotted | Stroke::WideDotted => ChartLineDashType::RoundDot,
+            _ => ChartLineDashType::Dash,
+        };
+        let mut line = ChartLine::new();
+        line.set_color(colour).set_width(1.5).set_dash_type(dash);
+        chart
+            .add_series()
+            .set_name(&series.name)
+            .set_categories(range(series.across))
+            .set_values(range(series.down))
+            .set_format(&mut line);
+    }
+    chart
+}

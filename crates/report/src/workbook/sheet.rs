@@ -1,0 +1,128 @@
+//! A table as a sheet.
+
+use rust_xlsxwriter::{Format, FormatAlign, FormatBorder, Worksheet, XlsxError};
+
+/// A table as a sheet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sheet {
+    /// Its name on the tab, 31 letters at most.
+    pub name: String,
+    /// What a row is, in a sentence.
+    pub about: String,
+    /// Its columns, all of one length.
+    pub columns: Vec<SheetColumn>,
+}
+
+/// A column.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SheetColumn {
+    /// What it is.
+    pub heading: String,
+    /// Its unit, which stands in the heading; empty where it has none.
+    pub unit: String,
+    /// What it means, in a sentence.
+    pub meaning: String,
+    /// What stands in it.
+    pub cells: Cells,
+}
+
+/// What stands in a column.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cells {
+    /// Numbers, in the column's unit; empty where there is none.
+    Numbers(Vec<Option<f64>>),
+    /// Words.
+    Words(Vec<String>),
+}
+
+impl SheetColumn {
+    /// Heading and unit: `Hook load, kN`.
+    pub fn head(&self) -> String {
+        match self.unit.as_str() {
+            "" => self.heading.clone(),
+            unit => format!("{}, {unit}", self.heading),
+        }
+    }
+}
+
+/// First row of numbers: under the heading.
+pub(super) const FIRST_ROW: u32 = 1;
+
+fn heading() -> Format {
+    let format = Format::new().set_bold().set_text_wrap().set_align(FormatAlign::Bottom);
+    format.set_border_bottom(FormatBorder::Thin)
+}
+
+pub(super) fn write(on: &mut Worksheet, sheet: &Sheet) -> Result<(), XlsxError> {
+    on.set_name(&sheet.name)?;
+    on.set_freeze_panes(FIRST_ROW, 0)?;
+    // Five digits are what people read; the cell holds all.
+    let number = Format::new().set_num_format("General");
+    for (place, column) in (0u16..).zip(&sheet.columns) {
+        let head = column.head();
+        on.write_with_format(0, place, &head, &heading())?;
+        let mut widest = head.len().min(14);
+        match &column.cells {
+            Cells::Numbers(values) => {
+                let rows = (FIRST_ROW..).zip(values);
+                for (row, value) in rows {
+                    if let Some(value) = value.filter(|value| value.is_finite()) {
+                        let number = match digits(value) {
+                            Some(digits) => Format::new().set_num_format(digits),
+                            None => number.clone(),
+                        };
+                        on.write_number_with_format(row, place, value, &number)?;
+                    }
+                }
+            }
+            Cells::Words(words) => {
+                for (row, word) in (FIRST_ROW..).zip(words) {
+                    widest = widest.max(word.chars().count().min(40));
+                    on.write_string(row, place, word)?;
+                }
+            }
+        }
+        on.set_column_width(place, widest as f64 + 2.0)?;
+    }
+    let rows = sheet.columns.first().map_or(0, |first| match &first.cells {
+        Cells::Numbers(values) => values.len(),
+        Cells::Words(words) => words.len(),
+    });
+    if let (Some(last), true) = (sheet.columns.len().checked_sub(1), rows > 0) {
+        on.autofilter(0, 0, rows as u32, last as u16)?;
+    }
+    on.set_landscape().set_print_fit_to_pages(1, 0).set_repeat_rows(0, 0)?;
+    Ok(())
+}
+
+/// How a number is shown: four digits or so; none of what needs all.
+fn digits(value: f64) -> Option<&'static str> {
+    match value.abs() {
+        0.0 => Some("0"),
+        size if size >= 1e6 || size < 1e-3 => None,
+        size if size >= 1e3 => Some("0"),
+        size if size >= 1e2 => Some("0.0"),
+        size if size >= 1e1 => Some("0.00"),
+        _ => Some("0.000"),
+    }
+}
+
+/// What each column of each sheet means.
+pub(super) fn write_meanings(on: &mut Worksheet, sheets: &[Sheet]) -> Result<(), XlsxError> {
+    on.set_name("Columns")?;
+    on.set_freeze_panes(FIRST_ROW, 0)?;
+    for (place, head) in (0u16..).zip(["sheet", "column", "unit", "meaning"]) {
+        on.write_with_format(0, place, head, &heading())?;
+    }
+    let columns = sheets.iter().flat_map(|sheet| sheet.columns.iter().map(move |of| (sheet, of)));
+    for (row, (sheet, of)) in (FIRST_ROW..).zip(columns) {
+        let texts = [&sheet.name, &of.heading, &of.unit, &of.meaning];
+        for (place, text) in (0u16..).zip(texts) {
+            on.write_string(row, place, text)?;
+        }
+    }
+    for (place, width) in (0u16..).zip([18.0, 26.0, 10.0, 100.0]) {
+        on.set_column_width(place, width)?;
+    }
+    Ok(())
+}
