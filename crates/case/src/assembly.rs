@@ -4,12 +4,13 @@ use wholestring::string::{AssemblyError, ComponentLength, DrillString, Material,
 
 use wholestring_config::prelude::*;
 
-use crate::component::ComponentTable;
+use crate::{catalogue::OwnCatalogue, component::ComponentTable};
 
 /// The string as the case gives it.
 pub(crate) fn spec(
     tables: &[Spanned<ComponentTable>],
     steel: &Material,
+    own: &OwnCatalogue,
     reader: &mut Reader,
 ) -> Option<StringSpec> {
     let mut components = Vec::with_capacity(tables.len());
@@ -24,7 +25,7 @@ pub(crate) fn spec(
                 valid = false;
             }
         }
-        match table.value.build(index == 0 && tables.len() > 1, table.place, steel, reader) {
+        match table.value.build(index == 0 && tables.len() > 1, table.place, steel, own, reader) {
             Some(component) => components.push(component),
             None => valid = false,
         }

@@ -11,6 +11,7 @@ use crate::{
     bit_test::{self, BitTest},
     case::Case,
     case_table::CaseTable,
+    catalogue::OwnCatalogue,
     dynamics::{DynamicsTable, GivenSettings},
     effort, fit, hole, modes,
     operation::OperationTable,
@@ -56,6 +57,10 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         reader.show_in(units);
     }
     let case = CaseTable::read(root, Span::default(), reader);
+    let own = match case.catalogue.optional() {
+        Some(Some(file)) => OwnCatalogue::beside(file, files, reader),
+        given => given.map(|_| OwnCatalogue::default()),
+    };
     usual::warn_of_bare(reader);
     let models = models(&case, reader);
     let mud = case.mud.get().and_then(|mud| mud.build(reader));
@@ -86,7 +91,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let components = case.string.get();
     let spec = components
         .zip(steel.as_ref())
-        .and_then(|(components, steel)| assembly::spec(components, steel, reader));
+        .zip(own.as_ref())
+        .and_then(|((components, steel), own)| assembly::spec(components, steel, own, reader));
     let lowest = spec.as_ref().and_then(|spec| spec.components.first());
     let bit_radius_m = lowest.map(|bit| 0.5 * bit.od_m);
     let tested = bit_test::place(&case.bit_test);

@@ -8,8 +8,16 @@ use crate::steel::{density, modulus};
 /// What stands for the length of the component that fills the rest of the string.
 const TO_SURFACE: &str = "to surface";
 
-fn diameter(example: &'static str) -> Quantity {
+pub(crate) fn diameter(example: &'static str) -> Quantity {
     Quantity::si(Dimension::Diameter, Range::from_to(0.005, 2.0).usual(0.02, 1.2), example)
+}
+
+pub(crate) fn yield_strength() -> Quantity {
+    Quantity::si(Dimension::Pressure, Range::from_to(1e7, 1e10).usual(1.5e8, 1.5e9), "931 MPa")
+}
+
+pub(crate) fn make_up_torque() -> Quantity {
+    Quantity::si(Dimension::Torque, Range::positive_to(1e6).usual(1e3, 2e5), "36.7 kN.m")
 }
 
 /// A length, or "to surface".
@@ -90,7 +98,8 @@ table! {
         length: ComponentLength = required(LengthRule);
         /// Entry of the catalogue of API drill pipe, heavy-weight, collars and coiled tubing, such as
         /// "5-1/2 in 21.90 lb/ft S-135": gives diameters, joints, mass, yield strength and what the
-        /// connections bear. Drill pipe that is worn ends with its class, "premium" or "class 2".
+        /// connections bear. Drill pipe that is worn ends with its class, "premium" or "class 2". Or the
+        /// name of a tubular of the case's own `catalogue`.
         catalogue: String = optional(Text);
         /// Outside diameter of the body, m unless a unit is given. Needed without `catalogue`.
         od: f64 = optional(diameter("139.7 mm"));
@@ -136,18 +145,10 @@ table! {
         /// Shear modulus. Default: that of [steel].
         shear_modulus: f64 = optional(modulus("76.923 GPa"));
         /// Minimum yield strength, for strength limits. Default: the catalogue's, or unknown.
-        yield_strength: f64 = optional(Quantity::si(
-            Dimension::Pressure,
-            Range::from_to(1e7, 1e10).usual(1.5e8, 1.5e9),
-            "931 MPa",
-        ));
+        yield_strength: f64 = optional(yield_strength());
         /// Torque that its connections are made up with, for limits: a string that turns with more
         /// makes them up further. Default: the catalogue's, or unknown.
-        make_up_torque: f64 = optional(Quantity::si(
-            Dimension::Torque,
-            Range::positive_to(1e6).usual(1e3, 2e5),
-            "36.7 kN.m",
-        ));
+        make_up_torque: f64 = optional(make_up_torque());
         /// Bend fixed in its body, which turns with it: of a motor's bent housing, of a bent sub.
         /// The angle between the axes above and below, deg unless a unit is given. Stiff and dynamic
         /// models. Default: none. Raising it presses bit and housing against opposite sides of the

@@ -1,9 +1,10 @@
 //! Components of the string, from their keys.
 
-use wholestring::string::{ComponentSpec, Material, catalogue};
+use wholestring::string::{ComponentSpec, Material, catalogue::CatalogueError};
 use wholestring_config::prelude::*;
 
 use crate::{
+    catalogue::OwnCatalogue,
     component::{ComponentTable, mm},
     steel::check_moduli,
 };
@@ -14,11 +15,12 @@ impl ComponentTable {
         is_bit: bool,
         place: Span,
         steel: &Material,
+        own: &OwnCatalogue,
         reader: &mut Reader,
     ) -> Option<ComponentSpec> {
         let material = self.material(steel, reader)?;
         let mut component = match self.catalogue.optional()? {
-            Some(designation) => self.of_catalogue(designation, material, reader)?,
+            Some(designation) => self.of_catalogue(designation, own, material, reader)?,
             None => self.of_diameters(is_bit, place, material, reader)?,
         };
         component.yield_strength_Pa = match self.yield_strength.optional()? {
@@ -63,6 +65,7 @@ impl ComponentTable {
     fn of_catalogue(
         &self,
         designation: &Spanned<String>,
+        own: &OwnCatalogue,
         material: Material,
         reader: &mut Reader,
     ) -> Option<ComponentSpec> {
@@ -75,16 +78,19 @@ impl ComponentTable {
                     .refuse(reader);
             }
         }
-        match catalogue::find(&designation.value) {
+        match own.find(&designation.value) {
             Ok(entry) => {
                 Some(entry.component(self.component.get()?, *self.length.get()?, material))
             }
-            Err(catalogue::CatalogueError::Unknown { nearest, .. }) => {
+            Err(CatalogueError::Unknown { nearest, .. }) => {
                 let mut diagnostic = Diagnostic::error(format!(
                     "the catalogue has no `{}`",
                     short(&designation.value)
                 ))
                 .at(designation.place, "unknown entry");
+                if let Some(near) = own.nearest(&designation.value) {
+                    diagnostic = diagnostic.help(format!("your own has \"{near}\""));
+                }
                 if !nearest.is_empty() {
                     let nearest: Vec<String> =
                         nearest.iter().map(|name| format!("\"{name}\"")).collect();

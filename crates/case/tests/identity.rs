@@ -48,6 +48,7 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ),
     ("bit_test.rpm", ["[60, 90]", "[60, 91]"]),
     ("bit_test.wob", ["[\"40 kN\", \"60 kN\"]", "[\"40 kN\", \"61 kN\"]"]),
+    ("catalogue", ["mine.toml", "others.toml"]),
     ("buckling.criterion", ["he-kyllingstad", "wu-juvkam-wold"]),
     ("buckling.helix_side_force", ["left-out", "counted"]),
     ("dynamics.contact_law", ["hertz", "linear"]),
@@ -109,6 +110,8 @@ const JOINTED: &str = "[[string]]\ncomponent = \"pipe\"\nod = \"127 mm\"\nid = \
 const LISTED: &str =
     "[[string]]\ncomponent = \"pipe\"\ncatalogue = \"5 in 19.50 lb/ft G-105\"\nlength = \"96 m\"\n";
 
+const OWN: &str = "[[string]]\ncomponent = \"pipe\"\ncatalogue = \"mine\"\nlength = \"96 m\"\n";
+
 /// A cutting law's numbers.
 const CUTTERS: &str = "intrinsic_specific_energy = \"60 MPa\"\ncutter_inclination = 0.7\nwear_flat = \"5 mm\"\n\
      contact_strength = \"60 MPa\"\nfriction = 0.6\nbit_geometry = 1.0\ncore_diameter = \"60 mm\"\n\
@@ -164,6 +167,7 @@ fn bases() -> Vec<String> {
         before_pipe(TOOL),
         before_pipe(JOINTED),
         before_pipe(LISTED),
+        format!("catalogue = \"mine.toml\"\n{}", before_pipe(OWN)),
         mud(
             "rheology = \"newtonian\"\nviscosity = \"20 mPa.s\"\nplastic_viscosity = \"20 mPa.s\"\nyield_point = \"5 Pa\"\n",
         ),
@@ -220,6 +224,9 @@ fn read(text: &str, change: &Override) -> Result<Case, String> {
     let mut put =
         |name: &str, text: &str| files.0.insert(name.to_owned(), text.as_bytes().to_vec());
     put(SURVEY_NAME, SURVEY);
+    let own = "[[tubular]]\nname = \"mine\"\nod = \"127 mm\"\nid = \"108 mm\"\nyield_strength = \"931 MPa\"\n";
+    put("mine.toml", own);
+    put("others.toml", &own.replace("108", "107"));
     put("bare.csv", "md,inc,azi\n0,0,0\n1000,0,0\n4305,50,0\n");
     put("other.csv", "md (m),inc (deg),azi (deg)\n0,0,0\n1000,0,0\n4305,50,0\n");
     let head = "weight_on_bit_N,rotary_speed_rpm,rate_of_penetration_m_per_h,torque_N_m\n";

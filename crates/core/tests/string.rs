@@ -92,6 +92,34 @@ fn a05_published_strengths() {
     }));
 }
 
+/// Worn pipe as API RP 7G prints it (from memory), 5 in 19.50 lb/ft: 560 764 lbf and 58 113 ft·lbf for
+/// premium S-135, by hand from 80 % of the wall; class 2 by hand from 70 %. The last digit, and the
+/// 1e-4 of the standard's constant. What a joint bears stays.
+#[test]
+fn worn_pipe_bears_less() {
+    for (designation, pull_lbf, torque_ft_lbf, od_in) in [
+        ("5 in 19.50 lb/ft S-135 premium", 560_764.0, 58_113.0, 4.8552),
+        ("5 in 19.50 lb/ft E-75 class 2", 270_432.0, 27_976.0, 4.7828),
+    ] {
+        let entry = catalogue::find(designation).expect("in the catalogue");
+        let worn = Component {
+            yield_strength_Pa: Some(entry.yield_strength_Pa),
+            ..Component::uniform("", entry.od_m, entry.id_m, 1.0, steel())
+        };
+        assert!(relative_error(entry.od_m / INCH_M, od_in) < 1e-9, "{designation}");
+        let pull = worn.tensile_yield_N().expect("graded") / POUND_FORCE_N;
+        let torque = worn.torsional_yield_N_m().expect("graded") / FOOT_POUND_N_M;
+        assert!(relative_error(pull, pull_lbf) < 1e-4, "{designation}: {pull}");
+        assert!(relative_error(torque, torque_ft_lbf) < 1e-4, "{designation}: {torque}");
+        let (new, _) = designation
+            .rsplit_once(if pull_lbf > 3e5 { " premium" } else { " class" })
+            .expect("a class");
+        let new = catalogue::find(new).expect("in the catalogue");
+        assert_eq!(new.connection, entry.connection);
+        assert!(new.mass_per_length_kg_per_m(7850.0) > entry.mass_per_length_kg_per_m(7850.0));
+    }
+}
+
 /// Masses against the approximate weights of API RP 7G with tool joints, lb/ft, and against the
 /// nominal weights of heavy-weight pipe, which are approximate weights too. 3 %: the upsets, which
 /// the computed masses leave out, add 1 to 2 %, the standard's shorter spacing (31.1 ft) 0.3 %, and

@@ -8,6 +8,7 @@
 mod broomstick;
 mod campaign;
 pub mod fatigue;
+pub mod hydraulics;
 pub mod limits;
 mod setup;
 mod stage;

@@ -34,15 +34,16 @@ pub struct Found {
 
 impl Found {
     /// What has all of these words and numbers, whole or cut short; without any, everything. Worn
-    /// drill pipe and grades of casing are found where their word is among them.
-    pub fn described(query: &str) -> Self {
+    /// drill pipe and grades of casing are found where their word is among them. `own` comes first in
+    /// each kind.
+    pub fn described(query: &str, own: &[CatalogueEntry]) -> Self {
         let class = PipeClass::ALL.into_iter().rfind(|class| describes(query, class.suffix()));
         let class = class.unwrap_or_default();
         let entries = catalogue::entries().into_iter().map(|entry| match entry.kind {
             TubularKind::DrillPipe if class != PipeClass::New => entry.worn(class),
             _ => entry,
         });
-        let entries: Vec<CatalogueEntry> = entries.collect();
+        let entries: Vec<CatalogueEntry> = own.iter().cloned().chain(entries).collect();
         let found = KINDS.iter().map(|(kind, words)| {
             let alike = entries.iter().filter(|entry| entry.kind == *kind);
             let found = alike.filter(|entry| {

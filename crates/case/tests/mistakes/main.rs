@@ -4,6 +4,7 @@
 mod common;
 
 mod bit;
+mod catalogue;
 mod dynamics;
 mod magnitudes;
 mod mud;

@@ -44,6 +44,8 @@ fn sizes_and_lengths() {
             explicit(&format!("{pipe}\neccentricity = \"2 mm\"\neccentricity_cavity = \"air\"")),
         ),
         ("pipe_heavier_than_solid", explicit(&format!("{pipe}\nmass_per_length = \"358 kg/m\""))),
+        ("made_up_beyond_yield", explicit(&format!("{pipe}\nmake_up_torque = \"130 kN.m\""))),
+        ("class_unknown", explicit("catalogue = \"5-1/2 in 21.90 lb/ft S-135 class 3\"")),
         ("pipe_floats", explicit(&format!("{pipe}\nmass_per_length = \"3.58 kg/m\""))),
     ]);
     each_refused(

@@ -92,6 +92,8 @@ fn loads() {
         r#"
         block_heavier_than_hoist: `[rig] `
             -> `[rig]\nblock_weight = "50 tf"\nhoist_capacity = "40 tf"\n#`
+        peak_below_rated_torque: `top_drive_torque = "45 kN.m"`
+            -> `top_drive_torque = "45 kN.m"\ntop_drive_peak_torque = "40 kN.m"`
         hook_load_control_without_load: `[mesh]` -> `[hoist]\ncontrol = "hook-load"\n[mesh]`
         "#,
     );

@@ -3,6 +3,7 @@
 mod rigs;
 mod tubulars;
 
+use wholestring_case::OwnCatalogue;
 use wholestring_runner::Found;
 use wholestring_units::{Dimension, Unit, UnitSet};
 
@@ -11,7 +12,11 @@ use crate::{args::CatalogueArgs, failure::Failure, terminal::print_stdout};
 pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
     let query = args.words.join(" ");
     let units = args.units.unwrap_or(UnitSet::Si);
-    let found = Found::described(&query);
+    let own = match &args.with {
+        Some(path) => OwnCatalogue::load(path)?,
+        None => OwnCatalogue::default(),
+    };
+    let found = Found::described(&query, own.entries());
     if found.is_empty() {
         return Err(Failure::BadInput(format!(
             "error: the catalogue has nothing of `{query}`\n\

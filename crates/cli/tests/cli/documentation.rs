@@ -57,5 +57,6 @@ fn list(page: &str, schema: &Value) {
 #[test]
 fn the_pages_list_every_key() {
     list("case-file.md", &wholestring_case::schema());
+    list("catalogue.md", &wholestring_case::catalogue_schema());
     list("study.md", &wholestring_study::schema());
 }

@@ -56,8 +56,10 @@ pub struct HoistClass {
     pub block_weight_N: Option<Span>,
 }
 
-/// Short tons, and in 1000 ft·lbf and rev/min: continuous torque, peak torque, highest speed.
-const TOP_DRIVES: [(f64, [f64; 2], [f64; 2], [f64; 2]); 5] = [
+/// Short tons; in 1000 ft·lbf and rev/min: continuous torque, peak torque, highest speed.
+type TopDriveRow = (f64, [f64; 2], [f64; 2], [f64; 2]);
+
+const TOP_DRIVES: [TopDriveRow; 5] = [
     (150.0, [10.0, 20.0], [15.0, 35.0], [150.0, 200.0]),
     (250.0, [20.0, 30.0], [30.0, 55.0], [150.0, 220.0]),
     (500.0, [30.0, 52.0], [50.0, 85.0], [180.0, 265.0]),

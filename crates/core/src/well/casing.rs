@@ -10,7 +10,8 @@ const PSI_PA: f64 = 6894.757293168361;
 const POUND_PER_FOOT_KG_PER_M: f64 = 0.453_592_37 / 0.3048;
 
 /// Where the dimensions come from.
-pub const SOURCE: &str = "API Spec 5CT (outside diameter, nominal weight, wall, drift mandrel)";
+pub const SOURCE: &str =
+    "API Spec 5CT (outside diameter, nominal weight, wall, drift mandrel, grades)";
 
 /// Grades and their minimum yield strength, psi: of API Spec 5CT, the old C-95, and two makers' grades
 /// of high collapse resistance, which yield as L-80 and P-110.

@@ -42,6 +42,7 @@ pub(super) fn entries() -> Vec<CatalogueEntry> {
                 id_m: (od_in - 2.0 * wall_in) * INCH_M,
                 joints: None,
                 connection: None,
+                given_mass_kg_per_m: None,
                 yield_strength_Pa: ksi * 1e3 * PSI_PA,
                 source: SOURCE.into(),
             }));

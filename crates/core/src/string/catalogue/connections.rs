@@ -88,7 +88,9 @@ fn strength(
     }
 }
 
-pub(super) fn tool_joint(name: &str, od_m: f64, id_m: f64) -> ConnectionStrength {
+/// What the connection of a tool joint of these diameters bears, m, where it is an API one: of metal
+/// that yields at 120 000 psi (827 MPa), made up to 60 % of its torsional yield (API RP 7G).
+pub fn tool_joint(name: &str, od_m: f64, id_m: f64) -> ConnectionStrength {
     let make_up_psi = TOOL_JOINT_MAKE_UP * TOOL_JOINT_YIELD_PSI;
     strength(name, od_m, id_m, TOOL_JOINT_YIELD_PSI, make_up_psi, Shoulder::Whole)
 }

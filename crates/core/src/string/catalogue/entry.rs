@@ -65,6 +65,8 @@ pub struct CatalogueEntry {
     pub joints: Option<JointDimensions>,
     /// Connections at its ends; `None` where it has none, or may have many.
     pub connection: Option<EntryConnection>,
+    /// Mass per length in air, kg/m, where a maker's is known; else it is computed.
+    pub given_mass_kg_per_m: Option<f64>,
     /// Minimum yield strength of the body, Pa.
     pub yield_strength_Pa: f64,
     /// Where the dimensions come from.
@@ -93,8 +95,12 @@ impl CatalogueEntry {
     ///
     /// with `S` the spacing of the joints and `L_taper`, `V_taper` those of an 18° and a 35° cone
     /// from the joint's diameter down to the upset's (the cones of API RP 7G's formula for the
-    /// weight of a tool joint). The pipe's upsets are left out; they add 1 to 2 %.
+    /// weight of a tool joint). The pipe's upsets are left out; they add 1 to 2 %. A mass that was given
+    /// is the answer.
     pub fn mass_per_length_kg_per_m(&self, density_kg_per_m3: f64) -> f64 {
+        if let Some(given) = self.given_mass_kg_per_m {
+            return given;
+        }
         let body_m2 = ring_area_m2(self.od_m, self.id_m);
         let Some(joint) = &self.joints else {
             return density_kg_per_m3 * body_m2;

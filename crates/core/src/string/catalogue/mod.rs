@@ -23,7 +23,7 @@ mod search;
 mod tables;
 
 pub use class::PipeClass;
-pub use connections::connection;
+pub use connections::{connection, tool_joint};
 pub use designation::find;
 pub use entry::{CatalogueEntry, EntryConnection, JointDimensions, TubularKind};
 pub use search::describes;

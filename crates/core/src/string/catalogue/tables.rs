@@ -194,6 +194,7 @@ pub(super) fn entries() -> Vec<CatalogueEntry> {
                 id_m: (pipe.od - 2.0 * pipe.wall) * INCH_M,
                 joints: Some(joint),
                 connection: connected(connection, strength),
+                given_mass_kg_per_m: None,
                 yield_strength_Pa: yield_psi * PSI_PA,
                 source: match connections::connection(connection) {
                     Some(_) => PIPE_SOURCE.into(),
@@ -220,6 +221,7 @@ pub(super) fn entries() -> Vec<CatalogueEntry> {
             id_m: pipe.id * INCH_M,
             joints: Some(joint),
             connection: connected(pipe.connection, strength),
+            given_mass_kg_per_m: None,
             yield_strength_Pa: HEAVY_WEIGHT_YIELD_PSI * PSI_PA,
             source: HEAVY_WEIGHT_SOURCE.into(),
         }
@@ -235,6 +237,7 @@ pub(super) fn entries() -> Vec<CatalogueEntry> {
             id_m,
             joints: None,
             connection: connected(connection, strength),
+            given_mass_kg_per_m: None,
             yield_strength_Pa: yield_psi * PSI_PA,
             source: COLLAR_SOURCE.into(),
         }

@@ -1,0 +1,192 @@
+//! `[[tubular]]` of a user's own catalogue.
+
+use wholestring::string::{
+    ConnectionStrength,
+    catalogue::{
+        CatalogueEntry, EntryConnection, JointDimensions, PipeClass, TubularKind, tool_joint,
+    },
+};
+use wholestring_config::prelude::*;
+
+use crate::component::{diameter, make_up_torque, mm, yield_strength};
+
+const KINDS: &[(&str, TubularKind)] = &[
+    ("drill-pipe", TubularKind::DrillPipe),
+    ("heavy-weight", TubularKind::HeavyWeight),
+    ("collar", TubularKind::Collar),
+    ("coiled-tubing", TubularKind::CoiledTubing),
+];
+
+/// Where an entry comes from whose file does not say.
+const SOURCE: &str = "a catalogue of one's own";
+
+table! {
+    /// A tubular of one's own.
+    TubularTable in "[[tubular]]" {
+        /// What `catalogue` under [[string]] calls it.
+        name: String = required(Text);
+        /// "drill-pipe", "heavy-weight", "collar" or "coiled-tubing": where it is listed.
+        kind: TubularKind = default(
+            Choice { noun: "a kind of tubular", words: KINDS },
+            TubularKind::DrillPipe,
+        );
+        /// Outside diameter of the body.
+        od: f64 = required(diameter("127 mm"));
+        /// Inside diameter of the body, less than od.
+        id: f64 = required(diameter("108.6 mm"));
+        /// Minimum yield strength of the body.
+        yield_strength: f64 = required(yield_strength());
+        /// Mass per length in air, tool joints included. Default: computed from the dimensions.
+        mass_per_length: f64 = optional(Quantity::si(
+            Dimension::MassPerLength,
+            Range::positive_to(20_000.0).usual(3.0, 1500.0),
+            "35.8 kg/m",
+        ));
+        /// Outside diameter of the tool joints. Default: no joints.
+        joint_od: f64 = optional(diameter("168.3 mm"));
+        /// Inside diameter of the tool joints. Default: the body's.
+        joint_id: f64 = optional(diameter("69.9 mm"));
+        /// Length of pin and box together. Needed with `joint_od` where `mass_per_length` is not
+        /// given.
+        joint_length: f64 = optional(Quantity::si(
+            Dimension::Length,
+            Range::from_to(0.05, 5.0).usual(0.2, 1.5),
+            "0.43 m",
+        ));
+        /// Distance between tool joints. Needed with `joint_od`.
+        joint_spacing: f64 = optional(Quantity::si(
+            Dimension::Length,
+            Range::from_to(0.5, 100.0).usual(4.0, 16.0),
+            "9.6 m",
+        ));
+        /// What its connections are called, such as "NC50". Of an API connection of a tool joint the
+        /// torques are computed where they are not given.
+        connection: String = optional(Text);
+        /// Torque that the connections are made up with.
+        make_up_torque: f64 = optional(make_up_torque());
+        /// Torque at which the connections yield.
+        torsional_yield: f64 = optional(make_up_torque());
+        /// Where the numbers come from.
+        source: String = optional(Text);
+    }
+}
+
+impl TubularTable {
+    pub(super) fn build(&self, place: Span, reader: &mut Reader) -> Option<CatalogueEntry> {
+        let (od, id) = (self.od.at()?, self.id.at()?);
+        if id.value >= od.value {
+            return Diagnostic::error(
+                "the inside diameter is not smaller than the outside diameter",
+            )
+            .at(id.place, format!("expected less than {}", mm(od.value)))
+            .at(od.place, "the outside diameter")
+            .refuse(reader);
+        }
+        let joints = self.joints(place, reader)?;
+        let connection = self.connection(joints.as_ref(), reader)?;
+        Some(CatalogueEntry {
+            designation: self.name.get()?.clone(),
+            kind: *self.kind.get()?,
+            class: PipeClass::New,
+            od_m: od.value,
+            id_m: id.value,
+            joints,
+            connection,
+            given_mass_kg_per_m: self.mass_per_length.optional()?.map(|at| at.value),
+            yield_strength_Pa: *self.yield_strength.get()?,
+            source: match self.source.optional()? {
+                Some(given) => given.value.clone().into(),
+                None => SOURCE.into(),
+            },
+        })
+    }
+
+    /// The joints, if it has any; nothing after a mistake.
+    fn joints(&self, place: Span, reader: &mut Reader) -> Option<Option<JointDimensions>> {
+        let (inside, length) = (self.joint_id.optional()?, self.joint_length.optional()?);
+        let spacing = self.joint_spacing.optional()?;
+        let Some(outside) = self.joint_od.optional()? else {
+            let rest = [("joint_id", inside), ("joint_length", length), ("joint_spacing", spacing)];
+            for (name, given) in rest {
+                let Some(given) = given else { continue };
+                return Diagnostic::error(format!("`{name}` needs `joint_od`"))
+                    .at(given.place, "`joint_od` is missing")
+                    .refuse(reader);
+            }
+            return Some(None);
+        };
+        let lacks = |name: &str| {
+            Diagnostic::error(format!("the tool joints lack `{name}`"))
+                .at(outside.place, "tool joints")
+                .at(place, format!("`{name}` is missing"))
+        };
+        let Some(spacing) = spacing else {
+            return lacks("joint_spacing").refuse(reader);
+        };
+        if length.is_none() && self.mass_per_length.given().is_none() {
+            return lacks("joint_length").help("or give mass_per_length").refuse(reader);
+        }
+        if outside.value < *self.od.get()? {
+            return Diagnostic::error("the tool joint is thinner than its pipe")
+                .at(outside.place, format!("expected {} or more", mm(*self.od.get()?)))
+                .refuse(reader);
+        }
+        if let Some(inside) = inside
+            && inside.value >= outside.value
+        {
+            return Diagnostic::error("the tool joint has no wall")
+                .at(inside.place, format!("expected less than {}", mm(outside.value)))
+                .refuse(reader);
+        }
+        if let Some(length) = length
+            && length.value >= spacing.value
+        {
+            return Diagnostic::error("the tool joints are longer than their spacing")
+                .at(length.place, "length of pin and box")
+                .at(spacing.place, "from joint to joint")
+                .refuse(reader);
+        }
+        Some(Some(JointDimensions {
+            od_m: outside.value,
+            id_m: inside.map_or(*self.id.get()?, |at| at.value),
+            length_m: length.map_or(0.0, |at| at.value),
+            upset_od_m: None,
+            spacing_m: spacing.value,
+            pad_m: None,
+        }))
+    }
+
+    /// The connections, if anything is known of them; nothing after a mistake.
+    fn connection(
+        &self,
+        joints: Option<&JointDimensions>,
+        reader: &mut Reader,
+    ) -> Option<Option<EntryConnection>> {
+        let name = self.connection.optional()?;
+        let make_up = self.make_up_torque.optional()?;
+        let yields = self.torsional_yield.optional()?;
+        if let (Some(make_up), Some(yields)) = (make_up, yields)
+            && make_up.value > yields.value
+        {
+            return Diagnostic::error("the connection yields before it is made up")
+                .at(make_up.place, "made up")
+                .at(yields.place, "yields")
+                .refuse(reader);
+        }
+        if name.is_none() && make_up.is_none() && yields.is_none() {
+            return Some(None);
+        }
+        let computed =
+            name.zip(joints).map_or_else(ConnectionStrength::default, |(name, joint)| {
+                tool_joint(&name.value, joint.od_m, joint.id_m)
+            });
+        Some(Some(EntryConnection {
+            name: name.map_or("–".into(), |name| name.value.clone().into()),
+            strength: ConnectionStrength {
+                make_up_torque_N_m: make_up.map(|at| at.value).or(computed.make_up_torque_N_m),
+                torsional_yield_N_m: yields.map(|at| at.value).or(computed.torsional_yield_N_m),
+                ..computed
+            },
+        }))
+    }
+}

@@ -1,0 +1,80 @@
+//! The way of the mud: down the bore, up the annulus.
+
+use wholestring::{
+    model::Model,
+    mud::{Annulus, Motion, Mud, bore},
+};
+
+/// Boundaries that lie closer together than this are one, m.
+const SHORTEST_M: f64 = 1e-6;
+
+/// A stretch in which bore, pipe and hole do not change.
+struct Passage {
+    from_md_m: f64,
+    to_md_m: f64,
+    annulus: Annulus,
+    bore_m2: f64,
+}
+
+impl Passage {
+    /// How much of it lies above a measured depth, m.
+    fn above_m(&self, md_m: f64) -> f64 {
+        (md_m.min(self.to_md_m) - self.from_md_m).max(0.0)
+    }
+}
+
+/// All stretches of a string in its hole.
+pub(super) struct Passages {
+    mud: Mud,
+    stretches: Vec<Passage>,
+}
+
+impl Passages {
+    pub(super) fn of(model: &Model, bit_depth_m: f64) -> Self {
+        let sections = model.well.hole.sections().iter().map(|section| section.to_md_m);
+        let components = model.string.spans().map(|span| bit_depth_m - span.to_bit_m);
+        let inside = SHORTEST_M..bit_depth_m - SHORTEST_M;
+        let mut ends: Vec<f64> =
+            sections.chain(components).filter(|md_m| inside.contains(md_m)).collect();
+        ends.extend([0.0, bit_depth_m]);
+        ends.sort_by(f64::total_cmp);
+        ends.dedup_by(|below, above| *below - *above < SHORTEST_M);
+        let stretches = ends.windows(2).map(|pair| {
+            let middle_m = 0.5 * (pair[0] + pair[1]);
+            let (_, component) = model.string.component_at(bit_depth_m - middle_m);
+            Passage {
+                from_md_m: pair[0],
+                to_md_m: pair[1],
+                annulus: Annulus::new(component.od_m, model.well.hole.at(middle_m).diameter_m),
+                bore_m2: component.inner_area_m2(),
+            }
+        });
+        Self { mud: model.mud, stretches: stretches.collect() }
+    }
+
+    /// What friction adds to the pressure in the annulus at measured depths, Pa. Below the bit nothing
+    /// is added.
+    pub(super) fn annulus_loss_Pa<const N: usize>(
+        &self,
+        motion: &Motion,
+        mds_m: [f64; N],
+    ) -> [f64; N] {
+        let mut losses_Pa = [0.0; N];
+        for stretch in &self.stretches {
+            let gradient = stretch.annulus.drag(&self.mud, motion).gradient_Pa_per_m;
+            for (loss_Pa, md_m) in losses_Pa.iter_mut().zip(mds_m) {
+                *loss_Pa += gradient * stretch.above_m(md_m);
+            }
+        }
+        losses_Pa
+    }
+
+    /// What friction takes in the bore of a flow down it, relative to the pipe, Pa.
+    pub(super) fn bore_loss_Pa(&self, flow_m3_per_s: f64) -> f64 {
+        let loss = |stretch: &Passage| {
+            (stretch.to_md_m - stretch.from_md_m)
+                * bore::gradient_Pa_per_m(&self.mud, stretch.bore_m2, flow_m3_per_s)
+        };
+        self.stretches.iter().map(loss).sum()
+    }
+}

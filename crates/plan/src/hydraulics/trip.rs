@@ -1,0 +1,85 @@
+//! Surge and swab: the pressure of a string that moves with its pumps off.
+
+use wholestring::{mud::Motion, operation::Operation};
+
+use super::passage::Passages;
+
+/// Most steps of the search for the flow through an open string; ten are usual.
+const STEPS: usize = 100;
+/// A flow that no string lets through, m³/s: the search for one that is large enough ends there.
+const MOST_M3_PER_S: f64 = 1e3;
+/// How exactly that flow is found, as a part of it.
+const EXACT: f64 = 1e-12;
+
+/// Whether mud enters the string as it moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StringEnd {
+    /// It does not: a float valve, a plugged bit.
+    Closed,
+    /// It does, through the nozzles where the operation gives their pressure drop: the pressure at
+    /// the bit is the same on both ways up.
+    Open,
+}
+
+/// How mud and string move at a velocity of the string, m/s, positive towards the bit.
+pub(super) fn motion(
+    passages: &Passages,
+    operation: &Operation,
+    end: StringEnd,
+    velocity_m_per_s: f64,
+) -> Motion {
+    let at = |flow_m3_per_s: f64| Motion {
+        axial_m_per_s: velocity_m_per_s,
+        spin_rad_per_s: 0.0,
+        flow_m3_per_s,
+    };
+    match end {
+        StringEnd::Closed => at(0.0),
+        StringEnd::Open => {
+            let speed_m_per_s = velocity_m_per_s.abs();
+            let up_m3_per_s = through_bore_m3_per_s(passages, operation, speed_m_per_s);
+            // Running in it streams up the bore, pulling out down.
+            at(-up_m3_per_s * velocity_m_per_s.signum())
+        }
+    }
+}
+
+/// What streams through the bore of a string at a speed, relative to it, m³/s: so much that annulus
+/// and bore add the same pressure at the bit. Illinois' method; the difference falls with the flow.
+fn through_bore_m3_per_s(passages: &Passages, operation: &Operation, speed_m_per_s: f64) -> f64 {
+    let difference_Pa = |flow_m3_per_s: f64| {
+        let motion = Motion {
+            axial_m_per_s: speed_m_per_s,
+            spin_rad_per_s: 0.0,
+            flow_m3_per_s: -flow_m3_per_s,
+        };
+        let [annulus_Pa] = passages.annulus_loss_Pa(&motion, [f64::INFINITY]);
+        annulus_Pa - passages.bore_loss_Pa(flow_m3_per_s) - operation.bit_loss_Pa(flow_m3_per_s)
+    };
+    let (mut low, mut at_low) = (0.0, difference_Pa(0.0));
+    if at_low <= 0.0 {
+        return 0.0;
+    }
+    let mut high = 1e-3 * speed_m_per_s;
+    let mut at_high = difference_Pa(high);
+    while at_high > 0.0 && high < MOST_M3_PER_S {
+        (low, at_low) = (high, at_high);
+        high *= 4.0;
+        at_high = difference_Pa(high);
+    }
+    for _ in 0..STEPS {
+        let next = (low * at_high - high * at_low) / (at_high - at_low);
+        let at_next = difference_Pa(next);
+        if at_next * at_high <= 0.0 {
+            (low, at_low) = (high, at_high);
+        } else {
+            at_low *= 0.5;
+        }
+        let step = (next - high).abs();
+        (high, at_high) = (next, at_next);
+        if at_next == 0.0 || step <= EXACT * next.abs() {
+            break;
+        }
+    }
+    high
+}
