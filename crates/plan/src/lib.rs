@@ -5,6 +5,7 @@
 //! reads files, prints or starts threads. A [`Setup`] gives the model at any depth of the bit.
 #![warn(missing_docs)]
 
+pub mod calibration;
 mod setup;
 
 pub use setup::{Setup, WallFriction};
