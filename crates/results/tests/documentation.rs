@@ -3,7 +3,7 @@
 use std::{env, fs, path::Path};
 
 use wholestring_results::{
-    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS,
+    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS, CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS,
     ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
 };
 
@@ -49,6 +49,9 @@ fn the_page_lists_every_column() {
         ("campbell", CAMPBELL),
         ("critical_speeds", CRITICAL_SPEEDS),
         ("response", RESPONSE),
+        ("calibration", CALIBRATION),
+        ("calibration_bands", CALIBRATION_BANDS),
+        ("calibration_profiles", CALIBRATION_PROFILES),
     ] {
         expected = with_table(&expected, name, &rows(columns));
     }

@@ -8,6 +8,7 @@ use wholestring_units::UnitSet;
 use crate::{
     bha::page as bha,
     bit_test::page as bit_test,
+    calibrate::page as calibrate,
     error::Error,
     modes::page as modes,
     page::{FILE, lacking, page},
@@ -36,6 +37,10 @@ pub fn write_report(folder: &Path, units: Option<UnitSet>) -> Result<PathBuf, Er
         Some(ResultsKind::Modes) => {
             let found = modes::gather(folder, units).map_err(|error| bad(&error))?;
             modes::write(&results()?, &found, false)?;
+        }
+        Some(ResultsKind::Calibration) => {
+            let found = calibrate::gather(folder, units).map_err(|error| bad(&error))?;
+            calibrate::write(&results()?, &found, false)?;
         }
         Some(ResultsKind::Run) => {
             if let Some(lacking) = lacking(folder).map_err(|error| bad(&error))? {

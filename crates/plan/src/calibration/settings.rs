@@ -53,6 +53,13 @@ impl Settings {
         }
     }
 
+    /// Holds a number that was looked for.
+    pub fn hold(&mut self, parameter: Parameter, value: f64) {
+        let ratio = self.around_follows().then_some(self.around_ratio);
+        parameter.set(&mut self.held, value, ratio);
+        self.parameters.retain(|of| *of != parameter);
+    }
+
     /// Whether friction around the hole goes with that along it.
     pub fn around_follows(&self) -> bool {
         !self.parameters.iter().any(|parameter| parameter.is_around())

@@ -4,6 +4,7 @@
 mod bha;
 mod bit_test;
 mod bottom_hole;
+mod calibration;
 mod contact;
 mod frames;
 mod modes;
@@ -18,6 +19,7 @@ pub use self::{
     bha::{BHA, BHA_CONTACTS, BHA_SWEEP},
     bit_test::BIT_TEST,
     bottom_hole::BOTTOM_HOLE,
+    calibration::{CALIBRATION, CALIBRATION_BANDS, CALIBRATION_PROFILES},
     contact::CONTACT,
     frames::FRAMES,
     modes::{CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, RESPONSE},
@@ -86,7 +88,7 @@ mod tests {
     use super::*;
 
     /// What each file holds.
-    const TABLES: [&[ColumnSpec]; 12] = [
+    const TABLES: [&[ColumnSpec]; 15] = [
         NODES,
         TIME,
         WEAR,
@@ -99,6 +101,9 @@ mod tests {
         BHA_CONTACTS,
         BHA_SWEEP,
         STABILITY,
+        CALIBRATION,
+        CALIBRATION_BANDS,
+        CALIBRATION_PROFILES,
     ];
 
     #[test]
