@@ -8,7 +8,7 @@ use wholestring_case::Override;
 use wholestring_runner::{BatchOptions, Existing, Keep, Output, Shard};
 use wholestring_units::{Dimension, Unit, UnitSet};
 
-use crate::failure::Failure;
+use crate::{calibrate::CalibrateArgs, failure::Failure};
 
 /// Torque, drag and dynamics of a whole drill string in a deviated well.
 #[derive(Debug, Parser)]
@@ -34,14 +34,16 @@ pub(crate) enum Command {
     BitTest(BitTestArgs),
     /// The bottom-hole assembly at rest: side force of the bit, contacts, bending, sag
     Bha(BhaArgs),
+    /// Find friction factors and block weight from weights and torques that were read
+    Calibrate(CalibrateArgs),
     /// Find natural frequencies, critical speeds and the answer to a force that turns
     Modes(ModesArgs),
     /// Solve the cases of a study and make its figures and tables
     Study(StudyArgs),
-    /// Make the report of a run, a sweep, a bit test, an assembly or modes again
+    /// Make the report of a run, a sweep, a bit test, an assembly, modes or a calibration again
     Report(ReportArgs),
-    /// Draw what a run, a sweep, a bit test, an assembly or modes left as SVG files; a second run on
-    /// the same axes
+    /// Draw what a run, a sweep, a bit test, an assembly, modes or a calibration left as SVG files; a
+    /// second run on the same axes
     Plot(PlotArgs),
     /// Position and dogleg severity along a survey
     Survey(SurveyArgs),
@@ -146,7 +148,7 @@ impl RunArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ReportArgs {
-    /// Folder that a run, a sweep, a bit test, an assembly or modes wrote to
+    /// Folder that a run, a sweep, a bit test, an assembly, modes or a calibration wrote to
     #[arg(value_name = "DIR")]
     pub(crate) folder: PathBuf,
 
@@ -157,7 +159,7 @@ pub(crate) struct ReportArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct PlotArgs {
-    /// Folder that a run, a sweep, a bit test, an assembly or modes wrote to, or those of two runs
+    /// Folder that a run, a sweep, a bit test, an assembly, modes or a calibration wrote to, or those of two runs
     #[arg(value_name = "DIR", required = true, num_args = 1..=2)]
     pub(crate) folders: Vec<PathBuf>,
 

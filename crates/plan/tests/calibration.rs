@@ -2,81 +2,22 @@
 //! truth.
 
 mod oracle;
+mod well_of_s4;
 
 use std::{cell::RefCell, collections::HashMap};
 
 use oracle::{Oracle, nelder_mead};
-use wholestring::{prelude::*, string::ComponentLength, well::HoleKind};
-use wholestring_plan::{
-    Setup,
-    calibration::{
-        Asked, Assembly, Calibration, CalibrationError, Channel, ErrorKind, Factors, Loads,
-        Parameter, Predict, Reading, Settings, SoftPredictions, State, calibrate, normal_within,
-    },
+use well_of_s4::{CHANNELS, PARAMETERS, assembly, readings, settings};
+use wholestring::{prelude::*, well::HoleKind};
+use wholestring_plan::calibration::{
+    Asked, Calibration, CalibrationError, Channel, ErrorKind, Factors, Loads, Parameter, Predict,
+    Reading, Settings, SoftPredictions, calibrate, normal_within,
 };
 use wholestring_verification::verify;
-
-const PARAMETERS: [Parameter; 3] = [Parameter::Cased, Parameter::Open, Parameter::BlockWeight];
-const CHANNELS: [Channel; 4] =
-    [Channel::PickUp, Channel::SlackOff, Channel::Rotating, Channel::OffBottomTorque];
 
 /// 95 % of a chi-squared number with three degrees of freedom is below this (Abramowitz and Stegun,
 /// table 26.8).
 const REGION: f64 = 7.814_73;
-
-/// The well and the string of the file.
-fn assembly(oracle: &Oracle) -> Assembly {
-    let steel =
-        Material { density_kg_per_m3: 7850.0, youngs_modulus_Pa: 210e9, shear_modulus_Pa: 80e9 };
-    let path = Path::minimum_curvature(&[
-        Station::from_degrees(0.0, 0.0, 0.0),
-        Station::from_degrees(500.0, 0.0, 0.0),
-        Station::from_degrees(1150.0, 65.0, 0.0),
-        Station::from_degrees(4500.0, 65.0, 0.0),
-    ]);
-    let pipe = |name: &str, number: usize, length| {
-        let (_, weight_N_per_m, radius_m) = oracle.string[number];
-        let spec = ComponentSpec::uniform(name, 2.0 * radius_m, radius_m, length, steel);
-        let buoyancy = 1.0 - oracle.mud_kg_per_m3 / 7850.0;
-        let mass_per_length_kg_per_m = weight_N_per_m / buoyancy / wholestring::GRAVITY_M_PER_S2;
-        ComponentSpec { mass_per_length_kg_per_m, ..spec }
-    };
-    let length = |number: usize| ComponentLength::Metres(oracle.string[number].0);
-    let components = vec![
-        pipe("collars", 0, length(0)),
-        pipe("heavy-weight pipe", 1, length(1)),
-        pipe("drill pipe", 2, ComponentLength::ToSurface),
-    ];
-    let hole = Hole::new(vec![
-        HoleSection::casing(0.0..oracle.casing_to_m, 0.3, 0.2),
-        HoleSection::open(oracle.casing_to_m..4500.0, 0.3, 0.2),
-    ]);
-    let setup = Setup {
-        well: Well { path: path.expect("a path"), hole: hole.expect("a hole") },
-        string: StringSpec { components },
-        mud: Mud::of_density(oracle.mud_kg_per_m3),
-        rig: Rig::default(),
-        ends: wholestring::ends::Ends::default(),
-        buckling: wholestring::statics::buckling::Criterion::default(),
-    };
-    Assembly::new(setup, &[])
-}
-
-fn settings() -> Settings {
-    let factors = Factors { cased: 0.2, open: 0.2, cased_around: 0.2, open_around: 0.2 };
-    let held = State { factors, block_weight_N: 0.0, bit_torque_N_m: 0.0 };
-    let errors = [Some(12e3), Some(6e3), Some(500.0)];
-    Settings { errors, ..Settings::new(PARAMETERS.to_vec(), held) }
-}
-
-fn readings(rows: &[[f64; 5]]) -> Vec<Reading> {
-    let row = |row: &[f64; 5]| {
-        let [bit_depth_m, values @ ..] = *row;
-        let of = |(channel, value)| Reading { setup: 0, bit_depth_m, channel, value };
-        CHANNELS.into_iter().zip(values).map(of).collect::<Vec<_>>()
-    };
-    rows.iter().flat_map(row).collect()
-}
 
 fn values(found: &Calibration) -> Vec<f64> {
     found.estimates.iter().map(|of| of.value).collect()
@@ -99,7 +40,7 @@ fn s4_friction_of_casing_and_open_hole_and_block_weight() {
     for (place, estimate) in found.estimates.iter().enumerate() {
         let name = estimate.parameter.words();
         verify("S4", format!("{name}: apart from the most likely one, standard errors"))
-            .absolute(0.02, "steps of 10 m of the soft string, polynomials between factors")
+            .absolute(0.02, "steps of 5 m of the soft string, polynomials between factors")
             .report(0.0, (estimate.value - best[place]) / errors[place]);
         let error = estimate.standard_error.expect("not at its bound");
         verify("S4", format!("{name}: its standard error over that of differences"))
@@ -128,7 +69,7 @@ fn s4_friction_of_casing_and_open_hole_and_block_weight() {
         }
     }
     verify("S4", "sum of squared residuals over their errors")
-        .absolute(0.5, "the file's; steps of 10 m")
+        .absolute(0.5, "the file's; steps of 5 m")
         .report(least, found.chi2);
     assert!(found.chi2 < 100.0, "{}", found.chi2);
     for of in &found.estimates[..2] {
@@ -230,7 +171,8 @@ fn friction_around_the_hole_is_found_apart() {
     }
     let mut parameters = PARAMETERS.to_vec();
     parameters.extend([Parameter::CasedAround, Parameter::OpenAround]);
-    let found = calibrate(&model, &of, &[], &Settings { parameters, ..settings() });
+    let found =
+        calibrate(&model, &of, &[], &Settings { parameters, around_apart: true, ..settings() });
     for (value, expected) in values(&found.expect("a fit")).iter().zip([0.2, 0.3, 180e3, 0.1, 0.15])
     {
         assert!((value / expected - 1.0).abs() < 2e-3, "{value} for {expected}");
@@ -297,7 +239,7 @@ fn regions_hold_the_truth_as_often_as_they_say() {
     let sound = readings(&oracle.rows(&Oracle::depths()[..25], truth));
     let (mut held, mut held_alone, mut sets) = (0, [0; 3], 0);
     let mut noise = Noise(4);
-    let settings = Settings { profiles: false, nodes: 5, ..settings() };
+    let settings = Settings { profiles: false, ..settings() };
     for _ in 0..200 {
         let mut of = sound.clone();
         let mut chi2_at_truth = 0.0;

@@ -23,7 +23,8 @@ pub use bha::{Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, bha_plots};
 pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
 pub use bottom::BottomPicture;
 pub use calibration::{
-    CalibratedRow, Calibration, CalibrationBand, CalibrationPoint, calibration_html, calibration_plots,
+    CalibratedRow, Calibration, CalibrationBand, CalibrationPoint, calibration_html,
+    calibration_plots,
 };
 pub use cell::Cell;
 pub use draw::Drawing;

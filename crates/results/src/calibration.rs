@@ -108,6 +108,15 @@ pub struct CalibrationTables {
 }
 
 impl CalibrationSummary {
+    /// The first case, and how many more there are.
+    pub fn title(&self) -> String {
+        match &self.cases[..] {
+            [] => String::new(),
+            [one] => one.clone(),
+            [first, others @ ..] => format!("{first} and {} more", others.len()),
+        }
+    }
+
     /// Writes the summary as indented JSON.
     pub fn write(&self, path: &Path) -> Result<(), ResultsError> {
         write_json(self, path)

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use wholestring_report::{
-    Plot, Report, Run, Spectrum, bha_plots, bit_test_plots, calibration_plots, common_operations, modes_plots, plots,
-    sweep_plots,
+    Plot, Report, Run, Spectrum, bha_plots, bit_test_plots, calibration_plots, common_operations,
+    modes_plots, plots, sweep_plots,
 };
 use wholestring_results::Summary;
 use wholestring_units::UnitSet;

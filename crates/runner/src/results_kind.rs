@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use crate::{
-    bha::page::is_bha, bit_test::page::is_bit_test, calibrate::page::is_calibration, error::Error, modes::page::is_modes,
-    sweep::page::is_sweep,
+    bha::page::is_bha, bit_test::page::is_bit_test, calibrate::page::is_calibration, error::Error,
+    modes::page::is_modes, sweep::page::is_sweep,
 };
 
 /// What a folder holds the results of.

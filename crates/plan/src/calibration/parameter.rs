@@ -107,8 +107,8 @@ impl Parameter {
             Self::Cased => "friction factor of casing",
             Self::Open => "friction factor of open hole",
             Self::FrictionAround => "friction factor around the hole",
-            Self::CasedAround => "friction factor around the hole, of casing",
-            Self::OpenAround => "friction factor around the hole, of open hole",
+            Self::CasedAround => "friction factor of casing around the hole",
+            Self::OpenAround => "friction factor of open hole around the hole",
             Self::BlockWeight => "block weight",
             Self::BitTorque => "bit torque",
         }

@@ -100,8 +100,8 @@ pub struct SoftPredictions<'a> {
 }
 
 /// Longest step of the soft string, m, where hundreds of strings are solved: the kink of its side
-/// force costs `μ |dq/ds| step²`, 100 N at most, a hundredth of what a weight is read to.
-const STEP_M: f64 = 10.0;
+/// force costs `μ |dq/ds| step²`, some tens of newtons: hundredths of a per cent of what a weight is read to.
+const STEP_M: f64 = 5.0;
 
 impl<'a> SoftPredictions<'a> {
     /// By the soft string in steps that hook loads are read to.

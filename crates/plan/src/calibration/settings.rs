@@ -12,6 +12,8 @@ pub struct Settings {
     /// Friction around the hole in its ratio to that along it, in casing and in open hole, where it
     /// is not looked for itself.
     pub around_ratio: [f64; 2],
+    /// Whether friction around the hole is looked for itself.
+    pub around_apart: bool,
     /// Standard error of each kind of reading, N or N·m, by [`ErrorKind::place`]; estimated where
     /// none is given.
     pub errors: [Option<f64>; ErrorKind::ALL.len()],
@@ -38,9 +40,11 @@ pub(super) const LARGEST_FACTOR: f64 = 2.0;
 impl Settings {
     /// To look for some numbers, the others being held.
     pub fn new(parameters: Vec<Parameter>, held: State) -> Self {
+        let around_apart = parameters.iter().any(|parameter| parameter.is_around());
         Self {
             parameters,
             held,
+            around_apart,
             around_ratio: [1.0, 1.0],
             errors: [None; ErrorKind::ALL.len()],
             profiles: true,
@@ -49,7 +53,7 @@ impl Settings {
             outlier_beyond: 3.0,
             correlated_beyond: 0.95,
             first_box: [0.0, 0.8],
-            nodes: 7,
+            nodes: 5,
         }
     }
 
@@ -62,7 +66,7 @@ impl Settings {
 
     /// Whether friction around the hole goes with that along it.
     pub fn around_follows(&self) -> bool {
-        !self.parameters.iter().any(|parameter| parameter.is_around())
+        !self.around_apart
     }
 
     /// All numbers, some of which are as given.

@@ -107,11 +107,11 @@ impl Drawing<'_> {
                     (at(of), from, to)
                 });
                 marks.push(Mark::Band { ink, points: points.collect() });
-                for end in [0, 1] {
-                    let points = bands.clone().map(|of| (at(of), band(of.mean)[end]));
-                    let points = points.collect();
-                    marks.push(Mark::Curve { ink, stroke: Stroke::Dotted, points });
-                }
+                let points = bands.clone().map(|of| {
+                    let [from, to] = band(of.mean);
+                    (at(of), from, to)
+                });
+                marks.push(Mark::Band { ink, points: points.collect() });
                 let points = bands.map(|of| (at(of), self.shown.value(of.predicted, kind)));
                 marks.push(Mark::Curve { ink, stroke: Stroke::Solid, points: points.collect() });
             }
@@ -149,8 +149,8 @@ impl Drawing<'_> {
         let largest = self.of.points.iter().map(|of| of.standardised.abs()).fold(beyond, f64::max);
         let panel = |torques: bool, label: &str| {
             let mut marks = Vec::new();
-            for (at, label) in [(0.0, ""), (-beyond, ""), (beyond, "outliers beyond")] {
-                marks.push(Mark::OwnRule { at, label: label.to_owned() });
+            for at in [0.0, -beyond, beyond] {
+                marks.push(Mark::OwnRule { at, label: String::new() });
             }
             for (place, name, _) in self.read(torques) {
                 let points = self.points_of(name).map(|of| self.place(of, of.standardised));

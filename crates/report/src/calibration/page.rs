@@ -22,8 +22,8 @@ pub fn calibration_html(of: &Calibration) -> String {
         (
             "Measured and predicted",
             format!(
-                "Lines: the model with the numbers found. Dotted: the band of {band} within which the \
-                 model's value lies, by what the readings leave open. Area: within which {band} of \
+                "Lines: the model with the numbers found. Dark: the band of {band} within which the \
+                 model's value lies, by what the readings leave open. Light: within which {band} of \
                  readings lie. Points: what was read."
             ),
         ),
@@ -45,7 +45,8 @@ pub fn calibration_html(of: &Calibration) -> String {
         ),
     ];
     let mut parts = vec![estimates(of, shown, &interval)];
-    for (plot, (title, caption)) in calibration_plots(of, &of.head.units).into_iter().zip(captions) {
+    for (plot, (title, caption)) in calibration_plots(of, &of.head.units).into_iter().zip(captions)
+    {
         parts.push(StudyPart::Figure {
             title: title.to_owned(),
             caption,

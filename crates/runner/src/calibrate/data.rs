@@ -80,10 +80,7 @@ fn of_row(row: &ImportedReading, cases: &[NamedCase<'_>]) -> Result<usize, Strin
     let Some(name) = &row.case else {
         return match cases {
             [_] => Ok(0),
-            _ => Err(format!(
-                "it does not say its case: a column `case` names one of {}",
-                names()
-            )),
+            _ => Err(format!("it does not say its case: a column `case` names one of {}", names())),
         };
     };
     let is = |of: &NamedCase<'_>| {

@@ -10,3 +10,4 @@ mod toml;
 
 pub use request::{Fit, NamedCase, Outcome, Request, run};
 pub use toml::FRAGMENT;
+pub use wholestring_plan::calibration::Parameter;

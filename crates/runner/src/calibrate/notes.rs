@@ -17,6 +17,12 @@ pub(super) fn shown(value: f64, dimension: Dimension, units: UnitSet) -> String 
     format!("{value:.*} {}", digits.clamp(0, 6) as usize, unit.symbol)
 }
 
+/// A depth in whole units.
+fn whole(depth_m: f64, units: UnitSet) -> String {
+    let unit = Dimension::Length.unit_in(units);
+    format!("{:.0} {}", unit.from_si(depth_m), unit.symbol)
+}
+
 fn dimension(is_torque: bool) -> Dimension {
     if is_torque { Dimension::Torque } else { Dimension::Force }
 }
@@ -97,7 +103,7 @@ pub(super) fn warnings(
              errors off",
             channel.name().replace('_', "-"),
             said(point.reading.value),
-            Dimension::Length.format(point.reading.bit_depth_m.round(), units),
+            whole(point.reading.bit_depth_m, units),
             said(point.predicted),
             point.standardised
         ));

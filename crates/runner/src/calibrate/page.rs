@@ -32,7 +32,7 @@ pub(crate) fn write(
 /// Everything that is reported of a calibration.
 pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Calibration, ResultsError> {
     let summary = CalibrationSummary::read(&folder.join("summary.json"))?;
-    let title = format!("{}: measured friction", summary.cases.join(", "));
+    let title = format!("{}: measured friction", summary.title());
     let head = page::head(title, units, Some(&summary.settings), facts(&summary));
     let profiles = table(folder, PROFILES)?;
     let rows = summary.estimates.iter().map(|of| {
@@ -46,9 +46,10 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Calibratio
             profile: profile(&profiles, &of.parameter),
         }
     });
-    let errors = summary.errors.iter().map(|of| {
-        (of.readings.clone(), of.standard_error, of.is_torque, of.given, of.count)
-    });
+    let errors = summary
+        .errors
+        .iter()
+        .map(|of| (of.readings.clone(), of.standard_error, of.is_torque, of.given, of.count));
     Ok(Calibration {
         estimates: rows.collect(),
         errors: errors.collect(),

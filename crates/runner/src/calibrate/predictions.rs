@@ -35,10 +35,7 @@ impl Predictions<'_> {
         let operation = assembly.operation(asked.motion, asked.bit_depth_m);
         let answer = stiff::solve(&model, &operation, &settings[asked.setup]);
         let scalars = answer.map_err(|error| no_answer(error.to_string()))?.scalars;
-        Ok(Loads {
-            hook_load_N: scalars.hook_load_N,
-            torque_N_m: scalars.surface_torque_N_m,
-        })
+        Ok(Loads { hook_load_N: scalars.hook_load_N, torque_N_m: scalars.surface_torque_N_m })
     }
 }
 

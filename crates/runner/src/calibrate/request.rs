@@ -7,9 +7,7 @@ use std::{
 
 use wholestring::{operation::OperationKind, outcome::ModelKind, well::HoleKind};
 use wholestring_case::Case;
-use wholestring_plan::calibration::{
-    Calibration, Factors, Parameter, Settings, State, calibrate,
-};
+use wholestring_plan::calibration::{Calibration, Factors, Parameter, Settings, State, calibrate};
 use wholestring_results::{CALIBRATION_VERSION, CalibrationSummary, Occupant, digest};
 use wholestring_units::UnitSet;
 

@@ -1,8 +1,6 @@
 //! The tables of a calibration.
 
-use wholestring_plan::calibration::{
-    Calibration, Channel, ErrorKind, Parameter, Settings, State,
-};
+use wholestring_plan::calibration::{Calibration, Channel, ErrorKind, Parameter, Settings, State};
 use wholestring_results::{
     CALIBRATION, CALIBRATION_BANDS, CALIBRATION_PROFILES, CalibrationSummary, CalibrationTables,
     ErrorFound, EstimateFound, ResultsError, ResultsFolder, Table,

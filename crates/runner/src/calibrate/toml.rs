@@ -38,9 +38,9 @@ pub(super) fn fragment(case: &Case, summary: &CalibrationSummary, found: &Calibr
         summary.data.replace(['\n', '\r'], " ")
     );
     for of in &summary.estimates {
-        let error = of.standard_error.map_or("held at zero".to_owned(), |error| {
-            format!("standard error {}", plain(error))
-        });
+        let error = of
+            .standard_error
+            .map_or("held at zero".to_owned(), |error| format!("standard error {}", plain(error)));
         let ends = of.interval.map(|end| end.map_or("not found".to_owned(), plain));
         let [from, to] = ends;
         let percent = 100.0 * summary.confidence;
@@ -56,11 +56,8 @@ pub(super) fn fragment(case: &Case, summary: &CalibrationSummary, found: &Calibr
     text += if weighed { " and the block's weight under its [rig]" } else { "" };
     text += ", or try them with\n#  ";
     for (index, section) in sections.iter().enumerate() {
-        let _ = write!(
-            text,
-            " --set 'well.hole.{index}.friction={}'",
-            friction(section.kind, factors)
-        );
+        let _ =
+            write!(text, " --set 'well.hole.{index}.friction={}'", friction(section.kind, factors));
     }
     if weighed {
         let _ = write!(text, " --set 'rig.block_weight={:.0} N'", found.state.block_weight_N);
@@ -80,11 +77,7 @@ pub(super) fn fragment(case: &Case, summary: &CalibrationSummary, found: &Calibr
         );
     }
     if weighed {
-        let _ = write!(
-            text,
-            "\n[rig]\nblock_weight = \"{:.0} N\"\n",
-            found.state.block_weight_N
-        );
+        let _ = write!(text, "\n[rig]\nblock_weight = \"{:.0} N\"\n", found.state.block_weight_N);
     }
     text
 }
