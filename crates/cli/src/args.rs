@@ -8,7 +8,7 @@ use wholestring_case::Override;
 use wholestring_runner::{BatchOptions, Existing, Keep, Output, Shard};
 use wholestring_units::{Dimension, Unit, UnitSet};
 
-use crate::failure::Failure;
+use crate::{calibrate::CalibrateArgs, failure::Failure};
 
 /// Torque, drag and dynamics of a whole drill string in a deviated well.
 #[derive(Debug, Parser)]
@@ -34,16 +34,17 @@ pub(crate) enum Command {
     BitTest(BitTestArgs),
     /// The bottom-hole assembly at rest: side force of the bit, contacts, bending, sag
     Bha(BhaArgs),
+    /// Find friction factors and block weight from weights and torques that were read
+    Calibrate(CalibrateArgs),
     /// Find natural frequencies, critical speeds and the answer to a force that turns
     Modes(ModesArgs),
     /// Torque and drag at every depth of the bit, with low, expected and high friction
     Plan(PlanArgs),
     /// Solve the cases of a study and make its figures and tables
     Study(StudyArgs),
-    /// Make the report of a run, a sweep, a bit test, an assembly, modes or a plan again
+    /// Make the page of results again
     Report(ReportArgs),
-    /// Draw what a run, a sweep, a bit test, an assembly, modes or a plan left as SVG files; a second
-    /// run on the same axes
+    /// Draw what results hold as SVG files; a second run on the same axes
     Plot(PlotArgs),
     /// Position and dogleg severity along a survey
     Survey(SurveyArgs),
@@ -148,7 +149,7 @@ impl RunArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ReportArgs {
-    /// Folder that a run, a sweep, a bit test, an assembly, modes or a plan wrote to
+    /// Folder of results
     #[arg(value_name = "DIR")]
     pub(crate) folder: PathBuf,
 
@@ -159,8 +160,7 @@ pub(crate) struct ReportArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct PlotArgs {
-    /// Folder that a run, a sweep, a bit test, an assembly, modes or a plan wrote to, or those of two
-    /// runs
+    /// Folder of results, or those of two runs
     #[arg(value_name = "DIR", required = true, num_args = 1..=2)]
     pub(crate) folders: Vec<PathBuf>,
 

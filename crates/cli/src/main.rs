@@ -4,6 +4,7 @@ mod args;
 mod bench;
 mod bha;
 mod bit_test;
+mod calibrate;
 mod catalogue;
 mod check;
 mod color;
@@ -45,6 +46,7 @@ fn main() -> ExitCode {
         Command::Sweep(args) => sweep::sweep(&args),
         Command::BitTest(args) => bit_test::bit_test(&args),
         Command::Bha(args) => bha::bha(&args),
+        Command::Calibrate(args) => calibrate::calibrate(&args),
         Command::Modes(args) => modes::modes(&args),
         Command::Plan(args) => plan::plan(&args),
         Command::Study(args) => study::study(&args),

@@ -6,6 +6,7 @@
 #![warn(missing_docs)]
 
 mod broomstick;
+pub mod calibration;
 mod campaign;
 pub mod fatigue;
 pub mod hydraulics;

@@ -4,6 +4,7 @@
 mod bha;
 mod bit_test;
 mod bottom;
+mod calibration;
 mod cell;
 mod draw;
 pub mod figure;
@@ -23,6 +24,10 @@ mod workbook;
 pub use bha::{Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, bha_plots};
 pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
 pub use bottom::BottomPicture;
+pub use calibration::{
+    CalibratedRow, Calibration, CalibrationBand, CalibrationPoint, calibration_html,
+    calibration_plots,
+};
 pub use cell::Cell;
 pub use draw::Drawing;
 pub use finding::{Finding, Level};

@@ -9,6 +9,7 @@ mod bha;
 mod bha_tables;
 mod bit_test;
 mod bit_test_table;
+mod calibration;
 mod checkpoint;
 mod columns;
 mod digest;
@@ -38,10 +39,14 @@ pub use bha::{BHA_VERSION, BhaFound, BhaPart, BhaPoint, BhaState, BhaSummary, Bh
 pub use bha_tables::{bha_contacts_table, bha_sweep_table, bha_table};
 pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
 pub use bit_test_table::bit_test_table;
+pub use calibration::{
+    CALIBRATION_VERSION, CalibrationSummary, CalibrationTables, ErrorFound, EstimateFound,
+};
 pub use columns::{
-    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS,
-    ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION,
-    PLAN_LIMITS, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
+    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
+    CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
+    MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, RESPONSE, SPECTRA,
+    STABILITY, TABLES, TIME, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;

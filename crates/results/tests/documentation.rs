@@ -2,11 +2,7 @@
 
 use std::{env, fs, path::Path};
 
-use wholestring_results::{
-    BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS,
-    ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION,
-    PLAN_LIMITS, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
-};
+use wholestring_results::{ColumnSpec, TABLES};
 
 fn rows(columns: &[ColumnSpec]) -> String {
     let mut text = String::from("| column | unit | meaning |\n|---|---|---|\n");
@@ -32,29 +28,7 @@ fn the_page_lists_every_column() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/src/outputs.md");
     let found = fs::read_to_string(&path).unwrap().replace("\r\n", "\n");
     let mut expected = found.clone();
-    for (name, columns) in [
-        ("nodes", NODES),
-        ("time", TIME),
-        ("frames", FRAMES),
-        ("spectra", SPECTRA),
-        ("wear", WEAR),
-        ("contact", CONTACT),
-        ("bit-test", BIT_TEST),
-        ("bottom_hole", BOTTOM_HOLE),
-        ("bha", BHA),
-        ("bha_contacts", BHA_CONTACTS),
-        ("bha_sweep", BHA_SWEEP),
-        ("stability", STABILITY),
-        ("modes", MODES),
-        ("mode_shapes", MODE_SHAPES),
-        ("campbell", CAMPBELL),
-        ("critical_speeds", CRITICAL_SPEEDS),
-        ("response", RESPONSE),
-        ("plan_broomstick", PLAN_BROOMSTICK),
-        ("plan_buckling", PLAN_BUCKLING),
-        ("plan_friction", PLAN_FRICTION),
-        ("plan_limits", PLAN_LIMITS),
-    ] {
+    for (name, columns) in TABLES {
         expected = with_table(&expected, name, &rows(columns));
     }
     if env::var_os("WHOLESTRING_UPDATE_DOCS").is_some() {

@@ -13,6 +13,7 @@
 //! | [`study`] | cases and sweeps, with the figures and tables to make of them |
 //! | [`bha`] | the bottom-hole assembly at rest |
 //! | [`bit_test`] | the bit alone on its rock |
+//! | [`mod@calibrate`] | friction factors from what was read at the surface |
 //! | [`modes`] | natural frequencies, critical speeds and the answer to a force that turns |
 //! | [`plan`] | torque and drag at every depth of the bit, with low, expected and high friction |
 //! | [`mod@bench`] | the measurement of a machine's speed at all this |
@@ -49,6 +50,7 @@ mod batch;
 pub mod bench;
 pub mod bha;
 pub mod bit_test;
+pub mod calibrate;
 mod cancellation;
 mod catalogue;
 mod checkpoint;

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use wholestring_report::{
-    Plot, Report, Run, Spectrum, bha_plots, bit_test_plots, common_operations, modes_plots,
-    plan_plots, plots, sweep_plots,
+    Plot, Report, Run, Spectrum, bha_plots, bit_test_plots, calibration_plots, common_operations,
+    modes_plots, plan_plots, plots, sweep_plots,
 };
 use wholestring_results::Summary;
 use wholestring_units::UnitSet;
@@ -12,6 +12,7 @@ use wholestring_units::UnitSet;
 use crate::{
     bha::page as bha,
     bit_test::page as bit_test,
+    calibrate::page as calibrate,
     error::Error,
     folder_name::file_name,
     modes::page as modes,
@@ -37,6 +38,13 @@ pub fn pictures(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Vec<Plot>
         ([folder], _) if are_modes => {
             let found = modes::gather(folder, units).map_err(bad)?;
             modes_plots(&found, &found.head.units)
+        }
+        ([folder], _) if calibrate::is_calibration(folder) => {
+            let found = calibrate::gather(folder, units).map_err(bad)?;
+            calibration_plots(&found, &found.head.units)
+        }
+        _ if folders.iter().any(|of| calibrate::is_calibration(of)) => {
+            return Err(bad("a calibration cannot be overlaid with anything"));
         }
         _ if are_modes => return Err(bad("modes cannot be overlaid with anything")),
         _ if are_bit_tests => {

@@ -8,6 +8,7 @@ use wholestring_units::UnitSet;
 use crate::{
     bha::page as bha,
     bit_test::page as bit_test,
+    calibrate::page as calibrate,
     error::Error,
     modes::page as modes,
     page::{FILE, lacking, page},
@@ -16,8 +17,7 @@ use crate::{
     sweep::page as sweep,
 };
 
-/// Makes the page of a run, a sweep, a bit test, small motions or a plan again, from the files in its folder, and says
-/// where it is. It opens with these units, with the case's where none are given.
+/// Makes the page of a folder of results again, from its files, and says where it is. It opens with these units, with the case's where none are given.
 ///
 /// # Errors
 /// A folder that holds no results, or whose files do not suffice; a page that cannot be written.
@@ -39,6 +39,10 @@ pub fn write_report(folder: &Path, units: Option<UnitSet>) -> Result<PathBuf, Er
             modes::write(&results()?, &found, false)?;
         }
         Some(ResultsKind::Plan) => plan::write_again(&results()?, units)?,
+        Some(ResultsKind::Calibration) => {
+            let found = calibrate::gather(folder, units).map_err(|error| bad(&error))?;
+            calibrate::write(&results()?, &found, false)?;
+        }
         Some(ResultsKind::Run) => {
             if let Some(lacking) = lacking(folder).map_err(|error| bad(&error))? {
                 return Err(Error::BadInput(lacking));

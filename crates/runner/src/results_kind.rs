@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use crate::{
-    bha::page::is_bha, bit_test::page::is_bit_test, error::Error, modes::page::is_modes,
-    plan::page::is_plan, sweep::page::is_sweep,
+    bha::page::is_bha, bit_test::page::is_bit_test, calibrate::page::is_calibration, error::Error,
+    modes::page::is_modes, plan::page::is_plan, sweep::page::is_sweep,
 };
 
 /// What a folder holds the results of.
@@ -22,6 +22,8 @@ pub enum ResultsKind {
     Modes,
     /// A plan.
     Plan,
+    /// A calibration.
+    Calibration,
 }
 
 impl ResultsKind {
@@ -36,6 +38,8 @@ impl ResultsKind {
             Some(Self::Modes)
         } else if is_plan(folder) {
             Some(Self::Plan)
+        } else if is_calibration(folder) {
+            Some(Self::Calibration)
         } else if folder.join("summary.json").is_file() {
             Some(Self::Run)
         } else if is_sweep(folder) {
@@ -48,8 +52,7 @@ impl ResultsKind {
     /// A folder that holds none.
     pub(crate) fn none(folder: &Path) -> Error {
         Error::BadInput(format!(
-            "{} is no folder of a run, a sweep, a bit test, an assembly, modes or a plan: it holds neither summary.json nor \
-             sweep.csv",
+            "{} holds no results: neither summary.json nor sweep.csv is there",
             folder.display()
         ))
     }

@@ -27,18 +27,27 @@ const COLUMNS: [&str; 7] = [
 /// # Errors
 /// It cannot be read, or is no survey.
 pub fn read(file: &Path, said: &Said) -> Result<ImportedSurvey, Error> {
-    let name = file.display().to_string();
-    let bytes = read_file(file).map_err(|error| {
+    let bytes = bytes(file, "survey")?;
+    read_as(&bytes, &file.display().to_string(), said).map_err(|error| explained(&error))
+}
+
+/// What a file holds, which is said to be a `noun` where it cannot be read.
+pub(crate) fn bytes(file: &Path, noun: &str) -> Result<Vec<u8>, Error> {
+    read_file(file).map_err(|error| {
         let reason = match error.kind() {
             io::ErrorKind::NotFound => "there is no such file".to_owned(),
             _ => error.to_string(),
         };
-        Error::BadInput(format!("the survey {name} cannot be read: {reason}"))
-    })?;
-    read_as(&bytes, &name, said).map_err(|error| match report(&error) {
+        Error::BadInput(format!("the {noun} {} cannot be read: {reason}", file.display()))
+    })
+}
+
+/// A mistake in a table, underlined where that is possible.
+pub(crate) fn explained(error: &SurveyError) -> Error {
+    match report(error) {
         Some(report) => report.into(),
         None => Error::BadInput(error.to_string()),
-    })
+    }
 }
 
 /// The mistake underlined in the survey, where it is a text.

@@ -135,6 +135,26 @@ pub enum SurveyErrorKind {
         /// Its heading.
         header: String,
     },
+    /// A column of readings whose unit nothing states.
+    #[error(
+        "the {column} under '{header}' has no unit; write it in the header, such as '{}', or in a row \
+         below it: {}", column.example(), units(column.dimension())
+    )]
+    MissingReadingUnit {
+        /// The column.
+        column: Column,
+        /// Its heading.
+        header: String,
+    },
+    /// A file that holds no readings.
+    #[error(
+        "{found}; readings as CSV or as an Excel workbook were expected, under a header such as \
+         'Bit depth (m), Pick-up (kN), Slack-off (kN), Rotating (kN), Torque (kN.m)'"
+    )]
+    NoReadings {
+        /// What it holds instead.
+        found: &'static str,
+    },
     /// A unit that is not known, or of something else.
     #[error("'{found}' is {}not a unit of {}; expected {}", other(*is), column.dimension().name(),
         units(column.dimension()))]
@@ -291,6 +311,16 @@ impl SurveyError {
             place,
             text: text.map(str::to_owned),
         }))
+    }
+
+    /// The same of a file that should hold readings.
+    pub(crate) fn of_readings(self) -> Self {
+        let found = match self.kind() {
+            SurveyErrorKind::Empty => "the file is empty",
+            SurveyErrorKind::NotText => "the file is not text",
+            _ => return self,
+        };
+        Self::new(self.file(), SurveyErrorKind::NoReadings { found }, None, None)
     }
 
     /// The file's name as given to the reader.

@@ -4,6 +4,7 @@ use crate::column::Column;
 use crate::error::{SurveyError, SurveyErrorKind};
 use crate::heading::{self, Heading};
 use crate::number;
+use crate::sort::Sort;
 use crate::table::{Position, Table};
 
 /// A header stands within this many rows.
@@ -14,6 +15,9 @@ const HEADER_COLUMNS: usize = 500;
 
 /// A heading is spread over at most this many rows.
 const STACKED: usize = 4;
+
+/// A row with fewer headings is a title that has a word of one.
+const FEWEST_HEADINGS: usize = 3;
 
 /// A heading this near to a column's name is offered for it.
 const NEAR: f64 = 0.6;
@@ -45,7 +49,7 @@ pub(crate) struct Partial {
 impl Partial {
     /// It is more than a title with a word that also heads columns.
     pub(crate) fn is_header(&self) -> bool {
-        self.count >= 2 || (self.count == 1 && self.texts.len() >= Column::NEEDED.len())
+        self.count >= 2 || (self.count == 1 && self.texts.len() >= FEWEST_HEADINGS)
     }
 
     pub(crate) fn error(self, table: &Table) -> SurveyError {
@@ -64,7 +68,7 @@ impl Partial {
 }
 
 /// Finds the header; `Err` has the row that comes nearest to one, if any names a column.
-pub(crate) fn find(table: &Table) -> Result<Header, Option<Partial>> {
+pub(crate) fn find(table: &Table, sort: &Sort) -> Result<Header, Option<Partial>> {
     let mut best: Option<Partial> = None;
     for row in 0..table.rows.len().min(HEADER_ROWS) {
         if table.rows[row].texts().all(number::is_number) {
@@ -75,7 +79,7 @@ pub(crate) fn find(table: &Table) -> Result<Header, Option<Partial>> {
             if stacked > 1 && (table.rows[top].is_empty() || table.rows[top].is_comment()) {
                 break;
             }
-            match named(table, top, row) {
+            match named(table, top, row, sort) {
                 Ok(header) => return Ok(header),
                 // A duplicate is reported only if nothing else is: more rows may distinguish the
                 // two.
@@ -93,7 +97,7 @@ pub(crate) fn find(table: &Table) -> Result<Header, Option<Partial>> {
 }
 
 /// The columns that the rows from `top` to `row` name together.
-fn named(table: &Table, top: usize, row: usize) -> Result<Header, Partial> {
+fn named(table: &Table, top: usize, row: usize, sort: &Sort) -> Result<Header, Partial> {
     let rows = &table.rows[top..=row];
     let width = rows.iter().map(|row| row.cells.len()).max().unwrap_or(0);
     let width = width.min(HEADER_COLUMNS);
@@ -107,19 +111,19 @@ fn named(table: &Table, top: usize, row: usize) -> Result<Header, Partial> {
     let headings: Vec<(usize, Heading)> = texts
         .iter()
         .enumerate()
-        .filter_map(|(index, text)| Some((index, heading::recognise(text)?)))
+        .filter_map(|(index, text)| Some((index, heading::recognise(text, sort)?)))
         .collect();
 
     let mut taken: Vec<Taken> = Vec::new();
     let mut passed_over = Vec::new();
     let mut fault = None;
-    for column in Column::ALL {
+    for &column in sort.columns {
         let of = |(_, heading): &&(usize, Heading)| heading.column == column;
         let mut candidates: Vec<&(usize, Heading)> = headings.iter().filter(of).collect();
         candidates.sort_by_key(|(_, heading)| heading.rank);
         match candidates[..] {
-            [] if Column::NEEDED.contains(&column) => {
-                fault.get_or_insert_with(|| missing(column, &texts));
+            [] if sort.needed.contains(&column) => {
+                fault.get_or_insert_with(|| missing(column, &texts, sort));
             }
             [] => {}
             [first, second, ..] if first.1.rank == second.1.rank => {
@@ -144,7 +148,8 @@ fn named(table: &Table, top: usize, row: usize) -> Result<Header, Partial> {
     match fault {
         None => Ok(Header { row, headings: taken, passed_over, texts }),
         Some(kind) => {
-            let count = Column::ALL
+            let count = sort
+                .columns
                 .iter()
                 .filter(|column| headings.iter().any(|(_, heading)| heading.column == **column))
                 .count();
@@ -154,11 +159,11 @@ fn named(table: &Table, top: usize, row: usize) -> Result<Header, Partial> {
     }
 }
 
-fn missing(column: Column, texts: &[String]) -> SurveyErrorKind {
+fn missing(column: Column, texts: &[String], sort: &Sort) -> SurveyErrorKind {
     let headers: Vec<String> = texts.iter().filter(|text| !text.is_empty()).cloned().collect();
     let nearest = headers
         .iter()
-        .filter(|text| heading::recognise(text).is_none())
+        .filter(|text| heading::recognise(text, sort).is_none())
         .map(|text| (heading::nearness(column, text), text))
         .filter(|(nearness, _)| *nearness >= NEAR)
         .max_by(|a, b| a.0.total_cmp(&b.0))

@@ -4,6 +4,7 @@ use wholestring_units::{Dimension, Unit};
 
 use crate::column::Column;
 use crate::names::{BESIDE, NAMES, SUBSEA, is_of};
+use crate::sort::Sort;
 
 /// A heading that names a column.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,8 +33,8 @@ const LONGEST: usize = 80;
 /// A unit is written in at most this many words, such as `ft MD KB`.
 const UNIT_WORDS: usize = 3;
 
-/// What a heading says, if it names a column of a survey.
-pub(crate) fn recognise(text: &str) -> Option<Heading> {
+/// What a heading says, if it names a column of this sort of table.
+pub(crate) fn recognise(text: &str, sort: &Sort) -> Option<Heading> {
     if text.len() > LONGEST {
         return None;
     }
@@ -45,11 +46,11 @@ pub(crate) fn recognise(text: &str) -> Option<Heading> {
     }
 
     // "MD (m)": the whole name; "md_m": its last word is the unit; "MD ftKB": its last words.
-    let (column, mut rank, last) = match named(&words) {
+    let (column, mut rank, last) = match named(&words, sort) {
         Some((column, rank)) => (column, rank, None),
         None => (1..words.len().min(UNIT_WORDS + 1)).find_map(|count| {
             let (rest, last) = words.split_at(words.len() - count);
-            let (column, rank) = named(rest)?;
+            let (column, rank) = named(rest, sort)?;
             let unit = column.dimension().find_unit(&last.concat())?;
             Some((column, rank, Some(unit)))
         })?,
@@ -64,7 +65,7 @@ pub(crate) fn recognise(text: &str) -> Option<Heading> {
     }
     let unit = match last {
         Some(unit) => HeadingUnit::Unit(unit),
-        None => unit_in(column, &brackets),
+        None => unit_in(column, &brackets, sort),
     };
     Some(Heading { column, rank, unit })
 }
@@ -95,11 +96,11 @@ pub(crate) fn nearness(column: Column, text: &str) -> f64 {
 }
 
 /// The column that these words name.
-fn named(words: &[String]) -> Option<(Column, u8)> {
+fn named(words: &[String], sort: &Sort) -> Option<(Column, u8)> {
     let find = |joined: &str| {
         NAMES
             .iter()
-            .find(|(_, _, names)| is_of(names, joined))
+            .find(|(column, _, names)| sort.columns.contains(column) && is_of(names, joined))
             .map(|&(column, rank, _)| (column, rank))
     };
     let whole: String = words.iter().map(|word| lower(word)).collect();
@@ -109,7 +110,7 @@ fn named(words: &[String]) -> Option<(Column, u8)> {
 }
 
 /// The unit among the bracketed parts of a heading.
-fn unit_in(column: Column, brackets: &[String]) -> HeadingUnit {
+fn unit_in(column: Column, brackets: &[String], sort: &Sort) -> HeadingUnit {
     let dimension = column.dimension();
     if let Some(unit) = brackets.iter().find_map(|bracket| dimension.find_unit(bracket)) {
         return HeadingUnit::Unit(unit);
@@ -120,7 +121,7 @@ fn unit_in(column: Column, brackets: &[String]) -> HeadingUnit {
         let beside = |word: &String| {
             word.chars().count() == 1 && column == Column::Azimuth || is_of(BESIDE, &lower(word))
         };
-        words.iter().all(beside) || named(&words).is_some()
+        words.iter().all(beside) || named(&words, sort).is_some()
     };
     match brackets.iter().find(|bracket| !meant_otherwise(bracket)) {
         Some(bracket) => HeadingUnit::Wrong { found: bracket.clone(), is: dimension_of(bracket) },
@@ -175,6 +176,7 @@ fn lower(word: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::{Column, HeadingUnit, recognise};
+    use crate::sort::SURVEY;
 
     #[test]
     fn common_headings_are_recognised() {
@@ -221,7 +223,7 @@ mod tests {
             ("east_m", East, "m"),
             ("+E/-W", East, ""),
         ] {
-            let heading = recognise(text).unwrap_or_else(|| panic!("{text}"));
+            let heading = recognise(text, &SURVEY).unwrap_or_else(|| panic!("{text}"));
             assert_eq!(heading.column, column, "{text}");
             match heading.unit {
                 HeadingUnit::Unit(found) => assert_eq!(found.symbol, unit, "{text}"),
@@ -253,14 +255,14 @@ mod tests {
             "Inclination error model",
             "Build rate",
         ] {
-            assert_eq!(recognise(text), None, "{text}");
+            assert_eq!(recognise(text, &SURVEY), None, "{text}");
         }
     }
 
     #[test]
     fn a_unit_of_something_else_is_kept_for_the_error() {
         for (text, unit) in [("MD (deg)", "deg"), ("Inc (furlong)", "furlong")] {
-            match recognise(text).map(|heading| heading.unit) {
+            match recognise(text, &SURVEY).map(|heading| heading.unit) {
                 Some(HeadingUnit::Wrong { found, .. }) => assert_eq!(found, unit),
                 other => panic!("{text}: {other:?}"),
             }
@@ -269,7 +271,7 @@ mod tests {
 
     #[test]
     fn grid_comes_before_true_and_true_before_magnetic() {
-        let rank = |text| recognise(text).map(|heading| heading.rank);
+        let rank = |text| recognise(text, &SURVEY).map(|heading| heading.rank);
         assert!(rank("Azimuth (grid)") < rank("Azimuth"));
         assert!(rank("Azimuth") < rank("Azimuth True"));
         assert!(rank("Azimuth True") < rank("Azimuth Magnetic"));

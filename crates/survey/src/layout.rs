@@ -70,6 +70,11 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
             (HeadingUnit::Unit(unit), _) => *unit,
             (HeadingUnit::None, Some((unit, _))) => unit,
             (HeadingUnit::None, None) => match column {
+                of if of.is_words() => named_unit(column, ""),
+                of if of.is_read() => {
+                    let kind = SurveyErrorKind::MissingReadingUnit { column, header: text.clone() };
+                    return Err(table.source.error(kind, Some(header_at)));
+                }
                 Column::Inclination | Column::Azimuth => {
                     in_degrees.push(column.to_string());
                     named_unit(column, "deg")
@@ -93,7 +98,10 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
             let kind = SurveyErrorKind::OtherUnit { column, file: unit.symbol, said: said.symbol };
             return Err(table.source.error(kind, Some(header_at)));
         }
-        notes.push(format!("{column} from '{text}' in {}", unit.symbol));
+        notes.push(match column.is_words() {
+            true => format!("{column} from '{text}'"),
+            false => format!("{column} from '{text}' in {}", unit.symbol),
+        });
         columns.push(Found { column, index: *index, unit });
     }
     if let Some(unit) = said.length_unit.filter(|_| !as_said.is_empty()) {

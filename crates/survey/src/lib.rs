@@ -1,4 +1,4 @@
-//! Surveys from CSV, text reports and Excel.
+//! Surveys, and readings at the surface, from CSV, text reports and Excel.
 //!
 //! Columns are found by their headings, in any order and under the spellings that are common:
 //! `MD (m)`, `Measured Depth ( ft )`, `md_m`, `INCL`, `Azimuth Grid [deg]`. Units stand in the
@@ -39,8 +39,10 @@ mod limits;
 mod names;
 mod number;
 mod read;
+mod readings;
 mod records;
 mod said;
+mod sort;
 mod stations;
 mod table;
 mod workbook;
@@ -48,5 +50,6 @@ mod workbook;
 pub use column::Column;
 pub use error::{Place, SurveyError, SurveyErrorKind};
 pub use imported::{ImportedSurvey, under_origin};
-pub use read::{read, read_as, read_csv, read_excel};
+pub use read::{read, read_as, read_csv, read_excel, read_readings};
+pub use readings::{ImportedReading, ImportedReadings};
 pub use said::Said;

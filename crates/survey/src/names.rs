@@ -32,6 +32,45 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
     (Column::North, 1, "northing northings"),
     (Column::East, 0, "east ew e eastwest ewoffset eastoffset"),
     (Column::East, 1, "easting eastings"),
+    (
+        Column::BitDepth,
+        0,
+        "bitdepth bitmd mdbit depthbit depthofbit bitmeasureddepth mdofbit bitdepthmd dbtm",
+    ),
+    (Column::BitDepth, 1, "md measureddepth mdepth depthmd dmea holedepth"),
+    (Column::BitDepth, 2, "depth dept"),
+    (
+        Column::PickUp,
+        0,
+        "pickup pickupweight pickupload pickuphookload hookloadpickup puw pu puwt pickupwt up upweight tripout \
+         tripoutweight pullout hookloadup",
+    ),
+    (
+        Column::SlackOff,
+        0,
+        "slackoff slackoffweight slackoffload slackoffhookload hookloadslackoff sow so sowt slackoffwt down \
+         downweight tripin tripinweight hookloaddown",
+    ),
+    (
+        Column::Rotating,
+        0,
+        "rotating rotatingweight rotatingload rotatinghookload hookloadrotating rotatingoffbottom \
+         rotatingoffbottomweight rob robweight rotw rotwt rotatingwt freerotating freerotatingweight frw",
+    ),
+    (
+        Column::Torque,
+        0,
+        "torqueoffbottom offbottomtorque torqueoff rotatingtorque freerotatingtorque freetorque offbtmtorque \
+         robtorque torquerob",
+    ),
+    (Column::Torque, 1, "torque surfacetorque tq trq"),
+    (
+        Column::TorqueOnBottom,
+        0,
+        "torqueonbottom onbottomtorque torqueon drillingtorque torquedrilling onbtmtorque",
+    ),
+    (Column::MudDensity, 0, "mud muddensity mudweight mudwt mw mudin densityofmud"),
+    (Column::Case, 0, "case"),
 ];
 
 /// Words that a heading may have beside its name.

@@ -6,7 +6,9 @@ use crate::{
     header,
     imported::ImportedSurvey,
     layout, limits,
+    readings::{self, ImportedReadings},
     said::Said,
+    sort::{READINGS, SURVEY, Sort},
     stations,
     table::{Source, Table},
     workbook,
@@ -38,16 +40,53 @@ pub fn read(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyError> {
 /// # Errors
 /// As [`read`].
 pub fn read_as(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, SurveyError> {
+    match is_workbook(bytes, name) {
+        true => excel(bytes, name, said),
+        false => csv(bytes, name, said),
+    }
+}
+
+/// Reads weights and torques at the surface against the depth of the bit, from whatever a survey is
+/// read from: a header names the columns and their units, `Bit depth (m)`, `Pick-up (kN)`,
+/// `Slack-off (kN)`, `Rotating (kN)`, `Torque (kN.m)`, `Torque on bottom (kN.m)`; beside them
+/// `Mud (sg)`, and `Case` where there are several.
+///
+/// # Errors
+/// Everything that [`SurveyErrorKind`] lists, with its place.
+pub fn read_readings(bytes: &[u8], name: &str) -> Result<ImportedReadings, SurveyError> {
+    let first = |tables: &[Table]| read_readings_of(tables);
+    let found = match is_workbook(bytes, name) {
+        true => sheets_of(bytes, name, |tables, _| first(tables)),
+        false => tables_of(bytes, name, |tables, _| first(tables)),
+    };
+    found.map_err(|error| error.of_readings())?.ok_or_else(|| {
+        SurveyError::new(
+            name,
+            SurveyErrorKind::NoReadings { found: "no header names them" },
+            None,
+            None,
+        )
+    })?
+}
+
+fn read_readings_of(tables: &[Table]) -> Option<Result<ImportedReadings, SurveyError>> {
+    match headed(tables, &READINGS) {
+        Headed::Found(table, header) => {
+            let layout = layout::below(table, header, &Said::default());
+            Some(layout.and_then(|layout| readings::read(table, layout)))
+        }
+        Headed::Nearest(partial, table) if partial.is_header() => Some(Err(partial.error(table))),
+        Headed::Nearest(..) | Headed::None => None,
+    }
+}
+
+/// A text under the name .xls is common; a workbook by its content is one under any name.
+fn is_workbook(bytes: &[u8], name: &str) -> bool {
     let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
     let named_so = ["xlsx", "xlsm", "xlsb", "ods"]
         .iter()
         .any(|workbook| extension.eq_ignore_ascii_case(workbook));
-    // A text under the name .xls is common; a workbook by its content is one under any name.
-    if workbook::is_workbook(bytes) || (named_so && !bytes.is_empty()) {
-        excel(bytes, name, said)
-    } else {
-        csv(bytes, name, said)
-    }
+    workbook::is_workbook(bytes) || (named_so && !bytes.is_empty())
 }
 
 /// Reads a survey from text: CSV with any sign between its cells, or a report in columns.
@@ -61,6 +100,18 @@ pub fn read_csv(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyError>
 }
 
 fn csv(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, SurveyError> {
+    tables_of(bytes, name, |tables, source| {
+        read_first(tables, said)
+            .unwrap_or_else(|| Err(source.error(SurveyErrorKind::NoHeader, None)))
+    })?
+}
+
+/// What is made of the tables of a text, cut at each sign that may part its cells.
+fn tables_of<R>(
+    bytes: &[u8],
+    name: &str,
+    of: impl FnOnce(&[Table], Source) -> R,
+) -> Result<R, SurveyError> {
     let Some(text) = decode::text(bytes) else {
         return Err(SurveyError::new(name, SurveyErrorKind::NotText, None, None));
     };
@@ -76,7 +127,7 @@ fn csv(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, SurveyEr
         .map(|&(sign, parted_by)| delimited::cut(source, &text, sign, parted_by))
         .collect();
     tables.push(blanks::cut(source, &text));
-    read_first(&tables, said).unwrap_or_else(|| Err(source.error(SurveyErrorKind::NoHeader, None)))
+    Ok(of(&tables, source))
 }
 
 /// Whether a text has no more rows and cells than are read, by whatever sign it is cut.
@@ -109,6 +160,20 @@ pub fn read_excel(bytes: &[u8], name: &str) -> Result<ImportedSurvey, SurveyErro
 }
 
 fn excel(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, SurveyError> {
+    sheets_of(bytes, name, |tables, names| {
+        read_first(tables, said).unwrap_or_else(|| {
+            let kind = SurveyErrorKind::NoSurveySheet { sheets: names.to_vec() };
+            Err(SurveyError::new(name, kind, None, None))
+        })
+    })?
+}
+
+/// What is made of the sheets of a workbook, and their names.
+fn sheets_of<R>(
+    bytes: &[u8],
+    name: &str,
+    of: impl FnOnce(&[Table], &[String]) -> R,
+) -> Result<R, SurveyError> {
     let sheets =
         workbook::sheets(bytes).map_err(|kind| SurveyError::new(name, kind, None, None))?;
     let (names, rows): (Vec<String>, Vec<_>) =
@@ -124,23 +189,23 @@ fn excel(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, Survey
             notes: Vec::new(),
         })
         .collect();
-    read_first(&tables, said).unwrap_or_else(|| {
-        let sheets = names.clone();
-        let kind = SurveyErrorKind::NoSurveySheet { sheets };
-        Err(SurveyError::new(name, kind, None, None))
-    })
+    Ok(of(&tables, &names))
 }
 
-/// The first of the tables with a header that names the needed columns; or else the first of three
-/// bare columns; or else the error of the header that comes nearest. `None` if none comes near.
-fn read_first(tables: &[Table], said: &Said) -> Option<Result<ImportedSurvey, SurveyError>> {
+/// A header among tables.
+enum Headed<'a> {
+    Found(&'a Table<'a>, header::Header),
+    /// The one that comes nearest.
+    Nearest(header::Partial, &'a Table<'a>),
+    None,
+}
+
+/// The first of the tables with a header that names the needed columns.
+fn headed<'a>(tables: &'a [Table<'a>], sort: &Sort) -> Headed<'a> {
     let mut nearest: Option<(header::Partial, &Table)> = None;
     for table in tables {
-        match header::find(table) {
-            Ok(header) => {
-                let layout = layout::below(table, header, said);
-                return Some(layout.and_then(|layout| stations::read(table, layout)));
-            }
+        match header::find(table, sort) {
+            Ok(header) => return Headed::Found(table, header),
             Err(Some(partial)) => {
                 let nearer = nearest.as_ref().is_none_or(|(best, _)| partial.count > best.count);
                 if nearer {
@@ -150,6 +215,20 @@ fn read_first(tables: &[Table], said: &Said) -> Option<Result<ImportedSurvey, Su
             Err(None) => {}
         }
     }
+    nearest.map_or(Headed::None, |(partial, table)| Headed::Nearest(partial, table))
+}
+
+/// The first of the tables with a header that names the needed columns; or else the first of three
+/// bare columns; or else the error of the header that comes nearest. `None` if none comes near.
+fn read_first(tables: &[Table], said: &Said) -> Option<Result<ImportedSurvey, SurveyError>> {
+    let nearest = match headed(tables, &SURVEY) {
+        Headed::Found(table, header) => {
+            let layout = layout::below(table, header, said);
+            return Some(layout.and_then(|layout| stations::read(table, layout)));
+        }
+        Headed::Nearest(partial, table) => Some((partial, table)),
+        Headed::None => None,
+    };
     // Two columns named are a header; one may be a title's word.
     if nearest.as_ref().is_none_or(|(partial, _)| partial.count < 2) {
         let bare =

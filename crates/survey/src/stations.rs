@@ -8,7 +8,11 @@ use crate::error::{SurveyError, SurveyErrorKind};
 use crate::layout::{Found, Layout};
 use crate::number::{self, Fault, Style};
 use crate::table::{Position, Row, Table};
-use crate::{column::Column, imported::ImportedSurvey};
+use crate::{
+    column::Column,
+    imported::ImportedSurvey,
+    sort::{SURVEY, Sort},
+};
 
 /// No hole is deeper along its axis, m.
 const DEEPEST_M: f64 = 1e5;
@@ -19,7 +23,7 @@ const NOTED_ROWS: usize = 5;
 /// Reads the rows below the header.
 pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, SurveyError> {
     let mut notes = layout.notes.clone();
-    let rows = station_rows(table, &layout, &mut notes);
+    let rows = data_rows(table, &layout, &SURVEY, &mut notes);
     let reader = Reader { table, style: style(table, &layout, &rows)? };
     if reader.style == Style::Comma {
         notes.push("a comma is read as the decimal sign".to_owned());
@@ -86,15 +90,21 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, Surv
     Ok(ImportedSurvey { stations, tie_in, notes })
 }
 
-/// The rows that hold stations: not empty, no comment, rule, remark or repeated header.
-fn station_rows(table: &Table, layout: &Layout, notes: &mut Vec<String>) -> Vec<usize> {
+/// The rows that hold data: not empty, no comment, rule, remark or repeated header.
+pub(crate) fn data_rows(
+    table: &Table,
+    layout: &Layout,
+    sort: &Sort,
+    notes: &mut Vec<String>,
+) -> Vec<usize> {
     let mut rows = Vec::new();
     let mut passed_over = 0;
     for (index, row) in table.rows.iter().enumerate().skip(layout.data) {
         if row.is_empty() || row.is_rule() {
             continue;
         }
-        let needed: Vec<&str> = Column::NEEDED
+        let needed: Vec<&str> = sort
+            .needed
             .iter()
             .filter_map(|&column| layout.column(column))
             .map(|found| row.text(found.index))
@@ -123,10 +133,11 @@ fn station_rows(table: &Table, layout: &Layout, notes: &mut Vec<String>) -> Vec<
 }
 
 /// The style of the table's numbers.
-fn style(table: &Table, layout: &Layout, rows: &[usize]) -> Result<Style, SurveyError> {
+pub(crate) fn style(table: &Table, layout: &Layout, rows: &[usize]) -> Result<Style, SurveyError> {
     let cells = || {
         rows.iter().flat_map(|&row| {
-            layout.columns.iter().filter_map(move |found| table.rows[row].cells.get(found.index))
+            let numbers = layout.columns.iter().filter(|found| !found.column.is_words());
+            numbers.filter_map(move |found| table.rows[row].cells.get(found.index))
         })
     };
     let written = cells().filter(|cell| cell.number.is_none());
@@ -137,14 +148,14 @@ fn style(table: &Table, layout: &Layout, rows: &[usize]) -> Result<Style, Survey
 }
 
 /// Reads cells of one table.
-struct Reader<'a> {
-    table: &'a Table<'a>,
-    style: Style,
+pub(crate) struct Reader<'a> {
+    pub(crate) table: &'a Table<'a>,
+    pub(crate) style: Style,
 }
 
 impl Reader<'_> {
     /// The cell of a column in SI.
-    fn value(&self, row: &Row, found: &Found) -> Result<f64, SurveyError> {
+    pub(crate) fn value(&self, row: &Row, found: &Found) -> Result<f64, SurveyError> {
         let column = found.column;
         let error = |kind, at| Err(self.table.source.error(kind, Some(at)));
         let Some(cell) = row.cells.get(found.index).filter(|cell| !cell.is_empty()) else {
@@ -166,7 +177,12 @@ impl Reader<'_> {
         }
     }
 
-    fn out_of_range(&self, row: &Row, found: &Found, expected: &'static str) -> SurveyError {
+    pub(crate) fn out_of_range(
+        &self,
+        row: &Row,
+        found: &Found,
+        expected: &'static str,
+    ) -> SurveyError {
         let written = format!("{} {}", row.text(found.index), found.unit.symbol);
         let kind = SurveyErrorKind::OutOfRange { column: found.column, found: written, expected };
         self.table.source.error(kind, Some(position(row, found)))
@@ -218,6 +234,6 @@ fn position(row: &Row, found: &Found) -> Position {
 }
 
 /// The place of a whole row: its first cell that holds anything.
-fn whole(row: &Row) -> Position {
+pub(crate) fn whole(row: &Row) -> Position {
     row.cells.iter().find(|cell| !cell.is_empty()).map_or(row.end, |cell| cell.at)
 }

@@ -3,6 +3,7 @@
 mod bench;
 mod bha;
 mod bit_test;
+mod calibrate;
 mod catalogue;
 mod check;
 mod columns;

@@ -3,6 +3,7 @@
 
 mod cases;
 mod reader;
+mod readings;
 mod results;
 mod stored;
 mod surveys;
@@ -12,7 +13,8 @@ pub(crate) use reader::Reader;
 
 /// All readers.
 fn all() -> impl Iterator<Item = (&'static str, New)> {
-    let lists = [cases::READERS, surveys::READERS, results::READERS, stored::READERS];
+    let lists =
+        [cases::READERS, surveys::READERS, readings::READERS, results::READERS, stored::READERS];
     lists.into_iter().flatten().copied()
 }
 

@@ -4,6 +4,7 @@
 mod bha;
 mod bit_test;
 mod bottom_hole;
+mod calibration;
 mod contact;
 mod frames;
 mod modes;
@@ -19,6 +20,7 @@ pub use self::{
     bha::{BHA, BHA_CONTACTS, BHA_SWEEP},
     bit_test::BIT_TEST,
     bottom_hole::BOTTOM_HOLE,
+    calibration::{CALIBRATION, CALIBRATION_BANDS, CALIBRATION_PROFILES},
     contact::CONTACT,
     frames::FRAMES,
     modes::{CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, RESPONSE},
@@ -81,35 +83,43 @@ const fn table<T, const N: usize>(
     all
 }
 
+/// Every table, by the name of its file, and its columns.
+pub const TABLES: &[(&str, &[ColumnSpec])] = &[
+    ("nodes", NODES),
+    ("time", TIME),
+    ("frames", FRAMES),
+    ("spectra", SPECTRA),
+    ("wear", WEAR),
+    ("contact", CONTACT),
+    ("bit-test", BIT_TEST),
+    ("bottom_hole", BOTTOM_HOLE),
+    ("bha", BHA),
+    ("bha_contacts", BHA_CONTACTS),
+    ("bha_sweep", BHA_SWEEP),
+    ("stability", STABILITY),
+    ("modes", MODES),
+    ("mode_shapes", MODE_SHAPES),
+    ("campbell", CAMPBELL),
+    ("critical_speeds", CRITICAL_SPEEDS),
+    ("response", RESPONSE),
+    ("plan_broomstick", PLAN_BROOMSTICK),
+    ("plan_buckling", PLAN_BUCKLING),
+    ("plan_friction", PLAN_FRICTION),
+    ("plan_limits", PLAN_LIMITS),
+    ("calibration", CALIBRATION),
+    ("calibration_bands", CALIBRATION_BANDS),
+    ("calibration_profiles", CALIBRATION_PROFILES),
+];
+
 #[cfg(test)]
 mod tests {
     use wholestring::dynamics::{Channel, FRAME};
 
     use super::*;
 
-    /// What each file holds.
-    const TABLES: [&[ColumnSpec]; 16] = [
-        NODES,
-        TIME,
-        WEAR,
-        CONTACT,
-        BOTTOM_HOLE,
-        FRAMES,
-        SPECTRA,
-        BIT_TEST,
-        BHA,
-        BHA_CONTACTS,
-        BHA_SWEEP,
-        STABILITY,
-        PLAN_BROOMSTICK,
-        PLAN_BUCKLING,
-        PLAN_FRICTION,
-        PLAN_LIMITS,
-    ];
-
     #[test]
     fn names_are_unique() {
-        for table in TABLES {
+        for (_, table) in TABLES {
             for (index, column) in table.iter().enumerate() {
                 assert!(
                     table[..index].iter().all(|other| other.name != column.name),
@@ -134,7 +144,7 @@ mod tests {
     /// Whoever reads what a column means learns that it may be `null`.
     #[test]
     fn a_column_that_may_be_null_says_so() {
-        for column in TABLES.into_iter().flatten() {
+        for column in TABLES.iter().flat_map(|(_, columns)| *columns) {
             let says = column.meaning.contains("`null`") || column.meaning.contains("empty");
             assert_eq!(says, column.null_where.is_some(), "{}", column.name);
         }

@@ -1,0 +1,165 @@
+//! `wholestring calibrate` as the user writes it.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use wholestring::outcome::ModelKind;
+use wholestring_case::Override;
+use wholestring_runner::calibrate::Parameter;
+use wholestring_units::{Dimension, UnitSet};
+
+#[derive(Debug, Args)]
+pub(crate) struct CalibrateArgs {
+    /// Case files: the strings that were in the hole. Of several, a column `case` of the readings
+    /// names one by its file or its name
+    #[arg(value_name = "CASE.toml", required = true)]
+    pub(crate) cases: Vec<PathBuf>,
+
+    /// Readings as CSV or Excel: bit depth, pick-up, slack-off and rotating weight, torque, torque
+    /// on bottom, with units in their headings
+    #[arg(long, value_name = "FILE")]
+    pub(crate) data: PathBuf,
+
+    /// Set a key of every case, such as `mud.density=1.1sg`. Repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub(crate) overrides: Vec<Override>,
+
+    /// One friction factor for casing and open hole
+    #[arg(long)]
+    pub(crate) one_factor: bool,
+
+    /// Look for friction around the hole apart from that along it
+    #[arg(long)]
+    pub(crate) friction_around: bool,
+
+    /// Look for the block's weight although the case gives it
+    #[arg(long)]
+    pub(crate) block_weight: bool,
+
+    /// Look for the bit's torque on bottom
+    #[arg(long)]
+    pub(crate) bit_torque: bool,
+
+    /// Hold what would be looked for, such as `friction_cased=0.2` or `block_weight=180kN`.
+    /// Repeatable
+    #[arg(long, value_name = "NAME=VALUE", value_parser = held)]
+    pub(crate) hold: Vec<(Parameter, f64)>,
+
+    /// Standard error of pick-up and slack-off weights, such as 12kN [default: estimated]
+    #[arg(long, value_name = "FORCE", value_parser = force)]
+    pub(crate) weight_error: Option<f64>,
+
+    /// Standard error of rotating weights [default: estimated]
+    #[arg(long, value_name = "FORCE", value_parser = force)]
+    pub(crate) rotating_error: Option<f64>,
+
+    /// Standard error of torques, such as 500N.m [default: estimated]
+    #[arg(long, value_name = "TORQUE", value_parser = torque)]
+    pub(crate) torque_error: Option<f64>,
+
+    /// Residuals larger than so many of their standard errors are outliers
+    #[arg(long, value_name = "N", default_value = "3", value_parser = beyond)]
+    pub(crate) outlier: f64,
+
+    /// Confidence of the bands, %
+    #[arg(long, value_name = "PERCENT", default_value = "90", value_parser = confidence)]
+    pub(crate) band: f64,
+
+    /// Model that predicts
+    #[arg(long, value_enum, default_value = "soft")]
+    pub(crate) model: Model,
+
+    // Not a doc comment, which would read `<case name>` as HTML.
+    #[arg(
+        short,
+        long,
+        value_name = "DIR",
+        help = "Folder for the results [default: out/<case name> calibration]"
+    )]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Replace what lies in the folder
+    #[arg(long)]
+    pub(crate) overwrite: bool,
+
+    /// Paint each picture as PNG too, with 300 dots per inch
+    #[arg(long)]
+    pub(crate) png: bool,
+
+    /// Units on the screen and the page [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+/// A model that predicts readings.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(crate) enum Model {
+    /// A string without bending stiffness
+    Soft,
+    /// A string with bending stiffness: minutes
+    Stiff,
+}
+
+impl From<Model> for ModelKind {
+    fn from(model: Model) -> Self {
+        match model {
+            Model::Soft => Self::Soft,
+            Model::Stiff => Self::Stiff,
+        }
+    }
+}
+
+fn positive(dimension: Dimension, text: &str) -> Result<f64, String> {
+    let value = dimension.parse(text).map_err(|error| error.to_string())?;
+    match value > 0.0 && value.is_finite() {
+        true => Ok(value),
+        false => Err("expected more than zero".to_owned()),
+    }
+}
+
+fn force(text: &str) -> Result<f64, String> {
+    positive(Dimension::Force, text)
+}
+
+fn torque(text: &str) -> Result<f64, String> {
+    positive(Dimension::Torque, text)
+}
+
+fn number(text: &str, from: f64, to: f64) -> Result<f64, String> {
+    let value: f64 = text.trim_end_matches('%').trim().parse().map_err(|_| "expected a number")?;
+    match (from..=to).contains(&value) {
+        true => Ok(value),
+        false => Err(format!("expected {from} to {to}")),
+    }
+}
+
+fn beyond(text: &str) -> Result<f64, String> {
+    number(text, 1.0, 100.0)
+}
+
+/// As a part of one.
+fn confidence(text: &str) -> Result<f64, String> {
+    Ok(number(text, 50.0, 99.9)? / 100.0)
+}
+
+fn held(text: &str) -> Result<(Parameter, f64), String> {
+    let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
+    let name = name.trim();
+    // Without the unit that the value has itself.
+    let short = |of: Parameter| of.name().trim_end_matches("_N_m").trim_end_matches("_N");
+    let of = Parameter::ALL.into_iter().find(|of| of.name() == name || short(*of) == name);
+    let of = of.ok_or_else(|| {
+        let names: Vec<&str> = Parameter::ALL.into_iter().map(short).collect();
+        format!("nothing is called '{name}'; expected one of {}", names.join(", "))
+    })?;
+    let value = match of {
+        Parameter::BlockWeight => Dimension::Force.parse(value).map_err(|error| error.to_string()),
+        Parameter::BitTorque => Dimension::Torque.parse(value).map_err(|error| error.to_string()),
+        _ => number(value, 0.0, 2.0),
+    };
+    Ok((of, value?))
+}

@@ -1,0 +1,61 @@
+//! `wholestring calibrate`: friction factors from what was read at the surface.
+
+mod args;
+mod screen;
+
+use wholestring_case::Case;
+use wholestring_runner::{
+    Existing, Output,
+    calibrate::{self, FRAGMENT, Fit, NamedCase, Request},
+};
+
+pub(crate) use args::CalibrateArgs;
+
+use crate::{
+    args::CaseArgs, failure::Failure, input::load, interrupt, progress::RunScreen,
+    terminal::print_stdout,
+};
+
+pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
+    let load = |file: &std::path::PathBuf| {
+        let of = CaseArgs { case: file.clone(), overrides: args.overrides.clone() };
+        load(&of, args.quiet)
+    };
+    let cases: Vec<Case> = args.cases.iter().map(load).collect::<Result<_, _>>()?;
+    let named = args.cases.iter().zip(&cases).map(|(file, case)| NamedCase {
+        file: file.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+        case,
+    });
+    let named: Vec<NamedCase> = named.collect();
+    let units = args.units.unwrap_or(cases[0].units);
+    let existing = if args.overwrite { Existing::Overwrite } else { Existing::Protect };
+    let request = Request {
+        cases: &named,
+        data: &args.data,
+        fit: Fit {
+            one_factor: args.one_factor,
+            friction_around: args.friction_around,
+            block_weight: args.block_weight,
+            bit_torque: args.bit_torque,
+            hold: args.hold.clone(),
+            errors: [args.weight_error, args.rotating_error, args.torque_error],
+            outlier_beyond: args.outlier,
+            band_confidence: args.band,
+            model: args.model.into(),
+        },
+        units: Some(units),
+        output: Output { folder: args.output.clone(), existing },
+        png: args.png,
+    };
+    let outcome =
+        calibrate::run(&request, &RunScreen::new(args.quiet, false), &interrupt::listen())?;
+    if !args.quiet {
+        print_stdout(&screen::text(&outcome.summary, units))?;
+        let took_ms = 1e3 * outcome.took.as_secs_f64();
+        let place = outcome.folder.display();
+        print_stdout(&format!(
+            "Found in {took_ms:.0} ms\nResults in {place}; {FRAGMENT} there is for the case file\n"
+        ))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,47 @@
+//! What a calibration shows on the screen.
+
+use wholestring_results::{CalibrationSummary, EstimateFound};
+use wholestring_units::{Dimension, UnitSet};
+
+use crate::screen_table::Table;
+
+/// A factor in four decimals, a weight or torque in the reader's unit.
+fn shown(of: &EstimateFound, value: f64, units: UnitSet) -> String {
+    let dimension = match of.parameter.as_str() {
+        "block_weight_N" => Dimension::Force,
+        "bit_torque_N_m" => Dimension::Torque,
+        _ => return format!("{value:.4}"),
+    };
+    let unit = dimension.unit_in(units);
+    format!("{:.2} {}", unit.from_si(value), unit.symbol)
+}
+
+/// What was found as a table, what is to be known of it, and what is to be wary of.
+pub(super) fn text(summary: &CalibrationSummary, units: UnitSet) -> String {
+    let title =
+        format!("{}: {} readings, {} string", summary.title(), summary.readings, summary.model);
+    let interval = format!("interval of {:.0} %", 100.0 * summary.confidence);
+    let mut table = Table::new(&title, 1, &["number", "value", "standard error", &interval]);
+    for of in &summary.estimates {
+        let show = |value: f64| shown(of, value, units);
+        let end = |end: Option<f64>| end.map_or("not found".to_owned(), show);
+        table.row(vec![
+            of.words.clone(),
+            show(of.value),
+            of.standard_error.map_or("at zero".to_owned(), show),
+            format!("{} to {}", end(of.interval[0]), end(of.interval[1])),
+        ]);
+    }
+    let mut text = table.text();
+    text += &format!(
+        "χ² {:.1}, {} degrees of freedom; {} of {} readings within the band of {:.0} %\n",
+        summary.chi2,
+        summary.degrees_of_freedom,
+        summary.within_band,
+        summary.readings,
+        100.0 * summary.band_confidence
+    );
+    text.extend(summary.notes.iter().map(|note| format!("note: {note}\n")));
+    text.extend(summary.warnings.iter().map(|warning| format!("warning: {warning}\n")));
+    text
+}

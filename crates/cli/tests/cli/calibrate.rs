@@ -1,0 +1,186 @@
+//! `calibrate`: friction factors from what was read at the surface.
+
+use std::{fs, path::Path};
+
+use wholestring::{
+    operation::{Operation, OperationKind},
+    statics::soft::soft_string,
+};
+use wholestring_results::{
+    CALIBRATION, CALIBRATION_BANDS, CALIBRATION_PROFILES, CalibrationSummary, Table,
+};
+
+use crate::desk::{Desk, transcript};
+
+const BLOCK_N: f64 = 200e3;
+
+/// A desk with the slant well that is shipped.
+fn desk() -> Desk {
+    let desk = Desk::new();
+    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slant.toml");
+    fs::copy(shipped, desk.path("well.toml")).unwrap();
+    desk
+}
+
+/// What is said to a command that ends as bad input does.
+fn refused(desk: &Desk, arguments: &[&str]) -> String {
+    let output = desk.run(arguments);
+    assert_eq!(output.status.code(), Some(2), "{}", transcript(&output));
+    // Sentences are broken where the screen ends.
+    transcript(&output).split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// What would be read in the slant well with the friction of its case, 0.2 and 0.3, a block of 200 kN
+/// and the bit's torque of 2.5 kN·m.
+fn readings(desk: &Desk) -> String {
+    let case = wholestring_case::load(&desk.path("well.toml"), &[]).unwrap();
+    let setup = case.setup();
+    let mut text = "Bit depth (m),Pick-up (kN),Slack-off (kN),Rotating (kN),Torque (kN.m),\
+                    Torque on bottom (kN.m)\n"
+        .to_owned();
+    for depth_m in [300.0, 450.0, 600.0, 700.0, 800.0, 900.0, 1000.0, 1100.0, 1200.0] {
+        let model = setup.at(depth_m).unwrap();
+        let of = |kind: OperationKind| {
+            let operation = case.operations.iter().find(|of| of.kind == kind).unwrap();
+            let operation = Operation { bit_depth_m: depth_m, ..*operation };
+            soft_string(&model, &operation).unwrap().scalars
+        };
+        let hook_kN = |kind| 1e-3 * (of(kind).hook_load_N + BLOCK_N);
+        let torque_kN_m = |kind| 1e-3 * of(kind).surface_torque_N_m;
+        text += &format!(
+            "{depth_m},{:.6},{:.6},{:.6},{:.6},{:.6}\n",
+            hook_kN(OperationKind::TripOut),
+            hook_kN(OperationKind::TripIn),
+            hook_kN(OperationKind::RotateOffBottom),
+            torque_kN_m(OperationKind::RotateOffBottom),
+            torque_kN_m(OperationKind::Drill),
+        );
+    }
+    text
+}
+
+const ERRORS: [&str; 3] = ["--weight-error=5kN", "--rotating-error=3kN", "--torque-error=200N.m"];
+
+fn calibrate<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&["calibrate", "well.toml", "--data", "read.csv"], more].concat()
+}
+
+/// Terminal, folder, tables and page tell the same, and what was found is a case that is sound.
+#[test]
+fn friction_of_a_slant_well() {
+    let desk = desk();
+    fs::write(desk.path("read.csv"), readings(&desk)).unwrap();
+    let more = [&ERRORS[..], &["--bit-torque", "-o", "out"]].concat();
+    let output = desk.done(&calibrate(&more));
+    let said = String::from_utf8(output.stdout).unwrap();
+    let summary = CalibrationSummary::read(&desk.path("out/summary.json")).unwrap();
+    let expected = [
+        ("friction_cased", 0.2),
+        ("friction_open", 0.3),
+        ("block_weight_N", BLOCK_N),
+        ("bit_torque_N_m", 2500.0),
+    ];
+    for (of, (name, value)) in summary.estimates.iter().zip(expected) {
+        assert_eq!(of.parameter, name);
+        // Steps of 5 m of the soft string; the readings have steps of 1 m.
+        assert!((of.value / value - 1.0).abs() < 2e-3, "{of:?}");
+        assert!(said.contains(&of.words), "{said}");
+    }
+    assert_eq!((summary.readings, summary.within_band), (45, 45));
+    for (name, columns) in [
+        ("calibration", CALIBRATION),
+        ("calibration_bands", CALIBRATION_BANDS),
+        ("calibration_profiles", CALIBRATION_PROFILES),
+    ] {
+        let table = Table::read_parquet(&desk.path(&format!("out/{name}.parquet"))).unwrap();
+        assert!(table.is_like(&Table::with_columns(columns)), "{name}");
+        assert!(table.rows() > 0 && desk.path(&format!("out/{name}.csv")).is_file(), "{name}");
+        assert!(desk.path(&format!("out/{name}.svg")).is_file(), "{name}");
+    }
+    let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+    assert!(page.contains("Measured and predicted") && page.contains("Correlations"));
+
+    // The page is made of the files.
+    fs::remove_file(desk.path("out/report.html")).unwrap();
+    desk.done(&["report", "out"]);
+    assert_eq!(fs::read_to_string(desk.path("out/report.html")).unwrap(), page);
+    desk.done(&["plot", "out", "--units", "field"]);
+    assert!(desk.path("out/plots/calibration_bands.svg").is_file());
+
+    // The fragment, tried and written into the case.
+    let fragment = fs::read_to_string(desk.path("out/friction.toml")).unwrap();
+    let tried = fragment.lines().find(|line| line.contains("--set")).unwrap();
+    let mut arguments = vec!["check", "well.toml"];
+    for change in tried.split('\'').skip(1).step_by(2) {
+        arguments.extend(["--set", change]);
+    }
+    assert_eq!(arguments.len(), 8);
+    desk.done(&arguments);
+    let case = fs::read_to_string(desk.path("well.toml")).unwrap();
+    let (before, rest) = case.split_once("[[well.hole]]").unwrap();
+    let after = &rest[rest.find("[mud]").unwrap()..];
+    assert!(!case.contains("[rig]"));
+    fs::write(desk.path("found.toml"), format!("{before}{fragment}\n{after}")).unwrap();
+    desk.done(&["check", "found.toml"]);
+}
+
+/// Two cases that share their friction, each with its rows; one number is held.
+#[test]
+fn rows_belong_to_cases() {
+    let desk = desk();
+    let case = fs::read_to_string(desk.path("well.toml")).unwrap();
+    let other = case.replace("Slant well", "Short collars").replace("\"55 m\"", "\"30 m\"");
+    fs::write(desk.path("short.toml"), other).unwrap();
+    let text = readings(&desk);
+    let mut lines = text.lines();
+    let mut with_case = format!("{},case\n", lines.next().unwrap());
+    for (place, line) in lines.enumerate() {
+        let case = if place < 8 { "well" } else { "short collars" };
+        with_case += &format!("{line},{case}\n");
+    }
+    fs::write(desk.path("read.csv"), &with_case).unwrap();
+    let two = ["calibrate", "well.toml", "short.toml", "--data", "read.csv", "-o", "out"];
+    let held = ["--hold", "friction_cased=0.2", "--hold=block_weight=200kN", "--outlier=2.5"];
+    desk.done(&[&two[..], &ERRORS, &held].concat());
+    let summary = CalibrationSummary::read(&desk.path("out/summary.json")).unwrap();
+    let names: Vec<&str> = summary.estimates.iter().map(|of| of.parameter.as_str()).collect();
+    assert_eq!(names, ["friction_open"]);
+    assert!(summary.held.contains(&("friction_cased".to_owned(), 0.2)));
+    // Shorter collars are lighter: the last row's weights are too great for them.
+    let outliers = summary.warnings.iter().filter(|of| of.starts_with("outlier"));
+    assert!(outliers.count() >= 1, "{:?}", summary.warnings);
+
+    fs::write(desk.path("read.csv"), with_case.replace("short collars", "long")).unwrap();
+    let said = refused(&desk, &two);
+    assert!(said.contains("no case is called 'long'"), "{said}");
+}
+
+#[test]
+fn bad_readings_get_an_answer() {
+    let desk = desk();
+    let sound = readings(&desk);
+    let answer = |text: &str, more: &[&str]| {
+        fs::write(desk.path("read.csv"), text).unwrap();
+        refused(&desk, &calibrate(more))
+    };
+    for (text, more, expected) in [
+        (sound.replace("Pick-up (kN)", "Pick-up"), &[][..], "has no unit"),
+        (sound.replace("\n300,", "\n1300,"), &[], "hole and survey of its case end at 1200"),
+        (sound.replace("\n300,", "\n100,"), &[], "long below its topmost component"),
+        (
+            sound.lines().take(2).collect::<Vec<_>>().join("\n"),
+            &["--one-factor"],
+            "give their standard error",
+        ),
+        (sound.clone(), &["--hold", "friction=0.2"], "is not looked for and cannot be held"),
+        (sound.clone(), &["--hold", "mass=2"], "nothing is called 'mass'"),
+        (sound.clone(), &["--hold", "friction_open=5"], "expected 0 to 2"),
+        (sound.clone(), &["--weight-error", "5"], "has no unit"),
+        (String::new(), &[], "the file is empty"),
+    ] {
+        let said = answer(&text, more);
+        assert!(said.contains(expected), "{said}\nlacks: {expected}");
+    }
+    let none = refused(&desk, &["calibrate", "well.toml", "--data", "none.csv"]);
+    assert!(none.contains("there is no such file"), "{none}");
+}

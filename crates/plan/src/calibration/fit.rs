@@ -1,0 +1,175 @@
+//! The fit of weighted least squares, with factors not below zero.
+
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
+use nalgebra_0_34::{DMatrix, DVector, Dyn, U1, VecStorage};
+
+use super::{CalibrationError, Channel, Parameter, Reading, Settings, surface::Surfaces};
+
+/// Readings, what they would be, and their errors.
+#[derive(Debug, Clone)]
+pub(super) struct Likelihood<'a> {
+    pub(super) settings: &'a Settings,
+    pub(super) surfaces: &'a Surfaces,
+    pub(super) readings: &'a [Reading],
+    /// Each reading's place among the stations.
+    pub(super) station_of: &'a [usize],
+    /// Standard errors by kind.
+    pub(super) errors: [f64; 3],
+}
+
+impl Likelihood<'_> {
+    /// What each reading would be, and its slope by each parameter.
+    pub(super) fn predictions(&self, values: &[f64]) -> Vec<(f64, Vec<f64>)> {
+        let stations = self.surfaces.at(values);
+        let state = self.settings.state(values);
+        let parameters = &self.settings.parameters;
+        let of = |(reading, &station): (&Reading, &usize)| {
+            let channel = reading.channel;
+            let part = usize::from(channel.is_torque());
+            let sloped = &stations[station];
+            let mut slopes = vec![0.0; parameters.len()];
+            for (place, slope) in &sloped.slopes {
+                slopes[*place] = slope[part];
+            }
+            let beside = match channel {
+                Channel::OnBottomTorque => (Parameter::BitTorque, state.bit_torque_N_m),
+                Channel::OffBottomTorque => return (sloped.loads[part], slopes),
+                _ => (Parameter::BlockWeight, state.block_weight_N),
+            };
+            if let Some(place) = parameters.iter().position(|of| *of == beside.0) {
+                slopes[place] = 1.0;
+            }
+            (sloped.loads[part] + beside.1, slopes)
+        };
+        self.readings.iter().zip(self.station_of).map(of).collect()
+    }
+
+    pub(super) fn error_of(&self, reading: &Reading) -> f64 {
+        self.errors[reading.channel.error().place()]
+    }
+
+    /// Residuals, measured less predicted, over their errors.
+    pub(super) fn residuals(&self, values: &[f64]) -> Vec<f64> {
+        let predictions = self.predictions(values);
+        let of = |(reading, (predicted, _)): (&Reading, &(f64, Vec<f64>))| {
+            (reading.value - predicted) / self.error_of(reading)
+        };
+        self.readings.iter().zip(&predictions).map(of).collect()
+    }
+
+    /// The sum of their squares.
+    pub(super) fn chi2(&self, values: &[f64]) -> f64 {
+        self.residuals(values).iter().map(|residual| residual * residual).sum()
+    }
+
+    /// Predictions' slopes over the errors, a row for each reading.
+    pub(super) fn design(&self, values: &[f64]) -> DMatrix<f64> {
+        let predictions = self.predictions(values);
+        DMatrix::from_fn(self.readings.len(), values.len(), |row, column| {
+            predictions[row].1[column] / self.error_of(&self.readings[row])
+        })
+    }
+
+    /// The best values where some are held, from others; no factor is below zero. Which of them lie
+    /// there is told too.
+    pub(super) fn fit(
+        &self,
+        from: &[f64],
+        held: &[Option<f64>],
+    ) -> Result<(Vec<f64>, Vec<bool>), CalibrationError> {
+        let parameters = &self.settings.parameters;
+        let mut at_bound = vec![false; from.len()];
+        let mut released = vec![false; from.len()];
+        let mut values = from.to_vec();
+        loop {
+            let now: Vec<Option<f64>> = held
+                .iter()
+                .zip(&at_bound)
+                .map(|(held, bound)| held.or(bound.then_some(0.0)))
+                .collect();
+            values = self.free_fit(&values, &now)?;
+            let below = (0..values.len())
+                .filter(|&of| now[of].is_none() && parameters[of].is_factor() && values[of] < 0.0)
+                .min_by(|&a, &b| values[a].total_cmp(&values[b]));
+            if let Some(of) = below {
+                at_bound[of] = true;
+                continue;
+            }
+            // One that would rise again now that the others have moved is let go, once.
+            let residuals = self.residuals(&values);
+            let design = self.design(&values);
+            let rises = (0..values.len()).find(|&of| {
+                let slope: f64 = design.column(of).iter().zip(&residuals).map(|(j, r)| j * r).sum();
+                at_bound[of] && !released[of] && slope > 1e-9
+            });
+            match rises {
+                Some(of) => (at_bound[of], released[of]) = (false, true),
+                None => return Ok((values, at_bound)),
+            }
+        }
+    }
+
+    fn free_fit(&self, from: &[f64], held: &[Option<f64>]) -> Result<Vec<f64>, CalibrationError> {
+        let mut values: Vec<f64> =
+            from.iter().zip(held).map(|(from, held)| held.unwrap_or(*from)).collect();
+        let free: Vec<usize> = (0..values.len()).filter(|&of| held[of].is_none()).collect();
+        if free.is_empty() {
+            return Ok(values);
+        }
+        let at = DVector::from_iterator(free.len(), free.iter().map(|&of| values[of]));
+        let problem = Problem { likelihood: self, whole: values.clone(), free: free.clone(), at };
+        let (problem, report) = LevenbergMarquardt::new().minimize(problem);
+        match report.termination {
+            TerminationReason::NoImprovementPossible(_) => {}
+            of if of.was_successful() => {}
+            other => return Err(CalibrationError::NotFitted(format!("{other:?}"))),
+        }
+        for (place, &of) in free.iter().enumerate() {
+            values[of] = problem.at[place];
+        }
+        Ok(values)
+    }
+}
+
+/// As the optimiser takes it.
+struct Problem<'a> {
+    likelihood: &'a Likelihood<'a>,
+    whole: Vec<f64>,
+    free: Vec<usize>,
+    at: DVector<f64>,
+}
+
+impl Problem<'_> {
+    fn values(&self) -> Vec<f64> {
+        let mut values = self.whole.clone();
+        for (place, &of) in self.free.iter().enumerate() {
+            values[of] = self.at[place];
+        }
+        values
+    }
+}
+
+impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
+    type ResidualStorage = VecStorage<f64, Dyn, U1>;
+    type JacobianStorage = VecStorage<f64, Dyn, Dyn>;
+    type ParameterStorage = VecStorage<f64, Dyn, U1>;
+
+    fn set_params(&mut self, at: &DVector<f64>) {
+        self.at.copy_from(at);
+    }
+
+    fn params(&self) -> DVector<f64> {
+        self.at.clone()
+    }
+
+    fn residuals(&self) -> Option<DVector<f64>> {
+        let residuals = self.likelihood.residuals(&self.values());
+        // Predicted less measured: the Jacobian is then the design.
+        Some(-DVector::from_vec(residuals))
+    }
+
+    fn jacobian(&self) -> Option<DMatrix<f64>> {
+        let design = self.likelihood.design(&self.values());
+        Some(design.select_columns(&self.free))
+    }
+}

@@ -1,0 +1,34 @@
+//! Friction factors, block weight and bit torque from what was read at the surface.
+//!
+//! With `y` the readings, `f(p)` what a model predicts with the parameters `p`, `σ` the standard
+//! errors of the readings, the most likely parameters have the least
+//!
+//! ```text
+//! χ²(p) = Σ ((y − f(p))/σ)²
+//! ```
+//!
+//! Their covariance is `(JᵀJ)⁻¹` with `J = ∂f/∂p / σ`; intervals are those of the profile likelihood.
+//! Theory: `docs/src/theory/calibration.md`.
+
+mod best;
+mod error;
+mod fit;
+mod outcome;
+mod parameter;
+mod predict;
+mod profile;
+mod quantile;
+mod reading;
+mod settings;
+mod solve;
+mod spread;
+mod surface;
+
+pub use error::CalibrationError;
+pub use outcome::{BandPoint, Calibration, Confused, Estimate, Point, ProfilePoint, ReadingError};
+pub use parameter::{Factors, Parameter, State};
+pub use predict::{Asked, Assembly, Loads, Predict, SoftPredictions};
+pub use quantile::{normal_below, normal_within, student_within};
+pub use reading::{Channel, ErrorKind, Motion, Reading};
+pub use settings::Settings;
+pub use solve::calibrate;

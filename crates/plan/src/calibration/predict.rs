@@ -1,0 +1,157 @@
+//! What the readings would be.
+
+use wholestring::{
+    operation::{Operation, OperationKind},
+    statics::soft::{self, SoftSettings},
+    well::HoleKind,
+};
+
+use super::{CalibrationError, Factors, Motion};
+use crate::Setup;
+
+/// A question to a model: the loads at surface of a string with its bit at a depth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Asked {
+    /// Which setup is in the hole.
+    pub setup: usize,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// What the string does.
+    pub motion: Motion,
+    /// Friction of the walls.
+    pub factors: Factors,
+}
+
+/// Loads at surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Loads {
+    /// Hook load, N, without the block.
+    pub hook_load_N: f64,
+    /// Torque, N·m, without the bit's.
+    pub torque_N_m: f64,
+}
+
+/// A model that predicts readings: the soft string, the stiff one, or another.
+pub trait Predict {
+    /// Whether a string with its bit at a depth, m, lies in hole of this kind.
+    fn reaches(&self, setup: usize, bit_depth_m: f64, kind: HoleKind) -> bool;
+
+    /// The loads of each, in their order; they may be found at once.
+    ///
+    /// # Errors
+    /// A string that the model has no answer for.
+    fn loads(&self, asked: &[Asked]) -> Result<Vec<Loads>, CalibrationError>;
+}
+
+/// A string in its hole, and what is done with it while it is read.
+#[derive(Debug, Clone)]
+pub struct Assembly {
+    /// The string, at any depth.
+    pub setup: Setup,
+    /// What is done, by [`Motion`]; the depth of the bit is that of the reading.
+    pub operations: [Operation; Motion::ALL.len()],
+}
+
+/// Rotary speed where nothing else is said, rad/s: 60 rev/min. Off bottom the soft string's torque
+/// does not depend on it.
+const ROTARY_SPEED_RAD_PER_S: f64 = std::f64::consts::TAU;
+
+impl Assembly {
+    /// With the operations that a case has, and usual ones in place of those that it lacks.
+    pub fn new(setup: Setup, given: &[Operation]) -> Self {
+        let operations = Motion::ALL.map(|motion| {
+            let kind = match motion {
+                Motion::PickUp => OperationKind::TripOut,
+                Motion::SlackOff => OperationKind::TripIn,
+                Motion::Rotating => OperationKind::RotateOffBottom,
+                Motion::Drilling => OperationKind::Drill,
+            };
+            let named = given.iter().find(|operation| operation.kind == kind).copied();
+            let turning = given.iter().find(|operation| operation.rotary_speed_rad_per_s > 0.0);
+            let mut operation = named.or(turning.copied()).unwrap_or(
+                Operation::new(kind, 1.0).rotary_speed_rad_per_s(ROTARY_SPEED_RAD_PER_S),
+            );
+            operation.kind = kind;
+            operation
+        });
+        Self { setup, operations }
+    }
+
+    /// What is done with the bit at a depth, m, the bit's torque apart.
+    pub fn operation(&self, motion: Motion, bit_depth_m: f64) -> Operation {
+        let operation = self.operations[motion as usize];
+        Operation { bit_depth_m, bit_torque_N_m: 0.0, ..operation }
+    }
+
+    /// Whether the string lies in hole of this kind.
+    pub fn reaches(&self, bit_depth_m: f64, kind: HoleKind) -> bool {
+        let sections = self.setup.well.hole.sections();
+        sections.iter().any(|section| section.kind == kind && section.from_md_m < bit_depth_m)
+    }
+}
+
+/// Predictions by the soft string.
+#[derive(Debug, Clone, Copy)]
+pub struct SoftPredictions<'a> {
+    /// Strings in their holes.
+    pub assemblies: &'a [Assembly],
+    /// How the string is integrated.
+    pub settings: SoftSettings,
+}
+
+/// Longest step of the soft string, m, where hundreds of strings are solved: the kink of its side
+/// force costs `μ |dq/ds| step²`, some tens of newtons: hundredths of a per cent of what a weight is read to.
+const STEP_M: f64 = 5.0;
+
+impl<'a> SoftPredictions<'a> {
+    /// By the soft string in steps that hook loads are read to.
+    pub fn new(assemblies: &'a [Assembly]) -> Self {
+        let settings = SoftSettings { step_m: STEP_M, ..SoftSettings::default() };
+        Self { assemblies, settings }
+    }
+
+    /// One answer.
+    ///
+    /// # Errors
+    /// A string that has none.
+    pub fn one(&self, asked: &Asked) -> Result<Loads, CalibrationError> {
+        let assembly = &self.assemblies[asked.setup];
+        let no_answer = |reason: String| asked.no_answer("soft", reason);
+        let setup = assembly.setup.with_friction(&asked.factors.walls());
+        let setup = setup.map_err(|error| no_answer(error.to_string()))?;
+        let model = setup.at(asked.bit_depth_m).map_err(|error| no_answer(error.to_string()))?;
+        let operation = assembly.operation(asked.motion, asked.bit_depth_m);
+        let answer = soft::solve(&model, &operation, &self.settings);
+        let scalars = answer.map_err(|error| no_answer(error.to_string()))?.scalars;
+        Ok(Loads { hook_load_N: scalars.hook_load_N, torque_N_m: scalars.surface_torque_N_m })
+    }
+}
+
+impl Asked {
+    /// What is said where a model has no answer.
+    pub fn no_answer(&self, model: &'static str, reason: String) -> CalibrationError {
+        CalibrationError::NoAnswer {
+            model,
+            bit_depth_m: self.bit_depth_m,
+            motion: match self.motion {
+                Motion::PickUp => "picked up",
+                Motion::SlackOff => "slacked off",
+                Motion::Rotating => "turned off bottom",
+                Motion::Drilling => "drilling",
+            },
+            along: self.factors.open,
+            around: self.factors.open_around,
+            reason,
+        }
+    }
+}
+
+impl Predict for SoftPredictions<'_> {
+    fn reaches(&self, setup: usize, bit_depth_m: f64, kind: HoleKind) -> bool {
+        self.assemblies[setup].reaches(bit_depth_m, kind)
+    }
+
+    fn loads(&self, asked: &[Asked]) -> Result<Vec<Loads>, CalibrationError> {
+        asked.iter().map(|asked| self.one(asked)).collect()
+    }
+}

@@ -1,0 +1,283 @@
+//! From readings to friction factors.
+
+use super::{
+    BandPoint, Calibration, CalibrationError, Channel, Confused, ErrorKind, Estimate, Motion,
+    Parameter, Point, Predict, Reading, ReadingError, Settings,
+    best::{Best, best},
+    fit::Likelihood,
+    profile::Along,
+    quantile::{normal_within, student_within},
+    spread::Spread,
+    surface::{Station, stations},
+};
+
+/// Slopes of the bands are taken over this part of a standard error to either side, and over so
+/// much at least.
+const SLOPE_PART: f64 = 0.3;
+const LEAST_SLOPE: f64 = 1e-3;
+
+/// Finds the numbers that make readings most likely, and how well they are known; and predicts what
+/// would be read with the bit of each setup at other depths, m.
+///
+/// # Errors
+/// Readings that do not tell what is looked for, or a string that the model has no answer for.
+pub fn calibrate(
+    model: &impl Predict,
+    readings: &[Reading],
+    depths: &[(usize, f64)],
+    settings: &Settings,
+) -> Result<Calibration, CalibrationError> {
+    check(readings, settings)?;
+    let (stations, station_of) = stations(model, settings, readings);
+    let best = best(model, settings, readings, &stations, &station_of)?;
+    let likelihood = Likelihood {
+        settings,
+        surfaces: &best.surfaces,
+        readings,
+        station_of: &station_of,
+        errors: best.errors,
+    };
+    let design = likelihood.design(&best.values);
+    let spread = Spread::of(&design, &best.at_bound, settings)?;
+    // How far a factor at its bound would be known, for the reach of its profile.
+    let all = Spread::of(&design, &vec![false; best.values.len()], settings)?;
+    let freedom = readings.len() - settings.parameters.len();
+    let kinds = readings.iter().map(|reading| reading.channel.error());
+    let estimated = kinds.clone().any(|kind| settings.errors[kind.place()].is_none());
+    let within = |probability: f64| match estimated && freedom > 0 {
+        true => student_within(probability, freedom as f64),
+        false => normal_within(probability),
+    };
+    let interval_factor = within(settings.confidence);
+    let band_factor = within(settings.band_confidence);
+    let points = points(&likelihood, &best, &spread, band_factor);
+    let (bands, more) = bands(model, settings, readings, depths, &best, &spread, band_factor)?;
+    let chi2 = likelihood.chi2(&best.values);
+    Ok(Calibration {
+        estimates: estimates(&likelihood, &best, &spread, &all, interval_factor)?,
+        state: settings.state(&best.values),
+        correlation: square(best.values.len(), |a, b| spread.correlation(a, b)),
+        covariance: square(best.values.len(), |a, b| spread.covariance[(a, b)]),
+        condition: spread.condition,
+        confused: confused(settings, &spread),
+        errors: errors(&likelihood, &best),
+        chi2,
+        degrees_of_freedom: freedom,
+        log_likelihood: log_likelihood(&likelihood, chi2),
+        interval_factor,
+        band_factor,
+        points,
+        bands,
+        interpolation_error: best.interpolation_error,
+        strings: best.strings + more,
+    })
+}
+
+fn check(readings: &[Reading], settings: &Settings) -> Result<(), CalibrationError> {
+    let parameters = &settings.parameters;
+    if parameters.is_empty() {
+        return Err(CalibrationError::NothingAsked);
+    }
+    for (place, &first) in parameters.iter().enumerate() {
+        for &second in &parameters[place + 1..] {
+            let alike = first.is_factor()
+                && second.is_factor()
+                && first.is_around() == second.is_around()
+                && (first.wall().is_none() || second.wall().is_none());
+            if first == second || alike {
+                return Err(CalibrationError::Twice(first, second));
+            }
+        }
+    }
+    for &Reading { channel, bit_depth_m, value, .. } in readings {
+        if !value.is_finite() || !bit_depth_m.is_finite() {
+            return Err(CalibrationError::NotFinite { channel, bit_depth_m });
+        }
+    }
+    let (readings, parameters) = (readings.len(), parameters.len());
+    match readings < parameters {
+        true => Err(CalibrationError::TooFew { readings, parameters }),
+        false => Ok(()),
+    }
+}
+
+fn square(count: usize, of: impl Fn(usize, usize) -> f64) -> Vec<Vec<f64>> {
+    (0..count).map(|a| (0..count).map(|b| of(a, b)).collect()).collect()
+}
+
+fn estimates(
+    likelihood: &Likelihood<'_>,
+    best: &Best,
+    spread: &Spread,
+    all: &Spread,
+    interval_factor: f64,
+) -> Result<Vec<Estimate>, CalibrationError> {
+    let parameters = &likelihood.settings.parameters;
+    let estimate = |(of, &parameter): (usize, &Parameter)| {
+        let at_bound = best.at_bound[of];
+        let scale = if at_bound { all.standard_error(of) } else { spread.standard_error(of) };
+        let span = match parameter.is_factor() {
+            true => best.surfaces.span[of],
+            false => [f64::NEG_INFINITY, f64::INFINITY],
+        };
+        let along = Along { likelihood, values: &best.values, of, standard_error: scale, span };
+        let value = best.values[of];
+        let (interval, profile) = if likelihood.settings.profiles {
+            let grown = interval_factor * interval_factor;
+            (along.ends(grown, parameter.is_factor())?, along.points()?)
+        } else {
+            let ends = [value - interval_factor * scale, value + interval_factor * scale];
+            (ends.map(Some), Vec::new())
+        };
+        let standard_error = (!at_bound).then_some(scale);
+        Ok(Estimate { parameter, value, standard_error, interval, at_bound, profile })
+    };
+    parameters.iter().enumerate().map(estimate).collect()
+}
+
+fn confused(settings: &Settings, spread: &Spread) -> Vec<Confused> {
+    let parameters = &settings.parameters;
+    let mut pairs = Vec::new();
+    for (a, &first) in parameters.iter().enumerate() {
+        for (b, &second) in parameters.iter().enumerate().skip(a + 1) {
+            let correlation = spread.correlation(a, b);
+            if correlation.abs() > settings.correlated_beyond {
+                pairs.push(Confused { first, second, correlation });
+            }
+        }
+    }
+    pairs
+}
+
+fn errors(likelihood: &Likelihood<'_>, best: &Best) -> Vec<ReadingError> {
+    let residuals = likelihood.residuals(&best.values);
+    let of = |kind: ErrorKind| {
+        let rows = residuals.iter().zip(likelihood.readings);
+        let squares = rows.filter(|(_, reading)| reading.channel.error() == kind);
+        let squares: Vec<f64> = squares.map(|(residual, _)| residual * residual).collect();
+        let value = best.errors[kind.place()];
+        (!squares.is_empty()).then(|| ReadingError {
+            kind,
+            value,
+            given: likelihood.settings.errors[kind.place()].is_some(),
+            readings: squares.len(),
+            chi2: squares.iter().sum(),
+        })
+    };
+    ErrorKind::ALL.into_iter().filter_map(of).collect()
+}
+
+fn log_likelihood(likelihood: &Likelihood<'_>, chi2: f64) -> f64 {
+    let of =
+        |reading: &Reading| likelihood.error_of(reading).ln() + 0.5 * std::f64::consts::TAU.ln();
+    -0.5 * chi2 - likelihood.readings.iter().map(of).sum::<f64>()
+}
+
+fn points(
+    likelihood: &Likelihood<'_>,
+    best: &Best,
+    spread: &Spread,
+    band_factor: f64,
+) -> Vec<Point> {
+    let predictions = likelihood.predictions(&best.values);
+    let of = |(row, reading): (usize, &Reading)| {
+        let error = likelihood.error_of(reading);
+        let leverage = spread.leverage[row];
+        let predicted = predictions[row].0;
+        let residual = reading.value - predicted;
+        let standardised = residual / (error * (1.0 - leverage).max(1e-6).sqrt());
+        let half_width = band_factor * error * (1.0 + leverage).sqrt();
+        Point {
+            reading: *reading,
+            predicted,
+            predicted_error: error * leverage.sqrt(),
+            standardised,
+            outlier: standardised.abs() > likelihood.settings.outlier_beyond,
+            within_band: residual.abs() <= half_width,
+        }
+    };
+    likelihood.readings.iter().enumerate().map(of).collect()
+}
+
+/// Predictions at depths, with their bands by the slopes there; and how many strings that took.
+fn bands(
+    model: &impl Predict,
+    settings: &Settings,
+    readings: &[Reading],
+    depths: &[(usize, f64)],
+    best: &Best,
+    spread: &Spread,
+    band_factor: f64,
+) -> Result<(Vec<BandPoint>, usize), CalibrationError> {
+    let read_on_bottom = readings.iter().any(|reading| reading.channel == Channel::OnBottomTorque);
+    let channels: Vec<Channel> = Channel::ALL
+        .into_iter()
+        .filter(|channel| read_on_bottom || *channel != Channel::OnBottomTorque)
+        .collect();
+    let motions: Vec<Motion> = Motion::ALL
+        .into_iter()
+        .filter(|motion| channels.iter().any(|channel| channel.motion() == *motion))
+        .collect();
+    let of = |&(setup, depth): &(usize, f64)| {
+        motions.iter().map(move |&motion| (setup, depth, motion)).collect::<Vec<_>>()
+    };
+    let stations: Vec<Station> = depths
+        .iter()
+        .flat_map(of)
+        .map(|(setup, depth, motion)| Station::new(model, settings, setup, depth, motion))
+        .collect();
+    let reach = |place: usize| {
+        let reach = (SLOPE_PART * spread.standard_error(place)).max(LEAST_SLOPE);
+        [(best.values[place] - reach).max(0.0), best.values[place] + reach]
+    };
+    let mut asked = Vec::new();
+    for station in &stations {
+        asked.push(station.asked(settings, &best.values));
+        for &place in &station.rubs_by {
+            for value in reach(place) {
+                let mut values = best.values.clone();
+                values[place] = value;
+                asked.push(station.asked(settings, &values));
+            }
+        }
+    }
+    let loads = model.loads(&asked)?;
+    let mut loads = loads.iter().map(|of| [of.hook_load_N, of.torque_N_m]);
+    let mut next = || loads.next().unwrap_or([f64::NAN; 2]);
+    let mut bands = Vec::new();
+    let beside = settings.state(&best.values);
+    for station in &stations {
+        let here = next();
+        let mut slopes = vec![[0.0; 2]; best.values.len()];
+        for &place in &station.rubs_by {
+            let [from, to] = reach(place);
+            let (low, high) = (next(), next());
+            slopes[place] = [0, 1].map(|part| (high[part] - low[part]) / (to - from));
+        }
+        for &channel in channels.iter().filter(|channel| channel.motion() == station.motion) {
+            let part = usize::from(channel.is_torque());
+            let mut slopes: Vec<f64> = slopes.iter().map(|slope| slope[part]).collect();
+            let (added, by) = match channel {
+                Channel::OnBottomTorque => (beside.bit_torque_N_m, Some(Parameter::BitTorque)),
+                Channel::OffBottomTorque => (0.0, None),
+                _ => (beside.block_weight_N, Some(Parameter::BlockWeight)),
+            };
+            for (slope, parameter) in slopes.iter_mut().zip(&settings.parameters) {
+                if by == Some(*parameter) {
+                    *slope = 1.0;
+                }
+            }
+            let variance = spread.variance(&slopes);
+            let error = best.errors[channel.error().place()];
+            bands.push(BandPoint {
+                setup: station.setup,
+                bit_depth_m: station.bit_depth_m,
+                channel,
+                predicted: here[part] + added,
+                mean_half_width: band_factor * variance.sqrt(),
+                reading_half_width: band_factor * (variance + error * error).sqrt(),
+            });
+        }
+    }
+    Ok((bands, asked.len()))
+}

@@ -1,0 +1,95 @@
+//! What a page reports of a calibration, and its pictures.
+
+mod figures;
+mod page;
+
+pub use figures::calibration_plots;
+pub use page::calibration_html;
+
+use crate::PageHead;
+
+/// A calibration as its page shows it. Numbers are SI.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Calibration {
+    /// Under the name of the case.
+    pub head: PageHead,
+    /// What was looked for.
+    pub estimates: Vec<CalibratedRow>,
+    /// Correlations of the estimates, a row for each.
+    pub correlation: Vec<Vec<f64>>,
+    /// Errors of the readings: which, how large, whether it is a torque, given, how many.
+    pub errors: Vec<(String, f64, bool, bool, usize)>,
+    /// Every reading.
+    pub points: Vec<CalibrationPoint>,
+    /// Predictions with their bands.
+    pub bands: Vec<CalibrationBand>,
+    /// Confidence of intervals and bands.
+    pub confidence: [f64; 2],
+    /// Residuals beyond this are outliers.
+    pub outlier_beyond: f64,
+    /// What is to be known of the answer, in sentences.
+    pub notes: Vec<String>,
+    /// What is to be wary of, in sentences.
+    pub warnings: Vec<String>,
+}
+
+/// A number that was looked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CalibratedRow {
+    /// In a sentence.
+    pub words: String,
+    /// Name of its dimension.
+    pub dimension: String,
+    /// Its value.
+    pub value: f64,
+    /// Its standard error.
+    pub standard_error: Option<f64>,
+    /// The interval by the profile likelihood.
+    pub interval: [Option<f64>; 2],
+    /// Value, how much greater the sum of squares is there, and what a parabola has.
+    pub profile: Vec<[f64; 3]>,
+}
+
+/// A number that was read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CalibrationPoint {
+    /// The case that was in the hole.
+    pub case: String,
+    /// Where it stands in its file.
+    pub place: String,
+    /// `pick_up`, ...
+    pub reading: String,
+    /// Whether it is a torque.
+    pub is_torque: bool,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// As it was read.
+    pub measured: f64,
+    /// By the model.
+    pub predicted: f64,
+    /// Residual over its standard error.
+    pub standardised: f64,
+    /// Beyond the bound.
+    pub outlier: bool,
+    /// In the band.
+    pub within_band: bool,
+}
+
+/// A prediction with its band.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CalibrationBand {
+    /// The case that is in the hole.
+    pub case: String,
+    /// `pick_up`, ...
+    pub reading: String,
+    /// Whether it is a torque.
+    pub is_torque: bool,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// What is predicted.
+    pub predicted: f64,
+    /// The band of the mean.
+    pub mean: [f64; 2],
+    /// The band of readings.
+    pub reading_band: [f64; 2],
+}

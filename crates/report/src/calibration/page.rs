@@ -1,0 +1,164 @@
+//! The page of a calibration as one file that needs nothing else.
+
+use super::{
+    Calibration,
+    figures::{calibration_plots, said},
+};
+use crate::{Grid, Head, StudyPage, StudyPart, Verdict, plots::Shown, study_html};
+
+/// What the numbers stand for.
+const ABOUT: &str = "What friction was, by what was read at the surface: the numbers that make the \
+    readings most likely, how well the readings tell them, and what would be read at other depths.";
+
+/// The page as the text of an HTML file. No name in it can end the element that it stands in.
+pub fn calibration_html(of: &Calibration) -> String {
+    let shown = Shown::new(&of.head.dimensions, &of.head.units);
+    let facts = of.head.facts.iter().filter_map(|fact| shown.fact(fact));
+    let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
+    description.extend(of.warnings.iter().map(|text| format!("\n\nWarning: {text}.")));
+    description.extend(of.notes.iter().map(|text| format!("\n\nNote: {text}.")));
+    let [interval, band] = of.confidence.map(|of| format!("{:.0} %", 100.0 * of));
+    let captions = [
+        (
+            "Measured and predicted",
+            format!(
+                "Lines: the model with the numbers found. Dark: the band of {band} within which the \
+                 model's value lies, by what the readings leave open. Light: within which {band} of \
+                 readings lie. Points: what was read."
+            ),
+        ),
+        (
+            "Residuals against depth",
+            format!(
+                "Measured less predicted, over the standard error that it has after the fit. A trend \
+                 with depth is something that the model does not know. Beyond {} an outlier.",
+                of.outlier_beyond
+            ),
+        ),
+        (
+            "Profiles of the likelihood",
+            format!(
+                "Each number held, all others at their best: how much the sum of squared residuals \
+                 grows. Rules: the ends of the interval of {interval}. Where the curves part, the \
+                 standard error alone misleads."
+            ),
+        ),
+    ];
+    let mut parts = vec![estimates(of, shown, &interval)];
+    for (plot, (title, caption)) in calibration_plots(of, &of.head.units).into_iter().zip(captions)
+    {
+        parts.push(StudyPart::Figure {
+            title: title.to_owned(),
+            caption,
+            files: plot.name,
+            figure: Some(Box::new(plot.figure)),
+            painted: false,
+        });
+    }
+    parts.push(correlations(of));
+    parts.push(readings(of, shown));
+    study_html(&StudyPage {
+        program: of.head.program.clone(),
+        title: of.head.title.clone(),
+        description,
+        parts,
+    })
+}
+
+fn heads(names: &[(&str, bool)]) -> Vec<Head> {
+    names.iter().map(|(text, words)| Head { text: (*text).to_owned(), words: *words }).collect()
+}
+
+fn row(cells: Vec<String>) -> Vec<(String, Verdict)> {
+    cells.into_iter().map(|cell| (cell, Verdict::None)).collect()
+}
+
+fn estimates(of: &Calibration, shown: Shown<'_>, interval: &str) -> StudyPart {
+    let interval = format!("interval of {interval}");
+    let heads =
+        heads(&[("number", true), ("value", false), ("standard error", false), (&interval, false)]);
+    let rows = of.estimates.iter().map(|row_of| {
+        // A factor in four digits; a weight as people say it.
+        let say = |value: f64| match row_of.dimension.as_str() {
+            "" => format!("{value:.4}"),
+            dimension => shown.quantity(value, dimension),
+        };
+        let end = |end: Option<f64>| end.map_or("not found".to_owned(), say);
+        row(vec![
+            row_of.words.clone(),
+            say(row_of.value),
+            row_of.standard_error.map_or("at its bound".to_owned(), say),
+            format!("{} to {}", end(row_of.interval[0]), end(row_of.interval[1])),
+        ])
+    });
+    let errors = of.errors.iter().map(|(which, error, is_torque, given, count)| {
+        let dimension = if *is_torque { "torque" } else { "force" };
+        let how = if *given { "as given" } else { "estimated" };
+        format!("{count} {which}: {} ({how})", shown.quantity(*error, dimension))
+    });
+    StudyPart::Table {
+        title: "What was found".into(),
+        caption: format!(
+            "Standard errors of the readings: {}.",
+            errors.collect::<Vec<_>>().join("; ")
+        ),
+        grid: Grid { heads, rows: rows.collect() },
+        files: "summary".into(),
+        endings: &["json"],
+    }
+}
+
+fn correlations(of: &Calibration) -> StudyPart {
+    let mut names = vec![("", true)];
+    names.extend(of.estimates.iter().map(|of| (of.words.as_str(), false)));
+    let rows = of.estimates.iter().zip(&of.correlation).map(|(estimate, correlation)| {
+        let mut cells = vec![estimate.words.clone()];
+        cells.extend(correlation.iter().map(|of| format!("{of:.3}").replace('-', "\u{2212}")));
+        row(cells)
+    });
+    StudyPart::Table {
+        title: "Correlations".into(),
+        caption: "Near 1 or −1 the readings tell two numbers together and neither alone.".into(),
+        grid: Grid { heads: heads(&names), rows: rows.collect() },
+        files: "summary".into(),
+        endings: &["json"],
+    }
+}
+
+fn readings(of: &Calibration, shown: Shown<'_>) -> StudyPart {
+    let heads = heads(&[
+        ("reading", true),
+        ("case", true),
+        ("place", true),
+        ("bit depth", false),
+        ("measured", false),
+        ("predicted", false),
+        ("residual, standard errors", false),
+        ("in its band", true),
+    ]);
+    let rows = of.points.iter().map(|point| {
+        let dimension = if point.is_torque { "torque" } else { "force" };
+        let mut cells = row(vec![
+            said(&point.reading).to_owned(),
+            point.case.clone(),
+            point.place.clone(),
+            shown.quantity(point.bit_depth_m, "length"),
+            shown.quantity(point.measured, dimension),
+            shown.quantity(point.predicted, dimension),
+            format!("{:.2}", point.standardised).replace('-', "\u{2212}"),
+        ]);
+        cells.push(match (point.outlier, point.within_band) {
+            (true, _) => ("outlier".to_owned(), Verdict::Differs),
+            (false, true) => ("yes".to_owned(), Verdict::Agrees),
+            (false, false) => ("no".to_owned(), Verdict::None),
+        });
+        cells
+    });
+    StudyPart::Table {
+        title: "Readings".into(),
+        caption: "Weights with the block's.".into(),
+        grid: Grid { heads, rows: rows.collect() },
+        files: "calibration".into(),
+        endings: &["csv", "parquet"],
+    }
+}

@@ -1,0 +1,13 @@
+//! Friction factors, block weight and bit torque from what was read at the surface.
+
+mod data;
+mod notes;
+pub(crate) mod page;
+mod predictions;
+mod request;
+mod tables;
+mod toml;
+
+pub use request::{Fit, NamedCase, Outcome, Request, run};
+pub use toml::FRAGMENT;
+pub use wholestring_plan::calibration::Parameter;

@@ -1,0 +1,139 @@
+//! `report.html` and the pictures of a calibration, made from the files that it left.
+
+use std::path::Path;
+
+use wholestring_report::{
+    CalibratedRow, Calibration, CalibrationBand, CalibrationPoint, Cell, Fact, calibration_html,
+    calibration_plots,
+};
+use wholestring_results::{CalibrationSummary, ResultsError, ResultsFolder, Table};
+use wholestring_units::UnitSet;
+
+use super::tables::{BANDS, POINTS, PROFILES};
+use crate::page::{self, FILE, table, write_picture};
+
+/// Whether a folder is one that a calibration was written to.
+pub(crate) fn is_calibration(folder: &Path) -> bool {
+    folder.join(format!("{PROFILES}.parquet")).is_file()
+}
+
+/// Writes the page and its pictures.
+pub(crate) fn write(
+    folder: &ResultsFolder,
+    of: &Calibration,
+    png: bool,
+) -> Result<(), ResultsError> {
+    for plot in calibration_plots(of, &of.head.units) {
+        write_picture(folder, &plot.name, &plot.figure, png)?;
+    }
+    folder.write_file(FILE, calibration_html(of).as_bytes())
+}
+
+/// Everything that is reported of a calibration.
+pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Calibration, ResultsError> {
+    let summary = CalibrationSummary::read(&folder.join("summary.json"))?;
+    let title = format!("{}: measured friction", summary.title());
+    let head = page::head(title, units, Some(&summary.settings), facts(&summary));
+    let profiles = table(folder, PROFILES)?;
+    let rows = summary.estimates.iter().map(|of| {
+        let (dimension, _) = page::dimensions::of_setting(&of.parameter).unwrap_or_default();
+        CalibratedRow {
+            words: of.words.clone(),
+            dimension: dimension.to_owned(),
+            value: of.value,
+            standard_error: of.standard_error,
+            interval: of.interval,
+            profile: profile(&profiles, &of.parameter),
+        }
+    });
+    let errors = summary
+        .errors
+        .iter()
+        .map(|of| (of.readings.clone(), of.standard_error, of.is_torque, of.given, of.count));
+    Ok(Calibration {
+        estimates: rows.collect(),
+        errors: errors.collect(),
+        points: points(&table(folder, POINTS)?),
+        bands: bands(&table(folder, BANDS)?),
+        correlation: summary.correlation.clone(),
+        confidence: [summary.confidence, summary.band_confidence],
+        outlier_beyond: summary.outlier_beyond,
+        notes: summary.notes.clone(),
+        warnings: summary.warnings.clone(),
+        head,
+    })
+}
+
+/// The calibration in a few facts.
+fn facts(summary: &CalibrationSummary) -> Vec<Fact> {
+    let fact = |label: &str, text: String| Fact { label: label.into(), value: Cell::Text(text) };
+    let file = Path::new(&summary.data).file_name();
+    let file = file.map_or(summary.data.clone(), |name| name.to_string_lossy().into_owned());
+    vec![
+        fact("Readings", format!("{} of {file}", summary.readings)),
+        fact("Model", format!("{} string", summary.model)),
+        fact("χ²", format!("{:.1}", summary.chi2)),
+        fact("Degrees of freedom", summary.degrees_of_freedom.to_string()),
+    ]
+}
+
+fn numbers(table: &Table, name: &str) -> Vec<f64> {
+    let column = table.numbers(name).unwrap_or_default();
+    column.iter().map(|value| value.unwrap_or(f64::NAN)).collect()
+}
+
+fn words(table: &Table, name: &str) -> Vec<String> {
+    table.words(name).unwrap_or_default().to_vec()
+}
+
+/// Of a weight's column and a torque's the one that has a number.
+fn either(table: &Table, name: &str) -> Vec<f64> {
+    let (weights, torques) =
+        (numbers(table, &format!("{name}_N")), numbers(table, &format!("{name}_N_m")));
+    let pick = |(weight, torque): (f64, f64)| if weight.is_finite() { weight } else { torque };
+    weights.into_iter().zip(torques).map(pick).collect()
+}
+
+fn profile(table: &Table, parameter: &str) -> Vec<[f64; 3]> {
+    let columns = ["value", "excess", "parabola"].map(|name| numbers(table, name));
+    let rows = words(table, "parameter").into_iter().enumerate();
+    let rows = rows.filter(|(_, name)| name == parameter);
+    rows.map(|(row, _)| columns.each_ref().map(|of| of[row])).collect()
+}
+
+fn points(table: &Table) -> Vec<CalibrationPoint> {
+    let [case, place, reading] = ["case", "place", "reading"].map(|name| words(table, name));
+    let [depth, standardised, outlier, within] =
+        ["bit_depth_m", "standardised", "outlier", "within_band"].map(|name| numbers(table, name));
+    let (measured, predicted) = (either(table, "measured"), either(table, "predicted"));
+    let point = |row: usize| CalibrationPoint {
+        case: case[row].clone(),
+        place: place[row].clone(),
+        is_torque: reading[row].starts_with("torque"),
+        reading: reading[row].clone(),
+        bit_depth_m: depth[row],
+        measured: measured[row],
+        predicted: predicted[row],
+        standardised: standardised[row],
+        outlier: outlier[row] > 0.0,
+        within_band: within[row] > 0.0,
+    };
+    (0..table.rows()).map(point).collect()
+}
+
+fn bands(table: &Table) -> Vec<CalibrationBand> {
+    let [case, reading] = ["case", "reading"].map(|name| words(table, name));
+    let depth = numbers(table, "bit_depth_m");
+    let ends = ["predicted", "mean_low", "mean_high", "reading_low", "reading_high"];
+    let [predicted, mean_low, mean_high, low, high] = ends.map(|name| either(table, name));
+    let band = |row: usize| CalibrationBand {
+        case: case[row].clone(),
+        is_torque: reading[row].starts_with("torque"),
+        reading: reading[row].clone(),
+        bit_depth_m: depth[row],
+        predicted: predicted[row],
+        mean: [mean_low[row], mean_high[row]],
+        reading_band: [low[row], high[row]],
+    };
+    (0..table.rows()).map(band).collect()
+}

@@ -1,0 +1,300 @@
+//! A calibration that is requested, and what came of it.
+
+use std::{
+    path::{Path, PathBuf},
+    time::{Duration, Instant},
+};
+
+use wholestring::{operation::OperationKind, outcome::ModelKind, well::HoleKind};
+use wholestring_case::Case;
+use wholestring_plan::calibration::{Calibration, Factors, Parameter, Settings, State, calibrate};
+use wholestring_results::{CALIBRATION_VERSION, CalibrationSummary, Occupant, digest};
+use wholestring_units::UnitSet;
+
+use super::{
+    data::{self, Data},
+    notes, page,
+    predictions::Predictions,
+    tables, toml,
+};
+use crate::{
+    cancellation::CancellationToken, claim::Claim, error::Error, folder_name::default_output,
+    observer::Observer, output::Output,
+};
+
+/// Depths of the bands of a case.
+const DEPTHS: usize = 30;
+
+/// Nodes of a factor where the stiff string predicts, and how far from the soft string's answer.
+const STIFF_NODES: usize = 3;
+const STIFF_REACH: f64 = 0.08;
+
+/// A case with the name of its file, without its ending.
+#[derive(Debug, Clone)]
+pub struct NamedCase<'a> {
+    /// Name of its file.
+    pub file: String,
+    /// The case.
+    pub case: &'a Case,
+}
+
+/// What is looked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fit {
+    /// One factor for cased and open hole.
+    pub one_factor: bool,
+    /// Friction around the hole apart from that along it.
+    pub friction_around: bool,
+    /// The weight of the block, although the case gives it; where it does not, it is looked for.
+    pub block_weight: bool,
+    /// The torque of the bit on bottom.
+    pub bit_torque: bool,
+    /// Numbers that are held.
+    pub hold: Vec<(Parameter, f64)>,
+    /// Standard errors of pick-up and slack-off weights and of rotating weights, N, and of torques,
+    /// N·m; estimated where none is given.
+    pub errors: [Option<f64>; 3],
+    /// Residuals larger than so many of their standard errors are outliers.
+    pub outlier_beyond: f64,
+    /// Confidence of the bands.
+    pub band_confidence: f64,
+    /// The model that predicts: soft or stiff.
+    pub model: ModelKind,
+}
+
+/// Readings that are to tell friction.
+#[derive(Debug)]
+pub struct Request<'a> {
+    /// The cases whose strings were in the hole.
+    pub cases: &'a [NamedCase<'a>],
+    /// The file of the readings.
+    pub data: &'a Path,
+    /// What is looked for.
+    pub fit: Fit,
+    /// Units of the pictures and the page; the first case's where nothing is said.
+    pub units: Option<UnitSet>,
+    /// Where the results go.
+    pub output: Output,
+    /// Whether the pictures are painted as PNG too.
+    pub png: bool,
+}
+
+/// What came of it.
+#[derive(Debug)]
+pub struct Outcome {
+    /// What was found, as `summary.json` has it.
+    pub summary: CalibrationSummary,
+    /// Where the results are.
+    pub folder: PathBuf,
+    /// How long it took, writing apart.
+    pub took: Duration,
+}
+
+/// Finds what was asked for, and writes tables, pictures, page and the fragment of a case.
+///
+/// # Errors
+/// Readings that cannot be read or do not tell what is looked for, a string without an answer, or a
+/// folder that the results cannot go to.
+pub fn run(
+    request: &Request<'_>,
+    observer: &dyn Observer,
+    cancellation: &CancellationToken,
+) -> Result<Outcome, Error> {
+    let [first, ..] = request.cases else {
+        return Err(Error::BadInput("no case is given".into()));
+    };
+    let data = data::read(request.data, request.cases)?;
+    let settings = settings(request, &data)?;
+    let name = format!("{} calibration", first.case.name);
+    let identities: Vec<_> = request.cases.iter().map(|of| of.case.identity()).collect();
+    let claimed = Claim {
+        occupant: Occupant {
+            kind: "calibration".into(),
+            name: name.clone(),
+            identity: digest(&(identities, request.data.display().to_string())),
+        },
+        output: &request.output,
+        default: default_output(&name),
+        shared: false,
+        observer,
+        is_unfinished: &|_| false,
+        is_part: &|_| true,
+        refuse: &|_| Ok(()),
+    }
+    .folder()?;
+    let folder = &claimed.folder;
+    let begun = Instant::now();
+    let found = find(request, &data, &settings, cancellation)?;
+    let took = begun.elapsed();
+    let units = request.units.unwrap_or(first.case.units);
+    let summary = summary(request, &data, &settings, &found, units);
+    tables::write(folder, request, &data, &summary, &found)?;
+    folder.write_file(toml::FRAGMENT, toml::fragment(first.case, &summary, &found).as_bytes())?;
+    page::write(folder, &page::gather(folder.path(), Some(units))?, request.png)?;
+    Ok(Outcome { summary, folder: folder.path().to_owned(), took })
+}
+
+/// What is looked for, by what the readings reach and what the cases give.
+fn settings(request: &Request<'_>, data: &Data) -> Result<Settings, Error> {
+    let fit = &request.fit;
+    let case = request.cases[0].case;
+    let reaches = |kind: HoleKind| {
+        let mut readings = data.readings.iter();
+        readings.any(|of| data.assemblies[of.setup].reaches(of.bit_depth_m, kind))
+    };
+    let turns = data.readings.iter().any(|of| of.channel.is_torque());
+    let (cased, open) = (reaches(HoleKind::Casing), reaches(HoleKind::Open));
+    let mut parameters = match (fit.one_factor, cased, open) {
+        (false, true, true) => vec![Parameter::Cased, Parameter::Open],
+        _ => vec![Parameter::Friction],
+    };
+    if fit.friction_around {
+        if !turns {
+            let reason = "friction around the hole is looked for, but no torque was read";
+            return Err(Error::BadInput(reason.into()));
+        }
+        let around = |of: &Parameter| match of {
+            Parameter::Cased => Parameter::CasedAround,
+            Parameter::Open => Parameter::OpenAround,
+            _ => Parameter::FrictionAround,
+        };
+        parameters.extend(parameters.iter().map(around).collect::<Vec<_>>());
+    }
+    let weighs = data.readings.iter().any(|of| !of.channel.is_torque());
+    let known = case.model.rig.block_weight_N;
+    if weighs && (fit.block_weight || known.is_none()) {
+        parameters.push(Parameter::BlockWeight);
+    }
+    if fit.bit_torque {
+        parameters.push(Parameter::BitTorque);
+    }
+    let drills = case.operations.iter().find(|of| of.kind == OperationKind::Drill);
+    let [along, around] = frictions(case);
+    let mut settings = Settings::new(
+        parameters,
+        State {
+            factors: Factors {
+                cased: along[0],
+                open: along[1],
+                cased_around: around[0],
+                open_around: around[1],
+            },
+            block_weight_N: known.unwrap_or(0.0),
+            bit_torque_N_m: drills.map_or(0.0, |of| of.bit_torque_N_m),
+        },
+    );
+    let ratio = |wall: usize| if along[wall] > 0.0 { around[wall] / along[wall] } else { 1.0 };
+    settings.around_ratio = [ratio(0), ratio(1)];
+    for (parameter, value) in &fit.hold {
+        if !settings.parameters.contains(parameter) {
+            let names = settings.parameters.iter().map(|of| of.name()).collect::<Vec<_>>();
+            return Err(Error::BadInput(format!(
+                "{} is not looked for and cannot be held: looked for are {}",
+                parameter.name(),
+                names.join(", ")
+            )));
+        }
+        settings.hold(*parameter, *value);
+    }
+    settings.errors = fit.errors;
+    settings.outlier_beyond = fit.outlier_beyond;
+    settings.band_confidence = fit.band_confidence;
+    Ok(settings)
+}
+
+/// Factors of a case along and around the hole: of its deepest casing and its deepest open hole.
+fn frictions(case: &Case) -> [[f64; 2]; 2] {
+    let of = |kind: HoleKind| {
+        let mut sections = case.model.well.hole.sections().iter().rev();
+        let friction = sections.find(|section| section.kind == kind).map(|of| of.friction);
+        friction.map_or([0.0, 0.0], |of| [of.kinetic, of.kinetic * of.around])
+    };
+    let (cased, open) = (of(HoleKind::Casing), of(HoleKind::Open));
+    [[cased[0], open[0]], [cased[1], open[1]]]
+}
+
+fn find(
+    request: &Request<'_>,
+    data: &Data,
+    settings: &Settings,
+    cancellation: &CancellationToken,
+) -> Result<Calibration, Error> {
+    let depths = depths(data);
+    let solve = |stiff, settings: &Settings, depths: &[(usize, f64)]| {
+        let model = Predictions { assemblies: &data.assemblies, stiff, cancellation };
+        let found = calibrate(&model, &data.readings, depths, settings);
+        found.map_err(|error| match cancellation.is_cancelled() {
+            true => Error::Interrupted,
+            false => Error::BadInput(error.to_string()),
+        })
+    };
+    if request.fit.model != ModelKind::Stiff {
+        return solve(None, settings, &depths);
+    }
+    let soft = solve(None, &Settings { profiles: false, ..settings.clone() }, &[])?;
+    let factors = soft.estimates.iter().filter(|of| of.parameter.is_factor());
+    let factors: Vec<f64> = factors.map(|of| of.value).collect();
+    let least = factors.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = factors.iter().copied().fold(0.0, f64::max);
+    let first_box = [(least.min(most) - STIFF_REACH).max(0.0), most + STIFF_REACH];
+    let stiff = data.cases.iter().map(|&of| request.cases[of].case.dynamics.stiff_string());
+    let settings = Settings { first_box, nodes: STIFF_NODES, ..settings.clone() };
+    solve(Some(stiff.collect()), &settings, &depths)
+}
+
+/// Depths of the bands: of each case from its first reading to its last, of the deepest to the end of
+/// its hole; with the string and the mud that its deepest reading has.
+fn depths(data: &Data) -> Vec<(usize, f64)> {
+    let mut cases: Vec<usize> = data.cases.clone();
+    cases.sort_unstable();
+    cases.dedup();
+    let span = |case: usize| {
+        let of = data.readings.iter().filter(|of| data.cases[of.setup] == case);
+        let depths = of.map(|of| (of.bit_depth_m, of.setup));
+        let least = depths.clone().map(|of| of.0).fold(f64::INFINITY, f64::min);
+        let (most, setup) = depths.fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a });
+        (least, most, setup)
+    };
+    let spans: Vec<_> = cases.into_iter().map(span).collect();
+    let deepest = spans.iter().map(|of| of.1).fold(0.0, f64::max);
+    let grid = |&(from, to, setup): &(f64, f64, usize)| {
+        let to = if to == deepest { data::deepest_m(&data.assemblies[setup]) } else { to };
+        let last = if to > from { DEPTHS - 1 } else { 0 };
+        let at = move |k: usize| from + (to - from) * k as f64 / last.max(1) as f64;
+        (0..=last).map(move |k| (setup, at(k))).collect::<Vec<_>>()
+    };
+    spans.iter().flat_map(grid).collect()
+}
+
+fn summary(
+    request: &Request<'_>,
+    data: &Data,
+    settings: &Settings,
+    found: &Calibration,
+    units: UnitSet,
+) -> CalibrationSummary {
+    CalibrationSummary {
+        schema_version: CALIBRATION_VERSION,
+        cases: request.cases.iter().map(|of| of.case.name.clone()).collect(),
+        settings: request.cases[0].case.settings.clone(),
+        data: request.data.display().to_string(),
+        model: request.fit.model.name().to_owned(),
+        estimates: tables::estimates(found),
+        held: tables::held(settings),
+        correlation: found.correlation.clone(),
+        condition: found.condition,
+        errors: tables::errors(found),
+        chi2: found.chi2,
+        degrees_of_freedom: found.degrees_of_freedom,
+        log_likelihood: found.log_likelihood,
+        confidence: settings.confidence,
+        band_confidence: settings.band_confidence,
+        outlier_beyond: settings.outlier_beyond,
+        readings: found.points.len(),
+        within_band: found.points.iter().filter(|of| of.within_band).count(),
+        interpolation_error: found.interpolation_error,
+        strings: found.strings,
+        notes: notes::notes(data, found, settings, units),
+        warnings: notes::warnings(data, found, settings, units),
+    }
+}

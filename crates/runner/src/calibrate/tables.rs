@@ -1,0 +1,159 @@
+//! The tables of a calibration.
+
+use wholestring_plan::calibration::{Calibration, Channel, ErrorKind, Parameter, Settings, State};
+use wholestring_results::{
+    CALIBRATION, CALIBRATION_BANDS, CALIBRATION_PROFILES, CalibrationSummary, CalibrationTables,
+    ErrorFound, EstimateFound, ResultsError, ResultsFolder, Table,
+};
+
+use super::{Request, data::Data};
+
+/// Names of the tables, without their endings.
+pub(super) const POINTS: &str = "calibration";
+pub(super) const BANDS: &str = "calibration_bands";
+pub(super) const PROFILES: &str = "calibration_profiles";
+
+/// Writes the summary and all tables, as CSV too: the page leads to them.
+pub(super) fn write(
+    folder: &ResultsFolder,
+    request: &Request<'_>,
+    data: &Data,
+    summary: &CalibrationSummary,
+    found: &Calibration,
+) -> Result<(), ResultsError> {
+    let case = |setup: usize| request.cases[data.cases[setup]].case.name.as_str();
+    let tables = CalibrationTables {
+        points: points(data, found, case),
+        bands: bands(found, case),
+        profiles: profiles(found),
+    };
+    folder.write_table(POINTS, &tables.points, true)?;
+    folder.write_table(BANDS, &tables.bands, true)?;
+    folder.write_table(PROFILES, &tables.profiles, true)?;
+    summary.write(&folder.path().join("summary.json"))
+}
+
+/// A number as a weight, or as a torque.
+fn by_kind(channel: Channel, value: f64) -> [f64; 2] {
+    if channel.is_torque() { [f64::NAN, value] } else { [value, f64::NAN] }
+}
+
+fn points<'a>(data: &Data, found: &Calibration, case: impl Fn(usize) -> &'a str) -> Table {
+    let mut table = Table::with_columns(CALIBRATION);
+    for (point, place) in found.points.iter().zip(&data.places) {
+        let channel = point.reading.channel;
+        let [measured_N, measured_N_m] = by_kind(channel, point.reading.value);
+        let [predicted_N, predicted_N_m] = by_kind(channel, point.predicted);
+        table.append(
+            &[
+                ("case", &[case(point.reading.setup)]),
+                ("place", &[place]),
+                ("reading", &[channel.name()]),
+            ],
+            &[
+                ("bit_depth_m", &[point.reading.bit_depth_m]),
+                ("measured_N", &[measured_N]),
+                ("predicted_N", &[predicted_N]),
+                ("measured_N_m", &[measured_N_m]),
+                ("predicted_N_m", &[predicted_N_m]),
+                ("standardised", &[point.standardised]),
+                ("outlier", &[f64::from(u8::from(point.outlier))]),
+                ("within_band", &[f64::from(u8::from(point.within_band))]),
+            ],
+        );
+    }
+    table
+}
+
+fn bands<'a>(found: &Calibration, case: impl Fn(usize) -> &'a str) -> Table {
+    let mut table = Table::with_columns(CALIBRATION_BANDS);
+    for of in &found.bands {
+        let kinds = [of.predicted, of.mean_half_width, of.reading_half_width]
+            .map(|value| by_kind(of.channel, value));
+        let [predicted, mean, reading] = kinds;
+        let end = |half: [f64; 2], sign: f64| [0, 1].map(|k| predicted[k] + sign * half[k]);
+        let (mean_low, mean_high) = (end(mean, -1.0), end(mean, 1.0));
+        let (low, high) = (end(reading, -1.0), end(reading, 1.0));
+        table.append(
+            &[("case", &[case(of.setup)]), ("reading", &[of.channel.name()])],
+            &[
+                ("bit_depth_m", &[of.bit_depth_m]),
+                ("predicted_N", &[predicted[0]]),
+                ("mean_low_N", &[mean_low[0]]),
+                ("mean_high_N", &[mean_high[0]]),
+                ("reading_low_N", &[low[0]]),
+                ("reading_high_N", &[high[0]]),
+                ("predicted_N_m", &[predicted[1]]),
+                ("mean_low_N_m", &[mean_low[1]]),
+                ("mean_high_N_m", &[mean_high[1]]),
+                ("reading_low_N_m", &[low[1]]),
+                ("reading_high_N_m", &[high[1]]),
+            ],
+        );
+    }
+    table
+}
+
+fn profiles(found: &Calibration) -> Table {
+    let mut table = Table::with_columns(CALIBRATION_PROFILES);
+    for of in &found.estimates {
+        let each = |value: fn(&wholestring_plan::calibration::ProfilePoint) -> f64| {
+            of.profile.iter().map(value).collect::<Vec<f64>>()
+        };
+        table.append(
+            &[("parameter", &[of.parameter.name()])],
+            &[
+                ("value", &each(|at| at.value)),
+                ("excess", &each(|at| at.excess)),
+                ("parabola", &each(|at| at.parabola)),
+            ],
+        );
+    }
+    table
+}
+
+/// What was looked for.
+pub(super) fn estimates(found: &Calibration) -> Vec<EstimateFound> {
+    let estimate = |of: &wholestring_plan::calibration::Estimate| EstimateFound {
+        parameter: of.parameter.name().to_owned(),
+        words: of.parameter.words().to_owned(),
+        value: of.value,
+        standard_error: of.standard_error,
+        interval: of.interval,
+        at_bound: of.at_bound,
+    };
+    found.estimates.iter().map(estimate).collect()
+}
+
+/// How far readings err.
+pub(super) fn errors(found: &Calibration) -> Vec<ErrorFound> {
+    let error = |of: &wholestring_plan::calibration::ReadingError| ErrorFound {
+        readings: of.kind.name().to_owned(),
+        is_torque: of.kind == ErrorKind::Torque,
+        standard_error: of.value,
+        given: of.given,
+        count: of.readings,
+        chi2: of.chi2,
+    };
+    found.errors.iter().map(error).collect()
+}
+
+/// What was held.
+pub(super) fn held(settings: &Settings) -> Vec<(String, f64)> {
+    let State { factors, block_weight_N, bit_torque_N_m } = settings.held;
+    let looked_for = |of: Parameter| settings.parameters.contains(&of);
+    let everywhere = looked_for(Parameter::Friction);
+    let around = looked_for(Parameter::FrictionAround) || settings.around_follows();
+    [
+        (Parameter::Cased, factors.cased, everywhere),
+        (Parameter::Open, factors.open, everywhere),
+        (Parameter::CasedAround, factors.cased_around, around),
+        (Parameter::OpenAround, factors.open_around, around),
+        (Parameter::BlockWeight, block_weight_N, false),
+        (Parameter::BitTorque, bit_torque_N_m, false),
+    ]
+    .into_iter()
+    .filter(|(of, _, otherwise)| !looked_for(*of) && !otherwise)
+    .map(|(of, value, _)| (of.name().to_owned(), value))
+    .collect()
+}

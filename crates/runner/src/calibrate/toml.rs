@@ -1,0 +1,88 @@
+//! What was found, as a piece of a case file.
+
+use std::fmt::Write;
+
+use wholestring::well::HoleKind;
+use wholestring_case::Case;
+use wholestring_plan::calibration::{Calibration, Factors, Parameter};
+use wholestring_results::CalibrationSummary;
+
+/// Name of the file.
+pub const FRAGMENT: &str = "friction.toml";
+
+/// Least factor along the hole beside which a case takes one around it.
+const LEAST: f64 = 1e-3;
+
+/// A factor, or a table of two, as case files write it.
+fn friction(kind: HoleKind, factors: &Factors) -> String {
+    let (along, around) = match kind {
+        HoleKind::Casing => (factors.cased, factors.cased_around),
+        HoleKind::Open => (factors.open, factors.open_around),
+    };
+    match (around - along).abs() < 5e-5 {
+        true => format!("{along:.4}"),
+        false => format!("{{ kinetic = {:.4}, around = {around:.4} }}", along.max(LEAST)),
+    }
+}
+
+/// The sections of the first case's hole with the friction that was found, and the block's weight;
+/// how they are tried without writing them in.
+pub(super) fn fragment(case: &Case, summary: &CalibrationSummary, found: &Calibration) -> String {
+    let factors = &found.state.factors;
+    let sections = case.model.well.hole.sections();
+    let mut text = format!(
+        "# Friction of {} by the {} string, from {} readings of {}.\n",
+        case.name,
+        summary.model,
+        summary.readings,
+        summary.data.replace(['\n', '\r'], " ")
+    );
+    for of in &summary.estimates {
+        let error = of
+            .standard_error
+            .map_or("held at zero".to_owned(), |error| format!("standard error {}", plain(error)));
+        let ends = of.interval.map(|end| end.map_or("not found".to_owned(), plain));
+        let [from, to] = ends;
+        let percent = 100.0 * summary.confidence;
+        let _ = writeln!(
+            text,
+            "# {} = {}, {error}, {percent:.0} %: {from} to {to}",
+            of.parameter,
+            plain(of.value)
+        );
+    }
+    let weighed = summary.estimates.iter().any(|of| of.parameter == Parameter::BlockWeight.name());
+    text += "#\n# Put the friction into the sections of the case's hole";
+    text += if weighed { " and the block's weight under its [rig]" } else { "" };
+    text += ", or try them with\n#  ";
+    for (index, section) in sections.iter().enumerate() {
+        let _ =
+            write!(text, " --set 'well.hole.{index}.friction={}'", friction(section.kind, factors));
+    }
+    if weighed {
+        let _ = write!(text, " --set 'rig.block_weight={:.0} N'", found.state.block_weight_N);
+    }
+    text.push('\n');
+    for section in sections {
+        let kind = match section.kind {
+            HoleKind::Casing => "casing",
+            HoleKind::Open => "open",
+        };
+        let _ = write!(
+            text,
+            "\n[[well.hole]]\nkind = \"{kind}\"\nto = \"{} m\"\ndiameter = \"{} m\"\nfriction = {}\n",
+            section.to_md_m,
+            section.diameter_m,
+            friction(section.kind, factors)
+        );
+    }
+    if weighed {
+        let _ = write!(text, "\n[rig]\nblock_weight = \"{:.0} N\"\n", found.state.block_weight_N);
+    }
+    text
+}
+
+/// A factor in four decimals, a force or torque in whole units.
+fn plain(value: f64) -> String {
+    if value.abs() < 10.0 { format!("{value:.4}") } else { format!("{value:.0}") }
+}

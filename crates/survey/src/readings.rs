@@ -1,0 +1,118 @@
+//! From rows of numbers to readings at the surface.
+
+use crate::{
+    column::Column,
+    error::{SurveyError, SurveyErrorKind},
+    layout::Layout,
+    number::Style,
+    sort::READINGS,
+    stations::{Reader, data_rows, style, whole},
+    table::Table,
+};
+
+/// No hole is deeper along its axis, m.
+const DEEPEST_M: f64 = 1e5;
+
+/// What was read with the bit at a depth.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImportedReading {
+    /// Where it stands in its file: `line 3`, `row 3 of sheet 'weights'`.
+    pub place: String,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// Hook load while the string is pulled out, N.
+    pub pick_up_N: Option<f64>,
+    /// Hook load while it is run in, N.
+    pub slack_off_N: Option<f64>,
+    /// Hook load while it turns off bottom, N.
+    pub rotating_N: Option<f64>,
+    /// Torque off bottom, N·m.
+    pub torque_N_m: Option<f64>,
+    /// Torque on bottom, N·m.
+    pub torque_on_bottom_N_m: Option<f64>,
+    /// Density of the mud, kg/m³, where it is not that of the case.
+    pub mud_density_kg_per_m3: Option<f64>,
+    /// The case that it belongs to, where there are several.
+    pub case: Option<String>,
+}
+
+/// Readings and how they were understood.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImportedReadings {
+    /// By their order in the file.
+    pub readings: Vec<ImportedReading>,
+    /// What was recognised and passed over, in sentences for people.
+    pub notes: Vec<String>,
+}
+
+/// Reads the rows below the header.
+pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, SurveyError> {
+    let mut notes = layout.notes.clone();
+    let none = |found| SurveyErrorKind::NoReadings { found };
+    let measured = [
+        Column::PickUp,
+        Column::SlackOff,
+        Column::Rotating,
+        Column::Torque,
+        Column::TorqueOnBottom,
+    ];
+    let Some(depth) = layout.column(Column::BitDepth) else {
+        return Err(table.source.error(none("no column is the bit's depth"), None));
+    };
+    if measured.iter().all(|column| layout.column(*column).is_none()) {
+        let at = table.rows.get(layout.data.saturating_sub(1)).map(whole);
+        return Err(table.source.error(none("no column is a weight or a torque"), at));
+    }
+    let rows = data_rows(table, &layout, &READINGS, &mut notes);
+    let reader = Reader { table, style: style(table, &layout, &rows)? };
+    if reader.style == Style::Comma {
+        notes.push("a comma is read as the decimal sign".to_owned());
+    }
+    let mut readings = Vec::new();
+    for &row in &rows {
+        let row = &table.rows[row];
+        if let Some(expected) = table.counted.filter(|&count| row.cells.len() < count) {
+            let kind = SurveyErrorKind::ShortRow { found: row.cells.len(), expected };
+            return Err(table.source.error(kind, Some(whole(row))));
+        }
+        let maybe = |column: Column| match layout.column(column) {
+            Some(found) if !is_blank(row.text(found.index)) => reader.value(row, found).map(Some),
+            _ => Ok(None),
+        };
+        let bit_depth_m = reader.value(row, depth)?;
+        if !(bit_depth_m > 0.0 && bit_depth_m <= DEEPEST_M) {
+            return Err(reader.out_of_range(row, depth, "more than 0, to 100 km"));
+        }
+        let mud_density_kg_per_m3 = maybe(Column::MudDensity)?;
+        if let (Some(density), Some(found)) =
+            (mud_density_kg_per_m3, layout.column(Column::MudDensity))
+            && !(0.0..=4000.0).contains(&density)
+        {
+            return Err(reader.out_of_range(row, found, "0 to 4 sg"));
+        }
+        let case = layout.column(Column::Case).map(|found| row.text(found.index));
+        readings.push(ImportedReading {
+            place: table.source.row_name(whole(row)),
+            bit_depth_m,
+            pick_up_N: maybe(Column::PickUp)?,
+            slack_off_N: maybe(Column::SlackOff)?,
+            rotating_N: maybe(Column::Rotating)?,
+            torque_N_m: maybe(Column::Torque)?,
+            torque_on_bottom_N_m: maybe(Column::TorqueOnBottom)?,
+            mud_density_kg_per_m3,
+            case: case.filter(|case| !case.is_empty()).map(str::to_owned),
+        });
+    }
+    if readings.is_empty() {
+        let at = table.rows.get(layout.data.saturating_sub(1)).map(whole);
+        return Err(table.source.error(none("no row follows the header"), at));
+    }
+    notes.extend(table.notes.iter().cloned());
+    notes.push(format!("{} rows", readings.len()));
+    Ok(ImportedReadings { readings, notes })
+}
+
+/// An empty cell, or a dash in place of a number.
+fn is_blank(text: &str) -> bool {
+    text.chars().all(|c| "-–—".contains(c))
+}

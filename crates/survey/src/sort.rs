@@ -1,0 +1,18 @@
+//! The sorts of tables that are read.
+
+use crate::column::Column;
+
+/// A sort of table: which columns are looked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sort {
+    /// Every column, those that it cannot do without first.
+    pub(crate) columns: &'static [Column],
+    /// The columns that it cannot do without.
+    pub(crate) needed: &'static [Column],
+}
+
+/// Stations of a path.
+pub(crate) const SURVEY: Sort = Sort { columns: &Column::ALL, needed: &Column::NEEDED };
+
+/// Weights and torques that were read at the surface.
+pub(crate) const READINGS: Sort = Sort { columns: &Column::READINGS, needed: &[Column::BitDepth] };
