@@ -28,7 +28,10 @@ use crate::{
     model::Model,
     operation::Operation,
     outcome::{Profile, Scalars},
-    statics::{soft::SoftProfile, stiff::StiffProfile},
+    statics::{
+        soft::SoftProfile,
+        stiff::{StiffError, StiffProfile},
+    },
 };
 
 use window::Window;
@@ -47,6 +50,11 @@ pub fn of_stiff(model: &Model, operation: &Operation, profile: &StiffProfile) ->
     let mut found = at_rest(model, operation, &profile.scalars, &profile.profile, &line);
     found.extend(numerics::equilibrium(&profile.convergence));
     gravest_first(found)
+}
+
+/// What is to be reported of an operation for which the stiff string has no answer.
+pub fn of_no_equilibrium(error: &StiffError) -> Vec<Finding> {
+    numerics::no_equilibrium(error).into_iter().collect()
 }
 
 /// What is to be reported of a state of equilibrium.
