@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     /// What each file holds.
-    const TABLES: [&[ColumnSpec]; 12] = [
+    const TABLES: [&[ColumnSpec]; 17] = [
         NODES,
         TIME,
         WEAR,
@@ -98,6 +98,11 @@ mod tests {
         BHA,
         BHA_CONTACTS,
         BHA_SWEEP,
+        MODES,
+        MODE_SHAPES,
+        CAMPBELL,
+        CRITICAL_SPEEDS,
+        RESPONSE,
         STABILITY,
     ];
 
