@@ -17,7 +17,7 @@ pub(crate) fn stopped(stop: Stop, outcome: &Outcome) -> Failure {
             Failure::Interrupted(format!("interrupted: what was computed is in {place}{how}"))
         }
         Stop::Unsolved(reason) => {
-            Failure::Failed(format!("error: {reason}\nwhat was computed until then is in {place}"))
+            Failure::Failed(format!("error: {reason}\nwhat was computed is in {place}"))
         }
         Stop::Unwritten(error) => error.into(),
     }

@@ -64,19 +64,19 @@ fn main() {
         tried.len()
     );
     println!("compression along the soft string:");
-    println!("                           wells  found  stable  lock up  lost  no reason");
+    println!("                           wells  found  stable  lock up  rolls  no reason");
     for class in Class::ALL {
         let count = |what: &dyn Fn(&Try) -> bool| {
             tried.iter().filter(|one| Class::of(one) == class && what(one)).count()
         };
         println!(
-            "{:25}  {:6} {:6} {:7} {:8} {:5} {:10}",
+            "{:25}  {:6} {:6} {:7} {:8} {:6} {:10}",
             class.name(),
             count(&|_| true),
             count(&|one| matches!(one.end, End::Found { .. })),
             count(&|one| one.end == End::Found { stable: true }),
             count(&|one| one.end == End::LocksUp),
-            count(&|one| one.end == End::Lost),
+            count(&|one| one.end == End::Rolls),
             count(&|one| one.end == End::NotConverged),
         );
     }
@@ -136,7 +136,7 @@ impl Class {
 enum End {
     Found { stable: bool },
     LocksUp,
-    Lost,
+    Rolls,
     NotConverged,
 }
 
@@ -148,7 +148,7 @@ fn try_well(seed: u64, weight_N: f64) -> Try {
     let end = match solved {
         Ok(found) => End::Found { stable: found.convergence.stable },
         Err(StiffError::LocksUp { .. }) => End::LocksUp,
-        Err(StiffError::Lost { .. }) => End::Lost,
+        Err(StiffError::Rolls { .. }) => End::Rolls,
         Err(StiffError::NotConverged { .. }) => End::NotConverged,
         Err(error) => panic!("well {seed}: {error}"),
     };

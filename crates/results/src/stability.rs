@@ -25,6 +25,17 @@ pub enum StableWhere {
     Nowhere,
 }
 
+impl StableWhere {
+    /// Its word in files.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Everywhere => "everywhere",
+            Self::From => "from",
+            Self::Nowhere => "nowhere",
+        }
+    }
+}
+
 impl From<Threshold> for StableFrom {
     fn from(threshold: Threshold) -> Self {
         let (stable, threshold_rad_per_s) = match threshold {

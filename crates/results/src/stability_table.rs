@@ -1,18 +1,15 @@
 //! `stability.parquet`: the map of torsional stability.
 
-use wholestring::torsional_stability::{StabilityLine, Threshold};
+use wholestring::torsional_stability::StabilityLine;
 
-use crate::{STABILITY, Table};
+use crate::{STABILITY, StableFrom, Table};
 
 /// A row for each speed at each weight.
 pub fn stability_table(lines: &[StabilityLine]) -> Table {
     let mut table = Table::with_columns(STABILITY);
     for line in lines {
-        let threshold = match line.threshold {
-            Threshold::Everywhere => 0.0,
-            Threshold::From(speed) => speed,
-            Threshold::Nowhere => f64::NAN,
-        };
+        let from = StableFrom::from(line.threshold);
+        let threshold = from.threshold_rad_per_s.unwrap_or(f64::NAN);
         for point in &line.points {
             let of = &point.stability;
             let worst = of.worst;
@@ -20,7 +17,7 @@ pub fn stability_table(lines: &[StabilityLine]) -> Table {
                 worst.map_or([f64::NAN; 2], |of| [of.growth_per_s, of.frequency_Hz]);
             let truth = |of: bool| f64::from(u8::from(of));
             table.append(
-                &[("lies_by", &[line.lies_by.name()])],
+                &[("stable", &[from.stable.name()]), ("lies_by", &[line.lies_by.name()])],
                 &[
                     ("weight_on_bit_N", &[point.weight_on_bit_N]),
                     ("rotary_speed_rad_per_s", &[point.rotary_speed_rad_per_s]),

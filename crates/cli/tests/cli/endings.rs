@@ -1,13 +1,13 @@
 //! `run` as it ends badly: refused, without a place to write to, diverged, interrupted.
 
-use std::fs;
+use std::{collections::BTreeSet, fs};
 
 use crate::{
     desk::{Desk, args, transcript},
     run::SOFT,
 };
 use insta::assert_snapshot;
-use wholestring_results::{Status, Table};
+use wholestring_results::{OperationSummary, Status, Table};
 
 #[test]
 fn bad_input_leaves_no_folder() {
@@ -34,6 +34,37 @@ fn a_folder_in_the_place_of_a_file() {
     assert!(message.contains("nodes.parquet"), "{message}");
 }
 
+/// Two meganewtons on the bit lock a sliding pipe up. The soft string, which has no friction of a
+/// helix here, and the other operation are solved all the same.
+#[test]
+fn without_an_equilibrium() {
+    let desk = Desk::new();
+    let output = desk.run(&args(
+        "run slant.toml -o results --set 'model=[\"soft\", \"stiff\"]' \
+         --set 'operation.kind=[\"slide\", \"trip_out\"]' --set 'operation.wob=2 MN'",
+    ));
+    assert_eq!(output.status.code(), Some(3));
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(message.contains("error: slide: the stiff string has no answer"), "{message}");
+    assert!(message.contains("locks up at MD"), "{message}");
+    let table = String::from_utf8(output.stdout).unwrap();
+    assert!(table.contains("stiff*") && table.contains("No state of rest"), "{table}");
+
+    let summary = desk.summary("results");
+    let solved = |of: &OperationSummary| of.status == Status::Complete;
+    let found: Vec<bool> = summary.operations.iter().map(solved).collect();
+    assert_eq!(found, [true, false, true, true]);
+    let stiff = &summary.operations[1];
+    assert!(stiff.scalars.hook_load_N.is_nan());
+    let kinds: Vec<&str> = stiff.findings.iter().map(|of| of.kind.as_str()).collect();
+    assert_eq!(kinds, ["no_equilibrium"]);
+    let nodes = desk.table("results/nodes.parquet");
+    let rows = nodes.words("operation").unwrap().iter().zip(nodes.words("model").unwrap());
+    let solved: BTreeSet<String> = rows.map(|(of, model)| format!("{of} {model}")).collect();
+    assert_eq!(solved, ["slide soft", "trip_out soft", "trip_out stiff"].map(Into::into).into());
+    assert!(desk.path("results/report.html").is_file());
+}
+
 /// A lift of ten thousand tonnes throws the string out of the hole.
 #[test]
 fn diverged() {
@@ -49,7 +80,7 @@ fn diverged() {
     let (warning, message) = told.unwrap_or_else(|| panic!("{message}"));
     assert!(warning.starts_with("warning: `hook_load` is unusually large"), "{warning}");
     assert!(message.starts_with("trip_out: the run diverged"), "{message}");
-    assert!(message.ends_with("what was computed until then is in results\n"), "{message}");
+    assert!(message.ends_with("what was computed is in results\n"), "{message}");
     let table = String::from_utf8(output.stdout).unwrap();
     assert!(
         table.contains("dynamic*") && table.contains("\n* as far as it was computed\n"),

@@ -97,6 +97,8 @@ kinds! {
     LateralForceLeftOut, "lateral_force_left_out", Force;
     /// An equilibrium that a small disturbance would leave.
     UnstableEquilibrium, "unstable_equilibrium", Ratio;
+    /// No state of rest was found: the largest force out of balance, where it is known.
+    NoEquilibrium, "no_equilibrium", Force;
     /// Means of the window drift: what they are depends on when it began.
     WindowDrifts, "window_drifts", Ratio;
     /// The string was not steady when settling ended, after this time.

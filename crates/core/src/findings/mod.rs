@@ -29,7 +29,10 @@ use crate::{
     mud::Hydraulics,
     operation::Operation,
     outcome::{Profile, Scalars},
-    statics::{soft::SoftProfile, stiff::StiffProfile},
+    statics::{
+        soft::SoftProfile,
+        stiff::{StiffError, StiffProfile},
+    },
 };
 
 use window::Window;
@@ -55,6 +58,11 @@ pub fn of_stiff(model: &Model, operation: &Operation, profile: &StiffProfile) ->
 /// What is to be reported of the pump's pressure, where the mud has a rheology.
 fn pump_at_rest(model: &Model, hydraulics: Option<&Hydraulics>) -> Option<Finding> {
     rig::pump(&model.rig, [hydraulics?.pump_pressure_Pa; 2])
+}
+
+/// What is to be reported of an operation for which the stiff string has no answer.
+pub fn of_no_equilibrium(error: &StiffError) -> Vec<Finding> {
+    numerics::no_equilibrium(error).into_iter().collect()
 }
 
 /// What is to be reported of a state of equilibrium.

@@ -6,7 +6,7 @@ use crate::{
     model::Model,
     outcome::Profile,
     sizing::SizeReason,
-    statics::stiff::Convergence,
+    statics::stiff::{Convergence, StiffError},
 };
 
 /// Parts of the string's mean clearance. A wall is to hold a pipe at the clearance that the hole
@@ -39,6 +39,18 @@ const SHAKEN: f64 = 0.02;
 /// Of an equilibrium: whether it would stay as it is.
 pub fn equilibrium(of: &Convergence) -> Option<Finding> {
     (!of.stable).then(|| Finding::new(Kind::UnstableEquilibrium, Level::Warning))
+}
+
+/// Of an operation without one: where it locks up, or where forces are farthest out of balance.
+pub fn no_equilibrium(error: &StiffError) -> Option<Finding> {
+    let found = Finding::new(Kind::NoEquilibrium, Level::Error);
+    match *error {
+        StiffError::Soft(_) => None,
+        StiffError::LocksUp { md_m } | StiffError::Rolls { md_m, .. } => Some(found.at(md_m)),
+        StiffError::NotConverged { md_m, residual_N, .. } => {
+            Some(found.at(md_m).value(residual_N).limit(0.0))
+        }
+    }
 }
 
 /// Of a run that was computed to its end.

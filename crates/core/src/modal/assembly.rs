@@ -11,15 +11,12 @@ use super::{
     search,
     whirl::Turning,
 };
-use crate::string::DrillString;
+use crate::{sizing::assembly_top_m, string::DrillString};
 
 /// String above the assembly that moves with it, m: above that it is held.
 const ABOVE_M: f64 = 60.0;
 
-/// Drill pipe is what weighs less than this many times the lightest pipe of the string.
-const HEAVY: f64 = 1.5;
-
-/// Shorter components do not end an assembly, m: crossovers, subs.
+/// An assembly that would be shorter is none, m.
 const SHORT_M: f64 = 15.0;
 
 /// The assembly where drill pipe begins as low as a bit, or nothing ends it, m.
@@ -29,14 +26,10 @@ const LONGEST_M: f64 = 300.0;
 const BEYOND: usize = 6;
 const ROUNDS: usize = 6;
 
-/// Length of a string's assembly, m: from the bit up to the drill pipe, which is what weighs less
-/// than one and a half times the lightest of its pipes; 300 m where there is hardly any other.
+/// Length of a string's assembly, m: from the bit up to where ordinary drill pipe begins, as the mesh
+/// and the assembly at rest have it; 300 m where there is hardly any other.
 pub fn assembly_length_m(string: &DrillString) -> f64 {
-    let long = || string.spans().filter(|span| span.component.length_m >= SHORT_M);
-    let weight = |span: &crate::string::Span<'_>| span.component.mass_per_length_kg_per_m;
-    let lightest = long().map(|span| weight(&span)).fold(f64::INFINITY, f64::min);
-    let pipe = long().find(|span| weight(span) < HEAVY * lightest);
-    let length_m = pipe.map_or(0.0, |span| span.from_bit_m);
+    let length_m = assembly_top_m(string);
     if length_m > SHORT_M { length_m } else { LONGEST_M.min(string.length_m()) }
 }
 

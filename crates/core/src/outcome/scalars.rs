@@ -121,6 +121,23 @@ scalars! {
     }
 }
 
+impl Scalars {
+    /// Of an operation without an answer: none of them is a number.
+    pub const UNKNOWN: Self = Self {
+        weight_on_bit_N: f64::NAN,
+        bit_torque_N_m: f64::NAN,
+        hook_load_N: f64::NAN,
+        surface_torque_N_m: f64::NAN,
+        friction_torque_N_m: f64::NAN,
+        axial_friction_N: f64::NAN,
+        side_force_total_N: f64::NAN,
+        twist_rad: f64::NAN,
+        stretch_m: f64::NAN,
+        neutral_point_m: None,
+        cutoff_depth_m: None,
+    };
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -256,13 +256,6 @@ pub(crate) fn longer(k: &Stiffness<f64>, chord: &Chord<f64>, p: &Pose<f64>) -> f
     Off::of(chord, p, apart(p)).longer(k, chord)
 }
 
-/// What an element is longer by, m, and its energy of bending, J.
-pub(crate) fn longer_and_bent(k: &Stiffness<f64>, chord: &Chord<f64>, p: &Pose<f64>) -> [f64; 2] {
-    let off = Off::of(chord, p, apart(p));
-    let (near, far) = off.bows();
-    [off.longer(k, chord), 0.5 * k.bending_near() * near + k.bending_far * far]
-}
-
 /// How an element of that shape is strained where its tension is known, N.
 pub(crate) fn strain_under(
     k: &Stiffness<f64>,

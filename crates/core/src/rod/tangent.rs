@@ -81,14 +81,6 @@ impl Ends {
         }
     }
 
-    /// Energy of an element whose tension is zero where `g` is `slack_m`, twist apart, J.
-    pub fn energy_J(&self, k: &Stiffness<f64>, slack_m: f64) -> f64 {
-        let pose = self.pose();
-        let chord = element::chord(k, &pose);
-        let [longer_m, bent_J] = element::longer_and_bent(k, &chord, &pose);
-        0.5 * k.axial * (longer_m - slack_m).powi(2) + bent_J
-    }
-
     /// `g` of an element, m: its tension is `EA/L` of it.
     pub fn longer_m(&self, k: &Stiffness<f64>) -> f64 {
         let pose = self.pose();

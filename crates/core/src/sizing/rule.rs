@@ -13,7 +13,7 @@ use crate::{
         soft::{self, SoftError, SoftProfile, SoftSettings},
         span::{BodyContact, JointSpan},
     },
-    string::Component,
+    string::{Component, DrillString},
 };
 
 /// Longest element between joints, m: a joint of range 3. Longer spacings are cut.
@@ -116,7 +116,7 @@ impl Sizing {
 
 /// What the components ask for whatever loads them.
 fn ordinary(model: &Model, accuracy: Accuracy) -> Vec<Demand> {
-    let assembly_top_m = assembly_top_m(model);
+    let assembly_top_m = assembly_top_m(&model.string);
     let halved = if accuracy == Accuracy::Fine { 0.5 } else { 1.0 };
     let spans = model.string.spans();
     spans
@@ -145,8 +145,8 @@ fn joint_m(component: &Component) -> Option<f64> {
 /// Upper end of the bottom-hole assembly, from the bit, m: where ordinary drill pipe begins, which
 /// has joints unless nothing in the string has. None of a string that is the same from end to end
 /// is an assembly.
-pub(crate) fn assembly_top_m(model: &Model) -> f64 {
-    let components = model.string.components();
+pub(crate) fn assembly_top_m(string: &DrillString) -> f64 {
+    let components = string.components();
     let any_jointed = components.iter().any(|one| joint_m(one).is_some());
     let may_be = |one: &Component| {
         if any_jointed { joint_m(one).is_some() } else { one.length_m >= PIPE_M }
@@ -156,7 +156,7 @@ pub(crate) fn assembly_top_m(model: &Model) -> f64 {
     let is_pipe = |one: &Component| {
         one.length_m >= PIPE_M && may_be(one) && one.mass_per_length_kg_per_m < HEAVY * lightest
     };
-    let mut spans = model.string.spans();
+    let mut spans = string.spans();
     spans.find(|span| is_pipe(span.component)).map_or(0.0, |pipe| pipe.from_bit_m)
 }
 

@@ -5,6 +5,7 @@
 
 pub mod beam;
 pub mod np13;
+pub mod rigid;
 
 use serde_json::Value;
 use wholestring::{

@@ -8,27 +8,11 @@ mod collars;
 mod lines;
 mod response;
 
+use common::rigid::rigid;
 use wholestring::{
-    dynamics::{ContactLaw, DynamicsSettings},
-    ends::TopEnd,
-    modal::SmallMotions,
-    prelude::*,
-    sizing::ElementLength,
+    dynamics::DynamicsSettings, ends::TopEnd, modal::SmallMotions, prelude::*,
     statics::stiff::StiffSettings,
 };
-
-/// A wall that a force of a tonne presses in by a micrometre.
-const RIGID: ContactLaw = ContactLaw::Linear { stiffness_N_per_m: 1e10, damping_ratio: 0.0 };
-
-/// Elements of a length, a rigid wall, the bit on the hole's axis.
-fn rigid(element_length_m: f64) -> StiffSettings {
-    StiffSettings {
-        element_length: ElementLength::Uniform(element_length_m),
-        contact_law: RIGID,
-        bit_lateral_stiffness_N_per_m: 1e10,
-        ..StiffSettings::default()
-    }
-}
 
 /// Small motions about the string of an operation at rest, its top free to tilt.
 #[track_caller]

@@ -17,27 +17,12 @@ mod transition;
 
 use serde_json::Value;
 use wholestring::{
-    dynamics::ContactLaw,
     prelude::*,
-    sizing::ElementLength,
     statics::stiff::{self, StiffProfile, StiffSettings},
     string::{ComponentLength, ComponentSpec, Material},
 };
 
-use common::number;
-
-/// A wall that a force of a tonne presses in by a micrometre: rigid beside every clearance here.
-const RIGID: ContactLaw = ContactLaw::Linear { stiffness_N_per_m: 1e10, damping_ratio: 0.0 };
-
-/// Elements of a length, a rigid wall, ends on the hole's axis.
-fn settings(element_length_m: f64) -> StiffSettings {
-    StiffSettings {
-        element_length: ElementLength::Uniform(element_length_m),
-        contact_law: RIGID,
-        bit_lateral_stiffness_N_per_m: 1e10,
-        ..StiffSettings::default()
-    }
-}
+use common::{number, rigid::rigid as settings};
 
 /// Solves and holds the equilibrium to what every one must be.
 #[track_caller]

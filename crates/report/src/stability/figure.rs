@@ -40,12 +40,11 @@ pub fn stability_plot(picture: &StabilityPicture, head: &PageHead, units: &str) 
             sides: None,
         }));
     }
-    let within = |of: f64| of > 0.0 && of.is_finite();
     let line: Vec<(f64, f64)> = picture
         .thresholds_rad_per_s
         .iter()
         .zip(&picture.weights_N)
-        .map(|(s, w)| (if within(*s) { speed(*s) } else { f64::NAN }, weight(*w)))
+        .map(|(s, w)| (speed(*s), weight(*w)))
         .collect();
     if line.iter().any(|(s, _)| s.is_finite()) {
         marks.push(Mark::Curve { ink: Ink::Text, stroke: Stroke::Solid, points: line });

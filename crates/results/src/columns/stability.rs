@@ -17,10 +17,12 @@ pub const STABILITY: &[ColumnSpec] = specs! {
     "complete": Ratio,
         "1 where as many growing motions were followed as there are; 0 where `growth_per_s` is the \
          least that the largest can be";
+    "stable": Words,
+        "Where this weight is stable: `everywhere` on the map, `from` a speed on, or `nowhere`: not \
+         even at the fastest";
     "threshold_rad_per_s": RotarySpeed,
-        "Rotary speed from which on this weight is stable; 0 where all speeds of the map are, `null` \
-         where not even the fastest is",
-        null_where "not even the fastest speed of the map is stable";
+        "Rotary speed from which on it is stable, `null` where it is everywhere or nowhere",
+        null_where "the weight is stable at all speeds of the map, or not even at the fastest";
     "surface_torque_N_m": Torque, "Torque at the top while the string turns steadily";
     "stalls": Ratio, "1 where that is more than the top drive gives, else 0";
     "lies_by": Words,

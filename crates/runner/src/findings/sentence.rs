@@ -106,6 +106,7 @@ pub(super) fn sentence(found: &Finding, of: &OperationSummary, around: &Around<'
                                       leave it, and a buckled string would lie otherwise"
                 .to_owned()
         }
+        Kind::NoEquilibrium => words.no_equilibrium(),
         Kind::WindowDrifts => drift::sentence(of, units)
             .unwrap_or_else(|| "The means of the window drift: settle longer".to_owned()),
         Kind::NeverSteady => format!(
@@ -191,6 +192,13 @@ impl Words<'_> {
             (Some(at), None) => format!(" at {}", self.depth(at)),
             _ => String::new(),
         }
+    }
+
+    fn no_equilibrium(&self) -> String {
+        let residual = self.found.value.map_or_else(String::new, |residual_N| {
+            format!(": forces are out of balance by {}", self.force(residual_N))
+        });
+        format!("No state of rest was found{}{residual}", self.place())
     }
 
     fn hook_load(&self) -> String {

@@ -138,7 +138,11 @@ pub(crate) fn along_the_hole(
                 Status::Failed(reason) => Some(reason.clone()),
             },
             findings: solved.findings.iter().map(findings::page_finding).collect(),
-            key_results: results::key_results(solved, settings, &nodes),
+            // An operation without an answer has no rows, and no numbers.
+            key_results: match solved.scalars.hook_load_N.is_nan() {
+                true => Vec::new(),
+                false => results::key_results(solved, settings, &nodes),
+            },
             profile: columns(&nodes, Some(solved.model.name()), &solved.operation),
             wear: columns(&wear, Some(solved.model.name()), &solved.operation),
         })

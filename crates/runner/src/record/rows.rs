@@ -5,7 +5,9 @@ use std::time::Duration;
 use wholestring::{
     dynamics::{ScheduleStep, TunedHookLoad},
     operation::Operation,
-    outcome::{CONTACT_MAP, HOLE_WEAR, InTime, PROFILE, Profile, Solution, TIME_SERIES},
+    outcome::{
+        CONTACT_MAP, HOLE_WEAR, InTime, ModelKind, PROFILE, Profile, Scalars, Solution, TIME_SERIES,
+    },
     rock::bit_face::BottomHole,
 };
 use wholestring_results::{Friction, Numerics, OperationSummary, Spectrum, Status};
@@ -93,6 +95,36 @@ impl Record {
         if let Some(in_time) = in_time {
             self.add_spectra(operation, &in_time, profile);
         }
+    }
+
+    /// Adds an operation that a method has no answer for: to the summary alone, without numbers.
+    pub(crate) fn add_unsolved(&mut self, model: ModelKind, operation: &Operation, why: String) {
+        self.summary.operations.push(OperationSummary {
+            model,
+            operation: operation.kind.name().into(),
+            status: Status::Failed(why),
+            friction: Friction::of(&friction(&self.hole)),
+            bit_depth_m: operation.bit_depth_m,
+            findings: Vec::new(),
+            scalars: Scalars::UNKNOWN,
+            lift: None,
+            hydraulics: None,
+            at_rest: None,
+            statistics: None,
+            indicators: None,
+            bit_table: None,
+            numerics: None,
+        });
+    }
+
+    /// Which operations have no answer, and why, in lines; none where all have one.
+    pub(crate) fn unsolved(&self) -> Option<String> {
+        let failed = self.summary.operations.iter().filter_map(|of| match &of.status {
+            Status::Failed(why) => Some(format!("{}: {why}", of.operation)),
+            Status::Complete | Status::Interrupted => None,
+        });
+        let lines: Vec<String> = failed.collect();
+        (!lines.is_empty()).then(|| lines.join("\n"))
     }
 
     /// Adds the spectra that the case requires; a window that was interrupted before a segment of

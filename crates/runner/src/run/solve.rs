@@ -27,7 +27,8 @@ use crate::{
 
 /// Solves operation after operation, each with every model, and writes after each, so that whatever
 /// comes between keeps what was solved. What the record has is solved already, but for one
-/// operation that may be under way.
+/// operation that may be under way. One that a statics has no answer for ends the run no sooner than
+/// the others are solved; one that diverged, at once.
 pub(crate) fn solve(
     case: &Case,
     way: &Way<'_>,
@@ -47,8 +48,14 @@ pub(crate) fn solve(
                 return Err(Stop::Interrupted);
             }
             let stopped = match model {
-                ModelKind::Soft => solve_soft(case, operation, record),
-                ModelKind::Stiff => solve_stiff(case, operation, record),
+                ModelKind::Soft => {
+                    solve_soft(case, operation, record);
+                    Status::Complete
+                }
+                ModelKind::Stiff => {
+                    solve_stiff(case, operation, record);
+                    Status::Complete
+                }
                 ModelKind::Dynamic => {
                     let begun = under_way.take_if(|begun| begun.is(operation));
                     solve_dynamic(case, operation, way, record, &mut keeper, begun)
@@ -76,7 +83,8 @@ pub(crate) fn solve(
     }
     keeper.finish()?;
     record.finish(folder, way.keep)?;
-    Ok(())
+    // One from a checkpoint has no answer either.
+    record.unsolved().map_or(Ok(()), |reasons| Err(Stop::Unsolved(reasons)))
 }
 
 /// Writes a checkpoint. A run does not end because one cannot be written: the next may, and so may
@@ -93,27 +101,30 @@ fn write_checkpoint(
     }
 }
 
-fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) -> Status {
+fn solve_soft(case: &Case, operation: &Operation, record: &mut Record) {
     match soft::solve(&case.model, operation, &case.soft) {
         Ok(profile) => {
             record.add(operation, &Solution::from(&profile), CarriedOut::AT_ONCE);
             let found = findings::of_soft(&case.model, operation, &profile);
             record.judge(&found, case);
-            Status::Complete
         }
-        Err(error) => unsolvable("soft string", &error),
+        Err(error) => {
+            record.add_unsolved(ModelKind::Soft, operation, no_answer("soft string", &error));
+        }
     }
 }
 
-fn solve_stiff(case: &Case, operation: &Operation, record: &mut Record) -> Status {
+fn solve_stiff(case: &Case, operation: &Operation, record: &mut Record) {
     match stiff::solve(&case.model, operation, &case.dynamics.stiff_string()) {
         Ok(profile) => {
             record.add(operation, &Solution::from(&profile), CarriedOut::AT_ONCE);
             let found = findings::of_stiff(&case.model, operation, &profile);
             record.judge(&found, case);
-            Status::Complete
         }
-        Err(error) => unsolvable("stiff string", &error),
+        Err(error) => {
+            record.add_unsolved(ModelKind::Stiff, operation, no_answer("stiff string", &error));
+            record.judge(&findings::of_no_equilibrium(&error), case);
+        }
     }
 }
 
@@ -260,7 +271,11 @@ fn preparation(settings: &DynamicsSettings, operation: &Operation) -> &'static s
 }
 
 fn unsolvable(model: &str, error: &dyn std::error::Error) -> Status {
-    Status::Failed(format!("the {model} has no answer: {error}"))
+    Status::Failed(no_answer(model, error))
+}
+
+fn no_answer(model: &str, error: &dyn std::error::Error) -> String {
+    format!("the {model} has no answer: {error}")
 }
 
 #[cfg(test)]

@@ -35,7 +35,7 @@ pub(super) struct Reach {
 impl Reach {
     pub(super) fn of(model: &Model, settings: &AssemblySettings) -> Self {
         let whole_m = model.string.length_m();
-        let top_m = assembly_top_m(model);
+        let top_m = assembly_top_m(&model.string);
         let solved_m = match settings.extent {
             Extent::Whole => whole_m,
             Extent::PipeAbove(pipe_m) => (top_m + pipe_m).min(whole_m),

@@ -273,11 +273,16 @@ impl Equations {
         across -= push.change * normal_N;
     }
 
-    /// What a step makes of an element's tension, N.
-    pub(super) fn tension_step_N(&self, index: usize, step: &[Entry]) -> f64 {
-        let of = &self.lengthening[index];
-        let lengthening_m = of.ends[0].dot(&step[index]) + of.ends[1].dot(&step[index + 1]);
-        of.axial_N_per_m * (lengthening_m + of.excess_m)
+    /// Changes the tensions by a part of what the step, to which the forces were solved, makes of
+    /// them.
+    pub(super) fn stretch(&self, state: &mut State, part: f64) {
+        for (index, (of, tension_N)) in
+            self.lengthening.iter().zip(&mut state.tension_N).enumerate()
+        {
+            let step = &self.force[index..=index + 1];
+            let lengthening_m = of.ends[0].dot(&step[0]) + of.ends[1].dot(&step[1]);
+            *tension_N += part * of.axial_N_per_m * (lengthening_m + of.excess_m);
+        }
     }
 
     /// The largest force by which a tension does not fit the shape of its element, N.

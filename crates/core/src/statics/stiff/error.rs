@@ -17,15 +17,15 @@ pub enum StiffError {
         /// Measured depth where the compression grows beyond all bounds, m.
         md_m: f64,
     },
-    /// There is an equilibrium with less friction, which ceases to be one before all of it is there.
+    /// A string that turns, is buckled, and goes round its hole by its friction without an end.
     #[error(
-        "no equilibrium was found: followed from no friction at all it is lost at {:.0} % of it, \
-         after {iterations} iterations. The buckled string snaps into another shape there, or \
-         rolls on for ever", 100.0 * part
+        "no equilibrium was found: about MD {md_m:.0} m the buckled string rolls around its hole, by \
+         the friction of its rotation, and went on for {iterations} iterations. It has no state of \
+         rest: the dynamics show how it whirls"
     )]
-    Lost {
-        /// Part of the friction up to which there is one.
-        part: f64,
+    Rolls {
+        /// Measured depth where it went round farthest, m.
+        md_m: f64,
         /// Newton steps of all stages.
         iterations: usize,
     },

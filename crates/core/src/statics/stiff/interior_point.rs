@@ -127,9 +127,7 @@ pub(super) fn iterate(
             state.normal_N[index] += part * dn;
             state.slack_m[index] += part * ds;
         }
-        for index in 0..string.elements.len() {
-            state.tension_N[index] += part * equations.tension_step_N(index, step);
-        }
+        equations.stretch(state, part);
         state.advance(step, part);
         let longest_m = step.iter().map(|by| by[0].hypot(by[1]).hypot(by[2])).fold(0.0, f64::max);
         if !longest_m.is_finite() {

@@ -4,7 +4,6 @@
 mod active_set;
 mod at_rest;
 mod axis;
-mod barrier;
 mod bending;
 mod blocks;
 mod carry;
@@ -17,8 +16,10 @@ mod heading;
 mod interior_point;
 mod judge;
 mod mesh_error;
+mod on_wall;
 mod profile;
 mod refine;
+mod relaxation;
 mod settings;
 mod solve;
 mod state;

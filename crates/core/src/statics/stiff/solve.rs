@@ -22,10 +22,6 @@ use crate::{
 /// Strings whose lengths differ by less have the same mesh, m.
 const SAME_M: f64 = 1e-6;
 
-/// A string that locks up with this part of its friction does so with all of it: what a criterion
-/// says of the helix is not exact.
-const SURELY: f64 = 0.8;
-
 /// What the largest bending moment changes by, as a part of it, when the mesh is fine enough, and
 /// how often elements are halved at most.
 const FINE_ENOUGH: [(Accuracy, f64, usize); 2] =
@@ -131,11 +127,8 @@ impl Task<'_> {
         });
         let (convergence, state) = match warm {
             Some(found) => found,
-            None => {
-                let locks_up = || self.locks_up(SURELY);
-                let found = from_the_middle(&string, &mut equations, iterations, locks_up);
-                found.or_else(|error| self.locks_up(1.0).and(Err(error)))?
-            }
+            None => from_the_middle(&string, &mut equations, iterations)
+                .or_else(|error| self.locks_up().and(Err(error)))?,
         };
         Ok(self.equilibrium(mesh, string, state, &equations, convergence))
     }
@@ -165,16 +158,13 @@ impl Task<'_> {
         Equilibrium { settings, mesh, string, state, hook_load_N, convergence }
     }
 
-    /// An error where the string, with a part of its friction, cannot be pushed that far by the
-    /// wall load of its helix: there is no equilibrium to be found.
-    fn locks_up(&self, part: f64) -> Result<(), StiffError> {
+    /// An error where the string cannot be pushed that far by the wall load of its helix: there is no
+    /// equilibrium to be found.
+    fn locks_up(&self) -> Result<(), StiffError> {
         if !self.operation.slides_down() {
             return Ok(());
         }
-        let mut segments = buckling::segments(self.model, self.operation, &self.soft.md_m);
-        for segment in &mut segments {
-            segment.friction *= part;
-        }
+        let segments = buckling::segments(self.model, self.operation, &self.soft.md_m);
         let weight_N = self.operation.weight_on_bit_now_N();
         match buckling::push_through(&segments, weight_N, self.model.buckling) {
             Pushed::LocksUp(above_bit_m) => {

@@ -75,15 +75,6 @@ impl StringInHole {
         self.weight_N() / self.nodes.len() as f64 / clearance_m
     }
 
-    /// The same with a part of its friction.
-    pub(super) fn rubbed_by(&self, part: f64) -> Self {
-        let mut string = self.clone();
-        for node in &mut string.nodes {
-            node.friction = node.friction.map(|friction| friction * part);
-        }
-        string
-    }
-
     /// Buoyed weight of the string, N.
     pub(super) fn weight_N(&self) -> f64 {
         self.nodes.iter().map(|node| node.load_N.z.abs()).sum()

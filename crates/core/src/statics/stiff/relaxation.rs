@@ -1,0 +1,234 @@
+//! The string let go in the middle of its hole, in a fluid so thick that it never swings: it sinks to
+//! the wall, buckles, rolls and comes to rest, or does not.
+//!
+//! ```text
+//! drag · du/dt = forces on the nodes across the hole,    all else in balance
+//! ```
+//!
+//! One step of Newton's method with the drag on its diagonal is a step of implicit Euler; the drag
+//! falls as the string slows down, and the last steps are Newton's own: pseudo-transient continuation
+//! (C. T. Kelley and D. E. Keyes, *Convergence analysis of pseudo-transient continuation*, SIAM J.
+//! Numer. Anal. 35 (1998)). Friction and torque are there from the beginning, energy or not. As the
+//! real string does, this one leaves a state that would not stay: the drag is always more than what
+//! the steepest way down takes.
+
+use nalgebra::Matrix2;
+
+use super::{
+    blocks::Entry,
+    contact,
+    equations::Equations,
+    judge,
+    on_wall::OnWall,
+    state::{Round, State},
+    string_in_hole::StringInHole,
+};
+use crate::random::Random;
+
+/// Steps before it gives up.
+const MOST: usize = 400;
+
+/// Seeded disturbance, as a part of the room of each node: a straight string under too much
+/// compression would stay so for ever.
+const DISTURBANCE: f64 = 1e-3;
+
+/// Farthest that a node goes round the axis in a step, rad, that a director turns, and that a node
+/// goes in or out, as a part of its clearance.
+const MOST_ROUND: f64 = 0.5;
+const MOST_TURN: f64 = 0.2;
+const MOST_OUT: f64 = 0.5;
+
+/// First drag, the least, and one under which nothing moves any more, over the foundation that the
+/// weight is.
+const FIRST: f64 = 1.0;
+const LEAST: f64 = 1e-4;
+const FROZEN: f64 = 1e9;
+
+/// What the drag is multiplied by where it is too little, as after a step of less than this part, ...
+const MORE: f64 = 1.5;
+const SHORT: f64 = 0.3;
+
+/// ... and after a step at full length: with nodes that met the wall or left it, and without.
+const LESS: [f64; 2] = [0.7, 0.3];
+
+/// A string whose steps are shorter may be at rest, m; after a look in vain, this part of it, so
+/// often.
+const STILL_M: f64 = 1e-4;
+const STILLER: f64 = 1e-2;
+pub(super) const LOOKS: usize = 3;
+
+/// A string whose steps are longer has left where it was, m.
+const MOVES_M: f64 = 1e-2;
+
+/// A node that went round its hole by so much, rad, goes on; by so much it may, where the string did
+/// not come to rest. What does rest went round by less than a turn in hundreds of wells.
+const ROLLS: [f64; 2] = [4.0 * std::f64::consts::PI, 2.0 * std::f64::consts::PI];
+
+/// What the string does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Does {
+    /// It lies still, or nearly so.
+    Rests,
+    /// Turned by its friction, it rolls around the hole: most at this node.
+    Rolls(usize),
+    /// It went on moving for as long as was looked at, or to where nothing holds it.
+    Moves,
+}
+
+/// A string that sinks.
+pub(super) struct Relaxation<'a> {
+    string: &'a StringInHole,
+    pub(super) state: State,
+    /// Over the foundation that the weight is.
+    drag: f64,
+    /// How far each node went round, rad.
+    round_rad: Vec<f64>,
+    /// Steps so far.
+    pub(super) steps: usize,
+    still_m: f64,
+}
+
+/// What a step came to.
+struct Stepped {
+    longest_m: f64,
+    whole: bool,
+    changed: usize,
+}
+
+impl<'a> Relaxation<'a> {
+    /// In the middle of the hole, but for a little that is never the same way.
+    pub(super) fn begin(string: &'a StringInHole) -> Self {
+        let mut state = State::centred(string);
+        let mut random = Random::new(1);
+        for (index, node) in string.nodes.iter().enumerate() {
+            state.normal_N[index] = 0.0;
+            if node.has_wall() {
+                // Half of the clearance is the room that the middle counts as.
+                let by_m = 0.5 * DISTURBANCE * node.clearance_m;
+                state.offset_m[index].x += by_m * random.signed();
+                state.offset_m[index].y += by_m * random.signed();
+            }
+        }
+        let round_rad = vec![0.0; string.nodes.len()];
+        Self { string, state, drag: FIRST, round_rad, steps: 0, still_m: STILL_M }
+    }
+
+    /// Goes on until it may be at rest, or never will be. `moved` is told where the string has left the
+    /// state that it was in when it was last said to rest.
+    pub(super) fn go_on(&mut self, equations: &mut Equations, moved: &mut bool) -> Does {
+        let turns = self.string.nodes.iter().any(|node| node.friction[1] != 0.0);
+        while self.steps < MOST {
+            self.steps += 1;
+            let Some(stepped) = self.step(equations) else { return Does::Moves };
+            *moved |= stepped.longest_m > MOVES_M;
+            if turns && let Some(node) = self.rolling(ROLLS[0]) {
+                return Does::Rolls(node);
+            }
+            if stepped.whole && stepped.changed == 0 && stepped.longest_m < self.still_m {
+                self.still_m *= STILLER;
+                return Does::Rests;
+            }
+        }
+        let rolling = if turns { self.rolling(ROLLS[1]) } else { None };
+        rolling.map_or(Does::Moves, Does::Rolls)
+    }
+
+    /// The node that went round the hole farthest, if it is farther than an angle, rad.
+    fn rolling(&self, angle_rad: f64) -> Option<usize> {
+        let far = |index: &usize| self.round_rad[*index].abs();
+        let most = (0..self.round_rad.len()).max_by(|a, b| far(a).total_cmp(&far(b)))?;
+        (far(&most) > angle_rad).then_some(most)
+    }
+
+    /// A step; none where it has none.
+    fn step(&mut self, equations: &mut Equations) -> Option<Stepped> {
+        let Self { string, state, .. } = self;
+        let torques_N_m = contact::torques_N_m(string, &state.normal_N);
+        equations.assemble(string, state, Some(&torques_N_m));
+        self.slow_down(equations)?;
+        let Self { string, state, .. } = self;
+        equations.shift_across(self.drag * string.foundation_N_per_m());
+        let on_wall = OnWall::press(string, state, equations);
+        equations.matrix.solve(&mut equations.force).ok()?;
+        let step = &equations.force;
+        let longest_m = step.iter().map(|by| by[0].hypot(by[1])).fold(0.0, f64::max);
+        if !step.iter().all(|by| by.iter().all(|part| part.is_finite())) {
+            return None;
+        }
+        let part = part_of(string, state, step);
+        for (index, node) in string.nodes.iter().enumerate() {
+            let round = Round::of(&state.offset_m[index].xy(), &step[index], node.clearance_m);
+            self.round_rad[index] += round.map_or(0.0, |round| part * round.turn_rad);
+        }
+        equations.stretch(state, part);
+        state.advance_round(string, step, part);
+        let changed = on_wall.follow(string, state, step, part);
+        let whole = part == 1.0;
+        if whole {
+            self.drag = (LESS[usize::from(changed == 0)] * self.drag).max(LEAST);
+        } else if part < SHORT {
+            self.drag *= MORE;
+        }
+        Some(Stepped { longest_m, whole, changed })
+    }
+
+    /// Raises the drag until it is more than what any motion gains, friction apart; none where there
+    /// is no such drag.
+    fn slow_down(&mut self, equations: &mut Equations) -> Option<()> {
+        let string = self.string;
+        let walls: Vec<Option<Matrix2<f64>>> = (0..string.nodes.len())
+            .map(|index| judge::wall_N_per_m(&string.nodes[index], &self.state, index))
+            .collect();
+        lean(equations, &walls, 1.0);
+        let before = self.drag;
+        let mut none = vec![Entry::zeros(); string.nodes.len()];
+        loop {
+            let by = self.drag * string.foundation_N_per_m();
+            let shift = Entry::new(by, by, 0.0, 0.0, 0.0);
+            if equations.matrix.solve_definite(&mut none, &shift).is_some() {
+                break;
+            }
+            self.drag *= MORE;
+            if self.drag > FROZEN {
+                return None;
+            }
+        }
+        if self.drag > before {
+            self.drag *= MORE;
+        }
+        lean(equations, &walls, -1.0);
+        Some(())
+    }
+}
+
+/// Adds to the equations, times a sign, what the walls hold the nodes with.
+fn lean(equations: &mut Equations, walls: &[Option<Matrix2<f64>>], sign: f64) {
+    for (diagonal, wall) in equations.matrix.diagonal.iter_mut().zip(walls) {
+        if let Some(wall_N_per_m) = wall {
+            let mut across = diagonal.fixed_view_mut::<2, 2>(0, 0);
+            across += wall_N_per_m * sign;
+        }
+    }
+}
+
+/// The part of a step that goes neither too far round nor in or out.
+fn part_of(string: &StringInHole, state: &State, step: &[Entry]) -> f64 {
+    let mut part = 1.0_f64;
+    let mut at_most = |most: f64, of: f64| part = part.min(most / of.abs().max(f64::MIN_POSITIVE));
+    for (index, node) in string.nodes.iter().enumerate() {
+        let by = &step[index];
+        at_most(MOST_TURN, by[3].hypot(by[4]));
+        if !node.has_wall() {
+            continue;
+        }
+        let out_m = MOST_OUT * node.clearance_m;
+        match Round::of(&state.offset_m[index].xy(), by, node.clearance_m) {
+            Some(round) => {
+                at_most(MOST_ROUND, round.turn_rad);
+                at_most(out_m, round.outwards_m);
+            }
+            None => at_most(out_m, by[0].hypot(by[1])),
+        }
+    }
+    part
+}
