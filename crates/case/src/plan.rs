@@ -5,17 +5,20 @@ use wholestring::{
     model::Model,
     operation::{Operation, OperationKind},
     string::StringSpec,
-    well::{Friction, HoleError, HoleKind},
+    well::{Friction, HoleKind},
 };
 use wholestring_config::prelude::*;
 use wholestring_plan::{
-    Broomstick, FrictionLevel, Frictions, KindFriction, LevelFriction, Setup, Statics, bit_depths_m,
+    Broomstick, CampaignSettings, FrictionLevel, Frictions, KindFriction, LevelFriction, PlanError,
+    Setup, Statics, bit_depths_m, limits::LimitSettings,
 };
 
 use crate::{
     case::Case,
     hole::{FrictionRule, coefficient},
     operation_kind::KindRule,
+    plan_campaign::{self, CampaignTable, FatigueTable},
+    plan_factors::{self, FactorsTable},
     words::words,
 };
 
@@ -62,6 +65,18 @@ table! {
             ),
             vec![Spanned { value: Statics::Soft, place: Span::default() }],
         );
+        /// Overpull that string and hoist are to have left off bottom. 50,000 to 100,000 lbf are
+        /// commonly planned.
+        overpull: f64 = default(
+            Quantity::si(Dimension::Force, Range::from_to(0.0, 1e7).usual(5e4, 2e6), "445 kN"),
+            LimitSettings::default().overpull_N,
+        );
+        /// What loads must keep from what string and rig bear.
+        factors: FactorsTable = optional(Section::<FactorsTable>::RULE);
+        /// For what casing wear and fatigue are summed.
+        campaign: CampaignTable = optional(Section::<CampaignTable>::RULE);
+        /// How fatigue of the string is computed.
+        fatigue: FatigueTable = optional(Section::<FatigueTable>::RULE);
     }
 }
 
@@ -153,17 +168,23 @@ pub struct Plan {
     pub operations: Vec<Operation>,
     /// By which models.
     pub models: Vec<Statics>,
+    /// What its limits must keep.
+    pub limits: LimitSettings,
+    /// For what casing wear and fatigue are summed.
+    pub campaign: CampaignSettings,
 }
 
 impl Case {
     /// The string at every depth, with every friction, of its plan.
     ///
     /// # Errors
-    /// A friction factor that is out of its range, which the reader of a case has seen to.
-    pub fn broomstick(&self) -> Result<Broomstick, HoleError> {
-        let Plan { frictions, bit_depths_m, operations, models } = self.plan.clone();
+    /// A friction factor or a casing that is out of its range, which the reader of a case has seen to.
+    pub fn broomstick(&self) -> Result<Broomstick, PlanError> {
+        let Plan { frictions, bit_depths_m, operations, models, limits, campaign } =
+            self.plan.clone();
         let of = Broomstick::new(&self.setup(), &frictions, operations, bit_depths_m, models)?;
-        Ok(of.with_settings(self.soft, self.dynamics.stiff_string()))
+        let of = of.with_settings(self.soft, self.dynamics.stiff_string()).with_limits(limits);
+        Ok(of.with_campaign(&campaign)?)
     }
 }
 
@@ -190,12 +211,30 @@ pub(crate) fn build(
     let operations = operations(table, own, reader);
     let models = table.models.get()?;
     once_each(models, Statics::name, reader)?;
+    let limits = limits(table);
+    let campaign = plan_campaign::build(
+        table.campaign.optional()?.map(|at| &at.value),
+        table.fatigue.optional()?.map(|at| &at.value),
+        &setup.well.hole,
+        depths_m.as_ref()?.last().copied()?,
+        reader,
+    );
     Some(Plan {
         frictions: frictions?,
         bit_depths_m: depths_m?,
         operations: operations?,
         models: models.iter().map(|at| at.value).collect(),
+        limits: limits?,
+        campaign: campaign?,
     })
+}
+
+fn limits(table: &PlanTable) -> Option<LimitSettings> {
+    let factors = match table.factors.optional()? {
+        Some(given) => plan_factors::build(&given.value)?,
+        None => LimitSettings::default().factors,
+    };
+    Some(LimitSettings { factors, overpull_N: *table.overpull.get()? })
 }
 
 fn frictions(table: &PlanTable, setup: &Setup, reader: &mut Reader) -> Option<Frictions> {

@@ -48,7 +48,7 @@ macro_rules! kinds {
         }
 
         /// The least capacity over load that each kind is to keep.
-        #[derive(Debug, Clone, Copy, PartialEq)]
+        #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
         pub struct DesignFactors {
             $($(#[$about])* pub $name: f64,)+
         }

@@ -3,7 +3,7 @@
 use super::DesignFactors;
 
 /// What limits are compared with.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct LimitSettings {
     /// The factors that are required.
     pub factors: DesignFactors,
