@@ -7,6 +7,7 @@
 
 mod broomstick;
 mod campaign;
+mod error;
 pub mod fatigue;
 pub mod limits;
 mod setup;
@@ -19,5 +20,6 @@ pub use broomstick::{
     KindFriction, LevelFriction, NoAnswer, PointAnswer, Statics, bit_depths_m,
 };
 pub use campaign::{Campaign, CampaignSettings, Share};
+pub use error::PlanError;
 pub use setup::{Setup, WallFriction};
 pub use stage::{Stage, lengths_m};
