@@ -47,6 +47,8 @@ mod operation;
 mod operation_kind;
 mod overrides;
 mod plan;
+mod plan_campaign;
+mod plan_factors;
 mod records;
 mod rig;
 mod rock;

@@ -5,19 +5,20 @@ use wholestring::{
     model::Model,
     operation::{Operation, OperationKind},
     string::StringSpec,
-    well::{Friction, HoleError, HoleKind},
+    well::{Friction, HoleKind},
 };
 use wholestring_config::prelude::*;
 use wholestring_plan::{
-    Broomstick, FrictionLevel, Frictions, KindFriction, LevelFriction, Setup, Statics,
-    bit_depths_m,
-    limits::{DesignFactors, LimitSettings},
+    Broomstick, CampaignSettings, FrictionLevel, Frictions, KindFriction, LevelFriction, PlanError,
+    Setup, Statics, bit_depths_m, limits::LimitSettings,
 };
 
 use crate::{
     case::Case,
     hole::{FrictionRule, coefficient},
     operation_kind::KindRule,
+    plan_campaign::{self, CampaignTable, FatigueTable},
+    plan_factors::{self, FactorsTable},
     words::words,
 };
 
@@ -54,13 +55,6 @@ table! {
         operations: Vec<Spanned<OperationKind>> = optional(List::or_one(
             KindRule, "operations", OperationKind::ALL.len(),
         ));
-        /// Pull that is to be left at the surface, to pull a stuck string free.
-        overpull_margin: f64 = default(
-            Quantity::si(Dimension::Force, Range::positive_to(1e7).usual(5e4, 2e6), "450 kN"),
-            LimitSettings::default().overpull_N,
-        );
-        /// Safety factors of pipe and rig.
-        factors: FactorsTable = optional(Section::<FactorsTable>::RULE);
         /// "soft" (fast), "stiff" (with bending stiffness and clearance, some seconds a depth), or
         /// both.
         models: Vec<Spanned<Statics>> = default(
@@ -71,6 +65,18 @@ table! {
             ),
             vec![Spanned { value: Statics::Soft, place: Span::default() }],
         );
+        /// Overpull that string and hoist are to have left off bottom. 50,000 to 100,000 lbf are
+        /// commonly planned.
+        overpull: f64 = default(
+            Quantity::si(Dimension::Force, Range::from_to(0.0, 1e7).usual(5e4, 2e6), "445 kN"),
+            LimitSettings::default().overpull_N,
+        );
+        /// What loads must keep from what string and rig bear.
+        factors: FactorsTable = optional(Section::<FactorsTable>::RULE);
+        /// For what casing wear and fatigue are summed.
+        campaign: CampaignTable = optional(Section::<CampaignTable>::RULE);
+        /// How fatigue of the string is computed.
+        fatigue: FatigueTable = optional(Section::<FatigueTable>::RULE);
     }
 }
 
@@ -96,66 +102,6 @@ table! {
         /// Of the rock. Default: as without this level.
         open: Friction = optional(FrictionRule);
     }
-}
-
-table! {
-    /// Safety factors: the least that capacity over load is to be.
-    FactorsTable in "[plan.factors]" {
-        /// Effective tension against the tensile yield of pipe or connection.
-        tension: f64 = default(factor(), DesignFactors::default().tension);
-        /// Torque against the torsional yield of pipe or connection.
-        torsion: f64 = default(factor(), DesignFactors::default().torsion);
-        /// Torque against the torsional yield under the tension that is there.
-        tension_and_torsion: f64 = default(factor(), DesignFactors::default().tension_and_torsion);
-        /// Von Mises stress against the yield strength.
-        von_mises: f64 = default(factor(), DesignFactors::default().von_mises);
-        /// Pressure from inside against burst.
-        burst: f64 = default(factor(), DesignFactors::default().burst);
-        /// Pressure from outside against collapse.
-        collapse: f64 = default(factor(), DesignFactors::default().collapse);
-        /// Torque against the make-up torque of the connections.
-        make_up: f64 = default(factor(), DesignFactors::default().make_up);
-        /// Hook load and block against the hoist.
-        hoist: f64 = default(factor(), DesignFactors::default().hoist);
-        /// Surface torque against the rated torque of the top drive.
-        top_drive: f64 = default(factor(), DesignFactors::default().top_drive);
-        /// Surface torque against the largest torque of the top drive.
-        top_drive_peak: f64 = default(factor(), DesignFactors::default().top_drive_peak);
-        /// Standpipe pressure against the limit of the pump.
-        pump_pressure: f64 = default(factor(), DesignFactors::default().pump_pressure);
-        /// Compression against the load of the sinusoid.
-        sinusoidal_buckling: f64 = default(factor(), DesignFactors::default().sinusoidal_buckling);
-        /// Compression against the load of the helix.
-        helical_buckling: f64 = default(factor(), DesignFactors::default().helical_buckling);
-        /// What drives a sliding string down against what holds it.
-        lock_up: f64 = default(factor(), DesignFactors::default().lock_up);
-        /// What is left for overpull against `overpull_margin`.
-        overpull: f64 = default(factor(), DesignFactors::default().overpull);
-    }
-}
-
-fn factor() -> Number {
-    Number { unit: "", range: Range::from_to(0.1, 10.0).usual(0.9, 3.0) }
-}
-
-fn factors(table: &FactorsTable) -> Option<DesignFactors> {
-    Some(DesignFactors {
-        tension: *table.tension.get()?,
-        torsion: *table.torsion.get()?,
-        tension_and_torsion: *table.tension_and_torsion.get()?,
-        von_mises: *table.von_mises.get()?,
-        burst: *table.burst.get()?,
-        collapse: *table.collapse.get()?,
-        make_up: *table.make_up.get()?,
-        hoist: *table.hoist.get()?,
-        top_drive: *table.top_drive.get()?,
-        top_drive_peak: *table.top_drive_peak.get()?,
-        pump_pressure: *table.pump_pressure.get()?,
-        sinusoidal_buckling: *table.sinusoidal_buckling.get()?,
-        helical_buckling: *table.helical_buckling.get()?,
-        lock_up: *table.lock_up.get()?,
-        overpull: *table.overpull.get()?,
-    })
 }
 
 fn depth(example: &'static str) -> Quantity {
@@ -222,19 +168,23 @@ pub struct Plan {
     pub operations: Vec<Operation>,
     /// By which models.
     pub models: Vec<Statics>,
-    /// What pipe and rig are to keep.
+    /// What its limits must keep.
     pub limits: LimitSettings,
+    /// For what casing wear and fatigue are summed.
+    pub campaign: CampaignSettings,
 }
 
 impl Case {
     /// The string at every depth, with every friction, of its plan.
     ///
     /// # Errors
-    /// A friction factor that is out of its range, which the reader of a case has seen to.
-    pub fn broomstick(&self) -> Result<Broomstick, HoleError> {
-        let Plan { frictions, bit_depths_m, operations, models, limits } = self.plan.clone();
+    /// A friction factor or a casing that is out of its range, which the reader of a case has seen to.
+    pub fn broomstick(&self) -> Result<Broomstick, PlanError> {
+        let Plan { frictions, bit_depths_m, operations, models, limits, campaign } =
+            self.plan.clone();
         let of = Broomstick::new(&self.setup(), &frictions, operations, bit_depths_m, models)?;
-        Ok(of.with_settings(self.soft, self.dynamics.stiff_string()).with_limits(limits))
+        let of = of.with_settings(self.soft, self.dynamics.stiff_string()).with_limits(limits);
+        Ok(of.with_campaign(&campaign)?)
     }
 }
 
@@ -261,16 +211,30 @@ pub(crate) fn build(
     let operations = operations(table, own, reader);
     let models = table.models.get()?;
     once_each(models, Statics::name, reader)?;
+    let limits = limits(table);
+    let campaign = plan_campaign::build(
+        table.campaign.optional()?.map(|at| &at.value),
+        table.fatigue.optional()?.map(|at| &at.value),
+        &setup.well.hole,
+        depths_m.as_ref()?.last().copied()?,
+        reader,
+    );
     Some(Plan {
         frictions: frictions?,
         bit_depths_m: depths_m?,
         operations: operations?,
         models: models.iter().map(|at| at.value).collect(),
-        limits: LimitSettings {
-            factors: factors(table.factors.get()?)?,
-            overpull_N: *table.overpull_margin.get()?,
-        },
+        limits: limits?,
+        campaign: campaign?,
     })
+}
+
+fn limits(table: &PlanTable) -> Option<LimitSettings> {
+    let factors = match table.factors.optional()? {
+        Some(given) => plan_factors::build(&given.value)?,
+        None => LimitSettings::default().factors,
+    };
+    Some(LimitSettings { factors, overpull_N: *table.overpull.get()? })
 }
 
 fn frictions(table: &PlanTable, setup: &Setup, reader: &mut Reader) -> Option<Frictions> {

@@ -8,6 +8,7 @@
 mod broomstick;
 pub mod calibration;
 mod campaign;
+mod error;
 pub mod fatigue;
 pub mod hydraulics;
 pub mod limits;
@@ -21,5 +22,6 @@ pub use broomstick::{
     KindFriction, LevelFriction, NoAnswer, PointAnswer, Statics, bit_depths_m,
 };
 pub use campaign::{Campaign, CampaignSettings, Share};
+pub use error::PlanError;
 pub use setup::{Setup, WallFriction};
 pub use stage::{Stage, lengths_m};

@@ -89,7 +89,7 @@ fn shares_add_up_to_the_campaign() {
     .expect("a broomstick");
     let points: Vec<_> =
         broomstick.tasks().iter().flat_map(|task| broomstick.solve(task)).collect();
-    let answers = points.iter().map(|of| (of, of.outcome.as_ref().expect("an answer")));
+    let mut answers = points.iter().map(|of| (of, of.outcome.as_ref().expect("an answer")));
     let shares: Vec<_> = answers
         .clone()
         .filter_map(|(of, answer)| Some((of.friction, answer.share.clone()?)))
@@ -139,7 +139,7 @@ fn shares_add_up_to_the_campaign() {
         assert!((found - expected).abs() <= 1e-12 * expected, "{found} for {expected}");
     }
 
-    let (point, answer) = answers.last().expect("a point");
+    let (point, answer) = answers.next_back().expect("a point");
     let model = broomstick.setup(point.friction).at(1500.0).expect("a model");
     let solved = soft_string(&model, &operations[4]).expect("an answer");
     let expected = limits(&model, &operations[4], &(&solved).into(), &LimitSettings::default());

@@ -61,7 +61,7 @@ impl KindFriction {
     pub fn of(&self, own: &Friction) -> Friction {
         match *self {
             Self::Given(friction) => friction,
-            Self::Shifted(shift) if shift == 0.0 => *own,
+            Self::Shifted(0.0) => *own,
             Self::Shifted(shift) => {
                 let least = Self::LEAST.min(own.kinetic);
                 let kinetic = (own.kinetic + shift).max(least);

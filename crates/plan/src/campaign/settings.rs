@@ -12,7 +12,7 @@ use crate::{
 };
 
 /// How often and how long the operations of a plan are carried out, and what they are held against.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct CampaignSettings {
     /// Measured depth from which the section is drilled, m. Default: the deepest casing shoe.
     pub drilled_from_m: Option<f64>,

@@ -15,7 +15,7 @@ use super::{
 };
 
 /// What fatigue is computed with.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 pub struct FatigueSettings {
     /// How many cycles are borne.
     pub sn_curve: SnCurve,

@@ -5,7 +5,7 @@
 /// ```text
 /// N = N_k (S_k/S)^m,      m = m₁ for S ≥ S_k, m₂ below,      ∞ below the limit
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct SnCurve {
     /// Cycles at the knee `N_k`.
     pub knee_cycles: f64,

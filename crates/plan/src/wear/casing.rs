@@ -11,7 +11,7 @@ use crate::strength::{Collapse, MILL_TOLERANCE, PSI_PA, Tube};
 pub const DEFAULT_WEAR_FACTOR_PER_PA: f64 = 5e-10 / PSI_PA;
 
 /// Wear factors of the casings of a hole.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct WearFactors {
     /// Where no other is given, 1/Pa.
     pub usual_per_Pa: f64,

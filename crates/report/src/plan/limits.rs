@@ -54,7 +54,7 @@ pub(super) fn factors(plan: &Plan) -> Option<StudyPart> {
         the load is more than is borne. An empty cell: nothing loads it."
         .to_owned();
     if !plan.unchecked.is_empty() {
-        caption += &format!(" Not checked: {}.", plan.unchecked.join("; "));
+        caption += &format!(" Not all was checked: {}.", plan.unchecked.join("; "));
     }
     (!rows.is_empty()).then(|| part("Limits", caption, Grid { heads, rows }))
 }

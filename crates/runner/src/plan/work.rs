@@ -11,7 +11,7 @@ use wholestring_results::{
 
 use super::{
     request::Request,
-    rows::{buckling, frictions, limits, points, unchecked},
+    rows::{Lack, buckling, frictions, in_words, limits, points, unchecked},
 };
 use crate::{
     batch::BatchOutcome,
@@ -35,7 +35,7 @@ enum Piece {
 /// What came of a piece.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 enum Done {
-    Points(Vec<PlanPoint>, Vec<PlanLimit>, BTreeSet<String>),
+    Points(Vec<PlanPoint>, Vec<PlanLimit>, BTreeSet<Lack>),
     Buckling(Vec<PlanBuckling>),
 }
 
@@ -256,7 +256,7 @@ impl<'a> Work<'a> {
             points,
             buckling: weights,
             worst_limits: worst(&all_limits),
-            unchecked: lacking.into_iter().collect(),
+            unchecked: in_words(&lacking),
         };
         Ended { summary, limits: all_limits, batch }
     }

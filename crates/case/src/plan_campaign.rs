@@ -1,0 +1,164 @@
+//! `[plan.campaign]` and `[plan.fatigue]`: what operations do to string and casing, all together.
+
+use wholestring::well::{Hole, HoleKind};
+use wholestring_config::prelude::*;
+use wholestring_plan::{
+    CampaignSettings,
+    fatigue::{FatigueSettings, SnCurve},
+    wear::WearFactors,
+};
+
+/// The unit of wear factors, 1/Pa.
+const UNIT_PER_PA: f64 = 1e-10 / 6_894.757_293_168_361;
+
+/// Most wear factors.
+const MAX_CASINGS: usize = 20;
+
+table! {
+    /// The campaign for which casing wear and fatigue are summed, with the expected friction.
+    CampaignTable in "[plan.campaign]" {
+        /// Measured depth from which the section is drilled, to the deepest of the plan. Default: the
+        /// deepest casing shoe.
+        drilled_from: f64 = optional(Quantity::si(
+            Dimension::Length,
+            Range::from_to(0.0, 20_000.0).usual(10.0, 13_000.0),
+            "1500 m",
+        ));
+        /// How often the string is run and pulled.
+        round_trips: f64 = default(Number::up_to(1000.0), CampaignSettings::default().round_trips);
+        /// How long the string turns off bottom at the deepest depth, s unless a unit is given.
+        off_bottom: f64 = default(
+            Quantity::si(Dimension::Time, Range::from_to(0.0, 1e8).usual(60.0, 1e7), "10 h"),
+            0.0,
+        );
+        /// Wear factor of the casings, in 1e-10 1/psi. One for all of them or a list, from the surface
+        /// down. Default: 5, no more than a place to start.
+        wear_factor: Vec<Spanned<f64>> = optional(List::or_one(
+            Number { unit: "1e-10/psi", range: Range::positive_to(1e4).usual(0.3, 50.0) },
+            "wear factors",
+            MAX_CASINGS,
+        ));
+    }
+}
+
+table! {
+    /// Fatigue of the string in doglegs: the S-N curve N = cycles (stress/S)^exponent. Default: curve
+    /// B1 in air of DNV-RP-C203.
+    FatigueTable in "[plan.fatigue]" {
+        /// Cycles to failure at `stress`; `stress` and `exponent` go with it.
+        cycles: f64 = optional(Number { unit: "", range: Range::from_to(1.0, 1e12) });
+        /// Amplitude of the stress at which so many cycles are borne: half of its range.
+        stress: f64 = optional(stress("138 MPa"));
+        /// Exponent of the curve above `stress`.
+        exponent: f64 = optional(Number { unit: "", range: Range::from_to(1.0, 50.0) });
+        /// Exponent below `stress`. Default: `exponent`.
+        exponent_below: f64 = optional(Number { unit: "", range: Range::from_to(1.0, 50.0) });
+        /// Amplitude below which nothing is damaged. Default: none.
+        endurance_limit: f64 = optional(stress("60 MPa"));
+        /// Tensile strength of all pipe. Default: by its grade, else its yield strength.
+        tensile_strength: f64 = optional(stress("1000 MPa"));
+    }
+}
+
+fn stress(example: &'static str) -> Quantity {
+    let range = Range::from_to(1e6, 1e10).usual(1e7, 2e9);
+    Quantity::si(Dimension::Pressure, range, example)
+}
+
+/// The campaign, of a hole and with the bit at a deepest depth, m.
+pub(crate) fn build(
+    campaign: Option<&CampaignTable>,
+    fatigue: Option<&FatigueTable>,
+    hole: &Hole,
+    deepest_m: f64,
+    reader: &mut Reader,
+) -> Option<CampaignSettings> {
+    let fatigue = match fatigue {
+        Some(table) => fatigue_of(table, reader)?,
+        None => FatigueSettings::default(),
+    };
+    let Some(table) = campaign else {
+        return Some(CampaignSettings { fatigue, ..CampaignSettings::default() });
+    };
+    let drilled_from = table.drilled_from.optional()?;
+    if let Some(from) = drilled_from
+        && from.value >= deepest_m
+    {
+        return Diagnostic::error("the section is drilled from no shallower than its end")
+            .at(
+                from.place,
+                format!("the deepest bit of the plan is at {} m", number_text(deepest_m)),
+            )
+            .refuse(reader);
+    }
+    Some(CampaignSettings {
+        drilled_from_m: drilled_from.map(|at| at.value),
+        round_trips: *table.round_trips.get()?,
+        off_bottom_s: *table.off_bottom.get()?,
+        fatigue,
+        wear_factors: wear_factors(table, hole, reader)?,
+    })
+}
+
+fn wear_factors(table: &CampaignTable, hole: &Hole, reader: &mut Reader) -> Option<WearFactors> {
+    let Some(Spanned { value: factors, place }) = table.wear_factor.optional()? else {
+        return Some(WearFactors::default());
+    };
+    let cased = hole.sections().iter().enumerate().filter(|(_, of)| of.kind == HoleKind::Casing);
+    let cased: Vec<usize> = cased.map(|(index, _)| index).collect();
+    if let [one] = &factors[..] {
+        if cased.is_empty() {
+            reader.report(Diagnostic::idle("wear_factor", *place, "the hole has no casing"));
+        }
+        let usual_per_Pa = one.value * UNIT_PER_PA;
+        return Some(WearFactors { usual_per_Pa, of_section_per_Pa: Vec::new() });
+    }
+    if factors.len() != cased.len() {
+        let count = match cased.len() {
+            1 => "the hole has one cased section".to_owned(),
+            count => format!("the hole has {count} cased sections"),
+        };
+        return Diagnostic::error(format!("{} wear factors are listed", factors.len()))
+            .at(*place, format!("{count}: one for each, or one for all"))
+            .refuse(reader);
+    }
+    let of_section = |(index, at): (usize, &Spanned<f64>)| (index, at.value * UNIT_PER_PA);
+    Some(WearFactors {
+        of_section_per_Pa: cased.into_iter().zip(factors).map(of_section).collect(),
+        ..WearFactors::default()
+    })
+}
+
+fn fatigue_of(table: &FatigueTable, reader: &mut Reader) -> Option<FatigueSettings> {
+    let [cycles, stress, exponent] =
+        [&table.cycles, &table.stress, &table.exponent].map(|field| field.optional());
+    let given = [("cycles", cycles?), ("stress", stress?), ("exponent", exponent?)];
+    let below = table.exponent_below.optional()?;
+    let endurance_limit_Pa = table.endurance_limit.optional()?.map(|at| at.value);
+    let tensile_strength_Pa = table.tensile_strength.optional()?.map(|at| at.value);
+    let sn_curve = match given.map(|(_, of)| of) {
+        [Some(cycles), Some(stress), Some(exponent)] => SnCurve {
+            exponent_below: below.map_or(exponent.value, |at| at.value),
+            ..SnCurve::of_one_slope(cycles.value, stress.value, exponent.value)
+        },
+        [None, None, None] => {
+            if let Some(below) = below {
+                let why = "it belongs to `cycles`, `stress` and `exponent`";
+                reader.report(Diagnostic::idle("exponent_below", below.place, why));
+            }
+            SnCurve::default()
+        }
+        some => {
+            let missing = given.iter().filter(|(_, of)| of.is_none());
+            let missing: Vec<String> = missing.map(|(name, _)| format!("`{name}`")).collect();
+            let place = some.into_iter().flatten().next()?.place;
+            return Diagnostic::error("an S-N curve takes `cycles`, `stress` and `exponent`")
+                .at(place, format!("without {}", missing.join(" and ")))
+                .refuse(reader);
+        }
+    };
+    Some(FatigueSettings {
+        sn_curve: SnCurve { endurance_limit_Pa, ..sn_curve },
+        tensile_strength_Pa,
+    })
+}

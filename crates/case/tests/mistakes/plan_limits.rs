@@ -1,0 +1,83 @@
+//! Mistakes in the tables of `[plan]` for limits, fatigue and wear.
+
+use wholestring_case::Case;
+use wholestring_plan::{
+    CampaignSettings,
+    fatigue::SnCurve,
+    limits::{DesignFactors, LimitSettings},
+    strength::PSI_PA,
+};
+
+use crate::{
+    common::{change::rows, changed, read},
+    each_warned, refused,
+};
+
+fn planned(keys: &str) -> String {
+    changed("[mesh]", &format!("[plan]\n{keys}\n[mesh]"))
+}
+
+fn accepted(keys: &str) -> Case {
+    read(&planned(keys)).unwrap_or_else(|report| panic!("{keys}\n{report}"))
+}
+
+#[test]
+fn limits_fatigue_and_wear() {
+    let cases = rows(
+        r#"
+        plan_factor_of_zero: `factors = { burst = 0 }`
+        plan_factor_as_text: `factors = { tension = "10 %" }`
+        plan_factor_unknown: `factors = { tensile = 1.1 }`
+        plan_overpull_without_unit: `overpull = "445"`
+        plan_drilled_from_below_the_bit: `campaign = { drilled_from = "4400 m" }`
+        plan_wear_factor_with_unit: `campaign = { wear_factor = "5e-10 1/psi" }`
+        plan_wear_factors_too_many: `campaign = { wear_factor = [2, 5, 8] }`
+        plan_round_trips_negative: `campaign = { round_trips = -1 }`
+        plan_curve_without_stress: `fatigue = { cycles = 2e6, exponent = 5 }`
+        plan_curve_without_unit: `fatigue = { cycles = 2e6, stress = "138", exponent = 5 }`
+        plan_exponent_below_one: `fatigue = { cycles = 2e6, stress = "138 MPa", exponent = 0.5 }`
+        "#,
+    );
+    for (name, keys) in cases {
+        refused(name, read(&planned(&keys)));
+    }
+    each_warned(
+        r#"
+        warn_plan_factor_below_one: `[mesh]` -> `[plan]\nfactors = { tension = 0.9 }\n[mesh]`
+        warn_plan_exponent_below_alone: `[mesh]` -> `[plan]\nfatigue = { exponent_below = 6 }\n[mesh]`
+        "#,
+    );
+}
+
+#[test]
+fn what_is_not_given_is_usual() {
+    let plan = accepted("").plan;
+    assert_eq!(plan.limits, LimitSettings::default());
+    let CampaignSettings { wear_factors, .. } = plan.campaign.clone();
+    assert_eq!(plan.campaign, CampaignSettings::default());
+    assert!((wear_factors.of_per_Pa(0) * PSI_PA * 1e10 - 5.0).abs() < 1e-9);
+    // An empty table says nothing else.
+    let plan = accepted("campaign = {}\nfatigue = {}\nfactors = {}").plan;
+    assert_eq!(plan.limits, LimitSettings::default());
+    assert_eq!(plan.campaign, CampaignSettings::default());
+}
+
+#[test]
+fn what_is_given_is_meant() {
+    let case = accepted(
+        "overpull = \"200 kN\"\nfactors = { tension = 1.3, von_mises = 1.5 }\n\
+         campaign = { drilled_from = \"3000 m\", round_trips = 3, off_bottom = \"7200 s\", wear_factor = [2] }\n\
+         fatigue = { cycles = 2e6, stress = \"138 MPa\", exponent = 5, endurance_limit = \"50 MPa\", tensile_strength = \"1000 MPa\" }",
+    );
+    let plan = &case.plan;
+    let factors = DesignFactors { tension: 1.3, von_mises: 1.5, ..DesignFactors::default() };
+    assert_eq!(plan.limits, LimitSettings { factors, overpull_N: 200e3 });
+    let CampaignSettings { drilled_from_m, round_trips, off_bottom_s, fatigue, wear_factors } =
+        plan.campaign.clone();
+    assert_eq!((drilled_from_m, round_trips, off_bottom_s), (Some(3000.0), 3.0, 7200.0));
+    let curve = SnCurve::of_one_slope(2e6, 138e6, 5.0);
+    assert_eq!(fatigue.sn_curve, SnCurve { endurance_limit_Pa: Some(50e6), ..curve });
+    assert_eq!(fatigue.tensile_strength_Pa, Some(1e9));
+    assert!((wear_factors.of_per_Pa(0) * PSI_PA * 1e10 - 2.0).abs() < 1e-9);
+    assert!(case.broomstick().is_ok());
+}
