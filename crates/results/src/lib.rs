@@ -41,7 +41,7 @@ pub use bit_test_table::bit_test_table;
 pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS,
     ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION,
-    RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
+    PLAN_HYDRAULICS, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -51,7 +51,10 @@ pub use frames::{FrameWriter, FramesSoFar};
 pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
 pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
-pub use plan::{PLAN_VERSION, PlanBuckling, PlanFinding, PlanFriction, PlanPoint, PlanSummary};
+pub use plan::{
+    PLAN_VERSION, PlanBuckling, PlanDensity, PlanFinding, PlanFriction, PlanHydraulics, PlanPoint,
+    PlanSummary,
+};
 pub use spectrum::Spectrum;
 pub use stability::{StabilitySummary, StableFrom, StableWhere, TriedController};
 pub use stability_table::stability_table;

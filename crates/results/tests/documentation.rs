@@ -5,7 +5,7 @@ use std::{env, fs, path::Path};
 use wholestring_results::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS,
     ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION,
-    RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
+    PLAN_HYDRAULICS, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
 };
 
 fn rows(columns: &[ColumnSpec]) -> String {
@@ -53,6 +53,7 @@ fn the_page_lists_every_column() {
         ("plan_broomstick", PLAN_BROOMSTICK),
         ("plan_buckling", PLAN_BUCKLING),
         ("plan_friction", PLAN_FRICTION),
+        ("plan_hydraulics", PLAN_HYDRAULICS),
     ] {
         expected = with_table(&expected, name, &rows(columns));
     }

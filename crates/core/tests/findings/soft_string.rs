@@ -231,7 +231,8 @@ fn rig_limits() {
             ..Rig::default()
         };
         let found = soft_findings(&model, &turning);
-        only(&found, Kind::TopDriveOverloaded).map(|of| (of.level, torque_N_m / of.limit.expect("a limit")))
+        only(&found, Kind::TopDriveOverloaded)
+            .map(|of| (of.level, torque_N_m / of.limit.expect("a limit")))
     };
     let near = |found: Option<(Level, f64)>, level, part: f64| {
         let (at, against) = found.expect("a finding");

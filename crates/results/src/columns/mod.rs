@@ -23,7 +23,7 @@ pub use self::{
     frames::FRAMES,
     modes::{CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, RESPONSE},
     nodes::NODES,
-    plan::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION},
+    plan::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS},
     spectra::SPECTRA,
     stability::STABILITY,
     time::TIME,
@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     /// What each file holds.
-    const TABLES: [&[ColumnSpec]; 15] = [
+    const TABLES: [&[ColumnSpec]; 16] = [
         NODES,
         TIME,
         WEAR,
@@ -104,6 +104,7 @@ mod tests {
         PLAN_BROOMSTICK,
         PLAN_BUCKLING,
         PLAN_FRICTION,
+        PLAN_HYDRAULICS,
     ];
 
     #[test]

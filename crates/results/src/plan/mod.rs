@@ -1,6 +1,9 @@
 //! What a plan leaves as JSON: `summary.json`, and its tables.
 
+mod hydraulics;
 mod tables;
+
+pub use hydraulics::{PlanDensity, PlanHydraulics};
 
 use std::path::Path;
 
@@ -39,6 +42,9 @@ pub struct PlanSummary {
     pub points: Vec<PlanPoint>,
     /// Friction after friction, operation after operation, down the hole.
     pub buckling: Vec<PlanBuckling>,
+    /// The mud, down the hole; empty where it has no rheology.
+    #[serde(default)]
+    pub hydraulics: Vec<PlanHydraulics>,
 }
 
 /// Friction of a hole section at a level.

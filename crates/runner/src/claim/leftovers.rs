@@ -18,7 +18,7 @@ const OTHERS: [&str; 5] =
 const PICTURES: [&str; 3] = ["hook_load", "torque", "buckling_weight"];
 
 /// Tables, written as Parquet and as CSV.
-const TABLES: [&str; 11] = [
+const TABLES: [&str; 12] = [
     "nodes",
     "time",
     "wear",
@@ -30,6 +30,7 @@ const TABLES: [&str; 11] = [
     "plan_broomstick",
     "plan_buckling",
     "plan_friction",
+    "plan_hydraulics",
 ];
 
 /// Folders that commands make in the folder of their results, and the endings of what they put

@@ -6,6 +6,7 @@ use wholestring_results::{Column, PlanPoint, PlanSummary, ResultsError, ResultsF
 pub(super) const BROOMSTICK: &str = "plan_broomstick";
 pub(super) const BUCKLING: &str = "plan_buckling";
 pub(super) const FRICTION: &str = "plan_friction";
+pub(super) const HYDRAULICS: &str = "plan_hydraulics";
 
 /// Name of the workbook.
 pub(super) const WORKBOOK: &str = "plan.xlsx";
@@ -16,6 +17,16 @@ pub(super) fn write(folder: &ResultsFolder, summary: &PlanSummary) -> Result<(),
     folder.write_table(BROOMSTICK, &summary.broomstick_table(), true)?;
     folder.write_table(BUCKLING, &summary.buckling_table(), true)?;
     folder.write_table(FRICTION, &summary.friction_table(), true)?;
+    let picture = folder.path().join("hydraulics.csv");
+    if summary.hydraulics.is_empty() {
+        for name in ["plan_hydraulics.parquet", "plan_hydraulics.csv", "hydraulics.csv"] {
+            folder.remove(name)?;
+        }
+    } else {
+        let table = summary.hydraulics_table();
+        folder.write_table(HYDRAULICS, &table, true)?;
+        table.write_csv(&picture)?;
+    }
     for (name, table) in pictures(summary) {
         table.write_csv(&folder.path().join(format!("{name}.csv")))?;
     }

@@ -10,6 +10,7 @@ use wholestring_results::{
 };
 
 use super::{
+    mud,
     request::Request,
     rows::{buckling, frictions, points},
 };
@@ -222,6 +223,7 @@ impl<'a> Work<'a> {
             missing: expected - points.len(),
             points,
             buckling: weights,
+            hydraulics: mud::rows(case),
         };
         Ok((summary, batch))
     }
