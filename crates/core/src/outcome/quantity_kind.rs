@@ -51,6 +51,8 @@ kinds! {
     PowerPerLength => "W/m", "power per length";
     /// A pressure, a stress or a work per volume, Pa.
     Pressure => "Pa", "pressure";
+    /// A density, kg/m³.
+    Density => "kg/m³", "density";
     /// An angle, rad.
     Angle => "rad", "angle";
     /// A curvature, rad/m.

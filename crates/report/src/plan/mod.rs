@@ -4,6 +4,7 @@ mod broomstick;
 mod buckling;
 mod figures;
 mod limits;
+mod mud;
 mod page;
 mod tables;
 #[cfg(test)]
@@ -11,6 +12,7 @@ mod tests;
 mod words;
 
 pub use figures::plan_plots;
+pub use mud::{PlanMud, PlanMudRow};
 pub use page::plan_html;
 pub use words::operation_name;
 
@@ -31,6 +33,8 @@ pub struct Plan {
     pub curves: Vec<PlanCurve>,
     /// Weights to buckle: operation after operation, level after level.
     pub buckling: Vec<BucklingCurve>,
+    /// The mud, where it has a rheology.
+    pub mud: Option<PlanMud>,
     /// Sections of the hole, from the surface down.
     pub hole: Vec<Section>,
     /// What the rig bears.

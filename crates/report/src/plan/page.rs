@@ -9,7 +9,7 @@ const ABOUT: &str = "Hook load and surface torque against the depth of the bit: 
     friction. The workbook plan.xlsx has every table, with charts of its own.";
 
 /// Title and caption of each picture.
-const PICTURES: [(&str, &str, &str); 3] = [
+const PICTURES: [(&str, &str, &str); 4] = [
     (
         "hook_load",
         "Hook load",
@@ -24,6 +24,13 @@ const PICTURES: [(&str, &str, &str); 3] = [
         "The least weight on bit under which the string begins to be a sinusoid, or a helix, \
          somewhere: left turning, right sliding, where friction takes a part of the push on the way \
          down.",
+    ),
+    (
+        "hydraulics",
+        "Mud",
+        "Pressure at the standpipe, and the density that weighs as much as mud and friction at the bit and \
+         at the deepest casing shoe: circulating, and tripping at the case's speed with mud shut out of \
+         the string or streaming through it.",
     ),
 ];
 
@@ -53,6 +60,7 @@ pub fn plan_html(plan: &Plan) -> String {
     parts.push(tables::frictions(plan));
     parts.extend(tables::against_depth(plan, shown));
     parts.extend(tables::buckling(plan, shown));
+    parts.extend(tables::mud(plan, shown));
     parts.extend(tables::without_answer(plan));
     study_html(&StudyPage {
         program: plan.head.program.clone(),

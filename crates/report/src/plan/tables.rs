@@ -2,6 +2,7 @@
 
 use super::{
     Plan, PlanSpot,
+    mud::STATES,
     words::{four, on_bottom, operation_name, rotates},
 };
 use crate::{Grid, Head, Level, StudyPart, Verdict, plots::Shown};
@@ -183,6 +184,35 @@ pub(super) fn buckling(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     let grid = Grid { heads, rows: rows.collect() };
     let title = format!("Least weight on bit to buckle, {force}");
     Some(part(title, "With the friction that is expected.", grid, "plan_buckling"))
+}
+
+/// The mud against depth.
+pub(super) fn mud(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+    let mud = plan.mud.as_ref().filter(|mud| !mud.rows.is_empty())?;
+    let has_shoe = mud.rows.iter().any(|row| row.at_shoe_kg_per_m3[0].is_finite());
+    let mut heads = vec![
+        head(format!("bit depth, {}", shown.symbol("length")), false),
+        head(format!("standpipe, {}", shown.symbol("pressure")), false),
+    ];
+    for place in ["bit", "shoe"].into_iter().take(if has_shoe { 2 } else { 1 }) {
+        heads.extend(STATES.iter().map(|state| head(format!("{place}: {state}"), false)));
+    }
+    let density = |value: f64| four(shown.value(value, "density"));
+    let rows = mud.rows.iter().map(|of| {
+        let mut cells = vec![
+            format!("{:.0}", shown.value(of.bit_depth_m, "length")),
+            four(shown.value(of.standpipe_Pa, "pressure")),
+        ];
+        cells.extend(of.at_bit_kg_per_m3.map(density));
+        if has_shoe {
+            cells.extend(of.at_shoe_kg_per_m3.map(density));
+        }
+        row(cells)
+    });
+    let grid = Grid { heads, rows: rows.collect() };
+    let title = format!("Mud: equivalent density, {}", shown.symbol("density"));
+    let caption = "Pumps as while drilling, or as the first operation that circulates.";
+    Some(part(title, caption, grid, "plan_hydraulics"))
 }
 
 /// What has no answer, and why.

@@ -1,8 +1,8 @@
 use std::collections::BTreeMap;
 
 use super::{
-    BucklingCurve, Plan, PlanCurve, PlanLevel, PlanLimitRow, PlanRig, PlanSpot, plan_html,
-    plan_plots,
+    BucklingCurve, Plan, PlanCurve, PlanLevel, PlanLimitRow, PlanMud, PlanMudRow, PlanRig,
+    PlanSpot, plan_html, plan_plots,
 };
 use crate::{
     Cell, DisplayUnit, Fact, Level, PageHead, Section,
@@ -15,6 +15,8 @@ fn plan() -> Plan {
         ("length", [unit("m", 1.0), unit("m", 1.0), unit("ft", 0.3048)]),
         ("diameter", [unit("mm", 1e-3), unit("mm", 1e-3), unit("in", 0.0254)]),
         ("force", [unit("kN", 1e3), unit("t", 9806.65), unit("klbf", 4448.22)]),
+        ("pressure", [unit("MPa", 1e6), unit("bar", 1e5), unit("psi", 6894.76)]),
+        ("density", [unit("kg/m³", 1.0), unit("sg", 1000.0), unit("ppg", 119.826)]),
         ("torque", [unit("kN·m", 1e3), unit("kN·m", 1e3), unit("ft·lbf", 1.355_82)]),
     ];
     let units = units.map(|(name, units)| (name.to_owned(), units));
@@ -75,6 +77,19 @@ fn plan() -> Plan {
                 })
             })
             .collect(),
+        mud: Some(PlanMud {
+            operation: "drill".into(),
+            density_kg_per_m3: 1200.0,
+            pump_limit_Pa: Some(35e6),
+            rows: depths
+                .map(|bit_depth_m| PlanMudRow {
+                    bit_depth_m,
+                    standpipe_Pa: 1e4 * bit_depth_m,
+                    at_shoe_kg_per_m3: [1230.0, 1250.0, 1220.0, 1150.0, 1180.0],
+                    at_bit_kg_per_m3: [1240.0, 1260.0, 1230.0, 1140.0, 1170.0],
+                })
+                .into(),
+        }),
         hole: vec![
             Section {
                 kind: "casing".into(),
@@ -131,7 +146,7 @@ fn names(panel: &Panel) -> Vec<((f64, f64), &str)> {
 fn lines_end_with_their_friction() {
     let plots = plan_plots(&plan(), "si");
     let known: Vec<&str> = plots.iter().map(|of| of.name.as_str()).collect();
-    assert_eq!(known, ["hook_load", "torque", "buckling_weight"]);
+    assert_eq!(known, ["hook_load", "torque", "buckling_weight", "hydraulics"]);
     let [off, on] = &plots[0].figure.panels[..] else { panic!("two panels") };
     assert_eq!(off.axis.label, "Hook load, off bottom, kN");
     let found = names(off);
@@ -152,6 +167,30 @@ fn lines_end_with_their_friction() {
     // In the reader's units.
     let field = plan_plots(&plan(), "field");
     assert_eq!(field[0].figure.panels[0].axis.label, "Hook load, off bottom, klbf");
+}
+
+/// Pressure beside the densities at bit and shoe, five states each and the mud at rest; a limit that is
+/// far beyond is told. Without a rheology there is nothing.
+#[test]
+fn the_mud_beside_it() {
+    let mut plan = plan();
+    let plots = plan_plots(&plan, "field");
+    let figure = &plots[3].figure;
+    let labels: Vec<&str> = figure.panels.iter().map(|of| of.axis.label.as_str()).collect();
+    assert_eq!(
+        labels,
+        [
+            "Standpipe pressure, drilling, psi",
+            "Equivalent density at the bit, ppg",
+            "Equivalent density at the shoe, ppg"
+        ]
+    );
+    assert_eq!(figure.panels[1].marks.len(), 6);
+    assert!(figure.subtitle.contains("limit of the pump"), "{}", figure.subtitle);
+    assert!(plan_html(&plan).contains("plan_hydraulics.parquet"));
+    plan.mud = None;
+    assert_eq!(plan_plots(&plan, "field").len(), 3);
+    assert!(!plan_html(&plan).contains("plan_hydraulics"));
 }
 
 /// The page has the pictures, the tables, what is found and why something has no answer, and nothing in
@@ -176,6 +215,6 @@ fn the_page_says_everything() {
     ] {
         assert!(page.contains(expected), "{expected}");
     }
-    assert_eq!(page.matches("<svg").count(), 3);
+    assert_eq!(page.matches("<svg").count(), 4);
     assert!(!page.contains("<Well>") && !page.contains("<locks>"));
 }

@@ -91,3 +91,35 @@ pub const PLAN_FRICTION: &[ColumnSpec] = super::specs! {
     "along": Ratio, "Coefficient of friction while sliding along the hole";
     "around": Ratio, "Coefficient of friction around the hole";
 };
+
+/// Columns of `plan_hydraulics.parquet`: a row for each depth of the bit. Equivalent densities weigh as
+/// much as the mud and what its friction adds or takes.
+pub const PLAN_HYDRAULICS: &[ColumnSpec] = super::specs! {
+    "operation": Words, "Operation whose pumps run: `drill` where there is one";
+    "bit_depth_m": Depth, "Measured depth of the bit";
+    "standpipe_pressure_Pa": Pressure, "Pressure at the standpipe: bore, bit, motor and annulus";
+    "bore_loss_Pa": Pressure, "Friction in the bore";
+    "bit_loss_Pa": Pressure, "Pressure drop of bit and motor";
+    "annulus_loss_Pa": Pressure, "Friction in the annulus";
+    "circulating_shoe_kg_per_m3": Density,
+        "Equivalent density at the deepest casing shoe while the operation goes on; this and the others \
+         at the shoe are `null` without casing",
+        null_where "there is no casing";
+    "circulating_bit_kg_per_m3": Density, "The same at the bit";
+    "surge_closed_shoe_kg_per_m3": Density,
+        "At the shoe, running in at the trip speed, no mud in the string, or `null`",
+        null_where "there is no casing";
+    "surge_closed_bit_kg_per_m3": Density, "The same at the bit";
+    "surge_open_shoe_kg_per_m3": Density,
+        "At the shoe, running in, with mud that streams up the string, or `null`",
+        null_where "there is no casing";
+    "surge_open_bit_kg_per_m3": Density, "The same at the bit";
+    "swab_closed_shoe_kg_per_m3": Density,
+        "At the shoe, pulling out at the trip speed, no mud in the string, or `null`",
+        null_where "there is no casing";
+    "swab_closed_bit_kg_per_m3": Density, "The same at the bit";
+    "swab_open_shoe_kg_per_m3": Density,
+        "At the shoe, pulling out, with mud that streams down the string, or `null`",
+        null_where "there is no casing";
+    "swab_open_bit_kg_per_m3": Density, "The same at the bit";
+};

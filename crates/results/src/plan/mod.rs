@@ -1,7 +1,9 @@
 //! What a plan leaves as JSON: `summary.json`, and its tables.
 
+mod hydraulics;
 mod tables;
 
+pub use hydraulics::{PlanDensity, PlanHydraulics};
 pub use tables::plan_limits_table;
 
 use std::path::Path;
@@ -46,6 +48,9 @@ pub struct PlanSummary {
     pub worst_limits: Vec<PlanLimit>,
     /// What could not be checked, and what is missing for it.
     pub unchecked: Vec<String>,
+    /// The mud, down the hole; empty where it has no rheology.
+    #[serde(default)]
+    pub hydraulics: Vec<PlanHydraulics>,
 }
 
 /// Friction of a hole section at a level.

@@ -31,6 +31,7 @@ const TABLES: [&str; 12] = [
     "plan_buckling",
     "plan_friction",
     "plan_limits",
+    "plan_hydraulics",
 ];
 
 /// Folders that commands make in the folder of their results, and the endings of what they put

@@ -7,6 +7,7 @@ pub(super) const BROOMSTICK: &str = "plan_broomstick";
 pub(super) const BUCKLING: &str = "plan_buckling";
 pub(super) const FRICTION: &str = "plan_friction";
 pub(super) const LIMITS: &str = "plan_limits";
+pub(super) const HYDRAULICS: &str = "plan_hydraulics";
 
 /// Name of the workbook.
 pub(super) const WORKBOOK: &str = "plan.xlsx";
@@ -22,6 +23,16 @@ pub(super) fn write(
     folder.write_table(BROOMSTICK, &summary.broomstick_table(), true)?;
     folder.write_table(BUCKLING, &summary.buckling_table(), true)?;
     folder.write_table(FRICTION, &summary.friction_table(), true)?;
+    let picture = folder.path().join("hydraulics.csv");
+    if summary.hydraulics.is_empty() {
+        for name in ["plan_hydraulics.parquet", "plan_hydraulics.csv", "hydraulics.csv"] {
+            folder.remove(name)?;
+        }
+    } else {
+        let table = summary.hydraulics_table();
+        folder.write_table(HYDRAULICS, &table, true)?;
+        table.write_csv(&picture)?;
+    }
     for (name, table) in pictures(summary) {
         table.write_csv(&folder.path().join(format!("{name}.csv")))?;
     }

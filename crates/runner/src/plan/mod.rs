@@ -1,6 +1,7 @@
 //! Torque and drag at every depth of the bit, with low, expected and high friction.
 
 mod files;
+mod mud;
 pub(crate) mod page;
 mod request;
 mod rows;

@@ -15,6 +15,7 @@ use wholestring_units::UnitSet;
 
 use super::{
     files::{BROOMSTICK, LIMITS, WORKBOOK},
+    mud,
     workbook::workbook,
 };
 use crate::page::{self, FILE, table, write_picture};
@@ -30,7 +31,7 @@ pub(crate) fn is_plan(folder: &Path) -> bool {
 /// Writes the page and its pictures; those of an earlier plan that this one has not go.
 pub(crate) fn write(folder: &ResultsFolder, plan: &Plan, png: bool) -> Result<(), ResultsError> {
     let plots = plan_plots(plan, &plan.head.units);
-    for name in ["hook_load", "torque", "buckling_weight"] {
+    for name in ["hook_load", "torque", "buckling_weight", "hydraulics"] {
         match plots.iter().find(|plot| plot.name == name) {
             Some(plot) => write_picture(folder, name, &plot.figure, png)?,
             None => ["svg", "png"]
@@ -89,6 +90,7 @@ fn of_summary(summary: &PlanSummary, units: Option<UnitSet>) -> Plan {
         levels: LEVELS.iter().map(|name| level(summary, name)).collect(),
         curves: curves(summary),
         buckling: buckling(summary),
+        mud: mud::shown(summary),
         hole: hole(summary),
         limits: summary.worst_limits.iter().map(limit).collect(),
         unchecked: summary.unchecked.clone(),

@@ -10,6 +10,7 @@ use wholestring_results::{
 };
 
 use super::{
+    mud,
     request::Request,
     rows::{Lack, buckling, frictions, in_words, limits, points, unchecked},
 };
@@ -257,6 +258,7 @@ impl<'a> Work<'a> {
             buckling: weights,
             worst_limits: worst(&all_limits),
             unchecked: in_words(&lacking),
+            hydraulics: mud::rows(case),
         };
         Ended { summary, limits: all_limits, batch }
     }

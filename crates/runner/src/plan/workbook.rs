@@ -35,9 +35,16 @@ pub(super) fn workbook(summary: &PlanSummary, limits: &Table, units: UnitSet) ->
         ),
         ("Limits", limits, "Loads against what bears them, in the unit of each row"),
         ("Friction", &summary.friction_table(), "Friction of each hole section at each level"),
+        (
+            "Hydraulics",
+            &summary.hydraulics_table(),
+            "Pressures and equivalent densities with the bit at each depth",
+        ),
     ];
+    let has_mud = !summary.hydraulics.is_empty();
+    let tables = tables.into_iter().filter(|(name, ..)| has_mud || *name != "Hydraulics");
     let sheets: Vec<Sheet> =
-        tables.into_iter().map(|(name, table, about)| sheet(name, table, about, units)).collect();
+        tables.map(|(name, table, about)| sheet(name, table, about, units)).collect();
     let charts = [
         ("Hook load without block", "hook_load_N", "off bottom", false),
         ("Surface torque", "surface_torque_N_m", "all that turns", true),

@@ -1,0 +1,99 @@
+//! Standpipe pressure, equivalent density, surge and swab against the depth of the bit.
+
+use super::{Plan, figures::over_depth, words::operation_name};
+use crate::{
+    figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Stroke},
+    plots::Shown,
+};
+
+/// What the mud does in a plan.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanMud {
+    /// Name of the operation whose pumps run.
+    pub operation: String,
+    /// Density of the mud at rest, kg/m³.
+    pub density_kg_per_m3: f64,
+    /// Limit of pumps and standpipe, Pa.
+    pub pump_limit_Pa: Option<f64>,
+    /// Depth after depth.
+    pub rows: Vec<PlanMudRow>,
+}
+
+/// The mud with the bit at one depth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlanMudRow {
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// Pressure at the standpipe, Pa.
+    pub standpipe_Pa: f64,
+    /// Equivalent density at the casing shoe in each of [`STATES`], kg/m³; not a number without casing.
+    pub at_shoe_kg_per_m3: [f64; 5],
+    /// The same at the bit.
+    pub at_bit_kg_per_m3: [f64; 5],
+}
+
+/// What the string does, in the order of a row.
+pub(super) const STATES: [&str; 5] = [
+    "circulating",
+    "running in, string closed",
+    "running in, string open",
+    "pulling out, string closed",
+    "pulling out, string open",
+];
+
+/// A limit farther beyond the pressures than this part of them is told, not drawn.
+const FAR: f64 = 1.35;
+
+/// The pressure at the standpipe, and the densities at the bit and at the shoe.
+pub(super) fn figure(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
+    let mud = plan.mud.as_ref().filter(|mud| !mud.rows.is_empty())?;
+    let curve = |dimension: &str, place: usize, of: &dyn Fn(&PlanMudRow) -> f64| {
+        let point = |row: &PlanMudRow| {
+            (shown.value(row.bit_depth_m, "length"), shown.value(of(row), dimension))
+        };
+        Mark::Curve {
+            ink: Ink::Line(place),
+            stroke: Stroke::of(place),
+            points: mud.rows.iter().map(point).collect(),
+        }
+    };
+    let mut pressure = vec![curve("pressure", 0, &|row| row.standpipe_Pa)];
+    let largest_Pa = mud.rows.iter().map(|row| row.standpipe_Pa).fold(0.0, f64::max);
+    let near = mud.pump_limit_Pa.filter(|limit_Pa| *limit_Pa <= FAR * largest_Pa);
+    pressure.extend(near.map(|limit_Pa| Mark::OwnRule {
+        at: shown.value(limit_Pa, "pressure"),
+        label: "limit".to_owned(),
+    }));
+    let title = format!("Standpipe pressure, {}", operation_name(&mud.operation));
+    let mut panels =
+        vec![Panel::new(Axis::new(shown.label(&title, "pressure"), Range::Zero), pressure)];
+    let has_shoe = mud.rows.iter().any(|row| row.at_shoe_kg_per_m3[0].is_finite());
+    type Densities = fn(&PlanMudRow) -> [f64; 5];
+    let places: [(&str, Densities, bool); 2] = [
+        ("Equivalent density at the bit", |row| row.at_bit_kg_per_m3, true),
+        ("Equivalent density at the shoe", |row| row.at_shoe_kg_per_m3, has_shoe),
+    ];
+    for (title, of, _) in places.into_iter().filter(|(.., is_there)| *is_there) {
+        let mut marks: Vec<Mark> =
+            (0..STATES.len()).map(|place| curve("density", place, &|row| of(row)[place])).collect();
+        marks.push(Mark::OwnRule {
+            at: shown.value(mud.density_kg_per_m3, "density"),
+            label: "mud".to_owned(),
+        });
+        panels.push(Panel::new(Axis::new(shown.label(title, "density"), Range::Tight), marks));
+    }
+    let key = |(place, name): (usize, &&str)| Key {
+        name: (*name).to_owned(),
+        sample: Sample::Line(Ink::Line(place), Stroke::of(place)),
+    };
+    let keys = STATES.iter().enumerate().map(key).collect();
+    let mut subtitle =
+        "steady speeds; closed: all that the string displaces goes up the annulus".to_owned();
+    if let (Some(limit_Pa), None) = (mud.pump_limit_Pa, near) {
+        subtitle += &format!(
+            "; limit of the pump {}, beyond the picture",
+            shown.quantity(limit_Pa, "pressure")
+        );
+    }
+    Some(over_depth(plan, shown, &subtitle, keys, panels))
+}

@@ -1,0 +1,61 @@
+//! What the mud does in a plan.
+
+use wholestring::operation::{Operation, OperationKind};
+use wholestring_case::Case;
+use wholestring_plan::hydraulics::{EquivalentDensity, HydraulicsRow, hydraulics};
+use wholestring_report::{PlanMud, PlanMudRow};
+use wholestring_results::{PlanDensity, PlanHydraulics, PlanSummary};
+
+/// A row for each depth of the plan; none where the mud has no rheology or nothing circulates.
+pub(super) fn rows(case: &Case) -> Vec<PlanHydraulics> {
+    let plan = &case.plan;
+    let drills = plan.operations.iter().find(|of| of.kind == OperationKind::Drill);
+    let Some(operation) = drills.or(plan.operations.iter().find(|of| of.kind.circulates())) else {
+        return Vec::new();
+    };
+    let found = hydraulics(&case.setup(), operation, &plan.bit_depths_m).unwrap_or_default();
+    found.iter().map(|of| row(operation, of)).collect()
+}
+
+fn row(operation: &Operation, of: &HydraulicsRow) -> PlanHydraulics {
+    let density = |of: EquivalentDensity| PlanDensity {
+        shoe_kg_per_m3: of.shoe_kg_per_m3,
+        bit_kg_per_m3: of.bit_kg_per_m3,
+    };
+    let [[surge_closed, surge_open], [swab_closed, swab_open]] =
+        [of.surge, of.swab].map(|ends| ends.map(density));
+    PlanHydraulics {
+        operation: operation.kind.name().to_owned(),
+        bit_depth_m: of.bit_depth_m,
+        standpipe_pressure_Pa: of.standpipe_Pa,
+        bore_loss_Pa: of.bore_loss_Pa,
+        bit_loss_Pa: of.bit_loss_Pa,
+        annulus_loss_Pa: of.annulus_loss_Pa,
+        circulating: density(of.circulating),
+        surge_closed,
+        surge_open,
+        swab_closed,
+        swab_open,
+    }
+}
+
+/// The same as the page shows it.
+pub(super) fn shown(summary: &PlanSummary) -> Option<PlanMud> {
+    let first = summary.hydraulics.first()?;
+    let settings = &summary.settings;
+    Some(PlanMud {
+        operation: first.operation.clone(),
+        density_kg_per_m3: settings["mud"]["density_kg_per_m3"].as_f64().unwrap_or(f64::NAN),
+        pump_limit_Pa: settings["rig"]["pump_pressure_limit_Pa"].as_f64(),
+        rows: summary.hydraulics.iter().map(spot).collect(),
+    })
+}
+
+fn spot(of: &PlanHydraulics) -> PlanMudRow {
+    PlanMudRow {
+        bit_depth_m: of.bit_depth_m,
+        standpipe_Pa: of.standpipe_pressure_Pa,
+        at_shoe_kg_per_m3: of.densities().map(|(_, at)| at.shoe_kg_per_m3.unwrap_or(f64::NAN)),
+        at_bit_kg_per_m3: of.densities().map(|(_, at)| at.bit_kg_per_m3),
+    }
+}
