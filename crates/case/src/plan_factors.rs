@@ -7,7 +7,7 @@ use wholestring_plan::limits::DesignFactors;
 macro_rules! factors {
     ($($(#[doc = $about:literal])+ $name:ident;)+) => {
         table! {
-            /// Least capacity over load of each limit of a plan.
+            /// Safety factors: the least that capacity over load is to be.
             FactorsTable in "[plan.factors]" {
                 $($(#[doc = $about])+ $name: f64 = default(factor(), DesignFactors::default().$name);)+
             }
@@ -21,38 +21,38 @@ macro_rules! factors {
 }
 
 fn factor() -> Number {
-    Number { unit: "", range: Range::from_to(0.1, 100.0).usual(1.0, 3.0) }
+    Number { unit: "", range: Range::from_to(0.1, 10.0).usual(0.9, 3.0) }
 }
 
 factors! {
-    /// Tensile yield over effective tension: 90 % of the yield by default.
+    /// Effective tension against the tensile yield of pipe or connection.
     tension;
-    /// Torsional yield over torque.
+    /// Torque against the torsional yield of pipe or connection.
     torsion;
-    /// Torsional yield under tension over torque.
+    /// Torque against the torsional yield under the tension that is there.
     tension_and_torsion;
-    /// Yield strength over von Mises stress.
+    /// Von Mises stress against the yield strength.
     von_mises;
-    /// Burst over the pressure inside beyond that outside.
+    /// Pressure from inside against burst.
     burst;
-    /// Collapse over the pressure outside beyond that inside.
+    /// Pressure from outside against collapse.
     collapse;
-    /// Make-up torque of the connections over torque.
+    /// Torque against the make-up torque of the connections.
     make_up;
-    /// Capacity of the hoist over hook load and block.
+    /// Hook load and block against the hoist.
     hoist;
-    /// Rated torque of the top drive over surface torque.
+    /// Surface torque against the rated torque of the top drive.
     top_drive;
-    /// Peak torque of the top drive over surface torque.
+    /// Surface torque against the largest torque of the top drive.
     top_drive_peak;
-    /// Limit of the pump's pressure over what it delivers at.
+    /// Standpipe pressure against the limit of the pump.
     pump_pressure;
-    /// Load of the sinusoid over compression.
+    /// Compression against the load of the sinusoid.
     sinusoidal_buckling;
-    /// Load of the helix over compression.
+    /// Compression against the load of the helix.
     helical_buckling;
-    /// What drives a string down over what holds it back.
+    /// What drives a sliding string down against what holds it.
     lock_up;
-    /// What may still be pulled over `overpull`.
+    /// What is left for overpull against `overpull_margin`.
     overpull;
 }

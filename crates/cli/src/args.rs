@@ -36,12 +36,14 @@ pub(crate) enum Command {
     Bha(BhaArgs),
     /// Find natural frequencies, critical speeds and the answer to a force that turns
     Modes(ModesArgs),
+    /// Torque and drag at every depth of the bit, with low, expected and high friction
+    Plan(PlanArgs),
     /// Solve the cases of a study and make its figures and tables
     Study(StudyArgs),
-    /// Make the report of a run, a sweep, a bit test, an assembly or modes again
+    /// Make the report of a run, a sweep, a bit test, an assembly, modes or a plan again
     Report(ReportArgs),
-    /// Draw what a run, a sweep, a bit test, an assembly or modes left as SVG files; a second run on
-    /// the same axes
+    /// Draw what a run, a sweep, a bit test, an assembly, modes or a plan left as SVG files; a second
+    /// run on the same axes
     Plot(PlotArgs),
     /// Position and dogleg severity along a survey
     Survey(SurveyArgs),
@@ -146,7 +148,7 @@ impl RunArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ReportArgs {
-    /// Folder that a run, a sweep, a bit test, an assembly or modes wrote to
+    /// Folder that a run, a sweep, a bit test, an assembly, modes or a plan wrote to
     #[arg(value_name = "DIR")]
     pub(crate) folder: PathBuf,
 
@@ -157,7 +159,8 @@ pub(crate) struct ReportArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct PlotArgs {
-    /// Folder that a run, a sweep, a bit test, an assembly or modes wrote to, or those of two runs
+    /// Folder that a run, a sweep, a bit test, an assembly, modes or a plan wrote to, or those of two
+    /// runs
     #[arg(value_name = "DIR", required = true, num_args = 1..=2)]
     pub(crate) folders: Vec<PathBuf>,
 
@@ -352,6 +355,56 @@ pub(crate) struct ModesArgs {
     /// Print nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct PlanArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    // Not a doc comment, which would read `<case name>` as HTML.
+    #[arg(
+        short,
+        long,
+        value_name = "DIR",
+        help = "Folder for the results [default: out/<case name> plan]"
+    )]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Continue with a plan that was interrupted: leave out what is finished
+    #[arg(long)]
+    pub(crate) resume: bool,
+
+    /// Replace what lies in the folder: other results, or what was not finished
+    #[arg(long, conflicts_with = "resume")]
+    pub(crate) overwrite: bool,
+
+    /// What is solved side by side [default: one per core]
+    #[arg(short, long, value_name = "N")]
+    pub(crate) jobs: Option<NonZeroUsize>,
+
+    /// Time on the clock between checkpoints, such as 5min [default: the case's, 30 s]
+    #[arg(long, value_name = "TIME", value_parser = interval)]
+    pub(crate) checkpoint: Option<Duration>,
+
+    /// Paint each picture as PNG too, with 300 dots per inch
+    #[arg(long)]
+    pub(crate) png: bool,
+
+    /// Units on the screen, the page and in the workbook [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+impl PlanArgs {
+    /// What becomes of what lies in the folder.
+    pub(crate) fn existing(&self) -> Existing {
+        existing(self.resume, self.overwrite)
+    }
 }
 
 #[derive(Debug, Args)]

@@ -16,6 +16,7 @@ mod input;
 mod interrupt;
 mod modes;
 mod new_case;
+mod plan;
 mod plot;
 mod progress;
 mod report;
@@ -45,6 +46,7 @@ fn main() -> ExitCode {
         Command::BitTest(args) => bit_test::bit_test(&args),
         Command::Bha(args) => bha::bha(&args),
         Command::Modes(args) => modes::modes(&args),
+        Command::Plan(args) => plan::plan(&args),
         Command::Study(args) => study::study(&args),
         Command::Report(args) => report::report(&args),
         Command::Plot(args) => plot::plot(&args),

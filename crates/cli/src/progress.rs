@@ -131,6 +131,11 @@ impl BatchScreen {
         Self { noun: "bit test", items: "points", with_pace: false, ..Self::sweep("", quiet) }
     }
 
+    /// The screen of a plan.
+    pub(crate) fn plan(quiet: bool) -> Self {
+        Self { noun: "plan", items: "pieces", with_pace: false, ..Self::sweep("", quiet) }
+    }
+
     fn count(&self, ended: usize, of: usize) -> String {
         format!("{ended} of {of} {}", self.items)
     }

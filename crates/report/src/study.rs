@@ -84,6 +84,8 @@ pub enum Verdict {
     None,
     /// Within what is allowed.
     Agrees,
+    /// Within it, but not by much.
+    Near,
     /// Not within it.
     Differs,
 }
@@ -180,11 +182,15 @@ fn table(grid: &Grid) -> String {
 
 fn cells(heads: &[Head], row: &[(String, Verdict)]) -> String {
     let cell = |(head, (text, verdict)): (&Head, &(String, Verdict))| {
-        let class = match verdict {
-            Verdict::None if head.words => " class=\"words\"",
-            Verdict::None => "",
-            Verdict::Agrees => " class=\"agrees\"",
-            Verdict::Differs => " class=\"differs\"",
+        let class = match (verdict, head.words) {
+            (Verdict::None, true) => " class=\"words\"",
+            (Verdict::None, false) => "",
+            (Verdict::Agrees, true) => " class=\"words agrees\"",
+            (Verdict::Agrees, false) => " class=\"agrees\"",
+            (Verdict::Near, true) => " class=\"words near\"",
+            (Verdict::Near, false) => " class=\"near\"",
+            (Verdict::Differs, true) => " class=\"words differs\"",
+            (Verdict::Differs, false) => " class=\"differs\"",
         };
         format!("<td{class}>{}</td>", escaped(text))
     };
@@ -240,7 +246,7 @@ mod tests {
         for ending in ["svg", "png", "csv"] {
             assert!(page.contains(&format!("href=\"figures/a%20b.{ending}\"")));
         }
-        assert!(page.contains("class=\"differs\""));
+        assert!(page.contains("class=\"words differs\""));
     }
     /// Pictures are cut to their own frames: no two elements of the page have one name. And they
     /// wear the page's colours, which are dark where the reader asks for it.

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use wholestring_report::{
-    Plot, Report, Run, Spectrum, bha_plots, bit_test_plots, common_operations, modes_plots, plots,
-    sweep_plots,
+    Plot, Report, Run, Spectrum, bha_plots, bit_test_plots, common_operations, modes_plots,
+    plan_plots, plots, sweep_plots,
 };
 use wholestring_results::Summary;
 use wholestring_units::UnitSet;
@@ -16,6 +16,7 @@ use crate::{
     folder_name::file_name,
     modes::page as modes,
     page::{Tables, gather, lacking, spectra::spectra, table},
+    plan::page as plan,
     results_kind::ResultsKind,
     sweep::page as sweep,
 };
@@ -47,6 +48,13 @@ pub fn pictures(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Vec<Plot>
         }
         _ if folders.iter().any(|of| bha::is_bha(of)) => {
             return Err(bad("an assembly at rest cannot be overlaid with anything"));
+        }
+        ([folder], _) if plan::is_plan(folder) => {
+            let found = plan::gather(folder, units).map_err(bad)?;
+            plan_plots(&found, &found.head.units)
+        }
+        _ if folders.iter().any(|of| plan::is_plan(of)) => {
+            return Err(bad("a plan cannot be overlaid with anything"));
         }
         ([folder], [true]) => {
             let sweep = sweep::gather(folder, units).map_err(bad)?;

@@ -11,11 +11,12 @@ use crate::{
     error::Error,
     modes::page as modes,
     page::{FILE, lacking, page},
+    plan::page as plan,
     results_kind::ResultsKind,
     sweep::page as sweep,
 };
 
-/// Makes the page of a run, a sweep, a bit test or small motions again, from the files in its folder, and says
+/// Makes the page of a run, a sweep, a bit test, small motions or a plan again, from the files in its folder, and says
 /// where it is. It opens with these units, with the case's where none are given.
 ///
 /// # Errors
@@ -37,6 +38,7 @@ pub fn write_report(folder: &Path, units: Option<UnitSet>) -> Result<PathBuf, Er
             let found = modes::gather(folder, units).map_err(|error| bad(&error))?;
             modes::write(&results()?, &found, false)?;
         }
+        Some(ResultsKind::Plan) => plan::write_again(&results()?, units)?,
         Some(ResultsKind::Run) => {
             if let Some(lacking) = lacking(folder).map_err(|error| bad(&error))? {
                 return Err(Error::BadInput(lacking));

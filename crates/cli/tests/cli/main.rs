@@ -16,6 +16,7 @@ mod folders;
 mod frames;
 mod modes;
 mod new_case;
+mod plan;
 mod plot;
 mod remarks;
 mod report;

@@ -114,7 +114,7 @@ pub(super) fn draw(on: &mut Drawing, mark: &Mark, all: &[Mark], place: &Place) {
             on.spots(spots.filter(|((x, y), _)| (x + y).is_finite()).collect());
         }
         // Its panel writes names where there is room, and knows what belongs together.
-        Mark::Name { .. } | Mark::Of { .. } => {}
+        Mark::Name { .. } | Mark::Foot { .. } | Mark::Of { .. } => {}
     }
 }
 
@@ -195,12 +195,13 @@ pub(super) fn names(on: &mut Drawing, all: &[Mark], place: &Place) {
     let mut taken: Vec<Box> = Vec::new();
     let mut keys: &[usize] = &[];
     for mark in all {
-        let (at, text) = match mark {
+        let (at, text, is_foot) = match mark {
             Mark::Of { keys: of } => {
                 keys = of;
                 continue;
             }
-            Mark::Name { at, text } => (place.of(*at), text),
+            Mark::Name { at, text } => (place.of(*at), text, false),
+            Mark::Foot { at, text } => (place.of(*at), text, true),
             _ => continue,
         };
         if !(at.0 + at.1).is_finite() {
@@ -212,7 +213,10 @@ pub(super) fn names(on: &mut Drawing, all: &[Mark], place: &Place) {
             (0..8).flat_map(|step| [-1.0, 1.0].map(|side| side * (6.5 + 4.0 * f64::from(step))));
         let lefts = [at.0 - width - 3.0, at.0 + 3.0, at.0 - 0.5 * width];
         let places = offsets.flat_map(|off| lefts.map(|left| (left, at.1 + off)));
-        let free = places.filter(|at| {
+        // Below the end, one row after the other, and where there is none as any other.
+        let feet = (0..if is_foot { 3 } else { 0 })
+            .map(|row| (at.0 - 0.5 * width, at.1 + 7.0 + 8.5 * f64::from(row)));
+        let free = feet.chain(places).filter(|at| {
             let room = room(*at);
             room.left >= frame.left
                 && room.right() <= frame.right()

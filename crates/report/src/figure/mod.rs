@@ -241,6 +241,14 @@ pub enum Mark {
         /// The name.
         text: String,
     },
+    /// The name of a curve that ends within its panel, below its end, for a shared axis that points
+    /// down.
+    Foot {
+        /// The end.
+        at: (f64, f64),
+        /// The name.
+        text: String,
+    },
     /// Points at which a page says which rows of its table they show.
     Spots {
         /// Where they are.

@@ -165,6 +165,7 @@ fn own_values(mark: &Mark) -> Vec<f64> {
         | Mark::Rings { .. }
         | Mark::Of { .. }
         | Mark::Name { .. }
+        | Mark::Foot { .. }
         | Mark::Spots { .. } => Vec::new(),
         Mark::Map(map) => map.middles.clone(),
     }
@@ -186,6 +187,7 @@ pub(super) fn shared_values(mark: &Mark) -> Vec<f64> {
         | Mark::Rings { .. }
         | Mark::Of { .. }
         | Mark::Name { .. }
+        | Mark::Foot { .. }
         | Mark::Spots { .. } => Vec::new(),
     }
 }

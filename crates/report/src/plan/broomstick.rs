@@ -18,7 +18,7 @@ const FAR: f64 = 1.35;
 const SAME: f64 = 2e-3;
 
 /// Strokes of low, expected and high friction.
-const STROKES: [Stroke; 3] = [Stroke::Dotted, Stroke::Solid, Stroke::Dashed];
+pub(super) const STROKES: [Stroke; 3] = [Stroke::Dotted, Stroke::Solid, Stroke::Dashed];
 
 /// What a picture shows of each point.
 struct Quantity<'a> {
@@ -32,7 +32,7 @@ struct Quantity<'a> {
 /// Slack-off to the left, rotating, pick-up to the right; beside it what drills.
 pub(super) fn hook_load(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
     let quantity = Quantity {
-        title: "Hook load without block",
+        title: "Hook load",
         dimension: "force",
         of: |spot| spot.hook_load_N,
         limit: plan.rig.hook_load_N(),
@@ -119,7 +119,7 @@ fn panel(
     let told = quantity.limit.filter(|_| !is_near).map(|limit| {
         format!("{} {}", quantity.limit_name, shown.quantity(limit, quantity.dimension))
     });
-    let title = format!("{} {name}", quantity.title);
+    let title = format!("{}, {name}", quantity.title);
     let axis = Axis::new(shown.label(&title, quantity.dimension), Range::Zero);
     (Panel::new(axis, marks), told.into_iter())
 }
@@ -132,7 +132,7 @@ fn names(ends: &[((f64, f64), &str)], largest: f64) -> Vec<Mark> {
     if spread < SAME * largest {
         return Vec::new();
     }
-    let name = |(at, text): &((f64, f64), &str)| Mark::Name { at: *at, text: (*text).to_owned() };
+    let name = |(at, text): &((f64, f64), &str)| Mark::Foot { at: *at, text: (*text).to_owned() };
     ends.iter().map(name).collect()
 }
 
@@ -162,7 +162,11 @@ fn keys(plan: &Plan, operations: &[&str]) -> Vec<Key> {
 
 /// What the picture is of, and limits that lie beyond it.
 fn subtitle(plan: &Plan, told: Vec<String>) -> String {
-    let lines = plan.models.first().map(|model| format!("lines: {model} string"));
+    let first = plan.models.first();
+    let lines = first.map(|model| match plan.models.len() {
+        1 => format!("{model} string; hook loads without block"),
+        _ => format!("lines: {model} string; hook loads without block"),
+    });
     let limits = told.into_iter().map(|of| format!("limit of the {of}, beyond the picture"));
     lines.into_iter().chain(limits).collect::<Vec<_>>().join("; ")
 }

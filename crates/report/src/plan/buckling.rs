@@ -1,6 +1,6 @@
 //! The weight on bit under which the string begins to buckle.
 
-use super::{BucklingCurve, Plan, figures::over_depth, words::operation_name};
+use super::{Plan, broomstick::STROKES, figures::over_depth, words::operation_name};
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Stroke},
     plots::Shown,
@@ -9,8 +9,7 @@ use crate::{
 /// What the string becomes, in the order of the weights.
 const SHAPES: [&str; 2] = ["sinusoid", "helix"];
 
-/// Turning to the left, sliding to the right: what is expected as a line, the other frictions as a
-/// band around it.
+/// Turning to the left, sliding to the right: a line for each friction.
 pub(super) fn figure(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
     let mut operations: Vec<&str> = Vec::new();
     for of in &plan.buckling {
@@ -20,40 +19,30 @@ pub(super) fn figure(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
     }
     let panels: Vec<Panel> =
         operations.into_iter().map(|operation| panel(plan, shown, operation)).collect();
-    let mut keys = Vec::new();
-    for (place, name) in SHAPES.iter().enumerate() {
-        let ink = Ink::Line(place);
-        keys.push(Key { name: (*name).to_owned(), sample: Sample::Line(ink, Stroke::of(place)) });
-        let name = format!("{name}, low to high friction");
-        keys.push(Key { name, sample: Sample::Band(ink) });
-    }
+    let shapes = SHAPES.iter().enumerate().map(|(place, name)| Key {
+        name: (*name).to_owned(),
+        sample: Sample::Line(Ink::Line(place), Stroke::Solid),
+    });
+    let levels = plan.levels.iter().zip(STROKES).map(|(level, stroke)| Key {
+        name: format!("{} friction, {}", level.name, level.label),
+        sample: Sample::Line(Ink::Note, stroke),
+    });
+    let keys = shapes.chain(levels).collect();
     let subtitle = "least weight on bit under which the string buckles somewhere; soft string";
     let has_rows = panels.iter().any(|panel| !panel.marks.is_empty());
     has_rows.then(|| over_depth(plan, shown, subtitle, keys, panels))
 }
 
 fn panel(plan: &Plan, shown: Shown<'_>, operation: &str) -> Panel {
-    let curves: Vec<&BucklingCurve> =
-        plan.buckling.iter().filter(|of| of.operation == operation).collect();
-    let expected = curves.len() / 2;
+    let curves = plan.buckling.iter().filter(|of| of.operation == operation);
     let mut marks = Vec::new();
-    for shape in 0..SHAPES.len() {
-        let value = |of: &BucklingCurve| -> Vec<(f64, f64)> {
-            let points = of.points.iter();
-            points
-                .map(|(depth_m, weights_N)| {
-                    (shown.value(*depth_m, "length"), shown.value(weights_N[shape], "force"))
-                })
-                .collect()
-        };
-        let ink = Ink::Line(shape);
-        if let [first, .., last] = &curves[..] {
-            let between = value(first).into_iter().zip(value(last));
-            let points = between.map(|((depth, a), (_, b))| (depth, a.min(b), a.max(b)));
-            marks.push(Mark::Band { ink, points: points.collect() });
-        }
-        if let Some(of) = curves.get(expected) {
-            marks.push(Mark::Curve { ink, stroke: Stroke::of(shape), points: value(of) });
+    for of in curves {
+        for shape in 0..SHAPES.len() {
+            let points = of.points.iter().map(|(depth_m, weights_N)| {
+                (shown.value(*depth_m, "length"), shown.value(weights_N[shape], "force"))
+            });
+            let (ink, stroke) = (Ink::Line(shape), STROKES[of.level % STROKES.len()]);
+            marks.push(Mark::Curve { ink, stroke, points: points.collect() });
         }
     }
     if let Some(weight_N) = plan.weight_on_bit_N.filter(|weight| *weight > 0.0) {

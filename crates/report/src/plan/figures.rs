@@ -35,7 +35,7 @@ pub(super) fn over_depth(
         ..Axis::new(
             shown.label("Measured depth of the bit", "length"),
             // Room below the ends of the lines for their names.
-            Range::Fixed(0.0, 1.04 * shown.value(deepest_m, "length")),
+            Range::Fixed(0.0, 1.07 * shown.value(deepest_m, "length")),
         )
     };
     let hole = plan.hole.iter().filter(|section| section.from_m < deepest_m);

@@ -3,6 +3,7 @@
 mod broomstick;
 mod buckling;
 mod figures;
+mod limits;
 mod page;
 mod tables;
 #[cfg(test)]
@@ -34,6 +35,10 @@ pub struct Plan {
     pub hole: Vec<Section>,
     /// What the rig bears.
     pub rig: PlanRig,
+    /// Of each kind of limit and each operation the nearest one, kind after kind.
+    pub limits: Vec<PlanLimitRow>,
+    /// What could not be checked, and what is missing for it.
+    pub unchecked: Vec<String>,
     /// Weight on bit of what drills, N.
     pub weight_on_bit_N: Option<f64>,
 }
@@ -88,6 +93,35 @@ pub struct BucklingCurve {
     pub level: usize,
     /// Measured depth of the bit, m, and the weights of a sinusoid and of a helix, N.
     pub points: Vec<(f64, [f64; 2])>,
+}
+
+/// A load against what bears it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanLimitRow {
+    /// What it is of.
+    pub kind: String,
+    /// Name of the operation.
+    pub operation: String,
+    /// `low`, `expected` or `high`.
+    pub friction: String,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// The component; empty of the rig.
+    pub component: String,
+    /// Where, measured depth in m; none of the rig.
+    pub md_m: Option<f64>,
+    /// The load, SI.
+    pub load: f64,
+    /// What is borne, SI.
+    pub capacity: f64,
+    /// Dimension of both.
+    pub dimension: String,
+    /// Capacity over load.
+    pub factor: f64,
+    /// The least factor that is to be kept.
+    pub required: f64,
+    /// `kept`, `near`, `short` or `passed`.
+    pub standing: String,
 }
 
 /// What the rig bears.

@@ -1,6 +1,9 @@
 use std::collections::BTreeMap;
 
-use super::{BucklingCurve, Plan, PlanCurve, PlanLevel, PlanRig, PlanSpot, plan_html, plan_plots};
+use super::{
+    BucklingCurve, Plan, PlanCurve, PlanLevel, PlanLimitRow, PlanRig, PlanSpot, plan_html,
+    plan_plots,
+};
 use crate::{
     Cell, DisplayUnit, Fact, Level, PageHead, Section,
     figure::{Mark, Panel},
@@ -89,13 +92,32 @@ fn plan() -> Plan {
             },
         ],
         rig: PlanRig { block_N: Some(2e5), hoist_N: Some(8e5), top_drive_N_m: Some(1e6) },
+        limits: vec![limit("Tension", 1.05, "short"), limit("Hoist", 1.2, "near")],
+        unchecked: vec!["Make-up torque of pipe: no make-up torque".into()],
         weight_on_bit_N: Some(3e4),
+    }
+}
+
+fn limit(kind: &str, factor: f64, standing: &str) -> PlanLimitRow {
+    PlanLimitRow {
+        kind: kind.into(),
+        operation: "trip_out".into(),
+        friction: "high".into(),
+        bit_depth_m: 2000.0,
+        component: "drill <pipe>".into(),
+        md_m: (kind == "Tension").then_some(0.0),
+        load: 1e6,
+        capacity: 1e6 * factor,
+        dimension: "force".into(),
+        factor,
+        required: 1.0 / 0.9,
+        standing: standing.into(),
     }
 }
 
 fn names(panel: &Panel) -> Vec<((f64, f64), &str)> {
     let name = |mark: &'_ Mark| match mark {
-        Mark::Name { at, text } => Some((*at, text.clone())),
+        Mark::Foot { at, text } => Some((*at, text.clone())),
         _ => None,
     };
     let all = panel.marks.iter().filter_map(name);
@@ -111,7 +133,7 @@ fn lines_end_with_their_friction() {
     let known: Vec<&str> = plots.iter().map(|of| of.name.as_str()).collect();
     assert_eq!(known, ["hook_load", "torque", "buckling_weight"]);
     let [off, on] = &plots[0].figure.panels[..] else { panic!("two panels") };
-    assert_eq!(off.axis.label, "Hook load without block off bottom, kN");
+    assert_eq!(off.axis.label, "Hook load, off bottom, kN");
     let found = names(off);
     assert_eq!(found.len(), 6, "{found:?}");
     assert_eq!(found[2], ((2000.0, 560.0), "0.3"));
@@ -129,7 +151,7 @@ fn lines_end_with_their_friction() {
     );
     // In the reader's units.
     let field = plan_plots(&plan(), "field");
-    assert_eq!(field[0].figure.panels[0].axis.label, "Hook load without block off bottom, klbf");
+    assert_eq!(field[0].figure.panels[0].axis.label, "Hook load, off bottom, klbf");
 }
 
 /// The page has the pictures, the tables, what is found and why something has no answer, and nothing in
@@ -146,6 +168,10 @@ fn the_page_says_everything() {
         "plan_broomstick.parquet",
         "href=\"hook_load.csv\"",
         "With the bit at 2000 m",
+        "<td class=\"differs\">1.05 short</td>",
+        "<td class=\"words near\">near</td>",
+        "drill &lt;pipe&gt;, 0 m",
+        "Not checked: Make-up torque of pipe",
     ] {
         assert!(page.contains(expected), "{expected}");
     }

@@ -11,11 +11,27 @@ use wholestring_results::{Occupant, ResultsError, ResultsFolder, Summary};
 const KNOWN: [&str; 4] = ["summary.json", "checkpoint.bin", "sweep.csv", "point.json"];
 
 /// Other files that commands write beside them.
-const OTHERS: [&str; 4] = ["profile.svg", "report.html", "bit-table.csv", "checkpoint.bin.partial"];
+const OTHERS: [&str; 5] =
+    ["profile.svg", "report.html", "bit-table.csv", "checkpoint.bin.partial", "plan.xlsx"];
+
+/// Pictures of a plan, each with its numbers.
+const PICTURES: [&str; 3] = ["hook_load", "torque", "buckling_weight"];
 
 /// Tables, written as Parquet and as CSV.
-const TABLES: [&str; 8] =
-    ["nodes", "time", "wear", "contact", "spectra", "bottom_hole", "frames", "bit-test"];
+const TABLES: [&str; 12] = [
+    "nodes",
+    "time",
+    "wear",
+    "contact",
+    "spectra",
+    "bottom_hole",
+    "frames",
+    "bit-test",
+    "plan_broomstick",
+    "plan_buckling",
+    "plan_friction",
+    "plan_limits",
+];
 
 /// Folders that commands make in the folder of their results, and the endings of what they put
 /// there.
@@ -28,6 +44,9 @@ fn is_written(name: &str) -> bool {
     KNOWN.contains(&name)
         || OTHERS.contains(&name)
         || table.is_some_and(|table| TABLES.contains(&table))
+        || [".svg", ".png", ".csv"]
+            .iter()
+            .any(|end| name.strip_suffix(end).is_some_and(|picture| PICTURES.contains(&picture)))
 }
 
 fn holds_results(path: &Path) -> bool {

@@ -38,6 +38,13 @@ pub(crate) fn all() -> BTreeMap<String, [DisplayUnit; 3]> {
     known.chain(others).collect()
 }
 
+/// The unit of a dimension by its name in a set of units; none of a bare number.
+pub(crate) fn unit(dimension: &str, units: UnitSet) -> Option<DisplayUnit> {
+    let place =
+        [UnitSet::Si, UnitSet::Metric, UnitSet::Field].iter().position(|of| *of == units)?;
+    all().remove(dimension).map(|shown| shown[place].clone())
+}
+
 /// The dimension in whose units people see a kind of quantity; none where no unit converts it.
 pub(crate) fn of_kind(kind: QuantityKind) -> Option<Dimension> {
     Dimension::ALL.iter().copied().find(|of| of.name() == kind.dimension())

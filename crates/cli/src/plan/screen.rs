@@ -1,0 +1,72 @@
+//! What a plan shows on the screen.
+
+use wholestring_results::{PlanPoint, PlanSummary};
+use wholestring_units::{Dimension, UnitSet};
+
+use crate::screen_table::Table;
+
+/// Levels of friction, from the least to the most.
+const LEVELS: [&str; 3] = ["low", "expected", "high"];
+
+/// Every operation at the deepest depth, and what has no answer.
+pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
+    let [length, force, torque] =
+        [Dimension::Length, Dimension::Force, Dimension::Torque].map(|of| of.unit_in(units));
+    let Some(deepest_m) = summary.points.iter().map(|of| of.bit_depth_m).reduce(f64::max) else {
+        return String::new();
+    };
+    let title = format!(
+        "{}: {} depths of the bit, here {} {}",
+        summary.case,
+        summary.bit_depths_m.len(),
+        (10.0 * length.from_si(deepest_m)).round() / 10.0,
+        length.symbol
+    );
+    let heads = |name: &str, symbol: &str| LEVELS.map(|level| format!("{name} {level}, {symbol}"));
+    let mut headings =
+        vec!["operation".to_owned(), "model".to_owned(), "gravest finding".to_owned()];
+    headings.extend(heads("hook", force.symbol));
+    headings.extend(heads("torque", torque.symbol));
+    let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
+    let mut table = Table::new(&title, 3, &headings);
+    for model in &summary.models {
+        for operation in &summary.operations {
+            let points = LEVELS.map(|level| {
+                let mut curve = summary.curve(model, operation, level);
+                curve.find(|of| of.bit_depth_m == deepest_m)
+            });
+            let number =
+                |of: Option<&PlanPoint>, value: fn(&PlanPoint) -> Option<f64>, worth: f64| {
+                    let value = of.and_then(value);
+                    value.map_or_else(|| "–".to_owned(), |value| format!("{:.1}", value / worth))
+                };
+            let mut row = vec![operation.replace('_', " "), model.clone(), worst(&points)];
+            let hook = |of: &PlanPoint| Some(of.scalars?.hook_load_N);
+            let turns = |of: &PlanPoint| Some(of.scalars?.surface_torque_N_m);
+            row.extend(points.map(|of| number(of, hook, force.factor)));
+            row.extend(points.map(|of| number(of, turns, torque.factor)));
+            table.row(row);
+        }
+    }
+    let mut text = table.text();
+    let lacking = summary.points.iter().filter(|of| of.message.is_some()).count();
+    if lacking > 0 {
+        text += &format!(
+            "{lacking} of {} points have no answer: plan_broomstick.csv says why\n",
+            summary.points.len()
+        );
+    }
+    if summary.missing > 0 {
+        text += &format!("{} points are missing: the plan was interrupted\n", summary.missing);
+    }
+    text
+}
+
+/// The gravest finding of any friction.
+fn worst(points: &[Option<&PlanPoint>]) -> String {
+    let found = points.iter().flatten().filter_map(|of| of.worst.as_ref());
+    let worst = found.reduce(|a, b| if b.level > a.level { b } else { a });
+    worst.map_or_else(String::new, |of| {
+        format!("{}: {}", of.level.name(), of.kind.replace('_', " "))
+    })
+}

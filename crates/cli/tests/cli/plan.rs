@@ -1,0 +1,136 @@
+//! `plan`: broomsticks, weights to buckle and limits at every depth of the bit.
+
+use std::fs;
+
+use wholestring_results::{
+    PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, PlanSummary, Table,
+};
+
+use crate::desk::{Desk, transcript};
+
+/// Four depths of the slant well.
+const FEW: [&str; 6] = [
+    "plan",
+    "slant.toml",
+    "--set",
+    "plan.depths=4",
+    "--set",
+    "operation.kind=[\"trip_out\", \"drill\"]",
+];
+
+fn few<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&FEW, more].concat()
+}
+
+/// Terminal, summary, tables, page and workbook tell the same, and the page is made again of the files.
+#[test]
+fn a_plan_of_a_slant_well() {
+    let desk = Desk::new();
+    let output = desk.done(&few(&["-o", "out"]));
+    let said = String::from_utf8(output.stdout).unwrap();
+    let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
+    assert_eq!(summary.operations, ["trip_out", "trip_in", "rotate_off_bottom", "drill"]);
+    assert_eq!(summary.models, ["soft"]);
+    let depths = summary.bit_depths_m.len();
+    assert!(depths >= 4);
+    assert_eq!(summary.points.len(), depths * 4 * 3);
+    assert_eq!(summary.buckling.len(), depths * 2 * 3);
+    assert_eq!(summary.missing, 0);
+    for operation in &summary.operations {
+        for level in ["low", "expected", "high"] {
+            let last = summary.curve("soft", operation, level).last().expect("points");
+            let hook_kN = 1e-3 * last.scalars.expect("an answer").hook_load_N;
+            assert!(said.contains(&format!("{hook_kN:.1}")), "{said}");
+        }
+    }
+    for (name, columns) in [
+        ("plan_broomstick", PLAN_BROOMSTICK),
+        ("plan_buckling", PLAN_BUCKLING),
+        ("plan_friction", PLAN_FRICTION),
+        ("plan_limits", PLAN_LIMITS),
+    ] {
+        let table = Table::read_parquet(&desk.path(&format!("out/{name}.parquet"))).unwrap();
+        assert!(table.is_like(&Table::with_columns(columns)), "{name}");
+        assert!(table.rows() > 0 && desk.path(&format!("out/{name}.csv")).is_file(), "{name}");
+    }
+    for name in ["hook_load", "torque", "buckling_weight"] {
+        for ending in ["svg", "csv"] {
+            assert!(desk.path(&format!("out/{name}.{ending}")).is_file(), "{name}.{ending}");
+        }
+    }
+    let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+    for expected in ["Hook load", "Weight to buckle", "What breaks first", "pick-up"] {
+        assert!(page.contains(expected), "{expected}");
+    }
+    let workbook = fs::read(desk.path("out/plan.xlsx")).unwrap();
+    assert!(workbook.starts_with(b"PK"));
+    assert!(!desk.path("out/checkpoint.bin").exists());
+
+    for name in ["report.html", "plan.xlsx"] {
+        fs::remove_file(desk.path(&format!("out/{name}"))).unwrap();
+    }
+    desk.done(&["report", "out"]);
+    assert_eq!(fs::read_to_string(desk.path("out/report.html")).unwrap(), page);
+    assert!(desk.path("out/plan.xlsx").is_file());
+    desk.done(&["plot", "out", "--units", "field"]);
+    assert!(desk.path("out/plots/hook_load.svg").is_file());
+}
+
+/// One thread or four, the answers are the same.
+#[test]
+fn a_plan_does_not_depend_on_threads() {
+    let desk = Desk::new();
+    desk.done(&few(&["-o", "one", "--jobs", "1", "--quiet"]));
+    desk.done(&few(&["-o", "four", "--jobs", "4", "--quiet"]));
+    for name in ["summary.json", "plan_broomstick.csv", "plan_buckling.csv", "plan_limits.csv"] {
+        let read = |folder: &str| fs::read(desk.path(&format!("{folder}/{name}"))).unwrap();
+        assert!(read("one") == read("four"), "{name}");
+    }
+}
+
+/// A string that locks up is a row with a reason, not a lost plan.
+#[test]
+fn what_has_no_answer_says_why() {
+    let desk = Desk::new();
+    desk.done(&[
+        "plan",
+        "slant.toml",
+        "--set",
+        "operation.kind=[\"slide\"]",
+        "--set",
+        "operation.wob=3 MN",
+        "--set",
+        "plan.operations=[\"trip_in\", \"slide\"]",
+        "--set",
+        "plan.depths=3",
+        "--set",
+        "buckling.helix_side_force=counted",
+        "-o",
+        "out",
+    ]);
+    let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
+    for point in &summary.points {
+        assert_eq!(point.scalars.is_none(), point.message.is_some());
+    }
+    assert_eq!(summary.points.len(), summary.bit_depths_m.len() * 2 * 3);
+    let locks_up = |of: &&wholestring_results::PlanPoint| {
+        of.message.as_ref().is_some_and(|why| why.contains("locks up"))
+    };
+    assert!(summary.points.iter().any(|of| of.operation == "slide" && locks_up(&of)));
+    assert!(!summary.points.iter().any(|of| of.operation == "trip_in" && locks_up(&of)));
+    let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+    assert!(page.contains("Without an answer"));
+}
+
+/// Another case's results are left alone, and what is asked in vain gets an answer.
+#[test]
+fn bad_input_gets_an_answer() {
+    let desk = Desk::new();
+    desk.done(&few(&["-o", "out", "--quiet"]));
+    let output = desk.run(&few(&["-o", "out", "--set", "plan.depths=5"]));
+    assert_eq!(output.status.code(), Some(2));
+    assert!(transcript(&output).contains("--overwrite"), "{}", transcript(&output));
+    let output = desk.run(&few(&["--set", "plan.friction.low=0.9"]));
+    assert_eq!(output.status.code(), Some(2));
+    assert!(transcript(&output).contains("low friction is more than expected friction"));
+}

@@ -1,0 +1,131 @@
+//! The limits on a plan's page: the nearest of each kind, lights beside words.
+
+use super::{
+    Plan, PlanLimitRow,
+    words::{four, operation_name},
+};
+use crate::{Grid, Head, StudyPart, Verdict, plots::Shown};
+
+/// The light of a standing. Words stand beside all of them.
+fn verdict(standing: &str) -> Verdict {
+    match standing {
+        "kept" => Verdict::Agrees,
+        "near" => Verdict::Near,
+        "short" | "passed" => Verdict::Differs,
+        _ => Verdict::None,
+    }
+}
+
+fn head(text: &str, words: bool) -> Head {
+    Head { text: text.to_owned(), words }
+}
+
+/// Kinds in their order.
+fn kinds(plan: &Plan) -> Vec<&str> {
+    let mut kinds: Vec<&str> = Vec::new();
+    for of in &plan.limits {
+        if !kinds.contains(&of.kind.as_str()) {
+            kinds.push(&of.kind);
+        }
+    }
+    kinds
+}
+
+/// A row for each kind, a column for each operation: the least factor of all depths and frictions.
+pub(super) fn factors(plan: &Plan) -> Option<StudyPart> {
+    let operations = plan.operations();
+    let mut heads = vec![head("limit", true), head("required", false)];
+    heads.extend(operations.iter().map(|of| head(operation_name(of), false)));
+    let row = |kind: &str| {
+        let of_kind = || plan.limits.iter().filter(|of| of.kind == kind);
+        let required = of_kind().next().map_or(f64::NAN, |of| of.required);
+        let mut cells = vec![(kind.to_owned(), Verdict::None), (two(required), Verdict::None)];
+        cells.extend(operations.iter().map(|operation| {
+            match of_kind().find(|of| of.operation == *operation) {
+                Some(of) => (format!("{} {}", two(of.factor), of.standing), verdict(&of.standing)),
+                None => (String::new(), Verdict::None),
+            }
+        }));
+        cells
+    };
+    let rows: Vec<_> = kinds(plan).into_iter().map(row).collect();
+    let mut caption = "Least factor, capacity over load, of all depths and frictions. Kept: the factor \
+        is what is required or more; near: by less than a tenth; short: less than is required; passed: \
+        the load is more than is borne. An empty cell: nothing loads it."
+        .to_owned();
+    if !plan.unchecked.is_empty() {
+        caption += &format!(" Not checked: {}.", plan.unchecked.join("; "));
+    }
+    (!rows.is_empty()).then(|| part("Limits", caption, Grid { heads, rows }))
+}
+
+/// Where each kind is nearest to its limit.
+pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+    let heads = vec![
+        head("limit", true),
+        head("standing", true),
+        head("operation", true),
+        head("friction", true),
+        head("where", true),
+        head("bit at", false),
+        head("load", false),
+        head("bears", false),
+        head("factor", false),
+        head("required", false),
+    ];
+    let least = |kind: &str| {
+        let of_kind = plan.limits.iter().filter(|of| of.kind == kind);
+        of_kind.min_by(|a, b| reserve(a).total_cmp(&reserve(b)))
+    };
+    let mut nearest: Vec<&PlanLimitRow> = kinds(plan).into_iter().filter_map(least).collect();
+    nearest.sort_by(|a, b| reserve(a).total_cmp(&reserve(b)));
+    let row = |of: &PlanLimitRow| {
+        let place = match of.md_m {
+            Some(md_m) => format!("{}, {}", of.component, shown.quantity(md_m.round(), "length")),
+            None => "rig".to_owned(),
+        };
+        let quantity = |si: f64| {
+            format!("{} {}", four(shown.value(si, &of.dimension)), shown.symbol(&of.dimension))
+        };
+        let plain = |text: String| (text, Verdict::None);
+        vec![
+            plain(of.kind.clone()),
+            (of.standing.clone(), verdict(&of.standing)),
+            plain(operation_name(&of.operation).to_owned()),
+            plain(of.friction.clone()),
+            plain(place),
+            plain(shown.quantity(of.bit_depth_m.round(), "length")),
+            plain(quantity(of.load)),
+            plain(quantity(of.capacity)),
+            plain(two(of.factor)),
+            plain(two(of.required)),
+        ]
+    };
+    let rows: Vec<_> = nearest.into_iter().map(row).collect();
+    let caption =
+        "Of each kind the one that is nearest to its limit; what breaks first stands first.";
+    (!rows.is_empty()).then(|| part("What breaks first", caption.to_owned(), Grid { heads, rows }))
+}
+
+fn reserve(of: &PlanLimitRow) -> f64 {
+    of.factor / of.required
+}
+
+/// A factor in two decimals; large ones are large.
+fn two(factor: f64) -> String {
+    match factor {
+        factor if factor.is_nan() => "–".to_owned(),
+        factor if factor >= 100.0 => "over 100".to_owned(),
+        factor => format!("{factor:.2}"),
+    }
+}
+
+fn part(title: &str, caption: String, grid: Grid) -> StudyPart {
+    StudyPart::Table {
+        title: title.to_owned(),
+        caption,
+        grid,
+        files: "plan_limits".to_owned(),
+        endings: &["csv", "parquet"],
+    }
+}

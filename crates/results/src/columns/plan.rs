@@ -1,0 +1,93 @@
+//! Columns of the tables of a plan.
+
+use super::{MODEL, OPERATION};
+use crate::ColumnSpec;
+
+/// Adds what says whose rows they are.
+macro_rules! plan_specs {
+    ($($name:literal: $kind:ident, $meaning:literal $(, null_where $none:literal)?;)+) => {
+        &[
+            MODEL,
+            ColumnSpec::text("friction", "`low`, `expected` or `high`"),
+            OPERATION,
+            $($crate::columns::specs!(@one $name, $kind, $meaning)$(.null_where($none))?),+
+        ]
+    };
+}
+
+/// Columns of `plan_broomstick.parquet`: a row for each depth of the bit, down the hole, of each
+/// model, operation and friction.
+pub const PLAN_BROOMSTICK: &[ColumnSpec] = plan_specs! {
+    "bit_depth_m": Depth, "Measured depth of the bit";
+    "hook_load_N": Force,
+        "Tension at the top of the string; block and top drive excluded; this and the other numbers \
+         are `null` where there is no answer",
+        null_where "there is no answer";
+    "surface_torque_N_m": Torque, "Torque at the top of the string, or `null`",
+        null_where "there is no answer";
+    "weight_on_bit_N": Force, "Weight on bit, or `null`", null_where "there is no answer";
+    "bit_torque_N_m": Torque, "Bit torque, or `null`", null_where "there is no answer";
+    "friction_torque_N_m": Torque,
+        "Part of the surface torque that comes from wall contact alone, or `null`",
+        null_where "there is no answer";
+    "axial_friction_N": Force, "Wall friction along the string; positive adds to hook load; or `null`",
+        null_where "there is no answer";
+    "side_force_total_N": Force, "Integral of the magnitude of the side force, or `null`",
+        null_where "there is no answer";
+    "stretch_m": Length, "Elongation against the unloaded string, or `null`",
+        null_where "there is no answer";
+    "twist_rad": Angle, "Turn of the top against the bit, or `null`", null_where "there is no answer";
+    "neutral_point_m": Depth,
+        "Measured depth of the shallowest zero of effective tension; `null` where there is none",
+        null_where "there is none";
+    "buckling": Words,
+        "Where compression makes most of it `none`, `sinusoidal` or `helical`; empty without an answer",
+        null_where "there is no answer";
+    "worst_finding": Words, "The gravest finding, as of a run; empty where there is none",
+        null_where "nothing was found";
+    "worst_level": Words, "How grave it is: `note`, `warning` or `error`, or empty",
+        null_where "nothing was found";
+    "worst_md_m": Depth, "Where it begins; `null` where it has no place",
+        null_where "it has no place";
+    "message": Words, "Why there is no answer; else empty", null_where "there is an answer";
+};
+
+/// Columns of `plan_buckling.parquet`: the weight on bit under which the string begins to buckle, a
+/// row for each depth of the bit, of each operation that drills and each friction.
+pub const PLAN_BUCKLING: &[ColumnSpec] = plan_specs! {
+    "bit_depth_m": Depth, "Measured depth of the bit";
+    "sinusoidal_weight_N": Force,
+        "Least weight on bit under which the string is a sinusoid somewhere, 0 where it is without \
+         any; `null` where none does it or there is no answer",
+        null_where "no weight does it or there is no answer";
+    "helical_weight_N": Force, "The same of a helix, or `null`",
+        null_where "no weight does it or there is no answer";
+    "message": Words, "Why there is no answer; else empty", null_where "there is an answer";
+};
+
+/// Columns of `plan_limits.parquet`: a load against what bears it, for each depth of the bit, model,
+/// operation, friction, kind of limit and component where it is nearest to its limit.
+pub const PLAN_LIMITS: &[ColumnSpec] = plan_specs! {
+    "bit_depth_m": Depth, "Measured depth of the bit";
+    "kind": Words, "`tension`, `torsion`, `von_mises`, `hoist`, ...";
+    "component": Words, "The component; empty of the rig", null_where "it is of the rig";
+    "md_m": Depth, "Where, or `null` of the rig", null_where "it is of the rig";
+    "load": Ratio, "The load, in `unit`";
+    "capacity": Ratio, "What is borne, in `unit`";
+    "unit": Words, "`N`, `N·m` or `Pa`";
+    "factor": Ratio, "Capacity over load";
+    "required": Ratio, "The least factor that is to be kept";
+    "standing": Words,
+        "`kept`, `near` (kept by less than a tenth), `short` (not kept) or `passed` (the load is beyond \
+         the capacity)";
+};
+
+/// Columns of `plan_friction.parquet`: a row for each hole section at each level of friction.
+pub const PLAN_FRICTION: &[ColumnSpec] = super::specs! {
+    "friction": Words, "`low`, `expected` or `high`";
+    "kind": Words, "`casing` or `open`";
+    "from_md_m": Depth, "Measured depth where the section begins";
+    "to_md_m": Depth, "Measured depth where it ends";
+    "along": Ratio, "Coefficient of friction while sliding along the hole";
+    "around": Ratio, "Coefficient of friction around the hole";
+};

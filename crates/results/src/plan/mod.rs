@@ -1,0 +1,183 @@
+//! What a plan leaves as JSON: `summary.json`, and its tables.
+
+mod tables;
+
+pub use tables::plan_limits_table;
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use wholestring::{findings::Level, outcome::Scalars};
+
+use crate::{
+    ResultsError,
+    json::{read_versioned, write_json},
+};
+
+/// Version of the layout of the files of a plan; raised when a key changes or goes.
+pub const PLAN_VERSION: u32 = 1;
+
+/// `summary.json` of a plan.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlanSummary {
+    /// [`PLAN_VERSION`] of the program that wrote it.
+    pub schema_version: u32,
+    /// Name of the case.
+    pub case: String,
+    /// The case's settings with all defaults filled in, those of the plan too.
+    pub settings: Value,
+    /// Friction of each hole section at each level.
+    pub frictions: Vec<PlanFriction>,
+    /// Models, in the order in which they were solved.
+    pub models: Vec<String>,
+    /// Operations, in the order of the plan.
+    pub operations: Vec<String>,
+    /// Depths of the bit, m, growing.
+    pub bit_depths_m: Vec<f64>,
+    /// Points that are not solved because the plan was interrupted.
+    pub missing: usize,
+    /// Model after model, operation after operation, friction after friction, down the hole.
+    pub points: Vec<PlanPoint>,
+    /// Friction after friction, operation after operation, down the hole.
+    pub buckling: Vec<PlanBuckling>,
+    /// Of each kind of limit and each operation the one that is nearest, of all models, frictions and
+    /// depths.
+    pub worst_limits: Vec<PlanLimit>,
+    /// What could not be checked, and what is missing for it.
+    pub unchecked: Vec<String>,
+}
+
+/// Friction of a hole section at a level.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlanFriction {
+    /// `low`, `expected` or `high`.
+    pub friction: String,
+    /// `casing` or `open`.
+    pub kind: String,
+    /// Measured depth where the section begins, m.
+    pub from_md_m: f64,
+    /// Measured depth where it ends, m.
+    pub to_md_m: f64,
+    /// Coefficient while sliding along the hole.
+    pub along: f64,
+    /// Coefficient around it.
+    pub around: f64,
+}
+
+/// One operation at one depth with one friction.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlanPoint {
+    /// Name of the model.
+    pub model: String,
+    /// `low`, `expected` or `high`.
+    pub friction: String,
+    /// Name of the operation.
+    pub operation: String,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// Torque and drag; none where there is no answer.
+    pub scalars: Option<Scalars>,
+    /// `none`, `sinusoidal` or `helical`; none without an answer.
+    pub buckling: Option<String>,
+    /// The gravest finding.
+    pub worst: Option<PlanFinding>,
+    /// Why there is no answer.
+    pub message: Option<String>,
+}
+
+/// A finding of a point.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlanFinding {
+    /// What was found, as of a run: `hook_load_negative`, ...
+    pub kind: String,
+    /// How grave it is.
+    pub level: Level,
+    /// Measured depth where it begins, m.
+    pub md_m: Option<f64>,
+    /// The value that was found, SI.
+    pub value: Option<f64>,
+    /// What it is compared with, SI.
+    pub limit: Option<f64>,
+}
+
+/// The weight on bit under which the string begins to buckle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlanBuckling {
+    /// Name of the model: `soft`.
+    pub model: String,
+    /// `low`, `expected` or `high`.
+    pub friction: String,
+    /// `drill` or `slide`.
+    pub operation: String,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// Of a sinusoid, N; none where no weight does it or there is no answer.
+    pub sinusoidal_weight_N: Option<f64>,
+    /// Of a helix, N.
+    pub helical_weight_N: Option<f64>,
+    /// Why there is no answer.
+    pub message: Option<String>,
+}
+
+/// A load against what bears it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlanLimit {
+    /// Name of the model.
+    pub model: String,
+    /// `low`, `expected` or `high`.
+    pub friction: String,
+    /// Name of the operation.
+    pub operation: String,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// What it is of: `tension`, `hoist`, ...
+    pub kind: String,
+    /// The component; none of the rig.
+    pub component: Option<String>,
+    /// Where, measured depth in m; none of the rig.
+    pub md_m: Option<f64>,
+    /// The load.
+    pub load: f64,
+    /// What is borne.
+    pub capacity: f64,
+    /// SI unit of both.
+    pub unit: String,
+    /// Capacity over load.
+    pub factor: f64,
+    /// The least factor that is to be kept.
+    pub required: f64,
+    /// `kept`, `near`, `short` or `passed`.
+    pub standing: String,
+}
+
+impl PlanLimit {
+    /// Factor over the required one: less than one where it is not kept.
+    pub fn reserve(&self) -> f64 {
+        self.factor / self.required
+    }
+}
+
+impl PlanSummary {
+    /// Writes the summary as indented JSON.
+    pub fn write(&self, path: &Path) -> Result<(), ResultsError> {
+        write_json(self, path)
+    }
+
+    /// Reads back a summary, and refuses one of another [`PLAN_VERSION`].
+    pub fn read(path: &Path) -> Result<Self, ResultsError> {
+        read_versioned(path, PLAN_VERSION..=PLAN_VERSION)
+    }
+
+    /// The points of a model, an operation and a friction, down the hole.
+    pub fn curve<'a>(
+        &'a self,
+        model: &'a str,
+        operation: &'a str,
+        friction: &'a str,
+    ) -> impl Iterator<Item = &'a PlanPoint> {
+        self.points.iter().filter(move |of| {
+            of.model == model && of.operation == operation && of.friction == friction
+        })
+    }
+}

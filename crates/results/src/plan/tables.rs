@@ -1,0 +1,108 @@
+//! The tables of a plan: what its summary has, row by row.
+
+use super::{PlanLimit, PlanSummary};
+use crate::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, Table};
+
+/// A row for each limit.
+pub fn plan_limits_table(limits: &[PlanLimit]) -> Table {
+    let mut table = Table::with_columns(PLAN_LIMITS);
+    for of in limits {
+        table.append(
+            &[
+                ("model", &[&of.model]),
+                ("friction", &[&of.friction]),
+                ("operation", &[&of.operation]),
+                ("kind", &[&of.kind]),
+                ("component", &[of.component.as_deref().unwrap_or_default()]),
+                ("unit", &[&of.unit]),
+                ("standing", &[&of.standing]),
+            ],
+            &[
+                ("bit_depth_m", &[of.bit_depth_m]),
+                ("md_m", &[of.md_m.unwrap_or(f64::NAN)]),
+                ("load", &[of.load]),
+                ("capacity", &[of.capacity]),
+                ("factor", &[of.factor]),
+                ("required", &[of.required]),
+            ],
+        );
+    }
+    table
+}
+
+impl PlanSummary {
+    /// A row for each point.
+    pub fn broomstick_table(&self) -> Table {
+        let mut table = Table::with_columns(PLAN_BROOMSTICK);
+        for of in &self.points {
+            let worst = of.worst.as_ref();
+            let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
+            let scalars = of.scalars.as_ref();
+            table.append(
+                &[
+                    ("model", &[&of.model]),
+                    ("friction", &[&of.friction]),
+                    ("operation", &[&of.operation]),
+                    ("buckling", &[of.buckling.as_deref().unwrap_or_default()]),
+                    ("worst_finding", &[worst.map_or("", |of| of.kind.as_str())]),
+                    ("worst_level", &[worst.map_or("", |of| of.level.name())]),
+                    ("message", &[of.message.as_deref().unwrap_or_default()]),
+                ],
+                &[
+                    ("bit_depth_m", &[of.bit_depth_m]),
+                    ("hook_load_N", &number(scalars.map(|of| of.hook_load_N))),
+                    ("surface_torque_N_m", &number(scalars.map(|of| of.surface_torque_N_m))),
+                    ("weight_on_bit_N", &number(scalars.map(|of| of.weight_on_bit_N))),
+                    ("bit_torque_N_m", &number(scalars.map(|of| of.bit_torque_N_m))),
+                    ("friction_torque_N_m", &number(scalars.map(|of| of.friction_torque_N_m))),
+                    ("axial_friction_N", &number(scalars.map(|of| of.axial_friction_N))),
+                    ("side_force_total_N", &number(scalars.map(|of| of.side_force_total_N))),
+                    ("stretch_m", &number(scalars.map(|of| of.stretch_m))),
+                    ("twist_rad", &number(scalars.map(|of| of.twist_rad))),
+                    ("neutral_point_m", &number(scalars.and_then(|of| of.neutral_point_m))),
+                    ("worst_md_m", &number(worst.and_then(|of| of.md_m))),
+                ],
+            );
+        }
+        table
+    }
+
+    /// A row for each weight to buckle.
+    pub fn buckling_table(&self) -> Table {
+        let mut table = Table::with_columns(PLAN_BUCKLING);
+        for of in &self.buckling {
+            let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
+            table.append(
+                &[
+                    ("model", &[&of.model]),
+                    ("friction", &[&of.friction]),
+                    ("operation", &[&of.operation]),
+                    ("message", &[of.message.as_deref().unwrap_or_default()]),
+                ],
+                &[
+                    ("bit_depth_m", &[of.bit_depth_m]),
+                    ("sinusoidal_weight_N", &number(of.sinusoidal_weight_N)),
+                    ("helical_weight_N", &number(of.helical_weight_N)),
+                ],
+            );
+        }
+        table
+    }
+
+    /// A row for each hole section at each level of friction.
+    pub fn friction_table(&self) -> Table {
+        let mut table = Table::with_columns(PLAN_FRICTION);
+        for of in &self.frictions {
+            table.append(
+                &[("friction", &[&of.friction]), ("kind", &[&of.kind])],
+                &[
+                    ("from_md_m", &[of.from_md_m]),
+                    ("to_md_m", &[of.to_md_m]),
+                    ("along", &[of.along]),
+                    ("around", &[of.around]),
+                ],
+            );
+        }
+        table
+    }
+}

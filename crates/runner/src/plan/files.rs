@@ -1,0 +1,79 @@
+//! The files of a plan.
+
+use wholestring_results::{Column, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table};
+
+/// Names of the tables, without their endings.
+pub(super) const BROOMSTICK: &str = "plan_broomstick";
+pub(super) const BUCKLING: &str = "plan_buckling";
+pub(super) const FRICTION: &str = "plan_friction";
+pub(super) const LIMITS: &str = "plan_limits";
+
+/// Name of the workbook.
+pub(super) const WORKBOOK: &str = "plan.xlsx";
+
+/// Writes the summary and all tables, as CSV too: the page leads to them; and the numbers of each
+/// picture.
+pub(super) fn write(
+    folder: &ResultsFolder,
+    summary: &PlanSummary,
+    limits: &Table,
+) -> Result<(), ResultsError> {
+    folder.write_table(LIMITS, limits, true)?;
+    folder.write_table(BROOMSTICK, &summary.broomstick_table(), true)?;
+    folder.write_table(BUCKLING, &summary.buckling_table(), true)?;
+    folder.write_table(FRICTION, &summary.friction_table(), true)?;
+    for (name, table) in pictures(summary) {
+        table.write_csv(&folder.path().join(format!("{name}.csv")))?;
+    }
+    summary.write(&folder.path().join("summary.json"))
+}
+
+/// What each picture shows, a column for each of its curves.
+fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
+    let depth = || {
+        let depths = summary.bit_depths_m.iter().map(|depth| Some(*depth));
+        Column::numbers("bit_depth_m", depths.collect())
+    };
+    let at = |depth_m: f64, found: Option<f64>| (depth_m, found);
+    let column = |name: String, found: &[(f64, Option<f64>)]| {
+        let value = |depth: &f64| found.iter().find(|(at, _)| at == depth)?.1;
+        Column::numbers(name, summary.bit_depths_m.iter().map(value).collect())
+    };
+    let curves = |quantity: &str, of: fn(&PlanPoint) -> Option<f64>| {
+        let mut columns = vec![depth()];
+        for model in &summary.models {
+            for operation in &summary.operations {
+                for friction in ["low", "expected", "high"] {
+                    let points = summary.curve(model, operation, friction);
+                    let found: Vec<_> = points.map(|one| at(one.bit_depth_m, of(one))).collect();
+                    let name = format!("{operation}_{friction}_{model}_{quantity}");
+                    columns.push(column(name, &found));
+                }
+            }
+        }
+        Table::new(columns)
+    };
+    let mut weights = vec![depth()];
+    for operation in ["drill", "slide"] {
+        for friction in ["low", "expected", "high"] {
+            let rows = summary.buckling.iter();
+            let rows = rows.filter(|of| of.operation == operation && of.friction == friction);
+            let rows: Vec<_> = rows.collect();
+            for shape in ["sinusoidal", "helical"] {
+                let found: Vec<_> = rows
+                    .iter()
+                    .map(|of| match shape {
+                        "sinusoidal" => at(of.bit_depth_m, of.sinusoidal_weight_N),
+                        _ => at(of.bit_depth_m, of.helical_weight_N),
+                    })
+                    .collect();
+                weights.push(column(format!("{operation}_{friction}_{shape}_weight_N"), &found));
+            }
+        }
+    }
+    [
+        ("hook_load", curves("hook_load_N", |of| Some(of.scalars?.hook_load_N))),
+        ("torque", curves("surface_torque_N_m", |of| Some(of.scalars?.surface_torque_N_m))),
+        ("buckling_weight", Table::new(weights)),
+    ]
+}

@@ -1,0 +1,10 @@
+//! Torque and drag at every depth of the bit, with low, expected and high friction.
+
+mod files;
+pub(crate) mod page;
+mod request;
+mod rows;
+mod work;
+mod workbook;
+
+pub use request::{Outcome, Request, run};

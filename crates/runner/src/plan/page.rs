@@ -1,0 +1,241 @@
+//! `report.html`, the pictures and the workbook of a plan, made from the files that it left.
+
+use std::path::Path;
+
+use serde_json::Value as Json;
+use wholestring_plan::limits::LimitKind;
+use wholestring_report::{
+    BucklingCurve, Cell, Fact, Level, Plan, PlanCurve, PlanLevel, PlanLimitRow, PlanRig, PlanSpot,
+    Section, operation_name, plan_html, plan_plots, shown_dimension,
+};
+use wholestring_results::{
+    Level as Grave, PlanLimit, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table,
+};
+use wholestring_units::UnitSet;
+
+use super::{
+    files::{BROOMSTICK, LIMITS, WORKBOOK},
+    workbook::workbook,
+};
+use crate::page::{self, FILE, table, write_picture};
+
+/// Levels of friction, from the least to the most.
+pub(super) const LEVELS: [&str; 3] = ["low", "expected", "high"];
+
+/// Whether a folder is one that a plan was written to.
+pub(crate) fn is_plan(folder: &Path) -> bool {
+    folder.join(format!("{BROOMSTICK}.parquet")).is_file()
+}
+
+/// Writes the page and its pictures; those of an earlier plan that this one has not go.
+pub(crate) fn write(folder: &ResultsFolder, plan: &Plan, png: bool) -> Result<(), ResultsError> {
+    let plots = plan_plots(plan, &plan.head.units);
+    for name in ["hook_load", "torque", "buckling_weight"] {
+        match plots.iter().find(|plot| plot.name == name) {
+            Some(plot) => write_picture(folder, name, &plot.figure, png)?,
+            None => ["svg", "png"]
+                .iter()
+                .try_for_each(|ending| folder.remove(&format!("{name}.{ending}")))?,
+        }
+    }
+    folder.write_file(FILE, plan_html(plan).as_bytes())
+}
+
+/// Writes the workbook in these units.
+pub(crate) fn write_workbook(
+    folder: &ResultsFolder,
+    summary: &PlanSummary,
+    limits: &Table,
+    units: UnitSet,
+) -> Result<(), crate::error::Error> {
+    let bytes = workbook(summary, limits, units).bytes().map_err(crate::error::Error::failed)?;
+    Ok(folder.write_file(WORKBOOK, &bytes)?)
+}
+
+/// Makes page, pictures and workbook again.
+pub(crate) fn write_again(
+    folder: &ResultsFolder,
+    units: Option<UnitSet>,
+) -> Result<(), crate::error::Error> {
+    let summary = PlanSummary::read(&folder.path().join("summary.json"))?;
+    let plan = of_summary(&summary, units);
+    let units = plan.head.units.parse().unwrap_or_default();
+    write(folder, &plan, false)?;
+    write_workbook(folder, &summary, &table(folder.path(), LIMITS)?, units)
+}
+
+/// Everything that is reported of a plan.
+pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Plan, ResultsError> {
+    let summary = PlanSummary::read(&folder.join("summary.json"))?;
+    Ok(of_summary(&summary, units))
+}
+
+fn of_summary(summary: &PlanSummary, units: Option<UnitSet>) -> Plan {
+    let settings = &summary.settings;
+    let number = |of: &Json| of.as_f64();
+    let rig = &settings["rig"];
+    let drills = summary.operations.iter().any(|of| of == "drill" || of == "slide");
+    let message = (summary.missing > 0).then(|| {
+        format!(
+            "The plan was interrupted: {} of {} points are missing.",
+            summary.missing,
+            summary.missing + summary.points.len()
+        )
+    });
+    Plan {
+        head: page::head(format!("{}: plan", summary.case), units, Some(settings), facts(summary)),
+        message,
+        models: summary.models.clone(),
+        levels: LEVELS.iter().map(|name| level(summary, name)).collect(),
+        curves: curves(summary),
+        buckling: buckling(summary),
+        hole: hole(summary),
+        limits: summary.worst_limits.iter().map(limit).collect(),
+        unchecked: summary.unchecked.clone(),
+        rig: PlanRig {
+            block_N: number(&rig["block_weight_N"]),
+            hoist_N: number(&rig["hoist_capacity_N"]),
+            top_drive_N_m: number(&rig["top_drive_torque_N_m"]),
+        },
+        weight_on_bit_N: number(&settings["operation"]["wob_N"]).filter(|_| drills),
+    }
+}
+
+/// `0.3`, or `0.2 / 0.3` where sections differ.
+pub(super) fn label(summary: &PlanSummary, name: &str) -> String {
+    let sections = summary.frictions.iter().filter(|of| of.friction == name);
+    let mut values: Vec<String> = sections.map(|of| short(of.along)).collect();
+    values.dedup();
+    values.join(" / ")
+}
+
+/// A coefficient in three decimals, without zeros at its end.
+fn short(value: f64) -> String {
+    let text = format!("{value:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+fn level(summary: &PlanSummary, name: &str) -> PlanLevel {
+    let sections = summary.frictions.iter().filter(|of| of.friction == name);
+    let sections = sections.map(|of| {
+        let kind = if of.kind == "casing" { "casing" } else { "open hole" };
+        let around = match of.around == of.along {
+            true => String::new(),
+            false => format!(", {} around", short(of.around)),
+        };
+        format!("{kind} {}{around}", short(of.along))
+    });
+    let mut sections: Vec<String> = sections.collect();
+    sections.dedup();
+    PlanLevel { name: name.to_owned(), label: label(summary, name), sections }
+}
+
+fn curves(summary: &PlanSummary) -> Vec<PlanCurve> {
+    let mut curves = Vec::new();
+    for model in &summary.models {
+        for operation in &summary.operations {
+            for (level, friction) in LEVELS.iter().enumerate() {
+                curves.push(PlanCurve {
+                    model: model.clone(),
+                    operation: operation.clone(),
+                    level,
+                    points: summary.curve(model, operation, friction).map(spot).collect(),
+                });
+            }
+        }
+    }
+    curves
+}
+
+fn spot(of: &PlanPoint) -> PlanSpot {
+    let number = |of: Option<f64>| of.unwrap_or(f64::NAN);
+    PlanSpot {
+        bit_depth_m: of.bit_depth_m,
+        hook_load_N: number(of.scalars.map(|of| of.hook_load_N)),
+        torque_N_m: number(of.scalars.map(|of| of.surface_torque_N_m)),
+        buckling: of.buckling.clone().unwrap_or_default(),
+        worst: of.worst.as_ref().map(|worst| {
+            let level = match worst.level {
+                Grave::Note => Level::Note,
+                Grave::Warning => Level::Warning,
+                Grave::Error => Level::Error,
+            };
+            (worst.kind.clone(), level)
+        }),
+        message: of.message.clone(),
+    }
+}
+
+fn buckling(summary: &PlanSummary) -> Vec<BucklingCurve> {
+    let mut curves = Vec::new();
+    for operation in ["drill", "slide"] {
+        for (level, friction) in LEVELS.iter().enumerate() {
+            let rows = summary.buckling.iter();
+            let rows = rows.filter(|of| of.operation == operation && of.friction == *friction);
+            let number = |of: Option<f64>| of.unwrap_or(f64::NAN);
+            let points = rows.map(|of| {
+                let weights = [of.sinusoidal_weight_N, of.helical_weight_N];
+                (of.bit_depth_m, weights.map(number))
+            });
+            let points = points.collect();
+            curves.push(BucklingCurve { operation: operation.to_owned(), level, points });
+        }
+    }
+    curves
+}
+
+fn limit(of: &PlanLimit) -> PlanLimitRow {
+    let kind = LimitKind::ALL.iter().find(|kind| kind.name() == of.kind);
+    let dimension = kind.map_or("", |kind| shown_dimension(kind.quantity()));
+    PlanLimitRow {
+        kind: kind.map_or_else(|| of.kind.replace('_', " "), |kind| kind.label().to_owned()),
+        operation: of.operation.clone(),
+        friction: of.friction.clone(),
+        bit_depth_m: of.bit_depth_m,
+        component: of.component.clone().unwrap_or_default(),
+        md_m: of.md_m,
+        load: of.load,
+        capacity: of.capacity,
+        dimension: dimension.to_owned(),
+        factor: of.factor,
+        required: of.required,
+        standing: of.standing.clone(),
+    }
+}
+
+/// Sections of the hole with the friction that is expected.
+fn hole(summary: &PlanSummary) -> Vec<Section> {
+    let holes = summary.settings["well"]["hole"].as_array();
+    let diameters = holes.into_iter().flatten().map(|of| of["diameter_m"].as_f64());
+    let sections = summary.frictions.iter().filter(|of| of.friction == "expected");
+    let section = |(of, diameter_m): (&wholestring_results::PlanFriction, Option<f64>)| Section {
+        kind: of.kind.clone(),
+        from_m: of.from_md_m,
+        to_m: of.to_md_m,
+        diameter_m: diameter_m.unwrap_or(f64::NAN),
+        friction: of.along,
+    };
+    sections.zip(diameters).map(section).collect()
+}
+
+/// The plan in a few facts.
+fn facts(summary: &PlanSummary) -> Vec<Fact> {
+    let settings = &summary.settings;
+    let fact = |label: &str, value: Cell| Fact { label: label.into(), value };
+    let quantity = |of: &Json, dimension: &str| {
+        of.as_f64().map_or(Cell::Nothing, |value| Cell::quantity(value, dimension))
+    };
+    let names: Vec<&str> = summary.operations.iter().map(|of| operation_name(of)).collect();
+    let models: Vec<String> = summary.models.iter().map(|of| format!("{of} string")).collect();
+    let frictions: Vec<String> = LEVELS.iter().map(|of| label(summary, of)).collect();
+    let depths = &summary.bit_depths_m;
+    let ends = [depths.first(), depths.last()].map(|of| of.copied().unwrap_or(f64::NAN));
+    vec![
+        fact("Operations", Cell::Text(names.join(", "))),
+        fact("Solved by", Cell::Text(models.join(", "))),
+        fact("Friction", Cell::Text(frictions.join(", "))),
+        fact("Bit depths", Cell::Quantities { values: ends.to_vec(), dimension: "length".into() }),
+        fact("Mud density", quantity(&settings["mud"]["density_kg_per_m3"], "density")),
+        fact("Weight of the block", quantity(&settings["rig"]["block_weight_N"], "force")),
+    ]
+}

@@ -1,0 +1,130 @@
+//! `plan.xlsx`: every table as a sheet, and the broomsticks as charts.
+
+use wholestring_report::{
+    Cells, Sheet, SheetColumn, Workbook, WorkbookChart, WorkbookSeries, figure::Stroke,
+    operation_name,
+};
+use wholestring_results::{Column, Data, PlanSummary, Table};
+use wholestring_units::UnitSet;
+
+use super::page::{LEVELS, label};
+use crate::page::{
+    PROGRAM,
+    dimensions::{of_setting, pretty, unit},
+};
+
+/// Strokes of low, expected and high friction.
+const STROKES: [Stroke; 3] = [Stroke::Dotted, Stroke::Solid, Stroke::Dashed];
+
+/// Name of the sheet of points.
+const BROOMSTICK: &str = "Broomstick";
+
+/// The workbook of a plan in these units.
+pub(super) fn workbook(summary: &PlanSummary, limits: &Table, units: UnitSet) -> Workbook {
+    let points = summary.broomstick_table();
+    let tables = [
+        (
+            BROOMSTICK,
+            &points,
+            "A row for each depth of the bit of each model, operation and friction",
+        ),
+        (
+            "Weight to buckle",
+            &summary.buckling_table(),
+            "Weights on bit under which the string buckles",
+        ),
+        ("Limits", limits, "Loads against what bears them, in the unit of each row"),
+        ("Friction", &summary.friction_table(), "Friction of each hole section at each level"),
+    ];
+    let sheets: Vec<Sheet> =
+        tables.into_iter().map(|(name, table, about)| sheet(name, table, about, units)).collect();
+    let charts = [
+        ("Hook load without block", "hook_load_N", "off bottom", false),
+        ("Surface torque", "surface_torque_N_m", "all that turns", true),
+    ];
+    let charts = charts.into_iter().filter_map(|(title, column, which, turns)| {
+        chart(summary, &sheets[0], &points, (title, column, which, turns))
+    });
+    Workbook {
+        title: format!("{}: plan", summary.case),
+        about: vec![format!("Made by {PROGRAM}. Units are those of the headings.")],
+        charts: charts.collect(),
+        sheets,
+    }
+}
+
+fn sheet(name: &str, table: &Table, about: &str, units: UnitSet) -> Sheet {
+    let columns = table.columns().iter().map(|of| column(of, units)).collect();
+    Sheet { name: name.to_owned(), about: about.to_owned(), columns }
+}
+
+/// A column in the reader's units, which stand in its heading.
+fn column(of: &Column, units: UnitSet) -> SheetColumn {
+    let found = of_setting(&of.name).filter(|_| !of.unit.is_empty());
+    let (dimension, stem) = found.unwrap_or(("", &of.name));
+    let shown = unit(dimension, units);
+    let factor = shown.as_ref().map_or(1.0, |of| of.factor);
+    let cells = match &of.data {
+        Data::Number(values) => {
+            Cells::Numbers(values.iter().map(|value| value.map(|value| value / factor)).collect())
+        }
+        Data::Text(words) => Cells::Words(words.iter().map(|word| readable(of, word)).collect()),
+    };
+    SheetColumn {
+        heading: stem.replace('_', " "),
+        unit: shown.map_or_else(|| pretty(&of.unit), |of| of.symbol),
+        meaning: of.meaning.replace('`', ""),
+        cells,
+    }
+}
+
+/// Operations as drillers call them; other words as they are.
+fn readable(of: &Column, word: &str) -> String {
+    match of.name.as_str() {
+        "operation" => operation_name(word).to_owned(),
+        "worst_finding" => word.replace('_', " "),
+        _ => word.to_owned(),
+    }
+}
+
+/// A curve for each operation and friction of the first model, from rows that stand together.
+fn chart(
+    summary: &PlanSummary,
+    sheet: &Sheet,
+    points: &Table,
+    (title, quantity, which, turns): (&str, &str, &str, bool),
+) -> Option<WorkbookChart> {
+    let place = |name: &str| points.columns().iter().position(|of| of.name == name);
+    let (across, down) = (place(quantity)?, place("bit_depth_m")?);
+    let model = summary.models.first()?;
+    let mut series = Vec::new();
+    for (colour, operation) in summary.operations.iter().enumerate() {
+        let kind = wholestring::operation::OperationKind::from_name(operation)?;
+        let is_shown = if turns { kind.rotates() } else { !kind.on_bottom() };
+        if !is_shown {
+            continue;
+        }
+        for (stroke, friction) in STROKES.into_iter().zip(LEVELS) {
+            let is_of = |of: &wholestring_results::PlanPoint| {
+                of.model == *model && of.operation == *operation && of.friction == friction
+            };
+            let first = summary.points.iter().position(is_of)?;
+            let rows = first..first + summary.curve(model, operation, friction).count();
+            series.push(WorkbookSeries {
+                name: format!("{} {}", operation_name(operation), label(summary, friction)),
+                sheet: sheet.name.clone(),
+                across,
+                down,
+                rows,
+                colour,
+                stroke,
+            });
+        }
+    }
+    (!series.is_empty()).then(|| WorkbookChart {
+        title: format!("{title}, {which}"),
+        across: sheet.columns[across].head(),
+        down: sheet.columns[down].head(),
+        series,
+    })
+}
