@@ -55,13 +55,6 @@ table! {
         operations: Vec<Spanned<OperationKind>> = optional(List::or_one(
             KindRule, "operations", OperationKind::ALL.len(),
         ));
-        /// Pull that is to be left at the surface, to pull a stuck string free.
-        overpull_margin: f64 = default(
-            Quantity::si(Dimension::Force, Range::positive_to(1e7).usual(5e4, 2e6), "450 kN"),
-            LimitSettings::default().overpull_N,
-        );
-        /// Safety factors of pipe and rig.
-        factors: FactorsTable = optional(Section::<FactorsTable>::RULE);
         /// "soft" (fast), "stiff" (with bending stiffness and clearance, some seconds a depth), or
         /// both.
         models: Vec<Spanned<Statics>> = default(
@@ -72,6 +65,14 @@ table! {
             ),
             vec![Spanned { value: Statics::Soft, place: Span::default() }],
         );
+        /// Overpull that string and hoist are to have left off bottom. 50,000 to 100,000 lbf are
+        /// commonly planned.
+        overpull: f64 = default(
+            Quantity::si(Dimension::Force, Range::from_to(0.0, 1e7).usual(5e4, 2e6), "445 kN"),
+            LimitSettings::default().overpull_N,
+        );
+        /// What loads must keep from what string and rig bear.
+        factors: FactorsTable = optional(Section::<FactorsTable>::RULE);
         /// For what casing wear and fatigue are summed.
         campaign: CampaignTable = optional(Section::<CampaignTable>::RULE);
         /// How fatigue of the string is computed.
@@ -233,7 +234,7 @@ fn limits(table: &PlanTable) -> Option<LimitSettings> {
         Some(given) => plan_factors::build(&given.value)?,
         None => LimitSettings::default().factors,
     };
-    Some(LimitSettings { factors, overpull_N: *table.overpull_margin.get()? })
+    Some(LimitSettings { factors, overpull_N: *table.overpull.get()? })
 }
 
 fn frictions(table: &PlanTable, setup: &Setup, reader: &mut Reader) -> Option<Frictions> {

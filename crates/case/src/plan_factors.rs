@@ -7,7 +7,7 @@ use wholestring_plan::limits::DesignFactors;
 macro_rules! factors {
     ($($(#[doc = $about:literal])+ $name:ident;)+) => {
         table! {
-            /// Safety factors: the least that capacity over load is to be.
+            /// Least capacity over load of each limit of a plan.
             FactorsTable in "[plan.factors]" {
                 $($(#[doc = $about])+ $name: f64 = default(factor(), DesignFactors::default().$name);)+
             }
@@ -21,38 +21,38 @@ macro_rules! factors {
 }
 
 fn factor() -> Number {
-    Number { unit: "", range: Range::from_to(0.1, 10.0).usual(0.9, 3.0) }
+    Number { unit: "", range: Range::from_to(0.1, 100.0).usual(1.0, 3.0) }
 }
 
 factors! {
-    /// Effective tension against the tensile yield of pipe or connection.
+    /// Tensile yield over effective tension: 90 % of the yield by default.
     tension;
-    /// Torque against the torsional yield of pipe or connection.
+    /// Torsional yield over torque.
     torsion;
-    /// Torque against the torsional yield under the tension that is there.
+    /// Torsional yield under tension over torque.
     tension_and_torsion;
-    /// Von Mises stress against the yield strength.
+    /// Yield strength over von Mises stress.
     von_mises;
-    /// Pressure from inside against burst.
+    /// Burst over the pressure inside beyond that outside.
     burst;
-    /// Pressure from outside against collapse.
+    /// Collapse over the pressure outside beyond that inside.
     collapse;
-    /// Torque against the make-up torque of the connections.
+    /// Make-up torque of the connections over torque.
     make_up;
-    /// Hook load and block against the hoist.
+    /// Capacity of the hoist over hook load and block.
     hoist;
-    /// Surface torque against the rated torque of the top drive.
+    /// Rated torque of the top drive over surface torque.
     top_drive;
-    /// Surface torque against the largest torque of the top drive.
+    /// Peak torque of the top drive over surface torque.
     top_drive_peak;
-    /// Standpipe pressure against the limit of the pump.
+    /// Limit of the pump's pressure over what it delivers at.
     pump_pressure;
-    /// Compression against the load of the sinusoid.
+    /// Load of the sinusoid over compression.
     sinusoidal_buckling;
-    /// Compression against the load of the helix.
+    /// Load of the helix over compression.
     helical_buckling;
-    /// What drives a sliding string down against what holds it.
+    /// What drives a string down over what holds it back.
     lock_up;
-    /// What is left for overpull against `overpull_margin`.
+    /// What may still be pulled over `overpull`.
     overpull;
 }

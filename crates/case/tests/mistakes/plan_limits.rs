@@ -28,7 +28,7 @@ fn limits_fatigue_and_wear() {
         plan_factor_of_zero: `factors = { burst = 0 }`
         plan_factor_as_text: `factors = { tension = "10 %" }`
         plan_factor_unknown: `factors = { tensile = 1.1 }`
-        plan_overpull_margin_without_unit: `overpull_margin = "445"`
+        plan_overpull_without_unit: `overpull = "445"`
         plan_drilled_from_below_the_bit: `campaign = { drilled_from = "4400 m" }`
         plan_wear_factor_with_unit: `campaign = { wear_factor = "5e-10 1/psi" }`
         plan_wear_factors_too_many: `campaign = { wear_factor = [2, 5, 8] }`
@@ -43,7 +43,7 @@ fn limits_fatigue_and_wear() {
     }
     each_warned(
         r#"
-        warn_plan_factor_below_one: `[mesh]` -> `[plan]\nfactors = { tension = 0.8 }\n[mesh]`
+        warn_plan_factor_below_one: `[mesh]` -> `[plan]\nfactors = { tension = 0.9 }\n[mesh]`
         warn_plan_exponent_below_alone: `[mesh]` -> `[plan]\nfatigue = { exponent_below = 6 }\n[mesh]`
         "#,
     );
@@ -65,7 +65,7 @@ fn what_is_not_given_is_usual() {
 #[test]
 fn what_is_given_is_meant() {
     let case = accepted(
-        "overpull_margin = \"200 kN\"\nfactors = { tension = 1.3, von_mises = 1.5 }\n\
+        "overpull = \"200 kN\"\nfactors = { tension = 1.3, von_mises = 1.5 }\n\
          campaign = { drilled_from = \"3000 m\", round_trips = 3, off_bottom = \"7200 s\", wear_factor = [2] }\n\
          fatigue = { cycles = 2e6, stress = \"138 MPa\", exponent = 5, endurance_limit = \"50 MPa\", tensile_strength = \"1000 MPa\" }",
     );

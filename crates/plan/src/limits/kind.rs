@@ -1,6 +1,5 @@
 //! The kinds of limits, and the factors that each must keep.
 
-use serde::Serialize;
 use wholestring::outcome::QuantityKind;
 
 /// Declares kinds and factors at once: name, what people call it, kind of load and capacity, whether the
@@ -49,7 +48,7 @@ macro_rules! kinds {
         }
 
         /// The least capacity over load that each kind is to keep.
-        #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+        #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
         pub struct DesignFactors {
             $($(#[$about])* pub $name: f64,)+
         }

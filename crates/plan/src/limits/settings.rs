@@ -1,11 +1,9 @@
 //! What limits are compared with beside the model.
 
-use serde::Serialize;
-
 use super::DesignFactors;
 
 /// What limits are compared with.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct LimitSettings {
     /// The factors that are required.
     pub factors: DesignFactors,

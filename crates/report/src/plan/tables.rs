@@ -80,7 +80,10 @@ pub(super) fn at_depth(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     });
     let grid = Grid { heads, rows: rows.collect() };
     let title = format!("With the bit at {}", shown.quantity(depth_m, "length"));
-    Some(part(title, "Every operation at the deepest depth of the plan.", grid, "plan_broomstick"))
+    let caption =
+        "Every operation at the deepest depth of the plan; the workbook has them all.".to_owned();
+    let (files, endings) = ("plan".to_owned(), &["xlsx"][..]);
+    Some(StudyPart::Table { title, caption, grid, files, endings })
 }
 
 /// How grave a finding is, in a word.

@@ -167,6 +167,7 @@ fn the_page_says_everything() {
         "the string &lt;locks&gt; up",
         "plan_broomstick.parquet",
         "href=\"hook_load.csv\"",
+        "href=\"plan.xlsx\"",
         "With the bit at 2000 m",
         "<td class=\"differs\">1.05 short</td>",
         "<td class=\"words near\">near</td>",
