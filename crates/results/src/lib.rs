@@ -40,8 +40,8 @@ pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummar
 pub use bit_test_table::bit_test_table;
 pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS,
-    ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION,
-    PLAN_LIMITS, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
+    ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE,
+    PLAN_FRICTION, PLAN_LIMITS, PLAN_WEAR, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -52,8 +52,9 @@ pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
 pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
 pub use plan::{
-    PLAN_VERSION, PlanBuckling, PlanFinding, PlanFriction, PlanLimit, PlanPoint, PlanSummary,
-    plan_limits_table,
+    PLAN_VERSION, PlanBuckling, PlanDamage, PlanFatigue, PlanFatigueHour, PlanFinding,
+    PlanFriction, PlanLimit, PlanPoint, PlanSummary, PlanWear, plan_fatigue_table,
+    plan_limits_table, plan_wear_table,
 };
 pub use spectrum::Spectrum;
 pub use stability::{StabilitySummary, StableFrom, StableWhere, TriedController};

@@ -4,8 +4,8 @@ use std::{env, fs, path::Path};
 
 use wholestring_results::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS,
-    ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION,
-    PLAN_LIMITS, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
+    ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE,
+    PLAN_FRICTION, PLAN_LIMITS, PLAN_WEAR, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
 };
 
 fn rows(columns: &[ColumnSpec]) -> String {
@@ -54,6 +54,8 @@ fn the_page_lists_every_column() {
         ("plan_buckling", PLAN_BUCKLING),
         ("plan_friction", PLAN_FRICTION),
         ("plan_limits", PLAN_LIMITS),
+        ("plan_fatigue", PLAN_FATIGUE),
+        ("plan_wear", PLAN_WEAR),
     ] {
         expected = with_table(&expected, name, &rows(columns));
     }

@@ -14,7 +14,8 @@ use wholestring_runner::{
 
 fn case() -> Case {
     let changes = ["plan.depths=4", "operation.kind=[\"trip_out\"]"];
-    let changes: Vec<Override> = changes.iter().map(|of| of.parse().expect("an override")).collect();
+    let changes: Vec<Override> =
+        changes.iter().map(|of| of.parse().expect("an override")).collect();
     let file = Path::new("../cli/tests/data/slant.toml");
     wholestring_case::load(file, &changes).expect("a sound case")
 }

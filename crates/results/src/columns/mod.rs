@@ -9,6 +9,7 @@ mod frames;
 mod modes;
 mod nodes;
 mod plan;
+mod plan_campaign;
 mod spectra;
 mod stability;
 mod time;
@@ -24,6 +25,7 @@ pub use self::{
     modes::{CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, RESPONSE},
     nodes::NODES,
     plan::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS},
+    plan_campaign::{PLAN_FATIGUE, PLAN_WEAR},
     spectra::SPECTRA,
     stability::STABILITY,
     time::TIME,
@@ -88,7 +90,7 @@ mod tests {
     use super::*;
 
     /// What each file holds.
-    const TABLES: [&[ColumnSpec]; 16] = [
+    const TABLES: [&[ColumnSpec]; 18] = [
         NODES,
         TIME,
         WEAR,
@@ -105,6 +107,8 @@ mod tests {
         PLAN_BUCKLING,
         PLAN_FRICTION,
         PLAN_LIMITS,
+        PLAN_FATIGUE,
+        PLAN_WEAR,
     ];
 
     #[test]

@@ -1,7 +1,11 @@
 //! What a plan leaves as JSON: `summary.json`, and its tables.
 
+mod campaign;
 mod tables;
 
+pub use campaign::{
+    PlanDamage, PlanFatigue, PlanFatigueHour, PlanWear, plan_fatigue_table, plan_wear_table,
+};
 pub use tables::plan_limits_table;
 
 use std::path::Path;
@@ -46,6 +50,10 @@ pub struct PlanSummary {
     pub worst_limits: Vec<PlanLimit>,
     /// What could not be checked, and what is missing for it.
     pub unchecked: Vec<String>,
+    /// Model after model, each component from the bit up whose fatigue is known.
+    pub fatigue: Vec<PlanFatigue>,
+    /// Model after model, of each casing the stretch that is worn most, from the surface down.
+    pub wear: Vec<PlanWear>,
 }
 
 /// Friction of a hole section at a level.
