@@ -125,7 +125,9 @@ fn shares_add_up_to_the_campaign() {
         }
     }
     stage(&operations[2], 1500.0, 3600.0);
-    for (found, expected) in all.wear.rows().iter().zip(wear.rows()) {
+    let casings = broomstick.campaign().expect("a campaign").casings(&all);
+    assert_eq!(casings.len(), 200);
+    for (found, expected) in casings.iter().zip(wear.rows()) {
         let [found, expected] = [found, &expected].map(|of| of.worn_m3_per_m);
         assert!((found - expected).abs() <= 1e-12 * expected, "{found} for {expected}");
     }
@@ -138,6 +140,14 @@ fn shares_add_up_to_the_campaign() {
         let [found, expected] = [found.damage, expected.damage];
         assert!((found - expected).abs() <= 1e-12 * expected, "{found} for {expected}");
     }
+
+    // What an hour costs at the end: the worst place of the pipe, of the same curve as the damage.
+    let [rate] = &all.rates[..] else { panic!("the pipe alone has a grade: {:?}", all.rates) };
+    assert_eq!(rate.component, 2);
+    let hours = 150.0 / 5e-3 / 3600.0;
+    let worst = shares.iter().filter(|(_, of)| !of.rates.is_empty());
+    let worst = worst.map(|(_, of)| of.damage.worst(2).expect("the pipe").damage).sum::<f64>();
+    assert!((rate.damage_per_hour * hours - worst).abs() <= 1e-12 * worst);
 
     let (point, answer) = answers.next_back().expect("a point");
     let model = broomstick.setup(point.friction).at(1500.0).expect("a model");
@@ -172,5 +182,6 @@ fn a_campaign_from_a_depth() {
     assert_eq!((*kind, *depth_m), (OperationKind::Slide, 1500.0));
     // It slides by 100 m and turns not at all.
     assert!(share.damage.rows().all(|of| of.damage == 0.0));
-    assert!(share.wear.rows().iter().any(|of| of.worn_m3_per_m > 0.0));
+    let casings = of.campaign().expect("a campaign").casings(share);
+    assert!(casings.iter().any(|of| of.worn_m3_per_m > 0.0));
 }

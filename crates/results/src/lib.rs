@@ -45,8 +45,8 @@ pub use calibration::{
 pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
     CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
-    MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS,
-    RESPONSE, SPECTRA, STABILITY, TABLES, TIME, WEAR,
+    MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS,
+    PLAN_LIMITS, PLAN_WEAR, RESPONSE, SPECTRA, STABILITY, TABLES, TIME, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -57,8 +57,9 @@ pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
 pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
 pub use plan::{
-    PLAN_VERSION, PlanBuckling, PlanDensity, PlanFinding, PlanFriction, PlanHydraulics, PlanLimit,
-    PlanPoint, PlanSummary, plan_limits_table,
+    PLAN_VERSION, PlanBuckling, PlanDamage, PlanDensity, PlanFatigue, PlanFatigueHour, PlanFinding,
+    PlanFriction, PlanHydraulics, PlanLimit, PlanPoint, PlanSummary, PlanWear, plan_fatigue_table,
+    plan_limits_table, plan_wear_table,
 };
 pub use spectrum::Spectrum;
 pub use stability::{StabilitySummary, StableFrom, StableWhere, TriedController};

@@ -100,6 +100,11 @@ impl Broomstick {
         Ok(Self { campaign: Some(campaign), ..self })
     }
 
+    /// The campaign, if it has one.
+    pub fn campaign(&self) -> Option<&Campaign> {
+        self.campaign.as_ref()
+    }
+
     /// The string at a level of friction.
     pub fn setup(&self, level: FrictionLevel) -> &Setup {
         &self.setups[level as usize]

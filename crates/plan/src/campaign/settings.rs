@@ -81,6 +81,11 @@ impl Campaign {
         })
     }
 
+    /// Whether an operation drills the last of the section.
+    pub(super) fn is_last_drilling(&self, operation: &Operation) -> bool {
+        Some(operation.kind) == self.drills && self.depths_m.last() == Some(&operation.bit_depth_m)
+    }
+
     /// How long an operation goes on at its depth of the bit, s; none where it is no part of the campaign.
     pub(super) fn duration_s(&self, operation: &Operation) -> Option<f64> {
         let place = self.depths_m.iter().position(|of| *of == operation.bit_depth_m)?;

@@ -1,24 +1,33 @@
 //! What a solved operation does of a campaign.
 
+use serde::{Deserialize, Serialize};
 use wholestring::{model::Model, operation::Operation, outcome::Solution};
 
 use super::Campaign;
-use crate::{Stage, fatigue::Damage, wear::CasingWear};
+use crate::{
+    Stage,
+    fatigue::{Damage, FatigueRow, rows},
+    wear::{WearRow, Worn},
+};
 
 /// What operations take of string and casing.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Share {
     /// Of the string.
     pub damage: Damage,
     /// Of the casings.
-    pub wear: CasingWear,
+    pub worn: Worn,
+    /// Of what drills at the deepest depth: for each component the place where an hour costs most, from the
+    /// bit up.
+    pub rates: Vec<FatigueRow>,
 }
 
 impl Share {
-    /// Adds another one.
+    /// Adds another one of the same campaign.
     pub fn merge(&mut self, other: &Self) {
         self.damage.merge(&other.damage);
-        self.wear.merge(&other.wear);
+        self.worn.merge(&other.worn);
+        self.rates.extend(&other.rates);
     }
 }
 
@@ -32,9 +41,34 @@ impl Campaign {
     ) -> Option<Share> {
         let duration_s = self.duration_s(operation)?;
         let stage = Stage { model, operation, solution: *solution, duration_s };
-        let mut share = Share { damage: Damage::default(), wear: self.new.clone() };
+        let mut share = Share::default();
         share.damage.add(&stage, &self.fatigue);
-        share.wear.add(&stage);
+        let mut wear = self.new.clone();
+        wear.add(&stage);
+        share.worn = wear.worn();
+        if self.is_last_drilling(operation) {
+            share.rates = worst(&rows(model, operation, solution, &self.fatigue));
+        }
         Some(share)
     }
+
+    /// What is left of the casings, from the surface down.
+    pub fn casings(&self, share: &Share) -> Vec<WearRow> {
+        self.new.clone().with(&share.worn).rows()
+    }
+}
+
+/// Of each component the row where an hour costs most, or where nothing is damaged the one that bends most.
+fn worst(rows: &[FatigueRow]) -> Vec<FatigueRow> {
+    let mut found: Vec<FatigueRow> = Vec::new();
+    let key = |of: &FatigueRow| (of.damage_per_hour, of.equivalent_Pa);
+    for row in rows {
+        match found.iter_mut().find(|of| of.component == row.component) {
+            Some(of) if key(row) > key(of) => *of = *row,
+            Some(_) => {}
+            None => found.push(*row),
+        }
+    }
+    found.sort_by_key(|of| of.component);
+    found
 }

@@ -1,5 +1,7 @@
 //! Damage over a campaign, by Miner's rule.
 
+use serde::{Deserialize, Serialize};
+
 use super::FatigueSettings;
 use crate::Stage;
 
@@ -10,7 +12,7 @@ pub const CELL_M: f64 = 10.0;
 ///
 /// A place of the string is known by its component and its distance from that one's lower end: pipe is added at
 /// the surface, so that the same metal passes one dogleg after the other.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Damage {
     /// By component, from the bit, and cell, from its lower end.
     cells: Vec<Vec<f64>>,

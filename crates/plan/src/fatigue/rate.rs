@@ -56,7 +56,7 @@ pub(super) struct Cost {
 }
 
 /// Fatigue of a place along the string.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct FatigueRow {
     /// Measured depth, m.
     pub md_m: f64,

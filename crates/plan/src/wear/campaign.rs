@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use serde::{Deserialize, Serialize};
 use wholestring::{
     outcome::HOLE_STEP_M,
     well::{Hole, HoleKind, HoleSection},
@@ -30,7 +31,23 @@ struct Casing {
     stretches: Vec<Stretch>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// What is gone from the casings of a hole: numbers alone, to be kept and added up.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Worn(Vec<Vec<Stretch>>);
+
+impl Worn {
+    /// Adds what other operations took of the same casings.
+    pub fn merge(&mut self, other: &Self) {
+        for (own, other) in self.0.iter_mut().zip(&other.0) {
+            for (own, other) in own.iter_mut().zip(other) {
+                own.worn_m3_per_m += other.worn_m3_per_m;
+                own.by_radius += other.by_radius;
+            }
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 struct Stretch {
     worn_m3_per_m: f64,
     /// Volume times the radius of what took it, m³/m · m.
@@ -130,14 +147,20 @@ impl CasingWear {
         }
     }
 
-    /// Adds what other operations took of the same casings.
-    pub fn merge(&mut self, other: &Self) {
-        for (casing, other) in self.casings.iter_mut().zip(&other.casings) {
-            for (stretch, other) in casing.stretches.iter_mut().zip(&other.stretches) {
-                stretch.worn_m3_per_m += other.worn_m3_per_m;
-                stretch.by_radius += other.by_radius;
+    /// What is gone.
+    pub fn worn(&self) -> Worn {
+        Worn(self.casings.iter().map(|of| of.stretches.clone()).collect())
+    }
+
+    /// The same casings with so much gone.
+    #[must_use]
+    pub fn with(mut self, worn: &Worn) -> Self {
+        for (casing, worn) in self.casings.iter_mut().zip(&worn.0) {
+            for (stretch, worn) in casing.stretches.iter_mut().zip(worn) {
+                *stretch = *worn;
             }
         }
+        self
     }
 
     /// What is left of the casings, from the surface down. Where several diameters have rubbed, the groove has

@@ -8,7 +8,7 @@ mod campaign;
 mod casing;
 mod groove;
 
-pub use campaign::CasingWear;
+pub use campaign::{CasingWear, Worn};
 pub use casing::{CasingError, DEFAULT_WEAR_FACTOR_PER_PA, WearFactors, WearRow, WornPipe};
 pub use groove::Groove;
 

@@ -2,6 +2,7 @@
 
 mod broomstick;
 mod buckling;
+mod campaign;
 mod figures;
 mod limits;
 mod mud;
@@ -43,6 +44,10 @@ pub struct Plan {
     pub limits: Vec<PlanLimitRow>,
     /// What could not be checked, and what is missing for it.
     pub unchecked: Vec<String>,
+    /// Fatigue of each component.
+    pub fatigue: Vec<PlanFatigueRow>,
+    /// Of each casing the stretch that is worn most.
+    pub wear: Vec<PlanWearRow>,
     /// Weight on bit of what drills, N.
     pub weight_on_bit_N: Option<f64>,
 }
@@ -126,6 +131,53 @@ pub struct PlanLimitRow {
     pub required: f64,
     /// `kept`, `near`, `short` or `passed`.
     pub standing: String,
+}
+
+/// Fatigue of a component.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanFatigueRow {
+    /// Name of the model.
+    pub model: String,
+    /// The component.
+    pub component: String,
+    /// Part of its life that the campaign takes.
+    pub damage: f64,
+    /// What an hour of drilling costs at the deepest depth; none where nothing drills.
+    pub hour: Option<PlanFatigueHourRow>,
+}
+
+/// What an hour of drilling costs where it costs most.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanFatigueHourRow {
+    /// Measured depth, m.
+    pub md_m: f64,
+    /// Part of the life that goes.
+    pub damage_per_hour: f64,
+    /// Amplitude of the bending stress, Pa.
+    pub bending_Pa: f64,
+    /// Dogleg severity of the hole and the permissible one, rad/m.
+    pub doglegs_rad_per_m: [f64; 2],
+}
+
+/// Wear of a casing where it is worn most; what is not known is not a number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanWearRow {
+    /// Name of the model.
+    pub model: String,
+    /// Section of the hole, counted from one.
+    pub section: usize,
+    /// Measured depth, m.
+    pub md_m: f64,
+    /// Depth of the groove, m.
+    pub groove_m: f64,
+    /// Wall that is left, m.
+    pub wall_left_m: f64,
+    /// Part of the wall that is gone.
+    pub worn: f64,
+    /// Burst of the new and of the worn casing, Pa.
+    pub burst_Pa: [f64; 2],
+    /// Collapse of the new and of the worn casing, Pa.
+    pub collapse_Pa: [f64; 2],
 }
 
 /// What the rig bears.

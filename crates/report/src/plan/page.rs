@@ -1,6 +1,6 @@
 //! The page of a plan as one file that needs nothing else.
 
-use super::{Plan, figures::plan_plots, limits, tables};
+use super::{Plan, campaign, figures::plan_plots, limits, tables};
 use crate::{StudyPage, StudyPart, plots::Shown, study_html};
 
 /// What the numbers stand for.
@@ -56,6 +56,8 @@ pub fn plan_html(plan: &Plan) -> String {
     let mut parts: Vec<StudyPart> = pictures.collect();
     parts.extend(limits::factors(plan));
     parts.extend(limits::nearest(plan, shown));
+    parts.extend(campaign::fatigue(plan, shown));
+    parts.extend(campaign::wear(plan, shown));
     parts.extend(tables::at_depth(plan, shown));
     parts.push(tables::frictions(plan));
     parts.extend(tables::against_depth(plan, shown));

@@ -1,8 +1,8 @@
 use std::collections::BTreeMap;
 
 use super::{
-    BucklingCurve, Plan, PlanCurve, PlanLevel, PlanLimitRow, PlanMud, PlanMudRow, PlanRig,
-    PlanSpot, plan_html, plan_plots,
+    BucklingCurve, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow, PlanLevel, PlanLimitRow,
+    PlanMud, PlanMudRow, PlanRig, PlanSpot, PlanWearRow, plan_html, plan_plots,
 };
 use crate::{
     Cell, DisplayUnit, Fact, Level, PageHead, Section,
@@ -109,7 +109,33 @@ fn plan() -> Plan {
         rig: PlanRig { block_N: Some(2e5), hoist_N: Some(8e5), top_drive_N_m: Some(1e6) },
         limits: vec![limit("Tension", 1.05, "short"), limit("Hoist", 1.2, "near")],
         unchecked: vec!["no make-up torque of pipe".into()],
+        fatigue: vec![fatigue("drill <pipe>", 1.2), fatigue("collar", 1e-4)],
+        wear: vec![wear()],
         weight_on_bit_N: Some(3e4),
+    }
+}
+
+fn fatigue(component: &str, damage: f64) -> PlanFatigueRow {
+    let hour = PlanFatigueHourRow {
+        md_m: 700.4,
+        damage_per_hour: 0.01,
+        bending_Pa: 1.2e8,
+        doglegs_rad_per_m: [0.0017, f64::NAN],
+    };
+    let hour = (damage > 1.0).then_some(hour);
+    PlanFatigueRow { model: "soft".into(), component: component.into(), damage, hour }
+}
+
+fn wear() -> PlanWearRow {
+    PlanWearRow {
+        model: "soft".into(),
+        section: 1,
+        md_m: 802.5,
+        groove_m: 0.0062,
+        wall_left_m: 0.0058,
+        worn: 0.517,
+        burst_Pa: [5e7, 2.4e7],
+        collapse_Pa: [f64::NAN; 2],
     }
 }
 
@@ -217,4 +243,25 @@ fn the_page_says_everything() {
     }
     assert_eq!(page.matches("<svg").count(), 4);
     assert!(!page.contains("<Well>") && !page.contains("<locks>"));
+}
+
+/// What is used up says so in a word, what is not known too; numbers are in the reader's units.
+#[test]
+fn fatigue_and_wear_stand_on_the_page() {
+    let page = plan_html(&plan());
+    for text in [
+        "120.0 % used up",
+        "0.01000 %",
+        "drill &lt;pipe&gt;",
+        "section 1",
+        "51.70 %",
+        "6.200",
+        "not known",
+        "plan_fatigue.csv",
+        "plan_wear.parquet",
+    ] {
+        assert!(page.contains(text), "{text}");
+    }
+    let none = Plan { fatigue: Vec::new(), wear: Vec::new(), ..plan() };
+    assert!(!plan_html(&none).contains("Casing wear"));
 }

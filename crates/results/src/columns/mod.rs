@@ -10,6 +10,7 @@ mod frames;
 mod modes;
 mod nodes;
 mod plan;
+mod plan_campaign;
 mod spectra;
 mod stability;
 mod time;
@@ -26,6 +27,7 @@ pub use self::{
     modes::{CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, RESPONSE},
     nodes::NODES,
     plan::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS},
+    plan_campaign::{PLAN_FATIGUE, PLAN_WEAR},
     spectra::SPECTRA,
     stability::STABILITY,
     time::TIME,
@@ -107,6 +109,8 @@ pub const TABLES: &[(&str, &[ColumnSpec])] = &[
     ("plan_friction", PLAN_FRICTION),
     ("plan_limits", PLAN_LIMITS),
     ("plan_hydraulics", PLAN_HYDRAULICS),
+    ("plan_fatigue", PLAN_FATIGUE),
+    ("plan_wear", PLAN_WEAR),
     ("calibration", CALIBRATION),
     ("calibration_bands", CALIBRATION_BANDS),
     ("calibration_profiles", CALIBRATION_PROFILES),

@@ -1,8 +1,12 @@
 //! What a plan leaves as JSON: `summary.json`, and its tables.
 
+mod campaign;
 mod hydraulics;
 mod tables;
 
+pub use campaign::{
+    PlanDamage, PlanFatigue, PlanFatigueHour, PlanWear, plan_fatigue_table, plan_wear_table,
+};
 pub use hydraulics::{PlanDensity, PlanHydraulics};
 pub use tables::plan_limits_table;
 
@@ -51,6 +55,10 @@ pub struct PlanSummary {
     /// The mud, down the hole; empty where it has no rheology.
     #[serde(default)]
     pub hydraulics: Vec<PlanHydraulics>,
+    /// Model after model, each component from the bit up whose fatigue is known.
+    pub fatigue: Vec<PlanFatigue>,
+    /// Model after model, of each casing the stretch that is worn most, from the surface down.
+    pub wear: Vec<PlanWear>,
 }
 
 /// Friction of a hole section at a level.

@@ -18,7 +18,7 @@ const OTHERS: [&str; 5] =
 const PICTURES: [&str; 3] = ["hook_load", "torque", "buckling_weight"];
 
 /// Tables, written as Parquet and as CSV.
-const TABLES: [&str; 12] = [
+const TABLES: [&str; 14] = [
     "nodes",
     "time",
     "wear",
@@ -32,6 +32,8 @@ const TABLES: [&str; 12] = [
     "plan_friction",
     "plan_limits",
     "plan_hydraulics",
+    "plan_fatigue",
+    "plan_wear",
 ];
 
 /// Folders that commands make in the folder of their results, and the endings of what they put

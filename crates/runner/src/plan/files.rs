@@ -8,6 +8,18 @@ pub(super) const BUCKLING: &str = "plan_buckling";
 pub(super) const FRICTION: &str = "plan_friction";
 pub(super) const LIMITS: &str = "plan_limits";
 pub(super) const HYDRAULICS: &str = "plan_hydraulics";
+pub(super) const FATIGUE: &str = "plan_fatigue";
+pub(super) const WEAR: &str = "plan_wear";
+
+/// Tables whose rows the summary has not all of.
+pub(super) struct Tables {
+    /// Of limits.
+    pub(super) limits: Table,
+    /// Of fatigue.
+    pub(super) fatigue: Table,
+    /// Of casing wear.
+    pub(super) wear: Table,
+}
 
 /// Name of the workbook.
 pub(super) const WORKBOOK: &str = "plan.xlsx";
@@ -17,9 +29,11 @@ pub(super) const WORKBOOK: &str = "plan.xlsx";
 pub(super) fn write(
     folder: &ResultsFolder,
     summary: &PlanSummary,
-    limits: &Table,
+    tables: &Tables,
 ) -> Result<(), ResultsError> {
-    folder.write_table(LIMITS, limits, true)?;
+    folder.write_table(LIMITS, &tables.limits, true)?;
+    folder.write_table(FATIGUE, &tables.fatigue, true)?;
+    folder.write_table(WEAR, &tables.wear, true)?;
     folder.write_table(BROOMSTICK, &summary.broomstick_table(), true)?;
     folder.write_table(BUCKLING, &summary.buckling_table(), true)?;
     folder.write_table(FRICTION, &summary.friction_table(), true)?;

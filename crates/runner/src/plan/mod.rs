@@ -1,5 +1,6 @@
 //! Torque and drag at every depth of the bit, with low, expected and high friction.
 
+mod campaign;
 mod files;
 mod mud;
 pub(crate) mod page;

@@ -5,16 +5,18 @@ use std::path::Path;
 use serde_json::Value as Json;
 use wholestring_plan::limits::LimitKind;
 use wholestring_report::{
-    BucklingCurve, Cell, Fact, Level, Plan, PlanCurve, PlanLevel, PlanLimitRow, PlanRig, PlanSpot,
-    Section, operation_name, plan_html, plan_plots, shown_dimension,
+    BucklingCurve, Cell, Fact, Level, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow,
+    PlanLevel, PlanLimitRow, PlanRig, PlanSpot, PlanWearRow, Section, operation_name, plan_html,
+    plan_plots, shown_dimension,
 };
 use wholestring_results::{
-    Level as Grave, PlanLimit, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table,
+    Level as Grave, PlanFatigue, PlanLimit, PlanPoint, PlanSummary, PlanWear, ResultsError,
+    ResultsFolder,
 };
 use wholestring_units::UnitSet;
 
 use super::{
-    files::{BROOMSTICK, LIMITS, WORKBOOK},
+    files::{BROOMSTICK, FATIGUE, LIMITS, Tables, WEAR, WORKBOOK},
     mud,
     workbook::workbook,
 };
@@ -43,13 +45,13 @@ pub(crate) fn write(folder: &ResultsFolder, plan: &Plan, png: bool) -> Result<()
 }
 
 /// Writes the workbook in these units.
-pub(crate) fn write_workbook(
+pub(super) fn write_workbook(
     folder: &ResultsFolder,
     summary: &PlanSummary,
-    limits: &Table,
+    tables: &Tables,
     units: UnitSet,
 ) -> Result<(), crate::error::Error> {
-    let bytes = workbook(summary, limits, units).bytes().map_err(crate::error::Error::failed)?;
+    let bytes = workbook(summary, tables, units).bytes().map_err(crate::error::Error::failed)?;
     Ok(folder.write_file(WORKBOOK, &bytes)?)
 }
 
@@ -62,7 +64,9 @@ pub(crate) fn write_again(
     let plan = of_summary(&summary, units);
     let units = plan.head.units.parse().unwrap_or_default();
     write(folder, &plan, false)?;
-    write_workbook(folder, &summary, &table(folder.path(), LIMITS)?, units)
+    let [limits, fatigue, wear] = [LIMITS, FATIGUE, WEAR].map(|name| table(folder.path(), name));
+    let tables = Tables { limits: limits?, fatigue: fatigue?, wear: wear? };
+    write_workbook(folder, &summary, &tables, units)
 }
 
 /// Everything that is reported of a plan.
@@ -94,6 +98,8 @@ fn of_summary(summary: &PlanSummary, units: Option<UnitSet>) -> Plan {
         hole: hole(summary),
         limits: summary.worst_limits.iter().map(limit).collect(),
         unchecked: summary.unchecked.clone(),
+        fatigue: summary.fatigue.iter().map(fatigue).collect(),
+        wear: summary.wear.iter().map(wear).collect(),
         rig: PlanRig {
             block_N: number(&rig["block_weight_N"]),
             hoist_N: number(&rig["hoist_capacity_N"]),
@@ -202,6 +208,35 @@ fn limit(of: &PlanLimit) -> PlanLimitRow {
         factor: of.factor,
         required: of.required,
         standing: of.standing.clone(),
+    }
+}
+
+fn fatigue(of: &PlanFatigue) -> PlanFatigueRow {
+    PlanFatigueRow {
+        model: of.model.clone(),
+        component: of.component.clone(),
+        damage: of.damage,
+        hour: of.hour.map(|hour| PlanFatigueHourRow {
+            md_m: hour.md_m,
+            damage_per_hour: hour.damage_per_hour,
+            bending_Pa: hour.bending_Pa,
+            doglegs_rad_per_m: [Some(hour.dogleg_rad_per_m), hour.permissible_dogleg_rad_per_m]
+                .map(|of| of.unwrap_or(f64::NAN)),
+        }),
+    }
+}
+
+fn wear(of: &PlanWear) -> PlanWearRow {
+    let number = |of: Option<f64>| of.unwrap_or(f64::NAN);
+    PlanWearRow {
+        model: of.model.clone(),
+        section: of.section,
+        md_m: of.md_m,
+        groove_m: number(of.groove_m),
+        wall_left_m: number(of.wall_left_m),
+        worn: number(of.worn),
+        burst_Pa: of.burst_Pa.unwrap_or([f64::NAN; 2]),
+        collapse_Pa: of.collapse_Pa.unwrap_or([f64::NAN; 2]),
     }
 }
 

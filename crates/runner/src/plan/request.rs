@@ -3,7 +3,7 @@
 use std::{num::NonZeroUsize, time::Duration};
 
 use wholestring_case::Case;
-use wholestring_results::{Occupant, PlanSummary, digest, plan_limits_table};
+use wholestring_results::{Occupant, PlanSummary, digest};
 use wholestring_units::UnitSet;
 
 use super::{
@@ -69,11 +69,10 @@ pub fn run(
     let folder = &claimed.folder;
     let work = Work::new(request, &broomstick, identity, folder, observer, cancellation)?;
     work.solve_all()?;
-    let Ended { summary, limits, batch } = work.end();
-    let limits = plan_limits_table(&limits);
-    files::write(folder, &summary, &limits)?;
+    let Ended { summary, tables, batch } = work.end();
+    files::write(folder, &summary, &tables)?;
     let units = request.units.unwrap_or(case.units);
     page::write(folder, &page::gather(folder.path(), Some(units))?, request.png)?;
-    page::write_workbook(folder, &summary, &limits, units)?;
+    page::write_workbook(folder, &summary, &tables, units)?;
     Ok(Outcome { summary, batch })
 }

@@ -7,9 +7,12 @@ use serde_json::json;
 use wholestring_plan::{Broomstick, BroomstickTask, FrictionLevel, Statics, limits::LimitKind};
 use wholestring_results::{
     PLAN_VERSION, PlanBuckling, PlanLimit, PlanPoint, PlanSummary, ResultsError, ResultsFolder,
+    plan_fatigue_table, plan_limits_table, plan_wear_table,
 };
 
 use super::{
+    campaign::{Taken, came, taken},
+    files::Tables,
     mud,
     request::Request,
     rows::{Lack, buckling, frictions, in_words, limits, points, unchecked},
@@ -36,7 +39,7 @@ enum Piece {
 /// What came of a piece.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 enum Done {
-    Points(Vec<PlanPoint>, Vec<PlanLimit>, BTreeSet<Lack>),
+    Points(Vec<PlanPoint>, Vec<PlanLimit>, BTreeSet<Lack>, Vec<Taken>),
     Buckling(Vec<PlanBuckling>),
 }
 
@@ -50,7 +53,7 @@ struct Kept<D> {
 /// What became of the work.
 pub(super) struct Ended {
     pub(super) summary: PlanSummary,
-    pub(super) limits: Vec<PlanLimit>,
+    pub(super) tables: Tables,
     pub(super) batch: BatchOutcome,
 }
 
@@ -172,7 +175,12 @@ impl<'a> Work<'a> {
                 Piece::Points(task) => {
                     let found = self.broomstick.solve(&task);
                     let of = self.broomstick;
-                    Done::Points(points(&found), limits(of, &found), unchecked(of, &found))
+                    Done::Points(
+                        points(&found),
+                        limits(of, &found),
+                        unchecked(of, &found),
+                        taken(&found),
+                    )
                 }
                 Piece::Buckling(depth_m) => {
                     Done::Buckling(buckling(&self.broomstick.weights_to_buckle(depth_m)))
@@ -208,9 +216,11 @@ impl<'a> Work<'a> {
         let done = self.done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
         let (mut points, mut weights) = (Vec::new(), Vec::new());
         let (mut all_limits, mut lacking) = (Vec::new(), BTreeSet::new());
+        let mut all_taken = Vec::new();
         for one in done.into_iter().flatten() {
             match one {
-                Done::Points(of, limits, unchecked) => {
+                Done::Points(of, limits, unchecked, taken) => {
+                    all_taken.extend(taken);
                     points.extend(of);
                     all_limits.extend(limits);
                     lacking.extend(unchecked);
@@ -219,6 +229,7 @@ impl<'a> Work<'a> {
             }
         }
         let plan = &case.plan;
+        let came = came(self.broomstick, &plan.models, &all_taken);
         // Curve by curve: a task has the frictions of one depth.
         let level = |name: &str| FrictionLevel::ALL.iter().position(|of| of.name() == name);
         let models: Vec<String> = plan.models.iter().map(|of| of.name().to_owned()).collect();
@@ -244,6 +255,7 @@ impl<'a> Work<'a> {
             "operations": operations,
             "models": models,
             "limits": plan.limits,
+            "campaign": plan.campaign,
         });
         let summary = PlanSummary {
             schema_version: PLAN_VERSION,
@@ -259,7 +271,14 @@ impl<'a> Work<'a> {
             worst_limits: worst(&all_limits),
             unchecked: in_words(&lacking),
             hydraulics: mud::rows(case),
+            fatigue: came.fatigue,
+            wear: came.worst_wear,
         };
-        Ended { summary, limits: all_limits, batch }
+        let tables = Tables {
+            limits: plan_limits_table(&all_limits),
+            fatigue: plan_fatigue_table(&came.damage),
+            wear: plan_wear_table(&came.wear),
+        };
+        Ended { summary, tables, batch }
     }
 }

@@ -7,7 +7,10 @@ use wholestring_report::{
 use wholestring_results::{Column, Data, PlanSummary, Table};
 use wholestring_units::UnitSet;
 
-use super::page::{LEVELS, label};
+use super::{
+    files::Tables,
+    page::{LEVELS, label},
+};
 use crate::page::{
     PROGRAM,
     dimensions::{of_setting, pretty, unit},
@@ -20,7 +23,7 @@ const STROKES: [Stroke; 3] = [Stroke::Dotted, Stroke::Solid, Stroke::Dashed];
 const BROOMSTICK: &str = "Broomstick";
 
 /// The workbook of a plan in these units.
-pub(super) fn workbook(summary: &PlanSummary, limits: &Table, units: UnitSet) -> Workbook {
+pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) -> Workbook {
     let points = summary.broomstick_table();
     let tables = [
         (
@@ -33,7 +36,9 @@ pub(super) fn workbook(summary: &PlanSummary, limits: &Table, units: UnitSet) ->
             &summary.buckling_table(),
             "Weights on bit under which the string buckles",
         ),
-        ("Limits", limits, "Loads against what bears them, in the unit of each row"),
+        ("Limits", &found.limits, "Loads against what bears them, in the unit of each row"),
+        ("Fatigue", &found.fatigue, "What the campaign takes of the string's life"),
+        ("Casing wear", &found.wear, "What the campaign takes of the casing"),
         ("Friction", &summary.friction_table(), "Friction of each hole section at each level"),
         (
             "Hydraulics",

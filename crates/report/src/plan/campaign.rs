@@ -1,0 +1,115 @@
+//! Fatigue and casing wear on a plan's page.
+
+use super::{Plan, PlanFatigueRow, PlanWearRow, words::four};
+use crate::{Grid, Head, StudyPart, Verdict, plots::Shown};
+
+/// A damage, or a part of a wall, beyond which its light is no longer that of what is well.
+const MUCH: f64 = 0.5;
+
+type Cell = (String, Verdict);
+
+fn head(text: String, words: bool) -> Head {
+    Head { text, words }
+}
+
+fn plain(text: String) -> Cell {
+    (text, Verdict::None)
+}
+
+/// A part of a life or of a wall, in percent; one is all of it.
+fn part_of(all: f64) -> Cell {
+    let light = match all {
+        all if all.is_nan() => return plain("not known".to_owned()),
+        all if all >= 1.0 => Verdict::Differs,
+        all if all > MUCH => Verdict::Near,
+        _ => Verdict::Agrees,
+    };
+    let word = if all >= 1.0 { " used up" } else { "" };
+    (format!("{} %{word}", four(100.0 * all)), light)
+}
+
+fn quantity(shown: Shown<'_>, si: f64, dimension: &str) -> Cell {
+    plain(if si.is_nan() { "not known".into() } else { four(shown.value(si, dimension)) })
+}
+
+/// Fatigue of each component.
+pub(super) fn fatigue(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+    let [length, pressure, dogleg] =
+        ["length", "pressure", "dogleg severity"].map(|of| shown.symbol(of));
+    let heads = vec![
+        head("component".into(), true),
+        head("model".into(), true),
+        head("life used".into(), false),
+        head("an hour of drilling".into(), false),
+        head(format!("at, {length}"), false),
+        head(format!("bending, {pressure}"), false),
+        head(format!("dogleg, {dogleg}"), false),
+        head(format!("permissible, {dogleg}"), false),
+    ];
+    let row = |of: &PlanFatigueRow| {
+        let mut cells =
+            vec![plain(of.component.clone()), plain(of.model.clone()), part_of(of.damage)];
+        match &of.hour {
+            Some(hour) => cells.extend([
+                plain(format!("{} %", four(100.0 * hour.damage_per_hour))),
+                quantity(shown, hour.md_m.round(), "length"),
+                quantity(shown, hour.bending_Pa, "pressure"),
+                quantity(shown, hour.doglegs_rad_per_m[0], "dogleg severity"),
+                quantity(shown, hour.doglegs_rad_per_m[1], "dogleg severity"),
+            ]),
+            None => cells.extend((0..5).map(|_| plain(String::new()))),
+        }
+        cells
+    };
+    let rows: Vec<_> = plan.fatigue.iter().map(row).collect();
+    let caption = "What the campaign takes of the life of each component's worst part, by Miner's rule, with \
+        the friction that is expected; and what an hour of drilling costs at the deepest depth, where it \
+        costs most. The S-N curve is that of the plan: of smooth pipe where the case gives none.";
+    (!rows.is_empty()).then(|| part("Fatigue", caption, Grid { heads, rows }, "plan_fatigue"))
+}
+
+/// Wear of each casing.
+pub(super) fn wear(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
+    let [length, diameter, pressure] =
+        ["length", "diameter", "pressure"].map(|of| shown.symbol(of));
+    let heads = vec![
+        head("casing".into(), true),
+        head("model".into(), true),
+        head("wall gone".into(), false),
+        head(format!("at, {length}"), false),
+        head(format!("groove, {diameter}"), false),
+        head(format!("wall left, {diameter}"), false),
+        head(format!("burst new, {pressure}"), false),
+        head(format!("worn, {pressure}"), false),
+        head(format!("collapse new, {pressure}"), false),
+        head(format!("worn, {pressure}"), false),
+    ];
+    let row = |of: &PlanWearRow| {
+        let mut cells = vec![
+            plain(format!("section {}", of.section)),
+            plain(of.model.clone()),
+            part_of(of.worn),
+            quantity(shown, of.md_m.round(), "length"),
+            quantity(shown, of.groove_m, "diameter"),
+            quantity(shown, of.wall_left_m, "diameter"),
+        ];
+        let pressures = of.burst_Pa.iter().chain(&of.collapse_Pa);
+        cells.extend(pressures.map(|si| quantity(shown, *si, "pressure")));
+        cells
+    };
+    let rows: Vec<_> = plan.wear.iter().map(row).collect();
+    let caption = "Of each casing the stretch that the campaign wears most, with the friction that is expected \
+        and the wear factors of the plan. Collapse is that of a casing with no more than the wall that is \
+        left all round. What is not known: give the casing by its size, weight and grade.";
+    (!rows.is_empty()).then(|| part("Casing wear", caption, Grid { heads, rows }, "plan_wear"))
+}
+
+fn part(title: &str, caption: &str, grid: Grid, files: &str) -> StudyPart {
+    StudyPart::Table {
+        title: title.to_owned(),
+        caption: caption.to_owned(),
+        grid,
+        files: files.to_owned(),
+        endings: &["csv", "parquet"],
+    }
+}

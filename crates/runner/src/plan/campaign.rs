@@ -1,0 +1,114 @@
+//! What the campaign of a plan does to string and casing, as results have it.
+
+use serde::{Deserialize, Serialize};
+use wholestring_plan::{
+    Broomstick, BroomstickPoint, Campaign, FrictionLevel, Share, Statics,
+    fatigue::{DamageRow, FatigueRow},
+    wear::WearRow,
+};
+use wholestring_results::{PlanDamage, PlanFatigue, PlanFatigueHour, PlanWear};
+
+/// A damage that nothing survives: what is beyond has no number in JSON.
+const SURELY: f64 = 1e9;
+
+/// A share of the campaign, and by which model.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Taken {
+    model: String,
+    share: Share,
+}
+
+/// The shares of these points.
+pub(super) fn taken(found: &[BroomstickPoint]) -> Vec<Taken> {
+    let of_point = |of: &BroomstickPoint| {
+        let share = of.outcome.as_ref().ok()?.share.clone()?;
+        Some(Taken { model: of.model.name().to_owned(), share })
+    };
+    found.iter().filter_map(of_point).collect()
+}
+
+/// What all of it comes to.
+#[derive(Debug, Default)]
+pub(super) struct Came {
+    pub(super) fatigue: Vec<PlanFatigue>,
+    pub(super) damage: Vec<PlanDamage>,
+    pub(super) wear: Vec<PlanWear>,
+    pub(super) worst_wear: Vec<PlanWear>,
+}
+
+/// Adds up the shares, model after model.
+pub(super) fn came(of: &Broomstick, models: &[Statics], taken: &[Taken]) -> Came {
+    let mut came = Came::default();
+    let Some(campaign) = of.campaign() else { return came };
+    for model in models.iter().map(|model| model.name()) {
+        let mut shares = taken.iter().filter(|of| of.model == model).map(|of| &of.share);
+        let Some(first) = shares.next() else { continue };
+        let mut all = first.clone();
+        shares.for_each(|share| all.merge(share));
+        came.add(of, campaign, model, &all);
+    }
+    came
+}
+
+impl Came {
+    fn add(&mut self, of: &Broomstick, campaign: &Campaign, model: &str, all: &Share) {
+        let components = &of.setup(FrictionLevel::Expected).string.components;
+        let name = |row: &DamageRow| components.get(row.component).map(|of| of.name.clone());
+        self.damage.extend(all.damage.rows().map(|row| PlanDamage {
+            model: model.to_owned(),
+            component: name(&row).unwrap_or_default(),
+            from_lower_end_m: row.from_lower_end_m,
+            damage: row.damage.min(SURELY),
+        }));
+        for index in 0..components.len() {
+            let Some(worst) = all.damage.worst(index) else { continue };
+            let hour = all.rates.iter().find(|of| of.component == index);
+            self.fatigue.push(PlanFatigue {
+                model: model.to_owned(),
+                component: name(&worst).unwrap_or_default(),
+                damage: worst.damage.min(SURELY),
+                from_lower_end_m: worst.from_lower_end_m,
+                hour: hour.map(hourly),
+            });
+        }
+        let wear: Vec<PlanWear> =
+            campaign.casings(all).iter().map(|row| stretch(model, row)).collect();
+        for of in &wear {
+            let worn = |of: &PlanWear| of.worn.or(of.groove_m).unwrap_or(f64::INFINITY);
+            match self
+                .worst_wear
+                .iter_mut()
+                .find(|one| one.section == of.section && one.model == of.model)
+            {
+                Some(worst) if worn(of) > worn(worst) => *worst = of.clone(),
+                Some(_) => {}
+                None => self.worst_wear.push(of.clone()),
+            }
+        }
+        self.wear.extend(wear);
+    }
+}
+
+fn hourly(of: &FatigueRow) -> PlanFatigueHour {
+    PlanFatigueHour {
+        md_m: of.md_m,
+        damage_per_hour: of.damage_per_hour.min(SURELY),
+        bending_Pa: of.bending_Pa,
+        dogleg_rad_per_m: of.dogleg_rad_per_m,
+        permissible_dogleg_rad_per_m: of.permissible_dogleg_rad_per_m,
+    }
+}
+
+fn stretch(model: &str, of: &WearRow) -> PlanWear {
+    PlanWear {
+        model: model.to_owned(),
+        section: of.section + 1,
+        md_m: of.md_m,
+        groove_m: of.groove_m,
+        wall_m: of.pipe.map(|pipe| pipe.wall_m),
+        wall_left_m: of.pipe.map(|pipe| pipe.wall_left_m),
+        worn: of.pipe.map(|pipe| pipe.worn_part()),
+        burst_Pa: of.pipe.and_then(|pipe| pipe.burst_Pa),
+        collapse_Pa: of.pipe.and_then(|pipe| pipe.collapse_Pa),
+    }
+}
