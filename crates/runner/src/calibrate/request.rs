@@ -13,6 +13,7 @@ use wholestring_units::UnitSet;
 
 use super::{
     data::{self, Data},
+    named_case::NamedCase,
     notes, page,
     predictions::Predictions,
     tables, toml,
@@ -29,15 +30,6 @@ const STIFF_DEPTHS: usize = 10;
 /// Nodes of a factor where the stiff string predicts, and how far from the soft string's answer.
 const STIFF_NODES: usize = 3;
 const STIFF_REACH: f64 = 0.08;
-
-/// A case with the name of its file, without its ending.
-#[derive(Debug, Clone)]
-pub struct NamedCase<'a> {
-    /// Name of its file.
-    pub file: String,
-    /// The case.
-    pub case: &'a Case,
-}
 
 /// What is looked for.
 #[derive(Debug, Clone, PartialEq)]
@@ -129,7 +121,7 @@ pub fn run(
     let took = begun.elapsed();
     let units = request.units.unwrap_or(first.case.units);
     let summary = summary(request, &data, &settings, &found, units);
-    tables::write(folder, request, &data, &summary, &found)?;
+    tables::write(folder, &data, &summary, &found)?;
     folder.write_file(toml::FRAGMENT, toml::fragment(first.case, &summary, &found).as_bytes())?;
     page::write(folder, &page::gather(folder.path(), Some(units))?, request.png)?;
     Ok(Outcome { summary, folder: folder.path().to_owned(), took })
