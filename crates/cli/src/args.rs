@@ -8,7 +8,7 @@ use wholestring_case::Override;
 use wholestring_runner::{BatchOptions, Existing, Keep, Output, Shard};
 use wholestring_units::{Dimension, Unit, UnitSet};
 
-use crate::{calibrate::CalibrateArgs, failure::Failure};
+use crate::{calibrate_args::CalibrateArgs, failure::Failure};
 
 /// Torque, drag and dynamics of a whole drill string in a deviated well.
 #[derive(Debug, Parser)]

@@ -5,6 +5,7 @@ mod bench;
 mod bha;
 mod bit_test;
 mod calibrate;
+mod calibrate_args;
 mod catalogue;
 mod check;
 mod color;

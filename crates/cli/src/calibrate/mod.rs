@@ -1,6 +1,5 @@
 //! `wholestring calibrate`: friction factors from what was read at the surface.
 
-mod args;
 mod screen;
 
 use wholestring_case::Case;
@@ -9,11 +8,9 @@ use wholestring_runner::{
     calibrate::{self, FRAGMENT, Fit, NamedCase, Request},
 };
 
-pub(crate) use args::CalibrateArgs;
-
 use crate::{
-    args::CaseArgs, failure::Failure, input::load, interrupt, progress::RunScreen,
-    terminal::print_stdout,
+    args::CaseArgs, calibrate_args::CalibrateArgs, failure::Failure, input::load, interrupt,
+    progress::RunScreen, terminal::print_stdout,
 };
 
 pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {

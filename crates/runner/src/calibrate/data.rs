@@ -5,7 +5,7 @@ use std::path::Path;
 use wholestring_plan::calibration::{Assembly, Channel, Reading};
 use wholestring_survey::{ImportedReading, ImportedReadings, read_readings};
 
-use super::NamedCase;
+use super::named_case::NamedCase;
 use crate::{error::Error, survey};
 
 /// Readings with what was in the hole.

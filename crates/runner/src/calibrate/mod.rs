@@ -1,6 +1,7 @@
 //! Friction factors, block weight and bit torque from what was read at the surface.
 
 mod data;
+mod named_case;
 mod notes;
 pub(crate) mod page;
 mod predictions;
@@ -8,6 +9,7 @@ mod request;
 mod tables;
 mod toml;
 
-pub use request::{Fit, NamedCase, Outcome, Request, run};
+pub use named_case::NamedCase;
+pub use request::{Fit, Outcome, Request, run};
 pub use toml::FRAGMENT;
 pub use wholestring_plan::calibration::Parameter;

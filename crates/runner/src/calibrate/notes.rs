@@ -34,7 +34,7 @@ pub(super) fn notes(
     settings: &Settings,
     units: UnitSet,
 ) -> Vec<String> {
-    let mut notes = data.notes.clone();
+    let mut notes = vec![data.notes.join("; ")];
     for of in found.errors.iter().filter(|of| !of.given) {
         let is_torque = matches!(of.kind, wholestring_plan::calibration::ErrorKind::Torque);
         notes.push(format!(

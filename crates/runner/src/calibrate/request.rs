@@ -13,6 +13,7 @@ use wholestring_units::UnitSet;
 
 use super::{
     data::{self, Data},
+    named_case::NamedCase,
     notes, page,
     predictions::Predictions,
     tables, toml,
@@ -22,21 +23,13 @@ use crate::{
     observer::Observer, output::Output,
 };
 
-/// Depths of the bands of a case.
+/// Depths of the bands of a case, by the soft string and by the stiff one.
 const DEPTHS: usize = 30;
+const STIFF_DEPTHS: usize = 10;
 
 /// Nodes of a factor where the stiff string predicts, and how far from the soft string's answer.
 const STIFF_NODES: usize = 3;
 const STIFF_REACH: f64 = 0.08;
-
-/// A case with the name of its file, without its ending.
-#[derive(Debug, Clone)]
-pub struct NamedCase<'a> {
-    /// Name of its file.
-    pub file: String,
-    /// The case.
-    pub case: &'a Case,
-}
 
 /// What is looked for.
 #[derive(Debug, Clone, PartialEq)]
@@ -128,7 +121,7 @@ pub fn run(
     let took = begun.elapsed();
     let units = request.units.unwrap_or(first.case.units);
     let summary = summary(request, &data, &settings, &found, units);
-    tables::write(folder, request, &data, &summary, &found)?;
+    tables::write(folder, &data, &summary, &found)?;
     folder.write_file(toml::FRAGMENT, toml::fragment(first.case, &summary, &found).as_bytes())?;
     page::write(folder, &page::gather(folder.path(), Some(units))?, request.png)?;
     Ok(Outcome { summary, folder: folder.path().to_owned(), took })
@@ -219,7 +212,8 @@ fn find(
     settings: &Settings,
     cancellation: &CancellationToken,
 ) -> Result<Calibration, Error> {
-    let depths = depths(data);
+    let is_stiff = request.fit.model == ModelKind::Stiff;
+    let depths = depths(data, if is_stiff { STIFF_DEPTHS } else { DEPTHS });
     let solve = |stiff, settings: &Settings, depths: &[(usize, f64)]| {
         let model = Predictions { assemblies: &data.assemblies, stiff, cancellation };
         let found = calibrate(&model, &data.readings, depths, settings);
@@ -228,7 +222,7 @@ fn find(
             false => Error::BadInput(error.to_string()),
         })
     };
-    if request.fit.model != ModelKind::Stiff {
+    if !is_stiff {
         return solve(None, settings, &depths);
     }
     let soft = solve(None, &Settings { profiles: false, ..settings.clone() }, &[])?;
@@ -244,7 +238,7 @@ fn find(
 
 /// Depths of the bands: of each case from its first reading to its last, of the deepest to the end of
 /// its hole; with the string and the mud that its deepest reading has.
-fn depths(data: &Data) -> Vec<(usize, f64)> {
+fn depths(data: &Data, count: usize) -> Vec<(usize, f64)> {
     let mut cases: Vec<usize> = data.cases.clone();
     cases.sort_unstable();
     cases.dedup();
@@ -259,7 +253,7 @@ fn depths(data: &Data) -> Vec<(usize, f64)> {
     let deepest = spans.iter().map(|of| of.1).fold(0.0, f64::max);
     let grid = |&(from, to, setup): &(f64, f64, usize)| {
         let to = if to == deepest { data::deepest_m(&data.assemblies[setup]) } else { to };
-        let last = if to > from { DEPTHS - 1 } else { 0 };
+        let last = if to > from { count - 1 } else { 0 };
         let at = move |k: usize| from + (to - from) * k as f64 / last.max(1) as f64;
         (0..=last).map(move |k| (setup, at(k))).collect::<Vec<_>>()
     };

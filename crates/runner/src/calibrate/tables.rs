@@ -6,7 +6,7 @@ use wholestring_results::{
     ErrorFound, EstimateFound, ResultsError, ResultsFolder, Table,
 };
 
-use super::{Request, data::Data};
+use super::data::Data;
 
 /// Names of the tables, without their endings.
 pub(super) const POINTS: &str = "calibration";
@@ -16,12 +16,11 @@ pub(super) const PROFILES: &str = "calibration_profiles";
 /// Writes the summary and all tables, as CSV too: the page leads to them.
 pub(super) fn write(
     folder: &ResultsFolder,
-    request: &Request<'_>,
     data: &Data,
     summary: &CalibrationSummary,
     found: &Calibration,
 ) -> Result<(), ResultsError> {
-    let case = |setup: usize| request.cases[data.cases[setup]].case.name.as_str();
+    let case = |setup: usize| summary.cases[data.cases[setup]].as_str();
     let tables = CalibrationTables {
         points: points(data, found, case),
         bands: bands(found, case),

@@ -15,26 +15,7 @@ const OTHERS: [&str; 5] =
     ["profile.svg", "report.html", "bit-table.csv", "checkpoint.bin.partial", "plan.xlsx"];
 
 /// Pictures of a plan, each with its numbers.
-const PICTURES: [&str; 3] = ["hook_load", "torque", "buckling_weight"];
-
-/// Tables, written as Parquet and as CSV.
-const TABLES: [&str; 14] = [
-    "nodes",
-    "time",
-    "wear",
-    "contact",
-    "spectra",
-    "bottom_hole",
-    "frames",
-    "bit-test",
-    "plan_broomstick",
-    "plan_buckling",
-    "plan_friction",
-    "plan_limits",
-    "plan_hydraulics",
-    "plan_fatigue",
-    "plan_wear",
-];
+const PICTURES: [&str; 4] = ["hook_load", "torque", "buckling_weight", "hydraulics"];
 
 /// Folders that commands make in the folder of their results, and the endings of what they put
 /// there.
@@ -46,7 +27,7 @@ fn is_written(name: &str) -> bool {
     let table = name.strip_suffix(".parquet").or_else(|| name.strip_suffix(".csv"));
     KNOWN.contains(&name)
         || OTHERS.contains(&name)
-        || table.is_some_and(|table| TABLES.contains(&table))
+        || table.is_some_and(|table| TABLES.iter().any(|(known, _)| *known == table))
         || [".svg", ".png", ".csv"]
             .iter()
             .any(|end| name.strip_suffix(end).is_some_and(|picture| PICTURES.contains(&picture)))
