@@ -100,10 +100,10 @@ fn panel(
             let mut ends: Vec<((f64, f64), &str)> = Vec::new();
             for of in plan.of(model, operation) {
                 let points = points(of);
-                let finite = points.iter().filter(|(_, value)| value.is_finite());
+                let mut finite = points.iter().filter(|(_, value)| value.is_finite());
                 largest = finite.clone().fold(largest, |most, (_, value)| most.max(value.abs()));
                 let label = plan.levels.get(of.level).map_or("", |level| &level.label);
-                ends.extend(finite.last().map(|end| (*end, label)));
+                ends.extend(finite.next_back().map(|end| (*end, label)));
                 marks.push(match place {
                     0 => Mark::Curve { ink, stroke: STROKES[of.level % 3], points },
                     _ => Mark::Points { ink, shape: Shape::of(of.level), points },

@@ -99,7 +99,7 @@ pub(super) fn write(on: &mut Worksheet, sheet: &Sheet) -> Result<(), XlsxError> 
 fn digits(value: f64) -> Option<&'static str> {
     match value.abs() {
         0.0 => Some("0"),
-        size if size >= 1e6 || size < 1e-3 => None,
+        size if !(1e-3..1e6).contains(&size) => None,
         size if size >= 1e3 => Some("0"),
         size if size >= 1e2 => Some("0.0"),
         size if size >= 1e1 => Some("0.00"),

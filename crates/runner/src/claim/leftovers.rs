@@ -5,7 +5,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use wholestring_results::{Occupant, ResultsError, ResultsFolder, Summary};
+use wholestring_results::{Occupant, ResultsError, ResultsFolder, Summary, TABLES};
 
 /// Files by which a folder is known to hold results, whatever wrote them.
 const KNOWN: [&str; 4] = ["summary.json", "checkpoint.bin", "sweep.csv", "point.json"];
