@@ -16,17 +16,18 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
         return String::new();
     };
     let title = format!(
-        "{}: {} depths of the bit, here {} {}",
+        "{}: the bit at {} {}, the deepest of {} depths; low, expected and high friction",
         summary.case,
-        summary.bit_depths_m.len(),
         (10.0 * length.from_si(deepest_m)).round() / 10.0,
-        length.symbol
+        length.symbol,
+        summary.bit_depths_m.len(),
     );
-    let heads = |name: &str, symbol: &str| LEVELS.map(|level| format!("{name} {level}, {symbol}"));
     let mut headings =
         vec!["operation".to_owned(), "model".to_owned(), "gravest finding".to_owned()];
-    headings.extend(heads("hook", force.symbol));
-    headings.extend(heads("torque", torque.symbol));
+    for (name, symbol) in [("hook load", force.symbol), ("torque", torque.symbol)] {
+        headings.push(format!("{name} low, {symbol}"));
+        headings.extend(LEVELS[1..].iter().map(|level| (*level).to_owned()));
+    }
     let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
     let mut table = Table::new(&title, 3, &headings);
     for model in &summary.models {
@@ -49,6 +50,19 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
         }
     }
     let mut text = table.text();
+    for of in summary.worst_limits.iter().filter(|of| of.reserve() < 1.0) {
+        text += &format!(
+            "{}: {} in {}, {} friction, the bit at {:.0} {}: factor {:.2}, required {:.2}\n",
+            of.standing,
+            of.kind.replace('_', " "),
+            of.operation.replace('_', " "),
+            of.friction,
+            length.from_si(of.bit_depth_m),
+            length.symbol,
+            of.factor,
+            of.required
+        );
+    }
     let lacking = summary.points.iter().filter(|of| of.message.is_some()).count();
     if lacking > 0 {
         text += &format!(

@@ -23,6 +23,7 @@ pub(super) const STROKES: [Stroke; 3] = [Stroke::Dotted, Stroke::Solid, Stroke::
 /// What a picture shows of each point.
 struct Quantity<'a> {
     title: &'a str,
+    about: &'a str,
     dimension: &'a str,
     of: fn(&PlanSpot) -> f64,
     limit: Option<f64>,
@@ -33,6 +34,7 @@ struct Quantity<'a> {
 pub(super) fn hook_load(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
     let quantity = Quantity {
         title: "Hook load",
+        about: "without the weight of the block",
         dimension: "force",
         of: |spot| spot.hook_load_N,
         limit: plan.rig.hook_load_N(),
@@ -45,6 +47,7 @@ pub(super) fn hook_load(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
 pub(super) fn torque(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
     let quantity = Quantity {
         title: "Surface torque",
+        about: "",
         dimension: "torque",
         of: |spot| spot.torque_N_m,
         limit: plan.rig.top_drive_N_m,
@@ -73,7 +76,7 @@ fn figure(
         operations.extend(group);
     }
     let keys = keys(plan, &operations);
-    let subtitle = subtitle(plan, told);
+    let subtitle = subtitle(plan, quantity.about, told);
     (!panels.is_empty()).then(|| over_depth(plan, shown, &subtitle, keys, panels))
 }
 
@@ -161,12 +164,13 @@ fn keys(plan: &Plan, operations: &[&str]) -> Vec<Key> {
 }
 
 /// What the picture is of, and limits that lie beyond it.
-fn subtitle(plan: &Plan, told: Vec<String>) -> String {
+fn subtitle(plan: &Plan, about: &str, told: Vec<String>) -> String {
     let first = plan.models.first();
     let lines = first.map(|model| match plan.models.len() {
-        1 => format!("{model} string; hook loads without block"),
-        _ => format!("lines: {model} string; hook loads without block"),
+        1 => format!("{model} string"),
+        _ => format!("lines: {model} string"),
     });
+    let about = (!about.is_empty()).then(|| about.to_owned());
     let limits = told.into_iter().map(|of| format!("limit of the {of}, beyond the picture"));
-    lines.into_iter().chain(limits).collect::<Vec<_>>().join("; ")
+    lines.into_iter().chain(about).chain(limits).collect::<Vec<_>>().join("; ")
 }

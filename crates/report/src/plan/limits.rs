@@ -54,7 +54,7 @@ pub(super) fn factors(plan: &Plan) -> Option<StudyPart> {
         the load is more than is borne. An empty cell: nothing loads it."
         .to_owned();
     if !plan.unchecked.is_empty() {
-        caption += &format!(" Not checked: {}.", plan.unchecked.join("; "));
+        caption += &format!(" Not all was checked: {}.", plan.unchecked.join("; "));
     }
     (!rows.is_empty()).then(|| part("Limits", caption, Grid { heads, rows }))
 }
@@ -82,7 +82,7 @@ pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     let row = |of: &PlanLimitRow| {
         let place = match of.md_m {
             Some(md_m) => format!("{}, {}", of.component, shown.quantity(md_m.round(), "length")),
-            None => "rig".to_owned(),
+            None => "whole string, rig".to_owned(),
         };
         let quantity = |si: f64| {
             format!("{} {}", four(shown.value(si, &of.dimension)), shown.symbol(&of.dimension))
@@ -102,9 +102,9 @@ pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         ]
     };
     let rows: Vec<_> = nearest.into_iter().map(row).collect();
-    let caption =
-        "Of each kind the one that is nearest to its limit; what breaks first stands first.";
-    (!rows.is_empty()).then(|| part("What breaks first", caption.to_owned(), Grid { heads, rows }))
+    let caption = "Of each kind the operation, friction and place with the least reserve; the least of \
+        all stands first.";
+    (!rows.is_empty()).then(|| part("Nearest limits", caption.to_owned(), Grid { heads, rows }))
 }
 
 fn reserve(of: &PlanLimitRow) -> f64 {

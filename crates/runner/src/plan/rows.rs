@@ -55,19 +55,40 @@ pub(super) fn limits(of: &Broomstick, found: &[BroomstickPoint]) -> Vec<PlanLimi
     rows
 }
 
-/// What could not be checked at these points, in words.
-pub(super) fn unchecked(of: &Broomstick, found: &[BroomstickPoint]) -> BTreeSet<String> {
-    let mut words = BTreeSet::new();
+/// What is missing, and of which component; empty of the rig.
+pub(super) type Lack = (String, String);
+
+/// What could not be checked at these points.
+pub(super) fn unchecked(of: &Broomstick, found: &[BroomstickPoint]) -> BTreeSet<Lack> {
+    let mut lacking = BTreeSet::new();
     for point in found {
         let Ok(answer) = &point.outcome else { continue };
         let components = &of.setup(point.friction).string.components;
         for one in &answer.limits.unchecked {
             let component = one.component.and_then(|at| components.get(at));
-            let whose = component.map_or_else(String::new, |of| format!(" of {}", of.name));
-            words.insert(format!("{}{whose}: {}", one.kind.label(), one.missing.words()));
+            let name = component.map_or_else(String::new, |of| of.name.clone());
+            lacking.insert((one.missing.words().to_owned(), name));
         }
     }
-    words
+    lacking
+}
+
+/// The same in words: `no yield strength of jar, motor`.
+pub(super) fn in_words(lacking: &BTreeSet<Lack>) -> Vec<String> {
+    let mut words: Vec<(String, Vec<String>)> = Vec::new();
+    for (missing, component) in lacking {
+        if words.last().is_none_or(|(last, _)| last != missing) {
+            words.push((missing.clone(), Vec::new()));
+        }
+        if let (Some((_, components)), false) = (words.last_mut(), component.is_empty()) {
+            components.push(component.clone());
+        }
+    }
+    let said = |(missing, components): (String, Vec<String>)| match components.is_empty() {
+        true => missing,
+        false => format!("{missing} of {}", components.join(", ")),
+    };
+    words.into_iter().map(said).collect()
 }
 
 pub(super) fn buckling(found: &[BucklingWeight]) -> Vec<PlanBuckling> {

@@ -14,7 +14,7 @@ use super::{
     campaign::{Taken, came, taken},
     files::Tables,
     request::Request,
-    rows::{buckling, frictions, limits, points, unchecked},
+    rows::{Lack, buckling, frictions, in_words, limits, points, unchecked},
 };
 use crate::{
     batch::BatchOutcome,
@@ -38,7 +38,7 @@ enum Piece {
 /// What came of a piece.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 enum Done {
-    Points(Vec<PlanPoint>, Vec<PlanLimit>, BTreeSet<String>, Vec<Taken>),
+    Points(Vec<PlanPoint>, Vec<PlanLimit>, BTreeSet<Lack>, Vec<Taken>),
     Buckling(Vec<PlanBuckling>),
 }
 
@@ -268,7 +268,7 @@ impl<'a> Work<'a> {
             points,
             buckling: weights,
             worst_limits: worst(&all_limits),
-            unchecked: lacking.into_iter().collect(),
+            unchecked: in_words(&lacking),
             fatigue: came.fatigue,
             wear: came.worst_wear,
         };
