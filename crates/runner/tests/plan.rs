@@ -84,7 +84,14 @@ fn a_plan_that_is_stopped_goes_on() {
     let second = plan::run(&request_of(Existing::Resume), &goes_on, &token).expect("the rest");
     assert_eq!(goes_on.finished.load(Ordering::Relaxed), 5);
     assert_eq!(second.summary, done.summary);
-    for name in ["summary.json", "plan_broomstick.parquet", "plan_limits.csv", "report.html"] {
+    for name in [
+        "summary.json",
+        "plan_broomstick.parquet",
+        "plan_limits.csv",
+        "plan_fatigue.csv",
+        "plan_wear.csv",
+        "report.html",
+    ] {
         let read = |folder: &Path| fs::read(folder.join(name)).expect("a file");
         assert!(read(&whole) == read(&stopped), "{name}");
     }

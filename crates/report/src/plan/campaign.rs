@@ -16,7 +16,16 @@ fn plain(text: String) -> Cell {
     (text, Verdict::None)
 }
 
-/// A part of a life or of a wall, in percent; one is all of it.
+/// A part in percent.
+fn percent(part: f64) -> String {
+    const LEAST: f64 = 1e-5;
+    if part > 0.0 && part < LEAST {
+        return format!("under {} %", 100.0 * LEAST);
+    }
+    format!("{} %", four(100.0 * part))
+}
+
+/// A part of a life or of a wall; one is all of it.
 fn part_of(all: f64) -> Cell {
     let light = match all {
         all if all.is_nan() => return plain("not known".to_owned()),
@@ -25,7 +34,7 @@ fn part_of(all: f64) -> Cell {
         _ => Verdict::Agrees,
     };
     let word = if all >= 1.0 { " used up" } else { "" };
-    (format!("{} %{word}", four(100.0 * all)), light)
+    (percent(all) + word, light)
 }
 
 fn quantity(shown: Shown<'_>, si: f64, dimension: &str) -> Cell {
@@ -51,7 +60,7 @@ pub(super) fn fatigue(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
             vec![plain(of.component.clone()), plain(of.model.clone()), part_of(of.damage)];
         match &of.hour {
             Some(hour) => cells.extend([
-                plain(format!("{} %", four(100.0 * hour.damage_per_hour))),
+                plain(percent(hour.damage_per_hour)),
                 quantity(shown, hour.md_m.round(), "length"),
                 quantity(shown, hour.bending_Pa, "pressure"),
                 quantity(shown, hour.doglegs_rad_per_m[0], "dogleg severity"),

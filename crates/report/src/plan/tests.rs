@@ -109,7 +109,7 @@ fn plan() -> Plan {
         rig: PlanRig { block_N: Some(2e5), hoist_N: Some(8e5), top_drive_N_m: Some(1e6) },
         limits: vec![limit("Tension", 1.05, "short"), limit("Hoist", 1.2, "near")],
         unchecked: vec!["no make-up torque of pipe".into()],
-        fatigue: vec![fatigue("drill <pipe>", 1.2), fatigue("collar", 1e-4)],
+        fatigue: vec![fatigue("drill <pipe>", 1.2), fatigue("collar", 1e-7)],
         wear: vec![wear()],
         weight_on_bit_N: Some(3e4),
     }
@@ -251,7 +251,7 @@ fn fatigue_and_wear_stand_on_the_page() {
     let page = plan_html(&plan());
     for text in [
         "120.0 % used up",
-        "0.01000 %",
+        "under 0.001 %",
         "drill &lt;pipe&gt;",
         "section 1",
         "51.70 %",
