@@ -5,6 +5,9 @@
 //! reads files, prints or starts threads. A [`Setup`] gives the model at any depth of the bit.
 #![warn(missing_docs)]
 
+pub mod reach;
+mod root;
 mod setup;
 
+pub use root::root;
 pub use setup::{Setup, WallFriction};
