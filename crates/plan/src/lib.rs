@@ -8,6 +8,7 @@
 pub mod reach;
 mod root;
 mod setup;
+pub mod uncertainty;
 
 pub use root::root;
 pub use setup::{Setup, WallFriction};

@@ -57,7 +57,7 @@ pub fn root<E>(
 fn interpolated(a: (f64, f64), b: (f64, f64), c: (f64, f64)) -> f64 {
     let s = b.1 / a.1;
     if a.0 == c.0 {
-        return s * (c.0 - b.0) / (1.0 - s);
+        return s * (c.0 - b.0) / (s - 1.0);
     }
     let (q, r) = (a.1 / c.1, b.1 / c.1);
     let numerator = s * (q * (q - r) * (c.0 - b.0) - (b.0 - a.0) * (r - 1.0));

@@ -334,3 +334,36 @@ fn depths_must_grow() {
         "the reach is looked for from 1000 m to 900 m, which is not deeper"
     );
 }
+
+/// A string that hangs in a vertical well stops where its weight and the block are what the hoist
+/// carries, and where its weight yields its uppermost section.
+#[test]
+fn a_hanging_string_stops_at_hoist_and_yield() {
+    let file = verification("S5_reach.json");
+    let inputs = &file["inputs"];
+    let mut setup = setup(inputs, &[[0.0, 0.0], [1000.0, 0.0]], 0.3);
+    let (block_N, capacity_N, yields_Pa) = (200e3, 1500e3, 500e6);
+    setup.rig.hoist_capacity_N = Some(capacity_N);
+    setup.string.components[0].yield_strength_Pa = Some(yields_Pa);
+    let (weight_N_per_m, area_m2) = (number(&inputs["pipe"]["w"]), number(&inputs["pipe"]["A"]));
+    let settings = ReachSettings { to_m: 12e3, depths: 12, ..ReachSettings::from_depth(1000.0) };
+    let pick_up = reach(&setup, &Operation::trip_out(0.0), &settings).expect("a reach");
+    let depth_m = |limit| {
+        let curve = pick_up.curves.iter().find(|of| of.limit == limit).expect("a limit");
+        (curve.end.depth_m().expect("a depth"), curve.there)
+    };
+    let rounding = "the weight from mass and area";
+    let (hoist_m, there) = depth_m(Limit::Hoist);
+    verify("reach", "depth at which the hoist carries no more, m")
+        .relative(1e-6, rounding)
+        .report((capacity_N - block_N) / weight_N_per_m, hoist_m);
+    assert!((there.load / capacity_N - 1.0).abs() < 1e-5 && there.at_md_m.is_none());
+    let (yields_m, there) = depth_m(Limit::Yield);
+    verify("reach", "depth at which the pipe's own weight yields it, m")
+        .relative(1e-6, rounding)
+        .report(yields_Pa * area_m2 / weight_N_per_m, yields_m);
+    assert_eq!(there.at_md_m, Some(0.0));
+    let first = [pick_up];
+    let (_, first) = first_stop(&first).expect("a stop");
+    assert_eq!(first.limit, Limit::Hoist);
+}

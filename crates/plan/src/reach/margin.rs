@@ -118,7 +118,7 @@ impl At<'_> {
             }
             Limit::LockUp => {
                 let arrives = self.arrives()?;
-                of(arrives, 0.0, arrives)
+                of(arrives, 0.0, arrives.min(1.0))
             }
             Limit::Yield => {
                 let uses = self.profile.yield_use.iter().map(|use_of| use_of.unwrap_or(0.0));
@@ -198,7 +198,8 @@ impl At<'_> {
         critical_N <= held_N * (1.0 + ROUNDING)
     }
 
-    /// Part of an added push at the top that arrives at the bit: of a load at the bit that is a
+    /// Part of an added push at the top that arrives at the bit; more than all of it where it takes
+    /// tension, and so friction, from a bend. Found from a load at the bit that is a
     /// little less, with which it does not lock up either.
     fn arrives(&self) -> Result<f64, ReachError> {
         let components = self.model.string.components().iter();

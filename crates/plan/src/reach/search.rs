@@ -65,7 +65,7 @@ pub fn reach(
     settings: &ReachSettings,
 ) -> Result<OperationReach, ReachError> {
     let ReachSettings { from_m, to_m, .. } = *settings;
-    if !(to_m > from_m) {
+    if to_m.partial_cmp(&from_m) != Some(std::cmp::Ordering::Greater) {
         return Err(ReachError::Depths { from_m, to_m });
     }
     let at =
@@ -110,10 +110,15 @@ fn bounded(margin: f64) -> f64 {
     }
 }
 
-/// The first limit that stops a string, of whichever operation: the operation and its curve.
+/// The first limit that stops a string, of whichever operation: the operation and its curve. Of
+/// those that are met already at the first depth, the one that is exceeded most.
 pub fn first_stop(of: &[OperationReach]) -> Option<(&OperationReach, &Curve)> {
     let all = of.iter().flat_map(|reach| reach.curves.iter().map(move |curve| (reach, curve)));
     let met = all.filter(|(_, curve)| curve.limit.stops());
     let met = met.filter_map(|of| Some((of.1.end.depth_m()?, of)));
-    met.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, of)| of)
+    let first = met.min_by(|(a_m, (_, a)), (b_m, (_, b))| {
+        let exceeded = a.there.margin.total_cmp(&b.there.margin);
+        a_m.total_cmp(b_m).then(exceeded)
+    });
+    first.map(|(_, of)| of)
 }
