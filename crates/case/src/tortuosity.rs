@@ -93,8 +93,9 @@ impl TortuosityTable {
             }
         };
         let length_m = plan.last_md_m() - plan.first_md_m();
+        let unit = Dimension::DoglegSeverity.unit_in(units);
         let severity =
-            |turn_rad: f64| Dimension::DoglegSeverity.format(rounded(turn_rad / length_m), units);
+            |turn_rad: f64| format!("{:.2} {}", unit.from_si(turn_rad / length_m), unit.symbol);
         stations.notes.push(format!(
             "tortuosity adds {} to {} of dogleg severity, in the mean of {} stations",
             severity(wound.turn_rad() - plan.turn_rad()),
@@ -215,9 +216,4 @@ impl TortuosityTable {
             "seed": self.seed.get()?,
         }))
     }
-}
-
-/// Three digits.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.2e}").parse().unwrap_or(value)
 }

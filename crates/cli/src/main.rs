@@ -18,6 +18,7 @@ mod modes;
 mod new_case;
 mod plot;
 mod progress;
+mod reach;
 mod report;
 mod run;
 mod screen_table;
@@ -45,6 +46,7 @@ fn main() -> ExitCode {
         Command::BitTest(args) => bit_test::bit_test(&args),
         Command::Bha(args) => bha::bha(&args),
         Command::Modes(args) => modes::modes(&args),
+        Command::Reach(args) => reach::reach(&args),
         Command::Study(args) => study::study(&args),
         Command::Report(args) => report::report(&args),
         Command::Plot(args) => plot::plot(&args),

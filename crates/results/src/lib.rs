@@ -26,6 +26,8 @@ mod modes_tables;
 mod names;
 mod parquet_file;
 mod parquet_guard;
+mod reach;
+mod reach_table;
 mod spectrum;
 mod stability;
 mod stability_table;
@@ -39,7 +41,8 @@ pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummar
 pub use bit_test_table::bit_test_table;
 pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS,
-    ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
+    ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, REACH, REACH_LIMITS, RESPONSE, SPECTRA,
+    STABILITY, TIME, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -49,6 +52,8 @@ pub use frames::{FrameWriter, FramesSoFar};
 pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
 pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
+pub use reach::{REACH_VERSION, ReachLimit, ReachOfFriction, ReachStop, ReachSummary};
+pub use reach_table::reach_limits_table;
 pub use spectrum::Spectrum;
 pub use stability::{StabilitySummary, StableFrom, StableWhere, TriedController};
 pub use stability_table::stability_table;

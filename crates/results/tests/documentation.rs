@@ -4,7 +4,8 @@ use std::{env, fs, path::Path};
 
 use wholestring_results::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CAMPBELL, CONTACT, CRITICAL_SPEEDS,
-    ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
+    ColumnSpec, FRAMES, MODE_SHAPES, MODES, NODES, REACH, REACH_LIMITS, RESPONSE, SPECTRA,
+    STABILITY, TIME, WEAR,
 };
 
 fn rows(columns: &[ColumnSpec]) -> String {
@@ -49,6 +50,8 @@ fn the_page_lists_every_column() {
         ("campbell", CAMPBELL),
         ("critical_speeds", CRITICAL_SPEEDS),
         ("response", RESPONSE),
+        ("reach", REACH),
+        ("reach_limits", REACH_LIMITS),
     ] {
         expected = with_table(&expected, name, &rows(columns));
     }

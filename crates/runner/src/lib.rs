@@ -14,6 +14,7 @@
 //! | [`bha`] | the bottom-hole assembly at rest |
 //! | [`bit_test`] | the bit alone on its rock |
 //! | [`modes`] | natural frequencies, critical speeds and the answer to a force that turns |
+//! | [`reach`] | how far a well can go, and what stops it |
 //! | [`mod@bench`] | the measurement of a machine's speed at all this |
 //!
 //! [`Comparison`] has the answers of a run side by side, [`survey`] the positions along a survey,
@@ -65,6 +66,7 @@ mod output;
 mod page;
 mod parallel;
 mod pictures;
+pub mod reach;
 mod record;
 mod reports;
 mod results_kind;

@@ -11,6 +11,7 @@ use crate::{
     error::Error,
     modes::page as modes,
     page::{FILE, lacking, page},
+    reach::page as reach,
     results_kind::ResultsKind,
     sweep::page as sweep,
 };
@@ -36,6 +37,10 @@ pub fn write_report(folder: &Path, units: Option<UnitSet>) -> Result<PathBuf, Er
         Some(ResultsKind::Modes) => {
             let found = modes::gather(folder, units).map_err(|error| bad(&error))?;
             modes::write(&results()?, &found, false)?;
+        }
+        Some(ResultsKind::Reach) => {
+            let found = reach::gather(folder, units).map_err(|error| bad(&error))?;
+            reach::write(&results()?, &found, false)?;
         }
         Some(ResultsKind::Run) => {
             if let Some(lacking) = lacking(folder).map_err(|error| bad(&error))? {

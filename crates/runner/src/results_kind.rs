@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::{
     bha::page::is_bha, bit_test::page::is_bit_test, error::Error, modes::page::is_modes,
-    sweep::page::is_sweep,
+    reach::page::is_reach, sweep::page::is_sweep,
 };
 
 /// What a folder holds the results of.
@@ -20,6 +20,8 @@ pub enum ResultsKind {
     Bha,
     /// Small motions.
     Modes,
+    /// How far a well can go.
+    Reach,
 }
 
 impl ResultsKind {
@@ -32,6 +34,8 @@ impl ResultsKind {
             Some(Self::Bha)
         } else if is_modes(folder) {
             Some(Self::Modes)
+        } else if is_reach(folder) {
+            Some(Self::Reach)
         } else if folder.join("summary.json").is_file() {
             Some(Self::Run)
         } else if is_sweep(folder) {
@@ -44,7 +48,7 @@ impl ResultsKind {
     /// A folder that holds none.
     pub(crate) fn none(folder: &Path) -> Error {
         Error::BadInput(format!(
-            "{} is no folder of a run, a sweep, a bit test, an assembly or modes: it holds neither summary.json nor \
+            "{} is no folder of a run, a sweep, a bit test, an assembly, modes or a reach: it holds neither summary.json nor \
              sweep.csv",
             folder.display()
         ))

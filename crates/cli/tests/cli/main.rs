@@ -17,6 +17,7 @@ mod frames;
 mod modes;
 mod new_case;
 mod plot;
+mod reach;
 mod remarks;
 mod report;
 mod resume;

@@ -184,7 +184,7 @@ fn a_folder_of_no_run_is_refused() {
     let told = String::from_utf8(output.stderr).unwrap();
     assert_eq!(
         told,
-        "error: nowhere is no folder of a run, a sweep, a bit test, an assembly or modes: it holds neither summary.json nor sweep.csv\n"
+        "error: nowhere is no folder of a run, a sweep, a bit test, an assembly, modes or a reach: it holds neither summary.json nor sweep.csv\n"
     );
 }
 

@@ -8,6 +8,7 @@ mod contact;
 mod frames;
 mod modes;
 mod nodes;
+mod reach;
 mod spectra;
 mod stability;
 mod time;
@@ -22,6 +23,7 @@ pub use self::{
     frames::FRAMES,
     modes::{CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, RESPONSE},
     nodes::NODES,
+    reach::{REACH, REACH_LIMITS},
     spectra::SPECTRA,
     stability::STABILITY,
     time::TIME,
@@ -86,7 +88,7 @@ mod tests {
     use super::*;
 
     /// What each file holds.
-    const TABLES: [&[ColumnSpec]; 12] = [
+    const TABLES: [&[ColumnSpec]; 14] = [
         NODES,
         TIME,
         WEAR,
@@ -99,6 +101,8 @@ mod tests {
         BHA_CONTACTS,
         BHA_SWEEP,
         STABILITY,
+        REACH,
+        REACH_LIMITS,
     ];
 
     #[test]
