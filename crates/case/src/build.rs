@@ -72,9 +72,11 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     }
 
     let well = case.well.at();
-    let stations = well.and_then(|at| at.value.stations(at.place, files, reader));
-    let path =
-        well.zip(stations.as_ref()).and_then(|(at, stations)| at.value.path(stations, reader));
+    let mut stations = well.and_then(|at| at.value.stations(at.place, files, reader));
+    let units = case.units.get().copied().unwrap_or_default();
+    let path = well
+        .zip(stations.as_mut())
+        .and_then(|(at, stations)| at.value.path(stations, units, reader));
     let sections = well.and_then(|at| at.value.hole.get());
     let rough = well.and_then(|at| at.value.roughness.given());
     let hole =

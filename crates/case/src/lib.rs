@@ -62,6 +62,7 @@ mod steel;
 mod string;
 mod template;
 mod top_drive;
+mod tortuosity;
 mod unit_set;
 mod vary;
 mod well;

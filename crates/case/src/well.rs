@@ -3,12 +3,13 @@
 use wholestring::well::{Hole, Interpolation, Path, PathError, TieIn};
 use wholestring_config::prelude::*;
 use wholestring_survey::{Said, under_origin};
-use wholestring_units::Unit;
+use wholestring_units::{Unit, UnitSet};
 
 use crate::{
     hole::HoleTable,
     roughness::RoughnessTable,
     stations::{self, LengthUnit, StationRule, Stations},
+    tortuosity::TortuosityTable,
 };
 
 /// Beyond the survey's end by more than this a projection deserves a word, m.
@@ -58,6 +59,8 @@ table! {
         tie_in: TieInTable = optional(Section::<TieInTable>::RULE);
         /// Roughness and micro-tortuosity of the wall. Default: a smooth wall.
         roughness: RoughnessTable = optional(Section::<RoughnessTable>::RULE);
+        /// Tortuosity of a planned path. Default: the plan's smooth curve.
+        tortuosity: TortuosityTable = optional(Section::<TortuosityTable>::RULE);
         /// Sections of the hole from the surface down to the bit or deeper.
         hole: Vec<Spanned<HoleTable>> = required(List::tables::<HoleTable>(
             "hole sections ([[well.hole]])", 1000,
@@ -101,8 +104,21 @@ impl WellTable {
         }
     }
 
-    /// The path through the survey.
-    pub(crate) fn path(&self, stations: &Stations, reader: &mut Reader) -> Option<Path> {
+    /// The path through the survey, with its tortuosity.
+    pub(crate) fn path(
+        &self,
+        stations: &mut Stations,
+        units: UnitSet,
+        reader: &mut Reader,
+    ) -> Option<Path> {
+        let plan = self.plan(stations, reader)?;
+        match self.tortuosity.given() {
+            Some(at) => at.value.wind(at.place, plan, stations, units, reader),
+            None => Some(plan),
+        }
+    }
+
+    fn plan(&self, stations: &Stations, reader: &mut Reader) -> Option<Path> {
         let tie_in = self.tie_in(stations)?;
         let interpolation = *self.path.get()?;
         stations.check(reader)?;

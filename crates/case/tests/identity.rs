@@ -90,6 +90,7 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("well.hole.0.diameter", ["222.96 mm", "223 mm"]),
     ("well.hole.0.kind", ["casing", "open"]),
     ("well.hole.0.to", ["2986.53 m", "2990 m"]),
+    ("well.tortuosity.kind", ["random", "helical"]),
     ("well.path", ["spline", "minimum-curvature"]),
     (
         "well.stations",
@@ -168,6 +169,7 @@ fn bases() -> Vec<String> {
         before_pipe(JOINTED),
         before_pipe(LISTED),
         format!("catalogue = \"mine.toml\"\n{}", before_pipe(OWN)),
+        and("[well.tortuosity]\namplitude = \"0.4 deg\"\nperiod = \"100 m\"\nto = \"4200 m\"\n"),
         mud(
             "rheology = \"newtonian\"\nviscosity = \"20 mPa.s\"\nplastic_viscosity = \"20 mPa.s\"\nyield_point = \"5 Pa\"\n",
         ),

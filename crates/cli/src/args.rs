@@ -40,6 +40,8 @@ pub(crate) enum Command {
     Modes(ModesArgs),
     /// Torque and drag at every depth of the bit, with low, expected and high friction
     Plan(PlanArgs),
+    /// How far the well can go in its last direction, and what stops it
+    Reach(ReachArgs),
     /// Solve the cases of a study and make its figures and tables
     Study(StudyArgs),
     /// Make the page of results again
@@ -405,6 +407,67 @@ impl PlanArgs {
     pub(crate) fn existing(&self) -> Existing {
         existing(self.resume, self.overwrite)
     }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ReachArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    /// Depth of the bit to begin with, such as `4000m` [default: the end of the survey]
+    #[arg(long, value_name = "DEPTH")]
+    pub(crate) from: Option<String>,
+
+    /// Deepest bit, such as `12km` [default: 15 km, or twice the first depth where that is deeper]
+    #[arg(long, value_name = "DEPTH")]
+    pub(crate) to: Option<String>,
+
+    /// Friction factors of all sections, one after the other, such as `0.2,0.3,0.4` [default: the
+    /// case's own]
+    #[arg(long, value_name = "FACTORS")]
+    pub(crate) friction: Option<String>,
+
+    /// Operations, such as `drill,slide` [default: trip_out, rotate_off_bottom, drill, trip_in, slide
+    /// and those of the case, as far as it has their set points]
+    #[arg(long, value_name = "KINDS")]
+    pub(crate) operation: Option<String>,
+
+    /// Leave out the friction of what a helix presses to the wall: nothing locks up
+    #[arg(long)]
+    pub(crate) no_helix_friction: bool,
+
+    /// Operations that are solved side by side [default: one per core]
+    #[arg(short, long, value_name = "N")]
+    pub(crate) jobs: Option<NonZeroUsize>,
+
+    // Not a doc comment, which would read `<case name>` as HTML.
+    #[arg(
+        short,
+        long,
+        value_name = "DIR",
+        help = "Folder for the results [default: out/<case name> reach]"
+    )]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Replace what lies in the folder
+    #[arg(long)]
+    pub(crate) overwrite: bool,
+
+    /// Write the margins as CSV too
+    #[arg(long)]
+    pub(crate) csv: bool,
+
+    /// Paint the picture as PNG too, with 300 dots per inch
+    #[arg(long)]
+    pub(crate) png: bool,
+
+    /// Units on the screen and the page [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
 }
 
 #[derive(Debug, Args)]

@@ -21,6 +21,7 @@ mod new_case;
 mod plan;
 mod plot;
 mod progress;
+mod reach;
 mod report;
 mod run;
 mod screen_table;
@@ -50,6 +51,7 @@ fn main() -> ExitCode {
         Command::Calibrate(args) => calibrate::calibrate(&args),
         Command::Modes(args) => modes::modes(&args),
         Command::Plan(args) => plan::plan(&args),
+        Command::Reach(args) => reach::reach(&args),
         Command::Study(args) => study::study(&args),
         Command::Report(args) => report::report(&args),
         Command::Plot(args) => plot::plot(&args),

@@ -107,7 +107,7 @@ pub mod mud;
 pub mod operation;
 pub mod outcome;
 pub mod prelude;
-mod random;
+pub mod random;
 pub mod rig;
 pub mod rock;
 pub mod rod;

@@ -12,9 +12,12 @@ mod error;
 pub mod fatigue;
 pub mod hydraulics;
 pub mod limits;
+pub mod reach;
+mod root;
 mod setup;
 mod stage;
 pub mod strength;
+pub mod uncertainty;
 pub mod wear;
 
 pub use broomstick::{
@@ -23,5 +26,6 @@ pub use broomstick::{
 };
 pub use campaign::{Campaign, CampaignSettings, Share};
 pub use error::PlanError;
+pub use root::root;
 pub use setup::{Setup, WallFriction};
 pub use stage::{Stage, lengths_m};

@@ -14,6 +14,7 @@ mod packed;
 mod page;
 mod plan;
 mod plots;
+mod reach;
 mod report;
 mod stability;
 mod study;
@@ -44,6 +45,7 @@ pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,
     drill_off_columns, frame_columns, plots, profile, shown_dimension, spectrum_dimension,
 };
+pub use reach::{Reach, ReachCurve, ReachRow, reach_html, reach_plots};
 pub use report::{
     ContactPicture, DisplayUnit, DrillOff, Fact, Frames, KeyResult, PageHead, PageTable, Part,
     Place, Report, Section, Solved, SpectrumPicture, TimeRun, Well,

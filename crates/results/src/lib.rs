@@ -28,6 +28,8 @@ mod names;
 mod parquet_file;
 mod parquet_guard;
 mod plan;
+mod reach;
+mod reach_table;
 mod spectrum;
 mod stability;
 mod stability_table;
@@ -46,7 +48,7 @@ pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
     CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
     MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS,
-    PLAN_LIMITS, PLAN_WEAR, RESPONSE, SPECTRA, STABILITY, TABLES, TIME, WEAR,
+    PLAN_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TABLES, TIME, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -61,6 +63,8 @@ pub use plan::{
     PlanFriction, PlanHydraulics, PlanLimit, PlanPoint, PlanSummary, PlanWear, plan_fatigue_table,
     plan_limits_table, plan_wear_table,
 };
+pub use reach::{REACH_VERSION, ReachLimit, ReachOfFriction, ReachStop, ReachSummary};
+pub use reach_table::reach_limits_table;
 pub use spectrum::Spectrum;
 pub use stability::{StabilitySummary, StableFrom, StableWhere, TriedController};
 pub use stability_table::stability_table;

@@ -15,7 +15,7 @@
 //! | [`bit_test`] | the bit alone on its rock |
 //! | [`mod@calibrate`] | friction factors from what was read at the surface |
 //! | [`modes`] | natural frequencies, critical speeds and the answer to a force that turns |
-//! | [`plan`] | torque and drag at every depth of the bit, with low, expected and high friction |
+//! | [`plan`] | torque and drag at every depth of the bit, with low, expected and high friction |, //! | [`reach`] | how far a well can go, and what stops it |,
 //! | [`mod@bench`] | the measurement of a machine's speed at all this |
 //!
 //! [`Comparison`] has the answers of a run side by side, [`survey`] the positions along a survey,
@@ -69,6 +69,7 @@ mod page;
 mod parallel;
 mod pictures;
 pub mod plan;
+pub mod reach;
 mod record;
 mod reports;
 mod results_kind;

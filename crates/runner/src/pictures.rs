@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use wholestring_report::{
     Plot, Report, Run, Spectrum, bha_plots, bit_test_plots, calibration_plots, common_operations,
-    modes_plots, plan_plots, plots, sweep_plots,
+    modes_plots, plan_plots, plots, reach_plots, sweep_plots,
 };
 use wholestring_results::Summary;
 use wholestring_units::UnitSet;
@@ -18,6 +18,7 @@ use crate::{
     modes::page as modes,
     page::{Tables, gather, lacking, spectra::spectra, table},
     plan::page as plan,
+    reach::page as reach,
     results_kind::ResultsKind,
     sweep::page as sweep,
 };
@@ -63,6 +64,13 @@ pub fn pictures(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Vec<Plot>
         }
         _ if folders.iter().any(|of| plan::is_plan(of)) => {
             return Err(bad("a plan cannot be overlaid with anything"));
+        }
+        ([folder], _) if reach::is_reach(folder) => {
+            let found = reach::gather(folder, units).map_err(bad)?;
+            reach_plots(&found, &found.head.units)
+        }
+        _ if folders.iter().any(|of| reach::is_reach(of)) => {
+            return Err(bad("a reach cannot be overlaid with anything"));
         }
         ([folder], [true]) => {
             let sweep = sweep::gather(folder, units).map_err(bad)?;

@@ -13,6 +13,7 @@ use crate::{
     modes::page as modes,
     page::{FILE, lacking, page},
     plan::page as plan,
+    reach::page as reach,
     results_kind::ResultsKind,
     sweep::page as sweep,
 };
@@ -42,6 +43,10 @@ pub fn write_report(folder: &Path, units: Option<UnitSet>) -> Result<PathBuf, Er
         Some(ResultsKind::Calibration) => {
             let found = calibrate::gather(folder, units).map_err(|error| bad(&error))?;
             calibrate::write(&results()?, &found, false)?;
+        }
+        Some(ResultsKind::Reach) => {
+            let found = reach::gather(folder, units).map_err(|error| bad(&error))?;
+            reach::write(&results()?, &found, false)?;
         }
         Some(ResultsKind::Run) => {
             if let Some(lacking) = lacking(folder).map_err(|error| bad(&error))? {

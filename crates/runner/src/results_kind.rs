@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::{
     bha::page::is_bha, bit_test::page::is_bit_test, calibrate::page::is_calibration, error::Error,
-    modes::page::is_modes, plan::page::is_plan, sweep::page::is_sweep,
+    modes::page::is_modes, plan::page::is_plan, reach::page::is_reach, sweep::page::is_sweep,
 };
 
 /// What a folder holds the results of.
@@ -24,6 +24,8 @@ pub enum ResultsKind {
     Plan,
     /// A calibration.
     Calibration,
+    /// How far a well can go.
+    Reach,
 }
 
 impl ResultsKind {
@@ -40,6 +42,8 @@ impl ResultsKind {
             Some(Self::Plan)
         } else if is_calibration(folder) {
             Some(Self::Calibration)
+        } else if is_reach(folder) {
+            Some(Self::Reach)
         } else if folder.join("summary.json").is_file() {
             Some(Self::Run)
         } else if is_sweep(folder) {

@@ -5,7 +5,7 @@ use wholestring::well::{HoleSection, Roughness, Station, Well};
 
 use super::fields::{Fields, json, word};
 
-pub(super) fn well(well: &Well, survey: Option<&String>) -> Json {
+pub(super) fn well(well: &Well, survey: Option<&String>, tortuosity: Option<Json>) -> Json {
     let column =
         |of: fn(&Station) -> f64| -> Vec<f64> { well.path.stations().iter().map(of).collect() };
     let start = well.path.at(well.path.first_md_m()).position_m;
@@ -19,6 +19,7 @@ pub(super) fn well(well: &Well, survey: Option<&String>) -> Json {
         },
         "path": word(&well.path.interpolation()),
         "tie_in": { "north_m": start.x, "east_m": start.y, "tvd_m": start.z },
+        "tortuosity": tortuosity,
         "roughness": well.hole.roughness().map(|of| Json::from(roughness(of))),
         "hole": sections.map(|of| Json::from(section(of))).collect::<Vec<_>>(),
     })

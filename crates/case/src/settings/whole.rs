@@ -51,6 +51,7 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
         bit_test,
     } = *given;
     let survey = case.well.get().and_then(|well| well.survey.get());
+    let tortuosity = case.well.get().and_then(|well| well.tortuosity.given()?.value.settings());
     let dynamics_table = case.dynamics.get();
     let checkpoint_interval_s = dynamics_table.and_then(|of| of.checkpoint_interval.get());
     let mut bit = bit::bit(&dynamics.bit, operations);
@@ -61,7 +62,7 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
         .with("name", name)
         .with("model", models.iter().map(|of| of.name()).collect::<Vec<_>>())
         .with("units", units.name())
-        .with("well", well::well(&model.well, survey))
+        .with("well", well::well(&model.well, survey, tortuosity))
         .with("mud", Fields::of(&model.mud).tag_inside("rheology", "law"))
         .with("string", string::string(&model.string))
         .with("bit", bit)

@@ -41,6 +41,36 @@ fn roughness() {
 }
 
 #[test]
+fn tortuosity() {
+    each_refused(
+        r#"
+        tortuosity_kind_unknown: `[mud]`
+            -> `[well.tortuosity]\nkind = "cosine"\namplitude = 0.5\n[mud]`
+        tortuosity_of_a_length: `[mud]` -> `[well.tortuosity]\namplitude = "5 mm"\n[mud]`
+        tortuosity_too_sharp: `[mud]`
+            -> `[well.tortuosity]\namplitude = "9 deg"\nperiod = "2 m"\n[mud]`
+        tortuosity_upside_down: `[mud]`
+            -> `[well.tortuosity]\namplitude = 0.5\nfrom = "2000 m"\nto = "1000 m"\n[mud]`
+        tortuosity_beyond_the_survey: `[mud]`
+            -> `[well.tortuosity]\namplitude = 0.5\nfrom = "5000 m"\n[mud]`
+        tortuosity_of_many_stations: `[mud]`
+            -> `[well.tortuosity]\nkind = "helical"\namplitude = 0.1\nperiod = "1 m"\n[mud]`
+        tortuosity_key_misspelt: `[mud]`
+            -> `[well.tortuosity]\namplitude = 0.5\nwavelength = "20 m"\n[mud]`
+        "#,
+    );
+    each_warned(
+        r#"
+        warn_tortuosity_without_amplitude: `[mud]` -> `[well.tortuosity]\nperiod = "100 m"\n[mud]`
+        warn_tortuosity_seed: `[mud]`
+            -> `[well.tortuosity]\nkind = "helical"\namplitude = 0.5\nperiod = "40 m"\nseed = 4\n[mud]`
+        warn_tortuosity_of_a_survey: `[mud]`
+            -> `[well.tortuosity]\namplitude = 0.5\nperiod = "800 m"\n[mud]`
+        "#,
+    );
+}
+
+#[test]
 fn sections() {
     each_refused(
         r#"

@@ -19,6 +19,7 @@ mod modes;
 mod new_case;
 mod plan;
 mod plot;
+mod reach;
 mod remarks;
 mod report;
 mod resume;

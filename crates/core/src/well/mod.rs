@@ -10,6 +10,7 @@ mod kick_off;
 mod path;
 mod roughness;
 mod station;
+mod tortuosity;
 mod vertical;
 
 pub use hole::{CasingPipe, Friction, Hole, HoleError, HoleKind, HoleSection, NARROWEST_BAND};
@@ -18,6 +19,7 @@ pub(crate) use path::Heading;
 pub use path::{Path, PathError, PathPoint, TieIn};
 pub use roughness::{Relief, ReliefPoint, Roughness};
 pub use station::Station;
+pub use tortuosity::{Tortuosity, TortuosityKind};
 
 use serde::Serialize;
 

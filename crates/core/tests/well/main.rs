@@ -12,3 +12,4 @@ mod roughness;
 mod spline;
 mod spline_accuracy;
 mod surveys;
+mod tortuosity;

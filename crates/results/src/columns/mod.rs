@@ -11,6 +11,7 @@ mod modes;
 mod nodes;
 mod plan;
 mod plan_campaign;
+mod reach;
 mod spectra;
 mod stability;
 mod time;
@@ -28,6 +29,7 @@ pub use self::{
     nodes::NODES,
     plan::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS},
     plan_campaign::{PLAN_FATIGUE, PLAN_WEAR},
+    reach::{REACH, REACH_LIMITS},
     spectra::SPECTRA,
     stability::STABILITY,
     time::TIME,
@@ -111,6 +113,8 @@ pub const TABLES: &[(&str, &[ColumnSpec])] = &[
     ("plan_hydraulics", PLAN_HYDRAULICS),
     ("plan_fatigue", PLAN_FATIGUE),
     ("plan_wear", PLAN_WEAR),
+    ("reach", REACH),
+    ("reach_limits", REACH_LIMITS),
     ("calibration", CALIBRATION),
     ("calibration_bands", CALIBRATION_BANDS),
     ("calibration_profiles", CALIBRATION_PROFILES),

@@ -1,0 +1,50 @@
+//! What a reach shows on the screen.
+
+use wholestring_results::ReachSummary;
+use wholestring_runner::reach::{answers, notes};
+use wholestring_units::{Dimension, UnitSet};
+
+use crate::screen_table::Table;
+
+/// What stops the well, each limit with its depth and margins, and what is to be known besides.
+pub(super) fn text(summary: &ReachSummary, units: UnitSet) -> String {
+    let length = Dimension::Length.unit_in(units);
+    let depth = |depth_m: f64| format!("{:.0}", length.from_si(depth_m));
+    let mut text = format!("{}: reach\n\n", summary.case);
+    for (answer, of) in answers(summary, units).iter().zip(&summary.frictions) {
+        let headings = [
+            "operation".to_owned(),
+            "limit".to_owned(),
+            format!("met at, {}", length.symbol),
+            format!("margin at {}, %", depth(summary.from_m)),
+            format!("at {}, %", depth(summary.to_m)),
+            format!("worst at MD, {}", length.symbol),
+        ];
+        let mut table = Table::new(answer, 2, &headings.each_ref().map(String::as_str));
+        for limit in &of.limits {
+            let met = match limit.depth_m {
+                Some(_) if limit.already => format!("{} already", depth(summary.from_m)),
+                Some(depth_m) => depth(depth_m),
+                None => format!("none to {}", depth(summary.to_m)),
+            };
+            table.row(vec![
+                limit.operation.replace('_', " "),
+                limit.title.clone(),
+                met,
+                percent(limit.margin_at_from),
+                percent(limit.margin_at_to),
+                limit.at_md_m.map_or_else(|| "–".to_owned(), depth),
+            ]);
+        }
+        text += &table.text();
+        text.push('\n');
+    }
+    for note in notes(summary, units) {
+        text += &format!("{note}\n");
+    }
+    text
+}
+
+fn percent(margin: Option<f64>) -> String {
+    margin.map_or_else(|| "locked up".to_owned(), |margin| format!("{:.1}", 100.0 * margin))
+}

@@ -1,0 +1,137 @@
+//! `reach`: how far the well can go, and what stops it.
+
+use std::fs;
+
+use wholestring_results::{REACH, REACH_LIMITS, ReachSummary, Table};
+
+use crate::desk::{Desk, transcript};
+
+/// A rig whose limits are met.
+const RIG: [&str; 6] = [
+    "--set",
+    "rig.top_drive_torque=12kN.m",
+    "--set",
+    "rig.block_weight=150kN",
+    "--set",
+    "rig.hoist_capacity=600kN",
+];
+
+fn summary(desk: &Desk) -> ReachSummary {
+    ReachSummary::read(&desk.path("out/summary.json")).unwrap()
+}
+
+/// Terminal, summary, tables and page tell the same.
+#[test]
+fn reach_of_a_slant_well() {
+    let desk = Desk::new();
+    let asked =
+        ["reach", "slant.toml", "-o", "out", "--friction", "0.2, 0.4", "--to", "6km", "--csv"];
+    let output = desk.done(&[&asked[..], &RIG].concat());
+    let said = String::from_utf8(output.stdout).unwrap();
+    let summary = summary(&desk);
+    assert_eq!((summary.to_m, summary.helix_side_force), (6000.0, true));
+    let [easy, hard] = &summary.frictions[..] else { panic!("two frictions") };
+    assert_eq!([easy.friction, hard.friction], [Some(0.2), Some(0.4)]);
+    let depth = |of: &wholestring_results::ReachOfFriction| of.first.as_ref().unwrap().depth_m;
+    assert!(depth(hard) < depth(easy), "{said}");
+    for of in [easy, hard] {
+        let first = of.first.as_ref().unwrap();
+        assert!(said.contains(&format!("At friction {}", of.friction.unwrap())), "{said}");
+        assert!(said.contains(&format!("{:.0}", first.depth_m)), "{said}");
+        let stops = of.limits.iter().filter(|limit| limit.stops);
+        let least = stops.filter_map(|limit| limit.depth_m).fold(f64::INFINITY, f64::min);
+        assert_eq!(first.depth_m, least);
+    }
+    assert!(said.contains("none to 6000") && said.contains("by its own weight"), "{said}");
+
+    let table =
+        |name: &str| Table::read_parquet(&desk.path(&format!("out/{name}.parquet"))).unwrap();
+    let (margins, limits) = (table("reach"), table("reach_limits"));
+    assert!(margins.is_like(&Table::with_columns(REACH)));
+    assert!(limits.is_like(&Table::with_columns(REACH_LIMITS)));
+    assert_eq!(limits.rows(), easy.limits.len() + hard.limits.len());
+    assert_eq!(margins.rows(), 61 * limits.rows());
+    assert!(desk.path("out/reach.csv").is_file() && desk.path("out/reach_limits.csv").is_file());
+    // Margins change their sign where the summary says that the limit is met.
+    let words = |name: &str| margins.words(name).unwrap();
+    let numbers = |name: &str| margins.numbers(name).unwrap();
+    for of in [easy, hard] {
+        for limit in of.limits.iter().filter(|limit| limit.depth_m.is_some() && !limit.already) {
+            for row in 0..margins.rows() {
+                let same = words("operation")[row] == limit.operation
+                    && words("limit")[row] == limit.limit
+                    && numbers("friction")[row] == of.friction;
+                let above = numbers("bit_depth_m")[row] < limit.depth_m;
+                if same && above {
+                    assert!(numbers("margin")[row] > Some(0.0), "{limit:?}");
+                }
+            }
+        }
+    }
+
+    let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+    assert!(page.contains("Margins against depth") && page.contains("stops the well first"));
+    fs::remove_file(desk.path("out/report.html")).unwrap();
+    desk.done(&["report", "out"]);
+    assert_eq!(fs::read_to_string(desk.path("out/report.html")).unwrap(), page);
+    desk.done(&["plot", "out", "--units", "field"]);
+    assert!(desk.path("out/plots/reach.svg").is_file());
+    let output = desk.run(&["plot", "out", "out"]);
+    assert!(transcript(&output).contains("a reach cannot be overlaid with anything"));
+}
+
+/// The case's own friction, one operation, and a helix that does not rub.
+#[test]
+fn one_operation_at_the_cases_friction() {
+    let desk = Desk::new();
+    let asked = ["reach", "slant.toml", "-o", "out", "-q", "--operation", "trip_in"];
+    let output = desk.done(&[&asked[..], &["--no-helix-friction"]].concat());
+    assert!(output.stdout.is_empty());
+    let summary = summary(&desk);
+    let [of] = &summary.frictions[..] else { panic!("one friction") };
+    assert_eq!(of.friction, None);
+    assert!(of.limits.iter().all(|limit| limit.operation == "trip_in"));
+    let locks = of.limits.iter().find(|limit| limit.limit == "lock_up").unwrap();
+    assert_eq!(locks.depth_m, None);
+    let output = desk.run(&["reach", "slant.toml", "-o", "out", "-q"]);
+    assert_eq!(output.status.code(), Some(2), "another question's answer lies there");
+}
+
+/// Bad input gets an answer.
+#[test]
+fn what_cannot_be_asked() {
+    let desk = Desk::new();
+    for (more, answer) in [
+        (&["--to", "100m"][..], "is not below its beginning"),
+        (&["--to", "200km"], "100 km are the most"),
+        (&["--from", "0m"], "what stands below the pipe that runs to surface is"),
+        (&["--from", "1kN"], "is no length"),
+        (&["--to", "3km,4km"], "--to takes one depth"),
+        (&["--friction", "much"], "`much` is no friction factor"),
+        (&["--friction", "-0.1"], "outside 0 to 2"),
+        (&["--operation", "fly"], "`fly` is no operation"),
+        (
+            &[
+                "--operation",
+                "drill",
+                "--set",
+                "operation.kind=trip_in",
+                "--set",
+                "operation.wob=0kN",
+            ],
+            "has no wob",
+        ),
+    ] {
+        let more: Vec<&str> = more.iter().copied().collect();
+        let glued: Vec<String> = match more[..] {
+            ["--friction", value] => vec![format!("--friction={value}")],
+            _ => more.iter().map(|word| (*word).to_owned()).collect(),
+        };
+        let mut all = vec!["reach", "slant.toml", "-o", "out"];
+        all.extend(glued.iter().map(String::as_str));
+        let output = desk.run(&all);
+        let said = transcript(&output);
+        assert_eq!(output.status.code(), Some(2), "{more:?}: {said}");
+        assert!(said.contains(answer), "{more:?}: {said}");
+    }
+}

@@ -1,0 +1,234 @@
+//! What is left to each limit with the bit at one depth.
+
+use wholestring::{
+    model::Model,
+    operation::Operation,
+    statics::{
+        buckling::Place,
+        soft::{SoftError, SoftProfile, SoftSettings, solve},
+    },
+};
+
+use super::{
+    limit::{Limit, push_N},
+    settings::ReachError,
+};
+use crate::Setup;
+
+/// What is left to one limit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Margin {
+    /// Of which limit.
+    pub limit: Limit,
+    /// What is held against the bound, in [`Limit::unit`]; not a number of a string that is locked
+    /// up.
+    pub load: f64,
+    /// What the load may be; not a number where nothing is compressed.
+    pub bound: f64,
+    /// What is left: one or less, zero at the limit, negative beyond; minus infinity of a string
+    /// that is locked up.
+    pub margin: f64,
+    /// Measured depth where it is worst, m; none of what the surface sees.
+    pub at_md_m: Option<f64>,
+}
+
+/// What is left to the limits of an operation with the bit at one depth.
+pub type Margins = Vec<Margin>;
+
+/// Part of the buoyed weight by which the load at the bit is changed, to see how much less the top
+/// must push.
+const LESS: f64 = 1e-3;
+
+/// More than what rounding makes of a depth, m.
+const JUST_M: f64 = 1e-6;
+
+/// What two ways to the same load differ by.
+const ROUNDING: f64 = 1e-9;
+
+/// What is left to the limits of an operation with the bit at its depth. What a string that is
+/// locked up would need is infinite: its margins are.
+///
+/// # Errors
+/// A string that does not fit, or a soft string without an answer for another reason than lock-up.
+pub fn margins(
+    setup: &Setup,
+    operation: &Operation,
+    soft: &SoftSettings,
+) -> Result<Margins, ReachError> {
+    let model = setup.at(operation.bit_depth_m)?;
+    let concerned = Limit::ALL.into_iter();
+    let concerned = concerned.filter(|limit| limit.concerns(operation, &model.rig, &model.string));
+    let profile = match solve(&model, operation, soft) {
+        Ok(profile) => profile,
+        Err(SoftError::LocksUp { md_m }) => {
+            return Ok(concerned.map(|limit| locked_up(limit, &model, md_m)).collect());
+        }
+        Err(error) => return Err(error.into()),
+    };
+    let at = At { model: &model, operation, soft, profile: &profile };
+    concerned.map(|limit| at.margin(limit)).collect()
+}
+
+fn locked_up(limit: Limit, model: &Model, md_m: f64) -> Margin {
+    let bound = match limit {
+        Limit::TopDrive => model.rig.top_drive_torque_N_m.unwrap_or(f64::NAN),
+        Limit::Yield => 1.0,
+        Limit::HookLoadZero | Limit::PushSpent | Limit::LockUp => 0.0,
+        Limit::Hoist | Limit::Helix | Limit::Sinusoid | Limit::VerticalHelix => f64::NAN,
+    };
+    let at_md_m = Some(md_m);
+    Margin { limit, load: f64::NAN, bound, margin: f64::NEG_INFINITY, at_md_m }
+}
+
+/// A depth with its soft string.
+struct At<'a> {
+    model: &'a Model,
+    operation: &'a Operation,
+    soft: &'a SoftSettings,
+    profile: &'a SoftProfile,
+}
+
+impl At<'_> {
+    fn margin(&self, limit: Limit) -> Result<Margin, ReachError> {
+        let rig = &self.model.rig;
+        let scalars = &self.profile.scalars;
+        let of = |load: f64, bound: f64, margin: f64| Margin {
+            limit,
+            load,
+            bound,
+            margin,
+            at_md_m: None,
+        };
+        let below = |load: f64, bound: Option<f64>| {
+            let bound = bound.unwrap_or(f64::INFINITY);
+            of(load, bound, 1.0 - load / bound)
+        };
+        Ok(match limit {
+            Limit::TopDrive => below(scalars.surface_torque_N_m.abs(), rig.top_drive_torque_N_m),
+            Limit::Hoist => {
+                let load_N = scalars.hook_load_N + rig.block_weight_N.unwrap_or(0.0);
+                below(load_N, rig.hoist_capacity_N)
+            }
+            Limit::HookLoadZero => {
+                of(scalars.hook_load_N, 0.0, share(scalars.hook_load_N, self.hangs_N()))
+            }
+            Limit::PushSpent => {
+                let load_N = scalars.hook_load_N + push_N(rig);
+                of(load_N, 0.0, share(load_N, self.hangs_N() + push_N(rig)))
+            }
+            Limit::LockUp => {
+                let arrives = self.arrives()?;
+                of(arrives, 0.0, arrives.min(1.0))
+            }
+            Limit::Yield => {
+                let uses = self.profile.yield_use.iter().map(|use_of| use_of.unwrap_or(0.0));
+                let (row, most) = worst(uses);
+                let at_md_m = Some(self.profile.md_m[row]);
+                Margin { at_md_m, ..of(most, 1.0, 1.0 - most) }
+            }
+            Limit::Helix | Limit::Sinusoid => self.buckling(limit, false),
+            Limit::VerticalHelix => self.buckling(limit, true),
+        })
+    }
+
+    /// What would hang on the hook without friction and off bottom, N: what the string weighs along
+    /// the hole, and what the mud pulls.
+    fn hangs_N(&self) -> f64 {
+        let scalars = &self.profile.scalars;
+        scalars.hook_load_N - scalars.axial_friction_N - self.operation.tension_at_bit_N()
+    }
+
+    /// Compression over the critical load where this is most, of the places that the wall holds
+    /// straight or of those that only their weight does.
+    fn buckling(&self, limit: Limit, vertical: bool) -> Margin {
+        let shape = usize::from(limit != Limit::Sinusoid);
+        let rows = 0..self.profile.md_m.len();
+        let along = rows.filter_map(|row| {
+            let loads_N = [&self.profile.sinusoidal_load_N, &self.profile.helical_load_N];
+            Some((row, loads_N[shape][row]?))
+        });
+        let below = self.below_jumps().map(|(row, loads_N)| (row, loads_N[shape]));
+        let mut worst = Margin { limit, load: 0.0, bound: f64::NAN, margin: 1.0, at_md_m: None };
+        for (row, critical_N) in along.chain(below) {
+            let load = -self.profile.tension_N[row];
+            let margin = 1.0 - load / critical_N;
+            if margin < worst.margin && self.is_vertical(row, shape, critical_N) == vertical {
+                let at_md_m = Some(self.profile.md_m[row]);
+                worst = Margin { limit, load, bound: critical_N, margin, at_md_m };
+            }
+        }
+        worst
+    }
+
+    /// Rows where curvature, hole or component may jump, with the critical loads just below: the
+    /// profile has those of the stretch above.
+    fn below_jumps(&self) -> impl Iterator<Item = (usize, [f64; 2])> {
+        let bit_depth_m = self.operation.bit_depth_m;
+        let well = &self.model.well;
+        let stations = well.path.stations().iter().map(|station| station.md_m);
+        let sections = well.hole.sections().iter().map(|section| section.to_md_m);
+        let components = self.model.string.spans().map(move |span| bit_depth_m - span.to_bit_m);
+        let jumps = stations.chain(sections).chain(components);
+        let inside = jumps.filter(move |md_m| *md_m > 0.0 && *md_m < bit_depth_m - JUST_M);
+        inside.filter_map(move |md_m| {
+            let row = self.profile.md_m.partition_point(|row_m| *row_m < md_m - JUST_M);
+            let compression_N = -*self.profile.tension_N.get(row)?;
+            if compression_N <= 0.0 {
+                return None;
+            }
+            let place = Place::of(self.model, bit_depth_m, md_m + JUST_M);
+            Some((row, place.loads_N(self.model.buckling, compression_N)?))
+        })
+    }
+
+    /// Whether a critical load is that of a vertical hole, which the weight alone gives.
+    fn is_vertical(&self, row: usize, shape: usize, critical_N: f64) -> bool {
+        let from_bit_m = self.operation.bit_depth_m - self.profile.md_m[row];
+        let (_, component) = self.model.string.component_at(from_bit_m);
+        let density = self.model.mud.density_kg_per_m3;
+        let place = Place {
+            bending_stiffness_N_m2: component.bending_stiffness_N_m2(),
+            clearance_m: 0.0,
+            weight_N_per_m: component.buoyed_weight_per_length_N_per_m(density).abs(),
+            weight_across_N_per_m: 0.0,
+            build_rad_per_m: 0.0,
+            turn_rad_per_m: 0.0,
+        };
+        let held_N = place.vertical_load_N(self.model.buckling.shapes()[shape]);
+        critical_N <= held_N * (1.0 + ROUNDING)
+    }
+
+    /// Part of an added push at the top that arrives at the bit; more than all of it where it takes
+    /// tension, and so friction, from a bend. Found from a load at the bit that is a
+    /// little less, with which it does not lock up either.
+    fn arrives(&self) -> Result<f64, ReachError> {
+        let components = self.model.string.components().iter();
+        let density = self.model.mud.density_kg_per_m3;
+        let weight_N: f64 = components
+            .map(|of| of.buoyed_weight_per_length_N_per_m(density).abs() * of.length_m)
+            .sum();
+        let less_N = LESS * weight_N;
+        let pushed = match self.operation.kind.on_bottom() {
+            true => self.operation.weight_on_bit_N(self.operation.weight_on_bit_N - less_N),
+            false => self.operation.bit_pull_N(self.operation.bit_pull_N + less_N),
+        };
+        let less = solve(self.model, &pushed, self.soft)?;
+        Ok(less_N / (less.scalars.hook_load_N - self.profile.scalars.hook_load_N))
+    }
+}
+
+/// A load as a part of what hangs; where nothing does, its sign.
+fn share(load_N: f64, hangs_N: f64) -> f64 {
+    if hangs_N > 0.0 { load_N / hangs_N } else { load_N.signum() }
+}
+
+/// The largest of some numbers and its place; the first and zero where there are none.
+fn worst(of: impl Iterator<Item = f64>) -> (usize, f64) {
+    let mut most = (0, 0.0);
+    for (row, value) in of.enumerate() {
+        if value > most.1 {
+            most = (row, value);
+        }
+    }
+    most
+}

@@ -1,0 +1,124 @@
+//! Margins against depth, and where the first of each is zero.
+
+use wholestring::operation::{Operation, OperationKind};
+
+use super::{
+    limit::Limit,
+    margin::{Margin, margins},
+    settings::{ReachError, ReachSettings},
+};
+use crate::{Setup, root::root};
+
+/// How a limit ends the way down.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum End {
+    /// It is met with the bit at this depth, m.
+    At(f64),
+    /// It is met already at the first depth that was looked at, m.
+    Already(f64),
+    /// It is not met down to this depth, m.
+    NoneTo(f64),
+}
+
+impl End {
+    /// Depth where the limit is met, m.
+    pub const fn depth_m(self) -> Option<f64> {
+        match self {
+            Self::At(depth_m) | Self::Already(depth_m) => Some(depth_m),
+            Self::NoneTo(_) => None,
+        }
+    }
+}
+
+/// One limit against the depth of the bit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// Which limit.
+    pub limit: Limit,
+    /// What is left to it, at each depth of the grid.
+    pub margins: Vec<Margin>,
+    /// Where it is met first.
+    pub end: End,
+    /// What is left there: nearly nothing. Of a limit that is not met: at the last depth.
+    pub there: Margin,
+}
+
+/// The limits of one operation against the depth of the bit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OperationReach {
+    /// Which operation.
+    pub kind: OperationKind,
+    /// Depths of the bit, m.
+    pub depth_m: Vec<f64>,
+    /// Its limits.
+    pub curves: Vec<Curve>,
+}
+
+/// How far an operation goes: its limits against depth. The operation's own depth does not count.
+///
+/// # Errors
+/// Depths that do not grow, a string that is longer than the first of them, or a soft string
+/// without an answer for another reason than lock-up.
+pub fn reach(
+    setup: &Setup,
+    operation: &Operation,
+    settings: &ReachSettings,
+) -> Result<OperationReach, ReachError> {
+    let ReachSettings { from_m, to_m, .. } = *settings;
+    if to_m.partial_cmp(&from_m) != Some(std::cmp::Ordering::Greater) {
+        return Err(ReachError::Depths { from_m, to_m });
+    }
+    let at =
+        |bit_depth_m: f64| margins(setup, &Operation { bit_depth_m, ..*operation }, &settings.soft);
+    let depth_m = settings.grid_m();
+    let rows: Vec<_> = depth_m.iter().map(|depth_m| at(*depth_m)).collect::<Result<_, _>>()?;
+    let curves = (0..rows[0].len()).map(|index| {
+        let margins: Vec<Margin> = rows.iter().map(|row| row[index]).collect();
+        let one = |depth_m: f64| at(depth_m).map(|row| row[index]);
+        let (end, there) = end(&depth_m, &margins, one, settings.tolerance_m)?;
+        Ok(Curve { limit: margins[0].limit, margins, end, there })
+    });
+    let curves = curves.collect::<Result<_, ReachError>>()?;
+    Ok(OperationReach { kind: operation.kind, depth_m, curves })
+}
+
+fn end(
+    depth_m: &[f64],
+    margins: &[Margin],
+    one: impl Fn(f64) -> Result<Margin, ReachError>,
+    tolerance_m: f64,
+) -> Result<(End, Margin), ReachError> {
+    let met = margins.iter().position(|of| of.margin <= 0.0);
+    let Some(met) = met else {
+        let last = margins.len() - 1;
+        return Ok((End::NoneTo(depth_m[last]), margins[last]));
+    };
+    let Some(above) = met.checked_sub(1) else {
+        return Ok((End::Already(depth_m[0]), margins[0]));
+    };
+    let end = |index: usize| (depth_m[index], bounded(margins[index].margin));
+    let of = |depth_m: f64| one(depth_m).map(|of| bounded(of.margin));
+    let found_m = root(of, [end(above), end(met)], tolerance_m)?;
+    Ok((End::At(found_m), one(found_m)?))
+}
+
+/// A margin brought to -1 to 1, its zero kept: that of a string that locks up is infinite.
+fn bounded(margin: f64) -> f64 {
+    match margin.is_finite() {
+        true => margin / (1.0 + margin.abs()),
+        false => margin.signum(),
+    }
+}
+
+/// The first limit that stops a string, of whichever operation: the operation and its curve. Of
+/// those that are met already at the first depth, the one that is exceeded most.
+pub fn first_stop(of: &[OperationReach]) -> Option<(&OperationReach, &Curve)> {
+    let all = of.iter().flat_map(|reach| reach.curves.iter().map(move |curve| (reach, curve)));
+    let met = all.filter(|(_, curve)| curve.limit.stops());
+    let met = met.filter_map(|of| Some((of.1.end.depth_m()?, of)));
+    let first = met.min_by(|(a_m, (_, a)), (b_m, (_, b))| {
+        let exceeded = a.there.margin.total_cmp(&b.there.margin);
+        a_m.total_cmp(b_m).then(exceeded)
+    });
+    first.map(|(_, of)| of)
+}

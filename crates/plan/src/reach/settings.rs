@@ -1,0 +1,69 @@
+//! Between which depths a reach is looked for, and how.
+
+use wholestring::{
+    statics::soft::{SoftError, SoftSettings},
+    string::AssemblyError,
+};
+
+/// Between which depths a reach is looked for, and how.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ReachSettings {
+    /// Depth of the bit to begin with, m.
+    pub from_m: f64,
+    /// Deepest bit, m, up to 100 km.
+    pub to_m: f64,
+    /// Number of depths of the grid, at least two. A limit that is passed and comes back between
+    /// two of them is not seen.
+    pub depths: usize,
+    /// How the soft string is integrated, and whether what a helix presses to the wall rubs; a
+    /// string whose helix does not rub never locks up.
+    pub soft: SoftSettings,
+    /// How exactly a depth is found, m.
+    pub tolerance_m: f64,
+}
+
+impl ReachSettings {
+    /// The deepest bit where nothing else is said, m: a little more than the longest wells.
+    pub const TO_M: f64 = 15_000.0;
+
+    /// From a depth to the usual one, m, or to twice that depth where this is deeper. The helix
+    /// rubs.
+    pub fn from_depth(from_m: f64) -> Self {
+        Self {
+            from_m,
+            to_m: Self::TO_M.max(2.0 * from_m),
+            depths: 61,
+            soft: SoftSettings { step_m: 5.0, helix_side_force: true },
+            tolerance_m: 0.01,
+        }
+    }
+
+    /// The depths of the grid, m.
+    pub fn grid_m(&self) -> Vec<f64> {
+        let last = self.depths.max(2) - 1;
+        let depth_m = |index: usize| match index == last {
+            true => self.to_m,
+            false => self.from_m + (self.to_m - self.from_m) * index as f64 / last as f64,
+        };
+        (0..=last).map(depth_m).collect()
+    }
+}
+
+/// Why a reach is not found.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ReachError {
+    /// It begins at or below its end.
+    #[error("the reach is looked for from {from_m:.0} m to {to_m:.0} m, which is not deeper")]
+    Depths {
+        /// First depth, m.
+        from_m: f64,
+        /// Last depth, m.
+        to_m: f64,
+    },
+    /// The string does not fit.
+    #[error(transparent)]
+    Assembly(#[from] AssemblyError),
+    /// The soft string has no answer, though it does not lock up.
+    #[error(transparent)]
+    Soft(#[from] SoftError),
+}

@@ -1,0 +1,369 @@
+//! How far a tangent goes, against closed forms and integrations from elsewhere.
+
+use serde_json::Value;
+use wholestring::{
+    prelude::*,
+    statics::{
+        buckling::Criterion,
+        soft::{SoftSettings, solve},
+    },
+};
+use wholestring_plan::{
+    Setup,
+    reach::{Curve, End, Limit, ReachError, ReachSettings, first_stop, margins, reach},
+    root,
+};
+use wholestring_verification::{Row, report_worst, verify};
+
+fn verification(name: &str) -> Value {
+    let path =
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../verification").join(name);
+    serde_json::from_str(&std::fs::read_to_string(path).expect("a file")).expect("JSON")
+}
+
+#[track_caller]
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("no number: {value}"))
+}
+
+/// The uniform pipe of the studies along stations of MD in m and inclination in degrees.
+fn setup(inputs: &Value, stations: &[[f64; 2]], friction: f64) -> Setup {
+    let pipe = &inputs["pipe"];
+    let stations: Vec<Station> =
+        stations.iter().map(|[md_m, inc]| Station::from_degrees(*md_m, *inc, 0.0)).collect();
+    let path = Path::minimum_curvature(&stations).expect("a path");
+    let section = HoleSection::open(0.0..100e3, number(&inputs["hole_m"]), friction);
+    let (area_m2, weight_N_per_m) = (number(&pipe["A"]), number(&pipe["w"]));
+    let material = Material {
+        // In a mud of no density: the same weight.
+        density_kg_per_m3: weight_N_per_m / (area_m2 * wholestring::GRAVITY_M_PER_S2),
+        youngs_modulus_Pa: number(&pipe["E"]),
+        shear_modulus_Pa: number(&pipe["G"]),
+    };
+    let pipe = ComponentSpec::uniform(
+        "pipe",
+        number(&pipe["od"]),
+        number(&pipe["id"]),
+        ToSurface,
+        material,
+    );
+    Setup {
+        well: Well { path, hole: Hole::new(vec![section]).expect("a hole") },
+        string: StringSpec::from_bit(pipe),
+        mud: Mud::of_density(0.0),
+        rig: Rig {
+            block_weight_N: Some(200e3),
+            top_drive_torque_N_m: inputs["top_drive_limit_Nm"].as_f64(),
+            ..Rig::default()
+        },
+        ends: Default::default(),
+        buckling: Criterion::HeKyllingstad,
+    }
+}
+
+fn operation(kind: OperationKind, inputs: &Value) -> Operation {
+    Operation::new(kind, 0.0)
+        .rotary_speed_rad_per_s(10.0)
+        .weight_on_bit_N(number(&inputs["WOB_N"]))
+        .bit_torque_N_m(number(&inputs["bit_torque_Nm"]))
+}
+
+const PLAIN: SoftSettings = SoftSettings { step_m: 5.0, helix_side_force: false };
+const HELIX: SoftSettings = SoftSettings { step_m: 5.0, helix_side_force: true };
+
+/// Where a string slides and a helix rubs, its step; elsewhere the tolerance of the file.
+fn s5_row(id: &str, key: &str, expected: f64, computed: f64) -> Row<'static> {
+    let quantity = verify("S5", format!("{} of {id}, m", key.trim_end_matches("_md_m")));
+    match key.contains("lockup") || key.contains("push_helical") {
+        true => quantity.absolute(5.0, "the source's own step"),
+        false => quantity.relative(3e-6, "steps of 2 m change 1.3e-6; the source holds 1e-4"),
+    }
+    .row(expected, computed)
+}
+
+/// Where limits stop a tangent well: `S5`, its definitions one by one.
+#[test]
+fn s5_limits_of_a_tangent() {
+    let file = verification("S5_reach.json");
+    let inputs = &file["inputs"];
+    let mut rows = Vec::new();
+    for case in file["cases"].as_array().expect("cases") {
+        let (id, of, expected) = (case["id"].as_str().unwrap(), &case["inputs"], &case["expected"]);
+        let (end_m, inc) = (number(&of["eob_m"]), number(&of["inc_deg"]));
+        let kick_off_m = number(&inputs["kop_m"]);
+        let stations = [[0.0, 0.0], [kick_off_m, 0.0], [end_m, inc]];
+        let vertical = setup(inputs, &stations, number(&of["mu"]));
+        // The file counts buckling from the kick-off down: a casing as narrow as the pipe keeps
+        // what is above straight.
+        let mut sections = vertical.well.hole.sections().to_vec();
+        let narrow_m = number(&inputs["pipe"]["od"]);
+        let casing = HoleSection::casing(0.0..kick_off_m, narrow_m, number(&of["mu"]));
+        sections[0].from_md_m = kick_off_m;
+        sections.insert(0, casing);
+        let hole = Hole::new(sections).expect("a hole");
+        let path = vertical.well.path.clone();
+        let setup = Setup { well: Well { path, hole }, ..vertical.clone() };
+        let settings = |soft, to_m| ReachSettings {
+            to_m,
+            depths: 16,
+            soft,
+            ..ReachSettings::from_depth(end_m)
+        };
+        let of = |kind, soft, to_m| {
+            reach(&setup, &operation(kind, inputs), &settings(soft, to_m)).expect("a reach")
+        };
+        let drill = of(OperationKind::Drill, PLAIN, 30e3);
+        let turn = of(OperationKind::RotateOffBottom, PLAIN, 30e3);
+        let slack_off = of(OperationKind::TripIn, PLAIN, 60e3);
+        let slide = of(OperationKind::Slide, PLAIN, 30e3);
+        let helix = of(OperationKind::Slide, HELIX, 30e3);
+        let curve = |reach: &'_ wholestring_plan::reach::OperationReach, limit| -> Curve {
+            let found = reach.curves.iter().find(|curve| curve.limit == limit);
+            found.expect("the limit concerns it").clone()
+        };
+        for (key, curve) in [
+            ("torque_limit_rotary_drilling_md_m", curve(&drill, Limit::TopDrive)),
+            ("torque_limit_off_bottom_md_m", curve(&turn, Limit::TopDrive)),
+            ("zero_slackoff_hook_load_md_m", curve(&slack_off, Limit::HookLoadZero)),
+            ("zero_slackoff_with_200kN_block_md_m", curve(&slack_off, Limit::PushSpent)),
+            ("zero_sliding_hook_load_with_WOB_md_m", curve(&slide, Limit::HookLoadZero)),
+            ("sinusoidal_onset_sliding_md_m", curve(&slide, Limit::Sinusoid)),
+            ("helical_onset_sliding_md_m", curve(&slide, Limit::Helix)),
+            (
+                "slide_stops_with_200kN_push_no_helical_friction_md_m",
+                curve(&slide, Limit::PushSpent),
+            ),
+            ("slide_stops_with_200kN_push_helical_friction_md_m", curve(&helix, Limit::PushSpent)),
+        ] {
+            match (expected[key].as_f64(), curve.end) {
+                (Some(depth_m), End::At(found_m)) => {
+                    rows.push(s5_row(id, key, depth_m, found_m));
+                }
+                // It says none where there is none.
+                (None, End::NoneTo(_)) => {}
+                (expected, found) => panic!("{id} {key}: {expected:?}, {found:?}"),
+            }
+        }
+        // Where the hook load is zero before the helix begins the file has none: its helix has not
+        // rubbed yet.
+        let [plain, rubbed] = [&slide, &helix].map(|of| curve(of, Limit::HookLoadZero));
+        assert!(expected["zero_sliding_hook_load_with_helical_friction_md_m"].is_null());
+        assert_eq!(plain.end, rubbed.end);
+        let first = [drill, turn, slide];
+        let (of, first) = first_stop(&first).expect("something stops it");
+        let named = match (of.kind, first.limit) {
+            (OperationKind::Drill, Limit::TopDrive) => "torque_limit_rotary_drilling_md_m",
+            (OperationKind::Slide, Limit::HookLoadZero) => "zero_sliding_hook_load_with_WOB_md_m",
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(expected["first_limit"], named);
+
+        let at = &expected["at_4000m"];
+        let loads = |kind| {
+            let operation = Operation { bit_depth_m: 4e3, ..operation(kind, inputs) };
+            margins(&setup, &operation, &PLAIN).expect("margins")
+        };
+        let load =
+            |kind, limit| loads(kind).iter().find(|of| of.limit == limit).expect("a margin").load;
+        // The file stops where the compression is 3 MN, not where it is infinite.
+        let pushed = |bit_depth_m: f64| {
+            let slide = Operation { bit_depth_m, ..operation(OperationKind::Slide, inputs) };
+            let profile = solve(&setup.at(bit_depth_m).expect("a model"), &slide, &HELIX);
+            let least_N = profile.map(|of| of.tension_N.iter().copied().fold(0.0, f64::min));
+            Ok::<f64, ReachError>(3e6 + least_N.unwrap_or(-9e6))
+        };
+        let key = "lockup_unlimited_push_md_m";
+        let locks_m = curve(&helix, Limit::LockUp).end.depth_m().expect("a depth");
+        let ends = [0.9 * locks_m, locks_m].map(|depth_m| (depth_m, pushed(depth_m).unwrap()));
+        let cut_m = root(pushed, ends, 0.01).expect("a depth");
+        rows.push(s5_row(id, key, number(&expected[key]), cut_m));
+        let row = verify("S5", format!("{}, of {id}, infinite push, m", &key[..key.len() - 5]));
+        let row = row.any("the file stops at 3 MN");
+        rows.push(row.row(number(&expected[key]), locks_m));
+        // What a helix in the vertical part takes away, which the file does not count.
+        let whole =
+            reach(&vertical, &operation(OperationKind::Slide, inputs), &settings(HELIX, 30e3));
+        let whole = whole.expect("a reach");
+        for (key, limit) in [
+            ("slide_stops_with_200kN_push_helical_friction_md_m", Limit::PushSpent),
+            ("lockup_unlimited_push_md_m", Limit::LockUp),
+        ] {
+            let what =
+                format!("{}, of {id} with a helix in vertical hole too, m", &key[..key.len() - 5]);
+            let found_m = curve(&whole, limit).end.depth_m().expect("a depth");
+            let row = verify("S5", what).any("the file counts none in its vertical hole");
+            rows.push(row.row(number(&expected[key]), found_m));
+        }
+        for limit in [Limit::Sinusoid, Limit::Helix] {
+            let [narrow_m, wide_m] =
+                [&helix, &whole].map(|of| curve(of, limit).end.depth_m().expect("a depth"));
+            assert!(wide_m <= narrow_m && narrow_m - wide_m < 300.0, "{wide_m} {narrow_m}");
+        }
+        assert!(curve(&whole, Limit::VerticalHelix).end.depth_m() < Some(6e3));
+
+        for (key, unit, computed) in [
+            ("rot_drill_torque_Nm", "N·m", load(OperationKind::Drill, Limit::TopDrive)),
+            ("slackoff_N", "N", load(OperationKind::TripIn, Limit::HookLoadZero)),
+            ("sliding_N", "N", load(OperationKind::Slide, Limit::HookLoadZero)),
+        ] {
+            let row = verify("S5", format!("{key} at 4000 m of {id}, {unit}"))
+                .relative(3e-6, "steps of 2 m change 1.3e-6; the source holds 1e-4");
+            rows.push(row.row(number(&at[key]), computed));
+        }
+    }
+    report_worst(rows);
+}
+
+/// Where the inclination is below `atan(1/μ)`, a string that slides never stops.
+#[test]
+fn below_the_critical_inclination_there_is_no_limit() {
+    let file = verification("S5_reach.json");
+    let inputs = &file["inputs"];
+    for (mu, stops) in [(0.26_f64, false), (0.28, true)] {
+        // atan(1/μ) is 75.4° and 74.4°.
+        assert_eq!((1.0 / mu).atan().to_degrees() < 75.0, stops);
+        let setup = setup(inputs, &[[0.0, 0.0], [400.0, 0.0], [1150.0, 75.0]], mu);
+        let settings = ReachSettings {
+            to_m: 99e3,
+            depths: 12,
+            soft: PLAIN,
+            ..ReachSettings::from_depth(1150.0)
+        };
+        let off_bottom = operation(OperationKind::TripIn, inputs);
+        let found = reach(&setup, &off_bottom, &settings).expect("a reach");
+        let curve = found.curves.iter().find(|of| of.limit == Limit::HookLoadZero).unwrap();
+        assert_eq!(curve.end.depth_m().is_some(), stops, "{:?}", curve.end);
+        if !stops {
+            assert_eq!(curve.end, End::NoneTo(99e3));
+            // What hangs grows with depth.
+            assert!(curve.margins.windows(2).all(|pair| pair[1].load > pair[0].load));
+        }
+    }
+}
+
+/// How long a horizontal string is that locks up, in closed form: `S2b`.
+#[test]
+fn s2b_lock_up_of_a_horizontal_well() {
+    let file = verification("S2b_lockup_horizontal.json");
+    let inputs = &file["inputs"];
+    let mut rows = Vec::new();
+    for case in file["cases"].as_array().expect("cases") {
+        let (of, expected) = (&case["inputs"], &case["expected"]);
+        let rule = of["F_hel_rule"].as_str().unwrap();
+        let setup = setup(inputs, &[[0.0, 90.0], [100.0, 90.0]], number(&of["mu"]));
+        let buckling = match rule {
+            "WuJuvkamWold" => Criterion::WuJuvkamWold,
+            _ => Criterion::ChenLinCheatham,
+        };
+        // A rig that pushes with 1000 kN.
+        let rig = Rig { block_weight_N: Some(1e6), ..Rig::default() };
+        let setup = Setup { buckling, rig, ..setup };
+        let slide = Operation::slide(0.0).weight_on_bit_N(number(&of["F_at_bit_N"]));
+        let found = |step_m: f64| {
+            let soft = SoftSettings { step_m, helix_side_force: true };
+            let settings = ReachSettings {
+                to_m: 8e3,
+                depths: 9,
+                soft,
+                tolerance_m: 1e-6,
+                ..ReachSettings::from_depth(100.0)
+            };
+            let found = reach(&setup, &slide, &settings).expect("a reach");
+            [Limit::Helix, Limit::PushSpent, Limit::LockUp].map(|limit| {
+                let curve = found.curves.iter().find(|of| of.limit == limit);
+                curve.expect("a limit").end.depth_m().expect("a depth")
+            })
+        };
+        let [onset_m, push_m, locks_m] = found(0.5);
+        // At the usual step, ten times as long.
+        let [.., usual_m] = found(5.0);
+        assert!((usual_m - locks_m).abs() < 0.5, "{usual_m} {locks_m}");
+        let name = |what: &str| {
+            format!("{what} of {rule}, bit at {} kN, m", number(&of["F_at_bit_N"]) / 1e3)
+        };
+        for (what, key, found_m) in [
+            ("helix begins", "onset_of_helix_from_bit_m", onset_m),
+            ("length for 1000 kN", "length_for_1000kN_push_m", push_m),
+        ] {
+            let row = verify("S2b", name(what)).relative(1e-6, "what its source requires");
+            rows.push(row.row(number(&expected[key]), found_m));
+        }
+        rows.push(
+            verify("S2b", name("reach until it locks up"))
+                .absolute(0.05, "at a step of 0.5 m 0.004 m is left")
+                .row(number(&expected["closed_form_m"]), locks_m),
+        );
+    }
+    report_worst(rows);
+}
+
+/// A string that is nearly locked up passes little of its push on, one that lies straight in a
+/// straight hole all of it, and one in a build what the capstan leaves.
+#[test]
+fn what_arrives_of_a_push() {
+    let file = verification("S5_reach.json");
+    let mu = 0.3_f64;
+    let setup = setup(&file["inputs"], &[[0.0, 90.0], [100.0, 90.0]], mu);
+    let arrives = |length_m: f64, wob_N: f64| {
+        let slide = Operation::slide(length_m).weight_on_bit_N(wob_N);
+        let all = margins(&setup, &slide, &HELIX).expect("margins");
+        let of = all.iter().find(|of| of.limit == Limit::LockUp).expect("a margin");
+        let forces = solve(&setup.at(length_m).unwrap(), &slide, &HELIX).unwrap().scalars;
+        (of.margin, -forces.hook_load_N)
+    };
+    assert!((arrives(1000.0, 1e4).0 - 1.0).abs() < 1e-9);
+    // Beyond the helix `dF/dx = μ (w + b F²)`: pushes at both ends grow in the ratio of their rates.
+    let place = wholestring::statics::buckling::Place::of(&setup.at(3e3).unwrap(), 3e3, 1e3);
+    let rate = |push_N: f64| place.weight_N_per_m + place.helix_load_N_per_m(push_N);
+    let (wob_N, length_m) = (300e3, 500.0);
+    let (share, top_N) = arrives(length_m, wob_N);
+    let expected = rate(wob_N) / rate(top_N);
+    // A difference over 1e-3 of the weight, 1.1e2 N: half of it times the second derivative.
+    assert!((share / expected - 1.0).abs() < 1e-3, "{share} {expected}");
+}
+
+#[test]
+fn depths_must_grow() {
+    let file = verification("S5_reach.json");
+    let setup = setup(&file["inputs"], &[[0.0, 0.0], [100.0, 0.0]], 0.3);
+    let settings = ReachSettings { to_m: 900.0, ..ReachSettings::from_depth(1000.0) };
+    let refused = reach(&setup, &Operation::trip_in(0.0), &settings).unwrap_err();
+    assert_eq!(refused, ReachError::Depths { from_m: 1000.0, to_m: 900.0 });
+    assert_eq!(
+        refused.to_string(),
+        "the reach is looked for from 1000 m to 900 m, which is not deeper"
+    );
+}
+
+/// A string that hangs in a vertical well stops where its weight and the block are what the hoist
+/// carries, and where its weight yields its uppermost section.
+#[test]
+fn a_hanging_string_stops_at_hoist_and_yield() {
+    let file = verification("S5_reach.json");
+    let inputs = &file["inputs"];
+    let mut setup = setup(inputs, &[[0.0, 0.0], [1000.0, 0.0]], 0.3);
+    let (block_N, capacity_N, yields_Pa) = (200e3, 1500e3, 500e6);
+    setup.rig.hoist_capacity_N = Some(capacity_N);
+    setup.string.components[0].yield_strength_Pa = Some(yields_Pa);
+    let (weight_N_per_m, area_m2) = (number(&inputs["pipe"]["w"]), number(&inputs["pipe"]["A"]));
+    let settings = ReachSettings { to_m: 12e3, depths: 12, ..ReachSettings::from_depth(1000.0) };
+    let pick_up = reach(&setup, &Operation::trip_out(0.0), &settings).expect("a reach");
+    let depth_m = |limit| {
+        let curve = pick_up.curves.iter().find(|of| of.limit == limit).expect("a limit");
+        (curve.end.depth_m().expect("a depth"), curve.there)
+    };
+    let rounding = "the weight from mass and area";
+    let (hoist_m, there) = depth_m(Limit::Hoist);
+    verify("reach", "depth at which the hoist carries no more, m")
+        .relative(1e-6, rounding)
+        .report((capacity_N - block_N) / weight_N_per_m, hoist_m);
+    assert!((there.load / capacity_N - 1.0).abs() < 1e-5 && there.at_md_m.is_none());
+    let (yields_m, there) = depth_m(Limit::Yield);
+    verify("reach", "depth at which the pipe's own weight yields it, m")
+        .relative(1e-6, rounding)
+        .report(yields_Pa * area_m2 / weight_N_per_m, yields_m);
+    assert_eq!(there.at_md_m, Some(0.0));
+    let first = [pick_up];
+    let (_, first) = first_stop(&first).expect("a stop");
+    assert_eq!(first.limit, Limit::Hoist);
+}

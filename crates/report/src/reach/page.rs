@@ -1,0 +1,92 @@
+//! The page of a reach as one file that needs nothing else.
+
+use super::{Reach, ReachRow, figures::reach_plots};
+use crate::{Grid, Head, StudyPage, StudyPart, Verdict, plots::Shown, study_html};
+
+/// What the numbers stand for.
+const ABOUT: &str = "The well is drilled on in its last direction, and the string grows at its top. At \
+    each depth the soft string is held against the limits of rig and string. A margin is what is left \
+    of a limit, 0 % where it is met: of the top drive and the hoist against what they carry, of the \
+    hook load and the push against what hangs without friction, of yield and buckling against the \
+    load that yields or buckles, of lock-up the part of an added push that arrives at the bit.";
+
+/// The page as the text of an HTML file. No name in it can end the element that it stands in.
+pub fn reach_html(reach: &Reach) -> String {
+    let shown = Shown::new(&reach.head.dimensions, &reach.head.units);
+    let facts = reach.head.facts.iter().filter_map(|fact| shown.fact(fact));
+    let facts = format!("{}.", facts.collect::<Vec<_>>().join("; "));
+    let answers = reach.answers.iter().map(String::as_str);
+    let notes = reach.notes.iter().map(String::as_str);
+    let paragraphs = answers.chain([&*facts, ABOUT]).chain(notes);
+    let mut parts = vec![limits(reach, shown)];
+    for plot in reach_plots(reach, &reach.head.units) {
+        parts.push(StudyPart::Figure {
+            title: "Margins against depth".into(),
+            caption:
+                "A colour for each limit, a stroke for each friction factor. Where a curve meets \
+                      zero the limit is met; the diamond stops the well first."
+                    .into(),
+            figure: Some(Box::new(plot.figure)),
+            files: plot.name,
+            painted: false,
+        });
+    }
+    study_html(&StudyPage {
+        program: reach.head.program.clone(),
+        title: reach.head.title.clone(),
+        description: paragraphs.collect::<Vec<_>>().join("\n\n"),
+        parts,
+    })
+}
+
+fn limits(reach: &Reach, shown: Shown<'_>) -> StudyPart {
+    let [from, to] = reach.depths_m.map(|depth_m| shown.quantity(depth_m, "length"));
+    let heads = [
+        ("operation".to_owned(), true),
+        ("limit".to_owned(), true),
+        ("friction".to_owned(), true),
+        ("met with the bit at".to_owned(), false),
+        (format!("margin at {from}, %"), false),
+        (format!("margin at {to}, %"), false),
+        ("worst at MD".to_owned(), false),
+        (String::new(), true),
+    ];
+    let heads = heads.into_iter().map(|(text, words)| Head { text, words }).collect();
+    let row = |of: &ReachRow| -> Vec<(String, Verdict)> {
+        let depth = match of.depth_m {
+            Some(_) if of.already => format!("{from} already"),
+            Some(depth_m) => shown.quantity(depth_m.round(), "length"),
+            None => format!("none to {to}"),
+        };
+        let [at_from, at_to] = of.margins.map(|of| match of {
+            Some(margin) => format!("{:.1}", 100.0 * margin),
+            None => "locked up".to_owned(),
+        });
+        let md = of.md_m.map(|md_m| shown.quantity(md_m.round(), "length"));
+        let word = match (of.first, of.stops) {
+            (true, _) => "stops the well first",
+            (false, true) => "",
+            (false, false) => "goes on buckled",
+        };
+        let friction = reach.frictions.get(of.friction).cloned().unwrap_or_default();
+        let cells = [
+            of.operation.clone(),
+            of.limit.clone(),
+            friction,
+            depth,
+            at_from,
+            at_to,
+            md.unwrap_or_default(),
+            word.to_owned(),
+        ];
+        let verdict = if of.first { Verdict::Differs } else { Verdict::None };
+        cells.into_iter().map(|cell| (cell, verdict)).collect()
+    };
+    StudyPart::Table {
+        title: "Limits".into(),
+        caption: String::new(),
+        grid: Grid { heads, rows: reach.limits.iter().map(row).collect() },
+        files: "reach_limits".into(),
+        endings: &["csv", "parquet"],
+    }
+}

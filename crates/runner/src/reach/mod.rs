@@ -1,0 +1,10 @@
+//! How far a well can go in its last direction, and what stops it.
+
+mod operations;
+pub(crate) mod page;
+mod request;
+mod sentences;
+mod tables;
+
+pub use request::{Outcome, Request, run};
+pub use sentences::{answers, notes};

@@ -1,0 +1,63 @@
+//! The operations of a case whose limits are looked for.
+
+use wholestring::operation::{Operation, OperationKind};
+use wholestring_case::Case;
+
+use crate::error::Error;
+
+/// Those that are looked at where none is asked for.
+const USUAL: [OperationKind; 5] = [
+    OperationKind::TripOut,
+    OperationKind::RotateOffBottom,
+    OperationKind::Drill,
+    OperationKind::TripIn,
+    OperationKind::Slide,
+];
+
+/// Operations, and sentences on those that are left out.
+pub(super) struct Operations {
+    pub(super) all: Vec<Operation>,
+    pub(super) left_out: Vec<String>,
+}
+
+/// The operations that are asked for; else the usual ones and those of the case, as far as the case
+/// has what they need.
+pub(super) fn operations(case: &Case, asked: &[OperationKind]) -> Result<Operations, Error> {
+    let mut found = Operations { all: Vec::new(), left_out: Vec::new() };
+    if !asked.is_empty() {
+        for kind in asked {
+            found.all.push(operation(case, *kind).map_err(Error::BadInput)?);
+        }
+        return Ok(found);
+    }
+    let of_case = case.operations.iter().map(|of| of.kind);
+    let more = of_case.filter(|kind| !USUAL.contains(kind));
+    for kind in USUAL.into_iter().chain(more) {
+        match operation(case, kind) {
+            Ok(operation) => found.all.push(operation),
+            Err(why) => found.left_out.push(why),
+        }
+    }
+    Ok(found)
+}
+
+/// The case's operation of a kind; one with the set points of another where it has none.
+fn operation(case: &Case, kind: OperationKind) -> Result<Operation, String> {
+    let of_kind = case.operations.iter().find(|of| of.kind == kind);
+    // Set points are the case's, but that some laws give the bit's torque and rate themselves.
+    let alike = || case.operations.iter().find(|of| of.kind.on_bottom() == kind.on_bottom());
+    let found = of_kind.or_else(alike).or(case.operations.first());
+    let Some(found) = found else {
+        return Err("the case has no operation".into());
+    };
+    let operation = Operation { kind, ..*found };
+    let lacks =
+        |what: &str| Err(format!("`{}` is left out: [operation] has no {what}", kind.name()));
+    if kind.rotates() && operation.rotary_speed_rad_per_s <= 0.0 {
+        return lacks("rpm");
+    }
+    if kind.on_bottom() && operation.weight_on_bit_N <= 0.0 {
+        return lacks("wob");
+    }
+    Ok(operation)
+}

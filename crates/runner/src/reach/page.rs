@@ -1,0 +1,101 @@
+//! `report.html` and the picture of a reach, made from the files that it left.
+
+use std::path::Path;
+
+use wholestring_plan::reach::Limit;
+use wholestring_report::{Cell, Fact, Reach, ReachCurve, ReachRow, reach_html, reach_plots};
+use wholestring_results::{ReachOfFriction, ReachSummary, ResultsError, ResultsFolder, Table};
+use wholestring_units::UnitSet;
+
+use super::{sentences, tables::REACH};
+use crate::{
+    column::{numbers, words},
+    page::{self, FILE, facts::readable, table, write_picture},
+};
+
+/// Whether a folder is one that a reach was written to.
+pub(crate) fn is_reach(folder: &Path) -> bool {
+    folder.join(format!("{REACH}.parquet")).is_file()
+}
+
+/// Writes the page and its picture.
+pub(crate) fn write(folder: &ResultsFolder, reach: &Reach, png: bool) -> Result<(), ResultsError> {
+    for plot in reach_plots(reach, &reach.head.units) {
+        write_picture(folder, &plot.name, &plot.figure, png)?;
+    }
+    folder.write_file(FILE, reach_html(reach).as_bytes())
+}
+
+/// Everything that is reported of a reach.
+pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Reach, ResultsError> {
+    let summary = ReachSummary::read(&folder.join("summary.json"))?;
+    let title = format!("{}: reach", summary.case);
+    let head = page::head(title, units, Some(&summary.settings), facts(&summary));
+    let set: UnitSet = head.units.parse().unwrap_or_default();
+    Ok(Reach {
+        head,
+        answers: sentences::answers(&summary, set),
+        notes: sentences::notes(&summary, set),
+        frictions: summary.frictions.iter().map(sentences::friction).collect(),
+        titles: Limit::ALL.map(|limit| limit.title().to_owned()).to_vec(),
+        limits: summary.frictions.iter().enumerate().flat_map(rows).collect(),
+        curves: curves(&table(folder, REACH)?, &summary),
+        depths_m: [summary.from_m, summary.to_m],
+    })
+}
+
+fn facts(summary: &ReachSummary) -> Vec<Fact> {
+    let fact = |label: &str, value: Cell| Fact { label: label.into(), value };
+    vec![
+        fact("From", Cell::quantity(summary.from_m, "length")),
+        fact("To", Cell::quantity(summary.to_m, "length")),
+        fact("Inclination", Cell::quantity(summary.inclination_rad, "angle")),
+    ]
+}
+
+fn rows((friction, of): (usize, &ReachOfFriction)) -> Vec<ReachRow> {
+    let row = |limit: &wholestring_results::ReachLimit| ReachRow {
+        operation: readable(&limit.operation),
+        limit: limit.title.clone(),
+        stops: limit.stops,
+        friction,
+        depth_m: limit.depth_m,
+        already: limit.already,
+        margins: [limit.margin_at_from, limit.margin_at_to],
+        md_m: limit.at_md_m,
+        first: of
+            .first
+            .as_ref()
+            .is_some_and(|first| first.limit == limit.limit && first.operation == limit.operation),
+    };
+    of.limits.iter().map(row).collect()
+}
+
+/// The curves of `reach.parquet`: rows that are alike but for their depth.
+fn curves(table: &Table, summary: &ReachSummary) -> Vec<ReachCurve> {
+    let (operation, limit) = (words(table, "operation"), words(table, "limit"));
+    let friction = numbers(table, "friction");
+    let (depth_m, margin) = (numbers(table, "bit_depth_m"), numbers(table, "margin"));
+    let number = |of: Option<f64>| of.unwrap_or(f64::NAN);
+    let mut curves: Vec<ReachCurve> = Vec::new();
+    let mut last = None;
+    for row in 0..operation.len().min(limit.len()).min(margin.len()) {
+        let key = (&operation[row], &limit[row], friction[row].map(f64::to_bits));
+        if last != Some(key) {
+            let place = summary.frictions.iter().position(|of| of.friction == friction[row]);
+            let titled = summary.frictions.iter().flat_map(|of| &of.limits);
+            let title = titled.clone().find(|of| of.limit == limit[row]);
+            curves.push(ReachCurve {
+                operation: readable(&operation[row]),
+                limit: title.map_or_else(|| limit[row].clone(), |of| of.title.clone()),
+                friction: place.unwrap_or(0),
+                points: Vec::new(),
+            });
+            last = Some(key);
+        }
+        if let Some(curve) = curves.last_mut() {
+            curve.points.push((number(depth_m[row]), number(margin[row])));
+        }
+    }
+    curves
+}

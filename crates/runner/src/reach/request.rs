@@ -1,0 +1,267 @@
+//! A reach that is requested, and what came of it.
+
+use std::{
+    num::NonZeroUsize,
+    path::PathBuf,
+    sync::Mutex,
+    thread,
+    time::{Duration, Instant},
+};
+
+use serde_json::json;
+use wholestring::operation::{Operation, OperationKind};
+use wholestring_case::Case;
+use wholestring_plan::{
+    Setup,
+    reach::{Curve, End, OperationReach, ReachSettings, first_stop, reach},
+};
+use wholestring_results::{
+    Occupant, REACH_VERSION, ReachLimit, ReachOfFriction, ReachStop, ReachSummary, digest,
+    reach_limits_table,
+};
+use wholestring_units::UnitSet;
+
+use super::{
+    operations::{Operations, operations},
+    page,
+    tables::{LIMITS, REACH, reach_table},
+};
+use crate::{
+    cancellation::CancellationToken,
+    claim::Claim,
+    error::Error,
+    folder_name::default_output,
+    observer::Observer,
+    output::Output,
+    parallel::{in_parallel, lock},
+};
+
+/// A case whose reach is looked for.
+#[derive(Debug)]
+pub struct Request<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// Depth of the bit to begin with, m; the end of the survey where none is given.
+    pub from_m: Option<f64>,
+    /// Deepest bit, m; 15 km, or twice the first depth where that is deeper.
+    pub to_m: Option<f64>,
+    /// Friction factors that all sections are given one after the other; the case's own where empty.
+    pub frictions: Vec<f64>,
+    /// The operations; pick-up, slack-off, rotating off bottom, drilling, sliding and those of the
+    /// case where empty, as far as the case has their set points.
+    pub operations: Vec<OperationKind>,
+    /// Whether what a helix presses to the wall rubs; a string never locks up otherwise.
+    pub helix_side_force: bool,
+    /// Units of the pictures and the page; the case's where nothing is said.
+    pub units: Option<UnitSet>,
+    /// Where the results go.
+    pub output: Output,
+    /// Whether the tables are written as CSV too.
+    pub csv: bool,
+    /// Whether the picture is painted as PNG too.
+    pub png: bool,
+    /// Operations that are solved side by side; one per core where nothing is said.
+    pub jobs: Option<NonZeroUsize>,
+}
+
+/// What came of it.
+#[derive(Debug)]
+pub struct Outcome {
+    /// What was found, as `summary.json` has it.
+    pub summary: ReachSummary,
+    /// Where the results are.
+    pub folder: PathBuf,
+    /// How long it took, writing apart.
+    pub took: Duration,
+}
+
+impl<'a> Request<'a> {
+    /// Everything as it is without a word.
+    pub fn new(case: &'a Case) -> Self {
+        Self {
+            case,
+            from_m: None,
+            to_m: None,
+            frictions: Vec::new(),
+            operations: Vec::new(),
+            helix_side_force: true,
+            units: None,
+            output: Output::default(),
+            csv: false,
+            png: false,
+            jobs: None,
+        }
+    }
+
+    fn settings(&self) -> Result<ReachSettings, Error> {
+        let bad = |text: String| Err(Error::BadInput(text));
+        let setup = self.case.setup();
+        let shallowest_m = setup.shallowest_m();
+        let end_m = self.case.model.well.path.last_md_m();
+        let from_m = self.from_m.unwrap_or(end_m.max(shallowest_m + 1.0));
+        let mut settings = ReachSettings::from_depth(from_m);
+        settings.to_m = self.to_m.unwrap_or(settings.to_m);
+        settings.soft.helix_side_force = self.helix_side_force;
+        if from_m <= shallowest_m {
+            return bad(format!(
+                "the reach begins with the bit at {from_m:.0} m, but what stands below the pipe that \
+                 runs to surface is {shallowest_m:.0} m long"
+            ));
+        }
+        if settings.to_m <= from_m {
+            let to_m = settings.to_m;
+            return bad(format!(
+                "the reach ends at {to_m:.0} m, which is not below its beginning at {from_m:.0} m"
+            ));
+        }
+        if settings.to_m > DEEPEST_M {
+            let to_m = settings.to_m;
+            return bad(format!("the reach ends at {to_m:.0} m: 100 km are the most"));
+        }
+        for friction in &self.frictions {
+            if !(0.0..=MOST_FRICTION).contains(friction) {
+                return bad(format!("a friction factor of {friction} is outside 0 to 2"));
+            }
+        }
+        Ok(settings)
+    }
+
+    /// The string and well at each friction.
+    fn setups(&self) -> Result<Vec<(Option<f64>, Setup)>, Error> {
+        let own = self.case.setup();
+        if self.frictions.is_empty() {
+            return Ok(vec![(None, own)]);
+        }
+        let with = |friction: &f64| {
+            let mut setup = own.clone();
+            setup.well.hole = own.well.hole.with_friction(*friction).map_err(Error::failed)?;
+            Ok((Some(*friction), setup))
+        };
+        self.frictions.iter().map(with).collect()
+    }
+}
+
+/// Deepest bit that the soft string takes, m.
+const DEEPEST_M: f64 = 1e5;
+
+/// Largest friction factor that a case takes.
+const MOST_FRICTION: f64 = 2.0;
+
+/// Finds how far the well of a case can go, and writes tables, picture and page.
+///
+/// # Errors
+/// Depths or frictions out of their range, an operation whose set points the case lacks, a folder
+/// that the results cannot go to, or a soft string without an answer.
+pub fn run(
+    request: &Request<'_>,
+    observer: &dyn Observer,
+    cancellation: &CancellationToken,
+) -> Result<Outcome, Error> {
+    let case = request.case;
+    let settings = request.settings()?;
+    let Operations { all, left_out } = operations(case, &request.operations)?;
+    let setups = request.setups()?;
+    let name = format!("{} reach", case.name);
+    let kinds: Vec<&str> = all.iter().map(|of| of.kind.name()).collect();
+    let asked = json!([settings.from_m, settings.to_m, request.frictions, kinds]);
+    let claimed = Claim {
+        occupant: Occupant {
+            kind: "reach".into(),
+            name: name.clone(),
+            identity: digest(&json!([case.identity(), asked, request.helix_side_force])),
+        },
+        output: &request.output,
+        default: default_output(&name),
+        shared: false,
+        observer,
+        is_unfinished: &|_| false,
+        is_part: &|_| false,
+        refuse: &|_| Ok(()),
+    }
+    .folder()?;
+    let begun = Instant::now();
+    let jobs = request.jobs.or_else(|| thread::available_parallelism().ok());
+    let jobs = jobs.map_or(1, NonZeroUsize::get);
+    let found = solve(&setups, &all, &settings, jobs, cancellation)?;
+    let took = begun.elapsed();
+    let answers: Vec<(Option<f64>, &[OperationReach])> = setups
+        .iter()
+        .zip(found.chunks(all.len().max(1)))
+        .map(|((friction, _), reaches)| (*friction, reaches))
+        .collect();
+    let bit = case.model.well.path.at(settings.from_m);
+    let frictions = answers.iter().zip(&setups).map(|((friction, reaches), (_, setup))| {
+        let at_bit = setup.well.hole.at(settings.to_m).friction.kinetic;
+        of_friction(*friction, at_bit, reaches)
+    });
+    let summary = ReachSummary {
+        schema_version: REACH_VERSION,
+        case: case.name.clone(),
+        settings: case.settings.clone(),
+        from_m: settings.from_m,
+        to_m: settings.to_m,
+        inclination_rad: bit.inclination_rad(),
+        helix_side_force: request.helix_side_force,
+        left_out,
+        frictions: frictions.collect(),
+    };
+    let folder = &claimed.folder;
+    folder.write_table(REACH, &reach_table(&answers), request.csv)?;
+    // The page leads to it.
+    folder.write_table(LIMITS, &reach_limits_table(&summary), true)?;
+    summary.write(&folder.path().join("summary.json"))?;
+    let units = request.units.unwrap_or(case.units);
+    page::write(folder, &page::gather(folder.path(), Some(units))?, request.png)?;
+    Ok(Outcome { summary, folder: folder.path().to_owned(), took })
+}
+
+/// Every operation at every friction, the operations of the first friction first.
+fn solve(
+    setups: &[(Option<f64>, Setup)],
+    operations: &[Operation],
+    settings: &ReachSettings,
+    jobs: usize,
+    cancellation: &CancellationToken,
+) -> Result<Vec<OperationReach>, Error> {
+    let order: Vec<usize> = (0..setups.len() * operations.len()).collect();
+    let done: Vec<_> = order.iter().map(|_| Mutex::new(None)).collect();
+    in_parallel(jobs, &order, |index| {
+        if !cancellation.is_cancelled() {
+            let (_, setup) = &setups[index / operations.len()];
+            let found = reach(setup, &operations[index % operations.len()], settings);
+            *lock(&done[index]) = Some(found);
+        }
+    });
+    let done = done.iter().map(|of| lock(of).take().ok_or(Error::Interrupted));
+    done.map(|found| found?.map_err(Error::failed)).collect()
+}
+
+fn of_friction(friction: Option<f64>, at_bit: f64, reaches: &[OperationReach]) -> ReachOfFriction {
+    let first = first_stop(reaches).and_then(|(reach, curve)| {
+        Some(ReachStop {
+            operation: reach.kind.name().into(),
+            limit: curve.limit.name().into(),
+            depth_m: curve.end.depth_m()?,
+        })
+    });
+    let limits = reaches.iter().flat_map(|reach| {
+        let limit = |curve: &Curve| limit(reach.kind.name(), curve);
+        reach.curves.iter().map(limit).collect::<Vec<_>>()
+    });
+    ReachOfFriction { friction, friction_at_bit: at_bit, first, limits: limits.collect() }
+}
+
+fn limit(operation: &str, curve: &Curve) -> ReachLimit {
+    let finite = |of: Option<f64>| of.filter(|value| value.is_finite());
+    ReachLimit {
+        operation: operation.into(),
+        limit: curve.limit.name().into(),
+        title: curve.limit.title().into(),
+        stops: curve.limit.stops(),
+        depth_m: curve.end.depth_m(),
+        already: matches!(curve.end, End::Already(_)),
+        margin_at_from: finite(curve.margins.first().map(|of| of.margin)),
+        margin_at_to: finite(curve.margins.last().map(|of| of.margin)),
+        at_md_m: curve.there.at_md_m,
+    }
+}

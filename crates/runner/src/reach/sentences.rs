@@ -1,0 +1,78 @@
+//! What a reach says, in sentences.
+
+use wholestring_results::{ReachOfFriction, ReachSummary};
+use wholestring_units::{Dimension, UnitSet};
+
+use crate::page::facts::readable;
+
+/// A friction as people say it.
+pub(super) fn friction(of: &ReachOfFriction) -> String {
+    match of.friction {
+        Some(friction) => format!("friction {friction}"),
+        None => "the case's friction".into(),
+    }
+}
+
+/// A depth to the metre or foot.
+fn depth(depth_m: f64, units: UnitSet) -> String {
+    let unit = Dimension::Length.unit_in(units);
+    format!("{:.0} {}", unit.from_si(depth_m), unit.symbol)
+}
+
+/// What stops the well first, a sentence for each friction.
+pub fn answers(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
+    let answer = |of: &ReachOfFriction| {
+        let at = friction(of);
+        let Some(first) = &of.first else {
+            return format!("At {at} nothing stops it down to {}.", depth(summary.to_m, units));
+        };
+        let found = of
+            .limits
+            .iter()
+            .find(|limit| limit.limit == first.limit && limit.operation == first.operation);
+        let title = found.map_or(first.limit.as_str(), |limit| limit.title.as_str());
+        let already = match found.is_some_and(|limit| limit.already) {
+            true => " already",
+            false => "",
+        };
+        format!(
+            "At {at} it is stopped{already} at {}: {title}, {}.",
+            depth(first.depth_m, units),
+            readable(&first.operation)
+        )
+    };
+    summary.frictions.iter().map(answer).collect()
+}
+
+/// What is to be known besides: the critical inclination, helices that do not rub, operations that
+/// were left out.
+pub fn notes(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
+    let angle = |rad: f64| {
+        let unit = Dimension::Angle.unit_in(units);
+        format!("{:.1} {}", unit.from_si(rad), unit.symbol)
+    };
+    let mut notes = Vec::new();
+    for of in &summary.frictions {
+        if of.friction_at_bit <= 0.0 {
+            continue;
+        }
+        let critical_rad = (1.0 / of.friction_at_bit).atan();
+        let inclination = angle(summary.inclination_rad);
+        let (at, critical) = (friction(of), angle(critical_rad));
+        notes.push(match summary.inclination_rad < critical_rad {
+            true => format!(
+                "At {at} a string slides down by its own weight to {critical}; at {inclination} its \
+                 slack-off weight grows with depth."
+            ),
+            false => format!(
+                "At {at} a string slides down by its own weight to {critical} only; at {inclination} \
+                 each metre has to be pushed."
+            ),
+        });
+    }
+    if !summary.helix_side_force {
+        notes.push("What a helix presses to the wall does not rub: no string locks up.".into());
+    }
+    notes.extend(summary.left_out.iter().cloned());
+    notes
+}
