@@ -257,7 +257,7 @@ mod tests {
         assert_eq!(nearest("5 in 19.9 lb/ft S-135 premium")[0], "5 in 19.50 lb/ft S-135 premium");
         // Other tubulars have no class.
         assert_eq!(nearest("HWDP 5 in 49.3 lb/ft premium")[0], "HWDP 5 in 49.3 lb/ft");
-        assert_eq!(nearest("CT 2 in x 0.19 in CT-95")[0], "CT 2 in x 0.190 in CT-70");
+        assert_eq!(nearest("CT 2 in x 0.19 in CT-95")[0], "CT 2 in x 0.190 in CT-90");
         assert_eq!(nearest("HWDP 5 in 44 lb/ft")[0], "HWDP 5 in 49.3 lb/ft");
         assert_eq!(nearest("8 in x 2-7/8 in collar")[0], "8 in x 2-13/16 in collar");
         // The light weights are made in E-75 alone.
