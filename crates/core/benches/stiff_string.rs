@@ -1,5 +1,5 @@
-//! How often and how fast the stiff string finds its equilibrium, in random wells:
-//! `cargo bench -p wholestring --bench stiff_string -- 1000`.
+//! What the stiff string costs by its length, and how often and how fast it finds its equilibrium in
+//! random wells: `cargo bench -p wholestring --bench stiff_string -- 1000`.
 //!
 //! Wells of 300 m to 12 km with doglegs to 20 deg/30 m, spline and arcs; motors with and without a
 //! bend at three tool faces, none to three blades, friction from 0 to 0.6, every operation. The
@@ -13,6 +13,7 @@ use std::time::Instant;
 use wholestring::{
     operation::OperationKind,
     prelude::*,
+    sizing::{Accuracy, ElementLength},
     statics::{
         soft::{self, SoftSettings},
         stiff::{self, StiffError, StiffSettings},
@@ -54,7 +55,14 @@ impl Random {
     }
 }
 
+/// Lengths of the string, km.
+const LENGTHS_KM: [f64; 5] = [1.0, 2.0, 4.0, 8.0, 15.0];
+
+/// Times that each is solved; the fastest counts.
+const TIMES: usize = 5;
+
 fn main() {
+    lengths();
     let wells = std::env::args().find_map(|word| word.parse().ok()).unwrap_or(WELLS);
     let weights =
         WEIGHTS_N.into_iter().flat_map(|weight_N| (0..wells).map(move |seed| (seed, weight_N)));
@@ -93,6 +101,46 @@ fn main() {
                 part(0.99)
             );
         }
+    }
+}
+
+/// A build to 60 deg over a fifth of the length and a tangent, drill pipe with joints from end to end,
+/// elements from joint to joint: pulled out, and turning off bottom.
+fn lengths() {
+    println!("length, km | elements | pulled: iterations, ms | turning: iterations, ms");
+    for length_km in LENGTHS_KM {
+        let length_m = 1e3 * length_km;
+        let stations = [[0.0, 0.0, 0.0], [0.2 * length_m, 60.0, 0.0], [length_m, 60.0, 0.0]];
+        let path = path(&stations, Interpolation::MinimumCurvature);
+        let pipe = ComponentSpec::uniform(
+            "drill pipe",
+            0.127,
+            0.1086,
+            ComponentLength::ToSurface,
+            steel(),
+        );
+        let joints = Some(ToolJoints { od_m: 0.165, spacing_m: 9.6 });
+        let parts = vec![ComponentSpec { joints, ..pipe }];
+        let model = model(path, open_hole(HOLE_M, 0.25, length_m), parts, mud(1200.0), length_m);
+        let settings = StiffSettings {
+            element_length: ElementLength::Auto(Accuracy::Coarse),
+            ..StiffSettings::default()
+        };
+        let kinds = [OperationKind::TripOut, OperationKind::RotateOffBottom];
+        let [pulled, turning] = kinds.map(|kind| {
+            let operation = operation(kind, length_m);
+            let solve = |_| {
+                let begin = Instant::now();
+                let found = stiff::solve(&model, &operation, &settings).expect("an equilibrium");
+                (found.convergence, 1e3 * begin.elapsed().as_secs_f64())
+            };
+            let tries = (0..TIMES).map(solve);
+            tries.min_by(|a, b| a.1.total_cmp(&b.1)).expect("one")
+        });
+        println!(
+            "{length_km} | {} | {}, {:.1} | {}, {:.1}",
+            pulled.0.elements, pulled.0.iterations, pulled.1, turning.0.iterations, turning.1
+        );
     }
 }
 

@@ -1,6 +1,7 @@
-//! A mesh that finds its contacts, and equilibria that begin with others.
+//! A mesh that finds its contacts, equilibria that begin with others, and strings that have none.
 
 use wholestring::{
+    operation::OperationKind,
     prelude::*,
     sizing::{Accuracy, ElementLength, SizeReason},
     statics::stiff::{self, StiffError, StiffSettings},
@@ -128,4 +129,33 @@ fn a_string_that_locks_up_is_told_from_one_that_is_not_found() {
     assert!((0.0..2000.0).contains(&md_m), "{md_m}");
     assert!(locked.to_string().contains("locks up at MD"), "{locked}");
     solve(0.3, 50e3).expect("an equilibrium");
+}
+
+/// 500 m of level hole under four times the sinusoidal load of the pipe: turning, its helix rolls around the
+/// hole, and the error says so; sliding it comes to rest, as it does turning without friction.
+#[test]
+fn a_buckled_string_that_turns_rolls() {
+    let solve = |friction: f64, operation: Operation| {
+        let length_m = 500.0;
+        let path = common::arcs(&[[0.0, 90.0, 0.0], [length_m, 90.0, 0.0]]);
+        let pipe = ComponentSpec::uniform(
+            "pipe",
+            0.127,
+            0.1086,
+            ComponentLength::ToSurface,
+            common::steel(),
+        );
+        let hole = common::open_hole(0.2159, friction, length_m);
+        let model = common::model(path, hole, vec![pipe], common::mud(1200.0), length_m);
+        let operation = Operation { weight_on_bit_N: 400e3, ..operation };
+        stiff::solve(&model, &operation, &settings(4.0))
+    };
+    let drill = common::operation(OperationKind::Drill, 500.0);
+    let rolls = solve(0.2, drill).expect_err("no equilibrium");
+    let StiffError::Rolls { md_m, .. } = rolls else { panic!("{rolls}") };
+    assert!((0.0..500.0).contains(&md_m), "{md_m}");
+    for (friction, operation) in [(0.0, drill), (0.2, Operation::slide(500.0))] {
+        let found = solve(friction, operation).expect("an equilibrium");
+        assert!(found.convergence.stable, "{:?}", found.convergence);
+    }
 }

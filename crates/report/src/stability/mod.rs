@@ -14,7 +14,7 @@ pub struct StabilityPicture {
     /// How fast the small motion grows that grows most, 1/s: for the first weight at each speed, then
     /// for the next.
     pub growth_per_s: Vec<f64>,
-    /// From which speed on each weight is stable, rad/s: zero where all are, infinite where none is.
+    /// From which speed on each weight is stable, rad/s; not a number where all are, or none is.
     pub thresholds_rad_per_s: Vec<f64>,
     /// The case's own rotary speed, rad/s, and weight on bit, N.
     pub own: [f64; 2],

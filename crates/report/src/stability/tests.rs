@@ -15,7 +15,7 @@ fn picture() -> StabilityPicture {
         speeds_rad_per_s: vec![5.0, 10.0, 15.0],
         weights_N: vec![20e3, 40e3, 60e3],
         growth_per_s: vec![-0.1, -0.2, -0.3, 0.2, -0.2, -0.3, 0.4, 0.2, 0.1],
-        thresholds_rad_per_s: vec![0.0, 7.5, f64::NAN],
+        thresholds_rad_per_s: vec![f64::NAN, 7.5, f64::NAN],
         own: [20.0, 40e3],
     }
 }
@@ -60,7 +60,7 @@ fn the_map_shows_growth_threshold_and_case() {
 fn a_stable_map_is_blank() {
     let mut stable = picture();
     stable.growth_per_s = vec![-0.1; 9];
-    stable.thresholds_rad_per_s = vec![0.0; 3];
+    stable.thresholds_rad_per_s = vec![f64::NAN; 3];
     let (marks, _) = marks(&stable);
     assert!(matches!(&marks[..], [Mark::Points { .. }]));
 }

@@ -1,12 +1,15 @@
 //! Equilibrium of the string without its wall, and how it changes: what the elements, the weight
 //! and the ends come to at every node.
 
-use nalgebra::{Matrix3, Matrix3x2, Vector2, Vector3};
+#[cfg(test)]
+mod tests;
+
+use nalgebra::{Matrix3, Vector2, Vector3};
 
 use super::{
     blocks::{Block, Entry, Tridiagonal},
     contact::Push,
-    heading::Heading,
+    director::Director,
     state::State,
     string_in_hole::StringInHole,
 };
@@ -36,52 +39,6 @@ struct Lengthening {
     ends: [Entry; 2],
     excess_m: f64,
     axial_N_per_m: f64,
-}
-
-/// A director that an element sees, and how it turns with the node's.
-struct Seen {
-    director: Vector3<f64>,
-    by: Matrix3x2<f64>,
-    /// Whether it is the node's own.
-    own: bool,
-}
-
-impl Seen {
-    fn of(heading: &Heading, bend: Option<&Vector3<f64>>) -> Self {
-        let [b1, b2] = heading.across;
-        let Some(parts) = bend else {
-            return Self {
-                director: heading.along,
-                by: Matrix3x2::from_columns(&[b1, b2]),
-                own: true,
-            };
-        };
-        let director = b1 * parts.x + b2 * parts.y + heading.along * parts.z;
-        // The node's rotation d × b turns the other director, too.
-        let column = |b: Vector3<f64>, part: f64| b * parts.z - heading.along * part;
-        let by = Matrix3x2::from_columns(&[column(b1, parts.x), column(b2, parts.y)]);
-        Self { director, by, own: false }
-    }
-
-    /// What a director's turning adds to the tangent: of a gradient on it, N·m.
-    fn second(
-        &self,
-        heading: &Heading,
-        gradient: Vector3<f64>,
-        pull_N_m: f64,
-    ) -> nalgebra::Matrix2<f64> {
-        if self.own {
-            return nalgebra::Matrix2::identity() * -pull_N_m;
-        }
-        // The gradient is known but for its part along the director.
-        let d = self.director;
-        let whole = gradient + d * (pull_N_m - gradient.dot(&d));
-        let turns = heading.across.map(|b| heading.along.cross(&b));
-        nalgebra::Matrix2::from_fn(|row, column| {
-            let twice = |a: usize, b: usize| turns[a].cross(&turns[b].cross(&d));
-            0.5 * whole.dot(&(twice(row, column) + twice(column, row)))
-        })
-    }
 }
 
 impl Equations {
@@ -131,8 +88,9 @@ impl Equations {
         let element = &string.elements[index];
         let nodes = [&string.nodes[index], &string.nodes[index + 1]];
         let headings = [&state.heading[index], &state.heading[index + 1]];
-        let seen = [Seen::of(headings[0], element.bend.as_ref()), Seen::of(headings[1], None)];
-        let directors = [seen[0].director, seen[1].director];
+        let seen =
+            [Director::of(headings[0], element.bend.as_ref()), Director::of(headings[1], None)];
+        let directors = [seen[0].along, seen[1].along];
         let ends = Ends { chord_m: state.chord_m(string, index), directors };
         let tension_N = state.tension_N[index];
         let of = Tangent::of(&element.stiffness, &ends, tension_N);
@@ -187,8 +145,8 @@ impl Equations {
 
     /// The couple `−M (d1 + d2)/(1 + c12)` of the torque `M` that the string carries, on end 1, the
     /// opposite on end 2.
-    fn add_couple(&mut self, index: usize, torque_N_m: f64, seen: &[Seen; 2]) {
-        let [d1, d2] = [seen[0].director, seen[1].director];
+    fn add_couple(&mut self, index: usize, torque_N_m: f64, seen: &[Director; 2]) {
+        let [d1, d2] = [seen[0].along, seen[1].along];
         let share = torque_N_m / (1.0 + d1.dot(&d2));
         // On a director it is moment × director, the same at both ends.
         let on = d1.cross(&d2) * share;
@@ -294,110 +252,4 @@ impl Equations {
 /// A vector's parts along axes.
 fn local(axes: &[Vector3<f64>; 3], of: Vector3<f64>) -> Vector3<f64> {
     Vector3::new(axes[0].dot(&of), axes[1].dot(&of), axes[2].dot(&of))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{
-        common::{along, mud},
-        operation::Operation,
-        random::Random,
-        rod::mesh::Mesh,
-        statics::{soft::soft_string, stiff::StiffSettings},
-        string::{BodyBend, ComponentLength, ComponentSpec},
-    };
-
-    /// A string of eleven elements with a bend, off its axis and turned by a few degrees.
-    fn bent_string() -> (StringInHole, State) {
-        let pipe =
-            |length| ComponentSpec { bend: None, ..crate::common::pipe(300.0, 0.06, length) };
-        let motor = ComponentSpec {
-            bend: Some(BodyBend { from_lower_end_m: 3.0, angle_rad: 0.04, toolface_rad: 0.7 }),
-            ..pipe(ComponentLength::Metres(9.0))
-        };
-        let stations = [[0.0, 10.0, 20.0], [30.0, 16.0, 31.0]];
-        let parts = vec![motor, pipe(ComponentLength::ToSurface)];
-        let model = along(&stations, 0.2, parts, mud(0.0));
-        let operation = Operation::trip_out(30.0);
-        let soft = soft_string(&model, &operation).expect("a soft string");
-        let mesh = Mesh::uniform(&model.string, 3.0);
-        let string = StringInHole::new(&model, &operation, &StiffSettings::default(), &mesh, &soft);
-        let mut state = State::centred(&string);
-        let mut random = Random::new(5);
-        let step: Vec<Entry> = (0..string.nodes.len())
-            .map(|_| Entry::from_fn(|row, _| random.signed() * if row < 3 { 2e-3 } else { 0.05 }))
-            .collect();
-        state.advance(&step, 1.0);
-        (string, state)
-    }
-
-    /// Tensions that fit the shape.
-    fn fit(string: &StringInHole, state: &mut State) {
-        for (index, element) in string.elements.iter().enumerate() {
-            let directors = [element.seen(&state.heading[index]), state.heading[index + 1].along];
-            let ends = Ends { chord_m: state.chord_m(string, index), directors };
-            let longer_m = ends.longer_m(&element.stiffness) - element.slack_m;
-            state.tension_N[index] = element.stiffness.axial * longer_m;
-        }
-    }
-
-    /// The matrix is how the forces change, by central differences that halve their step: the rest
-    /// falls by four until 2e-7 of the largest entry of a row is rounding. Where a torque is carried
-    /// the change of `1/(1 + c12)` is left out: 1e-4 of it.
-    #[test]
-    fn the_tangent_is_exact() {
-        let (string, mut state) = bent_string();
-        fit(&string, &mut state);
-        let nodes = string.nodes.len();
-        for (torque, tolerance) in [(None, 1e-6), (Some(vec![2e4; nodes - 1]), 1e-4)] {
-            let forces = |state: &State| {
-                let mut equations = Equations::new(nodes);
-                equations.assemble(&string, state, torque.as_deref());
-                equations
-            };
-            let matrix = forces(&state).matrix;
-            let bent = string.elements.iter().position(|of| of.bend.is_some()).expect("a bend");
-            let mut changes = Tridiagonal::zeros(nodes);
-            for (node, unknown) in (1..nodes).flat_map(|node| (0..5).map(move |k| (node, k))) {
-                let size = if unknown < 3 { 1e-6 } else { 1e-5 };
-                let moved = |by: f64| {
-                    let mut step = vec![Entry::zeros(); nodes];
-                    step[node][unknown] = by;
-                    let mut there = state.clone();
-                    there.advance(&step, 1.0);
-                    fit(&string, &mut there);
-                    forces(&there).force
-                };
-                let (ahead, behind) = (moved(size), moved(-size));
-                let change = |row: usize| (behind[row] - ahead[row]) / (2.0 * size);
-                changes.upper[node - 1].set_column(unknown, &change(node - 1));
-                changes.diagonal[node].set_column(unknown, &change(node));
-                if node + 1 < nodes {
-                    changes.lower[node].set_column(unknown, &change(node + 1));
-                }
-            }
-            // A director that turns about two axes one after the other comes back turned about
-            // itself: what a bend's moment about it makes of that is no part of a symmetric matrix.
-            let own = changes.diagonal[bent].fixed_view::<2, 2>(3, 3).into_owned();
-            let symmetric = (own + own.transpose()) * 0.5;
-            changes.diagonal[bent].fixed_view_mut::<2, 2>(3, 3).copy_from(&symmetric);
-            let mut worst = 0.0_f64;
-            let mut compare = |row: usize, found: &Block, change: &Block| {
-                for k in 0..5 {
-                    let scale = matrix.diagonal[row].row(k).amax();
-                    worst = worst.max((found.row(k) - change.row(k)).amax() / scale);
-                }
-            };
-            for row in 1..nodes {
-                compare(row, &matrix.diagonal[row], &changes.diagonal[row]);
-                if row + 1 < nodes {
-                    compare(row, &matrix.upper[row], &changes.upper[row]);
-                    compare(row + 1, &matrix.lower[row], &changes.lower[row]);
-                }
-            }
-            println!("{worst:.1e}");
-            assert!(worst < tolerance, "{worst:e}");
-        }
-    }
 }

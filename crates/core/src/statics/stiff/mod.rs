@@ -9,6 +9,7 @@ mod blocks;
 mod carry;
 mod cascade;
 mod contact;
+mod director;
 mod equations;
 mod equilibrium;
 mod error;

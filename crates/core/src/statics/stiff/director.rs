@@ -1,0 +1,52 @@
+//! The directors that an element sees at its ends.
+
+use nalgebra::{Matrix2, Matrix3x2, Vector3};
+
+use super::heading::Heading;
+
+/// A director that an element sees, and how it turns with the node's.
+#[derive(Debug)]
+pub(super) struct Director {
+    pub(super) along: Vector3<f64>,
+    pub(super) by: Matrix3x2<f64>,
+    /// Whether it is the node's own.
+    own: bool,
+}
+
+impl Director {
+    pub(super) fn of(heading: &Heading, bend: Option<&Vector3<f64>>) -> Self {
+        let [b1, b2] = heading.across;
+        let Some(parts) = bend else {
+            return Self {
+                along: heading.along,
+                by: Matrix3x2::from_columns(&[b1, b2]),
+                own: true,
+            };
+        };
+        let director = b1 * parts.x + b2 * parts.y + heading.along * parts.z;
+        // The node's rotation d × b turns the other director, too.
+        let column = |b: Vector3<f64>, part: f64| b * parts.z - heading.along * part;
+        let by = Matrix3x2::from_columns(&[column(b1, parts.x), column(b2, parts.y)]);
+        Self { along: director, by, own: false }
+    }
+
+    /// What a director's turning adds to the tangent: of a gradient on it, N·m.
+    pub(super) fn second(
+        &self,
+        heading: &Heading,
+        gradient: Vector3<f64>,
+        pull_N_m: f64,
+    ) -> Matrix2<f64> {
+        if self.own {
+            return Matrix2::identity() * -pull_N_m;
+        }
+        // The gradient is known but for its part along the director.
+        let d = self.along;
+        let whole = gradient + d * (pull_N_m - gradient.dot(&d));
+        let turns = heading.across.map(|b| heading.along.cross(&b));
+        Matrix2::from_fn(|row, column| {
+            let twice = |a: usize, b: usize| turns[a].cross(&turns[b].cross(&d));
+            0.5 * whole.dot(&(twice(row, column) + twice(column, row)))
+        })
+    }
+}
