@@ -122,7 +122,7 @@ fn what_cannot_be_asked() {
             "has no wob",
         ),
     ] {
-        let more: Vec<&str> = more.iter().copied().collect();
+        let more: Vec<&str> = more.to_vec();
         let glued: Vec<String> = match more[..] {
             ["--friction", value] => vec![format!("--friction={value}")],
             _ => more.iter().map(|word| (*word).to_owned()).collect(),

@@ -18,7 +18,7 @@ pub fn reach_html(reach: &Reach) -> String {
     let answers = reach.answers.iter().map(String::as_str);
     let notes = reach.notes.iter().map(String::as_str);
     let paragraphs = answers.chain([&*facts, ABOUT]).chain(notes);
-    let mut parts = vec![limits(reach, shown)];
+    let mut parts = Vec::new();
     for plot in reach_plots(reach, &reach.head.units) {
         parts.push(StudyPart::Figure {
             title: "Margins against depth".into(),
@@ -31,6 +31,7 @@ pub fn reach_html(reach: &Reach) -> String {
             painted: false,
         });
     }
+    parts.push(limits(reach, shown));
     study_html(&StudyPage {
         program: reach.head.program.clone(),
         title: reach.head.title.clone(),
@@ -63,10 +64,10 @@ fn limits(reach: &Reach, shown: Shown<'_>) -> StudyPart {
             None => "locked up".to_owned(),
         });
         let md = of.md_m.map(|md_m| shown.quantity(md_m.round(), "length"));
-        let word = match (of.first, of.stops) {
-            (true, _) => "stops the well first",
-            (false, true) => "",
-            (false, false) => "goes on buckled",
+        let (word, verdict) = match (of.first, of.stops) {
+            (true, _) => ("stops the well first", Verdict::Differs),
+            (false, false) if of.depth_m.is_some() => ("goes on buckled", Verdict::None),
+            _ => ("", Verdict::None),
         };
         let friction = reach.frictions.get(of.friction).cloned().unwrap_or_default();
         let cells = [
@@ -77,10 +78,9 @@ fn limits(reach: &Reach, shown: Shown<'_>) -> StudyPart {
             at_from,
             at_to,
             md.unwrap_or_default(),
-            word.to_owned(),
         ];
-        let verdict = if of.first { Verdict::Differs } else { Verdict::None };
-        cells.into_iter().map(|cell| (cell, verdict)).collect()
+        let cells = cells.into_iter().map(|cell| (cell, Verdict::None));
+        cells.chain([(word.to_owned(), verdict)]).collect()
     };
     StudyPart::Table {
         title: "Limits".into(),
