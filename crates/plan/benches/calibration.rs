@@ -21,7 +21,7 @@ fn main() {
     let depths: Vec<(usize, f64)> = (0..30).map(|k| (0, 800.0 + 120.0 * f64::from(k))).collect();
     for _ in 0..5 {
         let begun = Instant::now();
-        let found = calibrate(&model, &readings, &depths, &settings()).expect("a fit");
+        let found = calibrate(&model, &readings, &[], &depths, &settings()).expect("a fit");
         println!("{:.3} s, {} strings", begun.elapsed().as_secs_f64(), found.strings);
     }
 }

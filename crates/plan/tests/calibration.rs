@@ -30,7 +30,7 @@ fn s4_friction_of_casing_and_open_hole_and_block_weight() {
     let rows = Oracle::data();
     let assemblies = [assembly(&oracle)];
     let model = SoftPredictions::new(&assemblies);
-    let found = calibrate(&model, &readings(&rows), &[], &settings()).expect("a fit");
+    let found = calibrate(&model, &readings(&rows), &[], &[], &settings()).expect("a fit");
 
     let chi2 = |p: &[f64]| oracle.chi2(&rows, p);
     let scale = [0.01, 0.01, 5e3];
@@ -86,7 +86,7 @@ fn s4_errors_of_readings_are_estimated() {
     let assemblies = [assembly(&oracle)];
     let settings = Settings { errors: [None; 3], ..settings() };
     let model = SoftPredictions::new(&assemblies);
-    let found = calibrate(&model, &readings(&Oracle::data()), &[], &settings).expect("a fit");
+    let found = calibrate(&model, &readings(&Oracle::data()), &[], &[], &settings).expect("a fit");
     for (of, made) in found.errors.iter().zip([12e3, 6e3, 500.0]) {
         assert!(!of.given);
         // The standard error of a root mean square of n numbers is 1/√(2 n) of it: within three.
@@ -111,7 +111,8 @@ fn a_wrong_well_shows_in_the_residuals() {
     .expect("a path");
     let assemblies = [assembly];
     let model = SoftPredictions::new(&assemblies);
-    let found = calibrate(&model, &readings(&Oracle::data()), &[], &settings()).expect("a fit");
+    let found =
+        calibrate(&model, &readings(&Oracle::data()), &[], &[], &settings()).expect("a fit");
     assert!(found.chi2 > 200.0, "{}", found.chi2);
 }
 
@@ -123,17 +124,17 @@ fn what_readings_cannot_tell_is_said() {
     let model = SoftPredictions::new(&assemblies);
     let rows = Oracle::data();
     let shallow = readings(&rows[..7]);
-    let untold = calibrate(&model, &shallow, &[], &settings()).expect_err("not told");
+    let untold = calibrate(&model, &shallow, &[], &[], &settings()).expect_err("not told");
     assert_eq!(untold, CalibrationError::Untold(Parameter::Open));
     let both = Settings { parameters: vec![Parameter::Friction, Parameter::Open], ..settings() };
-    let twice = calibrate(&model, &shallow, &[], &both).expect_err("one number");
+    let twice = calibrate(&model, &shallow, &[], &[], &both).expect_err("one number");
     assert_eq!(twice, CalibrationError::Twice(Parameter::Friction, Parameter::Open));
     // Pick-up weights at two neighbouring depths cannot tell three numbers apart.
     let few: Vec<Reading> =
         readings(&rows[20..]).into_iter().filter(|of| of.channel == Channel::PickUp).collect();
-    let found = calibrate(&model, &few, &[], &settings()).expect("a fit");
+    let found = calibrate(&model, &few, &[], &[], &settings()).expect("a fit");
     assert!(!found.confused.is_empty() && found.condition > 100.0, "{}", found.condition);
-    let one = calibrate(&model, &few[..2], &[], &settings()).expect_err("too few");
+    let one = calibrate(&model, &few[..2], &[], &[], &settings()).expect_err("too few");
     assert_eq!(one, CalibrationError::TooFew { readings: 2, parameters: 3 });
 }
 
@@ -150,7 +151,7 @@ fn no_factor_is_negative() {
             reading.value -= 1e3;
         }
     }
-    let found = calibrate(&model, &of, &[], &settings()).expect("a fit");
+    let found = calibrate(&model, &of, &[], &[], &settings()).expect("a fit");
     let cased = &found.estimates[0];
     assert!(cased.at_bound && cased.value == 0.0 && cased.standard_error.is_none());
     assert_eq!(cased.interval[0], Some(0.0));
@@ -171,8 +172,13 @@ fn friction_around_the_hole_is_found_apart() {
     }
     let mut parameters = PARAMETERS.to_vec();
     parameters.extend([Parameter::CasedAround, Parameter::OpenAround]);
-    let found =
-        calibrate(&model, &of, &[], &Settings { parameters, around_apart: true, ..settings() });
+    let found = calibrate(
+        &model,
+        &of,
+        &[],
+        &[],
+        &Settings { parameters, around_apart: true, ..settings() },
+    );
     for (value, expected) in values(&found.expect("a fit")).iter().zip([0.2, 0.3, 180e3, 0.1, 0.15])
     {
         assert!((value / expected - 1.0).abs() < 2e-3, "{value} for {expected}");
@@ -250,7 +256,7 @@ fn regions_hold_the_truth_as_often_as_they_say() {
             reading.value += error * z;
             chi2_at_truth += z * z;
         }
-        let found = calibrate(&model, &of, &[], &settings).expect("a fit");
+        let found = calibrate(&model, &of, &[], &[], &settings).expect("a fit");
         sets += 1;
         held += usize::from(chi2_at_truth - found.chi2 <= REGION);
         for (held, (of, truth)) in held_alone.iter_mut().zip(found.estimates.iter().zip(truth)) {
@@ -283,7 +289,8 @@ fn bands_are_those_of_samples() {
     let settings = Settings { errors, ..settings() };
     let rows = Oracle::data();
     let depth_m = 4300.0;
-    let found = calibrate(&model, &readings(&rows), &[(0, depth_m)], &settings).expect("a fit");
+    let found =
+        calibrate(&model, &readings(&rows), &[], &[(0, depth_m)], &settings).expect("a fit");
     let best = values(&found);
     let likelihood = |p: &[f64]| -0.5 * oracle.chi2(&rows, p) / 25.0;
     let peak = likelihood(&best);

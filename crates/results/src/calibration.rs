@@ -52,6 +52,10 @@ pub struct CalibrationSummary {
     pub readings: usize,
     /// How many of them lie in the band of readings.
     pub within_band: usize,
+    /// How many took no part in the fit and are held against it.
+    pub held_out: usize,
+    /// How many of those lie in the band.
+    pub held_out_within_band: usize,
     /// Farthest that predictions between nodes are off, in errors of the readings.
     pub interpolation_error: f64,
     /// How many strings were solved.

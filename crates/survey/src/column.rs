@@ -35,6 +35,8 @@ pub enum Column {
     MudDensity,
     /// Which case it belongs to.
     Case,
+    /// Whether something is to be found from it.
+    Use,
 }
 
 impl Column {
@@ -52,7 +54,7 @@ impl Column {
     pub const NEEDED: [Column; 3] = [Column::MeasuredDepth, Column::Inclination, Column::Azimuth];
 
     /// Every column of readings.
-    pub const READINGS: [Column; 8] = [
+    pub const READINGS: [Column; 9] = [
         Column::BitDepth,
         Column::PickUp,
         Column::SlackOff,
@@ -61,11 +63,12 @@ impl Column {
         Column::TorqueOnBottom,
         Column::MudDensity,
         Column::Case,
+        Column::Use,
     ];
 
     /// Whether it holds words and no numbers.
     pub fn is_words(self) -> bool {
-        self == Column::Case
+        matches!(self, Column::Case | Column::Use)
     }
 
     /// Whether it is of readings.
@@ -101,6 +104,7 @@ impl Column {
             Column::TorqueOnBottom => "Torque on bottom (kN.m)",
             Column::MudDensity => "Mud (sg)",
             Column::Case => "Case",
+            Column::Use => "Use",
         }
     }
 }
@@ -122,6 +126,7 @@ impl fmt::Display for Column {
             Column::TorqueOnBottom => "torque on bottom",
             Column::MudDensity => "mud density",
             Column::Case => "case",
+            Column::Use => "use",
         })
     }
 }

@@ -220,6 +220,12 @@ pub enum SurveyErrorKind {
         /// The cell's text.
         found: String,
     },
+    /// A cell of the column `use` that is neither word.
+    #[error("`use` is '{found}', expected \"yes\" or \"no\"")]
+    NotYesNo {
+        /// What stands there.
+        found: String,
+    },
     /// A row of a table in columns of blanks that has fewer values than the others.
     #[error("{found} values in this row, {expected} in the first")]
     ShortRow {

@@ -71,6 +71,7 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
     ),
     (Column::MudDensity, 0, "mud muddensity mudweight mudwt mw mudin densityofmud"),
     (Column::Case, 0, "case"),
+    (Column::Use, 0, "use"),
 ];
 
 /// Words that a heading may have beside its name.

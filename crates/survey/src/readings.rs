@@ -7,7 +7,7 @@ use crate::{
     number::Style,
     sort::READINGS,
     stations::{Reader, data_rows, style, whole},
-    table::Table,
+    table::{Row, Table},
 };
 
 /// No hole is deeper along its axis, m.
@@ -34,6 +34,10 @@ pub struct ImportedReading {
     pub mud_density_kg_per_m3: Option<f64>,
     /// The case that it belongs to, where there are several.
     pub case: Option<String>,
+    /// It is only held against what the others tell: its `use` is "no".
+    pub held_out: bool,
+    /// Keys of the case that its row changes, each with its value and unit.
+    pub keys: Vec<(String, String)>,
 }
 
 /// Readings and how they were understood.
@@ -68,6 +72,7 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Su
     if reader.style == Style::Comma {
         notes.push("a comma is read as the decimal sign".to_owned());
     }
+    let keys = keys(&layout, &mut notes);
     let mut readings = Vec::new();
     for &row in &rows {
         let row = &table.rows[row];
@@ -90,6 +95,19 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Su
         {
             return Err(reader.out_of_range(row, found, "0 to 4 sg"));
         }
+        let held_out = match layout.column(Column::Use).map(|found| row.text(found.index)) {
+            None | Some("") => false,
+            Some(word) => match word.to_ascii_lowercase().as_str() {
+                "yes" => false,
+                "no" => true,
+                _ => {
+                    let kind = SurveyErrorKind::NotYesNo { found: word.to_owned() };
+                    let at =
+                        layout.column(Column::Use).and_then(|found| row.cells.get(found.index));
+                    return Err(table.source.error(kind, at.map(|cell| cell.at)));
+                }
+            },
+        };
         let case = layout.column(Column::Case).map(|found| row.text(found.index));
         readings.push(ImportedReading {
             place: table.source.row_name(whole(row)),
@@ -101,6 +119,8 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Su
             torque_on_bottom_N_m: maybe(Column::TorqueOnBottom)?,
             mud_density_kg_per_m3,
             case: case.filter(|case| !case.is_empty()).map(str::to_owned),
+            held_out,
+            keys: keys.iter().filter_map(|key| key.of(row)).collect(),
         });
     }
     if readings.is_empty() {
@@ -110,6 +130,56 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Su
     notes.extend(table.notes.iter().cloned());
     notes.push(format!("{} rows", readings.len()));
     Ok(ImportedReadings { readings, notes })
+}
+
+/// A column that is a key of the case.
+struct Key {
+    index: usize,
+    name: String,
+    /// Unit in its heading, as it is written.
+    unit: String,
+}
+
+impl Key {
+    /// The key that a heading names: words with dots between them, as `string.2.length (ft)`.
+    fn named(index: usize, heading: &str) -> Option<Self> {
+        let (name, rest) = heading.split_once(['(', '[']).unwrap_or((heading, ""));
+        let (name, unit) = (name.trim(), rest.trim_end_matches([')', ']']).trim());
+        let is_part = |part: &str| {
+            !part.is_empty() && part.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+        };
+        let begins = name.starts_with(|c: char| c.is_ascii_lowercase());
+        (begins && name.contains('.') && name.split('.').all(is_part)).then(|| Self {
+            index,
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+        })
+    }
+
+    /// What a row says of it; nothing where its cell is empty.
+    fn of(&self, row: &Row) -> Option<(String, String)> {
+        let text = row.text(self.index);
+        let value = format!("{text} {}", self.unit);
+        (!is_blank(text)).then(|| (self.name.clone(), value.trim().to_owned()))
+    }
+}
+
+/// The columns that are keys of the case; those that are nothing are noted.
+fn keys(layout: &Layout, notes: &mut Vec<String>) -> Vec<Key> {
+    let mut keys = Vec::new();
+    for (index, text) in layout.header.iter().enumerate() {
+        if text.is_empty() || layout.columns.iter().any(|found| found.index == index) {
+            continue;
+        }
+        match Key::named(index, text) {
+            Some(key) => {
+                notes.push(format!("`{}` of the case from '{text}'", key.name));
+                keys.push(key);
+            }
+            None => notes.push(format!("the column '{text}' is not used")),
+        }
+    }
+    keys
 }
 
 /// An empty cell, or a dash in place of a number.

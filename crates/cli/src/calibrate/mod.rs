@@ -2,29 +2,34 @@
 
 mod screen;
 
-use wholestring_case::Case;
+use wholestring_case::{Case, Template};
 use wholestring_runner::{
     Existing, Output,
     calibrate::{self, FRAGMENT, Fit, NamedCase, Request},
 };
 
 use crate::{
-    args::CaseArgs, calibrate_args::CalibrateArgs, failure::Failure, input::load, interrupt,
-    progress::RunScreen, terminal::print_stdout,
+    args::CaseArgs, calibrate_args::CalibrateArgs, color::color, failure::Failure, input::load,
+    interrupt, progress::RunScreen, terminal::print_stdout,
 };
 
 pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
     let load = |file: &std::path::PathBuf| {
         let of = CaseArgs { case: file.clone(), overrides: args.overrides.clone() };
-        load(&of, args.quiet)
+        let template =
+            Template::read(file).map_err(|report| Failure::BadInput(report.render(color())))?;
+        Ok((template, load(&of, args.quiet)?))
     };
-    let cases: Vec<Case> = args.cases.iter().map(load).collect::<Result<_, _>>()?;
-    let named = args.cases.iter().zip(&cases).map(|(file, case)| NamedCase {
+    let cases: Vec<(Template, Case)> =
+        args.cases.iter().map(load).collect::<Result<_, Failure>>()?;
+    let named = args.cases.iter().zip(&cases).map(|(file, (template, case))| NamedCase {
         file: file.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+        template,
+        overrides: &args.overrides,
         case,
     });
     let named: Vec<NamedCase> = named.collect();
-    let units = args.units.unwrap_or(cases[0].units);
+    let units = args.units.unwrap_or(cases[0].1.units);
     let existing = if args.overwrite { Existing::Overwrite } else { Existing::Protect };
     let request = Request {
         cases: &named,

@@ -41,6 +41,12 @@ pub(super) fn text(summary: &CalibrationSummary, units: UnitSet) -> String {
         summary.readings,
         100.0 * summary.band_confidence
     );
+    if summary.held_out > 0 {
+        text += &format!(
+            "held out: {} of {} readings within the band\n",
+            summary.held_out_within_band, summary.held_out
+        );
+    }
     text.extend(summary.notes.iter().map(|note| format!("note: {note}\n")));
     text.extend(summary.warnings.iter().map(|warning| format!("warning: {warning}\n")));
     text

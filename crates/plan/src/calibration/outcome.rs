@@ -119,6 +119,9 @@ pub struct Calibration {
     pub band_factor: f64,
     /// Every reading.
     pub points: Vec<Point>,
+    /// Readings that took no part, held against what the others tell: what is standardised is measured less
+    /// predicted over the standard error of a prediction.
+    pub held_out: Vec<Point>,
     /// Predictions with their bands, by setup, channel and depth.
     pub bands: Vec<BandPoint>,
     /// Farthest that the predictions between nodes are off at the best values, in errors of the

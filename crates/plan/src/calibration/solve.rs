@@ -17,17 +17,20 @@ const SLOPE_PART: f64 = 0.3;
 const LEAST_SLOPE: f64 = 1e-3;
 
 /// Finds the numbers that make readings most likely, and how well they are known; and predicts what
-/// would be read with the bit of each setup at other depths, m.
+/// would be read with the bit of each setup at other depths, m. Readings that are held out take no part in
+/// that; they are held against what the others tell.
 ///
 /// # Errors
 /// Readings that do not tell what is looked for, or a string that the model has no answer for.
 pub fn calibrate(
     model: &impl Predict,
     readings: &[Reading],
+    held_out: &[Reading],
     depths: &[(usize, f64)],
     settings: &Settings,
 ) -> Result<Calibration, CalibrationError> {
     check(readings, settings)?;
+    check_finite(held_out)?;
     let (stations, station_of) = stations(model, settings, readings);
     let best = best(model, settings, readings, &stations, &station_of)?;
     let likelihood = Likelihood {
@@ -52,6 +55,8 @@ pub fn calibrate(
     let band_factor = within(settings.band_confidence);
     let points = points(&likelihood, &best, &spread, band_factor);
     let (bands, more) = bands(model, settings, readings, depths, &best, &spread, band_factor)?;
+    let (held_out, yet_more) =
+        held_out_points(model, settings, held_out, &best, &spread, band_factor)?;
     let chi2 = likelihood.chi2(&best.values);
     Ok(Calibration {
         estimates: estimates(&likelihood, &best, &spread, &all, interval_factor)?,
@@ -67,9 +72,10 @@ pub fn calibrate(
         interval_factor,
         band_factor,
         points,
+        held_out,
         bands,
         interpolation_error: best.interpolation_error,
-        strings: best.strings + more,
+        strings: best.strings + more + yet_more,
     })
 }
 
@@ -89,16 +95,21 @@ fn check(readings: &[Reading], settings: &Settings) -> Result<(), CalibrationErr
             }
         }
     }
-    for &Reading { channel, bit_depth_m, value, .. } in readings {
-        if !value.is_finite() || !bit_depth_m.is_finite() {
-            return Err(CalibrationError::NotFinite { channel, bit_depth_m });
-        }
-    }
+    check_finite(readings)?;
     let (readings, parameters) = (readings.len(), parameters.len());
     match readings < parameters {
         true => Err(CalibrationError::TooFew { readings, parameters }),
         false => Ok(()),
     }
+}
+
+fn check_finite(readings: &[Reading]) -> Result<(), CalibrationError> {
+    for &Reading { channel, bit_depth_m, value, .. } in readings {
+        if !value.is_finite() || !bit_depth_m.is_finite() {
+            return Err(CalibrationError::NotFinite { channel, bit_depth_m });
+        }
+    }
+    Ok(())
 }
 
 fn square(count: usize, of: impl Fn(usize, usize) -> f64) -> Vec<Vec<f64>> {
@@ -197,6 +208,46 @@ fn points(
         }
     };
     likelihood.readings.iter().enumerate().map(of).collect()
+}
+
+/// Readings that took no part, against what the others tell; and how many strings that took.
+fn held_out_points(
+    model: &impl Predict,
+    settings: &Settings,
+    readings: &[Reading],
+    best: &Best,
+    spread: &Spread,
+    band_factor: f64,
+) -> Result<(Vec<Point>, usize), CalibrationError> {
+    let mut depths: Vec<(usize, f64)> = Vec::new();
+    for reading in readings {
+        let at = (reading.setup, reading.bit_depth_m);
+        if !depths.contains(&at) {
+            depths.push(at);
+        }
+    }
+    if depths.is_empty() {
+        return Ok((Vec::new(), 0));
+    }
+    let (bands, strings) = bands(model, settings, readings, &depths, best, spread, band_factor)?;
+    let of = |reading: &Reading| {
+        let is = |band: &&BandPoint| {
+            (band.setup, band.bit_depth_m, band.channel)
+                == (reading.setup, reading.bit_depth_m, reading.channel)
+        };
+        let band = bands.iter().find(is)?;
+        let residual = reading.value - band.predicted;
+        let standardised = residual * band_factor / band.reading_half_width;
+        Some(Point {
+            reading: *reading,
+            predicted: band.predicted,
+            predicted_error: band.mean_half_width / band_factor,
+            standardised,
+            outlier: standardised.abs() > settings.outlier_beyond,
+            within_band: residual.abs() <= band.reading_half_width,
+        })
+    };
+    Ok((readings.iter().filter_map(of).collect(), strings))
 }
 
 /// Predictions at depths, with their bands by the slopes there; and how many strings that took.

@@ -68,6 +68,20 @@ impl Drawing<'_> {
         (self.shown.value(of.bit_depth_m, "length"), value)
     }
 
+    /// Those of a name that the numbers were found from, or those that are held against them.
+    fn marks_of(
+        &self,
+        name: &str,
+        place: usize,
+        value: impl Fn(&CalibrationPoint) -> f64,
+    ) -> [Mark; 2] {
+        [(true, Ink::Line(place)), (false, Ink::Note)].map(|(used, ink)| {
+            let points = self.points_of(name).filter(|of| of.used == used);
+            let points = points.map(|of| self.place(of, value(of))).collect();
+            Mark::Points { ink, shape: Shape::of(place), points }
+        })
+    }
+
     fn points_of<'b>(&'b self, name: &'b str) -> impl Iterator<Item = &'b CalibrationPoint> {
         self.of.points.iter().filter(move |of| of.reading == name)
     }
@@ -115,10 +129,7 @@ impl Drawing<'_> {
                 let points = bands.map(|of| (at(of), self.shown.value(of.predicted, kind)));
                 marks.push(Mark::Curve { ink, stroke: Stroke::Solid, points: points.collect() });
             }
-            let points = self.points_of(name);
-            let points = points.map(|of| self.place(of, self.shown.value(of.measured, kind)));
-            let (shape, points) = (Shape::of(place), points.collect());
-            marks.push(Mark::Points { ink, shape, points });
+            marks.extend(self.marks_of(name, place, |of| self.shown.value(of.measured, kind)));
         }
         Panel::new(Axis::new(self.shown.label(label, kind), Range::Near), marks)
     }
@@ -130,7 +141,11 @@ impl Drawing<'_> {
             name: said.to_owned(),
             sample: of(Ink::Line(place), Shape::of(place)),
         };
-        all.into_iter().map(key).collect()
+        let mut keys: Vec<Key> = all.into_iter().map(key).collect();
+        if self.of.points.iter().any(|of| !of.used) {
+            keys.push(Key { name: "held out".to_owned(), sample: of(Ink::Note, Shape::Circle) });
+        }
+        keys
     }
 
     fn layout(columns: usize) -> Layout {
@@ -153,12 +168,7 @@ impl Drawing<'_> {
                 marks.push(Mark::OwnRule { at, label: String::new() });
             }
             for (place, name, _) in self.read(torques) {
-                let points = self.points_of(name).map(|of| self.place(of, of.standardised));
-                marks.push(Mark::Points {
-                    ink: Ink::Line(place),
-                    shape: Shape::of(place),
-                    points: points.collect(),
-                });
+                marks.extend(self.marks_of(name, place, |of| of.standardised));
             }
             let range = Range::Fixed(-1.1 * largest, 1.1 * largest);
             Panel::new(Axis::new(format!("{label}, standard errors"), range), marks)

@@ -63,6 +63,8 @@ pub struct CalibrationPoint {
     pub is_torque: bool,
     /// Measured depth of the bit, m.
     pub bit_depth_m: f64,
+    /// Whether the numbers were found from it; it is only held against them otherwise.
+    pub used: bool,
     /// As it was read.
     pub measured: f64,
     /// By the model.

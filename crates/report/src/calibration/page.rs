@@ -134,6 +134,7 @@ fn readings(of: &Calibration, shown: Shown<'_>) -> StudyPart {
         ("measured", false),
         ("predicted", false),
         ("residual, standard errors", false),
+        ("in the fit", true),
         ("in its band", true),
     ]);
     let rows = of.points.iter().map(|point| {
@@ -146,6 +147,7 @@ fn readings(of: &Calibration, shown: Shown<'_>) -> StudyPart {
             shown.quantity(point.measured, dimension),
             shown.quantity(point.predicted, dimension),
             format!("{:.2}", point.standardised).replace('-', "\u{2212}"),
+            if point.used { "yes" } else { "held out" }.to_owned(),
         ]);
         cells.push(match (point.outlier, point.within_band) {
             (true, _) => ("outlier".to_owned(), Verdict::Differs),

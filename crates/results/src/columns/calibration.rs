@@ -8,6 +8,7 @@ pub const CALIBRATION: &[ColumnSpec] = specs! {
     "case": Words, "The case that was in the hole";
     "place": Words, "Where the reading stands in its file";
     "reading": Words, "`pick_up`, `slack_off`, `rotating`, `torque` or `torque_on_bottom`";
+    "used": Ratio, "1 where the numbers were found from it, 0 where it is only held against them";
     "bit_depth_m": Depth, "Measured depth of the bit";
     "measured_N": Force, "Weight as it was read, block included; `null` of torques",
         null_where "it is a torque";

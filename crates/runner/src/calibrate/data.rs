@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use wholestring_case::Override;
 use wholestring_plan::calibration::{Assembly, Channel, Reading};
 use wholestring_survey::{ImportedReading, ImportedReadings, read_readings};
 
@@ -13,7 +14,10 @@ pub(super) struct Data {
     pub(super) readings: Vec<Reading>,
     /// Where each stands in its file.
     pub(super) places: Vec<String>,
-    /// Strings in their holes: one for each case and density of mud.
+    /// Those that take no part in the fit, and where each stands.
+    pub(super) held_out: Vec<Reading>,
+    pub(super) held_out_places: Vec<String>,
+    /// Strings in their holes: one for each case, density of mud and what else a row changes.
     pub(super) assemblies: Vec<Assembly>,
     /// Each one's case.
     pub(super) cases: Vec<usize>,
@@ -33,26 +37,27 @@ pub(super) fn read(file: &Path, cases: &[NamedCase<'_>]) -> Result<Data, Error> 
     let mut data = Data {
         readings: Vec::new(),
         places: Vec::new(),
+        held_out: Vec::new(),
+        held_out_places: Vec::new(),
         assemblies: Vec::new(),
         cases: Vec::new(),
         notes,
     };
-    let mut densities: Vec<Option<f64>> = Vec::new();
+    let mut changes: Vec<Changes<'_>> = Vec::new();
     for row in &rows {
         let bad = |reason: String| Error::BadInput(format!("{name}, {}: {reason}", row.place));
         let case = of_row(row, cases).map_err(bad)?;
-        let density = row.mud_density_kg_per_m3;
-        let known = data.cases.iter().zip(&densities).position(|of| of == (&case, &density));
-        let setup = known.unwrap_or_else(|| {
-            let mut setup = cases[case].case.setup();
-            if let Some(density) = density {
-                setup.mud.density_kg_per_m3 = density;
+        let change: Changes<'_> = (row.mud_density_kg_per_m3, &row.keys);
+        let known = data.cases.iter().zip(&changes).position(|of| of == (&case, &change));
+        let setup = match known {
+            Some(setup) => setup,
+            None => {
+                data.assemblies.push(assembly(&cases[case], change).map_err(bad)?);
+                data.cases.push(case);
+                changes.push(change);
+                data.cases.len() - 1
             }
-            data.assemblies.push(Assembly::new(setup, &cases[case].case.operations));
-            data.cases.push(case);
-            densities.push(density);
-            data.cases.len() - 1
-        });
+        };
         within(row.bit_depth_m, &data.assemblies[setup]).map_err(bad)?;
         let values = [
             row.pick_up_N,
@@ -64,11 +69,38 @@ pub(super) fn read(file: &Path, cases: &[NamedCase<'_>]) -> Result<Data, Error> 
         for (channel, value) in Channel::ALL.into_iter().zip(values) {
             let Some(value) = value else { continue };
             let bit_depth_m = row.bit_depth_m;
-            data.readings.push(Reading { setup, bit_depth_m, channel, value });
-            data.places.push(row.place.clone());
+            let (readings, places) = match row.held_out {
+                false => (&mut data.readings, &mut data.places),
+                true => (&mut data.held_out, &mut data.held_out_places),
+            };
+            readings.push(Reading { setup, bit_depth_m, channel, value });
+            places.push(row.place.clone());
         }
     }
     Ok(data)
+}
+
+/// What a row changes of its case: density of the mud, kg/m³, and keys with their values.
+type Changes<'a> = (Option<f64>, &'a [(String, String)]);
+
+/// The string, the hole and the mud of a row.
+fn assembly(of: &NamedCase<'_>, (density, keys): Changes<'_>) -> Result<Assembly, String> {
+    let changed = match keys {
+        [] => None,
+        keys => {
+            let own = keys.iter().map(|(key, value)| format!("{key}={value}").parse::<Override>());
+            let own: Vec<Override> =
+                own.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
+            let all = [of.overrides, &own].concat();
+            Some(of.template.case(&all).map_err(|report| report.to_string())?)
+        }
+    };
+    let case = changed.as_ref().unwrap_or(of.case);
+    let mut setup = case.setup();
+    if let Some(density) = density {
+        setup.mud.density_kg_per_m3 = density;
+    }
+    Ok(Assembly::new(setup, &case.operations))
 }
 
 /// The case of a row, by the name of the case or of its file.

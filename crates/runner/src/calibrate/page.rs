@@ -103,8 +103,9 @@ fn profile(table: &Table, parameter: &str) -> Vec<[f64; 3]> {
 
 fn points(table: &Table) -> Vec<CalibrationPoint> {
     let [case, place, reading] = ["case", "place", "reading"].map(|name| words(table, name));
-    let [depth, standardised, outlier, within] =
-        ["bit_depth_m", "standardised", "outlier", "within_band"].map(|name| numbers(table, name));
+    let [used, depth, standardised, outlier, within] =
+        ["used", "bit_depth_m", "standardised", "outlier", "within_band"]
+            .map(|name| numbers(table, name));
     let (measured, predicted) = (either(table, "measured"), either(table, "predicted"));
     let point = |row: usize| CalibrationPoint {
         case: case[row].clone(),
@@ -112,6 +113,7 @@ fn points(table: &Table) -> Vec<CalibrationPoint> {
         is_torque: reading[row].starts_with("torque"),
         reading: reading[row].clone(),
         bit_depth_m: depth[row],
+        used: used[row] > 0.0,
         measured: measured[row],
         predicted: predicted[row],
         standardised: standardised[row],

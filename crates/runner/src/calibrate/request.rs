@@ -216,7 +216,7 @@ fn find(
     let depths = depths(data, if is_stiff { STIFF_DEPTHS } else { DEPTHS });
     let solve = |stiff, settings: &Settings, depths: &[(usize, f64)]| {
         let model = Predictions { assemblies: &data.assemblies, stiff, cancellation };
-        let found = calibrate(&model, &data.readings, depths, settings);
+        let found = calibrate(&model, &data.readings, &data.held_out, depths, settings);
         found.map_err(|error| match cancellation.is_cancelled() {
             true => Error::Interrupted,
             false => Error::BadInput(error.to_string()),
@@ -286,6 +286,8 @@ fn summary(
         outlier_beyond: settings.outlier_beyond,
         readings: found.points.len(),
         within_band: found.points.iter().filter(|of| of.within_band).count(),
+        held_out: found.held_out.len(),
+        held_out_within_band: found.held_out.iter().filter(|of| of.within_band).count(),
         interpolation_error: found.interpolation_error,
         strings: found.strings,
         notes: notes::notes(data, found, settings, units),

@@ -39,7 +39,9 @@ fn by_kind(channel: Channel, value: f64) -> [f64; 2] {
 
 fn points<'a>(data: &Data, found: &Calibration, case: impl Fn(usize) -> &'a str) -> Table {
     let mut table = Table::with_columns(CALIBRATION);
-    for (point, place) in found.points.iter().zip(&data.places) {
+    let fitted = found.points.iter().zip(&data.places).map(|of| (of, 1.0));
+    let held_out = found.held_out.iter().zip(&data.held_out_places).map(|of| (of, 0.0));
+    for ((point, place), used) in fitted.chain(held_out) {
         let channel = point.reading.channel;
         let [measured_N, measured_N_m] = by_kind(channel, point.reading.value);
         let [predicted_N, predicted_N_m] = by_kind(channel, point.predicted);
@@ -50,6 +52,7 @@ fn points<'a>(data: &Data, found: &Calibration, case: impl Fn(usize) -> &'a str)
                 ("reading", &[channel.name()]),
             ],
             &[
+                ("used", &[used]),
                 ("bit_depth_m", &[point.reading.bit_depth_m]),
                 ("measured_N", &[measured_N]),
                 ("predicted_N", &[predicted_N]),

@@ -71,8 +71,8 @@ pub(super) fn fragment(case: &Case, summary: &CalibrationSummary, found: &Calibr
         let _ = write!(
             text,
             "\n[[well.hole]]\nkind = \"{kind}\"\nto = \"{} m\"\ndiameter = \"{} m\"\nfriction = {}\n",
-            section.to_md_m,
-            section.diameter_m,
+            rounded(section.to_md_m, 1e3),
+            rounded(section.diameter_m, 1e6),
             friction(section.kind, factors)
         );
     }
@@ -80,6 +80,11 @@ pub(super) fn fragment(case: &Case, summary: &CalibrationSummary, found: &Calibr
         let _ = write!(text, "\n[rig]\nblock_weight = \"{:.0} N\"\n", found.state.block_weight_N);
     }
     text
+}
+
+/// A length to the millimetre or the micrometre.
+fn rounded(length_m: f64, parts_per_m: f64) -> f64 {
+    (length_m * parts_per_m).round() / parts_per_m
 }
 
 /// A factor in four decimals, a force or torque in whole units.
