@@ -195,7 +195,7 @@ fn try_well(seed: u64, weight_N: f64) -> Try {
     let ms = 1e3 * begin.elapsed().as_secs_f64();
     let end = match solved {
         Ok(found) => End::Found { stable: found.convergence.stable },
-        Err(StiffError::LocksUp { .. }) => End::LocksUp,
+        Err(StiffError::LocksUp { .. } | StiffError::RunsAway { .. }) => End::LocksUp,
         Err(StiffError::Rolls { .. }) => End::Rolls,
         Err(StiffError::NotConverged { .. }) => End::NotConverged,
         Err(error) => panic!("well {seed}: {error}"),

@@ -46,7 +46,9 @@ pub fn no_equilibrium(error: &StiffError) -> Option<Finding> {
     let found = Finding::new(Kind::NoEquilibrium, Level::Error);
     match *error {
         StiffError::Soft(_) => None,
-        StiffError::LocksUp { md_m } | StiffError::Rolls { md_m, .. } => Some(found.at(md_m)),
+        StiffError::LocksUp { md_m }
+        | StiffError::RunsAway { md_m, .. }
+        | StiffError::Rolls { md_m, .. } => Some(found.at(md_m)),
         StiffError::NotConverged { md_m, residual_N, .. } => {
             Some(found.at(md_m).value(residual_N).limit(0.0))
         }

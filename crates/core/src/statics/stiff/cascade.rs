@@ -119,6 +119,11 @@ fn let_go(
     if let Does::Rolls(node) = does {
         return Err(StiffError::Rolls { md_m: string.nodes[node].md_m, iterations });
     }
+    if let Does::RunsAway(element) = does {
+        let compression_N = -relaxation.state.tension_N[element];
+        let md_m = string.nodes[element].md_m;
+        return Err(StiffError::RunsAway { md_m, compression_N, iterations });
+    }
     let (index, residual_N) = residual(string, &relaxation.state, equations);
     Err(StiffError::NotConverged { md_m: string.nodes[index].md_m, residual_N, iterations })
 }

@@ -17,6 +17,20 @@ pub enum StiffError {
         /// Measured depth where the compression grows beyond all bounds, m.
         md_m: f64,
     },
+    /// Its compression grows beyond all bounds, though the wall load of a helix by itself would let it
+    /// through.
+    #[error(
+        "no equilibrium was found: the compression grows beyond all bounds, {compression_N:.3e} N at \
+         MD {md_m:.0} m after {iterations} iterations: the string locks up"
+    )]
+    RunsAway {
+        /// Measured depth of the largest compression, m.
+        md_m: f64,
+        /// That compression, N.
+        compression_N: f64,
+        /// Newton steps of all stages.
+        iterations: usize,
+    },
     /// A string that turns, is buckled, and goes round its hole by its friction without an end.
     #[error(
         "no equilibrium was found: about MD {md_m:.0} m the buckled string rolls around its hole, by \

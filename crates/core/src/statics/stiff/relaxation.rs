@@ -64,6 +64,9 @@ const MOVES_M: f64 = 1e-2;
 /// not come to rest. What does rest went round by less than a turn in hundreds of wells.
 const ROLLS: [f64; 2] = [4.0 * std::f64::consts::PI, 2.0 * std::f64::consts::PI];
 
+/// Compression that runs away, over the largest of the soft string.
+const AWAY: f64 = 2.0;
+
 /// What the string does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Does {
@@ -71,7 +74,9 @@ pub(super) enum Does {
     Rests,
     /// Turned by its friction, it rolls around the hole: most at this node.
     Rolls(usize),
-    /// It went on moving for as long as was looked at, or to where nothing holds it.
+    /// Its compression grows beyond all bounds: most in this element.
+    RunsAway(usize),
+    /// It went on moving for as long as was looked at.
     Moves,
 }
 
@@ -119,7 +124,9 @@ impl<'a> Relaxation<'a> {
         let turns = self.string.nodes.iter().any(|node| node.friction[1] != 0.0);
         while self.steps < MOST {
             self.steps += 1;
-            let Some(stepped) = self.step(equations) else { return Does::Moves };
+            let Some(stepped) = self.step(equations) else {
+                return self.running_away().map_or(Does::Moves, Does::RunsAway);
+            };
             *moved |= stepped.longest_m > MOVES_M;
             if turns && let Some(node) = self.rolling(ROLLS[0]) {
                 return Does::Rolls(node);
@@ -138,6 +145,16 @@ impl<'a> Relaxation<'a> {
         let far = |index: &usize| self.round_rad[*index].abs();
         let most = (0..self.round_rad.len()).max_by(|a, b| far(a).total_cmp(&far(b)))?;
         (far(&most) > angle_rad).then_some(most)
+    }
+
+    /// The element under the largest compression, if that is far beyond what the soft string has.
+    fn running_away(&self) -> Option<usize> {
+        let least = |a: &f64, b: &f64| a.total_cmp(b);
+        let tensions_N = self.state.tension_N.iter().enumerate();
+        let (index, tension_N) = tensions_N.min_by(|a, b| least(a.1, b.1))?;
+        let guesses_N = self.string.elements.iter().map(|element| element.guess_N);
+        let guess_N = guesses_N.fold(0.0, f64::min);
+        (*tension_N < AWAY * guess_N).then_some(index)
     }
 
     /// A step; none where it has none.
