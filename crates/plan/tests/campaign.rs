@@ -85,8 +85,9 @@ fn shares_add_up_to_the_campaign() {
         DEPTHS_M.to_vec(),
         vec![Statics::Soft],
     )
-    .and_then(|of| Ok(of.with_campaign(&settings).expect("casing")))
-    .expect("a broomstick");
+    .expect("a broomstick")
+    .with_campaign(&settings)
+    .expect("casing");
     let points: Vec<_> =
         broomstick.tasks().iter().flat_map(|task| broomstick.solve(task)).collect();
     let mut answers = points.iter().map(|of| (of, of.outcome.as_ref().expect("an answer")));
