@@ -10,8 +10,8 @@ use oracle::{Oracle, nelder_mead};
 use well_of_s4::{CHANNELS, PARAMETERS, assembly, readings, settings};
 use wholestring::{prelude::*, well::HoleKind};
 use wholestring_plan::calibration::{
-    Asked, Calibration, CalibrationError, Channel, ErrorKind, Factors, Loads, Parameter, Predict,
-    Reading, Settings, SoftPredictions, calibrate, normal_within,
+    Asked, BandPoint, Calibration, CalibrationError, Channel, ErrorKind, Factors, Loads, Parameter,
+    Predict, Reading, Settings, SoftPredictions, calibrate, normal_within,
 };
 use wholestring_verification::verify;
 
@@ -275,6 +275,32 @@ fn regions_hold_the_truth_as_often_as_they_say() {
         )
         .absolute(4.0, "as of the region")
         .report(94.0, part(held));
+    }
+}
+
+/// A reading that is held out changes nothing that is found, and is predicted as a band at its depth is.
+#[test]
+fn what_is_held_out_is_predicted() {
+    let oracle = Oracle::read();
+    let assemblies = [assembly(&oracle)];
+    let model = SoftPredictions::new(&assemblies);
+    let all = readings(&Oracle::data());
+    let deepest_m = all.iter().map(|of| of.bit_depth_m).fold(0.0, f64::max);
+    let (held, used): (Vec<_>, Vec<_>) = all.iter().partition(|of| of.bit_depth_m == deepest_m);
+    let depths = [(0, deepest_m)];
+    let found = calibrate(&model, &used, &held, &depths, &settings()).expect("a fit");
+    let alone = calibrate(&model, &used, &[], &depths, &settings()).expect("a fit");
+    assert_eq!(found.estimates, alone.estimates);
+    assert_eq!(found.held_out.len(), held.len());
+    assert_eq!(found.points.len(), used.len());
+    for point in &found.held_out {
+        let is = |of: &&BandPoint| of.channel == point.reading.channel;
+        let band = alone.bands.iter().find(is).expect("a band");
+        assert_eq!(point.predicted, band.predicted);
+        // Noise of its known size: no reading of the file is five standard errors off.
+        assert!(point.standardised.abs() < 5.0, "{point:?}");
+        let residual = point.reading.value - point.predicted;
+        assert_eq!(point.within_band, residual.abs() <= band.reading_half_width);
     }
 }
 

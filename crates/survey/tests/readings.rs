@@ -20,6 +20,25 @@ fn weights_and_torques_are_read_in_their_units() {
     assert_eq!(second.case.as_deref(), Some("tangent"));
 }
 
+/// Columns named as keys of a case belong to their row, `use` holds one out, and others are told.
+#[test]
+fn keys_of_the_case_and_rows_held_out() {
+    let text = "report,Bit depth (m),Pick-up (kN),string.2.length (ft),well.hole.0.friction,use\n\
+        7,800,536.1,674.5,0.2,yes\n\
+        8,900,540,,0.25,no\n";
+    let read = read_readings(text.as_bytes(), "a.csv").expect("readings");
+    let [first, second] = &read.readings[..] else { panic!("two rows") };
+    let key = |key: &str, value: &str| (key.to_owned(), value.to_owned());
+    let friction = "well.hole.0.friction";
+    assert_eq!(first.keys, [key("string.2.length", "674.5 ft"), key(friction, "0.2")]);
+    assert_eq!(second.keys, [key(friction, "0.25")]);
+    assert_eq!([first.held_out, second.held_out], [false, true]);
+    assert!(read.notes.iter().any(|note| note == "the column 'report' is not used"));
+    let bad = text.replace(",no", ",perhaps");
+    let error = read_readings(bad.as_bytes(), "a.csv").expect_err("neither word").to_string();
+    assert!(error.contains("`use` is 'perhaps', expected \"yes\" or \"no\""), "{error}");
+}
+
 #[test]
 fn units_in_names_and_in_a_row_below() {
     for text in [

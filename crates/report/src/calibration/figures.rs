@@ -129,6 +129,9 @@ impl Drawing<'_> {
                 let points = bands.map(|of| (at(of), self.shown.value(of.predicted, kind)));
                 marks.push(Mark::Curve { ink, stroke: Stroke::Solid, points: points.collect() });
             }
+        }
+        // Above all bands.
+        for (place, name, _) in self.read(torques) {
             marks.extend(self.marks_of(name, place, |of| self.shown.value(of.measured, kind)));
         }
         Panel::new(Axis::new(self.shown.label(label, kind), Range::Near), marks)

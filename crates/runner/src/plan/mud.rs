@@ -2,19 +2,28 @@
 
 use wholestring::operation::{Operation, OperationKind};
 use wholestring_case::Case;
-use wholestring_plan::hydraulics::{EquivalentDensity, HydraulicsRow, hydraulics};
+use wholestring_plan::hydraulics::{EquivalentDensity, HydraulicsError, HydraulicsRow, hydraulics};
 use wholestring_report::{PlanMud, PlanMudRow};
 use wholestring_results::{PlanDensity, PlanHydraulics, PlanSummary};
 
-/// A row for each depth of the plan; none where the mud has no rheology or nothing circulates.
-pub(super) fn rows(case: &Case) -> Vec<PlanHydraulics> {
+/// A row for each depth of the plan.
+///
+/// # Errors
+/// Why there is none: nothing circulates, no flow rate, a mud without a rheology.
+pub(super) fn rows(case: &Case) -> Result<Vec<PlanHydraulics>, String> {
     let plan = &case.plan;
     let drills = plan.operations.iter().find(|of| of.kind == OperationKind::Drill);
-    let Some(operation) = drills.or(plan.operations.iter().find(|of| of.kind.circulates())) else {
-        return Vec::new();
-    };
-    let found = hydraulics(&case.setup(), operation, &plan.bit_depths_m).unwrap_or_default();
-    found.iter().map(|of| row(operation, of)).collect()
+    let circulates = || plan.operations.iter().find(|of| of.kind.circulates());
+    let operation = drills.or_else(circulates).ok_or("no operation circulates, for hydraulics")?;
+    if operation.flow_now_m3_per_s() == 0.0 {
+        return Err("no flow_rate, for hydraulics".to_owned());
+    }
+    let found = hydraulics(&case.setup(), operation, &plan.bit_depths_m);
+    let found = found.map_err(|error| match error {
+        HydraulicsError::NoRheology => "no rheology of the mud, for hydraulics".to_owned(),
+        HydraulicsError::Assembly(error) => error.to_string(),
+    })?;
+    Ok(found.iter().map(|of| row(operation, of)).collect())
 }
 
 fn row(operation: &Operation, of: &HydraulicsRow) -> PlanHydraulics {

@@ -257,6 +257,11 @@ impl<'a> Work<'a> {
             "limits": plan.limits,
             "campaign": plan.campaign,
         });
+        let mut unchecked = in_words(&lacking);
+        let hydraulics = mud::rows(case).unwrap_or_else(|why| {
+            unchecked.push(why);
+            Vec::new()
+        });
         let summary = PlanSummary {
             schema_version: PLAN_VERSION,
             case: case.name.clone(),
@@ -269,8 +274,8 @@ impl<'a> Work<'a> {
             points,
             buckling: weights,
             worst_limits: worst(&all_limits),
-            unchecked: in_words(&lacking),
-            hydraulics: mud::rows(case),
+            unchecked,
+            hydraulics,
             fatigue: came.fatigue,
             wear: came.worst_wear,
         };
