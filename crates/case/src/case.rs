@@ -10,7 +10,7 @@ use wholestring::{
     string::StringSpec,
 };
 use wholestring_config::diagnostic::Report;
-use wholestring_plan::Setup;
+use wholestring_plan::{Broomstick, PlanError, Setup};
 use wholestring_units::UnitSet;
 
 use crate::{bit_test::BitTest, modes::Modes, plan, plan::Plan, records::Records};
@@ -58,6 +58,18 @@ pub struct Case {
 }
 
 impl Case {
+    /// The string at every depth, with every friction, of its plan.
+    ///
+    /// # Errors
+    /// A friction factor or a casing that is out of its range, which the reader of a case has seen to.
+    pub fn broomstick(&self) -> Result<Broomstick, PlanError> {
+        let Plan { frictions, bit_depths_m, operations, models, limits, campaign } =
+            self.plan.clone();
+        let of = Broomstick::new(&self.setup(), &frictions, operations, bit_depths_m, models)?;
+        let of = of.with_settings(self.soft, self.dynamics.stiff_string()).with_limits(limits);
+        Ok(of.with_campaign(&campaign)?)
+    }
+
     /// Whether the forces that a model answers with hold the friction of a helix.
     pub fn has_helix_friction(&self, model: ModelKind) -> bool {
         model.method().has_helix_friction || model == ModelKind::Soft && self.soft.helix_side_force

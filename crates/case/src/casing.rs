@@ -7,13 +7,7 @@ use wholestring::well::{
 use wholestring_config::prelude::*;
 use wholestring_units::UnitSet;
 
-use crate::hole::HoleTable;
-
-/// How wide a section is, and the casing that says so.
-pub(crate) struct Bore {
-    pub(crate) diameter_m: f64,
-    pub(crate) casing: Option<CasingPipe>,
-}
+use crate::{bore::Bore, hole::HoleTable};
 
 impl HoleTable {
     /// Where the diameter comes from, if the case says it.

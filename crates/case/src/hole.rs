@@ -3,7 +3,7 @@
 use wholestring::well::{Friction, Hole, HoleError, HoleKind, HoleSection};
 use wholestring_config::{prelude::*, table::required_unless};
 
-use crate::{casing::Bore, roughness::RoughnessTable};
+use crate::{bore::Bore, roughness::RoughnessTable};
 
 table! {
     /// Friction between string and wall: sliding and at rest, along the hole and around it.

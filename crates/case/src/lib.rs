@@ -24,6 +24,7 @@ mod bit;
 mod bit_test;
 mod blades;
 mod body;
+mod bore;
 mod buckling;
 mod build;
 mod case;

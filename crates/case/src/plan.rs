@@ -9,12 +9,11 @@ use wholestring::{
 };
 use wholestring_config::prelude::*;
 use wholestring_plan::{
-    Broomstick, CampaignSettings, FrictionLevel, Frictions, KindFriction, LevelFriction, PlanError,
-    Setup, Statics, bit_depths_m, limits::LimitSettings,
+    CampaignSettings, FrictionLevel, Frictions, KindFriction, LevelFriction, Setup, Statics,
+    bit_depths_m, limits::LimitSettings,
 };
 
 use crate::{
-    case::Case,
     hole::{FrictionRule, coefficient},
     operation_kind::KindRule,
     plan_campaign::{self, CampaignTable, FatigueTable},
@@ -172,20 +171,6 @@ pub struct Plan {
     pub limits: LimitSettings,
     /// For what casing wear and fatigue are summed.
     pub campaign: CampaignSettings,
-}
-
-impl Case {
-    /// The string at every depth, with every friction, of its plan.
-    ///
-    /// # Errors
-    /// A friction factor or a casing that is out of its range, which the reader of a case has seen to.
-    pub fn broomstick(&self) -> Result<Broomstick, PlanError> {
-        let Plan { frictions, bit_depths_m, operations, models, limits, campaign } =
-            self.plan.clone();
-        let of = Broomstick::new(&self.setup(), &frictions, operations, bit_depths_m, models)?;
-        let of = of.with_settings(self.soft, self.dynamics.stiff_string()).with_limits(limits);
-        Ok(of.with_campaign(&campaign)?)
-    }
 }
 
 /// What a model is made of, to be made again at other depths and frictions.

@@ -1,11 +1,12 @@
 //! `wholestring catalogue`: what a case can name, and what rigs commonly have.
 
+mod cells;
 mod rigs;
 mod tubulars;
 
 use wholestring_case::OwnCatalogue;
 use wholestring_runner::Found;
-use wholestring_units::{Dimension, Unit, UnitSet};
+use wholestring_units::UnitSet;
 
 use crate::{args::CatalogueArgs, failure::Failure, terminal::print_stdout};
 
@@ -49,21 +50,4 @@ pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
         if found.has_tubulars() { how } else { "" },
         sources.concat()
     ))
-}
-
-/// A heading with the unit of what stands below it.
-fn heading(what: &str, unit: &Unit) -> String {
-    format!("{what} {}", unit.symbol)
-}
-
-/// The units of dimensions in a set.
-fn units_of<const N: usize>(dimensions: [Dimension; N], units: UnitSet) -> [&'static Unit; N] {
-    dimensions.map(|dimension| dimension.unit_in(units))
-}
-
-/// To three digits or the unit, whichever is finer.
-fn number(unit: &Unit, si: f64) -> String {
-    let value = unit.from_si(si);
-    let decimals = if value.abs() < 99.95 { 1 } else { 0 };
-    format!("{value:.decimals$}")
 }

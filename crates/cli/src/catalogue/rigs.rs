@@ -3,7 +3,7 @@
 use wholestring::rig::catalogue::{HoistClass, Span, TopDriveClass};
 use wholestring_units::{Dimension, Unit, UnitSet};
 
-use super::{heading, number, units_of};
+use super::cells::{heading, number, units_of};
 use crate::screen_table::Table;
 
 pub(super) fn top_drives(classes: &[TopDriveClass], units: UnitSet) -> String {

@@ -8,7 +8,7 @@ use wholestring::{
 use wholestring_case::STEEL_DENSITY_KG_PER_M3;
 use wholestring_units::{Dimension, Unit, UnitSet};
 
-use super::{heading, number, units_of};
+use super::cells::{heading, number, units_of};
 use crate::screen_table::Table;
 
 fn title(kind: TubularKind) -> &'static str {

@@ -18,8 +18,15 @@ use super::{
     point::{NoAnswer, PointAnswer, Statics},
 };
 
+impl Broomstick {
+    /// The points of a task, one for each of [`FrictionLevel::ALL`]. What has no answer says why.
+    pub fn solve(&self, task: &BroomstickTask) -> Vec<BroomstickPoint> {
+        answers(self, task)
+    }
+}
+
 /// The points of a task in the order of [`FrictionLevel::ALL`].
-pub(super) fn answers(of: &Broomstick, task: &BroomstickTask) -> Vec<BroomstickPoint> {
+fn answers(of: &Broomstick, task: &BroomstickTask) -> Vec<BroomstickPoint> {
     let operation = &task.operation;
     let point = |friction: FrictionLevel, outcome| BroomstickPoint {
         model: task.model,

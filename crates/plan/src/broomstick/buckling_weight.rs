@@ -40,8 +40,16 @@ pub struct BucklingWeight {
     pub weights_N: Result<[Option<f64>; 2], NoAnswer>,
 }
 
+impl Broomstick {
+    /// The weights on bit under which the soft string begins to buckle with its bit at a depth, m,
+    /// for each of [`FrictionLevel::ALL`] and each way to drill.
+    pub fn weights_to_buckle(&self, bit_depth_m: f64) -> Vec<BucklingWeight> {
+        at(self, bit_depth_m)
+    }
+}
+
 /// For each friction and each way to drill.
-pub(super) fn at(of: &Broomstick, bit_depth_m: f64) -> Vec<BucklingWeight> {
+fn at(of: &Broomstick, bit_depth_m: f64) -> Vec<BucklingWeight> {
     let base = of.operations.first().copied();
     let base = base.unwrap_or_else(|| Operation::drill(bit_depth_m));
     let mut found = Vec::new();

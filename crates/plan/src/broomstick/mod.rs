@@ -129,15 +129,4 @@ impl Broomstick {
         };
         self.models.iter().flat_map(|model| operations(*model)).collect()
     }
-
-    /// The points of a task, one for each of [`FrictionLevel::ALL`]. What has no answer says why.
-    pub fn solve(&self, task: &BroomstickTask) -> Vec<BroomstickPoint> {
-        answer::answers(self, task)
-    }
-
-    /// The weights on bit under which the soft string begins to buckle with its bit at a depth, m,
-    /// for each of [`FrictionLevel::ALL`] and each way to drill.
-    pub fn weights_to_buckle(&self, bit_depth_m: f64) -> Vec<BucklingWeight> {
-        buckling_weight::at(self, bit_depth_m)
-    }
 }

@@ -2,7 +2,7 @@
 
 use super::{
     Plan, PlanCurve, PlanSpot,
-    figures::over_depth,
+    depth_figure::over_depth,
     words::{colour, on_bottom, operation_name, rotates},
 };
 use crate::{

@@ -3,6 +3,7 @@
 mod broomstick;
 mod buckling;
 mod campaign;
+mod depth_figure;
 mod figures;
 mod limits;
 mod mud;
@@ -13,7 +14,6 @@ mod tests;
 mod words;
 
 pub use figures::plan_plots;
-pub use mud::{PlanMud, PlanMudRow};
 pub use page::plan_html;
 pub use words::operation_name;
 
@@ -178,6 +178,32 @@ pub struct PlanWearRow {
     pub burst_Pa: [f64; 2],
     /// Collapse of the new and of the worn casing, Pa.
     pub collapse_Pa: [f64; 2],
+}
+
+/// What the mud does in a plan.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanMud {
+    /// Name of the operation whose pumps run.
+    pub operation: String,
+    /// Density of the mud at rest, kg/m³.
+    pub density_kg_per_m3: f64,
+    /// Limit of pumps and standpipe, Pa.
+    pub pump_limit_Pa: Option<f64>,
+    /// Depth after depth.
+    pub rows: Vec<PlanMudRow>,
+}
+
+/// The mud with the bit at one depth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlanMudRow {
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// Pressure at the standpipe, Pa.
+    pub standpipe_Pa: f64,
+    /// Equivalent density at the casing shoe in each of [`STATES`], kg/m³; not a number without casing.
+    pub at_shoe_kg_per_m3: [f64; 5],
+    /// The same at the bit.
+    pub at_bit_kg_per_m3: [f64; 5],
 }
 
 /// What the rig bears.

@@ -1,36 +1,10 @@
 //! Standpipe pressure, equivalent density, surge and swab against the depth of the bit.
 
-use super::{Plan, figures::over_depth, words::operation_name};
+use super::{Plan, PlanMudRow, depth_figure::over_depth, words::operation_name};
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Stroke},
     plots::Shown,
 };
-
-/// What the mud does in a plan.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlanMud {
-    /// Name of the operation whose pumps run.
-    pub operation: String,
-    /// Density of the mud at rest, kg/m³.
-    pub density_kg_per_m3: f64,
-    /// Limit of pumps and standpipe, Pa.
-    pub pump_limit_Pa: Option<f64>,
-    /// Depth after depth.
-    pub rows: Vec<PlanMudRow>,
-}
-
-/// The mud with the bit at one depth.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PlanMudRow {
-    /// Measured depth of the bit, m.
-    pub bit_depth_m: f64,
-    /// Pressure at the standpipe, Pa.
-    pub standpipe_Pa: f64,
-    /// Equivalent density at the casing shoe in each of [`STATES`], kg/m³; not a number without casing.
-    pub at_shoe_kg_per_m3: [f64; 5],
-    /// The same at the bit.
-    pub at_bit_kg_per_m3: [f64; 5],
-}
 
 /// What the string does, in the order of a row.
 pub(super) const STATES: [&str; 5] = [

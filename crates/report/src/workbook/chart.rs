@@ -5,7 +5,7 @@ use rust_xlsxwriter::{
     XlsxError,
 };
 
-use super::{Workbook, sheet::FIRST_ROW};
+use super::sheet::FIRST_ROW;
 use crate::{draw::Ink as Colour, figure::Stroke};
 
 /// Curves down a depth axis.
@@ -46,14 +46,19 @@ const ROWS: u32 = 31;
 const COLUMNS: u16 = 11;
 const SIZE: [u32; 2] = [680, 600];
 
-pub(super) fn write(on: &mut Worksheet, workbook: &Workbook) -> Result<(), XlsxError> {
+pub(super) fn write(
+    on: &mut Worksheet,
+    title: &str,
+    about: &[String],
+    charts: &[WorkbookChart],
+) -> Result<(), XlsxError> {
     on.set_name("Charts")?;
-    on.write_with_format(0, 0, &workbook.title, &Format::new().set_bold().set_font_size(14))?;
-    for (row, line) in (1..).zip(&workbook.about) {
+    on.write_with_format(0, 0, title, &Format::new().set_bold().set_font_size(14))?;
+    for (row, line) in (1..).zip(about) {
         on.write_string(row, 0, line)?;
     }
-    let top = TOP + workbook.about.len() as u32;
-    for (place, of) in (0u32..).zip(&workbook.charts) {
+    let top = TOP + about.len() as u32;
+    for (place, of) in (0u32..).zip(charts) {
         let (row, column) = (top + place / 2 * ROWS, (place % 2) as u16 * COLUMNS);
         on.insert_chart(row, column, &chart(of))?;
     }

@@ -47,7 +47,7 @@ impl Workbook {
     pub fn bytes(&self) -> Result<Vec<u8>, WorkbookError> {
         let mut file = File::new();
         if !self.charts.is_empty() {
-            chart::write(file.add_worksheet(), self)?;
+            chart::write(file.add_worksheet(), &self.title, &self.about, &self.charts)?;
         }
         for sheet in &self.sheets {
             sheet::write(file.add_worksheet(), sheet)?;

@@ -14,6 +14,7 @@ mod plan_campaign;
 mod reach;
 mod spectra;
 mod stability;
+mod tables;
 mod time;
 mod wear;
 
@@ -32,6 +33,7 @@ pub use self::{
     reach::{REACH, REACH_LIMITS},
     spectra::SPECTRA,
     stability::STABILITY,
+    tables::TABLES,
     time::TIME,
     wear::WEAR,
 };
@@ -86,39 +88,6 @@ const fn table<T, const N: usize>(
     }
     all
 }
-
-/// Every table, by the name of its file, and its columns.
-pub const TABLES: &[(&str, &[ColumnSpec])] = &[
-    ("nodes", NODES),
-    ("time", TIME),
-    ("frames", FRAMES),
-    ("spectra", SPECTRA),
-    ("wear", WEAR),
-    ("contact", CONTACT),
-    ("bit-test", BIT_TEST),
-    ("bottom_hole", BOTTOM_HOLE),
-    ("bha", BHA),
-    ("bha_contacts", BHA_CONTACTS),
-    ("bha_sweep", BHA_SWEEP),
-    ("stability", STABILITY),
-    ("modes", MODES),
-    ("mode_shapes", MODE_SHAPES),
-    ("campbell", CAMPBELL),
-    ("critical_speeds", CRITICAL_SPEEDS),
-    ("response", RESPONSE),
-    ("plan_broomstick", PLAN_BROOMSTICK),
-    ("plan_buckling", PLAN_BUCKLING),
-    ("plan_friction", PLAN_FRICTION),
-    ("plan_limits", PLAN_LIMITS),
-    ("plan_hydraulics", PLAN_HYDRAULICS),
-    ("plan_fatigue", PLAN_FATIGUE),
-    ("plan_wear", PLAN_WEAR),
-    ("reach", REACH),
-    ("reach_limits", REACH_LIMITS),
-    ("calibration", CALIBRATION),
-    ("calibration_bands", CALIBRATION_BANDS),
-    ("calibration_profiles", CALIBRATION_PROFILES),
-];
 
 #[cfg(test)]
 mod tests {

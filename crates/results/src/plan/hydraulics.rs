@@ -2,7 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::PlanSummary;
 use crate::{PLAN_HYDRAULICS, Table};
 
 /// The mud with the bit at one depth.
@@ -54,31 +53,29 @@ impl PlanHydraulics {
     }
 }
 
-impl PlanSummary {
-    /// A row for each depth of the bit; none where the mud has no rheology.
-    pub fn hydraulics_table(&self) -> Table {
-        let mut table = Table::with_columns(PLAN_HYDRAULICS);
-        for of in &self.hydraulics {
-            let mut numbers = vec![
-                ("bit_depth_m".to_owned(), of.bit_depth_m),
-                ("standpipe_pressure_Pa".to_owned(), of.standpipe_pressure_Pa),
-                ("bore_loss_Pa".to_owned(), of.bore_loss_Pa),
-                ("bit_loss_Pa".to_owned(), of.bit_loss_Pa),
-                ("annulus_loss_Pa".to_owned(), of.annulus_loss_Pa),
-            ];
-            for (name, at) in of.densities() {
-                let shoe = at.shoe_kg_per_m3.unwrap_or(f64::NAN);
-                numbers.push((format!("{name}_shoe_kg_per_m3"), shoe));
-                numbers.push((format!("{name}_bit_kg_per_m3"), at.bit_kg_per_m3));
-            }
-            let cells: Vec<[f64; 1]> = numbers.iter().map(|(_, value)| [*value]).collect();
-            let columns: Vec<(&str, &[f64])> = numbers
-                .iter()
-                .zip(&cells)
-                .map(|((name, _), cell)| (name.as_str(), cell.as_slice()))
-                .collect();
-            table.append(&[("operation", &[&of.operation])], &columns);
+/// A row for each depth of the bit.
+pub(super) fn table(rows: &[PlanHydraulics]) -> Table {
+    let mut table = Table::with_columns(PLAN_HYDRAULICS);
+    for of in rows {
+        let mut numbers = vec![
+            ("bit_depth_m".to_owned(), of.bit_depth_m),
+            ("standpipe_pressure_Pa".to_owned(), of.standpipe_pressure_Pa),
+            ("bore_loss_Pa".to_owned(), of.bore_loss_Pa),
+            ("bit_loss_Pa".to_owned(), of.bit_loss_Pa),
+            ("annulus_loss_Pa".to_owned(), of.annulus_loss_Pa),
+        ];
+        for (name, at) in of.densities() {
+            let shoe = at.shoe_kg_per_m3.unwrap_or(f64::NAN);
+            numbers.push((format!("{name}_shoe_kg_per_m3"), shoe));
+            numbers.push((format!("{name}_bit_kg_per_m3"), at.bit_kg_per_m3));
         }
-        table
+        let cells: Vec<[f64; 1]> = numbers.iter().map(|(_, value)| [*value]).collect();
+        let columns: Vec<(&str, &[f64])> = numbers
+            .iter()
+            .zip(&cells)
+            .map(|((name, _), cell)| (name.as_str(), cell.as_slice()))
+            .collect();
+        table.append(&[("operation", &[&of.operation])], &columns);
     }
+    table
 }

@@ -17,7 +17,7 @@ use serde_json::Value;
 use wholestring::{findings::Level, outcome::Scalars};
 
 use crate::{
-    ResultsError,
+    ResultsError, Table,
     json::{read_versioned, write_json},
 };
 
@@ -172,6 +172,11 @@ impl PlanLimit {
 }
 
 impl PlanSummary {
+    /// A row for each depth of the bit; none where the mud has no rheology or nothing flows.
+    pub fn hydraulics_table(&self) -> Table {
+        hydraulics::table(&self.hydraulics)
+    }
+
     /// Writes the summary as indented JSON.
     pub fn write(&self, path: &Path) -> Result<(), ResultsError> {
         write_json(self, path)

@@ -2,11 +2,14 @@
 
 mod campaign;
 mod files;
+mod levels;
 mod mud;
+mod outcome;
 pub(crate) mod page;
 mod request;
 mod rows;
 mod work;
 mod workbook;
 
-pub use request::{Outcome, Request, run};
+pub use outcome::{Outcome, run};
+pub use request::Request;

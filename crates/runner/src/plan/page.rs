@@ -17,13 +17,11 @@ use wholestring_units::UnitSet;
 
 use super::{
     files::{BROOMSTICK, FATIGUE, LIMITS, Tables, WEAR, WORKBOOK},
+    levels::{LEVELS, label, short},
     mud,
     workbook::workbook,
 };
 use crate::page::{self, FILE, table, write_picture};
-
-/// Levels of friction, from the least to the most.
-pub(super) const LEVELS: [&str; 3] = ["low", "expected", "high"];
 
 /// Whether a folder is one that a plan was written to.
 pub(crate) fn is_plan(folder: &Path) -> bool {
@@ -107,20 +105,6 @@ fn of_summary(summary: &PlanSummary, units: Option<UnitSet>) -> Plan {
         },
         weight_on_bit_N: number(&settings["operation"]["wob_N"]).filter(|_| drills),
     }
-}
-
-/// `0.3`, or `0.2 / 0.3` where sections differ.
-pub(super) fn label(summary: &PlanSummary, name: &str) -> String {
-    let sections = summary.frictions.iter().filter(|of| of.friction == name);
-    let mut values: Vec<String> = sections.map(|of| short(of.along)).collect();
-    values.dedup();
-    values.join(" / ")
-}
-
-/// A coefficient in three decimals, without zeros at its end.
-fn short(value: f64) -> String {
-    let text = format!("{value:.3}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 fn level(summary: &PlanSummary, name: &str) -> PlanLevel {

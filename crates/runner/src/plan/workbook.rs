@@ -9,7 +9,7 @@ use wholestring_units::UnitSet;
 
 use super::{
     files::Tables,
-    page::{LEVELS, label},
+    levels::{LEVELS, label},
 };
 use crate::page::{
     PROGRAM,

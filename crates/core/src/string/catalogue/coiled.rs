@@ -2,7 +2,7 @@
 
 use super::{
     CatalogueEntry, PipeClass, TubularKind,
-    tables::{INCH_M, PSI_PA},
+    inches::{INCH_M, PSI_PA},
 };
 
 const SOURCE: &str = "API Spec 5ST (CT-70 to CT-110); CT-120 and CT-130 are makers' grades; \

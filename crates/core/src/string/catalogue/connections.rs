@@ -1,7 +1,7 @@
 //! Threads of rotary shouldered connections, in inches as API Spec 7-2 prints them, and what the
 //! connections of the catalogue's tubulars bear.
 
-use super::tables::{INCH_M, PSI_PA};
+use super::inches::{INCH_M, PSI_PA};
 use crate::string::{ConnectionStrength, RotaryConnection, Shoulder};
 
 /// Thread forms: height of the thread, not truncated, and truncation of its root, in. All have

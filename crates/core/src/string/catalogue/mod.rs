@@ -18,6 +18,7 @@ mod coiled;
 mod connections;
 mod designation;
 mod entry;
+mod inches;
 pub(crate) mod parts;
 mod search;
 mod tables;

@@ -2,11 +2,9 @@
 
 use super::{
     CatalogueEntry, EntryConnection, JointDimensions, PipeClass, TubularKind, coiled, connections,
+    inches::{INCH_M, PSI_PA},
 };
 use crate::string::ConnectionStrength;
-
-pub(super) const INCH_M: f64 = 0.0254;
-pub(super) const PSI_PA: f64 = 6894.757293168361;
 
 /// Grades of drill pipe and their minimum yield strength, psi (API Spec 5DP).
 const GRADES: [(&str, f64); 4] =

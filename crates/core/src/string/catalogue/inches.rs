@@ -1,0 +1,6 @@
+//! The units that the standards print in.
+
+/// An inch, m.
+pub(super) const INCH_M: f64 = 0.0254;
+/// A pound per square inch, Pa.
+pub(super) const PSI_PA: f64 = 6894.757293168361;
