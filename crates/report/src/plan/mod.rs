@@ -200,7 +200,8 @@ pub struct PlanMudRow {
     pub bit_depth_m: f64,
     /// Pressure at the standpipe, Pa.
     pub standpipe_Pa: f64,
-    /// Equivalent density at the casing shoe in each of [`STATES`], kg/m³; not a number without casing.
+    /// Equivalent density at the casing shoe, kg/m³: circulating, running in closed and open, pulling
+    /// out closed and open; not a number without casing.
     pub at_shoe_kg_per_m3: [f64; 5],
     /// The same at the bit.
     pub at_bit_kg_per_m3: [f64; 5],
