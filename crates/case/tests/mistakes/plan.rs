@@ -10,11 +10,11 @@ use crate::{
 };
 
 /// The example with a plan.
-fn planned(keys: &str) -> String {
+pub(crate) fn planned(keys: &str) -> String {
     changed("[mesh]", &format!("[plan]\n{keys}\n[mesh]"))
 }
 
-fn accepted(keys: &str) -> Case {
+pub(crate) fn accepted(keys: &str) -> Case {
     read(&planned(keys)).unwrap_or_else(|report| panic!("{keys}\n{report}"))
 }
 

@@ -1,6 +1,5 @@
 //! Mistakes in the tables of `[plan]` for limits, fatigue and wear.
 
-use wholestring_case::Case;
 use wholestring_plan::{
     CampaignSettings,
     fatigue::SnCurve,
@@ -9,17 +8,11 @@ use wholestring_plan::{
 };
 
 use crate::{
-    common::{change::rows, changed, read},
-    each_warned, refused,
+    common::{change::rows, read},
+    each_warned,
+    plan::{accepted, planned},
+    refused,
 };
-
-fn planned(keys: &str) -> String {
-    changed("[mesh]", &format!("[plan]\n{keys}\n[mesh]"))
-}
-
-fn accepted(keys: &str) -> Case {
-    read(&planned(keys)).unwrap_or_else(|report| panic!("{keys}\n{report}"))
-}
 
 #[test]
 fn limits_fatigue_and_wear() {

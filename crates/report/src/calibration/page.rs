@@ -4,7 +4,12 @@ use super::{
     Calibration,
     figures::{calibration_plots, said},
 };
-use crate::{Grid, Head, StudyPage, StudyPart, Verdict, plots::Shown, study_html};
+use crate::{
+    Grid, StudyPage, StudyPart, Verdict,
+    grid_cells::{heads, row},
+    plots::Shown,
+    study_html,
+};
 
 /// What the numbers stand for.
 const ABOUT: &str = "What friction was, by what was read at the surface: the numbers that make the \
@@ -63,14 +68,6 @@ pub fn calibration_html(of: &Calibration) -> String {
         description,
         parts,
     })
-}
-
-fn heads(names: &[(&str, bool)]) -> Vec<Head> {
-    names.iter().map(|(text, words)| Head { text: (*text).to_owned(), words: *words }).collect()
-}
-
-fn row(cells: Vec<String>) -> Vec<(String, Verdict)> {
-    cells.into_iter().map(|cell| (cell, Verdict::None)).collect()
 }
 
 fn estimates(of: &Calibration, shown: Shown<'_>, interval: &str) -> StudyPart {

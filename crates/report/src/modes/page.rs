@@ -4,7 +4,12 @@ use super::{
     Modes,
     figures::{modes_plots, order_name},
 };
-use crate::{Grid, Head, StudyPage, StudyPart, Verdict, plots::Shown, study_html};
+use crate::{
+    Grid, StudyPage, StudyPart,
+    grid_cells::{heads, row},
+    plots::Shown,
+    study_html,
+};
 
 /// What the numbers stand for.
 const ABOUT: &str = "Small motions about the string at rest: natural frequencies and shapes, and \
@@ -89,14 +94,6 @@ pub fn modes_html(modes: &Modes) -> String {
         description,
         parts,
     })
-}
-
-fn heads(names: &[(&str, bool)]) -> Vec<Head> {
-    names.iter().map(|(text, words)| Head { text: (*text).to_owned(), words: *words }).collect()
-}
-
-fn row(cells: Vec<String>) -> Vec<(String, Verdict)> {
-    cells.into_iter().map(|cell| (cell, Verdict::None)).collect()
 }
 
 fn place(shown: Shown<'_>, of: &(f64, String)) -> [String; 2] {

@@ -18,7 +18,7 @@ const FAR: f64 = 1.35;
 const SAME: f64 = 2e-3;
 
 /// Strokes of low, expected and high friction.
-pub(super) const STROKES: [Stroke; 3] = [Stroke::Dotted, Stroke::Solid, Stroke::Dashed];
+pub const STROKES: [Stroke; 3] = [Stroke::Dotted, Stroke::Solid, Stroke::Dashed];
 
 /// What a picture shows of each point.
 struct Quantity<'a> {

@@ -1,16 +1,13 @@
 //! Fatigue and casing wear on a plan's page.
 
 use super::{Plan, PlanFatigueRow, PlanWearRow, words::four};
-use crate::{Grid, Head, StudyPart, Verdict, plots::Shown};
+use crate::grid_cells::head;
+use crate::{Grid, StudyPart, Verdict, plots::Shown};
 
 /// A damage, or a part of a wall, beyond which its light is no longer that of what is well.
 const MUCH: f64 = 0.5;
 
 type Cell = (String, Verdict);
-
-fn head(text: String, words: bool) -> Head {
-    Head { text, words }
-}
 
 fn plain(text: String) -> Cell {
     (text, Verdict::None)
@@ -46,10 +43,10 @@ pub(super) fn fatigue(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     let [length, pressure, dogleg] =
         ["length", "pressure", "dogleg severity"].map(|of| shown.symbol(of));
     let heads = vec![
-        head("component".into(), true),
-        head("model".into(), true),
-        head("life used".into(), false),
-        head("an hour of drilling".into(), false),
+        head("component", true),
+        head("model", true),
+        head("life used", false),
+        head("an hour of drilling", false),
         head(format!("at, {length}"), false),
         head(format!("bending, {pressure}"), false),
         head(format!("dogleg, {dogleg}"), false),
@@ -82,9 +79,9 @@ pub(super) fn wear(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     let [length, diameter, pressure] =
         ["length", "diameter", "pressure"].map(|of| shown.symbol(of));
     let heads = vec![
-        head("casing".into(), true),
-        head("model".into(), true),
-        head("wall gone".into(), false),
+        head("casing", true),
+        head("model", true),
+        head("wall gone", false),
         head(format!("at, {length}"), false),
         head(format!("groove, {diameter}"), false),
         head(format!("wall left, {diameter}"), false),

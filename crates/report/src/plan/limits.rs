@@ -4,7 +4,8 @@ use super::{
     Plan, PlanLimitRow,
     words::{four, operation_name},
 };
-use crate::{Grid, Head, StudyPart, Verdict, plots::Shown};
+use crate::grid_cells::head;
+use crate::{Grid, StudyPart, Verdict, plots::Shown};
 
 /// The light of a standing. Words stand beside all of them.
 fn verdict(standing: &str) -> Verdict {
@@ -14,10 +15,6 @@ fn verdict(standing: &str) -> Verdict {
         "short" | "passed" => Verdict::Differs,
         _ => Verdict::None,
     }
-}
-
-fn head(text: &str, words: bool) -> Head {
-    Head { text: text.to_owned(), words }
 }
 
 /// Kinds in their order.

@@ -13,6 +13,7 @@ mod tables;
 mod tests;
 mod words;
 
+pub use broomstick::STROKES as FRICTION_STROKES;
 pub use figures::plan_plots;
 pub use page::plan_html;
 pub use words::operation_name;

@@ -5,20 +5,13 @@ use super::{
     mud::STATES,
     words::{four, on_bottom, operation_name, rotates},
 };
-use crate::{Grid, Head, Level, StudyPart, Verdict, plots::Shown};
+use crate::grid_cells::{head, row};
+use crate::{Grid, Level, StudyPart, Verdict, plots::Shown};
 
 /// Reasons that are listed; more are counted.
 const REASONS: usize = 8;
 
 type Row = Vec<(String, Verdict)>;
-
-fn head(text: impl Into<String>, words: bool) -> Head {
-    Head { text: text.into(), words }
-}
-
-fn row(cells: Vec<String>) -> Row {
-    cells.into_iter().map(|cell| (cell, Verdict::None)).collect()
-}
 
 fn part(title: String, caption: &str, grid: Grid, files: &str) -> StudyPart {
     StudyPart::Table {

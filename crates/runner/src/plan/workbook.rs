@@ -1,7 +1,7 @@
 //! `plan.xlsx`: every table as a sheet, and the broomsticks as charts.
 
 use wholestring_report::{
-    Cells, Sheet, SheetColumn, Workbook, WorkbookChart, WorkbookSeries, figure::Stroke,
+    Cells, FRICTION_STROKES, Sheet, SheetColumn, Workbook, WorkbookChart, WorkbookSeries,
     operation_name,
 };
 use wholestring_results::{Column, Data, PlanSummary, Table};
@@ -15,9 +15,6 @@ use crate::page::{
     PROGRAM,
     dimensions::{of_setting, pretty, unit},
 };
-
-/// Strokes of low, expected and high friction.
-const STROKES: [Stroke; 3] = [Stroke::Dotted, Stroke::Solid, Stroke::Dashed];
 
 /// Name of the sheet of points.
 const BROOMSTICK: &str = "Broomstick";
@@ -116,7 +113,7 @@ fn chart(
         if !is_shown {
             continue;
         }
-        for (stroke, friction) in STROKES.into_iter().zip(LEVELS) {
+        for (stroke, friction) in FRICTION_STROKES.into_iter().zip(LEVELS) {
             let is_of = |of: &wholestring_results::PlanPoint| {
                 of.model == *model && of.operation == *operation && of.friction == friction
             };
