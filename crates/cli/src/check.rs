@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use clap::Args;
 use wholestring::{
     dynamics::{BitLaw, Effort},
     outcome::ModelKind,
@@ -12,7 +13,13 @@ use wholestring::{
 use wholestring_case::{BitTest, Case};
 use wholestring_units::Dimension;
 
-use crate::{args::CheckArgs, failure::Failure, input::load, terminal::print_stdout};
+use crate::{failure::Failure, input::load, shared_args::CaseArgs, terminal::print_stdout};
+
+#[derive(Debug, Args)]
+pub(crate) struct CheckArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+}
 
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let case = load(&args.case, false)?;

@@ -10,14 +10,8 @@ use wholestring_runner::{
 use wholestring_units::UnitSet;
 
 use crate::{
-    args::{CaseArgs, RunArgs},
-    failure::Failure,
-    input::load,
-    interrupt,
-    progress::RunScreen,
-    screen_table::Table,
-    stopped::stopped,
-    terminal::print_stdout,
+    failure::Failure, input::load, interrupt, progress::RunScreen, run::RunArgs,
+    screen_table::Table, shared_args::CaseArgs, stopped::stopped, terminal::print_stdout,
 };
 
 /// Folder of the finer run, in that of the run.
@@ -53,7 +47,7 @@ pub(crate) fn halve(
         output,
         units: Some(units),
         jobs: args.jobs,
-        checkpoint_every: args.checkpoint,
+        checkpoint_every: args.checkpoint.every,
         csv: args.csv,
         ..Request::new(&finer)
     };

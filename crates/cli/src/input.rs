@@ -2,7 +2,7 @@
 
 use wholestring_case::Case;
 
-use crate::{args::CaseArgs, color::color, failure::Failure, terminal::print_stderr};
+use crate::{color::color, failure::Failure, shared_args::CaseArgs, terminal::print_stderr};
 
 /// Reads the case with its overrides, and shows its warnings.
 pub(crate) fn load(args: &CaseArgs, quiet: bool) -> Result<Case, Failure> {

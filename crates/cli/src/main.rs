@@ -5,7 +5,6 @@ mod bench;
 mod bha;
 mod bit_test;
 mod calibrate;
-mod calibrate_args;
 mod catalogue;
 mod check;
 mod color;
@@ -25,6 +24,7 @@ mod reach;
 mod report;
 mod run;
 mod screen_table;
+mod shared_args;
 mod shell;
 mod speed;
 mod stopped;
@@ -60,7 +60,7 @@ fn main() -> ExitCode {
         Command::Catalogue(args) => catalogue::catalogue(&args),
         Command::New(args) => new_case::new(&args),
         Command::Schema => schema(),
-        Command::Completions(args) => shell::completions(&args),
+        Command::Completions { shell } => shell::completions(shell),
         Command::Man => shell::man(),
     };
     match done {

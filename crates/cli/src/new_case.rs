@@ -6,13 +6,22 @@ use std::{
     path::PathBuf,
 };
 
-use crate::{args::NewArgs, failure::Failure, terminal::print_stdout};
+use clap::Args;
+
+use crate::{failure::Failure, terminal::print_stdout};
 
 /// The case. Its name is filled in.
 const TEMPLATE: &str = include_str!("new_case.toml");
 
 /// What stands in its place.
 const NAME: &str = "\"My well\"";
+
+#[derive(Debug, Args)]
+pub(crate) struct NewArgs {
+    /// Name of the case, whose file is NAME.toml; one that is there is not written over
+    #[arg(value_name = "NAME", default_value = "my-well")]
+    pub(crate) name: PathBuf,
+}
 
 pub(crate) fn new(args: &NewArgs) -> Result<(), Failure> {
     let path = file(&args.name);

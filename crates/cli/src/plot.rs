@@ -1,10 +1,33 @@
 //! `wholestring plot`: the pictures of a run, of two on the same axes, of a sweep, or of a bit
 //! test, as files.
 
+use std::path::PathBuf;
+
+use clap::Args;
 use wholestring_results::ResultsFolder;
 use wholestring_runner::{pictures, pictures_folder, write_picture};
+use wholestring_units::UnitSet;
 
-use crate::{args::PlotArgs, failure::Failure, terminal::print_stdout};
+use crate::{failure::Failure, terminal::print_stdout};
+
+#[derive(Debug, Args)]
+pub(crate) struct PlotArgs {
+    /// Folder of results, or those of two runs
+    #[arg(value_name = "DIR", required = true, num_args = 1..=2)]
+    pub(crate) folders: Vec<PathBuf>,
+
+    /// Folder for the pictures [default: plots in the first DIR; of two, plots-SECOND]
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Paint each as PNG too, with 300 dots per inch
+    #[arg(long)]
+    pub(crate) png: bool,
+
+    /// Units on the axes [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+}
 
 pub(crate) fn plot(args: &PlotArgs) -> Result<(), Failure> {
     let plots = pictures(&args.folders, args.units)?;

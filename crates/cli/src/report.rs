@@ -1,8 +1,23 @@
 //! `wholestring report`: the page of what lies in a folder, made again.
 
-use wholestring_runner::write_report;
+use std::path::PathBuf;
 
-use crate::{args::ReportArgs, failure::Failure, terminal::print_stdout};
+use clap::Args;
+use wholestring_runner::write_report;
+use wholestring_units::UnitSet;
+
+use crate::{failure::Failure, terminal::print_stdout};
+
+#[derive(Debug, Args)]
+pub(crate) struct ReportArgs {
+    /// Folder of results
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: PathBuf,
+
+    /// Units that the page opens with [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+}
 
 pub(crate) fn report(args: &ReportArgs) -> Result<(), Failure> {
     let page = write_report(&args.folder, args.units)?;

@@ -4,19 +4,16 @@
 use std::io;
 
 use clap::{Command, CommandFactory};
+use clap_complete::Shell;
 
-use crate::{
-    args::{Cli, CompletionsArgs},
-    failure::Failure,
-    terminal::print_stdout,
-};
+use crate::{args::Cli, failure::Failure, terminal::print_stdout};
 
 /// Prints the script that completes commands and options in a shell.
-pub(crate) fn completions(args: &CompletionsArgs) -> Result<(), Failure> {
+pub(crate) fn completions(shell: Shell) -> Result<(), Failure> {
     let mut command = Cli::command();
     let name = command.get_name().to_owned();
     let mut script = Vec::new();
-    clap_complete::generate(args.shell, &mut command, name, &mut script);
+    clap_complete::generate(shell, &mut command, name, &mut script);
     print_stdout(&String::from_utf8_lossy(&script))
 }
 

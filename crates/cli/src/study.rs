@@ -1,18 +1,46 @@
 //! `wholestring study`: solves the cases of a study, and makes its figures and tables.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use clap::Args;
+use wholestring_case::Override;
 use wholestring_runner::study::{self, Request};
 
 use crate::{
-    args::StudyArgs,
     color::color,
     conclusion::{conclude, judge},
     failure::Failure,
     interrupt,
     progress::BatchScreen,
+    shared_args::{BatchArgs, KeptArgs},
     terminal::print_stderr,
 };
+
+#[derive(Debug, Args)]
+pub(crate) struct StudyArgs {
+    /// Study file
+    #[arg(value_name = "STUDY.toml")]
+    pub(crate) study: PathBuf,
+
+    /// Set a key of every case, such as `mesh.element_length=1.6m`; short keys: friction,
+    /// bit_depth, rpm, wob. Repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub(crate) overrides: Vec<Override>,
+
+    /// Paint each figure as PNG too, with 300 dots per inch
+    #[arg(long)]
+    pub(crate) png: bool,
+
+    /// End with status 4 where an error is found in an answer
+    #[arg(long)]
+    pub(crate) strict: bool,
+
+    #[command(flatten)]
+    pub(crate) kept: KeptArgs,
+
+    #[command(flatten)]
+    pub(crate) batch: BatchArgs,
+}
 
 pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
     args.kept.check(&args.batch)?;

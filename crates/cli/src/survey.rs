@@ -1,15 +1,60 @@
 //! `wholestring survey`: position and dogleg severity along a survey.
 
-use std::fs;
+use std::{fs, path::PathBuf};
 
+use clap::{Args, ValueEnum};
 use wholestring::well::Interpolation;
 use wholestring_runner::survey::{self, Said};
+use wholestring_units::{Dimension, Unit};
 
 use crate::{
-    args::SurveyArgs,
     failure::Failure,
     terminal::{print_stderr, print_stdout},
 };
+
+/// Shortest step between rows: a well of 10 km is ten million rows of a millimetre.
+const SHORTEST_STEP_M: f64 = 0.01;
+
+#[derive(Debug, Args)]
+pub(crate) struct SurveyArgs {
+    /// Survey: measured depth, inclination, azimuth; CSV or Excel, units in the header or a row of
+    /// their own
+    #[arg(value_name = "SURVEY.csv")]
+    pub(crate) survey: PathBuf,
+
+    /// File for the result [default: the screen]
+    #[arg(short, long, value_name = "OUT.csv")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Unit of the lengths in the survey, such as ft, where the file does not tell it
+    #[arg(long, value_name = "UNIT", value_parser = length_unit)]
+    pub(crate) unit: Option<&'static Unit>,
+
+    /// Curve between the stations
+    #[arg(long, value_enum, default_value_t = PathKind::MinimumCurvature)]
+    pub(crate) path: PathKind,
+
+    /// A row at every multiple of this length too, such as 10m
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    pub(crate) step: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PathKind {
+    /// Circular arcs, the industry's standard
+    MinimumCurvature,
+    /// Continuous curvature, as the dynamics need it
+    Spline,
+}
+
+impl From<PathKind> for Interpolation {
+    fn from(kind: PathKind) -> Self {
+        match kind {
+            PathKind::MinimumCurvature => Self::MinimumCurvature,
+            PathKind::Spline => Self::Spline,
+        }
+    }
+}
 
 pub(crate) fn survey(args: &SurveyArgs) -> Result<(), Failure> {
     let survey = survey::read(&args.survey, &Said { length_unit: args.unit })?;
@@ -26,5 +71,21 @@ pub(crate) fn survey(args: &SurveyArgs) -> Result<(), Failure> {
             Failure::Failed(format!("error: cannot write {}: {error}", output.display()))
         }),
         None => print_stdout(&text),
+    }
+}
+
+fn length_unit(text: &str) -> Result<&'static Unit, String> {
+    Dimension::Length.find_unit(text).ok_or_else(|| {
+        let units = Dimension::Length.units().iter().map(|unit| unit.symbol);
+        format!("expected one of {}", units.collect::<Vec<_>>().join(", "))
+    })
+}
+
+fn length(text: &str) -> Result<f64, String> {
+    let length = Dimension::Length.parse(text).map_err(|error| error.to_string())?;
+    if length >= SHORTEST_STEP_M && length.is_finite() {
+        Ok(length)
+    } else {
+        Err(format!("expected at least {SHORTEST_STEP_M} m"))
     }
 }

@@ -1,15 +1,38 @@
 //! `wholestring sweep`: solves a case for all combinations of some values.
 
+use clap::Args;
 use wholestring_case::{Template, Variation};
 use wholestring_runner::sweep::{self, Request};
 
 use crate::{
-    args::SweepArgs,
     conclusion::{conclude, judge},
     failure::Failure,
     interrupt,
     progress::BatchScreen,
+    shared_args::{BatchArgs, CaseArgs, KeptArgs},
 };
+
+#[derive(Debug, Args)]
+pub(crate) struct SweepArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    /// Values of a key, such as `friction=0.1,0.2,0.3` or `bit_depth=300m..4305m/300m` (a range
+    /// always includes its end). Repeatable: every combination is a case, the last key varying
+    /// fastest
+    #[arg(long, value_name = "KEY=VALUES", required = true)]
+    pub(crate) vary: Vec<String>,
+
+    /// End with status 4 where an error is found in an answer
+    #[arg(long)]
+    pub(crate) strict: bool,
+
+    #[command(flatten)]
+    pub(crate) kept: KeptArgs,
+
+    #[command(flatten)]
+    pub(crate) batch: BatchArgs,
+}
 
 pub(crate) fn sweep(args: &SweepArgs) -> Result<(), Failure> {
     args.kept.check(&args.batch)?;

@@ -1,5 +1,6 @@
 //! `wholestring bench`: the machine's speed at this work.
 
+mod args;
 mod screen;
 
 use std::{env, fs, path::Path};
@@ -15,11 +16,13 @@ use wholestring_runner::{
 };
 
 use crate::{
-    args::{BenchArgs, BenchPart},
     failure::{Failure, failed},
     interrupt, progress,
     terminal::print_stdout,
 };
+
+pub(crate) use args::BenchArgs;
+use args::BenchPart;
 
 /// What was measured, for `--json`; a part that was not requested is not there.
 #[derive(Serialize)]

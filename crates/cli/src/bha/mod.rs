@@ -1,8 +1,8 @@
 //! `wholestring bha`: the bottom-hole assembly at rest.
 
+mod args;
 mod screen;
 
-use wholestring::operation::OperationKind;
 use wholestring_case::read_values;
 use wholestring_runner::{
     Silent,
@@ -11,8 +11,11 @@ use wholestring_runner::{
 use wholestring_units::Dimension;
 
 use crate::{
-    args::BhaArgs, color::color, failure::Failure, input::load, interrupt, terminal::print_stdout,
+    color::color, failure::Failure, input::load, interrupt, shared_args::operation,
+    terminal::print_stdout,
 };
+
+pub(crate) use args::BhaArgs;
 
 pub(crate) fn bha(args: &BhaArgs) -> Result<(), Failure> {
     let operation = args.operation.as_deref().map(operation).transpose()?;
@@ -24,7 +27,7 @@ pub(crate) fn bha(args: &BhaArgs) -> Result<(), Failure> {
         whole: args.whole,
         sweeps,
         units: Some(units),
-        output: args.output(),
+        output: args.output.output(),
         csv: args.csv,
         jobs: args.jobs,
         ..Request::new(&case)
@@ -39,13 +42,6 @@ pub(crate) fn bha(args: &BhaArgs) -> Result<(), Failure> {
         "{}The assembly took {alone_s:.2} s, everything {all_s:.1} s\nResults in {place}\n",
         screen::text(&outcome.summary, units)
     ))
-}
-
-fn operation(name: &str) -> Result<OperationKind, Failure> {
-    OperationKind::from_name(name).ok_or_else(|| {
-        let names = OperationKind::ALL.map(OperationKind::name).join(", ");
-        Failure::BadInput(format!("error: `{name}` is no operation: expected one of {names}"))
-    })
 }
 
 fn sweeps(args: &BhaArgs) -> Result<Sweeps, Failure> {

@@ -1,13 +1,16 @@
 //! `wholestring bit-test`: the bit alone on its rock, under every weight at every speed.
 
+mod args;
 mod screen;
 
 use wholestring_runner::bit_test::{self, Request};
 
 use crate::{
-    args::BitTestArgs, conclusion::conclude, failure::Failure, input::load, interrupt,
-    progress::BatchScreen, terminal::print_stdout,
+    conclusion::conclude, failure::Failure, input::load, interrupt, progress::BatchScreen,
+    terminal::print_stdout,
 };
+
+pub(crate) use args::BitTestArgs;
 
 pub(crate) fn bit_test(args: &BitTestArgs) -> Result<(), Failure> {
     let quiet = args.batch.quiet;

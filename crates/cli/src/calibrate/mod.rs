@@ -1,24 +1,24 @@
 //! `wholestring calibrate`: friction factors from what was read at the surface.
 
+mod args;
 mod screen;
 
 use wholestring_case::{Case, Template};
-use wholestring_runner::{
-    Existing, Output,
-    calibrate::{self, FRAGMENT, Fit, NamedCase, Request},
-};
+use wholestring_runner::calibrate::{self, FRAGMENT, Fit, NamedCase, Request};
 
 use crate::{
-    args::CaseArgs, calibrate_args::CalibrateArgs, color::color, failure::Failure, input::load,
-    interrupt, progress::RunScreen, terminal::print_stdout,
+    color::color, failure::Failure, input::load, interrupt, progress::RunScreen,
+    shared_args::CaseArgs, terminal::print_stdout,
 };
+
+pub(crate) use args::CalibrateArgs;
 
 pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
     let load = |file: &std::path::PathBuf| {
         let of = CaseArgs { case: file.clone(), overrides: args.overrides.clone() };
         let template =
             Template::read(file).map_err(|report| Failure::BadInput(report.render(color())))?;
-        Ok((template, load(&of, args.quiet)?))
+        Ok((template, load(&of, args.page.quiet)?))
     };
     let cases: Vec<(Template, Case)> =
         args.cases.iter().map(load).collect::<Result<_, Failure>>()?;
@@ -29,8 +29,7 @@ pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
         case,
     });
     let named: Vec<NamedCase> = named.collect();
-    let units = args.units.unwrap_or(cases[0].1.units);
-    let existing = if args.overwrite { Existing::Overwrite } else { Existing::Protect };
+    let units = args.page.units.unwrap_or(cases[0].1.units);
     let request = Request {
         cases: &named,
         data: &args.data,
@@ -46,12 +45,12 @@ pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
             model: args.model.into(),
         },
         units: Some(units),
-        output: Output { folder: args.output.clone(), existing },
-        png: args.png,
+        output: args.output.output(),
+        png: args.page.png,
     };
     let outcome =
-        calibrate::run(&request, &RunScreen::new(args.quiet, false), &interrupt::listen())?;
-    if !args.quiet {
+        calibrate::run(&request, &RunScreen::new(args.page.quiet, false), &interrupt::listen())?;
+    if !args.page.quiet {
         print_stdout(&screen::text(&outcome.summary, units))?;
         let took_ms = 1e3 * outcome.took.as_secs_f64();
         let place = outcome.folder.display();

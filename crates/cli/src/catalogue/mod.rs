@@ -1,5 +1,6 @@
 //! `wholestring catalogue`: what a case can name, and what rigs commonly have.
 
+mod args;
 mod cells;
 mod rigs;
 mod tubulars;
@@ -8,7 +9,9 @@ use wholestring_case::OwnCatalogue;
 use wholestring_runner::Found;
 use wholestring_units::UnitSet;
 
-use crate::{args::CatalogueArgs, failure::Failure, terminal::print_stdout};
+use crate::{failure::Failure, terminal::print_stdout};
+
+pub(crate) use args::CatalogueArgs;
 
 pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
     let query = args.words.join(" ");

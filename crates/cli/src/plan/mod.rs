@@ -1,31 +1,31 @@
 //! `wholestring plan`: torque and drag at every depth of the bit, with low, expected and high friction.
 
+mod args;
 mod screen;
 
-use wholestring_runner::{
-    Output,
-    plan::{self, Request},
-};
+use wholestring_runner::plan::{self, Request};
 
 use crate::{
-    args::PlanArgs, conclusion::conclude, failure::Failure, input::load, interrupt,
-    progress::BatchScreen, terminal::print_stdout,
+    conclusion::conclude, failure::Failure, input::load, interrupt, progress::BatchScreen,
+    terminal::print_stdout,
 };
 
+pub(crate) use args::PlanArgs;
+
 pub(crate) fn plan(args: &PlanArgs) -> Result<(), Failure> {
-    let case = load(&args.case, args.quiet)?;
-    let units = args.units.unwrap_or(case.units);
+    let case = load(&args.case, args.page.quiet)?;
+    let units = args.page.units.unwrap_or(case.units);
     let request = Request {
         case: &case,
         units: Some(units),
-        output: Output { folder: args.output.clone(), existing: args.existing() },
+        output: args.output(),
         jobs: args.jobs,
-        checkpoint_every: args.checkpoint,
-        png: args.png,
+        checkpoint_every: args.checkpoint.every,
+        png: args.page.png,
     };
-    let outcome = plan::run(&request, &BatchScreen::plan(args.quiet), &interrupt::listen())?;
-    if !args.quiet {
+    let outcome = plan::run(&request, &BatchScreen::plan(args.page.quiet), &interrupt::listen())?;
+    if !args.page.quiet {
         print_stdout(&screen::text(&outcome.summary, units))?;
     }
-    conclude(&outcome.batch, "plan", "pieces", args.quiet)
+    conclude(&outcome.batch, "plan", "pieces", args.page.quiet)
 }

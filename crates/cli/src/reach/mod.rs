@@ -1,18 +1,21 @@
 //! `wholestring reach`: how far the well can go, and what stops it.
 
+mod args;
 mod screen;
 
-use wholestring::operation::OperationKind;
 use wholestring_case::read_values;
 use wholestring_runner::{
-    Existing, Output, Silent,
+    Silent,
     reach::{self, Request},
 };
 use wholestring_units::Dimension;
 
 use crate::{
-    args::ReachArgs, color::color, failure::Failure, input::load, interrupt, terminal::print_stdout,
+    color::color, failure::Failure, input::load, interrupt, shared_args::operation,
+    terminal::print_stdout,
 };
+
+pub(crate) use args::ReachArgs;
 
 pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
     let depth = |option: &str, text: &Option<String>| -> Result<Option<f64>, Failure> {
@@ -27,9 +30,8 @@ pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
     let frictions = frictions.map(|text| friction(text.trim())).collect::<Result<_, _>>()?;
     let operations = args.operation.iter().flat_map(|list| list.split(','));
     let operations = operations.map(|name| operation(name.trim())).collect::<Result<_, _>>()?;
-    let case = load(&args.case, args.quiet)?;
-    let units = args.units.unwrap_or(case.units);
-    let existing = if args.overwrite { Existing::Overwrite } else { Existing::Protect };
+    let case = load(&args.case, args.page.quiet)?;
+    let units = args.page.units.unwrap_or(case.units);
     let request = Request {
         from_m,
         to_m,
@@ -37,14 +39,14 @@ pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
         operations,
         helix_side_force: !args.no_helix_friction,
         units: Some(units),
-        output: Output { folder: args.output.clone(), existing },
+        output: args.output.output(),
         csv: args.csv,
-        png: args.png,
+        png: args.page.png,
         jobs: args.jobs,
         ..Request::new(&case)
     };
     let outcome = reach::run(&request, &Silent, &interrupt::listen())?;
-    if args.quiet {
+    if args.page.quiet {
         return Ok(());
     }
     let (took_s, place) = (outcome.took.as_secs_f64(), outcome.folder.display());
@@ -64,12 +66,5 @@ fn values(option: &str, text: Option<&str>, of: Dimension) -> Result<Vec<f64>, F
 fn friction(text: &str) -> Result<f64, Failure> {
     text.parse().map_err(|_| {
         Failure::BadInput(format!("error: `{text}` is no friction factor: expected such as 0.3"))
-    })
-}
-
-fn operation(name: &str) -> Result<OperationKind, Failure> {
-    OperationKind::from_name(name).ok_or_else(|| {
-        let names = OperationKind::ALL.map(OperationKind::name).join(", ");
-        Failure::BadInput(format!("error: `{name}` is no operation: expected one of {names}"))
     })
 }

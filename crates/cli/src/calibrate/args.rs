@@ -6,9 +6,15 @@ use clap::{Args, ValueEnum};
 use wholestring::outcome::ModelKind;
 use wholestring_case::Override;
 use wholestring_runner::calibrate::Parameter;
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_units::Dimension;
+
+use crate::shared_args::{OutputArgs, PageArgs};
 
 #[derive(Debug, Args)]
+// Not a doc comment, which would read `<case name>` as HTML.
+#[command(mut_arg("output", |arg| {
+    arg.help("Folder for the results [default: out/<case name> calibration]")
+}))]
 pub(crate) struct CalibrateArgs {
     /// Case files: the strings that were in the hole. Of several, a column `case` of the readings
     /// names one by its file or its name
@@ -69,30 +75,11 @@ pub(crate) struct CalibrateArgs {
     #[arg(long, value_enum, default_value = "soft")]
     pub(crate) model: Model,
 
-    // Not a doc comment, which would read `<case name>` as HTML.
-    #[arg(
-        short,
-        long,
-        value_name = "DIR",
-        help = "Folder for the results [default: out/<case name> calibration]"
-    )]
-    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
 
-    /// Replace what lies in the folder
-    #[arg(long)]
-    pub(crate) overwrite: bool,
-
-    /// Paint each picture as PNG too, with 300 dots per inch
-    #[arg(long)]
-    pub(crate) png: bool,
-
-    /// Units on the screen and the page [default: the case's]
-    #[arg(long, value_name = "si|metric|field")]
-    pub(crate) units: Option<UnitSet>,
-
-    /// Print nothing but errors
-    #[arg(short, long)]
-    pub(crate) quiet: bool,
+    #[command(flatten)]
+    pub(crate) page: PageArgs,
 }
 
 /// A model that predicts readings.

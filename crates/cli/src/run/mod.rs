@@ -1,5 +1,7 @@
 //! `wholestring run`: solves a case, prints one table and writes the results.
 
+mod args;
+
 use wholestring_case::Case;
 use wholestring_results::{Friction, Summary};
 use wholestring_runner::{
@@ -9,9 +11,11 @@ use wholestring_runner::{
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
-    args::RunArgs, color::screen_color, comparison, convergence, failure::Failure, findings,
-    input::load, interrupt, progress::RunScreen, stopped::stopped, terminal::print_stdout,
+    color::screen_color, comparison, convergence, failure::Failure, findings, input::load,
+    interrupt, progress::RunScreen, stopped::stopped, terminal::print_stdout,
 };
+
+pub(crate) use args::RunArgs;
 
 pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
     let case = load(&args.case, args.quiet)?;
@@ -24,7 +28,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
         output: args.output(),
         units: Some(units),
         jobs: args.jobs,
-        checkpoint_every: args.checkpoint,
+        checkpoint_every: args.checkpoint.every,
         csv: args.csv,
     };
     let screen = RunScreen::new(args.quiet, args.quiet || args.json);

@@ -1,0 +1,63 @@
+//! `wholestring bha` as the user writes it.
+
+use std::num::NonZeroUsize;
+
+use clap::Args;
+use wholestring_units::UnitSet;
+
+use crate::shared_args::{CaseArgs, OutputArgs};
+
+#[derive(Debug, Args)]
+// Not a doc comment, which would read `<case name>` as HTML.
+#[command(mut_arg("output", |arg| {
+    arg.help("Folder for the results [default: out/<case name> bha]")
+}))]
+pub(crate) struct BhaArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    /// The operation: drill, slide, trip_out, ... [default: the case's first one that drills]
+    #[arg(long, value_name = "KIND")]
+    pub(crate) operation: Option<String>,
+
+    /// Tool faces of the bend, such as `90deg` or `0deg..360deg/15deg` (a range always includes its
+    /// end) [default: a revolution in steps of 15 deg]
+    #[arg(long, value_name = "ANGLES")]
+    pub(crate) toolface: Option<String>,
+
+    /// Weights on bit, such as `20kN..120kN/20kN` [default: seven up to 1.5 times the operation's]
+    #[arg(long, value_name = "FORCES")]
+    pub(crate) weight: Option<String>,
+
+    /// Inclinations of a straight hole, such as `5deg..90deg/5deg` [default: these]
+    #[arg(long, value_name = "ANGLES")]
+    pub(crate) inclination: Option<String>,
+
+    /// Rate at which the holes of --inclination build down to the bit, such as `2deg/30m`; negative
+    /// where they drop [default: 0, straight]
+    #[arg(long, value_name = "RATE", allow_hyphen_values = true)]
+    pub(crate) build: Option<String>,
+
+    /// Solve the whole string, not only the assembly and 100 m of pipe above it
+    #[arg(long)]
+    pub(crate) whole: bool,
+
+    /// Points that are solved side by side [default: one per core]
+    #[arg(short, long, value_name = "N")]
+    pub(crate) jobs: Option<NonZeroUsize>,
+
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+
+    /// Units on the screen [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+
+    /// Write the tables as CSV too
+    #[arg(long)]
+    pub(crate) csv: bool,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}

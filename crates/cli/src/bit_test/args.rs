@@ -1,0 +1,19 @@
+//! `wholestring bit-test` as the user writes it.
+
+use clap::Args;
+use wholestring_units::UnitSet;
+
+use crate::shared_args::{BatchArgs, CaseArgs};
+
+#[derive(Debug, Args)]
+pub(crate) struct BitTestArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    /// Units on the screen [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+
+    #[command(flatten)]
+    pub(crate) batch: BatchArgs,
+}

@@ -1,0 +1,53 @@
+//! `wholestring reach` as the user writes it.
+
+use std::num::NonZeroUsize;
+
+use clap::Args;
+
+use crate::shared_args::{CaseArgs, OutputArgs, PageArgs};
+
+#[derive(Debug, Args)]
+// Not a doc comment, which would read `<case name>` as HTML.
+#[command(mut_arg("output", |arg| {
+    arg.help("Folder for the results [default: out/<case name> reach]")
+}))]
+pub(crate) struct ReachArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    /// Depth of the bit to begin with, such as `4000m` [default: the end of the survey]
+    #[arg(long, value_name = "DEPTH")]
+    pub(crate) from: Option<String>,
+
+    /// Deepest bit, such as `12km` [default: 15 km, or twice the first depth where that is deeper]
+    #[arg(long, value_name = "DEPTH")]
+    pub(crate) to: Option<String>,
+
+    /// Friction factors of all sections, one after the other, such as `0.2,0.3,0.4` [default: the
+    /// case's own]
+    #[arg(long, value_name = "FACTORS")]
+    pub(crate) friction: Option<String>,
+
+    /// Operations, such as `drill,slide` [default: trip_out, rotate_off_bottom, drill, trip_in, slide
+    /// and those of the case, as far as it has their set points]
+    #[arg(long, value_name = "KINDS")]
+    pub(crate) operation: Option<String>,
+
+    /// Leave out the friction of what a helix presses to the wall: nothing locks up
+    #[arg(long)]
+    pub(crate) no_helix_friction: bool,
+
+    /// Operations that are solved side by side [default: one per core]
+    #[arg(short, long, value_name = "N")]
+    pub(crate) jobs: Option<NonZeroUsize>,
+
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+
+    /// Write the margins as CSV too
+    #[arg(long)]
+    pub(crate) csv: bool,
+
+    #[command(flatten)]
+    pub(crate) page: PageArgs,
+}

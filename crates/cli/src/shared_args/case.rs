@@ -1,0 +1,18 @@
+//! A case, and keys of it that are set on the command line.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use wholestring_case::Override;
+
+#[derive(Debug, Args)]
+pub(crate) struct CaseArgs {
+    /// Case file
+    #[arg(value_name = "CASE.toml")]
+    pub(crate) case: PathBuf,
+
+    /// Set a key of the case, such as `well.hole.0.friction=0.1`; short keys: friction, bit_depth,
+    /// rpm, wob. Repeatable
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub(crate) overrides: Vec<Override>,
+}

@@ -1,0 +1,16 @@
+//! An operation by its name.
+
+use wholestring::operation::OperationKind;
+
+use crate::failure::Failure;
+
+/// The operation of that name.
+///
+/// # Errors
+/// There is none.
+pub(crate) fn operation(name: &str) -> Result<OperationKind, Failure> {
+    OperationKind::from_name(name).ok_or_else(|| {
+        let names = OperationKind::ALL.map(OperationKind::name).join(", ");
+        Failure::BadInput(format!("error: `{name}` is no operation: expected one of {names}"))
+    })
+}

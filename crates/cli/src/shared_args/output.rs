@@ -1,0 +1,33 @@
+//! Where results go, for commands whose work is done at once.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use wholestring_runner::{Existing, Output};
+
+#[derive(Debug, Args)]
+pub(crate) struct OutputArgs {
+    /// Folder for the results [default: each command says]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+
+    /// Replace what lies in the folder
+    #[arg(long)]
+    overwrite: bool,
+}
+
+impl OutputArgs {
+    /// What they ask for.
+    pub(crate) fn output(&self) -> Output {
+        Output { folder: self.output.clone(), existing: existing(false, self.overwrite) }
+    }
+}
+
+/// What becomes of what lies in the folder.
+pub(crate) fn existing(resume: bool, overwrite: bool) -> Existing {
+    match (resume, overwrite) {
+        (true, _) => Existing::Resume,
+        (_, true) => Existing::Overwrite,
+        _ => Existing::Protect,
+    }
+}

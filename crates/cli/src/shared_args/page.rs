@@ -1,0 +1,19 @@
+//! What commands with a page show.
+
+use clap::Args;
+use wholestring_units::UnitSet;
+
+#[derive(Debug, Args)]
+pub(crate) struct PageArgs {
+    /// Paint each picture as PNG too, with 300 dots per inch
+    #[arg(long)]
+    pub(crate) png: bool,
+
+    /// Units on the screen and the page [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
