@@ -27,32 +27,33 @@ pub use bha::{Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, bha_plots};
 pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
 pub use bottom::BottomPicture;
 pub use calibration::{
-    CalibratedRow, Calibration, CalibrationBand, CalibrationPoint, calibration_html,
-    calibration_plots,
+    CALIBRATION_PICTURES, CalibratedRow, Calibration, CalibrationBand, CalibrationPoint,
+    calibration_html, calibration_plots,
 };
 pub use cell::Cell;
 pub use draw::Drawing;
 pub use finding::{Finding, Level};
 pub use modes::{
-    AnswerCurve, CriticalRow, ModeBranch, ModeRow, ModeShape, Modes, modes_html, modes_plots,
+    AnswerCurve, CriticalRow, MODES_PICTURES, ModeBranch, ModeRow, ModeShape, Modes, modes_html,
+    modes_plots,
 };
 pub use packed::Packed;
 pub use page::{bha_html, bit_test_html, report_html, sweep_html};
 pub use plan::{
-    BucklingCurve, FRICTION_STROKES, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow,
-    PlanLevel, PlanLimitRow, PlanMud, PlanMudRow, PlanRig, PlanSpot, PlanWearRow, operation_name,
-    plan_html, plan_plots,
+    BucklingCurve, FRICTION_STROKES, PLAN_PICTURES, Plan, PlanCurve, PlanFatigueHourRow,
+    PlanFatigueRow, PlanLevel, PlanLimitRow, PlanMud, PlanMudRow, PlanRig, PlanSpot, PlanWearRow,
+    operation_name, plan_html, plan_plots,
 };
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,
     drill_off_columns, frame_columns, plots, profile, shown_dimension, spectrum_dimension,
 };
-pub use reach::{Reach, ReachCurve, ReachRow, reach_html, reach_plots};
+pub use reach::{REACH_PICTURES, Reach, ReachCurve, ReachRow, reach_html, reach_plots};
 pub use report::{
     ContactPicture, DisplayUnit, DrillOff, Fact, Frames, KeyResult, PageHead, PageTable, Part,
     Place, Report, Section, Solved, SpectrumPicture, TimeRun, Well,
 };
-pub use stability::{StabilityPicture, stability_plot};
+pub use stability::StabilityPicture;
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};
 pub use thin::thinned;

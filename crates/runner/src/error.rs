@@ -49,6 +49,11 @@ pub enum Error {
 }
 
 impl Error {
+    /// What was requested is not possible, for this reason.
+    pub(crate) fn bad_input(reason: impl fmt::Display) -> Self {
+        Self::BadInput(reason.to_string())
+    }
+
     /// A failure that another error says all of.
     pub(crate) fn failed(error: impl fmt::Display) -> Self {
         Self::Failed(error.to_string())

@@ -33,7 +33,7 @@ const POINTS: [&str; 4] =
     ["wob=10kN,rpm=240", "wob=10kN,rpm=300", "wob=20kN,rpm=240", "wob=20kN,rpm=300"];
 
 /// A desk with the rock under the slant well's bit in `rock.toml`.
-fn desk() -> Desk {
+pub(crate) fn desk() -> Desk {
     let desk = Desk::new();
     let slant = desk.text("slant.toml");
     fs::write(desk.path("rock.toml"), slant + ROCK).unwrap();

@@ -1,9 +1,12 @@
 //! Whose a folder is: results are not replaced by those of another case, and no two programs write
 //! to one folder.
 
-use std::{fs, process::Output};
+use std::{collections::BTreeSet, fs, path::Path, process::Output};
 
-use crate::desk::{Desk, args};
+use crate::{
+    bit_test,
+    desk::{Desk, args},
+};
 
 const SOFT: [&str; 2] = ["--set", "model=soft"];
 
@@ -259,4 +262,58 @@ fn a_resumed_sweep_finds_its_folder() {
     // One that shares no case with either has a folder of its own.
     sweep("0.4", &["--resume"]);
     written("Straight slant sweep-3/friction=0.4");
+}
+
+/// Files in a folder and below it.
+fn files(folder: &Path) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let entry = entry.unwrap();
+        let name = entry.file_name().into_string().unwrap();
+        if entry.file_type().unwrap().is_dir() {
+            found.extend(files(&entry.path()).iter().map(|file| format!("{name}/{file}")));
+        } else {
+            found.insert(name);
+        }
+    }
+    found
+}
+
+/// Whatever a command left, with all pictures and tables that can be asked for, another one replaces
+/// it with `--overwrite` as if it had never been there.
+#[test]
+fn nothing_stale_is_left() {
+    let desk = bit_test::desk();
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    for name in ["slant.toml", "bent-motor.toml"] {
+        fs::copy(cases.join(name), desk.path(&format!("shipped-{name}"))).unwrap();
+    }
+    let read = "Bit depth (m),Pick-up (kN),Slack-off (kN),Rotating (kN)\n\
+                300,330,300,310\n700,410,340,370\n1200,470,390,420\n";
+    fs::write(desk.path("read.csv"), read).unwrap();
+    let of = "-o results --overwrite";
+    desk.done(&args("run slant.toml --set model=soft -o clean"));
+    let clean = files(&desk.path("clean"));
+    for (command, left) in [
+        ("run slant.toml --set model=soft --csv", "nodes.csv"),
+        ("sweep slant.toml --set model=soft --vary friction=0.1,0.2 --keep all --csv", "sweep.csv"),
+        (
+            "bha shipped-bent-motor.toml --csv --toolface 0deg --weight 20kN --inclination 5deg",
+            "views.svg",
+        ),
+        ("modes slant.toml --png --set modes.count=3", "mode_shapes.png"),
+        ("plan slant.toml --png --set plan.depths=4", "plan.xlsx"),
+        ("reach slant.toml --png --csv --to 1500m --operation drill", "reach.png"),
+        (
+            "bit-test rock.toml --csv --set bit_test.wob=[\"10kN\"] --set bit_test.rpm=[240]",
+            "drill-off.svg",
+        ),
+        ("calibrate shipped-slant.toml --data read.csv --png", "friction.toml"),
+    ] {
+        desk.done(&[args(command), args(of)].concat());
+        let all = files(&desk.path("results"));
+        assert!(all.contains(left), "{command} left {all:?}");
+        desk.done(&args(&format!("run slant.toml --set model=soft {of}")));
+        assert_eq!(files(&desk.path("results")), clean, "{command}");
+    }
 }

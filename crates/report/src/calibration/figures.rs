@@ -6,7 +6,7 @@ use crate::{
     figure::{
         Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke,
     },
-    plots::Shown,
+    plots::{Shown, named},
 };
 
 /// Readings in the order of their colours.
@@ -18,16 +18,15 @@ const READINGS: [(&str, &str); 5] = [
     ("torque_on_bottom", "torque on bottom"),
 ];
 
-/// Pictures of a calibration, in these units: `calibration_bands`, the broomstick; `calibration`, the
-/// residuals; `calibration_profiles`.
+/// Names of the pictures of a calibration: the broomstick, the residuals, the profiles.
+pub const CALIBRATION_PICTURES: [&str; 3] =
+    ["calibration_bands", "calibration", "calibration_profiles"];
+
+/// Pictures of a calibration, in these units.
 pub fn calibration_plots(of: &Calibration, units: &str) -> Vec<Plot> {
     let drawing = Drawing { of, shown: Shown::new(&of.head.dimensions, units) };
-    let plot = |name: &str, figure| Plot { name: name.into(), figure };
-    vec![
-        plot("calibration_bands", drawing.broomstick()),
-        plot("calibration", drawing.residuals()),
-        plot("calibration_profiles", drawing.profiles()),
-    ]
+    let figures = [drawing.broomstick(), drawing.residuals(), drawing.profiles()];
+    named(CALIBRATION_PICTURES, figures.map(Some))
 }
 
 /// A calibration on its way to paper.

@@ -3,7 +3,7 @@
 mod figures;
 mod page;
 
-pub use figures::calibration_plots;
+pub use figures::{CALIBRATION_PICTURES, calibration_plots};
 pub use page::calibration_html;
 
 use crate::PageHead;

@@ -8,8 +8,8 @@ use crate::{
     figure::{
         Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape, Stroke,
     },
-    plots::Shown,
-    stability::stability_plot,
+    plots::{Shown, named},
+    stability::stability_figure,
 };
 
 /// Families, in the order of their colours.
@@ -19,19 +19,22 @@ const FAMILIES: [&str; 3] = ["lateral", "axial", "torsional"];
 const DRAWN: usize = 6;
 const DRAWN_OTHERS: usize = 3;
 
-/// Every picture of small motions, in a set of units (`si`, `metric` or `field`): `campbell`,
-/// `mode_shapes`, `string_shapes`, `response` and, of a string that drills, `stability`.
+/// Names of the pictures of small motions; the last one is of a string that drills.
+pub const MODES_PICTURES: [&str; 5] =
+    ["campbell", "mode_shapes", "string_shapes", "response", "stability"];
+
+/// Every picture of small motions, in a set of units (`si`, `metric` or `field`).
 pub fn modes_plots(modes: &Modes, units: &str) -> Vec<Plot> {
     let drawing = Drawing { modes, shown: Shown::new(&modes.head.dimensions, units) };
-    let plot = |name: &str, figure| Plot { name: name.into(), figure };
-    let mut plots = vec![
-        plot("campbell", drawing.campbell()),
-        plot("mode_shapes", drawing.lateral_shapes()),
-        plot("string_shapes", drawing.string_shapes()),
-        plot("response", drawing.response()),
+    let map = modes.stability_map.as_ref();
+    let figures = [
+        Some(drawing.campbell()),
+        Some(drawing.lateral_shapes()),
+        Some(drawing.string_shapes()),
+        Some(drawing.response()),
+        map.map(|map| stability_figure(map, &modes.head, units)),
     ];
-    plots.extend(modes.stability_map.iter().map(|map| stability_plot(map, &modes.head, units)));
-    plots
+    named(MODES_PICTURES, figures)
 }
 
 /// Small motions on their way to paper.

@@ -3,7 +3,7 @@
 mod figures;
 mod page;
 
-pub use figures::modes_plots;
+pub use figures::{MODES_PICTURES, modes_plots};
 pub use page::modes_html;
 
 use crate::{PageHead, StabilityPicture};

@@ -1,19 +1,23 @@
 //! All pictures of a plan.
 
 use super::{Plan, broomstick, buckling, mud};
-use crate::{Plot, figure::Figure, plots::Shown};
+use crate::{
+    Plot,
+    plots::{Shown, named},
+};
 
-/// Every picture of a plan, in a set of units (`si`, `metric` or `field`): `hook_load`, `torque`,
-/// `buckling_weight` and `hydraulics`; of each only where there is something to draw.
+/// Names of the pictures of a plan.
+pub const PLAN_PICTURES: [&str; 4] = ["hook_load", "torque", "buckling_weight", "hydraulics"];
+
+/// Every picture of a plan, in a set of units (`si`, `metric` or `field`), where there is something
+/// to draw.
 pub fn plan_plots(plan: &Plan, units: &str) -> Vec<Plot> {
     let shown = Shown::new(&plan.head.dimensions, units);
-    let pictures = [
-        ("hook_load", broomstick::hook_load(plan, shown)),
-        ("torque", broomstick::torque(plan, shown)),
-        ("buckling_weight", buckling::figure(plan, shown)),
-        ("hydraulics", mud::figure(plan, shown)),
+    let figures = [
+        broomstick::hook_load(plan, shown),
+        broomstick::torque(plan, shown),
+        buckling::figure(plan, shown),
+        mud::figure(plan, shown),
     ];
-    let plot =
-        |(name, figure): (&str, Option<Figure>)| Some(Plot { name: name.into(), figure: figure? });
-    pictures.into_iter().filter_map(plot).collect()
+    named(PLAN_PICTURES, figures)
 }

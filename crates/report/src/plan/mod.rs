@@ -14,7 +14,7 @@ mod tests;
 mod words;
 
 pub use broomstick::STROKES as FRICTION_STROKES;
-pub use figures::plan_plots;
+pub use figures::{PLAN_PICTURES, plan_plots};
 pub use page::plan_html;
 pub use words::operation_name;
 

@@ -16,6 +16,7 @@ mod tracks;
 
 pub(crate) use self::{
     bottom::bottoms_figure,
+    run::named,
     shown::{SETS, Shown},
     styles::{models, readable},
 };

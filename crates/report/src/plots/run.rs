@@ -43,6 +43,12 @@ pub struct Plot {
     pub figure: Figure,
 }
 
+/// The figures that there are, each with its name.
+pub(crate) fn named<const N: usize>(names: [&str; N], figures: [Option<Figure>; N]) -> Vec<Plot> {
+    let both = names.into_iter().zip(figures);
+    both.filter_map(|(name, figure)| Some(Plot { name: name.into(), figure: figure? })).collect()
+}
+
 /// What the figures of an operation have in common.
 #[derive(Clone, Copy)]
 pub(super) struct Drawn<'a> {

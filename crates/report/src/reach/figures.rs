@@ -4,7 +4,7 @@ use super::{Reach, ReachCurve};
 use crate::{
     Plot,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
-    plots::Shown,
+    plots::{Shown, named},
 };
 
 /// How far below zero a margin is drawn, per cent.
@@ -23,12 +23,13 @@ const INKS: [Ink; 9] = [
     Ink::Note,
 ];
 
-/// Every picture of a reach, in a set of units (`si`, `metric` or `field`): `reach`.
+/// Names of the pictures of a reach.
+pub const REACH_PICTURES: [&str; 1] = ["reach"];
+
+/// Every picture of a reach, in a set of units (`si`, `metric` or `field`).
 pub fn reach_plots(reach: &Reach, units: &str) -> Vec<Plot> {
-    if reach.curves.is_empty() {
-        return Vec::new();
-    }
-    vec![Plot { name: "reach".into(), figure: margins(reach, units) }]
+    let figure = (!reach.curves.is_empty()).then(|| margins(reach, units));
+    named(REACH_PICTURES, [figure])
 }
 
 /// A panel for each operation, a colour for each limit, a stroke for each friction.

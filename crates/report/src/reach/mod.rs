@@ -3,7 +3,7 @@
 mod figures;
 mod page;
 
-pub use figures::reach_plots;
+pub use figures::{REACH_PICTURES, reach_plots};
 pub use page::reach_html;
 
 use crate::PageHead;

@@ -2,7 +2,7 @@
 
 use super::StabilityPicture;
 use crate::{
-    PageHead, Plot,
+    PageHead,
     figure::{Axis, Figure, Hue, Ink, Key, Layout, Map, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::Shown,
 };
@@ -12,7 +12,7 @@ const FINE: usize = 8;
 
 /// The map in a set of units (`si`, `metric` or `field`): growth in colours where it is unstable, the
 /// threshold, and the case's own speed and weight.
-pub fn stability_plot(picture: &StabilityPicture, head: &PageHead, units: &str) -> Plot {
+pub(crate) fn stability_figure(picture: &StabilityPicture, head: &PageHead, units: &str) -> Figure {
     let shown = Shown::new(&head.dimensions, units);
     let speed = |si: f64| shown.value(si, "rotary speed");
     let weight = |si: f64| shown.value(si, "force");
@@ -61,21 +61,18 @@ pub fn stability_plot(picture: &StabilityPicture, head: &PageHead, units: &str) 
     };
     let rows = ends_of(&picture.weights_N).map(weight);
     let including = |[from, to]: [f64; 2], own: f64| [from.min(own), to.max(own)];
-    Plot {
-        name: "stability".into(),
-        figure: Figure {
-            title: head.title.clone(),
-            subtitle: if largest > 0.0 {
-                "torsional stability: coloured where steady rotation grows into stick-slip".into()
-            } else {
-                "torsional stability: stable at all these speeds and weights".into()
-            },
-            keys,
-            layout: Layout::across(1, 140.0, 85.0),
-            shared: axis("Rotary speed", "rotary speed", including([first, last], own.0)),
-            panels: vec![Panel::new(axis("Weight on bit", "force", including(rows, own.1)), marks)],
-            hole: Vec::new(),
+    Figure {
+        title: head.title.clone(),
+        subtitle: if largest > 0.0 {
+            "torsional stability: coloured where steady rotation grows into stick-slip".into()
+        } else {
+            "torsional stability: stable at all these speeds and weights".into()
         },
+        keys,
+        layout: Layout::across(1, 140.0, 85.0),
+        shared: axis("Rotary speed", "rotary speed", including([first, last], own.0)),
+        panels: vec![Panel::new(axis("Weight on bit", "force", including(rows, own.1)), marks)],
+        hole: Vec::new(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 mod figure;
 
-pub use figure::stability_plot;
+pub(crate) use figure::stability_figure;
 
 /// The map of torsional stability. Numbers are SI; one that is not known is not finite.
 #[derive(Debug, Clone, PartialEq)]

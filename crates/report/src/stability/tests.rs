@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{StabilityPicture, stability_plot};
+use super::{StabilityPicture, stability_figure};
 use crate::{
     PageHead,
     figure::{Mark, Range},
@@ -28,7 +28,7 @@ fn marks(of: &StabilityPicture) -> (Vec<Mark>, Range) {
         dimensions: BTreeMap::new(),
         facts: Vec::new(),
     };
-    let figure = stability_plot(of, &head, "si").figure;
+    let figure = stability_figure(of, &head, "si");
     (figure.panels[0].marks.clone(), figure.shared.range)
 }
 

@@ -2,7 +2,7 @@
 //! faces, weights and inclinations too.
 
 mod nodes;
-pub(crate) mod page;
+mod page;
 mod page_tables;
 mod points;
 mod request;

@@ -3,68 +3,67 @@
 use std::path::Path;
 
 use wholestring_report::{
-    Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, Cell, Fact, bha_html, bha_plots,
+    Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, Cell, Fact, Plot, bha_html, bha_plots,
 };
-use wholestring_results::{BhaSummary, BhaVaried, ResultsError, ResultsFolder, Table};
+use wholestring_results::{BhaSummary, BhaVaried, ResultsError, Table};
 use wholestring_units::UnitSet;
 
 use super::{nodes::NODES, page_tables::page_tables};
 use crate::{
     column::numbers,
-    page::{self, FILE, facts::readable, inputs, table, write_picture},
+    page::{self, facts::readable, inputs, table},
+    results_kind::Results,
 };
 
 /// The picture that is drawn unasked.
 const VIEWS: &str = "views";
 
-/// Whether a folder is one that an assembly wrote to.
-pub(crate) fn is_bha(folder: &Path) -> bool {
-    folder.join(format!("{NODES}.parquet")).is_file()
-}
+impl Results for Bha {
+    const NOUN: &'static str = "an assembly at rest";
+    const TABLE: &'static str = NODES;
+    const PICTURES: &'static [&'static str] = &[VIEWS];
 
-/// Writes the page of an assembly and the picture of how it lies.
-pub(crate) fn write(folder: &ResultsFolder, bha: &Bha) -> Result<(), ResultsError> {
-    folder.write_file(FILE, bha_html(bha).as_bytes())?;
-    let plots = bha_plots(bha, &bha.head.units);
-    match plots.iter().find(|plot| plot.name == VIEWS) {
-        Some(views) => write_picture(folder, &views.name, &views.figure, false),
-        None => Ok(()),
+    fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
+        let summary = BhaSummary::read(&folder.join("summary.json"))?;
+        let nodes = table(folder, NODES)?;
+        let settings = &summary.settings;
+        let title = format!("{}: assembly at rest", summary.case);
+        let state = &summary.state;
+        let warnings = summary.warnings();
+        let mut tables = page_tables(&summary);
+        tables.extend(inputs::page_tables(settings));
+        Ok(Self {
+            head: page::head(title, units, Some(settings), facts(&summary)),
+            message: (!warnings.is_empty()).then(|| warnings.join("; ")),
+            parts: summary.parts.iter().map(part).collect(),
+            length_m: state.length_m,
+            from_bit_m: column(&nodes, "from_bit_m"),
+            hole_radius_m: column(&nodes, "hole_radius_m"),
+            offset_m: pair(&nodes, "offset_high_m", "offset_right_m"),
+            moment_N_m: pair(&nodes, "bending_moment_high_N_m", "bending_moment_right_N_m"),
+            bending_stress_Pa: column(&nodes, "bending_stress_Pa"),
+            von_mises_stress_Pa: column(&nodes, "von_mises_stress_Pa"),
+            contacts: state
+                .contacts
+                .iter()
+                .map(|of| BhaContact {
+                    at_m: 0.5 * (of.from_bit_m[0] + of.from_bit_m[1]),
+                    force_N: of.force_N,
+                })
+                .collect(),
+            sensors_m: state.sag.iter().map(|sag| sag.from_bit_m).collect(),
+            sweeps: BhaVaried::ALL.iter().filter_map(|varied| sweep(&summary, *varied)).collect(),
+            page_tables: tables,
+        })
     }
-}
 
-/// Everything that is reported of an assembly.
-pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Bha, ResultsError> {
-    let summary = BhaSummary::read(&folder.join("summary.json"))?;
-    let nodes = table(folder, NODES)?;
-    let settings = &summary.settings;
-    let title = format!("{}: assembly at rest", summary.case);
-    let state = &summary.state;
-    let warnings = summary.warnings();
-    let mut tables = page_tables(&summary);
-    tables.extend(inputs::page_tables(settings));
-    Ok(Bha {
-        head: page::head(title, units, Some(settings), facts(&summary)),
-        message: (!warnings.is_empty()).then(|| warnings.join("; ")),
-        parts: summary.parts.iter().map(part).collect(),
-        length_m: state.length_m,
-        from_bit_m: column(&nodes, "from_bit_m"),
-        hole_radius_m: column(&nodes, "hole_radius_m"),
-        offset_m: pair(&nodes, "offset_high_m", "offset_right_m"),
-        moment_N_m: pair(&nodes, "bending_moment_high_N_m", "bending_moment_right_N_m"),
-        bending_stress_Pa: column(&nodes, "bending_stress_Pa"),
-        von_mises_stress_Pa: column(&nodes, "von_mises_stress_Pa"),
-        contacts: state
-            .contacts
-            .iter()
-            .map(|of| BhaContact {
-                at_m: 0.5 * (of.from_bit_m[0] + of.from_bit_m[1]),
-                force_N: of.force_N,
-            })
-            .collect(),
-        sensors_m: state.sag.iter().map(|sag| sag.from_bit_m).collect(),
-        sweeps: BhaVaried::ALL.iter().filter_map(|varied| sweep(&summary, *varied)).collect(),
-        page_tables: tables,
-    })
+    fn html(&self) -> Option<String> {
+        Some(bha_html(self))
+    }
+
+    fn plots(&self) -> Vec<Plot> {
+        bha_plots(self, &self.head.units)
+    }
 }
 
 fn column(table: &Table, name: &str) -> Vec<f64> {

@@ -8,6 +8,7 @@ use wholestring::{
     statics::assembly::{self, Assembly, AssemblySettings, Extent, zeros},
 };
 use wholestring_case::Case;
+use wholestring_report::Bha;
 use wholestring_results::{
     BHA_VERSION, BhaPart, BhaPoint, BhaState, BhaSummary, BhaVaried, Occupant, ResultsFolder,
     bha_contacts_table, bha_sweep_table, bha_table, digest,
@@ -16,12 +17,11 @@ use wholestring_units::UnitSet;
 
 use super::{
     nodes::NODES,
-    page,
     points::{Base, Sweeps},
 };
 use crate::{
-    cancellation::CancellationToken, claim::Claim, error::Error, folder_name::default_output,
-    observer::Observer, output::Output,
+    cancellation::CancellationToken, claim::Claim, error::Error, observer::Observer,
+    output::Output, results_kind::Results,
 };
 
 /// Names of the other tables, without their extension.
@@ -95,21 +95,12 @@ pub fn run(
         ..AssemblySettings::default()
     };
     let name = format!("{} bha", case.name);
-    let claimed = Claim {
-        occupant: Occupant {
-            kind: "assembly".into(),
-            name: name.clone(),
-            identity: digest(&json!([case.identity(), operation.kind.name()])),
-        },
-        output: &request.output,
-        default: default_output(&name),
-        shared: false,
-        observer,
-        is_unfinished: &|_| false,
-        is_part: &|_| false,
-        refuse: &|_| Ok(()),
-    }
-    .folder()?;
+    let occupant = Occupant {
+        kind: "assembly".into(),
+        name,
+        identity: digest(&json!([case.identity(), operation.kind.name()])),
+    };
+    let claimed = Claim::new(occupant, &request.output, observer).folder()?;
     let start = Instant::now();
     let found = assembly::solve(&case.model, operation, &settings).map_err(Error::failed)?;
     let alone_s = start.elapsed().as_secs_f64();
@@ -126,7 +117,7 @@ pub fn run(
     let summary = summary(request, operation, &found, points);
     write(&claimed.folder, &summary, &found, request)?;
     let units = request.units.unwrap_or(case.units);
-    page::write(&claimed.folder, &page::gather(claimed.folder.path(), Some(units))?)?;
+    Bha::gather(claimed.folder.path(), Some(units))?.write(&claimed.folder, false)?;
     let took_s = [alone_s, start.elapsed().as_secs_f64()];
     Ok(Outcome { summary, folder: claimed.folder.path().to_owned(), took_s })
 }

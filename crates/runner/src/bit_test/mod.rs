@@ -1,6 +1,6 @@
 //! A bit test: the bit alone on its rock, under every weight at every speed.
 
-pub(crate) mod page;
+mod page;
 mod point_checkpoint;
 mod points;
 mod request;

@@ -5,68 +5,73 @@ use std::path::Path;
 use serde_json::{Value as Json, json};
 use wholestring::rock::TrialOutcome;
 use wholestring_report::{
-    BitTest, BitTestPoint, Cell, Fact, PageTable, bit_test_html, bit_test_plots,
+    BitTest, BitTestPoint, Cell, Fact, PageTable, Plot, bit_test_html, bit_test_plots,
 };
-use wholestring_results::{BitTestSummary, ResultsError, ResultsFolder, Status};
+use wholestring_results::{BitTestSummary, ResultsError, Status};
 use wholestring_units::UnitSet;
 
 use super::{
     points::common,
-    tables::{BOTTOM, OPERATION, POINTS},
+    tables::{BOTTOM, LAW, OPERATION, POINTS},
 };
-use crate::page::{self, FILE, history::bottom, inputs::page_tables, table, write_picture};
+use crate::{
+    page::{self, history::bottom, inputs::page_tables, table},
+    results_kind::Results,
+};
 
 /// The picture that is drawn unasked.
 const DRILL_OFF: &str = "drill-off";
 
-/// Whether a folder is one that a bit test wrote to.
-pub(crate) fn is_bit_test(folder: &Path) -> bool {
-    folder.join(format!("{POINTS}.parquet")).is_file()
-}
+impl Results for BitTest {
+    const NOUN: &'static str = "a bit test";
+    const TABLE: &'static str = POINTS;
+    const PICTURES: &'static [&'static str] = &[DRILL_OFF];
+    const FILES: &'static [&'static str] = &[LAW];
 
-/// Writes the page of a test and the picture of its drill-off; neither where no point is finished.
-pub(crate) fn write(folder: &ResultsFolder, test: &BitTest) -> Result<(), ResultsError> {
-    let plots = bit_test_plots(test, &test.head.units);
-    let Some(drill_off) = plots.iter().find(|plot| plot.name == DRILL_OFF) else {
-        folder.remove(FILE)?;
-        return folder.remove(&format!("{DRILL_OFF}.svg"));
-    };
-    folder.write_file(FILE, bit_test_html(test).as_bytes())?;
-    write_picture(folder, &drill_off.name, &drill_off.figure, false)
-}
-
-/// Everything that is reported of a bit test.
-pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<BitTest, ResultsError> {
-    let summary = BitTestSummary::read(&folder.join("summary.json"))?;
-    let settings = &summary.settings;
-    let mut points = Vec::new();
-    for point in &summary.points {
-        if let Some(outcome) = &point.outcome {
-            let table = table(&folder.join(&point.point), BOTTOM)?;
-            points.push(BitTestPoint { bottom: bottom(&table, OPERATION), ..test_point(outcome) });
+    fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
+        let summary = BitTestSummary::read(&folder.join("summary.json"))?;
+        let settings = &summary.settings;
+        let mut points = Vec::new();
+        for point in &summary.points {
+            if let Some(outcome) = &point.outcome {
+                let table = table(&folder.join(&point.point), BOTTOM)?;
+                points.push(BitTestPoint {
+                    bottom: bottom(&table, OPERATION),
+                    ..test_point(outcome)
+                });
+            }
         }
+        let missing = summary.points.len() - points.len();
+        let failed =
+            |of: &&wholestring_results::BitTestPoint| matches!(of.status, Status::Failed(_));
+        let failed = summary.points.iter().filter(failed).count();
+        let message = (missing > 0).then(|| {
+            let all = summary.points.len();
+            format!("{missing} of {all} points are missing, {failed} of them failed.")
+        });
+        let title = format!("{}: bit test", summary.case);
+        Ok(Self {
+            head: page::head(title, units, Some(settings), facts(&summary)),
+            strength_Pa: summary.rock_strength_Pa,
+            radius_m: summary.bit_radius_m,
+            torque_by_weight: summary
+                .response
+                .torque_over_weight_m
+                .zip(summary.response.torque_at_no_weight_N_m)
+                .map(|(slope_m, offset_N_m)| [slope_m, offset_N_m]),
+            points,
+            message,
+            page_tables: inputs(settings),
+        })
     }
-    let missing = summary.points.len() - points.len();
-    let failed = |of: &&wholestring_results::BitTestPoint| matches!(of.status, Status::Failed(_));
-    let failed = summary.points.iter().filter(failed).count();
-    let message = (missing > 0).then(|| {
-        let all = summary.points.len();
-        format!("{missing} of {all} points are missing, {failed} of them failed.")
-    });
-    let title = format!("{}: bit test", summary.case);
-    Ok(BitTest {
-        head: page::head(title, units, Some(settings), facts(&summary)),
-        strength_Pa: summary.rock_strength_Pa,
-        radius_m: summary.bit_radius_m,
-        torque_by_weight: summary
-            .response
-            .torque_over_weight_m
-            .zip(summary.response.torque_at_no_weight_N_m)
-            .map(|(slope_m, offset_N_m)| [slope_m, offset_N_m]),
-        points,
-        message,
-        page_tables: inputs(settings),
-    })
+
+    fn html(&self) -> Option<String> {
+        (!self.points.is_empty()).then(|| bit_test_html(self))
+    }
+
+    fn plots(&self) -> Vec<Plot> {
+        bit_test_plots(self, &self.head.units)
+    }
 }
 
 fn test_point(outcome: &TrialOutcome) -> BitTestPoint {

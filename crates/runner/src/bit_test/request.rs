@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use wholestring_case::Case;
+use wholestring_report::BitTest;
 use wholestring_results::{BitTestSummary, Occupant, digest};
 use wholestring_units::UnitSet;
 
 use super::{
-    page,
     points::{common, points},
     trials::Trials,
 };
@@ -17,9 +17,9 @@ use crate::{
     checkpoint::difference,
     claim::Claim,
     error::Error,
-    folder_name::default_output,
     observer::Observer,
     output::Existing,
+    results_kind::Results,
     shard::Shard,
 };
 
@@ -63,16 +63,9 @@ pub fn run(
     let name = format!("{} bit test", case.name);
     let parts: Vec<_> = points.iter().map(|of| (&of.name, &of.settings)).collect();
     // Before anything is drilled, so that a long test does not end on a folder it may not write to.
+    let occupant = Occupant { kind: "bit test".into(), name, identity: digest(&parts) };
     let claimed = Claim {
-        occupant: Occupant {
-            kind: "bit test".into(),
-            name: name.clone(),
-            identity: digest(&parts),
-        },
-        output: &options.output,
-        default: default_output(&name),
         shared: options.shard != Shard::ALL,
-        observer,
         is_unfinished: &|path| {
             let mine = (0..points.len()).filter(|point| options.shard.has(*point));
             let mut places = mine.map(|point| path.join(&points[point].name));
@@ -83,6 +76,7 @@ pub fn run(
             Existing::Resume => check_same(path, case),
             Existing::Protect | Existing::Overwrite => Ok(()),
         },
+        ..Claim::new(occupant, &options.output, observer)
     }
     .folder()?;
     let folder = &claimed.folder;
@@ -90,7 +84,7 @@ pub fn run(
     trials.solve_all()?;
     let units = request.units.unwrap_or(case.units);
     let summary = trials.summary();
-    page::write(folder, &page::gather(folder.path(), Some(units))?)?;
+    BitTest::gather(folder.path(), Some(units))?.write(folder, false)?;
     let batch = trials.outcome();
     Ok(Outcome { summary, batch })
 }

@@ -14,7 +14,7 @@ pub(super) const BOTTOM: &str = "bottom_hole";
 pub(super) const OPERATION: &str = "bit_test";
 
 /// Name of the table for the law "table".
-const LAW: &str = "bit-table.csv";
+pub(super) const LAW: &str = "bit-table.csv";
 
 /// A number of an outcome.
 type Number = (&'static str, fn(&TrialOutcome) -> f64);

@@ -3,7 +3,7 @@
 mod data;
 mod named_case;
 mod notes;
-pub(crate) mod page;
+mod page;
 mod predictions;
 mod request;
 mod tables;

@@ -3,65 +3,68 @@
 use std::path::Path;
 
 use wholestring_report::{
-    CalibratedRow, Calibration, CalibrationBand, CalibrationPoint, Cell, Fact, calibration_html,
-    calibration_plots,
+    CALIBRATION_PICTURES, CalibratedRow, Calibration, CalibrationBand, CalibrationPoint, Cell,
+    Fact, Plot, calibration_html, calibration_plots,
 };
-use wholestring_results::{CalibrationSummary, ResultsError, ResultsFolder, Table};
+use wholestring_results::{CalibrationSummary, ResultsError, Table};
 use wholestring_units::UnitSet;
 
-use super::tables::{BANDS, POINTS, PROFILES};
-use crate::page::{self, FILE, table, write_picture};
+use super::{
+    tables::{BANDS, POINTS, PROFILES},
+    toml::FRAGMENT,
+};
+use crate::{
+    page::{self, table},
+    results_kind::Results,
+};
 
-/// Whether a folder is one that a calibration was written to.
-pub(crate) fn is_calibration(folder: &Path) -> bool {
-    folder.join(format!("{PROFILES}.parquet")).is_file()
-}
+impl Results for Calibration {
+    const NOUN: &'static str = "a calibration";
+    const TABLE: &'static str = PROFILES;
+    const PICTURES: &'static [&'static str] = &CALIBRATION_PICTURES;
+    const FILES: &'static [&'static str] = &[FRAGMENT];
 
-/// Writes the page and its pictures.
-pub(crate) fn write(
-    folder: &ResultsFolder,
-    of: &Calibration,
-    png: bool,
-) -> Result<(), ResultsError> {
-    for plot in calibration_plots(of, &of.head.units) {
-        write_picture(folder, &plot.name, &plot.figure, png)?;
+    fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
+        let summary = CalibrationSummary::read(&folder.join("summary.json"))?;
+        let title = format!("{}: measured friction", summary.title());
+        let head = page::head(title, units, Some(&summary.settings), facts(&summary));
+        let profiles = table(folder, PROFILES)?;
+        let rows = summary.estimates.iter().map(|of| {
+            let (dimension, _) = page::dimensions::of_setting(&of.parameter).unwrap_or_default();
+            CalibratedRow {
+                words: of.words.clone(),
+                dimension: dimension.to_owned(),
+                value: of.value,
+                standard_error: of.standard_error,
+                interval: of.interval,
+                profile: profile(&profiles, &of.parameter),
+            }
+        });
+        let errors = summary
+            .errors
+            .iter()
+            .map(|of| (of.readings.clone(), of.standard_error, of.is_torque, of.given, of.count));
+        Ok(Self {
+            estimates: rows.collect(),
+            errors: errors.collect(),
+            points: points(&table(folder, POINTS)?),
+            bands: bands(&table(folder, BANDS)?),
+            correlation: summary.correlation.clone(),
+            confidence: [summary.confidence, summary.band_confidence],
+            outlier_beyond: summary.outlier_beyond,
+            notes: summary.notes.clone(),
+            warnings: summary.warnings.clone(),
+            head,
+        })
     }
-    folder.write_file(FILE, calibration_html(of).as_bytes())
-}
 
-/// Everything that is reported of a calibration.
-pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Calibration, ResultsError> {
-    let summary = CalibrationSummary::read(&folder.join("summary.json"))?;
-    let title = format!("{}: measured friction", summary.title());
-    let head = page::head(title, units, Some(&summary.settings), facts(&summary));
-    let profiles = table(folder, PROFILES)?;
-    let rows = summary.estimates.iter().map(|of| {
-        let (dimension, _) = page::dimensions::of_setting(&of.parameter).unwrap_or_default();
-        CalibratedRow {
-            words: of.words.clone(),
-            dimension: dimension.to_owned(),
-            value: of.value,
-            standard_error: of.standard_error,
-            interval: of.interval,
-            profile: profile(&profiles, &of.parameter),
-        }
-    });
-    let errors = summary
-        .errors
-        .iter()
-        .map(|of| (of.readings.clone(), of.standard_error, of.is_torque, of.given, of.count));
-    Ok(Calibration {
-        estimates: rows.collect(),
-        errors: errors.collect(),
-        points: points(&table(folder, POINTS)?),
-        bands: bands(&table(folder, BANDS)?),
-        correlation: summary.correlation.clone(),
-        confidence: [summary.confidence, summary.band_confidence],
-        outlier_beyond: summary.outlier_beyond,
-        notes: summary.notes.clone(),
-        warnings: summary.warnings.clone(),
-        head,
-    })
+    fn html(&self) -> Option<String> {
+        Some(calibration_html(self))
+    }
+
+    fn plots(&self) -> Vec<Plot> {
+        calibration_plots(self, &self.head.units)
+    }
 }
 
 /// The calibration in a few facts.

@@ -8,19 +8,20 @@ use std::{
 use wholestring::{operation::OperationKind, outcome::ModelKind, well::HoleKind};
 use wholestring_case::Case;
 use wholestring_plan::calibration::{Calibration, Factors, Parameter, Settings, State, calibrate};
+use wholestring_report as report;
 use wholestring_results::{CALIBRATION_VERSION, CalibrationSummary, Occupant, digest};
 use wholestring_units::UnitSet;
 
 use super::{
     data::{self, Data},
     named_case::NamedCase,
-    notes, page,
+    notes,
     predictions::Predictions,
     tables, toml,
 };
 use crate::{
-    cancellation::CancellationToken, claim::Claim, error::Error, folder_name::default_output,
-    observer::Observer, output::Output,
+    cancellation::CancellationToken, claim::Claim, error::Error, observer::Observer,
+    output::Output, results_kind::Results,
 };
 
 /// Depths of the bands of a case, by the soft string and by the stiff one.
@@ -100,21 +101,12 @@ pub fn run(
     let settings = settings(request, &data)?;
     let name = format!("{} calibration", first.case.name);
     let identities: Vec<_> = request.cases.iter().map(|of| of.case.identity()).collect();
-    let claimed = Claim {
-        occupant: Occupant {
-            kind: "calibration".into(),
-            name: name.clone(),
-            identity: digest(&(identities, request.data.display().to_string())),
-        },
-        output: &request.output,
-        default: default_output(&name),
-        shared: false,
-        observer,
-        is_unfinished: &|_| false,
-        is_part: &|_| true,
-        refuse: &|_| Ok(()),
-    }
-    .folder()?;
+    let occupant = Occupant {
+        kind: "calibration".into(),
+        name,
+        identity: digest(&(identities, request.data.display().to_string())),
+    };
+    let claimed = Claim::new(occupant, &request.output, observer).folder()?;
     let folder = &claimed.folder;
     let begun = Instant::now();
     let found = find(request, &data, &settings, cancellation)?;
@@ -123,7 +115,7 @@ pub fn run(
     let summary = summary(request, &data, &settings, &found, units);
     tables::write(folder, &data, &summary, &found)?;
     folder.write_file(toml::FRAGMENT, toml::fragment(first.case, &summary, &found).as_bytes())?;
-    page::write(folder, &page::gather(folder.path(), Some(units))?, request.png)?;
+    report::Calibration::gather(folder.path(), Some(units))?.write(folder, request.png)?;
     Ok(Outcome { summary, folder: folder.path().to_owned(), took })
 }
 

@@ -11,6 +11,7 @@ use wholestring_results::{Hold, Holding, Occupant, ResultsFolder};
 use super::{leftovers, refusal::FolderRefused};
 use crate::{
     error::Error,
+    folder_name::default_output,
     observer::Observer,
     output::{Existing, Output},
 };
@@ -61,6 +62,22 @@ const MAX_FOLDERS: usize = 1000;
 /// How often, and after which time, a shard asks again for a folder that another shard only looks
 /// at.
 const PATIENCE: (usize, Duration) = (50, Duration::from_millis(20));
+
+impl<'a> Claim<'a> {
+    /// A claim for work that one program does at once, in the folder that is called like it.
+    pub(crate) fn new(occupant: Occupant, output: &'a Output, observer: &'a dyn Observer) -> Self {
+        Self {
+            default: default_output(&occupant.name),
+            occupant,
+            output,
+            shared: false,
+            observer,
+            is_unfinished: &|_| false,
+            is_part: &|_| false,
+            refuse: &|_| Ok(()),
+        }
+    }
+}
 
 impl Claim<'_> {
     /// The folder: the one that was named, or the default one; where that holds other results, the

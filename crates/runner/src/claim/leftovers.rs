@@ -7,15 +7,13 @@ use std::{
 
 use wholestring_results::{Occupant, ResultsError, ResultsFolder, Summary, TABLES};
 
+use crate::{page::FILE, results_kinds::KINDS};
+
 /// Files by which a folder is known to hold results, whatever wrote them.
 const KNOWN: [&str; 4] = ["summary.json", "checkpoint.bin", "sweep.csv", "point.json"];
 
-/// Other files that commands write beside them.
-const OTHERS: [&str; 5] =
-    ["profile.svg", "report.html", "bit-table.csv", "checkpoint.bin.partial", "plan.xlsx"];
-
-/// Pictures of a plan, each with its numbers.
-const PICTURES: [&str; 4] = ["hook_load", "torque", "buckling_weight", "hydraulics"];
+/// Other files that every command may write beside them.
+const OTHERS: [&str; 2] = [FILE, "checkpoint.bin.partial"];
 
 /// Folders that commands make in the folder of their results, and the endings of what they put
 /// there.
@@ -28,9 +26,7 @@ fn is_written(name: &str) -> bool {
     KNOWN.contains(&name)
         || OTHERS.contains(&name)
         || table.is_some_and(|table| TABLES.iter().any(|(known, _)| *known == table))
-        || [".svg", ".png", ".csv"]
-            .iter()
-            .any(|end| name.strip_suffix(end).is_some_and(|picture| PICTURES.contains(&picture)))
+        || KINDS.iter().any(|kind| kind.has_file(name))
 }
 
 fn holds_results(path: &Path) -> bool {

@@ -1,7 +1,7 @@
 //! Small motions about the string at rest: natural frequencies, critical speeds and the answer to a
 //! force that turns.
 
-pub(crate) mod page;
+mod page;
 mod request;
 mod shapes;
 mod stability;

@@ -10,14 +10,15 @@ use wholestring::{
     operation::Operation,
 };
 use wholestring_case::Case;
+use wholestring_report::Modes;
 use wholestring_results::{
     CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Occupant, Spot, digest,
 };
 use wholestring_units::{Dimension, UnitSet};
 
-use super::{page, stability, tables};
+use super::{stability, tables};
 use crate::{
-    claim::Claim, error::Error, folder_name::default_output, observer::Observer, output::Output,
+    claim::Claim, error::Error, observer::Observer, output::Output, results_kind::Results,
 };
 
 /// Rotary speeds of the diagram, and of the answer to a force.
@@ -59,21 +60,12 @@ pub fn run(request: &Request<'_>, observer: &dyn Observer) -> Result<Outcome, Er
     let case = request.case;
     let operation = operation(case, request.operation)?;
     let name = format!("{} modes", case.name);
-    let claimed = Claim {
-        occupant: Occupant {
-            kind: "modes".into(),
-            name: name.clone(),
-            identity: digest(&(case.identity(), operation.kind.name(), &case.modes)),
-        },
-        output: &request.output,
-        default: default_output(&name),
-        shared: false,
-        observer,
-        is_unfinished: &|_| false,
-        is_part: &|_| true,
-        refuse: &|_| Ok(()),
-    }
-    .folder()?;
+    let occupant = Occupant {
+        kind: "modes".into(),
+        name,
+        identity: digest(&(case.identity(), operation.kind.name(), &case.modes)),
+    };
+    let claimed = Claim::new(occupant, &request.output, observer).folder()?;
     let folder = &claimed.folder;
     let begun = Instant::now();
     let (mut summary, tables) = find(case, operation)?;
@@ -86,7 +78,7 @@ pub fn run(request: &Request<'_>, observer: &dyn Observer) -> Result<Outcome, Er
     tables::write(folder, &summary, &tables)?;
     tables::write_stability(folder, map.ok().as_ref())?;
     let units = request.units.unwrap_or(case.units);
-    page::write(folder, &page::gather(folder.path(), Some(units))?, request.png)?;
+    Modes::gather(folder.path(), Some(units))?.write(folder, request.png)?;
     Ok(Outcome { summary, folder: folder.path().to_owned(), took })
 }
 

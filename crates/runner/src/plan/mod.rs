@@ -2,10 +2,11 @@
 
 mod campaign;
 mod files;
+mod kind;
 mod levels;
 mod mud;
 mod outcome;
-pub(crate) mod page;
+mod page;
 mod request;
 mod rows;
 mod work;

@@ -1,5 +1,6 @@
 //! What comes of a plan.
 
+use wholestring_report::Plan;
 use wholestring_results::{Occupant, PlanSummary, digest};
 
 use super::{
@@ -9,7 +10,7 @@ use super::{
 };
 use crate::{
     batch::BatchOutcome, cancellation::CancellationToken, claim::Claim, error::Error,
-    folder_name::default_output, observer::Observer,
+    observer::Observer, results_kind::Results,
 };
 
 /// What came of it.
@@ -35,15 +36,10 @@ pub fn run(
     let broomstick = case.broomstick().map_err(Error::failed)?;
     let identity = digest(&(case.identity(), &case.plan));
     let name = format!("{} plan", case.name);
+    let occupant = Occupant { kind: "plan".into(), name, identity: identity.clone() };
     let claimed = Claim {
-        occupant: Occupant { kind: "plan".into(), name: name.clone(), identity: identity.clone() },
-        output: &request.output,
-        default: default_output(&name),
-        shared: false,
-        observer,
         is_unfinished: &|path| path.join("checkpoint.bin").is_file(),
-        is_part: &|_| false,
-        refuse: &|_| Ok(()),
+        ..Claim::new(occupant, &request.output, observer)
     }
     .folder()?;
     let folder = &claimed.folder;
@@ -52,7 +48,7 @@ pub fn run(
     let Ended { summary, tables, batch } = work.end();
     files::write(folder, &summary, &tables)?;
     let units = request.units.unwrap_or(case.units);
-    page::write(folder, &page::gather(folder.path(), Some(units))?, request.png)?;
+    Plan::gather(folder.path(), Some(units))?.write(folder, request.png)?;
     page::write_workbook(folder, &summary, &tables, units)?;
     Ok(Outcome { summary, batch })
 }

@@ -1,4 +1,4 @@
-//! `report.html`, the pictures and the workbook of a plan, made from the files that it left.
+//! The page, the pictures and the workbook of a plan, made from the files that it left.
 
 use std::path::Path;
 
@@ -6,8 +6,8 @@ use serde_json::Value as Json;
 use wholestring_plan::limits::LimitKind;
 use wholestring_report::{
     BucklingCurve, Cell, Fact, Level, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow,
-    PlanLevel, PlanLimitRow, PlanRig, PlanSpot, PlanWearRow, Section, operation_name, plan_html,
-    plan_plots, shown_dimension,
+    PlanLevel, PlanLimitRow, PlanRig, PlanSpot, PlanWearRow, Section, operation_name,
+    shown_dimension,
 };
 use wholestring_results::{
     Level as Grave, PlanFatigue, PlanLimit, PlanPoint, PlanSummary, PlanWear, ResultsError,
@@ -16,31 +16,15 @@ use wholestring_results::{
 use wholestring_units::UnitSet;
 
 use super::{
-    files::{BROOMSTICK, FATIGUE, LIMITS, Tables, WEAR, WORKBOOK},
+    files::{FATIGUE, LIMITS, Tables, WEAR, WORKBOOK},
     levels::{LEVELS, label, short},
     mud,
     workbook::workbook,
 };
-use crate::page::{self, FILE, table, write_picture};
-
-/// Whether a folder is one that a plan was written to.
-pub(crate) fn is_plan(folder: &Path) -> bool {
-    folder.join(format!("{BROOMSTICK}.parquet")).is_file()
-}
-
-/// Writes the page and its pictures; those of an earlier plan that this one has not go.
-pub(crate) fn write(folder: &ResultsFolder, plan: &Plan, png: bool) -> Result<(), ResultsError> {
-    let plots = plan_plots(plan, &plan.head.units);
-    for name in ["hook_load", "torque", "buckling_weight", "hydraulics"] {
-        match plots.iter().find(|plot| plot.name == name) {
-            Some(plot) => write_picture(folder, name, &plot.figure, png)?,
-            None => ["svg", "png"]
-                .iter()
-                .try_for_each(|ending| folder.remove(&format!("{name}.{ending}")))?,
-        }
-    }
-    folder.write_file(FILE, plan_html(plan).as_bytes())
-}
+use crate::{
+    page::{self, table},
+    results_kind::Results,
+};
 
 /// Writes the workbook in these units.
 pub(super) fn write_workbook(
@@ -54,21 +38,21 @@ pub(super) fn write_workbook(
 }
 
 /// Makes page, pictures and workbook again.
-pub(crate) fn write_again(
+pub(super) fn write_again(
     folder: &ResultsFolder,
     units: Option<UnitSet>,
 ) -> Result<(), crate::error::Error> {
     let summary = PlanSummary::read(&folder.path().join("summary.json"))?;
     let plan = of_summary(&summary, units);
     let units = plan.head.units.parse().unwrap_or_default();
-    write(folder, &plan, false)?;
+    plan.write(folder, false)?;
     let [limits, fatigue, wear] = [LIMITS, FATIGUE, WEAR].map(|name| table(folder.path(), name));
     let tables = Tables { limits: limits?, fatigue: fatigue?, wear: wear? };
     write_workbook(folder, &summary, &tables, units)
 }
 
 /// Everything that is reported of a plan.
-pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Plan, ResultsError> {
+pub(super) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Plan, ResultsError> {
     let summary = PlanSummary::read(&folder.join("summary.json"))?;
     Ok(of_summary(&summary, units))
 }

@@ -1,7 +1,7 @@
 //! How far a well can go in its last direction, and what stops it.
 
 mod operations;
-pub(crate) mod page;
+mod page;
 mod request;
 mod sentences;
 mod tables;

@@ -3,45 +3,48 @@
 use std::path::Path;
 
 use wholestring_plan::reach::Limit;
-use wholestring_report::{Cell, Fact, Reach, ReachCurve, ReachRow, reach_html, reach_plots};
-use wholestring_results::{ReachOfFriction, ReachSummary, ResultsError, ResultsFolder, Table};
+use wholestring_report::{
+    Cell, Fact, Plot, REACH_PICTURES, Reach, ReachCurve, ReachRow, reach_html, reach_plots,
+};
+use wholestring_results::{ReachOfFriction, ReachSummary, ResultsError, Table};
 use wholestring_units::UnitSet;
 
 use super::{sentences, tables::REACH};
 use crate::{
     column::{numbers, words},
-    page::{self, FILE, facts::readable, table, write_picture},
+    page::{self, facts::readable, table},
+    results_kind::Results,
 };
 
-/// Whether a folder is one that a reach was written to.
-pub(crate) fn is_reach(folder: &Path) -> bool {
-    folder.join(format!("{REACH}.parquet")).is_file()
-}
+impl Results for Reach {
+    const NOUN: &'static str = "a reach";
+    const TABLE: &'static str = REACH;
+    const PICTURES: &'static [&'static str] = &REACH_PICTURES;
 
-/// Writes the page and its picture.
-pub(crate) fn write(folder: &ResultsFolder, reach: &Reach, png: bool) -> Result<(), ResultsError> {
-    for plot in reach_plots(reach, &reach.head.units) {
-        write_picture(folder, &plot.name, &plot.figure, png)?;
+    fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
+        let summary = ReachSummary::read(&folder.join("summary.json"))?;
+        let title = format!("{}: reach", summary.case);
+        let head = page::head(title, units, Some(&summary.settings), facts(&summary));
+        let set: UnitSet = head.units.parse().unwrap_or_default();
+        Ok(Self {
+            head,
+            answers: sentences::answers(&summary, set),
+            notes: sentences::notes(&summary, set),
+            frictions: summary.frictions.iter().map(sentences::friction).collect(),
+            titles: Limit::ALL.map(|limit| limit.title().to_owned()).to_vec(),
+            limits: summary.frictions.iter().enumerate().flat_map(rows).collect(),
+            curves: curves(&table(folder, REACH)?, &summary),
+            depths_m: [summary.from_m, summary.to_m],
+        })
     }
-    folder.write_file(FILE, reach_html(reach).as_bytes())
-}
 
-/// Everything that is reported of a reach.
-pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Reach, ResultsError> {
-    let summary = ReachSummary::read(&folder.join("summary.json"))?;
-    let title = format!("{}: reach", summary.case);
-    let head = page::head(title, units, Some(&summary.settings), facts(&summary));
-    let set: UnitSet = head.units.parse().unwrap_or_default();
-    Ok(Reach {
-        head,
-        answers: sentences::answers(&summary, set),
-        notes: sentences::notes(&summary, set),
-        frictions: summary.frictions.iter().map(sentences::friction).collect(),
-        titles: Limit::ALL.map(|limit| limit.title().to_owned()).to_vec(),
-        limits: summary.frictions.iter().enumerate().flat_map(rows).collect(),
-        curves: curves(&table(folder, REACH)?, &summary),
-        depths_m: [summary.from_m, summary.to_m],
-    })
+    fn html(&self) -> Option<String> {
+        Some(reach_html(self))
+    }
+
+    fn plots(&self) -> Vec<Plot> {
+        reach_plots(self, &self.head.units)
+    }
 }
 
 fn facts(summary: &ReachSummary) -> Vec<Fact> {

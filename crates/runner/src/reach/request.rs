@@ -15,6 +15,7 @@ use wholestring_plan::{
     Setup,
     reach::{Curve, End, OperationReach, ReachSettings, first_stop, reach},
 };
+use wholestring_report::Reach;
 use wholestring_results::{
     Occupant, REACH_VERSION, ReachLimit, ReachOfFriction, ReachStop, ReachSummary, digest,
     reach_limits_table,
@@ -23,17 +24,16 @@ use wholestring_units::UnitSet;
 
 use super::{
     operations::{Operations, operations},
-    page,
     tables::{LIMITS, REACH, reach_table},
 };
 use crate::{
     cancellation::CancellationToken,
     claim::Claim,
     error::Error,
-    folder_name::default_output,
     observer::Observer,
     output::Output,
     parallel::{in_parallel, lock},
+    results_kind::Results,
 };
 
 /// A case whose reach is looked for.
@@ -164,21 +164,12 @@ pub fn run(
     let name = format!("{} reach", case.name);
     let kinds: Vec<&str> = all.iter().map(|of| of.kind.name()).collect();
     let asked = json!([settings.from_m, settings.to_m, request.frictions, kinds]);
-    let claimed = Claim {
-        occupant: Occupant {
-            kind: "reach".into(),
-            name: name.clone(),
-            identity: digest(&json!([case.identity(), asked, request.helix_side_force])),
-        },
-        output: &request.output,
-        default: default_output(&name),
-        shared: false,
-        observer,
-        is_unfinished: &|_| false,
-        is_part: &|_| false,
-        refuse: &|_| Ok(()),
-    }
-    .folder()?;
+    let occupant = Occupant {
+        kind: "reach".into(),
+        name,
+        identity: digest(&json!([case.identity(), asked, request.helix_side_force])),
+    };
+    let claimed = Claim::new(occupant, &request.output, observer).folder()?;
     let begun = Instant::now();
     let jobs = request.jobs.or_else(|| thread::available_parallelism().ok());
     let jobs = jobs.map_or(1, NonZeroUsize::get);
@@ -211,7 +202,7 @@ pub fn run(
     folder.write_table(LIMITS, &reach_limits_table(&summary), true)?;
     summary.write(&folder.path().join("summary.json"))?;
     let units = request.units.unwrap_or(case.units);
-    page::write(folder, &page::gather(folder.path(), Some(units))?, request.png)?;
+    Reach::gather(folder.path(), Some(units))?.write(folder, request.png)?;
     Ok(Outcome { summary, folder: folder.path().to_owned(), took })
 }
 

@@ -1,6 +1,7 @@
 //! A run: a case with all of its operations and models, solved one after the other.
 
 mod lift;
+pub(crate) mod pictures;
 mod request;
 mod solve;
 mod stop;

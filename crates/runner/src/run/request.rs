@@ -136,8 +136,8 @@ fn begin(
         name: case.name.clone(),
         identity: digest(&case.identity()),
     };
-    let default = default_output(&case.name);
     if request.output.existing == Existing::Resume {
+        let default = default_output(&case.name);
         let folder = existing(request.output.folder.as_ref().unwrap_or(&default))?;
         let claimed = claim::hold(&folder)?;
         let stored = read_checkpoint(&folder, case)?;
@@ -146,14 +146,8 @@ fn begin(
     }
     // Before anything is solved, so that a long run does not end on a folder it may not write to.
     let claimed = Claim {
-        occupant,
-        output: &request.output,
-        default,
-        shared: false,
-        observer,
         is_unfinished: &|path| path.join("checkpoint.bin").is_file(),
-        is_part: &|_| false,
-        refuse: &|_| Ok(()),
+        ..Claim::new(occupant, &request.output, observer)
     }
     .folder()?;
     let record = Record::begin(case, units, &claimed.folder)?;

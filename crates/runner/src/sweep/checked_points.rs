@@ -13,7 +13,6 @@ use crate::{
     cancellation::CancellationToken,
     claim::{Claim, Claimed},
     error::Error,
-    folder_name::default_output,
     observer::Observer,
     shard::Shard,
 };
@@ -64,21 +63,15 @@ impl<'a> CheckedPoints<'a> {
             cases.filter_map(|(case, point)| shard.has(case).then_some(point))
         };
         let case = |path: &Path, point: &Point<'_>| within(path, point.set).join(&point.name);
+        let occupant =
+            Occupant { kind: kind.to_owned(), name: name.to_owned(), identity: self.identity() };
         Claim {
-            occupant: Occupant {
-                kind: kind.to_owned(),
-                name: name.to_owned(),
-                identity: self.identity(),
-            },
-            output: &options.output,
-            default: default_output(name),
             shared: shard != Shard::ALL,
-            observer,
             is_unfinished: &|path| {
                 mine().any(|point| case(path, point).join("checkpoint.bin").is_file())
             },
             is_part: &|path| self.points.iter().any(|point| case(path, point).is_dir()),
-            refuse: &|_| Ok(()),
+            ..Claim::new(occupant, &options.output, observer)
         }
         .folder()
     }

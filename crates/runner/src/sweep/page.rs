@@ -2,17 +2,31 @@
 
 use std::{collections::BTreeMap, path::Path};
 
-use wholestring_report::{Sweep, SweepRow, address, sweep_html};
+use wholestring_report::{Sweep, SweepRow, address, sweep_html, sweep_plots};
 use wholestring_results::{Column, Data, ResultsError, ResultsFolder, Summary, Table};
 use wholestring_units::UnitSet;
 
 use super::table::{FILE, SCALARS};
-use crate::page::{self, facts};
+use crate::{
+    error::Error,
+    page::{self, facts},
+    results_kind::{Overlay, ResultsKind},
+};
 
-/// Whether a folder is one that a sweep wrote to.
-pub(crate) fn is_sweep(folder: &Path) -> bool {
-    folder.join(FILE).is_file()
-}
+/// Results of a sweep.
+pub(crate) const SWEEP: ResultsKind = ResultsKind {
+    noun: "a sweep",
+    is_in: |folder| folder.join(FILE).is_file(),
+    pictures: &[],
+    with_numbers: false,
+    files: &[FILE],
+    overlay: Overlay::Varied,
+    write_again: |folder, units| write(folder, units).map_err(Error::bad_input),
+    plots: |folder, units| {
+        let sweep = gather(folder, units).map_err(Error::bad_input)?;
+        Ok(sweep_plots(&sweep, &sweep.head.units))
+    },
+};
 
 /// Writes the page of the sweep whose files are in the folder; nothing where no case has ended yet.
 pub(crate) fn write(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<(), ResultsError> {
@@ -24,7 +38,7 @@ pub(crate) fn write(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<()
 }
 
 /// Everything that is reported of a sweep.
-pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> {
+fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> {
     let table = Table::read_csv(&folder.join(FILE))?;
     // Keys may be named like other columns, `model`: they are those that come first.
     let begins = |rest: &[Column]| {
