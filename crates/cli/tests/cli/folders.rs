@@ -279,8 +279,8 @@ fn files(folder: &Path) -> BTreeSet<String> {
     found
 }
 
-/// Whatever a command left, with all pictures and tables that can be asked for, another one replaces
-/// it with `--overwrite` as if it had never been there.
+/// Whatever a command left, with all pictures and tables that can be asked for, another one
+/// replaces it with `--overwrite` as if it had never been there.
 #[test]
 fn nothing_stale_is_left() {
     let desk = bit_test::desk();

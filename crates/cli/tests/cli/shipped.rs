@@ -55,8 +55,8 @@ fn np13_with_both_models() {
 }
 
 /// The dynamics of the shipped case as they are shipped: each operation was steady when its window
-/// began, and the deviation of its hook load is no drift, but where the string travels: its hook load
-/// changes with its place.
+/// began, and the deviation of its hook load is no drift, but where the string travels: its hook
+/// load changes with its place.
 fn settles(name: &str) {
     let solved = solved_with(&cases().join(name), &["model=dynamic"]);
     for of in &solved {
