@@ -449,8 +449,12 @@ pub(crate) struct ReachArgs {
     )]
     pub(crate) output: Option<PathBuf>,
 
-    /// Replace what lies in the folder
+    /// Continue with a reach of uncertain numbers that was interrupted: leave out samples that are solved
     #[arg(long)]
+    pub(crate) resume: bool,
+
+    /// Replace what lies in the folder
+    #[arg(long, conflicts_with = "resume")]
     pub(crate) overwrite: bool,
 
     /// Write the margins as CSV too
@@ -468,6 +472,13 @@ pub(crate) struct ReachArgs {
     /// Print nothing but errors
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+impl ReachArgs {
+    /// What becomes of what lies in the folder.
+    pub(crate) fn existing(&self) -> Existing {
+        existing(self.resume, self.overwrite)
+    }
 }
 
 #[derive(Debug, Args)]

@@ -5,13 +5,14 @@ mod screen;
 use wholestring::operation::OperationKind;
 use wholestring_case::read_values;
 use wholestring_runner::{
-    Existing, Output, Silent,
+    Output,
     reach::{self, Request},
 };
 use wholestring_units::Dimension;
 
 use crate::{
-    args::ReachArgs, color::color, failure::Failure, input::load, interrupt, terminal::print_stdout,
+    args::ReachArgs, color::color, conclusion::conclude, failure::Failure,
+    input::load_with_template, interrupt, progress::BatchScreen, terminal::print_stdout,
 };
 
 pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
@@ -27,9 +28,8 @@ pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
     let frictions = frictions.map(|text| friction(text.trim())).collect::<Result<_, _>>()?;
     let operations = args.operation.iter().flat_map(|list| list.split(','));
     let operations = operations.map(|name| operation(name.trim())).collect::<Result<_, _>>()?;
-    let case = load(&args.case, args.quiet)?;
+    let (template, case) = load_with_template(&args.case, args.quiet)?;
     let units = args.units.unwrap_or(case.units);
-    let existing = if args.overwrite { Existing::Overwrite } else { Existing::Protect };
     let request = Request {
         from_m,
         to_m,
@@ -37,21 +37,24 @@ pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
         operations,
         helix_side_force: !args.no_helix_friction,
         units: Some(units),
-        output: Output { folder: args.output.clone(), existing },
+        output: Output { folder: args.output.clone(), existing: args.existing() },
         csv: args.csv,
         png: args.png,
         jobs: args.jobs,
-        ..Request::new(&case)
+        ..Request::new(&case, &template, &args.case.overrides)
     };
-    let outcome = reach::run(&request, &Silent, &interrupt::listen())?;
+    let outcome = reach::run(&request, &BatchScreen::reach(args.quiet), &interrupt::listen())?;
+    if !args.quiet {
+        print_stdout(&screen::text(&outcome.summary, units))?;
+    }
+    if let Some(samples) = &outcome.samples {
+        return conclude(samples, "reach", "samples", args.quiet);
+    }
     if args.quiet {
         return Ok(());
     }
     let (took_s, place) = (outcome.took.as_secs_f64(), outcome.folder.display());
-    print_stdout(&format!(
-        "{}Found in {took_s:.1} s\nResults in {place}\n",
-        screen::text(&outcome.summary, units)
-    ))
+    print_stdout(&format!("Found in {took_s:.1} s\nResults in {place}\n"))
 }
 
 /// The values of an option; none where it is not given.

@@ -23,6 +23,22 @@ impl Broomstick {
     pub fn solve(&self, task: &BroomstickTask) -> Vec<BroomstickPoint> {
         answers(self, task)
     }
+
+    /// The point of a task with the friction that is expected, and no other.
+    pub fn solve_expected(&self, task: &BroomstickTask) -> BroomstickPoint {
+        let (level, operation) = (FrictionLevel::Expected, &task.operation);
+        let outcome = match task.model {
+            Statics::Soft => by_soft(self, level, operation),
+            Statics::Stiff => by_stiff(self, level, operation, None).0,
+        };
+        BroomstickPoint {
+            model: task.model,
+            friction: level,
+            operation: operation.kind,
+            bit_depth_m: operation.bit_depth_m,
+            outcome,
+        }
+    }
 }
 
 /// The points of a task in the order of [`FrictionLevel::ALL`].

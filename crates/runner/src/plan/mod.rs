@@ -8,8 +8,11 @@ mod outcome;
 pub(crate) mod page;
 mod request;
 mod rows;
+mod sample;
 mod work;
 mod workbook;
 
 pub use outcome::{Outcome, run};
 pub use request::Request;
+
+pub use crate::uncertain::{notes, scatter};

@@ -21,7 +21,10 @@ use super::{
     mud,
     workbook::workbook,
 };
-use crate::page::{self, FILE, table, write_picture};
+use crate::{
+    page::{self, FILE, table, write_picture},
+    uncertain::{self, Names},
+};
 
 /// Whether a folder is one that a plan was written to.
 pub(crate) fn is_plan(folder: &Path) -> bool {
@@ -31,7 +34,7 @@ pub(crate) fn is_plan(folder: &Path) -> bool {
 /// Writes the page and its pictures; those of an earlier plan that this one has not go.
 pub(crate) fn write(folder: &ResultsFolder, plan: &Plan, png: bool) -> Result<(), ResultsError> {
     let plots = plan_plots(plan, &plan.head.units);
-    for name in ["hook_load", "torque", "buckling_weight", "hydraulics"] {
+    for name in ["hook_load", "torque", "buckling_weight", "hydraulics", "uncertain"] {
         match plots.iter().find(|plot| plot.name == name) {
             Some(plot) => write_picture(folder, name, &plot.figure, png)?,
             None => ["svg", "png"]
@@ -63,7 +66,9 @@ pub(crate) fn write_again(
     let units = plan.head.units.parse().unwrap_or_default();
     write(folder, &plan, false)?;
     let [limits, fatigue, wear] = [LIMITS, FATIGUE, WEAR].map(|name| table(folder.path(), name));
-    let tables = Tables { limits: limits?, fatigue: fatigue?, wear: wear? };
+    let samples = summary.uncertain.as_ref().map(|_| table(folder.path(), Names::PLAN.samples));
+    let samples = samples.transpose()?;
+    let tables = Tables { limits: limits?, fatigue: fatigue?, wear: wear?, samples };
     write_workbook(folder, &summary, &tables, units)
 }
 
@@ -103,6 +108,7 @@ fn of_summary(summary: &PlanSummary, units: Option<UnitSet>) -> Plan {
             hoist_N: number(&rig["hoist_capacity_N"]),
             top_drive_N_m: number(&rig["top_drive_torque_N_m"]),
         },
+        uncertain: summary.uncertain.as_ref().map(|of| uncertain::shown(of, &Names::PLAN)),
         weight_on_bit_N: number(&settings["operation"]["wob_N"]).filter(|_| drills),
     }
 }

@@ -11,6 +11,7 @@ use super::{sentences, tables::REACH};
 use crate::{
     column::{numbers, words},
     page::{self, FILE, facts::readable, table, write_picture},
+    uncertain::{self, Names},
 };
 
 /// Whether a folder is one that a reach was written to.
@@ -20,8 +21,13 @@ pub(crate) fn is_reach(folder: &Path) -> bool {
 
 /// Writes the page and its picture.
 pub(crate) fn write(folder: &ResultsFolder, reach: &Reach, png: bool) -> Result<(), ResultsError> {
-    for plot in reach_plots(reach, &reach.head.units) {
+    let plots = reach_plots(reach, &reach.head.units);
+    for plot in &plots {
         write_picture(folder, &plot.name, &plot.figure, png)?;
+    }
+    // That of earlier samples goes where there are none.
+    if !plots.iter().any(|plot| plot.name == "uncertain") {
+        ["svg", "png"].iter().try_for_each(|of| folder.remove(&format!("uncertain.{of}")))?;
     }
     folder.write_file(FILE, reach_html(reach).as_bytes())
 }
@@ -41,6 +47,7 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Reach, Res
         limits: summary.frictions.iter().enumerate().flat_map(rows).collect(),
         curves: curves(&table(folder, REACH)?, &summary),
         depths_m: [summary.from_m, summary.to_m],
+        uncertain: summary.uncertain.as_ref().map(|of| uncertain::shown(of, &Names::REACH)),
     })
 }
 

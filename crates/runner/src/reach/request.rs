@@ -10,7 +10,7 @@ use std::{
 
 use serde_json::json;
 use wholestring::operation::{Operation, OperationKind};
-use wholestring_case::Case;
+use wholestring_case::{Case, Override, Template};
 use wholestring_plan::{
     Setup,
     reach::{Curve, End, OperationReach, ReachSettings, first_stop, reach},
@@ -24,16 +24,22 @@ use wholestring_units::UnitSet;
 use super::{
     operations::{Operations, operations},
     page,
+    sample::{Asked, with_friction},
     tables::{LIMITS, REACH, reach_table},
 };
 use crate::{
+    batch::BatchOutcome,
     cancellation::CancellationToken,
+    checkpoint::Keeper,
     claim::Claim,
     error::Error,
     folder_name::default_output,
     observer::Observer,
     output::Output,
     parallel::{in_parallel, lock},
+    pieces::Pieces,
+    run::checkpoint_every,
+    uncertain::{self, Names, Sampler, samples_table},
 };
 
 /// A case whose reach is looked for.
@@ -41,6 +47,10 @@ use crate::{
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
+    /// Its text, to be read again with each sample of what is uncertain in it.
+    pub template: &'a Template,
+    /// What is changed in it.
+    pub overrides: &'a [Override],
     /// Depth of the bit to begin with, m; the end of the survey where none is given.
     pub from_m: Option<f64>,
     /// Deepest bit, m; 15 km, or twice the first depth where that is deeper.
@@ -73,13 +83,17 @@ pub struct Outcome {
     pub folder: PathBuf,
     /// How long it took, writing apart.
     pub took: Duration,
+    /// How much of the samples is finished; none where nothing is uncertain.
+    pub samples: Option<BatchOutcome>,
 }
 
 impl<'a> Request<'a> {
     /// Everything as it is without a word.
-    pub fn new(case: &'a Case) -> Self {
+    pub fn new(case: &'a Case, template: &'a Template, overrides: &'a [Override]) -> Self {
         Self {
             case,
+            template,
+            overrides,
             from_m: None,
             to_m: None,
             frictions: Vec::new(),
@@ -128,16 +142,12 @@ impl<'a> Request<'a> {
 
     /// The string and well at each friction.
     fn setups(&self) -> Result<Vec<(Option<f64>, Setup)>, Error> {
-        let own = self.case.setup();
-        if self.frictions.is_empty() {
-            return Ok(vec![(None, own)]);
-        }
-        let with = |friction: &f64| {
-            let mut setup = own.clone();
-            setup.well.hole = own.well.hole.with_friction(*friction).map_err(Error::failed)?;
-            Ok((Some(*friction), setup))
+        let all: Vec<Option<f64>> = match self.frictions.is_empty() {
+            true => vec![None],
+            false => self.frictions.iter().copied().map(Some).collect(),
         };
-        self.frictions.iter().map(with).collect()
+        let with = |friction: Option<f64>| Ok((friction, with_friction(self.case, friction)?));
+        all.into_iter().map(with).collect()
     }
 }
 
@@ -164,17 +174,19 @@ pub fn run(
     let name = format!("{} reach", case.name);
     let kinds: Vec<&str> = all.iter().map(|of| of.kind.name()).collect();
     let asked = json!([settings.from_m, settings.to_m, request.frictions, kinds]);
+    let drawn = &case.plan.uncertain;
+    let identity = digest(&json!([case.identity(), asked, request.helix_side_force, drawn]));
     let claimed = Claim {
         occupant: Occupant {
             kind: "reach".into(),
             name: name.clone(),
-            identity: digest(&json!([case.identity(), asked, request.helix_side_force])),
+            identity: identity.clone(),
         },
         output: &request.output,
         default: default_output(&name),
         shared: false,
         observer,
-        is_unfinished: &|_| false,
+        is_unfinished: &|path| path.join("checkpoint.bin").is_file(),
         is_part: &|_| false,
         refuse: &|_| Ok(()),
     }
@@ -183,6 +195,31 @@ pub fn run(
     let jobs = request.jobs.or_else(|| thread::available_parallelism().ok());
     let jobs = jobs.map_or(1, NonZeroUsize::get);
     let found = solve(&setups, &all, &settings, jobs, cancellation)?;
+    let folder = &claimed.folder;
+    let sampler = Sampler::of(case, request.template, request.overrides);
+    let asked = sampler.as_ref().map(|sampler| Asked {
+        sampler,
+        settings: &settings,
+        frictions: setups.iter().map(|(friction, _)| *friction).collect(),
+        own: &found,
+        kinds: all.iter().map(|of| of.kind).collect(),
+    });
+    let samples = asked.map(|asked| {
+        let keeper = Keeper::new(folder, checkpoint_every(case));
+        let (existing, count) = (request.output.existing, asked.sampler.points.len());
+        let pieces =
+            Pieces::new((count, identity), (folder, existing), keeper, observer, cancellation)?;
+        let quantities = asked.quantities();
+        let order: Vec<usize> = (0..count).collect();
+        pieces.solve_all(&order, jobs, |sample| asked.solve(sample, quantities.len()))?;
+        let mut batch = BatchOutcome::begin(folder.path(), count, begun, cancellation);
+        batch.finished = pieces.ended();
+        let sampled = pieces.into_done();
+        let found =
+            uncertain::summary(asked.sampler, "soft", &quantities, &asked.frictions, &sampled);
+        Ok::<_, Error>((batch, found, samples_table(asked.sampler, &sampled)))
+    });
+    let samples = samples.transpose()?;
     let took = begun.elapsed();
     let answers: Vec<(Option<f64>, &[OperationReach])> = setups
         .iter()
@@ -204,15 +241,19 @@ pub fn run(
         helix_side_force: request.helix_side_force,
         left_out,
         frictions: frictions.collect(),
+        uncertain: samples.as_ref().map(|(_, found, _)| found.clone()),
     };
-    let folder = &claimed.folder;
+    let written = samples.as_ref().map(|(_, found, table)| (found, table));
+    uncertain::write(folder, &Names::REACH, written)?;
+    uncertain::write_picture_numbers(folder, summary.uncertain.as_ref())?;
     folder.write_table(REACH, &reach_table(&answers), request.csv)?;
     // The page leads to it.
     folder.write_table(LIMITS, &reach_limits_table(&summary), true)?;
     summary.write(&folder.path().join("summary.json"))?;
     let units = request.units.unwrap_or(case.units);
     page::write(folder, &page::gather(folder.path(), Some(units))?, request.png)?;
-    Ok(Outcome { summary, folder: folder.path().to_owned(), took })
+    let samples = samples.map(|(batch, ..)| batch);
+    Ok(Outcome { summary, folder: folder.path().to_owned(), took, samples })
 }
 
 /// Every operation at every friction, the operations of the first friction first.
