@@ -208,7 +208,7 @@ pub(crate) fn build(
         reader,
     );
     let uncertain = match table.uncertain.optional()? {
-        Some(given) => Some(uncertain_table::build(&given.value, reader)?),
+        Some(given) => uncertain_table::build(&given.value, reader)?,
         None => None,
     };
     Some(Plan {

@@ -89,6 +89,14 @@ impl UncertainInput {
         format!("{value}{blank}{}", self.unit)
     }
 
+    /// The same in six digits, for people.
+    pub(crate) fn rounded(&self, value: f64) -> String {
+        match self.values.is_empty() {
+            true => self.written(format!("{value:.5e}").parse().unwrap_or(value)),
+            false => self.written(value),
+        }
+    }
+
     /// A value as a table has it: of a choice among numbers the number itself.
     pub fn number(&self, value: f64) -> f64 {
         match self.values.is_empty() {

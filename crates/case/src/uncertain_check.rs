@@ -30,9 +30,8 @@ pub(crate) fn check(case: &Case, root: &Entries, reader: &mut Reader, make: Make
         let draws = points.iter().map(|point| point[place]);
         let least = draws.clone().fold(f64::INFINITY, f64::min);
         let largest = draws.fold(f64::NEG_INFINITY, f64::max);
-        let ends = [(least, "least"), (largest, "largest")];
-        let made = ends.map(|(value, which)| with(input, value, which, reader, make));
-        let [Some(low), Some(high)] = made else { continue };
+        let Some(low) = with(input, least, "least", reader, make) else { continue };
+        let Some(high) = with(input, largest, "largest", reader, make) else { continue };
         if planned(&low) == planned(&high) && input.ends().is_some() {
             has_no_effect(input, root, reader);
         }
@@ -103,7 +102,7 @@ fn excludes_own(input: &UncertainInput, root: &Entries, reader: &mut Reader) {
         };
         if is_outside == Some(true) {
             let own = reader.written(node.place);
-            let [from, to] = ends.map(|end| input.written((1e9 * end).round() / 1e9));
+            let [from, to] = ends.map(|end| input.rounded(end));
             let about = match input.distribution {
                 Distribution::Uniform { .. } | Distribution::Triangular { .. } => "all",
                 _ => "nearly all",
@@ -135,13 +134,14 @@ fn with(
     let is_error = |of: &&Diagnostic| of.severity == Severity::Error;
     if let Some(error) = found.iter().find(is_error) {
         let mut error = error.clone();
-        let is_told = error.labels.iter().any(|label| {
-            label.place == input.place || label.place == input.key_place
-        });
+        let is_told = error
+            .labels
+            .iter()
+            .any(|label| label.place == input.place || label.place == input.key_place);
         if !is_told {
             error = error.at(input.place, "by this");
         }
-        let written = input.written(value);
+        let written = input.rounded(value);
         let draw = match input.values.is_empty() {
             true => format!("its {which} draw is {written}"),
             false => format!("one of its values is {written}"),

@@ -28,7 +28,7 @@ table! {
     /// stay as they are.
     UncertainTable in "[plan.uncertain]" {
         /// The numbers, each independent of the others.
-        input: Vec<Spanned<InputTable>> = required(List::tables::<InputTable>(
+        input: Vec<Spanned<InputTable>> = optional(List::tables::<InputTable>(
             "inputs ([[plan.uncertain.input]])", MAX_INPUTS,
         ));
         /// How many samples are drawn, a Latin hypercube.
@@ -89,7 +89,7 @@ impl Rule for AmountRule {
     type Value = GivenAmount;
 
     fn read(&self, node: &Node, reader: &mut Reader) -> Option<GivenAmount> {
-        let expected = "a number, or one with its unit such as \"1.2 sg\"";
+        let expected = "a decimal number, or one with its unit such as \"1.2 sg\"";
         let (number, unit, apart) = match &node.value {
             Value::Number { value, .. } => (*value, String::new(), false),
             Value::Text { text, .. } => {
@@ -156,13 +156,8 @@ impl Rule for ValuesRule {
                 }
             };
             // How it is quoted does not matter: values are put into the case's tree as they are.
-            let quote = Quote {
-                name: "".into(),
-                text: "".into(),
-                key: 0..0,
-                value: 0..0,
-                verbatim: false,
-            };
+            let quote =
+                Quote { name: "".into(), text: "".into(), key: 0..0, value: 0..0, verbatim: false };
             if !variation.take([says, says], quote, item.place, reader) {
                 return None;
             }
@@ -180,8 +175,18 @@ impl Rule for ValuesRule {
     }
 }
 
-pub(crate) fn build(table: &UncertainTable, reader: &mut Reader) -> Option<Uncertain> {
-    let given = table.input.get()?;
+/// What is uncertain; nothing of a plan in which nothing is.
+pub(crate) fn build(table: &UncertainTable, reader: &mut Reader) -> Option<Option<Uncertain>> {
+    let Some(Spanned { value: given, .. }) = table.input.optional()? else {
+        let places = [table.samples.place(), table.seed.place(), table.model.place()];
+        return match places.into_iter().flatten().next() {
+            None => Some(None),
+            Some(place) => Diagnostic::error("[plan.uncertain] lacks [[plan.uncertain.input]]")
+                .at(place, "nothing is uncertain")
+                .help("such as input = [{ key = \"friction\", from = 0.2, to = 0.4 }]")
+                .refuse(reader),
+        };
+    };
     let mut inputs: Vec<UncertainInput> = Vec::new();
     let mut valid = true;
     for at in given {
@@ -201,7 +206,7 @@ pub(crate) fn build(table: &UncertainTable, reader: &mut Reader) -> Option<Uncer
     let samples = usize::try_from(*table.samples.get()?).ok()?;
     let uncertain =
         Uncertain { inputs, samples, seed: *table.seed.get()?, model: *table.model.get()? };
-    valid.then_some(uncertain)
+    valid.then_some(Some(uncertain))
 }
 
 /// What a distribution is given by.
@@ -261,7 +266,7 @@ fn input(table: &InputTable, place: Span, reader: &mut Reader) -> Option<Uncerta
             let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
             let message = match names.is_empty() {
                 true => format!("`{}` is uncertain, but not how", short(&key.value)),
-                false => format!("{} make no distribution", names.join(", ")),
+                false => format!("{} alone are no distribution", names.join(", ")),
             };
             return Diagnostic::error(message)
                 .at(place, "expected a range or a distribution")
@@ -271,7 +276,8 @@ fn input(table: &InputTable, place: Span, reader: &mut Reader) -> Option<Uncerta
     };
     let first = amounts.first();
     if let Some((_, first)) = first
-        && let Some((name, other)) = amounts.iter().find(|(_, at)| at.value.unit != first.value.unit)
+        && let Some((name, other)) =
+            amounts.iter().find(|(_, at)| at.value.unit != first.value.unit)
     {
         return Diagnostic::error("the numbers of a distribution have one unit")
             .at(other.place, format!("`{name}` in another unit"))
@@ -291,7 +297,9 @@ fn input(table: &InputTable, place: Span, reader: &mut Reader) -> Option<Uncerta
             DistributionError::NoChoice => values.map(|at| at.place),
         };
         let message = format!("`{}` has no such distribution", short(&key.value));
-        return Diagnostic::error(message).at(at.unwrap_or(place), error.to_string()).refuse(reader);
+        return Diagnostic::error(message)
+            .at(at.unwrap_or(place), error.to_string())
+            .refuse(reader);
     }
     // Where its first number stands: a whole table is not worth underlining.
     let spot = first.map(|(_, at)| at.place).or_else(|| values.map(|at| at.place));
@@ -300,7 +308,8 @@ fn input(table: &InputTable, place: Span, reader: &mut Reader) -> Option<Uncerta
         distribution,
         unit: first.map_or_else(String::new, |(_, at)| at.value.unit.clone()),
         apart: first.is_some_and(|(_, at)| at.value.apart),
-        values: values.map_or_else(Vec::new, |at| at.value.bare_values().map(str::to_owned).collect()),
+        values: values
+            .map_or_else(Vec::new, |at| at.value.bare_values().map(str::to_owned).collect()),
         key_place: key.place,
         place: spot.unwrap_or(place),
     })

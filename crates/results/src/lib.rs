@@ -49,8 +49,8 @@ pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
     CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
     MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS,
-    PLAN_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TABLES, TIME, UNCERTAIN,
-    UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, WEAR,
+    PLAN_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TABLES, TIME,
+    UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -74,7 +74,5 @@ pub use summary::{
     ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Status, Summary,
 };
 pub use table::{Column, Data, Table};
-pub use uncertain::{
-    UncertainBand, UncertainKey, UncertainOwed, UncertainStop, UncertainSummary,
-};
+pub use uncertain::{UncertainBand, UncertainKey, UncertainOwed, UncertainStop, UncertainSummary};
 pub use wholestring::dynamics::Statistic;

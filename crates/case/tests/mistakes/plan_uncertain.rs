@@ -3,7 +3,7 @@
 use wholestring_plan::{Statics, uncertainty::Distribution};
 
 use crate::{
-    common::{change::rows, changed, read},
+    common::{change::rows, read},
     plan::{accepted, planned},
     refused, warned,
 };
@@ -140,10 +140,8 @@ fn inputs_say_what_they_mean() {
 /// A friction table keeps its ratios, as it does with `--set`.
 #[test]
 fn tables_of_friction_keep_their_ratios() {
-    let text = changed("friction = 0.3", "friction = { kinetic = 0.3, around = 0.2 }").replace(
-        "[mesh]",
-        "[plan.uncertain]\ninput = [{ key = \"friction\", from = 0.2, to = 0.4 }]\n[mesh]",
-    );
+    let text = with("{ key = \"friction\", from = 0.2, to = 0.4 }")
+        .replace("friction = 0.3", "friction = { kinetic = 0.3, around = 0.2 }");
     let case = read(&text).unwrap_or_else(|report| panic!("{report}"));
     assert!(case.warnings.is_empty(), "{}", case.warnings);
 }

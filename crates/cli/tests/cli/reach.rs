@@ -151,7 +151,9 @@ fn a_reach_of_uncertain_numbers() {
     assert_eq!((found.solved, found.lacking), (20, 0));
     assert_eq!(found.stops.iter().map(|of| of.samples).sum::<usize>(), 20);
     for name in ["reach_uncertain", "reach_uncertain_indices", "reach_uncertain_samples"] {
-        assert!(Table::read_parquet(&desk.path(&format!("out/{name}.parquet"))).unwrap().rows() > 0);
+        assert!(
+            Table::read_parquet(&desk.path(&format!("out/{name}.parquet"))).unwrap().rows() > 0
+        );
     }
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
     for expected in ["What is uncertain", "What stops the samples", "What the bands are owed to"] {

@@ -4,14 +4,14 @@ use wholestring::{
     findings::{Finding, of_soft, of_stiff},
     model::Model,
     operation::Operation,
-    outcome::Solution,
+    outcome::{Scalars, Solution},
     statics::{
         soft,
         stiff::{self, Equilibrium, StiffError},
     },
 };
 
-use crate::limits::limits;
+use crate::limits::{Limits, limits};
 
 use super::{
     Broomstick, BroomstickPoint, BroomstickTask, FrictionLevel,
@@ -24,19 +24,23 @@ impl Broomstick {
         answers(self, task)
     }
 
-    /// The point of a task with the friction that is expected, and no other.
-    pub fn solve_expected(&self, task: &BroomstickTask) -> BroomstickPoint {
-        let (level, operation) = (FrictionLevel::Expected, &task.operation);
-        let outcome = match task.model {
-            Statics::Soft => by_soft(self, level, operation),
-            Statics::Stiff => by_stiff(self, level, operation, None).0,
+    /// Torque and drag of a task with the friction that is expected, and how near it is to its limits;
+    /// nothing else of it.
+    ///
+    /// # Errors
+    /// Why there is no answer.
+    pub fn expected_loads(&self, task: &BroomstickTask) -> Result<(Scalars, Limits), NoAnswer> {
+        let operation = &task.operation;
+        let model = self.setup(FrictionLevel::Expected).at(operation.bit_depth_m)?;
+        let loads = |solution: &Solution<'_>| {
+            (solution.scalars, limits(&model, operation, solution, &self.limits))
         };
-        BroomstickPoint {
-            model: task.model,
-            friction: level,
-            operation: operation.kind,
-            bit_depth_m: operation.bit_depth_m,
-            outcome,
+        match task.model {
+            Statics::Soft => Ok(loads(&(&soft::solve(&model, operation, &self.soft)?).into())),
+            Statics::Stiff => {
+                let found = stiff::equilibrium(&model, operation, &self.stiff)?;
+                Ok(loads(&(&found.profile(&model, operation)).into()))
+            }
         }
     }
 }

@@ -83,7 +83,7 @@ pub enum DistributionError {
     #[error("its standard deviation {0} is not above zero")]
     Deviation(f64),
     /// Next to nothing of a normal distribution lies where it is cut to.
-    #[error("nothing of it lies between {from} and {to}")]
+    #[error("next to nothing of it lies where it is kept")]
     CutAway {
         /// Least value.
         from: f64,
@@ -245,7 +245,8 @@ impl Distribution {
                 let ends = self.cut();
                 let [a, b] = ends.map(normal::density);
                 // Of an end that is infinite, nothing.
-                let [za, zb] = ends.map(|z| if z.is_finite() { z * normal::density(z) } else { 0.0 });
+                let [za, zb] =
+                    ends.map(|z| if z.is_finite() { z * normal::density(z) } else { 0.0 });
                 let kept = self.kept();
                 std * std * (1.0 + (za - zb) / kept - ((a - b) / kept).powi(2))
             }
@@ -287,7 +288,8 @@ mod tests {
             assert_eq!(of.checked(), Ok(of));
             for part in [0.001, 0.3, 0.5, 0.9, 0.999] {
                 let below = of.below(of.quantile(part));
-                let width = if let Distribution::Choice { count } = of { count as f64 } else { 1e12 };
+                let width =
+                    if let Distribution::Choice { count } = of { count as f64 } else { 1e12 };
                 assert!((below - part).abs() <= 0.5 / width + 1e-12, "{of:?} {part} {below}");
             }
         }

@@ -57,7 +57,8 @@ fn hermite(x: f64, degree: usize) -> Vec<f64> {
 }
 
 fn legendre(x: f64, degree: usize) -> Vec<f64> {
-    let next = |n: f64, before: f64, last: f64| ((2.0 * n + 1.0) * x * last - n * before) / (n + 1.0);
+    let next =
+        |n: f64, before: f64, last: f64| ((2.0 * n + 1.0) * x * last - n * before) / (n + 1.0);
     by_recurrence(x, degree, next, |n, _| 1.0 / (2.0 * n + 1.0))
 }
 

@@ -12,7 +12,10 @@ pub fn plan_plots(plan: &Plan, units: &str) -> Vec<Plot> {
         ("torque", broomstick::torque(plan, shown)),
         ("buckling_weight", buckling::figure(plan, shown)),
         ("hydraulics", mud::figure(plan, shown)),
-        ("uncertain", plan.uncertain.as_ref().and_then(|of| uncertain::figure(of, &plan.head.title))),
+        (
+            "uncertain",
+            plan.uncertain.as_ref().and_then(|of| uncertain::figure(of, &plan.head.title)),
+        ),
     ];
     let plot =
         |(name, figure): (&str, Option<Figure>)| Some(Plot { name: name.into(), figure: figure? });

@@ -87,10 +87,7 @@ fn margins(reach: &Reach, units: &str) -> Figure {
         keys.push(Key { name: "stops the well first".into(), sample });
     }
     if reach.uncertain.is_some() {
-        keys.push(Key {
-            name: "5 to 95 % of the samples".into(),
-            sample: Sample::Band(Ink::Note),
-        });
+        keys.push(Key { name: "5 to 95 % of the samples".into(), sample: Sample::Band(Ink::Note) });
     }
     let facts = reach.head.facts.iter().filter_map(|fact| shown.fact(fact));
     let [from, to] = reach.depths_m.map(|depth_m| shown.value(depth_m, "length"));
@@ -112,11 +109,7 @@ fn margins(reach: &Reach, units: &str) -> Figure {
 }
 
 /// Bands of the margins, then how far the depths spread where these are zero.
-fn scatter(
-    of: Vec<&UncertainNumber>,
-    shown: Shown<'_>,
-    ink: &impl Fn(&str) -> Ink,
-) -> Vec<Mark> {
+fn scatter(of: Vec<&UncertainNumber>, shown: Shown<'_>, ink: &impl Fn(&str) -> Ink) -> Vec<Mark> {
     let mut marks: Vec<Mark> = Vec::new();
     let mut last = None;
     for margin in of.iter().filter(|of| of.quantity == "margin") {

@@ -2,9 +2,7 @@
 
 use super::{Uncertain, UncertainNumber};
 use crate::{
-    figure::{
-        Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape,
-    },
+    figure::{Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape},
     plan::{operation_colour, operation_name},
 };
 
@@ -17,6 +15,9 @@ const DRAWN: [(&str, &str); 3] = [
 
 /// Part of the room of an input that its bars take.
 const FULL: f64 = 0.8;
+
+/// Less than this part of the variance is no bar that anybody sees.
+const SEEN: f64 = 0.005;
 
 /// A row for each input, a bar for each operation: its length is the total index, the point on it the
 /// first-order one. None of a single input, which has all.
@@ -83,10 +84,16 @@ fn bars(drawn: &[&UncertainNumber]) -> Vec<Mark> {
         let ink = Ink::Line(operation_colour(&of.operation));
         let middle = (place as f64 + 0.5) * height - 0.5 * FULL;
         for (input, (first, total)) in owed.first.iter().zip(&owed.total).enumerate() {
+            if *total < SEEN {
+                continue;
+            }
             let at = input as f64 + middle;
             let half = 0.45 * height;
             let long = 100.0 * total.clamp(0.0, 1.0);
-            marks.push(Mark::Band { ink, points: vec![(at - half, 0.0, long), (at + half, 0.0, long)] });
+            marks.push(Mark::Band {
+                ink,
+                points: vec![(at - half, 0.0, long), (at + half, 0.0, long)],
+            });
             let points = vec![(at, 100.0 * first.clamp(0.0, 1.0))];
             marks.push(Mark::Points { ink, shape: Shape::Circle, points });
         }

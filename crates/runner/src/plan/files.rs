@@ -1,6 +1,8 @@
 //! The files of a plan.
 
-use wholestring_results::{Column, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table, UncertainBand};
+use wholestring_results::{
+    Column, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table, UncertainBand,
+};
 
 use crate::uncertain::{self, Names};
 
@@ -92,7 +94,8 @@ fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         for operation in &summary.operations {
             let of = of.iter().filter(|of| of.quantity == quantity && of.operation == *operation);
             for (place, part) in [(0, "p05"), (2, "p50"), (4, "p95")] {
-                let found = of.clone().filter_map(|of| Some((of.bit_depth_m?, Some(of.quantiles[place]))));
+                let found =
+                    of.clone().filter_map(|of| Some((of.bit_depth_m?, Some(of.quantiles[place]))));
                 let found: Vec<_> = found.collect();
                 if !found.is_empty() {
                     let unit = if quantity == "hook_load" { "N" } else { "N_m" };

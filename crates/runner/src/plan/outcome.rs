@@ -9,8 +9,7 @@ use super::{
 };
 use crate::{
     batch::BatchOutcome, cancellation::CancellationToken, claim::Claim, error::Error,
-    folder_name::default_output, observer::Observer,
-    uncertain::Sampler,
+    folder_name::default_output, observer::Observer, uncertain::Sampler,
 };
 
 /// What came of it.

@@ -66,19 +66,23 @@ impl<'a> Asked<'a> {
     }
 
     /// Hook load and torque of an operation at every depth; and the least reserve of each kind of limit.
-    fn loads(&self, of: &Broomstick, operation: &Operation, sampled: &mut Sampled) -> Vec<Option<f64>> {
+    fn loads(
+        &self,
+        of: &Broomstick,
+        operation: &Operation,
+        sampled: &mut Sampled,
+    ) -> Vec<Option<f64>> {
         let mut reserves: Vec<Option<f64>> = vec![None; LimitKind::ALL.len()];
         for bit_depth_m in self.depths_m {
             let task = BroomstickTask {
                 model: self.sampler.uncertain.model,
                 operation: Operation { bit_depth_m: *bit_depth_m, ..*operation },
             };
-            match of.solve_expected(&task).outcome {
-                Ok(answer) => {
-                    let scalars = answer.scalars;
+            match of.expected_loads(&task) {
+                Ok((scalars, limits)) => {
                     let found = [scalars.hook_load_N, scalars.surface_torque_N_m];
                     sampled.answers.extend(found.map(Some));
-                    for limit in &answer.limits.limits {
+                    for limit in &limits.limits {
                         let least = &mut reserves[limit.kind as usize];
                         let reserve = limit.reserve();
                         *least = Some(least.map_or(reserve, |least| least.min(reserve)));

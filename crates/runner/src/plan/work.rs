@@ -15,8 +15,8 @@ use super::{
     files::Tables,
     mud,
     request::Request,
-    sample::Asked,
     rows::{Lack, buckling, frictions, in_words, limits, points, unchecked},
+    sample::Asked,
 };
 use crate::{
     batch::BatchOutcome,

@@ -49,9 +49,14 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
     let tables = tables.into_iter().filter(|(name, ..)| has_mud || *name != "Hydraulics");
     let scattered = scattered.iter().flat_map(|(bands, indices)| {
         let samples = found.samples.as_ref();
-        let samples = samples.map(|table| ("Samples", table, "What was drawn of each uncertain number"));
+        let samples =
+            samples.map(|table| ("Samples", table, "What was drawn of each uncertain number"));
         [
-            ("Uncertain", bands, "How the samples of uncertain numbers scatter, in the unit of each row"),
+            (
+                "Uncertain",
+                bands,
+                "How the samples of uncertain numbers scatter, in the unit of each row",
+            ),
             ("Owed to", indices, "Sobol indices: which uncertain numbers that is owed to"),
         ]
         .into_iter()

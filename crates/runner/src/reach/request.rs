@@ -30,16 +30,14 @@ use super::{
 use crate::{
     batch::BatchOutcome,
     cancellation::CancellationToken,
-    checkpoint::Keeper,
     claim::Claim,
     error::Error,
     folder_name::default_output,
     observer::Observer,
     output::Output,
     parallel::{in_parallel, lock},
-    pieces::Pieces,
     run::checkpoint_every,
-    uncertain::{self, Names, Sampler, samples_table},
+    uncertain::{self, Names, Sampler},
 };
 
 /// A case whose reach is looked for.
@@ -177,11 +175,7 @@ pub fn run(
     let drawn = &case.plan.uncertain;
     let identity = digest(&json!([case.identity(), asked, request.helix_side_force, drawn]));
     let claimed = Claim {
-        occupant: Occupant {
-            kind: "reach".into(),
-            name: name.clone(),
-            identity: identity.clone(),
-        },
+        occupant: Occupant { kind: "reach".into(), name: name.clone(), identity: identity.clone() },
         output: &request.output,
         default: default_output(&name),
         shared: false,
@@ -204,20 +198,10 @@ pub fn run(
         own: &found,
         kinds: all.iter().map(|of| of.kind).collect(),
     });
+    let every = checkpoint_every(case);
     let samples = asked.map(|asked| {
-        let keeper = Keeper::new(folder, checkpoint_every(case));
-        let (existing, count) = (request.output.existing, asked.sampler.points.len());
-        let pieces =
-            Pieces::new((count, identity), (folder, existing), keeper, observer, cancellation)?;
-        let quantities = asked.quantities();
-        let order: Vec<usize> = (0..count).collect();
-        pieces.solve_all(&order, jobs, |sample| asked.solve(sample, quantities.len()))?;
-        let mut batch = BatchOutcome::begin(folder.path(), count, begun, cancellation);
-        batch.finished = pieces.ended();
-        let sampled = pieces.into_done();
-        let found =
-            uncertain::summary(asked.sampler, "soft", &quantities, &asked.frictions, &sampled);
-        Ok::<_, Error>((batch, found, samples_table(asked.sampler, &sampled)))
+        let place = (folder, request.output.existing, every);
+        asked.solve_all(identity, place, jobs, observer, cancellation)
     });
     let samples = samples.transpose()?;
     let took = begun.elapsed();

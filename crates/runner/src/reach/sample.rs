@@ -1,16 +1,25 @@
 //! The samples of a reach: how far the well goes with other numbers of the case.
 
+use std::time::{Duration, Instant};
+
 use wholestring::operation::OperationKind;
 use wholestring_case::Case;
 use wholestring_plan::{
     Setup,
     reach::{Curve, End, Limit, OperationReach, ReachSettings, first_stop, reach},
 };
+use wholestring_results::{ResultsFolder, Table, UncertainSummary};
 
 use super::operations::operations;
 use crate::{
+    batch::BatchOutcome,
+    cancellation::CancellationToken,
+    checkpoint::Keeper,
     error::Error,
-    uncertain::{Quantity, Sampled, Sampler},
+    observer::Observer,
+    output::Existing,
+    pieces::Pieces,
+    uncertain::{Quantity, Sampled, Sampler, samples_table, summary},
 };
 
 /// A margin is told between these: that of a string that is locked up is infinite.
@@ -42,7 +51,7 @@ impl Asked<'_> {
     }
 
     /// The quantities in the order of the answers.
-    pub(super) fn quantities(&self) -> Vec<Quantity> {
+    fn quantities(&self) -> Vec<Quantity> {
         let mut all = Vec::new();
         for (friction, reaches) in self.own() {
             let depth = |operation, limit, expected| Quantity {
@@ -77,8 +86,31 @@ impl Asked<'_> {
         all
     }
 
+    /// Solves all samples, but those that are solved already, and says what they come to.
+    pub(super) fn solve_all(
+        &self,
+        identity: String,
+        (folder, existing, every): (&ResultsFolder, Existing, Duration),
+        jobs: usize,
+        observer: &dyn Observer,
+        cancellation: &CancellationToken,
+    ) -> Result<(BatchOutcome, UncertainSummary, Table), Error> {
+        let (begun, count) = (Instant::now(), self.sampler.points.len());
+        let keeper = Keeper::new(folder, every);
+        let pieces =
+            Pieces::new((count, identity), (folder, existing), keeper, observer, cancellation)?;
+        let quantities = self.quantities();
+        let order: Vec<usize> = (0..count).collect();
+        pieces.solve_all(&order, jobs, |sample| self.solve(sample, quantities.len()))?;
+        let mut batch = BatchOutcome::begin(folder.path(), count, begun, cancellation);
+        batch.finished = pieces.ended();
+        let sampled = pieces.into_done();
+        let found = summary(self.sampler, "soft", &quantities, &self.frictions, &sampled);
+        Ok((batch, found, samples_table(self.sampler, &sampled)))
+    }
+
     /// Solves a sample.
-    pub(super) fn solve(&self, sample: usize, answers: usize) -> Sampled {
+    fn solve(&self, sample: usize, answers: usize) -> Sampled {
         let found = self.sampler.case(sample).and_then(|case| self.reaches(&case));
         let found = match found {
             Ok(found) => found,
@@ -96,9 +128,11 @@ impl Asked<'_> {
                 of.map_or(to_m, |(_, curve)| depth_m(curve.end))
             };
             sampled.answers.push(first.map(of_first));
-            sampled.stops.push(first.flatten().map(|(of, curve)| {
-                (of.kind.name().to_owned(), curve.limit.name().to_owned())
-            }));
+            sampled.stops.push(
+                first
+                    .flatten()
+                    .map(|(of, curve)| (of.kind.name().to_owned(), curve.limit.name().to_owned())),
+            );
             for (own, found) in own.iter().zip(found) {
                 if let Err(message) = found {
                     let name = own.kind.name().replace('_', " ");

@@ -18,7 +18,12 @@ pub(crate) struct Sampled {
 impl Sampled {
     /// One that is no case, or has no answer at all to so many points.
     pub(crate) fn none(answers: usize, points: usize, message: String) -> Self {
-        Self { answers: vec![None; answers], lacking: points, message: Some(message), ..Self::default() }
+        Self {
+            answers: vec![None; answers],
+            lacking: points,
+            message: Some(message),
+            ..Self::default()
+        }
     }
 
     /// Counts a point without an answer.

@@ -25,7 +25,8 @@ pub(crate) fn summary(
     let points: Vec<Vec<f64>> = solved.iter().map(|(point, _)| (*point).clone()).collect();
     let distributions = uncertain.distributions();
     let band = |(place, of): (usize, &Quantity)| {
-        let answers = solved.iter().map(|(_, sampled)| sampled.answers.get(place).copied().flatten());
+        let answers =
+            solved.iter().map(|(_, sampled)| sampled.answers.get(place).copied().flatten());
         let answers: Vec<f64> = answers.map(|of| of.unwrap_or(f64::NAN)).collect();
         band(of, &answers, &points, &distributions)
     };
