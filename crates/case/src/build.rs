@@ -18,6 +18,7 @@ use crate::{
     overrides::{self, Override},
     plan, rock, roughness, schema,
     settings::{Given, settings},
+    uncertain_check,
 };
 
 /// Reads a case from its text; `name` is what diagnostics call it.
@@ -30,10 +31,22 @@ pub fn parse(
     files: &dyn Files,
     changes: &[Override],
 ) -> Result<Case, Report> {
+    parse_changed(name, text, files, changes, |_, _| {})
+}
+
+/// The same with what else is changed in its tree.
+pub(crate) fn parse_changed(
+    name: &str,
+    text: &[u8],
+    files: &dyn Files,
+    changes: &[Override],
+    change: impl FnOnce(&mut Entries, &mut Reader),
+) -> Result<Case, Report> {
     let (mut root, mut reader) = tree(name, text, &CASE_FILE)?;
     for change in changes {
         overrides::apply(&mut root, change, &mut reader);
     }
+    change(&mut root, &mut reader);
     let case = build(name, &root, files, &mut reader);
     let failed = reader.has_errors();
     let report = reader.into_report();
@@ -56,6 +69,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     {
         reader.show_in(units);
     }
+    // What a draw of an uncertain number is read with: the texts of now.
+    let sources = reader.sources.clone();
     let case = CaseTable::read(root, Span::default(), reader);
     let own = match case.catalogue.optional() {
         Some(Some(file)) => OwnCatalogue::beside(file, files, reader),
@@ -256,7 +271,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     };
     let settings = settings(&given, &case);
     let checkpoint_interval_s = *case.dynamics.get()?.checkpoint_interval.get()?;
-    Some(Case {
+    let made = Case {
         name,
         units,
         models,
@@ -274,7 +289,15 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),
         warnings: Report::default(),
         settings,
-    })
+    };
+    uncertain_check::check(&made, root, reader, &|change| {
+        let (mut root, mut checked) = (root.clone(), Reader::of(&CASE_FILE));
+        checked.sources.clone_from(&sources);
+        change(&mut root, &mut checked);
+        let case = build(&made.name, &root, files, &mut checked);
+        (case, checked.into_report().diagnostics)
+    });
+    Some(made)
 }
 
 fn models(case: &CaseTable, reader: &mut Reader) -> Option<Vec<ModelKind>> {

@@ -63,11 +63,18 @@ impl Case {
     /// # Errors
     /// A friction factor or a casing that is out of its range, which the reader of a case has seen to.
     pub fn broomstick(&self) -> Result<Broomstick, PlanError> {
-        let Plan { frictions, bit_depths_m, operations, models, limits, campaign } =
-            self.plan.clone();
+        let of = self.broomstick_at(self.plan.bit_depths_m.clone())?;
+        Ok(of.with_campaign(&self.plan.campaign)?)
+    }
+
+    /// The same at other depths, m, and without the campaign that wears and tires it.
+    ///
+    /// # Errors
+    /// A friction factor that is out of its range, which the reader of a case has seen to.
+    pub fn broomstick_at(&self, bit_depths_m: Vec<f64>) -> Result<Broomstick, PlanError> {
+        let Plan { frictions, operations, models, limits, .. } = self.plan.clone();
         let of = Broomstick::new(&self.setup(), &frictions, operations, bit_depths_m, models)?;
-        let of = of.with_settings(self.soft, self.dynamics.stiff_string()).with_limits(limits);
-        Ok(of.with_campaign(&campaign)?)
+        Ok(of.with_settings(self.soft, self.dynamics.stiff_string()).with_limits(limits))
     }
 
     /// Whether the forces that a model answers with hold the friction of a helix.

@@ -50,6 +50,7 @@ mod overrides;
 mod plan;
 mod plan_campaign;
 mod plan_factors;
+mod plan_models;
 mod records;
 mod rig;
 mod rock;
@@ -64,6 +65,9 @@ mod string;
 mod template;
 mod top_drive;
 mod tortuosity;
+mod uncertain;
+mod uncertain_check;
+mod uncertain_table;
 mod unit_set;
 mod vary;
 mod well;
@@ -81,6 +85,7 @@ pub use records::Records;
 pub use schema::schema;
 pub use steel::STEEL_DENSITY_KG_PER_M3;
 pub use template::{Template, load};
+pub use uncertain::{Uncertain, UncertainInput};
 pub use vary::{Variation, read_values};
 pub use wholestring_config::{
     diagnostic::{Diagnostic, Label, Report, Severity},

@@ -128,8 +128,24 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
     if asks_unit {
         reader.ask_unit(&node);
     }
-    let long = SHORT.iter().find(|(short, _)| *short == change.key);
-    let path: Vec<&str> = long.map_or(change.key.as_str(), |(_, long)| long).split('.').collect();
+    put(root, &change.key, &node, key_place, reader);
+}
+
+/// The parts of a key between its dots, a short key written out.
+fn parts(key: &str) -> Vec<&str> {
+    let long = SHORT.iter().find(|(short, _)| *short == key);
+    long.map_or(key, |(_, long)| long).split('.').collect()
+}
+
+/// Puts a value into the tree of the case at a dotted or short key.
+pub(crate) fn put(
+    root: &mut Entries,
+    key: &str,
+    node: &Node,
+    key_place: Span,
+    reader: &mut Reader,
+) {
+    let path = parts(key);
     if path.len() > MAX_PARTS {
         let message = format!("this key has {} parts", path.len());
         let diagnostic = Diagnostic::error(message)
@@ -156,8 +172,49 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
             short_keys.join(", ")
         )));
     }
-    if let Err(problem) = set_in_table(root, &path, &node, key_place) {
+    if let Err(problem) = set_in_table(root, &path, node, key_place) {
         reader.report(Diagnostic::error(problem.message).at(key_place, problem.label));
+    }
+}
+
+/// What stands in the tree of the case at a dotted or short key: nothing, one value, or that of every item
+/// of a list. Of a table of friction coefficients it is the kinetic one, which is what a number in its
+/// place sets.
+pub(crate) fn standing<'a>(root: &'a Entries, key: &str) -> Vec<&'a Node> {
+    let mut found = Vec::new();
+    let path = parts(key);
+    if let Some((first, rest)) = path.split_first()
+        && let Some(node) = root.get(first)
+    {
+        gather(node, first, rest, &mut found);
+    }
+    found
+}
+
+fn gather<'a>(node: &'a Node, name: &str, path: &[&str], found: &mut Vec<&'a Node>) {
+    let Some((first, rest)) = path.split_first() else {
+        let kinetic = match &node.value {
+            Value::Table(table) if name == "friction" => table.get("kinetic"),
+            _ => None,
+        };
+        return found.push(kinetic.unwrap_or(node));
+    };
+    match &node.value {
+        Value::List(items) if *first == "*" => {
+            items.iter().for_each(|item| gather(item, name, rest, found));
+        }
+        Value::List(items) => {
+            let item = first.parse().ok().and_then(|index: usize| items.get(index));
+            if let Some(item) = item {
+                gather(item, name, rest, found);
+            }
+        }
+        Value::Table(table) => {
+            if let Some(node) = table.get(first) {
+                gather(node, first, rest, found);
+            }
+        }
+        _ => {}
     }
 }
 

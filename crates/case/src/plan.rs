@@ -18,14 +18,13 @@ use crate::{
     operation_kind::KindRule,
     plan_campaign::{self, CampaignTable, FatigueTable},
     plan_factors::{self, FactorsTable},
-    words::words,
+    plan_models::STATICS,
+    uncertain::Uncertain,
+    uncertain_table::{self, UncertainTable},
 };
 
 /// Depths of the bit where the case does not say.
 const DEPTHS: u64 = 30;
-
-/// The models of a plan.
-const STATICS: &[(&str, Statics)] = words!(Statics);
 
 /// Most depths.
 const MAX_DEPTHS: usize = 1000;
@@ -76,6 +75,8 @@ table! {
         campaign: CampaignTable = optional(Section::<CampaignTable>::RULE);
         /// How fatigue of the string is computed.
         fatigue: FatigueTable = optional(Section::<FatigueTable>::RULE);
+        /// Numbers of the case that are not known exactly. Default: none.
+        uncertain: UncertainTable = optional(Section::<UncertainTable>::RULE);
     }
 }
 
@@ -171,6 +172,8 @@ pub struct Plan {
     pub limits: LimitSettings,
     /// For what casing wear and fatigue are summed.
     pub campaign: CampaignSettings,
+    /// What is not known exactly, where anything is said of that.
+    pub uncertain: Option<Uncertain>,
 }
 
 /// What a model is made of, to be made again at other depths and frictions.
@@ -204,7 +207,12 @@ pub(crate) fn build(
         depths_m.as_ref()?.last().copied()?,
         reader,
     );
+    let uncertain = match table.uncertain.optional()? {
+        Some(given) => uncertain_table::build(&given.value, reader)?,
+        None => None,
+    };
     Some(Plan {
+        uncertain,
         frictions: frictions?,
         bit_depths_m: depths_m?,
         operations: operations?,

@@ -13,7 +13,12 @@ use wholestring_config::{
     source::{Disk, Files},
 };
 
-use crate::{build::parse, case::Case, overrides::Override};
+use crate::{
+    build::{parse, parse_changed},
+    case::Case,
+    overrides::Override,
+    uncertain::Uncertain,
+};
 
 /// Reads the case at `path`, and the survey that it names.
 ///
@@ -49,6 +54,20 @@ impl Template {
     /// A report of every mistake that was found, if there is one.
     pub fn case(&self, changes: &[Override]) -> Result<Case, Report> {
         parse(&self.name, &self.text, &self.files, changes)
+    }
+
+    /// The case with these changes and a value of each uncertain input of its plan.
+    ///
+    /// # Errors
+    /// A report of every mistake that was found, if there is one.
+    pub fn sample(
+        &self,
+        changes: &[Override],
+        uncertain: &Uncertain,
+        point: &[f64],
+    ) -> Result<Case, Report> {
+        let change = |root: &mut _, reader: &mut _| uncertain.put(point, root, reader);
+        parse_changed(&self.name, &self.text, &self.files, changes, change)
     }
 }
 

@@ -311,15 +311,15 @@ fn rounded(number: f64) -> f64 {
 }
 
 /// A number and its unit as written.
-struct Quantity<'a> {
-    number: f64,
-    unit: &'a str,
+pub(crate) struct Quantity<'a> {
+    pub(crate) number: f64,
+    pub(crate) unit: &'a str,
     /// Whether a blank stands between them.
-    apart: bool,
+    pub(crate) apart: bool,
 }
 
 impl<'a> Quantity<'a> {
-    fn read(text: &'a str) -> Option<Self> {
+    pub(crate) fn read(text: &'a str) -> Option<Self> {
         let text = text.trim();
         let end = text
             .char_indices()

@@ -136,6 +136,11 @@ impl BatchScreen {
         Self { noun: "plan", items: "pieces", with_pace: false, ..Self::sweep("", quiet) }
     }
 
+    /// The screen of the samples of a reach.
+    pub(crate) fn reach(quiet: bool) -> Self {
+        Self { noun: "reach", items: "samples", with_pace: false, ..Self::sweep("", quiet) }
+    }
+
     fn count(&self, ended: usize, of: usize) -> String {
         format!("{ended} of {of} {}", self.items)
     }

@@ -144,6 +144,25 @@ fn points_are_the_soft_string_s_own() {
     }
 }
 
+/// Loads alone are those of the whole point, of either model.
+#[test]
+fn expected_loads_are_those_of_the_point() {
+    for by in Statics::ALL {
+        let of = broomstick(&common(), levels([0.1, 0.2, 0.3]), vec![900.0], by);
+        for task in &of.tasks()[..2] {
+            let whole = &of.solve(task)[FrictionLevel::Expected as usize];
+            let answer = whole.outcome.as_ref().expect("an answer");
+            let (scalars, limits) = of.expected_loads(task).expect("an answer");
+            assert_eq!((scalars, &limits), (answer.scalars, &answer.limits), "{by:?}");
+        }
+    }
+    let of = broomstick(&common(), levels([0.1, 0.2, 0.3]), vec![900.0], Statics::Soft);
+    let expected = of.expected_weights_to_buckle(900.0);
+    let all = of.weights_to_buckle(900.0);
+    let of_level = all.into_iter().filter(|of| of.friction == FrictionLevel::Expected);
+    assert_eq!(expected, of_level.collect::<Vec<_>>());
+}
+
 /// In a straight hole at 60° from the vertical the string is pulled by `w L (cos θ + μ sin θ)`, let
 /// down by `w L (cos θ − μ sin θ)` and turned by `μ w sin θ r L`, at every depth: to rounding, for
 /// nothing varies along it.

@@ -128,3 +128,31 @@ fn what_tells_nothing() {
     let found = attribute(&AROUND, &points, &holes).expect("of the others");
     assert!((found.first[0] - 1.0).abs() < 1e-9, "{found:?}");
 }
+
+/// A linear answer beside a choice among many that shifts it at random, and one among three: shares in
+/// closed form.
+#[test]
+fn choices_have_their_shares() {
+    // Mid-points of equal parts: as even as a sample can be, so that shares are nearly exact.
+    let inputs = [
+        Distribution::Uniform { from: 0.0, to: 1.0 },
+        Distribution::Choice { count: 3 },
+        Distribution::Choice { count: 400 },
+    ];
+    let points = latin_hypercube(&inputs, 400, 3);
+    // Of three things in no order, and of 400 shifts that are spread evenly and stirred.
+    let three = [0.3, 0.9, 0.0];
+    let stirred = |number: f64| ((number * 271.0) % 400.0 + 0.5) / 400.0;
+    let of = |point: &Vec<f64>| point[0] + three[point[1] as usize] + 0.8 * stirred(point[2]);
+    let answers: Vec<f64> = points.iter().map(of).collect();
+    let found = attribute(&inputs, &points, &answers).expect("an attribution");
+    let variances = [1.0 / 12.0, 0.14, 0.64 / 12.0];
+    let all: f64 = variances.iter().sum();
+    for (input, variance) in variances.into_iter().enumerate() {
+        // The shares of 400 points: four times 0.03, which ten seeds scatter by.
+        assert!((found.total[input] - variance / all).abs() < 0.12, "{found:?}");
+    }
+    assert!((found.first[1] - 0.14 / all).abs() < 0.12, "{found:?}");
+    assert!(found.first[2].is_nan(), "{found:?}");
+    assert!((found.total.iter().sum::<f64>() - 1.0).abs() < 0.05, "{found:?}");
+}

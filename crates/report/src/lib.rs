@@ -21,6 +21,7 @@ mod stability;
 mod study;
 mod sweep;
 mod thin;
+mod uncertain;
 mod workbook;
 
 pub use bha::{Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, bha_plots};
@@ -57,6 +58,7 @@ pub use stability::StabilityPicture;
 pub use study::{Grid, Head, StudyPage, StudyPart, Verdict, address, study_html};
 pub use sweep::{Sweep, SweepRow, sweep_plots};
 pub use thin::thinned;
+pub use uncertain::{Uncertain, UncertainNumber, UncertainShares};
 pub use workbook::{
     Cells, Sheet, SheetColumn, Workbook, WorkbookChart, WorkbookError, WorkbookSeries,
 };

@@ -36,6 +36,7 @@ mod stability_table;
 mod summary;
 mod table;
 mod thrift;
+mod uncertain;
 
 pub use bha::{BHA_VERSION, BhaFound, BhaPart, BhaPoint, BhaState, BhaSummary, BhaVaried};
 pub use bha_tables::{bha_contacts_table, bha_sweep_table, bha_table};
@@ -48,7 +49,8 @@ pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
     CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
     MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS,
-    PLAN_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TABLES, TIME, WEAR,
+    PLAN_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TABLES, TIME,
+    UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -72,4 +74,5 @@ pub use summary::{
     ENGINE_VERSION, Friction, Numerics, OperationSummary, SCHEMA_VERSION, Status, Summary,
 };
 pub use table::{Column, Data, Table};
+pub use uncertain::{UncertainBand, UncertainKey, UncertainOwed, UncertainStop, UncertainSummary};
 pub use wholestring::dynamics::Statistic;

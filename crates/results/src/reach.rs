@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::{
-    ResultsError,
+    ResultsError, UncertainSummary,
     json::{read_versioned, write_json},
 };
 
@@ -34,6 +34,9 @@ pub struct ReachSummary {
     pub left_out: Vec<String>,
     /// The answers, a friction after the other.
     pub frictions: Vec<ReachOfFriction>,
+    /// What comes of numbers that are not known exactly; none where all are.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uncertain: Option<UncertainSummary>,
 }
 
 /// How far the well goes at one friction.

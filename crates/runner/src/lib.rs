@@ -68,6 +68,7 @@ mod output;
 mod page;
 mod parallel;
 mod pictures;
+mod pieces;
 pub mod plan;
 pub mod reach;
 mod record;
@@ -79,6 +80,7 @@ mod shard;
 pub mod study;
 pub mod survey;
 pub mod sweep;
+mod uncertain;
 
 pub use batch::{BatchOptions, BatchOutcome, CaseWithErrors, FailedCase};
 pub use cancellation::CancellationToken;

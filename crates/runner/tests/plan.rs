@@ -6,23 +6,31 @@ use std::{
     sync::atomic::{AtomicUsize, Ordering},
 };
 
-use wholestring_case::{Case, Override};
+use wholestring_case::{Case, Override, Template};
 use wholestring_runner::{
     BatchSize, CancellationToken, CaseEnded, Error, Existing, FolderRefused, Observer, Output,
     Silent, plan,
 };
 
-fn case() -> Case {
+fn case() -> (Template, Vec<Override>, Case) {
     let changes = ["plan.depths=4", "operation.kind=[\"trip_out\"]"];
     let changes: Vec<Override> =
         changes.iter().map(|of| of.parse().expect("an override")).collect();
     let file = Path::new("../cli/tests/data/slant.toml");
-    wholestring_case::load(file, &changes).expect("a sound case")
+    let template = Template::read(file).expect("a case");
+    let case = template.case(&changes).expect("a sound case");
+    (template, changes, case)
 }
 
-fn request<'a>(case: &'a Case, folder: &Path, existing: Existing) -> plan::Request<'a> {
+fn request<'a>(
+    (template, overrides, case): &'a (Template, Vec<Override>, Case),
+    folder: &Path,
+    existing: Existing,
+) -> plan::Request<'a> {
     plan::Request {
         case,
+        template,
+        overrides,
         units: None,
         output: Output { folder: Some(folder.to_owned()), existing },
         jobs: std::num::NonZeroUsize::new(1),

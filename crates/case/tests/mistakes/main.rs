@@ -12,6 +12,7 @@ mod operation;
 mod overrides;
 mod plan;
 mod plan_limits;
+mod plan_uncertain;
 mod records;
 mod rock;
 mod schedule;

@@ -6,17 +6,19 @@ mod screen;
 use wholestring_runner::plan::{self, Request};
 
 use crate::{
-    conclusion::conclude, failure::Failure, input::load, interrupt, progress::BatchScreen,
-    terminal::print_stdout,
+    conclusion::conclude, failure::Failure, input::load_with_template, interrupt,
+    progress::BatchScreen, terminal::print_stdout,
 };
 
 pub(crate) use args::PlanArgs;
 
 pub(crate) fn plan(args: &PlanArgs) -> Result<(), Failure> {
-    let case = load(&args.case, args.page.quiet)?;
+    let (template, case) = load_with_template(&args.case, args.page.quiet)?;
     let units = args.page.units.unwrap_or(case.units);
     let request = Request {
         case: &case,
+        template: &template,
+        overrides: &args.case.overrides,
         units: Some(units),
         output: args.output(),
         jobs: args.jobs,

@@ -1,6 +1,7 @@
 //! What a plan shows on the screen.
 
 use wholestring_results::{PlanPoint, PlanSummary};
+use wholestring_runner::plan::{notes, scatter};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::screen_table::Table;
@@ -69,6 +70,11 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
             "{lacking} of {} points have no answer: plan_broomstick.csv says why\n",
             summary.points.len()
         );
+    }
+    if let Some(uncertain) = &summary.uncertain {
+        for sentence in notes(uncertain).into_iter().chain(scatter(uncertain, units)) {
+            text += &format!("{sentence}\n");
+        }
     }
     if summary.missing > 0 {
         text += &format!("{} points are missing: the plan was interrupted\n", summary.missing);

@@ -1,16 +1,13 @@
 //! `wholestring reach` as the user writes it.
 
-use std::num::NonZeroUsize;
+use std::{num::NonZeroUsize, path::PathBuf};
 
 use clap::Args;
+use wholestring_runner::Output;
 
-use crate::shared_args::{CaseArgs, OutputArgs, PageArgs};
+use crate::shared_args::{CaseArgs, PageArgs, existing};
 
 #[derive(Debug, Args)]
-// Not a doc comment, which would read `<case name>` as HTML.
-#[command(mut_arg("output", |arg| {
-    arg.help("Folder for the results [default: out/<case name> reach]")
-}))]
 pub(crate) struct ReachArgs {
     #[command(flatten)]
     pub(crate) case: CaseArgs,
@@ -41,8 +38,23 @@ pub(crate) struct ReachArgs {
     #[arg(short, long, value_name = "N")]
     pub(crate) jobs: Option<NonZeroUsize>,
 
-    #[command(flatten)]
-    pub(crate) output: OutputArgs,
+    // Not a doc comment, which would read `<case name>` as HTML.
+    #[arg(
+        short,
+        long,
+        value_name = "DIR",
+        help = "Folder for the results [default: out/<case name> reach]"
+    )]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Continue with a reach of uncertain numbers that was interrupted: leave out samples that are
+    /// solved
+    #[arg(long)]
+    pub(crate) resume: bool,
+
+    /// Replace what lies in the folder
+    #[arg(long, conflicts_with = "resume")]
+    pub(crate) overwrite: bool,
 
     /// Write the margins as CSV too
     #[arg(long)]
@@ -50,4 +62,11 @@ pub(crate) struct ReachArgs {
 
     #[command(flatten)]
     pub(crate) page: PageArgs,
+}
+
+impl ReachArgs {
+    /// Where the results go.
+    pub(crate) fn output(&self) -> Output {
+        Output { folder: self.output.clone(), existing: existing(self.resume, self.overwrite) }
+    }
 }

@@ -4,15 +4,12 @@ mod args;
 mod screen;
 
 use wholestring_case::read_values;
-use wholestring_runner::{
-    Silent,
-    reach::{self, Request},
-};
+use wholestring_runner::reach::{self, Request};
 use wholestring_units::Dimension;
 
 use crate::{
-    color::color, failure::Failure, input::load, interrupt, shared_args::operation,
-    terminal::print_stdout,
+    color::color, conclusion::conclude, failure::Failure, input::load_with_template, interrupt,
+    progress::BatchScreen, shared_args::operation, terminal::print_stdout,
 };
 
 pub(crate) use args::ReachArgs;
@@ -30,7 +27,7 @@ pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
     let frictions = frictions.map(|text| friction(text.trim())).collect::<Result<_, _>>()?;
     let operations = args.operation.iter().flat_map(|list| list.split(','));
     let operations = operations.map(|name| operation(name.trim())).collect::<Result<_, _>>()?;
-    let case = load(&args.case, args.page.quiet)?;
+    let (template, case) = load_with_template(&args.case, args.page.quiet)?;
     let units = args.page.units.unwrap_or(case.units);
     let request = Request {
         from_m,
@@ -39,21 +36,24 @@ pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
         operations,
         helix_side_force: !args.no_helix_friction,
         units: Some(units),
-        output: args.output.output(),
+        output: args.output(),
         csv: args.csv,
         png: args.page.png,
         jobs: args.jobs,
-        ..Request::new(&case)
+        ..Request::new(&case, &template, &args.case.overrides)
     };
-    let outcome = reach::run(&request, &Silent, &interrupt::listen())?;
+    let outcome = reach::run(&request, &BatchScreen::reach(args.page.quiet), &interrupt::listen())?;
+    if !args.page.quiet {
+        print_stdout(&screen::text(&outcome.summary, units))?;
+    }
+    if let Some(samples) = &outcome.samples {
+        return conclude(samples, "reach", "samples", args.page.quiet);
+    }
     if args.page.quiet {
         return Ok(());
     }
     let (took_s, place) = (outcome.took.as_secs_f64(), outcome.folder.display());
-    print_stdout(&format!(
-        "{}Found in {took_s:.1} s\nResults in {place}\n",
-        screen::text(&outcome.summary, units)
-    ))
+    print_stdout(&format!("Found in {took_s:.1} s\nResults in {place}\n"))
 }
 
 /// The values of an option; none where it is not given.

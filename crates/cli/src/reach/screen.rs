@@ -1,7 +1,7 @@
 //! What a reach shows on the screen.
 
 use wholestring_results::ReachSummary;
-use wholestring_runner::reach::{answers, notes};
+use wholestring_runner::reach::{answers, notes, scatter, uncertain_notes};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::screen_table::Table;
@@ -38,6 +38,11 @@ pub(super) fn text(summary: &ReachSummary, units: UnitSet) -> String {
         }
         text += &table.text();
         text.push('\n');
+    }
+    if let Some(uncertain) = &summary.uncertain {
+        for sentence in uncertain_notes(uncertain).into_iter().chain(scatter(uncertain, units)) {
+            text += &format!("{sentence}\n");
+        }
     }
     for note in notes(summary, units) {
         text += &format!("{note}\n");

@@ -3,7 +3,8 @@
 use std::fs;
 
 use wholestring_results::{
-    PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, PlanSummary, Table,
+    PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, PlanSummary, Table, UNCERTAIN,
+    UNCERTAIN_INDICES, UNCERTAIN_SAMPLES,
 };
 
 use crate::desk::{Desk, transcript};
@@ -133,4 +134,41 @@ fn bad_input_gets_an_answer() {
     let output = desk.run(&few(&["--set", "plan.friction.low=0.9"]));
     assert_eq!(output.status.code(), Some(2));
     assert!(transcript(&output).contains("low friction is more than expected friction"));
+}
+
+/// Bands of uncertain numbers on the screen, the page and in the workbook's tables; the page is made again.
+#[test]
+fn a_plan_of_uncertain_numbers() {
+    let desk = Desk::new();
+    let uncertain = "plan.uncertain.input=[{ key = \"mud.density\", from = \"1.1 sg\", to = \"1.3 sg\" }, \
+        { key = \"friction\", mean = 0.25, std = 0.03, from = 0.1 }]";
+    let more = ["--set", uncertain, "--set", "plan.uncertain.samples=40"];
+    let output = desk.done(&few(&[&more[..], &["-o", "out"]].concat()));
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(said.contains("Bands: 5 to 95 % of 40 samples of 2 uncertain numbers, soft"), "{said}");
+    assert!(said.contains("pick-up: hook load ") && said.contains("% to friction"), "{said}");
+    let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
+    let found = summary.uncertain.expect("bands");
+    assert_eq!((found.samples, found.solved, found.lacking), (40, 40, 0));
+    let tables = [
+        ("plan_uncertain", UNCERTAIN),
+        ("plan_uncertain_indices", UNCERTAIN_INDICES),
+        ("plan_uncertain_samples", UNCERTAIN_SAMPLES),
+    ];
+    for (name, columns) in tables {
+        let table = Table::read_parquet(&desk.path(&format!("out/{name}.parquet"))).unwrap();
+        assert!(table.is_like(&Table::with_columns(columns)), "{name}");
+        assert!(table.rows() > 0 && desk.path(&format!("out/{name}.csv")).is_file(), "{name}");
+    }
+    let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+    for expected in ["What is uncertain", "Bands", "What the bands are owed to"] {
+        assert!(page.contains(expected), "{expected}");
+    }
+    let workbook = fs::read(desk.path("out/plan.xlsx")).unwrap();
+    for name in ["report.html", "plan.xlsx"] {
+        fs::remove_file(desk.path(&format!("out/{name}"))).unwrap();
+    }
+    desk.done(&["report", "out"]);
+    assert_eq!(fs::read_to_string(desk.path("out/report.html")).unwrap(), page);
+    assert_eq!(fs::read(desk.path("out/plan.xlsx")).unwrap().len(), workbook.len());
 }

@@ -135,3 +135,28 @@ fn what_cannot_be_asked() {
         assert!(said.contains(answer), "{more:?}: {said}");
     }
 }
+
+/// Bands of how far the well goes, and how often each limit is what stops it.
+#[test]
+fn a_reach_of_uncertain_numbers() {
+    let desk = Desk::new();
+    let uncertain = "plan.uncertain.input=[{ key = \"friction\", from = 0.15, to = 0.35 }, \
+        { key = \"mud.density\", from = \"1.1 sg\", to = \"1.3 sg\" }]";
+    let asked = ["reach", "slant.toml", "-o", "out", "--to", "6km", "--set", uncertain];
+    let more = ["--set", "plan.uncertain.samples=20", "--operation", "trip_out"];
+    let output = desk.done(&[&asked[..], &more, &RIG].concat());
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(said.contains("Bands: 5 to 95 % of 20 samples") && said.contains("\nreach "), "{said}");
+    let found = summary(&desk).uncertain.expect("bands");
+    assert_eq!((found.solved, found.lacking), (20, 0));
+    assert_eq!(found.stops.iter().map(|of| of.samples).sum::<usize>(), 20);
+    for name in ["reach_uncertain", "reach_uncertain_indices", "reach_uncertain_samples"] {
+        assert!(
+            Table::read_parquet(&desk.path(&format!("out/{name}.parquet"))).unwrap().rows() > 0
+        );
+    }
+    let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+    for expected in ["What is uncertain", "What stops the samples", "What the bands are owed to"] {
+        assert!(page.contains(expected), "{expected}");
+    }
+}

@@ -44,16 +44,21 @@ impl Broomstick {
     /// The weights on bit under which the soft string begins to buckle with its bit at a depth, m,
     /// for each of [`FrictionLevel::ALL`] and each way to drill.
     pub fn weights_to_buckle(&self, bit_depth_m: f64) -> Vec<BucklingWeight> {
-        at(self, bit_depth_m)
+        at(self, bit_depth_m, &FrictionLevel::ALL)
+    }
+
+    /// The same with the friction that is expected, and no other.
+    pub fn expected_weights_to_buckle(&self, bit_depth_m: f64) -> Vec<BucklingWeight> {
+        at(self, bit_depth_m, &[FrictionLevel::Expected])
     }
 }
 
-/// For each friction and each way to drill.
-fn at(of: &Broomstick, bit_depth_m: f64) -> Vec<BucklingWeight> {
+/// For each of these frictions and each way to drill.
+fn at(of: &Broomstick, bit_depth_m: f64, levels: &[FrictionLevel]) -> Vec<BucklingWeight> {
     let base = of.operations.first().copied();
     let base = base.unwrap_or_else(|| Operation::drill(bit_depth_m));
     let mut found = Vec::new();
-    for friction in FrictionLevel::ALL {
+    for friction in levels.iter().copied() {
         let model = of.setup(friction).at(bit_depth_m);
         for operation in [OperationKind::Drill, OperationKind::Slide] {
             let own = of.operations.iter().find(|own| own.kind == operation);

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::{
     Distribution,
-    polynomials::{count, polynomials, products},
+    polynomials::{count, highest, polynomials, products},
 };
 
 /// Highest degree that is tried.
@@ -12,6 +12,9 @@ const HIGHEST: usize = 10;
 
 /// Points for each polynomial, at least.
 const POINTS: usize = 2;
+
+/// Answers that differ from their mean by this part of it, and no more, are the same: rounding.
+const SAME: f64 = 1e-9;
 
 /// Part of the variance that another degree must predict more to be taken.
 const BETTER: f64 = 1e-3;
@@ -23,13 +26,15 @@ pub struct Attribution {
     pub mean: f64,
     /// Its variance.
     pub variance: f64,
-    /// First-order index of each input: what part of the variance would go if it were known.
+    /// First-order index of each input: what part of the variance would go if it were known. Not a number
+    /// of a choice among more than four things.
     pub first: Vec<f64>,
-    /// Total index of each input: what part would stay if all others were known.
+    /// Total index of each input: what part would stay if all others were known. Of a choice among more
+    /// than four things, all that the polynomials of the others do not predict.
     pub total: Vec<f64>,
     /// What part of the variance the polynomials predict at points that they were not fitted to: one
     /// less the mean square of the leave-one-out errors over the variance. Indices of a fit that
-    /// predicts less than 0.9 mean little.
+    /// predicts less than 0.9 mean little, but where a choice among many things has the rest.
     pub predicts: f64,
     /// Degree of the polynomials.
     pub degree: usize,
@@ -49,7 +54,7 @@ pub fn attribute(
     let rows = points.len();
     let mean = answers.iter().sum::<f64>() / rows.max(1) as f64;
     let square = answers.iter().map(|answer| (answer - mean).powi(2)).sum::<f64>();
-    let varies = square > (f64::EPSILON * mean).powi(2) * rows as f64;
+    let varies = square > (SAME * mean).powi(2) * rows as f64;
     if inputs.is_empty() || !varies {
         return None;
     }
@@ -75,7 +80,9 @@ fn fitted(
     degree: usize,
     square: f64,
 ) -> Option<Attribution> {
-    let products = products(inputs.len(), degree);
+    let mut products = products(inputs.len(), degree);
+    let highest: Vec<usize> = inputs.iter().map(highest).collect();
+    products.retain(|product| product.iter().zip(&highest).all(|(order, most)| order <= most));
     let rows = points.len();
     let mut matrix = DMatrix::zeros(rows, products.len());
     for (row, point) in points.iter().enumerate() {
@@ -102,10 +109,15 @@ fn fitted(
         })
         .sum();
     let variance: f64 = coefficients.iter().skip(1).map(|of| of * of).sum();
+    let predicts = 1.0 - left_out / square;
+    // What no polynomial tells is owed to the choices that have none.
+    let has_rest = highest.contains(&0);
+    let rest = if has_rest { (1.0 - predicts).clamp(0.0, 1.0) } else { 0.0 };
     let part = |holds: &dyn Fn(&[usize]) -> bool| {
         let held = products.iter().zip(coefficients.iter()).skip(1);
         let held = held.filter(|(product, _)| holds(product));
-        held.map(|(_, of)| of * of).sum::<f64>() / variance
+        let held: f64 = held.map(|(_, of)| of * of).sum();
+        if variance > 0.0 { (1.0 - rest) * held / variance } else { 0.0 }
     };
     let alone = |input: usize| {
         move |product: &[usize]| {
@@ -113,12 +125,20 @@ fn fitted(
             orders.all(|(place, order)| (place == input) == (*order > 0))
         }
     };
+    let first = |input: usize| match highest[input] {
+        0 => f64::NAN,
+        _ => part(&alone(input)),
+    };
+    let total = |input: usize| match highest[input] {
+        0 => rest,
+        _ => part(&|product| product[input] > 0),
+    };
     Some(Attribution {
         mean: coefficients[0],
-        variance,
-        first: (0..inputs.len()).map(|input| part(&alone(input))).collect(),
-        total: (0..inputs.len()).map(|input| part(&|product| product[input] > 0)).collect(),
-        predicts: 1.0 - left_out / square,
+        variance: if has_rest { square / rows as f64 } else { variance },
+        first: (0..inputs.len()).map(first).collect(),
+        total: (0..inputs.len()).map(total).collect(),
+        predicts,
         degree,
     })
 }

@@ -20,11 +20,29 @@ pub(super) fn quantile(part: f64) -> f64 {
     let mut z = above / under - t;
     // Halley's method cubes the error.
     for _ in 0..3 {
-        let density = (-0.5 * z * z).exp() / (2.0 * PI).sqrt();
-        let step = (below(z) - part) / density;
+        let step = (below(z) - part) / density(z);
         z -= step / (1.0 + 0.5 * z * step);
     }
     z
+}
+
+/// Density at `z` standard deviations.
+pub(super) fn density(z: f64) -> f64 {
+    (-0.5 * z * z).exp() / (2.0 * PI).sqrt()
+}
+
+/// Part of a normal distribution between two numbers of standard deviations, exact in either tail.
+pub(super) fn between(a: f64, b: f64) -> f64 {
+    // Two parts near one would leave rounding.
+    if a > 0.0 { below(-a) - below(-b) } else { below(b) - below(a) }
+}
+
+/// Standard deviations below which a part of what lies between two of them lies.
+pub(super) fn quantile_between(a: f64, b: f64, part: f64) -> f64 {
+    if a > 0.0 {
+        return -quantile_between(-b, -a, 1.0 - part);
+    }
+    quantile(below(a) + part * (below(b) - below(a)))
 }
 
 #[cfg(test)]

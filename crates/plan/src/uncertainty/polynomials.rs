@@ -2,48 +2,75 @@
 
 use super::Distribution;
 
-/// The input on the axis of its polynomials: standard deviations of a normal one, of another the part
-/// that lies below, from −1 to 1.
-fn place(of: &Distribution, value: f64) -> f64 {
+/// The most things to choose from of which polynomials tell any function: of more, too many points
+/// would be needed.
+const FEW: usize = 4;
+
+/// The highest degree that an input has. Of a choice among many things, whose order need not mean
+/// anything, none: what is owed to it the polynomials do not tell.
+pub(super) fn highest(of: &Distribution) -> usize {
     match *of {
-        Distribution::Normal { mean, std } => (value - mean) / std,
-        Distribution::Uniform { from, to } => 2.0 * (value - from) / (to - from) - 1.0,
-        Distribution::Triangular { from, mode, to } => {
-            let whole = to - from;
-            let below = match value < mode {
-                true => (value - from).powi(2) / (whole * (mode - from)),
-                false => 1.0 - (to - value).powi(2) / (whole * (to - mode).max(f64::MIN_POSITIVE)),
-            };
-            2.0 * below - 1.0
-        }
+        Distribution::Choice { count } if count <= FEW => count - 1,
+        Distribution::Choice { .. } => 0,
+        _ => usize::MAX,
     }
 }
 
-/// Polynomials up to a degree that are orthonormal under the distribution: Hermite's of a normal one,
-/// Legendre's of the others.
+/// Polynomials up to a degree that are orthonormal under the distribution: Hermite's of a normal one and of
+/// one whose logarithm is normal, Gram's of a choice, Legendre's of the part below of the others.
 pub(super) fn polynomials(of: &Distribution, value: f64, degree: usize) -> Vec<f64> {
-    let x = place(of, value);
-    let is_normal = matches!(of, Distribution::Normal { .. });
-    let mut values = vec![1.0, x];
+    match *of {
+        Distribution::Normal { mean, std } => hermite((value - mean) / std, degree),
+        Distribution::LogNormal { median, factor } => {
+            hermite((value / median).ln() / factor.ln(), degree)
+        }
+        Distribution::Choice { count } => gram(value, count as f64, degree),
+        Distribution::Uniform { .. }
+        | Distribution::Triangular { .. }
+        | Distribution::TruncatedNormal { .. } => legendre(2.0 * of.below(value) - 1.0, degree),
+    }
+}
+
+/// From a recurrence: of an order `n`, the value before last and the last give the next; and how large the
+/// mean square of an order is.
+fn by_recurrence(
+    first: f64,
+    degree: usize,
+    next: impl Fn(f64, f64, f64) -> f64,
+    square: impl Fn(f64, f64) -> f64,
+) -> Vec<f64> {
+    let mut values = vec![1.0, first];
     for n in 1..degree {
-        let (last, before) = (values[n], values[n - 1]);
-        let order = n as f64;
-        values.push(match is_normal {
-            true => x * last - order * before,
-            false => ((2.0 * order + 1.0) * x * last - order * before) / (order + 1.0),
-        });
+        values.push(next(n as f64, values[n - 1], values[n]));
     }
     values.truncate(degree + 1);
-    let mut factorial = 1.0;
+    let mut mean_square = 1.0;
     for (n, value) in values.iter_mut().enumerate() {
-        let order = n as f64;
-        factorial *= order.max(1.0);
-        *value *= match is_normal {
-            true => 1.0 / f64::sqrt(factorial),
-            false => (2.0 * order + 1.0).sqrt(),
-        };
+        mean_square = square(n as f64, mean_square);
+        *value = if mean_square > 0.0 { *value / mean_square.sqrt() } else { 0.0 };
     }
     values
+}
+
+fn hermite(x: f64, degree: usize) -> Vec<f64> {
+    by_recurrence(x, degree, |n, before, last| x * last - n * before, |n, last| last * n.max(1.0))
+}
+
+fn legendre(x: f64, degree: usize) -> Vec<f64> {
+    let next =
+        |n: f64, before: f64, last: f64| ((2.0 * n + 1.0) * x * last - n * before) / (n + 1.0);
+    by_recurrence(x, degree, next, |n, _| 1.0 / (2.0 * n + 1.0))
+}
+
+/// Of the numbers 0 to `count - 1`, equally likely.
+fn gram(value: f64, count: f64, degree: usize) -> Vec<f64> {
+    let x = value - 0.5 * (count - 1.0);
+    let weight = |n: f64| {
+        let square = n * n;
+        (square * (count * count - square) / (4.0 * (4.0 * square - 1.0))).max(0.0)
+    };
+    let next = |n: f64, before: f64, last: f64| x * last - weight(n) * before;
+    by_recurrence(x, degree, next, |n, last| if n > 0.0 { last * weight(n) } else { last })
 }
 
 /// Degrees in each input of all products up to a total degree, the constant first.
@@ -77,8 +104,11 @@ mod tests {
         for (of, tolerance) in [
             (Distribution::Uniform { from: 2.0, to: 5.0 }, 1e-6),
             (Distribution::Triangular { from: 2.0, mode: 2.5, to: 5.0 }, 1e-6),
+            (Distribution::TruncatedNormal { mean: 0.0, std: 1.0, from: -0.5, to: 2.0 }, 1e-6),
+            (Distribution::Choice { count: 5 }, 1e-6),
             // Beyond the last quantile lies much of an eighth moment.
             (Distribution::Normal { mean: 2.0, std: 0.3 }, 0.02),
+            (Distribution::LogNormal { median: 2.0, factor: 1.3 }, 0.02),
         ] {
             let count = 200_000;
             let mut sums = [[0.0; 5]; 5];

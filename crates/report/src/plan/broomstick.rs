@@ -8,6 +8,7 @@ use super::{
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::Shown,
+    uncertain::Uncertain,
 };
 
 /// A limit farther beyond the curves than this part of them is told, not drawn: it would flatten
@@ -24,6 +25,8 @@ pub const STROKES: [Stroke; 3] = [Stroke::Dotted, Stroke::Solid, Stroke::Dashed]
 struct Quantity<'a> {
     title: &'a str,
     about: &'a str,
+    /// What the bands of uncertain numbers call it.
+    name: &'a str,
     dimension: &'a str,
     of: fn(&PlanSpot) -> f64,
     limit: Option<f64>,
@@ -35,6 +38,7 @@ pub(super) fn hook_load(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
     let quantity = Quantity {
         title: "Hook load",
         about: "without the weight of the block",
+        name: "hook_load",
         dimension: "force",
         of: |spot| spot.hook_load_N,
         limit: plan.rig.hook_load_N(),
@@ -48,6 +52,7 @@ pub(super) fn torque(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
     let quantity = Quantity {
         title: "Surface torque",
         about: "",
+        name: "surface_torque",
         dimension: "torque",
         of: |spot| spot.torque_N_m,
         limit: plan.rig.top_drive_N_m,
@@ -94,6 +99,18 @@ fn panel(
     };
     let mut marks = Vec::new();
     let mut largest = 0.0_f64;
+    // Below all lines.
+    for (uncertain, operation) in
+        plan.uncertain.iter().flat_map(|uncertain| operations.iter().map(move |of| (uncertain, of)))
+    {
+        let band = uncertain.band(quantity.name, operation).map(|(depth_m, ends)| {
+            let [from, to] = ends.map(|end| shown.value(end, quantity.dimension));
+            largest = largest.max(from.abs()).max(to.abs());
+            (shown.value(depth_m, "length"), from, to)
+        });
+        let ink = Ink::Line(colour(operation));
+        marks.push(Mark::Band { ink, points: band.collect() });
+    }
     for operation in operations {
         let ink = Ink::Line(colour(operation));
         for (place, model) in plan.models.iter().enumerate() {
@@ -152,6 +169,10 @@ fn keys(plan: &Plan, operations: &[&str]) -> Vec<Key> {
         let name = format!("{} friction, {}", level.name, level.label);
         keys.push(key(name, Sample::Line(Ink::Note, STROKES[place % 3])));
     }
+    if plan.uncertain.is_some() {
+        let name = "5 to 95 % of the samples".to_owned();
+        keys.push(key(name, Sample::Band(Ink::Note)));
+    }
     if let [_, others @ ..] = &plan.models[..] {
         for model in others {
             for (place, level) in plan.levels.iter().enumerate() {
@@ -172,5 +193,6 @@ fn subtitle(plan: &Plan, about: &str, told: Vec<String>) -> String {
     });
     let about = (!about.is_empty()).then(|| about.to_owned());
     let limits = told.into_iter().map(|of| format!("limit of the {of}, beyond the picture"));
-    lines.into_iter().chain(about).chain(limits).collect::<Vec<_>>().join("; ")
+    let bands = plan.uncertain.iter().map(Uncertain::said);
+    lines.into_iter().chain(about).chain(limits).chain(bands).collect::<Vec<_>>().join("; ")
 }

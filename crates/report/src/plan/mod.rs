@@ -18,7 +18,9 @@ pub use figures::{PLAN_PICTURES, plan_plots};
 pub use page::plan_html;
 pub use words::operation_name;
 
-use crate::{Level, PageHead, Section};
+pub(crate) use words::{colour as operation_colour, four};
+
+use crate::{Level, PageHead, Section, Uncertain};
 
 /// A plan as its page shows it. Numbers are SI; what has no answer is not a number.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,6 +53,8 @@ pub struct Plan {
     pub wear: Vec<PlanWearRow>,
     /// Weight on bit of what drills, N.
     pub weight_on_bit_N: Option<f64>,
+    /// What comes of numbers that are not known exactly; none where all are.
+    pub uncertain: Option<Uncertain>,
 }
 
 /// A level of friction.

@@ -1,7 +1,7 @@
 //! The page of a plan as one file that needs nothing else.
 
 use super::{Plan, campaign, figures::plan_plots, limits, tables};
-use crate::{StudyPage, StudyPart, plots::Shown, study_html};
+use crate::{StudyPage, StudyPart, plots::Shown, study_html, uncertain};
 
 /// What the numbers stand for.
 const ABOUT: &str = "Hook load and surface torque against the depth of the bit: the same string, its \
@@ -9,7 +9,7 @@ const ABOUT: &str = "Hook load and surface torque against the depth of the bit: 
     friction. The workbook plan.xlsx has every table, with charts of its own.";
 
 /// Title and caption of each picture.
-const PICTURES: [(&str, &str, &str); 4] = [
+const PICTURES: [(&str, &str, &str); 5] = [
     (
         "hook_load",
         "Hook load",
@@ -32,6 +32,7 @@ const PICTURES: [(&str, &str, &str); 4] = [
          at the deepest casing shoe: circulating, and tripping at the case's speed with mud shut out of \
          the string or streaming through it.",
     ),
+    ("uncertain", "What the bands are owed to", uncertain::CAPTION),
 ];
 
 /// The page as the text of an HTML file. No name in it can end the element that it stands in.
@@ -54,6 +55,11 @@ pub fn plan_html(plan: &Plan) -> String {
         })
     });
     let mut parts: Vec<StudyPart> = pictures.collect();
+    if let Some(of) = &plan.uncertain {
+        parts.extend(uncertain::inputs(of));
+        parts.extend(uncertain::bands(of, shown));
+        parts.extend(uncertain::owed(of));
+    }
     parts.extend(limits::factors(plan));
     parts.extend(limits::nearest(plan, shown));
     parts.extend(campaign::fatigue(plan, shown));

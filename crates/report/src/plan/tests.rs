@@ -112,6 +112,7 @@ fn plan() -> Plan {
         fatigue: vec![fatigue("drill <pipe>", 1.2), fatigue("collar", 1e-7)],
         wear: vec![wear()],
         weight_on_bit_N: Some(3e4),
+        uncertain: None,
     }
 }
 

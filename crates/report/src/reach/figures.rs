@@ -2,9 +2,10 @@
 
 use super::{Reach, ReachCurve};
 use crate::{
-    Plot,
+    Plot, Uncertain, UncertainNumber,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::{Shown, named},
+    uncertain,
 };
 
 /// How far below zero a margin is drawn, per cent.
@@ -24,12 +25,16 @@ const INKS: [Ink; 9] = [
 ];
 
 /// Names of the pictures of a reach.
-pub const REACH_PICTURES: [&str; 1] = ["reach"];
+pub const REACH_PICTURES: [&str; 2] = ["reach", "uncertain"];
 
-/// Every picture of a reach, in a set of units (`si`, `metric` or `field`).
+/// Every picture of a reach, in a set of units (`si`, `metric` or `field`): `uncertain` where
+/// several numbers are.
 pub fn reach_plots(reach: &Reach, units: &str) -> Vec<Plot> {
-    let figure = (!reach.curves.is_empty()).then(|| margins(reach, units));
-    named(REACH_PICTURES, [figure])
+    let is_drawn = !reach.curves.is_empty();
+    let margins = is_drawn.then(|| margins(reach, units));
+    let owed = reach.uncertain.as_ref().filter(|_| is_drawn);
+    let owed = owed.and_then(|of| uncertain::figure(of, &reach.head.title));
+    named(REACH_PICTURES, [margins, owed])
 }
 
 /// A panel for each operation, a colour for each limit, a stroke for each friction.
@@ -42,6 +47,9 @@ fn margins(reach: &Reach, units: &str) -> Figure {
     };
     let panels = operations.iter().map(|operation| {
         let mut marks = vec![Mark::OwnRule { at: 0.0, label: String::new() }];
+        let scattered = reach.uncertain.iter().flat_map(|of| &of.bands);
+        let scattered = scattered.filter(|of| of.operation == *operation && !of.limit.is_empty());
+        marks.extend(scatter(scattered.collect(), shown, &ink));
         for curve in reach.curves.iter().filter(|of| of.operation == *operation) {
             let (ink, stroke) = (ink(&curve.limit), Stroke::of(curve.friction));
             marks.push(Mark::Curve { ink, stroke, points: drawn(curve, shown) });
@@ -78,11 +86,17 @@ fn margins(reach: &Reach, units: &str) -> Figure {
         let sample = Sample::Point(Ink::Text, Shape::Diamond);
         keys.push(Key { name: "stops the well first".into(), sample });
     }
+    if reach.uncertain.is_some() {
+        keys.push(Key { name: "5 to 95 % of the samples".into(), sample: Sample::Band(Ink::Note) });
+    }
     let facts = reach.head.facts.iter().filter_map(|fact| shown.fact(fact));
     let [from, to] = reach.depths_m.map(|depth_m| shown.value(depth_m, "length"));
     Figure {
         title: reach.head.title.clone(),
-        subtitle: facts.collect::<Vec<_>>().join("; "),
+        subtitle: facts
+            .chain(reach.uncertain.iter().map(Uncertain::said))
+            .collect::<Vec<_>>()
+            .join("; "),
         keys,
         layout: Layout::across(1, 180.0, 48.0),
         shared: Axis::new(
@@ -92,6 +106,29 @@ fn margins(reach: &Reach, units: &str) -> Figure {
         panels: panels.collect(),
         hole: Vec::new(),
     }
+}
+
+/// Bands of the margins, then how far the depths spread where these are zero.
+fn scatter(of: Vec<&UncertainNumber>, shown: Shown<'_>, ink: &impl Fn(&str) -> Ink) -> Vec<Mark> {
+    let mut marks: Vec<Mark> = Vec::new();
+    let mut last = None;
+    for margin in of.iter().filter(|of| of.quantity == "margin") {
+        let [low, .., high] = margin.quantiles.map(|part| (100.0 * part).max(BELOW));
+        let depth = shown.value(margin.bit_depth_m.unwrap_or(f64::NAN), "length");
+        let key = (&margin.limit, margin.friction.map(f64::to_bits));
+        if last != Some(key) {
+            marks.push(Mark::Band { ink: ink(&margin.limit), points: Vec::new() });
+            last = Some(key);
+        }
+        if let Some(Mark::Band { points, .. }) = marks.last_mut() {
+            points.push((depth, low, high));
+        }
+    }
+    for depth in of.iter().filter(|of| of.quantity == "depth" && of.not_met < of.answers) {
+        let [from, .., to] = depth.quantiles.map(|depth_m| (shown.value(depth_m, "length"), 0.0));
+        marks.push(Mark::Bars { ink: ink(&depth.limit), bars: vec![[from, to]] });
+    }
+    marks
 }
 
 /// A curve down to where it leaves the frame, per cent.

@@ -6,7 +6,7 @@ mod page;
 pub use figures::{REACH_PICTURES, reach_plots};
 pub use page::reach_html;
 
-use crate::PageHead;
+use crate::{PageHead, Uncertain};
 
 /// A reach as its page shows it. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,6 +27,8 @@ pub struct Reach {
     pub curves: Vec<ReachCurve>,
     /// Depths of the bit between which it was looked for, m.
     pub depths_m: [f64; 2],
+    /// What comes of numbers that are not known exactly; none where all are.
+    pub uncertain: Option<Uncertain>,
 }
 
 /// A limit of an operation at a friction.

@@ -1,7 +1,7 @@
 //! The page of a reach as one file that needs nothing else.
 
 use super::{Reach, ReachRow, figures::reach_plots};
-use crate::{Grid, Head, StudyPage, StudyPart, Verdict, plots::Shown, study_html};
+use crate::{Grid, Head, StudyPage, StudyPart, Verdict, plots::Shown, study_html, uncertain};
 
 /// What the numbers stand for.
 const ABOUT: &str = "The well is drilled on in its last direction, and the string grows at its top. At \
@@ -9,6 +9,11 @@ const ABOUT: &str = "The well is drilled on in its last direction, and the strin
     of a limit, 0 % where it is met: of the top drive and the hoist against what they carry, of the \
     hook load and the push against what hangs without friction, of yield and buckling against the \
     load that yields or buckles, of lock-up the part of an added push that arrives at the bit.";
+
+/// What stands under the picture of the margins.
+const MARGINS: &str = "A colour for each limit, a stroke for each friction factor. Where a curve meets zero \
+    the limit is met; the diamond stops the well first. Of uncertain numbers, a band and a bar hold 90 % of \
+    the samples: of the margins of what stops the well, and of the depth where it is met.";
 
 /// The page as the text of an HTML file. No name in it can end the element that it stands in.
 pub fn reach_html(reach: &Reach) -> String {
@@ -20,16 +25,23 @@ pub fn reach_html(reach: &Reach) -> String {
     let paragraphs = answers.chain([&*facts, ABOUT]).chain(notes);
     let mut parts = Vec::new();
     for plot in reach_plots(reach, &reach.head.units) {
+        let (title, caption) = match plot.name.as_str() {
+            "uncertain" => ("What the bands are owed to", uncertain::CAPTION),
+            _ => ("Margins against depth", MARGINS),
+        };
         parts.push(StudyPart::Figure {
-            title: "Margins against depth".into(),
-            caption:
-                "A colour for each limit, a stroke for each friction factor. Where a curve meets \
-                      zero the limit is met; the diamond stops the well first."
-                    .into(),
+            title: title.into(),
+            caption: caption.into(),
             figure: Some(Box::new(plot.figure)),
             files: plot.name,
             painted: false,
         });
+    }
+    if let Some(of) = &reach.uncertain {
+        parts.extend(uncertain::inputs(of));
+        parts.extend(uncertain::stops(of));
+        parts.extend(uncertain::bands(of, shown));
+        parts.extend(uncertain::owed(of));
     }
     parts.push(limits(reach, shown));
     study_html(&StudyPage {

@@ -42,6 +42,7 @@ fn reach() -> Reach {
         limits: vec![row(0, None, false), row(1, Some(5000.0), true)],
         curves: vec![curve(0, 0.05), curve(1, 0.2)],
         depths_m: [0.0, 10e3],
+        uncertain: None,
     }
 }
 

@@ -16,6 +16,7 @@ mod spectra;
 mod stability;
 mod tables;
 mod time;
+mod uncertain;
 mod wear;
 
 pub(crate) use self::bit_test::numbers as bit_test_numbers;
@@ -35,6 +36,7 @@ pub use self::{
     stability::STABILITY,
     tables::TABLES,
     time::TIME,
+    uncertain::{UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES},
     wear::WEAR,
 };
 use wholestring::outcome;

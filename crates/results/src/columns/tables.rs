@@ -4,7 +4,8 @@ use super::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
     CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
     MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS,
-    PLAN_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
+    PLAN_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TIME, UNCERTAIN,
+    UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, WEAR,
 };
 
 /// Every table, by the name of its file, and its columns.
@@ -33,8 +34,14 @@ pub const TABLES: &[(&str, &[ColumnSpec])] = &[
     ("plan_hydraulics", PLAN_HYDRAULICS),
     ("plan_fatigue", PLAN_FATIGUE),
     ("plan_wear", PLAN_WEAR),
+    ("plan_uncertain", UNCERTAIN),
+    ("plan_uncertain_indices", UNCERTAIN_INDICES),
+    ("plan_uncertain_samples", UNCERTAIN_SAMPLES),
     ("reach", REACH),
     ("reach_limits", REACH_LIMITS),
+    ("reach_uncertain", UNCERTAIN),
+    ("reach_uncertain_indices", UNCERTAIN_INDICES),
+    ("reach_uncertain_samples", UNCERTAIN_SAMPLES),
     ("calibration", CALIBRATION),
     ("calibration_bands", CALIBRATION_BANDS),
     ("calibration_profiles", CALIBRATION_PROFILES),

@@ -17,7 +17,7 @@ use serde_json::Value;
 use wholestring::{findings::Level, outcome::Scalars};
 
 use crate::{
-    ResultsError, Table,
+    ResultsError, Table, UncertainSummary,
     json::{read_versioned, write_json},
 };
 
@@ -59,6 +59,9 @@ pub struct PlanSummary {
     pub fatigue: Vec<PlanFatigue>,
     /// Model after model, of each casing the stretch that is worn most, from the surface down.
     pub wear: Vec<PlanWear>,
+    /// What comes of numbers that are not known exactly; none where all are.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uncertain: Option<UncertainSummary>,
 }
 
 /// Friction of a hole section at a level.

@@ -1,6 +1,10 @@
 //! The files of a plan.
 
-use wholestring_results::{Column, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table};
+use wholestring_results::{
+    Column, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table, UncertainBand,
+};
+
+use crate::uncertain::{self, Names};
 
 /// Names of the tables, without their endings.
 pub(super) const BROOMSTICK: &str = "plan_broomstick";
@@ -19,6 +23,8 @@ pub(super) struct Tables {
     pub(super) fatigue: Table,
     /// Of casing wear.
     pub(super) wear: Table,
+    /// Of the samples of what is uncertain, where anything is.
+    pub(super) samples: Option<Table>,
 }
 
 /// Name of the workbook.
@@ -34,6 +40,9 @@ pub(super) fn write(
     folder.write_table(LIMITS, &tables.limits, true)?;
     folder.write_table(FATIGUE, &tables.fatigue, true)?;
     folder.write_table(WEAR, &tables.wear, true)?;
+    let uncertain = summary.uncertain.as_ref().zip(tables.samples.as_ref());
+    uncertain::write(folder, &Names::PLAN, uncertain)?;
+    uncertain::write_picture_numbers(folder, summary.uncertain.as_ref())?;
     folder.write_table(BROOMSTICK, &summary.broomstick_table(), true)?;
     folder.write_table(BUCKLING, &summary.buckling_table(), true)?;
     folder.write_table(FRICTION, &summary.friction_table(), true)?;
@@ -78,6 +87,24 @@ fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         }
         Table::new(columns)
     };
+    let bands = |table: Table, quantity: &str| {
+        let mut columns = table.columns().to_vec();
+        let uncertain = summary.uncertain.iter();
+        let of: Vec<&UncertainBand> = uncertain.flat_map(|of| &of.bands).collect();
+        for operation in &summary.operations {
+            let of = of.iter().filter(|of| of.quantity == quantity && of.operation == *operation);
+            for (place, part) in [(0, "p05"), (2, "p50"), (4, "p95")] {
+                let found =
+                    of.clone().filter_map(|of| Some((of.bit_depth_m?, Some(of.quantiles[place]))));
+                let found: Vec<_> = found.collect();
+                if !found.is_empty() {
+                    let unit = if quantity == "hook_load" { "N" } else { "N_m" };
+                    columns.push(column(format!("{operation}_{part}_{quantity}_{unit}"), &found));
+                }
+            }
+        }
+        Table::new(columns)
+    };
     let mut weights = vec![depth()];
     for operation in ["drill", "slide"] {
         for friction in ["low", "expected", "high"] {
@@ -97,8 +124,17 @@ fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         }
     }
     [
-        ("hook_load", curves("hook_load_N", |of| Some(of.scalars?.hook_load_N))),
-        ("torque", curves("surface_torque_N_m", |of| Some(of.scalars?.surface_torque_N_m))),
+        (
+            "hook_load",
+            bands(curves("hook_load_N", |of| Some(of.scalars?.hook_load_N)), "hook_load"),
+        ),
+        (
+            "torque",
+            bands(
+                curves("surface_torque_N_m", |of| Some(of.scalars?.surface_torque_N_m)),
+                "surface_torque",
+            ),
+        ),
         ("buckling_weight", Table::new(weights)),
     ]
 }

@@ -9,8 +9,11 @@ mod outcome;
 mod page;
 mod request;
 mod rows;
+mod sample;
 mod work;
 mod workbook;
 
 pub use outcome::{Outcome, run};
 pub use request::Request;
+
+pub use crate::uncertain::{notes, scatter};

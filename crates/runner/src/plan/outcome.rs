@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     batch::BatchOutcome, cancellation::CancellationToken, claim::Claim, error::Error,
-    observer::Observer, results_kind::Results,
+    observer::Observer, results_kind::Results, uncertain::Sampler,
 };
 
 /// What came of it.
@@ -43,7 +43,9 @@ pub fn run(
     }
     .folder()?;
     let folder = &claimed.folder;
-    let work = Work::new(request, &broomstick, identity, folder, observer, cancellation)?;
+    let sampler = Sampler::of(case, request.template, request.overrides);
+    let of = (&broomstick, sampler.as_ref());
+    let work = Work::new(request, of, identity, folder, observer, cancellation)?;
     work.solve_all()?;
     let Ended { summary, tables, batch } = work.end();
     files::write(folder, &summary, &tables)?;

@@ -24,6 +24,7 @@ use super::{
 use crate::{
     page::{self, table},
     results_kind::Results,
+    uncertain::{self, Names},
 };
 
 /// Writes the workbook in these units.
@@ -47,7 +48,9 @@ pub(super) fn write_again(
     let units = plan.head.units.parse().unwrap_or_default();
     plan.write(folder, false)?;
     let [limits, fatigue, wear] = [LIMITS, FATIGUE, WEAR].map(|name| table(folder.path(), name));
-    let tables = Tables { limits: limits?, fatigue: fatigue?, wear: wear? };
+    let samples = summary.uncertain.as_ref().map(|_| table(folder.path(), Names::PLAN.samples));
+    let samples = samples.transpose()?;
+    let tables = Tables { limits: limits?, fatigue: fatigue?, wear: wear?, samples };
     write_workbook(folder, &summary, &tables, units)
 }
 
@@ -87,6 +90,7 @@ fn of_summary(summary: &PlanSummary, units: Option<UnitSet>) -> Plan {
             hoist_N: number(&rig["hoist_capacity_N"]),
             top_drive_N_m: number(&rig["top_drive_torque_N_m"]),
         },
+        uncertain: summary.uncertain.as_ref().map(|of| uncertain::shown(of, &Names::PLAN)),
         weight_on_bit_N: number(&settings["operation"]["wob_N"]).filter(|_| drills),
     }
 }

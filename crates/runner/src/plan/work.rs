@@ -1,6 +1,6 @@
 //! The work of a plan, on all cores, kept as it comes.
 
-use std::{collections::BTreeSet, sync::Mutex, thread, time::Instant};
+use std::{collections::BTreeSet, thread, time::Instant};
 
 use serde::{Deserialize, Serialize};
 use serde_json::json;
@@ -16,15 +16,16 @@ use super::{
     mud,
     request::Request,
     rows::{Lack, buckling, frictions, in_words, limits, points, unchecked},
+    sample::Asked,
 };
 use crate::{
     batch::BatchOutcome,
     cancellation::CancellationToken,
     checkpoint::Keeper,
-    observer::{BatchSize, CaseEnded, Observer},
-    output::Existing,
-    parallel::{in_parallel, lock},
+    observer::Observer,
+    pieces::Pieces,
     run::checkpoint_every,
+    uncertain::{self, Sampled, Sampler, samples_table},
 };
 
 /// A piece of the work.
@@ -34,6 +35,8 @@ enum Piece {
     Points(BroomstickTask),
     /// The weights to buckle at a depth, m.
     Buckling(f64),
+    /// A sample of what is uncertain.
+    Sample(usize),
 }
 
 /// What came of a piece.
@@ -41,13 +44,7 @@ enum Piece {
 enum Done {
     Points(Vec<PlanPoint>, Vec<PlanLimit>, BTreeSet<Lack>, Vec<Taken>),
     Buckling(Vec<PlanBuckling>),
-}
-
-/// What is kept of the work, and whose work it is.
-#[derive(Serialize, Deserialize)]
-struct Kept<D> {
-    identity: String,
-    done: D,
+    Sample(Sampled),
 }
 
 /// What became of the work.
@@ -77,13 +74,10 @@ fn worst(limits: &[PlanLimit]) -> Vec<PlanLimit> {
 pub(super) struct Work<'a> {
     request: &'a Request<'a>,
     broomstick: &'a Broomstick,
-    identity: String,
+    sampler: Option<&'a Sampler<'a>>,
     folder: &'a ResultsFolder,
-    pieces: Vec<Piece>,
-    /// What came of each piece, none where nothing has yet.
-    done: Mutex<Vec<Option<Done>>>,
-    keeper: Mutex<Keeper<'a>>,
-    observer: &'a dyn Observer,
+    list: Vec<Piece>,
+    pieces: Pieces<'a, Done>,
     cancellation: &'a CancellationToken,
     start: Instant,
 }
@@ -93,7 +87,7 @@ impl<'a> Work<'a> {
     /// continued.
     pub(super) fn new(
         request: &'a Request<'a>,
-        broomstick: &'a Broomstick,
+        (broomstick, sampler): (&'a Broomstick, Option<&'a Sampler<'a>>),
         identity: String,
         folder: &'a ResultsFolder,
         observer: &'a dyn Observer,
@@ -101,123 +95,82 @@ impl<'a> Work<'a> {
     ) -> Result<Self, ResultsError> {
         let tasks = broomstick.tasks().into_iter().map(Piece::Points);
         let depths = broomstick.depths_m().iter().copied().map(Piece::Buckling);
-        let pieces: Vec<Piece> = tasks.chain(depths).collect();
+        let samples = 0..sampler.map_or(0, |of| of.points.len());
+        let list: Vec<Piece> = tasks.chain(depths).chain(samples.map(Piece::Sample)).collect();
         let every = request.checkpoint_every.unwrap_or_else(|| checkpoint_every(request.case));
-        let work = Self {
-            request,
-            broomstick,
-            identity,
-            folder,
-            done: Mutex::new(vec![None; pieces.len()]),
-            pieces,
-            keeper: Mutex::new(Keeper::new(folder, every)),
+        let pieces = Pieces::new(
+            (list.len(), identity),
+            (folder, request.output.existing),
+            Keeper::new(folder, every),
             observer,
             cancellation,
-            start: Instant::now(),
-        };
-        match request.output.existing {
-            Existing::Resume => work.take_up(),
-            Existing::Protect | Existing::Overwrite => folder.remove_checkpoint()?,
-        }
-        Ok(work)
+        )?;
+        let start = Instant::now();
+        Ok(Self { request, broomstick, sampler, folder, list, pieces, cancellation, start })
     }
 
-    /// Takes up what an earlier plan of the same case has finished.
-    fn take_up(&self) {
-        let kept = self.folder.read_checkpoint::<Kept<Vec<Option<Done>>>>();
-        let warning = match kept {
-            Ok(None) => return,
-            Ok(Some(kept)) if kept.identity != self.identity => "it is of another plan".to_owned(),
-            Ok(Some(kept)) if kept.done.len() != self.pieces.len() => {
-                "it has other pieces".to_owned()
-            }
-            Ok(Some(kept)) => {
-                *lock(&self.done) = kept.done;
-                return;
-            }
-            Err(error) => error.to_string(),
-        };
-        let place = self.folder.path().display();
-        self.observer.warning(&format!("the checkpoint in {place} is left: {warning}"));
-    }
-
-    /// Solves what is left, the deepest and slowest first: what is left at the end is short.
+    /// Solves what is left, the deepest and slowest first, and samples last, which are short: what is
+    /// left at the end is short.
     pub(super) fn solve_all(&self) -> Result<(), ResultsError> {
-        self.observer.batch_started(&BatchSize {
-            cases: self.pieces.len(),
-            finished: self.ended(),
-            simulated_s: 0.0,
-        });
-        let mut order: Vec<usize> = (0..self.pieces.len()).collect();
-        let weight = |piece: &usize| match self.pieces[*piece] {
-            Piece::Points(task) => (task.model == Statics::Stiff, task.operation.bit_depth_m),
-            Piece::Buckling(depth_m) => (false, 10.0 * depth_m),
+        let mut order: Vec<usize> = (0..self.list.len()).collect();
+        let weight = |piece: &usize| match self.list[*piece] {
+            Piece::Points(task) => {
+                (1 + u8::from(task.model == Statics::Stiff), task.operation.bit_depth_m)
+            }
+            Piece::Buckling(depth_m) => (1, 10.0 * depth_m),
+            Piece::Sample(_) => (0, 0.0),
         };
         order.sort_by(|a, b| {
             let (a, b) = (weight(a), weight(b));
             b.0.cmp(&a.0).then(b.1.total_cmp(&a.1))
         });
         let jobs = self.request.jobs.or_else(|| thread::available_parallelism().ok());
-        in_parallel(jobs.map_or(1, usize::from), &order, |piece| self.solve(piece));
-        self.observer.batch_ended();
-        if self.ended() < self.pieces.len() {
-            return self.keep();
-        }
-        self.folder.remove_checkpoint()
+        let asked = self.asked();
+        self.pieces.solve_all(&order, jobs.map_or(1, usize::from), |piece| {
+            self.solve(self.list[piece], asked.as_ref())
+        })
     }
 
-    fn solve(&self, index: usize) {
-        if lock(&self.done)[index].is_none() {
-            if self.cancellation.is_cancelled() {
-                return;
+    /// What samples are asked.
+    fn asked(&self) -> Option<Asked<'a>> {
+        let plan = &self.request.case.plan;
+        Some(Asked::new(self.sampler?, &plan.operations, &plan.bit_depths_m))
+    }
+
+    fn solve(&self, piece: Piece, asked: Option<&Asked<'_>>) -> Done {
+        let of = self.broomstick;
+        match piece {
+            Piece::Points(task) => {
+                let found = of.solve(&task);
+                let (limits, unchecked) = (limits(of, &found), unchecked(of, &found));
+                Done::Points(points(&found), limits, unchecked, taken(&found))
             }
-            let done = match self.pieces[index] {
-                Piece::Points(task) => {
-                    let found = self.broomstick.solve(&task);
-                    let of = self.broomstick;
-                    Done::Points(
-                        points(&found),
-                        limits(of, &found),
-                        unchecked(of, &found),
-                        taken(&found),
-                    )
-                }
-                Piece::Buckling(depth_m) => {
-                    Done::Buckling(buckling(&self.broomstick.weights_to_buckle(depth_m)))
-                }
-            };
-            lock(&self.done)[index] = Some(done);
-            let is_due = lock(&self.keeper).is_due();
-            if is_due && let Err(error) = self.keep() {
-                // The work does not end because one checkpoint cannot be written: the next may.
-                self.observer.warning(&format!("no checkpoint: {error}"));
+            Piece::Buckling(depth_m) => Done::Buckling(buckling(&of.weights_to_buckle(depth_m))),
+            Piece::Sample(sample) => {
+                Done::Sample(asked.map(|asked| asked.solve(sample)).unwrap_or_default())
             }
         }
-        let (ended, of) = (self.ended(), self.pieces.len());
-        self.observer.case_ended(&CaseEnded { ended, of, reused_s: 0.0 });
-    }
-
-    fn keep(&self) -> Result<(), ResultsError> {
-        let mut keeper = lock(&self.keeper);
-        let done = lock(&self.done);
-        keeper.write(&Kept { identity: self.identity.clone(), done: &*done })
-    }
-
-    fn ended(&self) -> usize {
-        lock(&self.done).iter().flatten().count()
     }
 
     /// What was found, and how it went.
     pub(super) fn end(self) -> Ended {
         let case = self.request.case;
-        let all = self.pieces.len();
+        let all = self.list.len();
+        let asked = self.asked();
         let mut batch = BatchOutcome::begin(self.folder.path(), all, self.start, self.cancellation);
-        batch.finished = self.ended();
-        let done = self.done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+        batch.finished = self.pieces.ended();
+        let done = self.pieces.into_done();
         let (mut points, mut weights) = (Vec::new(), Vec::new());
         let (mut all_limits, mut lacking) = (Vec::new(), BTreeSet::new());
         let mut all_taken = Vec::new();
-        for one in done.into_iter().flatten() {
+        let mut sampled = Vec::new();
+        for (piece, one) in self.list.iter().zip(done) {
+            let Some(one) = one else {
+                if let Piece::Sample(_) = piece {
+                    sampled.push(None);
+                }
+                continue;
+            };
             match one {
                 Done::Points(of, limits, unchecked, taken) => {
                     all_taken.extend(taken);
@@ -226,6 +179,7 @@ impl<'a> Work<'a> {
                     lacking.extend(unchecked);
                 }
                 Done::Buckling(of) => weights.extend(of),
+                Done::Sample(of) => sampled.push(Some(of)),
             }
         }
         let plan = &case.plan;
@@ -249,6 +203,13 @@ impl<'a> Work<'a> {
         });
         let levels = FrictionLevel::ALL.len();
         let expected = levels * models.len() * operations.len() * plan.bit_depths_m.len();
+        let uncertain = self.sampler.zip(asked).map(|(sampler, asked)| {
+            let quantities = asked.quantities(&points, &all_limits, &weights);
+            let model = sampler.uncertain.model.name();
+            let found = uncertain::summary(sampler, model, &quantities, &[], &sampled);
+            (found, samples_table(sampler, &sampled))
+        });
+        let (uncertain, samples) = uncertain.unzip();
         let mut settings = case.settings.clone();
         settings["plan"] = json!({
             "bit_depths_m": plan.bit_depths_m,
@@ -257,6 +218,9 @@ impl<'a> Work<'a> {
             "limits": plan.limits,
             "campaign": plan.campaign,
         });
+        if let Some(uncertain) = &plan.uncertain {
+            settings["plan"]["uncertain"] = json!(uncertain);
+        }
         let mut unchecked = in_words(&lacking);
         let hydraulics = mud::rows(case).unwrap_or_else(|why| {
             unchecked.push(why);
@@ -278,11 +242,13 @@ impl<'a> Work<'a> {
             hydraulics,
             fatigue: came.fatigue,
             wear: came.worst_wear,
+            uncertain,
         };
         let tables = Tables {
             limits: plan_limits_table(&all_limits),
             fatigue: plan_fatigue_table(&came.damage),
             wear: plan_wear_table(&came.wear),
+            samples,
         };
         Ended { summary, tables, batch }
     }

@@ -43,10 +43,29 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
             "Pressures and equivalent densities with the bit at each depth",
         ),
     ];
+    let uncertain = summary.uncertain.as_ref();
+    let scattered = uncertain.map(|of| (of.table(), of.indices_table()));
     let has_mud = !summary.hydraulics.is_empty();
     let tables = tables.into_iter().filter(|(name, ..)| has_mud || *name != "Hydraulics");
-    let sheets: Vec<Sheet> =
-        tables.map(|(name, table, about)| sheet(name, table, about, units)).collect();
+    let scattered = scattered.iter().flat_map(|(bands, indices)| {
+        let samples = found.samples.as_ref();
+        let samples =
+            samples.map(|table| ("Samples", table, "What was drawn of each uncertain number"));
+        [
+            (
+                "Uncertain",
+                bands,
+                "How the samples of uncertain numbers scatter, in the unit of each row",
+            ),
+            ("Owed to", indices, "Sobol indices: which uncertain numbers that is owed to"),
+        ]
+        .into_iter()
+        .chain(samples)
+    });
+    let sheets: Vec<Sheet> = tables
+        .chain(scattered)
+        .map(|(name, table, about)| sheet(name, table, about, units))
+        .collect();
     let charts = [
         ("Hook load without block", "hook_load_N", "off bottom", false),
         ("Surface torque", "surface_torque_N_m", "all that turns", true),

@@ -3,8 +3,11 @@
 mod operations;
 mod page;
 mod request;
+mod sample;
 mod sentences;
 mod tables;
 
 pub use request::{Outcome, Request, run};
 pub use sentences::{answers, notes};
+
+pub use crate::uncertain::{notes as uncertain_notes, scatter};

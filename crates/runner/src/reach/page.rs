@@ -14,6 +14,7 @@ use crate::{
     column::{numbers, words},
     page::{self, facts::readable, table},
     results_kind::Results,
+    uncertain::{self, Names},
 };
 
 impl Results for Reach {
@@ -35,6 +36,7 @@ impl Results for Reach {
             limits: summary.frictions.iter().enumerate().flat_map(rows).collect(),
             curves: curves(&table(folder, REACH)?, &summary),
             depths_m: [summary.from_m, summary.to_m],
+            uncertain: summary.uncertain.as_ref().map(|of| uncertain::shown(of, &Names::REACH)),
         })
     }
 

@@ -10,7 +10,7 @@ use std::{
 
 use serde_json::json;
 use wholestring::operation::{Operation, OperationKind};
-use wholestring_case::Case;
+use wholestring_case::{Case, Override, Template};
 use wholestring_plan::{
     Setup,
     reach::{Curve, End, OperationReach, ReachSettings, first_stop, reach},
@@ -24,9 +24,11 @@ use wholestring_units::UnitSet;
 
 use super::{
     operations::{Operations, operations},
+    sample::{Asked, with_friction},
     tables::{LIMITS, REACH, reach_table},
 };
 use crate::{
+    batch::BatchOutcome,
     cancellation::CancellationToken,
     claim::Claim,
     error::Error,
@@ -34,6 +36,8 @@ use crate::{
     output::Output,
     parallel::{in_parallel, lock},
     results_kind::Results,
+    run::checkpoint_every,
+    uncertain::{self, Names, Sampler},
 };
 
 /// A case whose reach is looked for.
@@ -41,6 +45,10 @@ use crate::{
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
+    /// Its text, to be read again with each sample of what is uncertain in it.
+    pub template: &'a Template,
+    /// What is changed in it.
+    pub overrides: &'a [Override],
     /// Depth of the bit to begin with, m; the end of the survey where none is given.
     pub from_m: Option<f64>,
     /// Deepest bit, m; 15 km, or twice the first depth where that is deeper.
@@ -73,13 +81,17 @@ pub struct Outcome {
     pub folder: PathBuf,
     /// How long it took, writing apart.
     pub took: Duration,
+    /// How much of the samples is finished; none where nothing is uncertain.
+    pub samples: Option<BatchOutcome>,
 }
 
 impl<'a> Request<'a> {
     /// Everything as it is without a word.
-    pub fn new(case: &'a Case) -> Self {
+    pub fn new(case: &'a Case, template: &'a Template, overrides: &'a [Override]) -> Self {
         Self {
             case,
+            template,
+            overrides,
             from_m: None,
             to_m: None,
             frictions: Vec::new(),
@@ -128,16 +140,12 @@ impl<'a> Request<'a> {
 
     /// The string and well at each friction.
     fn setups(&self) -> Result<Vec<(Option<f64>, Setup)>, Error> {
-        let own = self.case.setup();
-        if self.frictions.is_empty() {
-            return Ok(vec![(None, own)]);
-        }
-        let with = |friction: &f64| {
-            let mut setup = own.clone();
-            setup.well.hole = own.well.hole.with_friction(*friction).map_err(Error::failed)?;
-            Ok((Some(*friction), setup))
+        let all: Vec<Option<f64>> = match self.frictions.is_empty() {
+            true => vec![None],
+            false => self.frictions.iter().copied().map(Some).collect(),
         };
-        self.frictions.iter().map(with).collect()
+        let with = |friction: Option<f64>| Ok((friction, with_friction(self.case, friction)?));
+        all.into_iter().map(with).collect()
     }
 }
 
@@ -164,16 +172,34 @@ pub fn run(
     let name = format!("{} reach", case.name);
     let kinds: Vec<&str> = all.iter().map(|of| of.kind.name()).collect();
     let asked = json!([settings.from_m, settings.to_m, request.frictions, kinds]);
-    let occupant = Occupant {
-        kind: "reach".into(),
-        name,
-        identity: digest(&json!([case.identity(), asked, request.helix_side_force])),
-    };
-    let claimed = Claim::new(occupant, &request.output, observer).folder()?;
+    let drawn = &case.plan.uncertain;
+    let identity = digest(&json!([case.identity(), asked, request.helix_side_force, drawn]));
+    let occupant =
+        Occupant { kind: "reach".into(), name: name.clone(), identity: identity.clone() };
+    let claimed = Claim {
+        is_unfinished: &|path| path.join("checkpoint.bin").is_file(),
+        ..Claim::new(occupant, &request.output, observer)
+    }
+    .folder()?;
     let begun = Instant::now();
     let jobs = request.jobs.or_else(|| thread::available_parallelism().ok());
     let jobs = jobs.map_or(1, NonZeroUsize::get);
     let found = solve(&setups, &all, &settings, jobs, cancellation)?;
+    let folder = &claimed.folder;
+    let sampler = Sampler::of(case, request.template, request.overrides);
+    let asked = sampler.as_ref().map(|sampler| Asked {
+        sampler,
+        settings: &settings,
+        frictions: setups.iter().map(|(friction, _)| *friction).collect(),
+        own: &found,
+        kinds: all.iter().map(|of| of.kind).collect(),
+    });
+    let every = checkpoint_every(case);
+    let samples = asked.map(|asked| {
+        let place = (folder, request.output.existing, every);
+        asked.solve_all(identity, place, jobs, observer, cancellation)
+    });
+    let samples = samples.transpose()?;
     let took = begun.elapsed();
     let answers: Vec<(Option<f64>, &[OperationReach])> = setups
         .iter()
@@ -195,15 +221,19 @@ pub fn run(
         helix_side_force: request.helix_side_force,
         left_out,
         frictions: frictions.collect(),
+        uncertain: samples.as_ref().map(|(_, found, _)| found.clone()),
     };
-    let folder = &claimed.folder;
+    let written = samples.as_ref().map(|(_, found, table)| (found, table));
+    uncertain::write(folder, &Names::REACH, written)?;
+    uncertain::write_picture_numbers(folder, summary.uncertain.as_ref())?;
     folder.write_table(REACH, &reach_table(&answers), request.csv)?;
     // The page leads to it.
     folder.write_table(LIMITS, &reach_limits_table(&summary), true)?;
     summary.write(&folder.path().join("summary.json"))?;
     let units = request.units.unwrap_or(case.units);
     Reach::gather(folder.path(), Some(units))?.write(folder, request.png)?;
-    Ok(Outcome { summary, folder: folder.path().to_owned(), took })
+    let samples = samples.map(|(batch, ..)| batch);
+    Ok(Outcome { summary, folder: folder.path().to_owned(), took, samples })
 }
 
 /// Every operation at every friction, the operations of the first friction first.

@@ -1,0 +1,8 @@
+//! Which models plans are made by.
+
+use wholestring_plan::Statics;
+
+use crate::words::words;
+
+/// The models of a plan.
+pub(crate) const STATICS: &[(&str, Statics)] = words!(Statics);

@@ -1,0 +1,316 @@
+//! `[plan.uncertain]`: numbers of the case that are not known exactly.
+
+use wholestring_config::prelude::*;
+use wholestring_plan::{
+    Statics,
+    uncertainty::{Distribution, DistributionError},
+};
+
+use crate::{
+    overrides::Quote,
+    plan_models::STATICS,
+    uncertain::{Uncertain, UncertainInput},
+    vary::{Quantity as Amount, Variation},
+};
+
+/// Samples where the case does not say.
+const SAMPLES: u64 = 200;
+
+/// Most samples.
+const MAX_SAMPLES: u64 = 100_000;
+
+/// Most inputs.
+const MAX_INPUTS: usize = 50;
+
+table! {
+    /// Numbers of the case that are not known exactly: plan and reach carry bands then, and say which of
+    /// these numbers they owe them to. The bands are those of the expected friction; low and high friction
+    /// stay as they are.
+    UncertainTable in "[plan.uncertain]" {
+        /// The numbers, each independent of the others.
+        input: Vec<Spanned<InputTable>> = optional(List::tables::<InputTable>(
+            "inputs ([[plan.uncertain.input]])", MAX_INPUTS,
+        ));
+        /// How many samples are drawn, a Latin hypercube.
+        samples: u64 = default(Count { from: 10, to: MAX_SAMPLES }, SAMPLES);
+        /// Seed of the draw: the same gives the same samples.
+        seed: u64 = default(Whole, 1);
+        /// The model of the samples of a plan, "soft" or "stiff" (some thousand times the work of a point).
+        /// A reach has the soft string.
+        model: Statics = default(
+            Choice { noun: "a model of samples", words: STATICS },
+            Statics::Soft,
+        );
+    }
+}
+
+table! {
+    /// A number of the case and how it is distributed: evenly (`from`, `to`), triangular (`mode` too),
+    /// normally (`mean`, `std`, and `from` or `to` or both where it is cut off), its logarithm normally
+    /// (`median`, `factor`), or one of `values`. Its numbers are written as the key has them, all in one
+    /// unit.
+    InputTable in "[[plan.uncertain.input]]" {
+        /// Key of the case as `--set` has it: `mud.density`, `well.hole.1.friction` (lists counted from
+        /// zero), or `friction`, `bit_depth`, `rpm`, `wob`.
+        key: String = required(Text);
+        /// Least value.
+        from: GivenAmount = optional(AmountRule);
+        /// Largest value.
+        to: GivenAmount = optional(AmountRule);
+        /// Likeliest value.
+        mode: GivenAmount = optional(AmountRule);
+        /// Mean.
+        mean: GivenAmount = optional(AmountRule);
+        /// Standard deviation.
+        std: GivenAmount = optional(AmountRule);
+        /// Half of it lies below.
+        median: GivenAmount = optional(AmountRule);
+        /// Geometric standard deviation: about two thirds of it lie between the median over this and the
+        /// median times this.
+        factor: f64 = optional(Number { unit: "", range: Range::from_to(1.0, 1e3) });
+        /// Values that are equally likely, such as [1, 2, 3], or a range "FROM..TO/STEP", such as
+        /// "1..200/1" for seeds.
+        values: Variation = optional(ValuesRule);
+    }
+}
+
+/// A number and its unit as written.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct GivenAmount {
+    number: f64,
+    unit: String,
+    apart: bool,
+}
+
+/// A number, or one with its unit.
+struct AmountRule;
+
+impl Rule for AmountRule {
+    type Value = GivenAmount;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<GivenAmount> {
+        let expected = "a decimal number, or one with its unit such as \"1.2 sg\"";
+        let (number, unit, apart) = match &node.value {
+            Value::Number { value, .. } => (*value, String::new(), false),
+            Value::Text { text, .. } => {
+                // Draws are decimal numbers: of `5-1/2 in` only the beginning would change.
+                let amount = Amount::read(text).filter(|of| {
+                    let starts = |letter: char| letter.is_alphabetic() || "°%µ\"'".contains(letter);
+                    of.unit.starts_with(starts)
+                });
+                match amount {
+                    Some(of) => (of.number, of.unit.to_owned(), of.apart),
+                    None => {
+                        let message = format!("`{}` is no quantity", reader.key);
+                        return Diagnostic::error(message)
+                            .at(node.place, format!("expected {expected}"))
+                            .refuse(reader);
+                    }
+                }
+            }
+            _ => {
+                reader.expected(node, expected);
+                return None;
+            }
+        };
+        if !number.is_finite() {
+            let message = format!("`{}` is not a finite number", reader.key);
+            return Diagnostic::error(message)
+                .at(node.place, format!("expected {expected}"))
+                .refuse(reader);
+        }
+        Some(GivenAmount { number, unit, apart })
+    }
+
+    fn schema(&self) -> serde_json::Value {
+        serde_json::json!({ "type": ["number", "string"] })
+    }
+}
+
+/// A list of values, or a range of them, as sweeps have them.
+struct ValuesRule;
+
+impl Rule for ValuesRule {
+    type Value = Variation;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<Variation> {
+        let items = match &node.value {
+            Value::List(items) => items.as_slice(),
+            Value::Text { .. } => std::slice::from_ref(node),
+            _ => {
+                reader.expected(node, "a list such as [1, 2, 3], or a range such as \"1..200/1\"");
+                return None;
+            }
+        };
+        let mut variation = Variation { key: "values".to_owned(), values: Vec::new() };
+        for item in items {
+            let written = reader.text_at(item.place).to_owned();
+            let says = match &item.value {
+                Value::Text { text, .. } => text,
+                Value::Number { .. } => &written,
+                _ => {
+                    let message = format!("`values` cannot be {}", item.value.noun());
+                    return Diagnostic::error(message)
+                        .at(item.place, "expected numbers, or numbers with their unit")
+                        .refuse(reader);
+                }
+            };
+            // How it is quoted does not matter: values are put into the case's tree as they are.
+            let quote =
+                Quote { name: "".into(), text: "".into(), key: 0..0, value: 0..0, verbatim: false };
+            if !variation.take([says, says], quote, item.place, reader) {
+                return None;
+            }
+        }
+        Some(variation)
+    }
+
+    fn schema(&self) -> serde_json::Value {
+        serde_json::json!({
+            "anyOf": [
+                { "type": "array", "items": { "type": ["number", "string"] } },
+                { "type": "string" },
+            ]
+        })
+    }
+}
+
+/// What is uncertain; nothing of a plan in which nothing is.
+pub(crate) fn build(table: &UncertainTable, reader: &mut Reader) -> Option<Option<Uncertain>> {
+    let Some(Spanned { value: given, .. }) = table.input.optional()? else {
+        let places = [table.samples.place(), table.seed.place(), table.model.place()];
+        return match places.into_iter().flatten().next() {
+            None => Some(None),
+            Some(place) => Diagnostic::error("[plan.uncertain] lacks [[plan.uncertain.input]]")
+                .at(place, "nothing is uncertain")
+                .help("such as input = [{ key = \"friction\", from = 0.2, to = 0.4 }]")
+                .refuse(reader),
+        };
+    };
+    let mut inputs: Vec<UncertainInput> = Vec::new();
+    let mut valid = true;
+    for at in given {
+        let Some(input) = input(&at.value, at.place, reader) else {
+            valid = false;
+            continue;
+        };
+        if let Some(first) = inputs.iter().find(|other| other.key == input.key) {
+            Diagnostic::error(format!("`{}` is uncertain twice", short(&input.key)))
+                .at(input.key_place, "again here")
+                .at(first.key_place, "first here")
+                .report(reader);
+            valid = false;
+        }
+        inputs.push(input);
+    }
+    let samples = usize::try_from(*table.samples.get()?).ok()?;
+    let uncertain =
+        Uncertain { inputs, samples, seed: *table.seed.get()?, model: *table.model.get()? };
+    valid.then_some(Some(uncertain))
+}
+
+/// What a distribution is given by.
+const FORMS: &str = "`from` and `to`; these and `mode`; `mean` and `std`, with `from` or `to` or both \
+    where it is cut off; `median` and `factor`; or `values`";
+
+fn input(table: &InputTable, place: Span, reader: &mut Reader) -> Option<UncertainInput> {
+    let key = table.key.at()?;
+    if key.value.starts_with("plan.uncertain") {
+        return Diagnostic::error("what is uncertain cannot be uncertain itself")
+            .at(key.place, "expected another key of the case")
+            .refuse(reader);
+    }
+    let fields = [
+        ("from", &table.from),
+        ("to", &table.to),
+        ("mode", &table.mode),
+        ("mean", &table.mean),
+        ("std", &table.std),
+        ("median", &table.median),
+    ];
+    let mut amounts = Vec::new();
+    for (name, field) in fields {
+        if let Some(at) = field.optional()? {
+            amounts.push((name, at));
+        }
+    }
+    let (factor, values) = (table.factor.optional()?, table.values.optional()?);
+    let number = |name: &str| {
+        let found = amounts.iter().find(|(of, _)| *of == name);
+        found.map(|(_, at)| at.value.number)
+    };
+    let names: Vec<&str> = amounts.iter().map(|(name, _)| *name).collect();
+    let of = |name: &str| number(name).unwrap_or(f64::NAN);
+    let distribution = match (&names[..], factor, values) {
+        (["from", "to"], None, None) => Distribution::Uniform { from: of("from"), to: of("to") },
+        (["from", "to", "mode"], None, None) => {
+            Distribution::Triangular { from: of("from"), mode: of("mode"), to: of("to") }
+        }
+        (["mean", "std"], None, None) => Distribution::Normal { mean: of("mean"), std: of("std") },
+        (["from", "to", "mean", "std"] | ["from" | "to", "mean", "std"], None, None) => {
+            Distribution::TruncatedNormal {
+                mean: of("mean"),
+                std: of("std"),
+                from: number("from").unwrap_or(f64::NEG_INFINITY),
+                to: number("to").unwrap_or(f64::INFINITY),
+            }
+        }
+        (["median"], Some(factor), None) => {
+            Distribution::LogNormal { median: of("median"), factor: factor.value }
+        }
+        ([], None, Some(values)) => Distribution::Choice { count: values.value.values.len() },
+        _ => {
+            let mut names: Vec<&str> = names.clone();
+            names.extend(factor.map(|_| "factor"));
+            names.extend(values.map(|_| "values"));
+            let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+            let message = match names.is_empty() {
+                true => format!("`{}` is uncertain, but not how", short(&key.value)),
+                false => format!("{} alone are no distribution", names.join(", ")),
+            };
+            return Diagnostic::error(message)
+                .at(place, "expected a range or a distribution")
+                .help(format!("give {FORMS}"))
+                .refuse(reader);
+        }
+    };
+    let first = amounts.first();
+    if let Some((_, first)) = first
+        && let Some((name, other)) =
+            amounts.iter().find(|(_, at)| at.value.unit != first.value.unit)
+    {
+        return Diagnostic::error("the numbers of a distribution have one unit")
+            .at(other.place, format!("`{name}` in another unit"))
+            .at(first.place, "than this")
+            .refuse(reader);
+    }
+    if let Err(error) = distribution.checked() {
+        let at = |name: &str| amounts.iter().find(|(of, _)| *of == name).map(|(_, at)| at.place);
+        let at = match error {
+            DistributionError::NotFinite => None,
+            DistributionError::Empty { .. } => at("to"),
+            DistributionError::CutAway { .. } => at("from").or_else(|| at("to")),
+            DistributionError::Mode { .. } => at("mode"),
+            DistributionError::Deviation(_) => at("std"),
+            DistributionError::Median(_) => at("median"),
+            DistributionError::Factor(_) => factor.map(|at| at.place),
+            DistributionError::NoChoice => values.map(|at| at.place),
+        };
+        let message = format!("`{}` has no such distribution", short(&key.value));
+        return Diagnostic::error(message)
+            .at(at.unwrap_or(place), error.to_string())
+            .refuse(reader);
+    }
+    // Where its first number stands: a whole table is not worth underlining.
+    let spot = first.map(|(_, at)| at.place).or_else(|| values.map(|at| at.place));
+    Some(UncertainInput {
+        key: key.value.trim().to_owned(),
+        distribution,
+        unit: first.map_or_else(String::new, |(_, at)| at.value.unit.clone()),
+        apart: first.is_some_and(|(_, at)| at.value.apart),
+        values: values
+            .map_or_else(Vec::new, |at| at.value.bare_values().map(str::to_owned).collect()),
+        key_place: key.place,
+        place: spot.unwrap_or(place),
+    })
+}

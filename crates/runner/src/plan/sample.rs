@@ -1,0 +1,161 @@
+//! The samples of a plan: the operations at every depth with the friction that is expected, of the case
+//! with other numbers.
+
+use wholestring::operation::{Operation, OperationKind};
+use wholestring_plan::{Broomstick, BroomstickTask, limits::LimitKind};
+use wholestring_results::{PlanBuckling, PlanLimit, PlanPoint};
+
+use crate::uncertain::{Quantity, Sampled, Sampler};
+
+/// What the samples of a plan are asked: which quantities, in an order.
+pub(super) struct Asked<'a> {
+    sampler: &'a Sampler<'a>,
+    kinds: Vec<OperationKind>,
+    depths_m: &'a [f64],
+}
+
+/// How it drills where the weight to buckle is looked for.
+const DRILLS: [OperationKind; 2] = [OperationKind::Drill, OperationKind::Slide];
+
+impl<'a> Asked<'a> {
+    pub(super) fn new(
+        sampler: &'a Sampler<'a>,
+        operations: &[Operation],
+        depths_m: &'a [f64],
+    ) -> Self {
+        Self { sampler, kinds: operations.iter().map(|of| of.kind).collect(), depths_m }
+    }
+
+    /// How many answers there are of the loads, which stand first.
+    fn points(&self) -> usize {
+        self.kinds.len() * self.depths_m.len()
+    }
+
+    fn answers(&self) -> usize {
+        2 * self.points() + self.kinds.len() * LimitKind::ALL.len() + 2 * DRILLS.len()
+    }
+
+    /// Solves a sample.
+    pub(super) fn solve(&self, sample: usize) -> Sampled {
+        let none = |message: String| Sampled::none(self.answers(), self.points(), message);
+        let case = match self.sampler.case(sample) {
+            Ok(case) => case,
+            Err(message) => return none(message),
+        };
+        let broomstick = match case.broomstick_at(self.depths_m.to_vec()) {
+            Ok(broomstick) => broomstick,
+            Err(error) => return none(error.to_string()),
+        };
+        let mut sampled = Sampled::default();
+        let mut reserves = Vec::new();
+        for kind in &self.kinds {
+            let Some(operation) = case.plan.operations.iter().find(|of| of.kind == *kind) else {
+                return none(format!("it has no {}", kind.name()));
+            };
+            reserves.extend(self.loads(&broomstick, operation, &mut sampled));
+        }
+        sampled.answers.extend(reserves);
+        let deepest_m = self.depths_m.last().copied().unwrap_or(0.0);
+        let weights = broomstick.expected_weights_to_buckle(deepest_m);
+        for kind in DRILLS {
+            let found = weights.iter().find(|of| of.operation == kind);
+            let found = found.and_then(|of| of.weights_N.as_ref().ok());
+            sampled.answers.extend(found.map_or([None; 2], |of| *of));
+        }
+        sampled
+    }
+
+    /// Hook load and torque of an operation at every depth; and the least reserve of each kind of limit.
+    fn loads(
+        &self,
+        of: &Broomstick,
+        operation: &Operation,
+        sampled: &mut Sampled,
+    ) -> Vec<Option<f64>> {
+        let mut reserves: Vec<Option<f64>> = vec![None; LimitKind::ALL.len()];
+        for bit_depth_m in self.depths_m {
+            let task = BroomstickTask {
+                model: self.sampler.uncertain.model,
+                operation: Operation { bit_depth_m: *bit_depth_m, ..*operation },
+            };
+            match of.expected_loads(&task) {
+                Ok((scalars, limits)) => {
+                    let found = [scalars.hook_load_N, scalars.surface_torque_N_m];
+                    sampled.answers.extend(found.map(Some));
+                    for limit in &limits.limits {
+                        let least = &mut reserves[limit.kind as usize];
+                        let reserve = limit.reserve();
+                        *least = Some(least.map_or(reserve, |least| least.min(reserve)));
+                    }
+                }
+                Err(why) => {
+                    let name = operation.kind.name().replace('_', " ");
+                    sampled.lacks(|| format!("{name}: {why}"));
+                    sampled.answers.extend([None; 2]);
+                }
+            }
+        }
+        reserves
+    }
+
+    /// The quantities in the order of the answers, with what the plan itself has found of them.
+    pub(super) fn quantities(
+        &self,
+        points: &[PlanPoint],
+        limits: &[PlanLimit],
+        weights: &[PlanBuckling],
+    ) -> Vec<Quantity> {
+        let model = self.sampler.uncertain.model.name();
+        let mut all = Vec::new();
+        for kind in &self.kinds {
+            let of_kind = |of: &&PlanPoint| {
+                of.model == model && of.operation == kind.name() && of.friction == "expected"
+            };
+            let own: Vec<&PlanPoint> = points.iter().filter(of_kind).collect();
+            for bit_depth_m in self.depths_m {
+                let found = own.iter().find(|of| of.bit_depth_m == *bit_depth_m);
+                let found = found.and_then(|of| of.scalars);
+                let of = |name, unit, expected| Quantity {
+                    bit_depth_m: Some(*bit_depth_m),
+                    expected,
+                    ..Quantity::new(name, kind.name(), unit)
+                };
+                all.push(of("hook_load", "N", found.map(|of| of.hook_load_N)));
+                let torque = found.map(|of| of.surface_torque_N_m);
+                all.push(of("surface_torque", "N·m", torque));
+            }
+        }
+        for kind in &self.kinds {
+            let of_kind = |of: &&PlanLimit| {
+                of.model == model && of.operation == kind.name() && of.friction == "expected"
+            };
+            let own: Vec<&PlanLimit> = limits.iter().filter(of_kind).collect();
+            for limit in LimitKind::ALL {
+                let reserves = own.iter().filter(|of| of.kind == limit.name());
+                all.push(Quantity {
+                    limit: limit.name(),
+                    expected: reserves.map(|of| of.reserve()).reduce(f64::min),
+                    must_be: false,
+                    ..Quantity::new("reserve", kind.name(), "1")
+                });
+            }
+        }
+        let deepest_m = self.depths_m.last().copied();
+        for kind in DRILLS {
+            let own = weights.iter().find(|of| {
+                of.operation == kind.name()
+                    && of.friction == "expected"
+                    && Some(of.bit_depth_m) == deepest_m
+            });
+            let of = |name, expected| Quantity {
+                bit_depth_m: deepest_m,
+                expected,
+                must_be: false,
+                ..Quantity::new(name, kind.name(), "N")
+            };
+            all.push(of("sinusoidal_weight", own.and_then(|of| of.sinusoidal_weight_N)));
+            all.push(of("helical_weight", own.and_then(|of| of.helical_weight_N)));
+        }
+        all
+    }
+}
