@@ -27,8 +27,8 @@ pub use bha::{Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, bha_plots};
 pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
 pub use bottom::BottomPicture;
 pub use calibration::{
-    CalibratedRow, Calibration, CalibrationBand, CalibrationPoint, calibration_html,
-    calibration_plots,
+    CalibratedRow, Calibration, CalibrationBand, CalibrationCheck, CalibrationPoint,
+    calibration_html, calibration_plots,
 };
 pub use cell::Cell;
 pub use draw::Drawing;
@@ -40,8 +40,8 @@ pub use packed::Packed;
 pub use page::{bha_html, bit_test_html, report_html, sweep_html};
 pub use plan::{
     BucklingCurve, FRICTION_STROKES, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow,
-    PlanLevel, PlanLimitRow, PlanMud, PlanMudRow, PlanRig, PlanSpot, PlanWearRow, operation_name,
-    plan_html, plan_plots,
+    PlanLevel, PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanRig, PlanSpot, PlanWearRow,
+    operation_name, plan_html, plan_plots,
 };
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,

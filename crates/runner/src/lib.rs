@@ -70,6 +70,7 @@ mod parallel;
 mod pictures;
 pub mod plan;
 pub mod reach;
+mod readings;
 mod record;
 mod reports;
 mod results_kind;

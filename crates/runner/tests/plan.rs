@@ -3,10 +3,13 @@
 use std::{
     fs,
     path::Path,
-    sync::atomic::{AtomicUsize, Ordering},
+    sync::{
+        LazyLock,
+        atomic::{AtomicUsize, Ordering},
+    },
 };
 
-use wholestring_case::{Case, Override};
+use wholestring_case::{Case, Override, Template};
 use wholestring_runner::{
     BatchSize, CancellationToken, CaseEnded, Error, Existing, FolderRefused, Observer, Output,
     Silent, plan,
@@ -20,9 +23,14 @@ fn case() -> Case {
     wholestring_case::load(file, &changes).expect("a sound case")
 }
 
+static TEMPLATE: LazyLock<Template> =
+    LazyLock::new(|| Template::read(Path::new("../cli/tests/data/slant.toml")).expect("a case"));
+
 fn request<'a>(case: &'a Case, folder: &Path, existing: Existing) -> plan::Request<'a> {
     plan::Request {
         case,
+        template: &TEMPLATE,
+        overrides: &[],
         units: None,
         output: Output { folder: Some(folder.to_owned()), existing },
         jobs: std::num::NonZeroUsize::new(1),

@@ -5,20 +5,18 @@ mod screen;
 use wholestring_case::{Case, Template};
 use wholestring_runner::{
     Existing, Output,
-    calibrate::{self, FRAGMENT, Fit, NamedCase, Request},
+    calibrate::{self, CheckDynamics, FRAGMENT, Fit, NamedCase, Request},
 };
 
 use crate::{
-    args::CaseArgs, calibrate_args::CalibrateArgs, color::color, failure::Failure, input::load,
-    interrupt, progress::RunScreen, terminal::print_stdout,
+    args::CaseArgs, calibrate_args::CalibrateArgs, failure::Failure, input::load_with_text,
+    interrupt, progress::BatchScreen, terminal::print_stdout,
 };
 
 pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
     let load = |file: &std::path::PathBuf| {
         let of = CaseArgs { case: file.clone(), overrides: args.overrides.clone() };
-        let template =
-            Template::read(file).map_err(|report| Failure::BadInput(report.render(color())))?;
-        Ok((template, load(&of, args.quiet)?))
+        load_with_text(&of, args.quiet)
     };
     let cases: Vec<(Template, Case)> =
         args.cases.iter().map(load).collect::<Result<_, Failure>>()?;
@@ -45,12 +43,16 @@ pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
             band_confidence: args.band,
             model: args.model.into(),
         },
+        check: args
+            .check_dynamics
+            .as_ref()
+            .map(|depths| CheckDynamics { bit_depths_m: depths.clone(), jobs: args.jobs }),
         units: Some(units),
         output: Output { folder: args.output.clone(), existing },
         png: args.png,
     };
     let outcome =
-        calibrate::run(&request, &RunScreen::new(args.quiet, false), &interrupt::listen())?;
+        calibrate::run(&request, &BatchScreen::dynamics(args.quiet), &interrupt::listen())?;
     if !args.quiet {
         print_stdout(&screen::text(&outcome.summary, units))?;
         let took_ms = 1e3 * outcome.took.as_secs_f64();
@@ -58,6 +60,12 @@ pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
         print_stdout(&format!(
             "Found in {took_ms:.0} ms\nResults in {place}; {FRAGMENT} there is for the case file\n"
         ))?;
+    }
+    if outcome.interrupted {
+        let place = outcome.folder.display();
+        return Err(Failure::Interrupted(format!(
+            "interrupted: the calibration is in {place}, its check by the dynamics is not complete"
+        )));
     }
     Ok(())
 }

@@ -8,15 +8,17 @@ use wholestring_runner::{
 };
 
 use crate::{
-    args::PlanArgs, conclusion::conclude, failure::Failure, input::load, interrupt,
+    args::PlanArgs, conclusion::conclude, failure::Failure, input::load_with_text, interrupt,
     progress::BatchScreen, terminal::print_stdout,
 };
 
 pub(crate) fn plan(args: &PlanArgs) -> Result<(), Failure> {
-    let case = load(&args.case, args.quiet)?;
+    let (template, case) = load_with_text(&args.case, args.quiet)?;
     let units = args.units.unwrap_or(case.units);
     let request = Request {
         case: &case,
+        template: &template,
+        overrides: &args.case.overrides,
         units: Some(units),
         output: Output { folder: args.output.clone(), existing: args.existing() },
         jobs: args.jobs,

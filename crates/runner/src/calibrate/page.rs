@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use wholestring_report::{
-    CalibratedRow, Calibration, CalibrationBand, CalibrationPoint, Cell, Fact, calibration_html,
-    calibration_plots,
+    CalibratedRow, Calibration, CalibrationBand, CalibrationCheck, CalibrationPoint, Cell, Fact,
+    calibration_html, calibration_plots,
 };
-use wholestring_results::{CalibrationSummary, ResultsError, ResultsFolder, Table};
+use wholestring_results::{CalibrationSummary, DynamicCheck, ResultsError, ResultsFolder, Table};
 use wholestring_units::UnitSet;
 
 use super::tables::{BANDS, POINTS, PROFILES};
@@ -58,10 +58,29 @@ pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Calibratio
         correlation: summary.correlation.clone(),
         confidence: [summary.confidence, summary.band_confidence],
         outlier_beyond: summary.outlier_beyond,
+        dynamics: summary.dynamics.iter().map(checked).collect(),
         notes: summary.notes.clone(),
         warnings: summary.warnings.clone(),
         head,
     })
+}
+
+fn checked(of: &DynamicCheck) -> CalibrationCheck {
+    let dynamic = of.dynamic.as_ref();
+    CalibrationCheck {
+        place: of.place.clone(),
+        reading: of.reading.clone(),
+        is_torque: of.is_torque,
+        bit_depth_m: of.bit_depth_m,
+        measured: of.measured,
+        predicted: of.predicted,
+        dynamic: dynamic.map(|of| [of.mean, of.std]),
+        said: match (dynamic.and_then(|of| of.steady), &of.message) {
+            (_, Some(message)) => message.clone(),
+            (Some(false), _) => "not settled".to_owned(),
+            _ => String::new(),
+        },
+    }
 }
 
 /// The calibration in a few facts.

@@ -1,6 +1,8 @@
 //! The files of a plan.
 
-use wholestring_results::{Column, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table};
+use wholestring_results::{
+    Column, Data, PlanMeasured, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table,
+};
 
 /// Names of the tables, without their endings.
 pub(super) const BROOMSTICK: &str = "plan_broomstick";
@@ -10,6 +12,7 @@ pub(super) const LIMITS: &str = "plan_limits";
 pub(super) const HYDRAULICS: &str = "plan_hydraulics";
 pub(super) const FATIGUE: &str = "plan_fatigue";
 pub(super) const WEAR: &str = "plan_wear";
+pub(super) const MEASURED: &str = "plan_measured";
 
 /// Tables whose rows the summary has not all of.
 pub(super) struct Tables {
@@ -47,6 +50,13 @@ pub(super) fn write(
         folder.write_table(HYDRAULICS, &table, true)?;
         table.write_csv(&picture)?;
     }
+    if summary.measured.is_empty() {
+        for ending in ["parquet", "csv"] {
+            folder.remove(&format!("{MEASURED}.{ending}"))?;
+        }
+    } else {
+        folder.write_table(MEASURED, &summary.measured_table(), true)?;
+    }
     for (name, table) in pictures(summary) {
         table.write_csv(&folder.path().join(format!("{name}.csv")))?;
     }
@@ -55,17 +65,21 @@ pub(super) fn write(
 
 /// What each picture shows, a column for each of its curves.
 fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
-    let depth = || {
-        let depths = summary.bit_depths_m.iter().map(|depth| Some(*depth));
-        Column::numbers("bit_depth_m", depths.collect())
+    // Below the rows of the curves, one for each reading.
+    let first = |of: &&PlanMeasured| summary.models.first() == Some(&of.model);
+    let read: Vec<&PlanMeasured> = summary.measured.iter().filter(first).collect();
+    let depth = |read: &[&PlanMeasured]| {
+        let depths =
+            summary.bit_depths_m.iter().copied().chain(read.iter().map(|of| of.bit_depth_m));
+        Column::numbers("bit_depth_m", depths.map(Some).collect())
     };
     let at = |depth_m: f64, found: Option<f64>| (depth_m, found);
     let column = |name: String, found: &[(f64, Option<f64>)]| {
         let value = |depth: &f64| found.iter().find(|(at, _)| at == depth)?.1;
         Column::numbers(name, summary.bit_depths_m.iter().map(value).collect())
     };
-    let curves = |quantity: &str, of: fn(&PlanPoint) -> Option<f64>| {
-        let mut columns = vec![depth()];
+    let curves = |quantity: &str, is_torque: bool, of: fn(&PlanPoint) -> Option<f64>| {
+        let mut columns = vec![depth(&[])];
         for model in &summary.models {
             for operation in &summary.operations {
                 for friction in ["low", "expected", "high"] {
@@ -76,9 +90,25 @@ fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
                 }
             }
         }
+        let read: Vec<_> = read.iter().filter(|of| of.is_torque == is_torque).copied().collect();
+        if read.is_empty() {
+            return Table::new(columns);
+        }
+        columns[0] = depth(&read);
+        for column in &mut columns[1..] {
+            if let Data::Number(values) = &mut column.data {
+                values.resize(values.len() + read.len(), None);
+            }
+        }
+        for operation in &summary.operations {
+            let mut values = vec![None; summary.bit_depths_m.len()];
+            let of_operation = |of: &&PlanMeasured| of.operation == *operation;
+            values.extend(read.iter().map(|of| of_operation(of).then(|| of.beside_curves())));
+            columns.push(Column::numbers(format!("{operation}_measured_{quantity}"), values));
+        }
         Table::new(columns)
     };
-    let mut weights = vec![depth()];
+    let mut weights = vec![depth(&[])];
     for operation in ["drill", "slide"] {
         for friction in ["low", "expected", "high"] {
             let rows = summary.buckling.iter();
@@ -97,8 +127,8 @@ fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         }
     }
     [
-        ("hook_load", curves("hook_load_N", |of| Some(of.scalars?.hook_load_N))),
-        ("torque", curves("surface_torque_N_m", |of| Some(of.scalars?.surface_torque_N_m))),
+        ("hook_load", curves("hook_load_N", false, |of| Some(of.scalars?.hook_load_N))),
+        ("torque", curves("surface_torque_N_m", true, |of| Some(of.scalars?.surface_torque_N_m))),
         ("buckling_weight", Table::new(weights)),
     ]
 }

@@ -3,6 +3,7 @@
 mod campaign;
 mod files;
 mod levels;
+mod measured;
 mod mud;
 mod outcome;
 pub(crate) mod page;

@@ -3,7 +3,9 @@
 use wholestring_results::{Occupant, PlanSummary, digest};
 
 use super::{
-    files, page,
+    files,
+    measured::Measured,
+    page,
     request::Request,
     work::{Ended, Work},
 };
@@ -33,7 +35,9 @@ pub fn run(
 ) -> Result<Outcome, Error> {
     let case = request.case;
     let broomstick = case.broomstick().map_err(Error::failed)?;
-    let identity = digest(&(case.identity(), &case.plan));
+    let measured = Measured::of(request)?;
+    let read = case.plan.measured.as_ref();
+    let identity = digest(&(case.identity(), &case.plan, read.map(|of| format!("{of:?}"))));
     let name = format!("{} plan", case.name);
     let claimed = Claim {
         occupant: Occupant { kind: "plan".into(), name: name.clone(), identity: identity.clone() },
@@ -47,7 +51,11 @@ pub fn run(
     }
     .folder()?;
     let folder = &claimed.folder;
-    let work = Work::new(request, &broomstick, identity, folder, observer, cancellation)?;
+    if let Some(read) = read {
+        observer.note(&format!("{}: {}", read.file, read.notes.join("; ")));
+    }
+    let work =
+        Work::new(request, (&broomstick, &measured), identity, folder, observer, cancellation)?;
     work.solve_all()?;
     let Ended { summary, tables, batch } = work.end();
     files::write(folder, &summary, &tables)?;

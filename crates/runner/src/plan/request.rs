@@ -2,7 +2,7 @@
 
 use std::{num::NonZeroUsize, time::Duration};
 
-use wholestring_case::Case;
+use wholestring_case::{Case, Override, Template};
 use wholestring_units::UnitSet;
 
 use crate::output::Output;
@@ -12,6 +12,10 @@ use crate::output::Output;
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
+    /// Its text, to be read again with what a row of measured weights changes.
+    pub template: &'a Template,
+    /// What is changed in it.
+    pub overrides: &'a [Override],
     /// Units of the page, the pictures and the workbook; the case's where nothing is said.
     pub units: Option<UnitSet>,
     /// Where the results go.

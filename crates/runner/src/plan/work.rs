@@ -13,6 +13,7 @@ use wholestring_results::{
 use super::{
     campaign::{Taken, came, taken},
     files::Tables,
+    measured::{Measured, MeasuredDone, MeasuredTask},
     mud,
     request::Request,
     rows::{Lack, buckling, frictions, in_words, limits, points, unchecked},
@@ -34,6 +35,8 @@ enum Piece {
     Points(BroomstickTask),
     /// The weights to buckle at a depth, m.
     Buckling(f64),
+    /// What would have been read.
+    Measured(MeasuredTask),
 }
 
 /// What came of a piece.
@@ -41,6 +44,7 @@ enum Piece {
 enum Done {
     Points(Vec<PlanPoint>, Vec<PlanLimit>, BTreeSet<Lack>, Vec<Taken>),
     Buckling(Vec<PlanBuckling>),
+    Measured(MeasuredDone),
 }
 
 /// What is kept of the work, and whose work it is.
@@ -77,6 +81,7 @@ fn worst(limits: &[PlanLimit]) -> Vec<PlanLimit> {
 pub(super) struct Work<'a> {
     request: &'a Request<'a>,
     broomstick: &'a Broomstick,
+    measured: &'a Measured,
     identity: String,
     folder: &'a ResultsFolder,
     pieces: Vec<Piece>,
@@ -93,7 +98,7 @@ impl<'a> Work<'a> {
     /// continued.
     pub(super) fn new(
         request: &'a Request<'a>,
-        broomstick: &'a Broomstick,
+        (broomstick, measured): (&'a Broomstick, &'a Measured),
         identity: String,
         folder: &'a ResultsFolder,
         observer: &'a dyn Observer,
@@ -101,11 +106,13 @@ impl<'a> Work<'a> {
     ) -> Result<Self, ResultsError> {
         let tasks = broomstick.tasks().into_iter().map(Piece::Points);
         let depths = broomstick.depths_m().iter().copied().map(Piece::Buckling);
-        let pieces: Vec<Piece> = tasks.chain(depths).collect();
+        let read = measured.tasks(request).into_iter().map(Piece::Measured);
+        let pieces: Vec<Piece> = tasks.chain(depths).chain(read).collect();
         let every = request.checkpoint_every.unwrap_or_else(|| checkpoint_every(request.case));
         let work = Self {
             request,
             broomstick,
+            measured,
             identity,
             folder,
             done: Mutex::new(vec![None; pieces.len()]),
@@ -150,7 +157,9 @@ impl<'a> Work<'a> {
         });
         let mut order: Vec<usize> = (0..self.pieces.len()).collect();
         let weight = |piece: &usize| match self.pieces[*piece] {
-            Piece::Points(task) => (task.model == Statics::Stiff, task.operation.bit_depth_m),
+            Piece::Points(task) | Piece::Measured(MeasuredTask { task, .. }) => {
+                (task.model == Statics::Stiff, task.operation.bit_depth_m)
+            }
             Piece::Buckling(depth_m) => (false, 10.0 * depth_m),
         };
         order.sort_by(|a, b| {
@@ -182,6 +191,7 @@ impl<'a> Work<'a> {
                         taken(&found),
                     )
                 }
+                Piece::Measured(of) => Done::Measured(self.measured.solve(&of)),
                 Piece::Buckling(depth_m) => {
                     Done::Buckling(buckling(&self.broomstick.weights_to_buckle(depth_m)))
                 }
@@ -216,7 +226,7 @@ impl<'a> Work<'a> {
         let done = self.done.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
         let (mut points, mut weights) = (Vec::new(), Vec::new());
         let (mut all_limits, mut lacking) = (Vec::new(), BTreeSet::new());
-        let mut all_taken = Vec::new();
+        let (mut all_taken, mut all_measured) = (Vec::new(), Vec::new());
         for one in done.into_iter().flatten() {
             match one {
                 Done::Points(of, limits, unchecked, taken) => {
@@ -226,6 +236,7 @@ impl<'a> Work<'a> {
                     lacking.extend(unchecked);
                 }
                 Done::Buckling(of) => weights.extend(of),
+                Done::Measured(of) => all_measured.push(of),
             }
         }
         let plan = &case.plan;
@@ -256,6 +267,7 @@ impl<'a> Work<'a> {
             "models": models,
             "limits": plan.limits,
             "campaign": plan.campaign,
+            "measured": plan.measured.as_ref().map(|of| &of.file),
         });
         let mut unchecked = in_words(&lacking);
         let hydraulics = mud::rows(case).unwrap_or_else(|why| {
@@ -278,6 +290,7 @@ impl<'a> Work<'a> {
             hydraulics,
             fatigue: came.fatigue,
             wear: came.worst_wear,
+            measured: self.measured.rows(self.request, &all_measured),
         };
         let tables = Tables {
             limits: plan_limits_table(&all_limits),
