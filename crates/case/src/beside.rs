@@ -1,6 +1,7 @@
 //! Files that a case names, which stand beside it.
 
 use wholestring_config::prelude::*;
+use wholestring_survey::SurveyError;
 
 /// What the file contains. `noun` says what it is; one that cannot be read is a mistake of the case.
 pub(crate) fn read_beside(
@@ -22,4 +23,29 @@ pub(crate) fn read_beside(
         .at(file.place, why)
         .help("the name is relative to the folder of the case")
         .refuse(reader)
+}
+
+/// What is wrong with a table in a file, underlined in it where it is a text. `noun` says what the table is.
+pub(crate) fn unfit(
+    error: &SurveyError,
+    file: &Spanned<String>,
+    noun: &str,
+    reader: &mut Reader,
+) -> Diagnostic {
+    let sentence = error.kind().to_string();
+    let (message, expected) = sentence.split_once("; ").unwrap_or((&sentence, ""));
+    let diagnostic = Diagnostic::error(message);
+    match (error.text(), error.span(), error.place()) {
+        (Some(text), Some(span), _) => {
+            let source = reader.add_source(&file.value, text);
+            let place = Span { source, start: span.start, end: span.end };
+            diagnostic.at(place, expected).at(file.place, format!("the {noun}"))
+        }
+        (_, _, Some(place)) => {
+            let diagnostic = diagnostic.at(file.place, format!("in {place}"));
+            if expected.is_empty() { diagnostic } else { diagnostic.help(expected) }
+        }
+        _ => Diagnostic::error(format!("the {noun} cannot be read: {message}"))
+            .at(file.place, expected),
+    }
 }

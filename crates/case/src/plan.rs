@@ -15,6 +15,7 @@ use wholestring_plan::{
 
 use crate::{
     hole::{FrictionRule, coefficient},
+    measured::{self, Measured},
     operation_kind::KindRule,
     plan_campaign::{self, CampaignTable, FatigueTable},
     plan_factors::{self, FactorsTable},
@@ -71,6 +72,10 @@ table! {
         );
         /// What loads must keep from what string and rig bear.
         factors: FactorsTable = optional(Section::<FactorsTable>::RULE);
+        /// Weights and torques that were measured, relative to the folder of the case: a table with a
+        /// row for each depth, as `wholestring calibrate` reads it. Drawn on the broomsticks and held
+        /// against them.
+        measured: String = optional(Text);
         /// For what casing wear and fatigue are summed.
         campaign: CampaignTable = optional(Section::<CampaignTable>::RULE);
         /// How fatigue of the string is computed.
@@ -174,6 +179,9 @@ pub struct Plan {
     pub campaign: CampaignSettings,
     /// What is not known exactly, where anything is said of that.
     pub uncertain: Option<Uncertain>,
+    /// What was measured; no part of what is computed.
+    #[serde(skip)]
+    pub measured: Option<Measured>,
 }
 
 /// What a model is made of, to be made again at other depths and frictions.
@@ -192,6 +200,7 @@ pub(crate) fn build(
     table: &PlanTable,
     setup: &Setup,
     own: &[Operation],
+    files: &dyn Files,
     reader: &mut Reader,
 ) -> Option<Plan> {
     let frictions = frictions(table, setup, reader);
@@ -211,6 +220,10 @@ pub(crate) fn build(
         Some(given) => uncertain_table::build(&given.value, reader)?,
         None => None,
     };
+    let measured = match table.measured.optional()? {
+        Some(file) => Some(measured::from_file(file, setup, own, files, reader)?),
+        None => None,
+    };
     Some(Plan {
         uncertain,
         frictions: frictions?,
@@ -219,6 +232,7 @@ pub(crate) fn build(
         models: models.iter().map(|at| at.value).collect(),
         limits: limits?,
         campaign: campaign?,
+        measured,
     })
 }
 

@@ -3,10 +3,10 @@
 use serde_json::json;
 use wholestring::well::{Station, TieIn};
 use wholestring_config::prelude::*;
-use wholestring_survey::{Said, SurveyError, read_as};
+use wholestring_survey::{Said, read_as};
 use wholestring_units::Unit;
 
-use crate::beside::read_beside;
+use crate::beside::{read_beside, unfit};
 
 /// No hole bends more sharply than this, rad/m: 10 deg/m is a radius of 5.7 m.
 const SHARPEST_RAD_PER_M: f64 = 10.0 * std::f64::consts::PI / 180.0;
@@ -191,28 +191,8 @@ pub(crate) fn from_file(
             notes: imported.notes,
         }),
         Err(error) => {
-            let diagnostic = no_survey(&error, file, reader);
+            let diagnostic = unfit(&error, file, "survey", reader);
             diagnostic.refuse(reader)
         }
-    }
-}
-
-/// What is wrong with a survey file, underlined in it where it is a text.
-fn no_survey(error: &SurveyError, file: &Spanned<String>, reader: &mut Reader) -> Diagnostic {
-    let sentence = error.kind().to_string();
-    let (message, expected) = sentence.split_once("; ").unwrap_or((&sentence, ""));
-    let diagnostic = Diagnostic::error(message);
-    match (error.text(), error.span(), error.place()) {
-        (Some(text), Some(span), _) => {
-            let source = reader.add_source(&file.value, text);
-            let place = Span { source, start: span.start, end: span.end };
-            diagnostic.at(place, expected).at(file.place, "the survey")
-        }
-        (_, _, Some(place)) => {
-            let diagnostic = diagnostic.at(file.place, format!("in {place}"));
-            if expected.is_empty() { diagnostic } else { diagnostic.help(expected) }
-        }
-        _ => Diagnostic::error(format!("the survey cannot be read: {message}"))
-            .at(file.place, expected),
     }
 }

@@ -141,6 +141,11 @@ impl BatchScreen {
         Self { noun: "reach", items: "samples", with_pace: false, ..Self::sweep("", quiet) }
     }
 
+    /// The screen of dynamic runs that check something.
+    pub(crate) fn dynamics(quiet: bool) -> Self {
+        Self { noun: "dynamics", items: "runs", ..Self::sweep("", quiet) }
+    }
+
     fn count(&self, ended: usize, of: usize) -> String {
         format!("{ended} of {of} {}", self.items)
     }

@@ -28,8 +28,8 @@ pub use bha::{Bha, BhaContact, BhaPart, BhaSweep, BhaSweepPoint, bha_plots};
 pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
 pub use bottom::BottomPicture;
 pub use calibration::{
-    CALIBRATION_PICTURES, CalibratedRow, Calibration, CalibrationBand, CalibrationPoint,
-    calibration_html, calibration_plots,
+    CALIBRATION_PICTURES, CalibratedRow, Calibration, CalibrationBand, CalibrationCheck,
+    CalibrationPoint, calibration_html, calibration_plots,
 };
 pub use cell::Cell;
 pub use draw::Drawing;
@@ -42,8 +42,8 @@ pub use packed::Packed;
 pub use page::{bha_html, bit_test_html, report_html, sweep_html};
 pub use plan::{
     BucklingCurve, FRICTION_STROKES, PLAN_PICTURES, Plan, PlanCurve, PlanFatigueHourRow,
-    PlanFatigueRow, PlanLevel, PlanLimitRow, PlanMud, PlanMudRow, PlanRig, PlanSpot, PlanWearRow,
-    operation_name, plan_html, plan_plots,
+    PlanFatigueRow, PlanLevel, PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanRig, PlanSpot,
+    PlanWearRow, operation_name, plan_html, plan_plots,
 };
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::{
-    ResultsError, Table,
+    CALIBRATION_DYNAMIC, ResultsError, Table,
     json::{read_versioned, write_json},
 };
 
@@ -64,6 +64,46 @@ pub struct CalibrationSummary {
     pub notes: Vec<String>,
     /// What is to be wary of, in sentences.
     pub warnings: Vec<String>,
+    /// The string in motion, with the numbers that were found, beside some of the readings; empty where it was not asked
+    /// for.
+    #[serde(default)]
+    pub dynamics: Vec<DynamicCheck>,
+}
+
+/// A reading, and what the string in motion makes of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DynamicCheck {
+    /// The case that was in the hole.
+    pub case: String,
+    /// Where the reading stands in its file.
+    pub place: String,
+    /// As in `calibration.parquet`.
+    pub reading: String,
+    /// Whether it is a torque, N·m, and no weight, N.
+    pub is_torque: bool,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// As it was read; weights with the block's.
+    pub measured: f64,
+    /// By the model that the numbers were found with.
+    pub predicted: f64,
+    /// By the dynamics; none without an answer.
+    pub dynamic: Option<InMotion>,
+    /// Why there is none.
+    pub message: Option<String>,
+}
+
+/// Mean and scatter of a load of a string in motion.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct InMotion {
+    /// Mean over the window; weights with the block's.
+    pub mean: f64,
+    /// Standard deviation over the window.
+    pub std: f64,
+    /// Measured depth of the bit, on average over the window, m.
+    pub mean_bit_depth_m: f64,
+    /// Whether the string had settled; none where the case says when the window begins.
+    pub steady: Option<bool>,
 }
 
 /// A number that was looked for.
@@ -130,4 +170,39 @@ impl CalibrationSummary {
     pub fn read(path: &Path) -> Result<Self, ResultsError> {
         read_versioned(path, CALIBRATION_VERSION..=CALIBRATION_VERSION)
     }
+}
+
+/// A row for each reading that the dynamics were held against.
+pub fn calibration_dynamic_table(checks: &[DynamicCheck]) -> Table {
+    let mut table = Table::with_columns(CALIBRATION_DYNAMIC);
+    for of in checks {
+        let dynamic = |value: fn(&InMotion) -> f64| of.dynamic.as_ref().map_or(f64::NAN, value);
+        let values = [of.measured, of.predicted, dynamic(|of| of.mean), dynamic(|of| of.std)];
+        let none = [f64::NAN; 4];
+        let (weights, torques) = if of.is_torque { (none, values) } else { (values, none) };
+        let steady = of.dynamic.and_then(|of| of.steady);
+        let steady = steady.map_or("", |is| if is { "yes" } else { "no" });
+        table.append(
+            &[
+                ("case", &[&of.case]),
+                ("place", &[&of.place]),
+                ("reading", &[&of.reading]),
+                ("steady", &[steady]),
+                ("message", &[of.message.as_deref().unwrap_or_default()]),
+            ],
+            &[
+                ("bit_depth_m", &[of.bit_depth_m]),
+                ("mean_bit_depth_m", &[dynamic(|of| of.mean_bit_depth_m)]),
+                ("measured_N", &[weights[0]]),
+                ("predicted_N", &[weights[1]]),
+                ("dynamic_N", &[weights[2]]),
+                ("dynamic_std_N", &[weights[3]]),
+                ("measured_N_m", &[torques[0]]),
+                ("predicted_N_m", &[torques[1]]),
+                ("dynamic_N_m", &[torques[2]]),
+                ("dynamic_std_N_m", &[torques[3]]),
+            ],
+        );
+    }
+    table
 }

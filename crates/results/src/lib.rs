@@ -43,14 +43,15 @@ pub use bha_tables::{bha_contacts_table, bha_sweep_table, bha_table};
 pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary};
 pub use bit_test_table::bit_test_table;
 pub use calibration::{
-    CALIBRATION_VERSION, CalibrationSummary, CalibrationTables, ErrorFound, EstimateFound,
+    CALIBRATION_VERSION, CalibrationSummary, CalibrationTables, DynamicCheck, ErrorFound,
+    EstimateFound, InMotion, calibration_dynamic_table,
 };
 pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
-    CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
-    MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS,
-    PLAN_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TABLES, TIME,
-    UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, WEAR,
+    CALIBRATION_DYNAMIC, CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec,
+    FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION,
+    PLAN_HYDRAULICS, PLAN_LIMITS, PLAN_MEASURED, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA,
+    STABILITY, TABLES, TIME, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -62,8 +63,8 @@ pub use hold::{Hold, Holding, Occupant};
 pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
 pub use plan::{
     PLAN_VERSION, PlanBuckling, PlanDamage, PlanDensity, PlanFatigue, PlanFatigueHour, PlanFinding,
-    PlanFriction, PlanHydraulics, PlanLimit, PlanPoint, PlanSummary, PlanWear, plan_fatigue_table,
-    plan_limits_table, plan_wear_table,
+    PlanFriction, PlanHydraulics, PlanLimit, PlanMeasured, PlanPoint, PlanSummary, PlanWear,
+    plan_fatigue_table, plan_limits_table, plan_wear_table,
 };
 pub use reach::{REACH_VERSION, ReachLimit, ReachOfFriction, ReachStop, ReachSummary};
 pub use reach_table::reach_limits_table;

@@ -71,6 +71,7 @@ mod pictures;
 mod pieces;
 pub mod plan;
 pub mod reach;
+mod readings;
 mod record;
 mod reports;
 mod results_kind;

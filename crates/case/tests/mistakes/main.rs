@@ -7,6 +7,7 @@ mod bit;
 mod catalogue;
 mod dynamics;
 mod magnitudes;
+mod measured;
 mod mud;
 mod operation;
 mod overrides;

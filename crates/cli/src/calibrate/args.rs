@@ -1,6 +1,6 @@
 //! `wholestring calibrate` as the user writes it.
 
-use std::path::PathBuf;
+use std::{num::NonZeroUsize, path::PathBuf};
 
 use clap::{Args, ValueEnum};
 use wholestring::outcome::ModelKind;
@@ -75,6 +75,23 @@ pub(crate) struct CalibrateArgs {
     #[arg(long, value_enum, default_value = "soft")]
     pub(crate) model: Model,
 
+    /// Run the whole string in motion with what was found, and put it beside the readings at these
+    /// depths of the bit, such as `6945ft,8391ft` [default: the shallowest, the middle and the
+    /// deepest]
+    #[arg(
+        long,
+        value_name = "DEPTHS",
+        value_delimiter = ',',
+        num_args = 0..,
+        require_equals = true,
+        value_parser = depth
+    )]
+    pub(crate) check_dynamics: Option<Vec<f64>>,
+
+    /// Runs of that check side by side [default: one per core]
+    #[arg(short, long, value_name = "N", requires = "check_dynamics")]
+    pub(crate) jobs: Option<NonZeroUsize>,
+
     #[command(flatten)]
     pub(crate) output: OutputArgs,
 
@@ -110,6 +127,10 @@ fn positive(dimension: Dimension, text: &str) -> Result<f64, String> {
 
 fn force(text: &str) -> Result<f64, String> {
     positive(Dimension::Force, text)
+}
+
+fn depth(text: &str) -> Result<f64, String> {
+    positive(Dimension::Length, text)
 }
 
 fn torque(text: &str) -> Result<f64, String> {

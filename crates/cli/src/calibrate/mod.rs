@@ -4,10 +4,10 @@ mod args;
 mod screen;
 
 use wholestring_case::{Case, Template};
-use wholestring_runner::calibrate::{self, FRAGMENT, Fit, NamedCase, Request};
+use wholestring_runner::calibrate::{self, CheckDynamics, FRAGMENT, Fit, NamedCase, Request};
 
 use crate::{
-    color::color, failure::Failure, input::load, interrupt, progress::RunScreen,
+    failure::Failure, input::load_with_template, interrupt, progress::BatchScreen,
     shared_args::CaseArgs, terminal::print_stdout,
 };
 
@@ -16,9 +16,7 @@ pub(crate) use args::CalibrateArgs;
 pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
     let load = |file: &std::path::PathBuf| {
         let of = CaseArgs { case: file.clone(), overrides: args.overrides.clone() };
-        let template =
-            Template::read(file).map_err(|report| Failure::BadInput(report.render(color())))?;
-        Ok((template, load(&of, args.page.quiet)?))
+        load_with_template(&of, args.page.quiet)
     };
     let cases: Vec<(Template, Case)> =
         args.cases.iter().map(load).collect::<Result<_, Failure>>()?;
@@ -44,12 +42,16 @@ pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
             band_confidence: args.band,
             model: args.model.into(),
         },
+        check: args
+            .check_dynamics
+            .as_ref()
+            .map(|depths| CheckDynamics { bit_depths_m: depths.clone(), jobs: args.jobs }),
         units: Some(units),
         output: args.output.output(),
         png: args.page.png,
     };
     let outcome =
-        calibrate::run(&request, &RunScreen::new(args.page.quiet, false), &interrupt::listen())?;
+        calibrate::run(&request, &BatchScreen::dynamics(args.page.quiet), &interrupt::listen())?;
     if !args.page.quiet {
         print_stdout(&screen::text(&outcome.summary, units))?;
         let took_ms = 1e3 * outcome.took.as_secs_f64();
@@ -57,6 +59,12 @@ pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
         print_stdout(&format!(
             "Found in {took_ms:.0} ms\nResults in {place}; {FRAGMENT} there is for the case file\n"
         ))?;
+    }
+    if outcome.interrupted {
+        let place = outcome.folder.display();
+        return Err(Failure::Interrupted(format!(
+            "interrupted: the calibration is in {place}, its check by the dynamics is not complete"
+        )));
     }
     Ok(())
 }

@@ -47,7 +47,33 @@ pub(super) fn text(summary: &CalibrationSummary, units: UnitSet) -> String {
             summary.held_out_within_band, summary.held_out
         );
     }
+    if !summary.dynamics.is_empty() {
+        text += &dynamics(summary, units);
+    }
     text.extend(summary.notes.iter().map(|note| format!("note: {note}\n")));
     text.extend(summary.warnings.iter().map(|warning| format!("warning: {warning}\n")));
     text
+}
+
+/// Readings beside the string in motion.
+fn dynamics(summary: &CalibrationSummary, units: UnitSet) -> String {
+    let depth = Dimension::Length.unit_in(units);
+    let title = "Checked by the dynamics: mean and standard deviation";
+    let fitted = format!("{} string", summary.model);
+    let at = format!("bit at, {}", depth.symbol);
+    let headings = ["reading", "unit", &at, "measured", &fitted, "in motion", "±"];
+    let mut table = Table::new(title, 2, &headings);
+    for of in &summary.dynamics {
+        let unit = if of.is_torque { Dimension::Torque } else { Dimension::Force }.unit_in(units);
+        let digits = if unit.from_si(of.measured).abs() < 1000.0 { 2 } else { 0 };
+        let number = |value: f64| format!("{:.digits$}", unit.from_si(value));
+        let [mean, std] = of.dynamic.map_or(["no answer".to_owned(), "–".to_owned()], |found| {
+            [number(found.mean), number(found.std)]
+        });
+        let reading = of.reading.replace('_', "-");
+        let at = format!("{:.0}", depth.from_si(of.bit_depth_m));
+        let symbol = unit.symbol.to_owned();
+        table.row(vec![reading, symbol, at, number(of.measured), number(of.predicted), mean, std]);
+    }
+    table.text()
 }

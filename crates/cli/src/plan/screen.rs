@@ -64,6 +64,13 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
             of.required
         );
     }
+    for model in summary.models.iter().filter(|_| !summary.measured.is_empty()) {
+        let (between, all) = summary.measured_between(model);
+        text += &format!(
+            "measured: {between} of {all} readings that depend on friction lie between low and high \
+             friction ({model} string)\n"
+        );
+    }
     let lacking = summary.points.iter().filter(|of| of.message.is_some()).count();
     if lacking > 0 {
         text += &format!(

@@ -7,7 +7,8 @@ use wholestring::{
     statics::soft::soft_string,
 };
 use wholestring_results::{
-    CALIBRATION, CALIBRATION_BANDS, CALIBRATION_PROFILES, CalibrationSummary, Table,
+    CALIBRATION, CALIBRATION_BANDS, CALIBRATION_DYNAMIC, CALIBRATION_PROFILES, CalibrationSummary,
+    Table,
 };
 
 use crate::desk::{Desk, transcript};
@@ -183,4 +184,115 @@ fn bad_readings_get_an_answer() {
     }
     let none = refused(&desk, &["calibrate", "well.toml", "--data", "none.csv"]);
     assert!(none.contains("there is no such file"), "{none}");
+}
+
+/// The string in motion with what was found, at the depths that are asked for, on terminal, page and in the tables: what
+/// a run of the case with that friction and that block answers.
+#[test]
+fn the_dynamics_check_what_was_found() {
+    let desk = desk();
+    fs::write(desk.path("read.csv"), readings(&desk)).unwrap();
+    let quick = [
+        "--set=dynamics.settle=4 s",
+        "--set=dynamics.duration=2 s",
+        "--set=mesh.element_length=20 m",
+    ];
+    let check = ["--check-dynamics=600m,1200m", "-o", "out"];
+    let output = desk.done(&calibrate(&[&ERRORS[..], &quick, &check].concat()));
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(said.contains("Checked by the dynamics"), "{said}");
+    let summary = CalibrationSummary::read(&desk.path("out/summary.json")).unwrap();
+    let depths: Vec<f64> = summary.dynamics.iter().map(|of| of.bit_depth_m).collect();
+    assert_eq!(depths, [[600.0; 5], [1200.0; 5]].concat());
+    for of in &summary.dynamics {
+        let dynamic = of.dynamic.unwrap_or_else(|| panic!("{of:?}"));
+        assert!((of.measured / of.predicted - 1.0).abs() < 5e-3, "{of:?}");
+        assert_eq!(dynamic.steady, None);
+    }
+    let value = |place: usize| summary.estimates[place].value;
+    let set = [
+        format!("--set=well.hole.0.friction={:?}", value(0)),
+        format!("--set=well.hole.1.friction={:?}", value(1)),
+        "--set=operation.kind=[\"trip_out\", \"rotate_off_bottom\"]".to_owned(),
+        "--set=operation.bit_depth=600 m".to_owned(),
+        "--set=model=\"dynamic\"".to_owned(),
+    ];
+    let set: Vec<&str> = set.iter().map(String::as_str).collect();
+    desk.done(&[&["run", "well.toml", "-o", "run"], &quick[..], &set].concat());
+    let run = Summary::read(&desk.path("run/summary.json")).unwrap();
+    let [out, turned] = [0, 1].map(|place| run.operations[place].scalars);
+    for (reading, expected) in [
+        ("pick_up", out.hook_load_N + value(2)),
+        ("rotating", turned.hook_load_N + value(2)),
+        ("torque", turned.surface_torque_N_m),
+    ] {
+        let of = summary.dynamics.iter().find(|of| of.reading == reading).unwrap();
+        // The same run, but for what the last digits of its friction do.
+        let mean = of.dynamic.unwrap().mean;
+        assert!((mean / expected - 1.0).abs() < 1e-6, "{reading}: {mean}, {expected}");
+    }
+    let table = desk.table("out/calibration_dynamic.parquet");
+    assert!(table.is_like(&Table::with_columns(CALIBRATION_DYNAMIC)));
+    assert_eq!(table.rows(), 10);
+    assert!(desk.text("out/report.html").contains("Checked by the dynamics"));
+
+    let none = refused(&desk, &calibrate(&[&ERRORS[..], &["--check-dynamics=650m"]].concat()));
+    assert!(none.contains("nothing was read with the bit at 650.0 m"), "{none}");
+    let bare = desk.run(&calibrate(&["--check-dynamics=650"]));
+    assert_eq!(bare.status.code(), Some(2), "{}", transcript(&bare));
+
+    // A calibration without it leaves none of it.
+    desk.done(&calibrate(&[&ERRORS[..], &["-o", "out", "--overwrite"]].concat()));
+    assert!(!desk.path("out/calibration_dynamic.csv").exists());
+    assert!(!desk.text("out/report.html").contains("Checked by the dynamics"));
+}
+
+/// Who stops the check has the calibration, and is told so.
+#[test]
+fn a_check_that_is_interrupted_leaves_the_calibration() {
+    use wholestring_case::{Template, load};
+    use wholestring_runner::{
+        CancellationToken, Existing, Observer, Output, Progress, Task,
+        calibrate::{self, CheckDynamics, Fit, NamedCase, Request},
+    };
+
+    /// Cancels as soon as a string moves.
+    struct Stops(CancellationToken);
+    impl Observer for Stops {
+        fn reached(&self, _: &Task<'_>, _: &Progress) {
+            self.0.cancel();
+        }
+    }
+
+    let desk = desk();
+    fs::write(desk.path("read.csv"), readings(&desk)).unwrap();
+    let file = desk.path("well.toml");
+    let (template, case) = (Template::read(&file).unwrap(), load(&file, &[]).unwrap());
+    let named =
+        [NamedCase { file: "well".into(), template: &template, overrides: &[], case: &case }];
+    let request = Request {
+        cases: &named,
+        data: &desk.path("read.csv"),
+        fit: Fit {
+            one_factor: false,
+            friction_around: false,
+            block_weight: false,
+            bit_torque: false,
+            hold: Vec::new(),
+            errors: [Some(5e3), Some(3e3), Some(200.0)],
+            outlier_beyond: 3.0,
+            band_confidence: 0.9,
+            model: wholestring::outcome::ModelKind::Soft,
+        },
+        check: Some(CheckDynamics { bit_depths_m: Vec::new(), jobs: None }),
+        units: None,
+        output: Output { folder: Some(desk.path("out")), existing: Existing::Protect },
+        png: false,
+    };
+    let stops = Stops(CancellationToken::new());
+    let outcome = calibrate::run(&request, &stops, &stops.0).unwrap();
+    assert!(outcome.interrupted && outcome.summary.dynamics.is_empty());
+    let summary = CalibrationSummary::read(&desk.path("out/summary.json")).unwrap();
+    assert!(summary.warnings.iter().any(|of| of.contains("was interrupted")), "{summary:?}");
+    assert!(desk.path("out/report.html").is_file());
 }

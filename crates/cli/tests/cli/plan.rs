@@ -1,10 +1,10 @@
 //! `plan`: broomsticks, weights to buckle and limits at every depth of the bit.
 
-use std::fs;
+use std::{fs, path::Path};
 
 use wholestring_results::{
-    PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, PlanSummary, Table, UNCERTAIN,
-    UNCERTAIN_INDICES, UNCERTAIN_SAMPLES,
+    PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, PLAN_MEASURED, PlanSummary, Table,
+    UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES,
 };
 
 use crate::desk::{Desk, transcript};
@@ -171,4 +171,93 @@ fn a_plan_of_uncertain_numbers() {
     desk.done(&["report", "out"]);
     assert_eq!(fs::read_to_string(desk.path("out/report.html")).unwrap(), page);
     assert_eq!(fs::read(desk.path("out/plan.xlsx")).unwrap().len(), workbook.len());
+}
+
+/// Weights and torques of the slant well, as the plan of the same friction has them at a depth, beside rows of another
+/// string and of what is held out.
+const READ: &str = "Bit depth (m),Pick-up (kN),Slack-off (kN),Rotating (kN),Torque (kN.m),use,\
+                    string.1.length (m)\n";
+
+fn desk_with(rows: &str) -> Desk {
+    let desk = Desk::new();
+    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slant.toml");
+    fs::copy(shipped, desk.path("well.toml")).unwrap();
+    fs::write(desk.path("read.csv"), format!("{READ}{rows}")).unwrap();
+    desk
+}
+
+/// Three depths of that well.
+const WELL: [&str; 4] =
+    ["plan", "well.toml", "--set=plan.depths=3", "--set=rig.block_weight=200 kN"];
+
+fn measured<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&WELL[..], &["--set=plan.measured=read.csv"], more].concat()
+}
+
+/// Tables, page, workbook and terminal have what was measured, each row by its own string; a plan without has none
+/// of it.
+#[test]
+fn what_was_measured_is_held_against_the_plan() {
+    let desk = desk_with("400,,,,,yes,\n500,330,250,290,1.2,yes,\n500,330,,,,no,20\n");
+    let output = desk.done(&measured(&["-o", "out"]));
+    let said = String::from_utf8(output.stdout).unwrap();
+    let noted = String::from_utf8(output.stderr).unwrap();
+    assert!(noted.contains("note: read.csv: ") && noted.contains("3 rows"), "{noted}");
+    let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
+    let rows = &summary.measured;
+    let readings: Vec<&str> = rows.iter().map(|of| of.reading.as_str()).collect();
+    assert_eq!(readings, ["pick_up", "pick_up", "slack_off", "rotating", "torque"]);
+    let (between, all) = summary.measured_between("soft");
+    assert!(said.contains(&format!("measured: {between} of {all} readings")), "{said}");
+    // Rotating off bottom friction moves no weight.
+    assert_eq!((all, rows[3].between()), (4, None));
+
+    // The first row is the plan's own string: what the plan has at that depth, and the block.
+    desk.done(&measured(&["-o", "at", "--set=plan.bit_depths=[\"500 m\"]"]));
+    let at = PlanSummary::read(&desk.path("at/summary.json")).unwrap();
+    let (first, other) = (&rows[0], &rows[1]);
+    for (level, predicted) in ["low", "expected", "high"].into_iter().zip(first.predicted) {
+        let hook_load_N =
+            at.curve("soft", "trip_out", level).next().unwrap().scalars.unwrap().hook_load_N;
+        assert_eq!(predicted, Some(hook_load_N + 200e3));
+    }
+    assert_eq!(first.residual(), Some(330e3 - first.predicted[1].unwrap()));
+    // The other is of a string with shorter collars.
+    assert!(other.held_out && !first.held_out);
+    assert!(other.predicted[1] < first.predicted[1]);
+
+    let table = desk.table("out/plan_measured.parquet");
+    assert!(table.is_like(&Table::with_columns(PLAN_MEASURED)));
+    assert_eq!(table.rows(), 5);
+    assert_eq!(table.numbers("hook_load_N").unwrap()[0], Some(130e3));
+    assert!(desk.text("out/plan_measured.csv").starts_with("model,"));
+    assert!(desk.text("out/hook_load.csv").contains("trip_out_measured_hook_load_N"));
+    let page = desk.text("out/report.html");
+    assert!(page.contains("plan_measured.csv") && page.contains("measured, held out"));
+    fs::remove_file(desk.path("out/report.html")).unwrap();
+    desk.done(&["report", "out"]);
+    assert_eq!(desk.text("out/report.html"), page);
+
+    desk.done(&[&WELL[..], &["-o", "out", "--overwrite"]].concat());
+    assert!(!desk.path("out/plan_measured.csv").exists());
+    assert!(!desk.text("out/report.html").contains("plan_measured"));
+}
+
+#[test]
+fn bad_measured_weights_get_an_answer() {
+    for (rows, expected) in [
+        (
+            "900,,,,,yes,\n5000,330,,,,yes,\n",
+            "line 3: the bit is at 5000.0 m, but hole and survey of its case end",
+        ),
+        ("3,330,,,,yes,\n", "m long below its topmost component"),
+        ("500,330,,,,yes,20000\n", "line 2: "),
+    ] {
+        let desk = desk_with(rows);
+        let output = desk.run(&measured(&[]));
+        assert_eq!(output.status.code(), Some(2), "{}", transcript(&output));
+        let said = transcript(&output).split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(said.contains("read.csv, ") && said.contains(expected), "{said}");
+        assert!(!desk.path("out").exists());
+    }
 }

@@ -27,6 +27,8 @@ pub struct Calibration {
     pub confidence: [f64; 2],
     /// Residuals beyond this are outliers.
     pub outlier_beyond: f64,
+    /// Some of the readings beside the string in motion; empty where that was not asked for.
+    pub dynamics: Vec<CalibrationCheck>,
     /// What is to be known of the answer, in sentences.
     pub notes: Vec<String>,
     /// What is to be wary of, in sentences.
@@ -94,4 +96,25 @@ pub struct CalibrationBand {
     pub mean: [f64; 2],
     /// The band of readings.
     pub reading_band: [f64; 2],
+}
+
+/// A reading beside the string in motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CalibrationCheck {
+    /// Where it stands in its file.
+    pub place: String,
+    /// `pick_up`, ...
+    pub reading: String,
+    /// Whether it is a torque.
+    pub is_torque: bool,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// As it was read.
+    pub measured: f64,
+    /// By the model that the numbers were found with.
+    pub predicted: f64,
+    /// Mean and standard deviation by the dynamics; none without an answer.
+    pub dynamic: Option<[f64; 2]>,
+    /// Why there is none, or what is to be known of it.
+    pub said: String,
 }

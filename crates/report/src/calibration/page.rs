@@ -60,6 +60,7 @@ pub fn calibration_html(of: &Calibration) -> String {
             painted: false,
         });
     }
+    parts.extend(dynamics(of, shown));
     parts.push(correlations(of));
     parts.push(readings(of, shown));
     study_html(&StudyPage {
@@ -103,6 +104,47 @@ fn estimates(of: &Calibration, shown: Shown<'_>, interval: &str) -> StudyPart {
         files: "summary".into(),
         endings: &["json"],
     }
+}
+
+fn dynamics(of: &Calibration, shown: Shown<'_>) -> Option<StudyPart> {
+    let heads = heads(&[
+        ("reading", true),
+        ("place", true),
+        ("bit depth", false),
+        ("measured", false),
+        ("fitted", false),
+        ("in motion", false),
+        ("±", false),
+        ("", true),
+    ]);
+    let rows = of.dynamics.iter().map(|check| {
+        let dimension = if check.is_torque { "torque" } else { "force" };
+        let quantity = |value: f64| shown.quantity(value, dimension);
+        let [mean, std] = match check.dynamic {
+            Some(of) => of.map(quantity),
+            None => ["no answer".to_owned(), "–".to_owned()],
+        };
+        row(vec![
+            said(&check.reading).to_owned(),
+            check.place.clone(),
+            shown.quantity(check.bit_depth_m, "length"),
+            quantity(check.measured),
+            quantity(check.predicted),
+            mean,
+            std,
+            check.said.clone(),
+        ])
+    });
+    let grid = Grid { heads, rows: rows.collect() };
+    (!of.dynamics.is_empty()).then(|| StudyPart::Table {
+        title: "Checked by the dynamics".into(),
+        caption: "The whole string in motion with the numbers that were found: mean and standard deviation against \
+                  time. Weights with the block's."
+            .into(),
+        grid,
+        files: "calibration_dynamic".into(),
+        endings: &["csv", "parquet"],
+    })
 }
 
 fn correlations(of: &Calibration) -> StudyPart {

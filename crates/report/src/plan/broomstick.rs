@@ -3,6 +3,7 @@
 use super::{
     Plan, PlanCurve, PlanSpot,
     depth_figure::over_depth,
+    measured,
     words::{colour, on_bottom, operation_name, rotates},
 };
 use crate::{
@@ -80,7 +81,8 @@ fn figure(
         told.extend(beyond.filter(|of| !told.contains(of)).collect::<Vec<_>>());
         operations.extend(group);
     }
-    let keys = keys(plan, &operations);
+    let mut keys = keys(plan, &operations);
+    keys.extend(measured::keys(plan, &operations, quantity.dimension));
     let subtitle = subtitle(plan, quantity.about, told);
     (!panels.is_empty()).then(|| over_depth(plan, shown, &subtitle, keys, panels))
 }
@@ -131,6 +133,8 @@ fn panel(
             }
         }
     }
+    // Above all curves.
+    marks.extend(measured::marks(plan, shown, operations, quantity.dimension));
     let limit = quantity.limit.map(|limit| shown.value(limit, quantity.dimension));
     let is_near = limit.is_some_and(|limit| limit <= FAR * largest);
     if let (Some(at), true) = (limit, is_near) {

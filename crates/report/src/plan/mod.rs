@@ -6,6 +6,7 @@ mod campaign;
 mod depth_figure;
 mod figures;
 mod limits;
+mod measured;
 mod mud;
 mod page;
 mod tables;
@@ -55,6 +56,41 @@ pub struct Plan {
     pub weight_on_bit_N: Option<f64>,
     /// What comes of numbers that are not known exactly; none where all are.
     pub uncertain: Option<Uncertain>,
+    /// What was measured, model after model.
+    pub measured: Vec<PlanMeasured>,
+}
+
+/// A weight or torque that was read, beside what a model makes of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanMeasured {
+    /// Name of the model.
+    pub model: String,
+    /// Where it stands in its file.
+    pub place: String,
+    /// Name of the operation.
+    pub operation: String,
+    /// Whether it is a torque and no weight.
+    pub is_torque: bool,
+    /// Held out of a calibration.
+    pub held_out: bool,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// As it was read, N or N·m; weights with the block's.
+    pub measured: f64,
+    /// Weight of the block that it holds, N.
+    pub block_N: f64,
+    /// The same with low, expected and high friction; not a number without an answer.
+    pub predicted: [f64; 3],
+    /// Whether it lies between the first and the last; none where friction does not move it.
+    pub between: Option<bool>,
+    /// Why there is no answer.
+    pub message: Option<String>,
+}
+
+impl PlanMeasured {
+    fn dimension(&self) -> &'static str {
+        if self.is_torque { "torque" } else { "force" }
+    }
 }
 
 /// A level of friction.

@@ -1,6 +1,6 @@
 //! The page of a plan as one file that needs nothing else.
 
-use super::{Plan, campaign, figures::plan_plots, limits, tables};
+use super::{Plan, campaign, figures::plan_plots, limits, measured, tables};
 use crate::{StudyPage, StudyPart, plots::Shown, study_html, uncertain};
 
 /// What the numbers stand for.
@@ -60,6 +60,7 @@ pub fn plan_html(plan: &Plan) -> String {
         parts.extend(uncertain::bands(of, shown));
         parts.extend(uncertain::owed(of));
     }
+    parts.extend(measured::table(plan, shown));
     parts.extend(limits::factors(plan));
     parts.extend(limits::nearest(plan, shown));
     parts.extend(campaign::fatigue(plan, shown));

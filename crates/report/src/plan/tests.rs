@@ -2,11 +2,11 @@ use std::collections::BTreeMap;
 
 use super::{
     BucklingCurve, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow, PlanLevel, PlanLimitRow,
-    PlanMud, PlanMudRow, PlanRig, PlanSpot, PlanWearRow, plan_html, plan_plots,
+    PlanMeasured, PlanMud, PlanMudRow, PlanRig, PlanSpot, PlanWearRow, plan_html, plan_plots,
 };
 use crate::{
     Cell, DisplayUnit, Fact, Level, PageHead, Section,
-    figure::{Mark, Panel},
+    figure::{Mark, Panel, Range},
 };
 
 fn plan() -> Plan {
@@ -113,7 +113,53 @@ fn plan() -> Plan {
         wear: vec![wear()],
         weight_on_bit_N: Some(3e4),
         uncertain: None,
+        measured: Vec::new(),
     }
+}
+
+fn measured(operation: &str, bit_depth_m: f64, held_out: bool) -> PlanMeasured {
+    PlanMeasured {
+        model: "soft".into(),
+        place: "line <2>".into(),
+        operation: operation.into(),
+        is_torque: false,
+        held_out,
+        bit_depth_m,
+        measured: 5e5,
+        block_N: 2e5,
+        predicted: [4.5e5, 4.8e5, f64::NAN],
+        between: Some(false),
+        message: None,
+    }
+}
+
+/// Points without the block beside the curves, the row with it; what is deeper than the plan has room.
+#[test]
+fn what_was_measured_stands_on_the_broomstick() {
+    let rows = [("trip_out", 1000.0, false), ("trip_out", 2400.0, true)];
+    let rows = rows.map(|(operation, depth_m, out)| measured(operation, depth_m, out));
+    let of = Plan { measured: rows.into(), ..plan() };
+    let plots = plan_plots(&of, "si");
+    let hook_load = &plots[0].figure;
+    let points: Vec<_> = hook_load.panels[0]
+        .marks
+        .iter()
+        .filter_map(|mark| match mark {
+            Mark::Points { points, .. } => Some(points.as_slice()),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(points, [[(2400.0, 300.0)], [(1000.0, 300.0)]]);
+    let keys: Vec<&str> = hook_load.keys.iter().map(|key| key.name.as_str()).collect();
+    assert!(keys.ends_with(&["measured", "measured, held out"]), "{keys:?}");
+    // No torque was read.
+    assert!(plots[1].figure.keys.iter().all(|key| !key.name.contains("measured")));
+    assert!(matches!(hook_load.shared.range, Range::Fixed(_, to) if to > 2400.0));
+    let page = plan_html(&of);
+    for text in ["plan_measured.csv", "weight with block, kN", "500", "line &lt;2&gt;, held out"] {
+        assert!(page.contains(text), "{text}");
+    }
+    assert!(!plan_html(&plan()).contains("plan_measured"));
 }
 
 fn fatigue(component: &str, damage: f64) -> PlanFatigueRow {

@@ -1,8 +1,8 @@
 //! Charts that are Excel's own, of the numbers in the sheets.
 
 use rust_xlsxwriter::{
-    Chart, ChartLegendPosition, ChartLine, ChartLineDashType, ChartType, Format, Worksheet,
-    XlsxError,
+    Chart, ChartFormat, ChartLegendPosition, ChartLine, ChartLineDashType, ChartMarker,
+    ChartMarkerType, ChartSolidFill, ChartType, Format, Worksheet, XlsxError,
 };
 
 use super::sheet::FIRST_ROW;
@@ -36,8 +36,8 @@ pub struct WorkbookSeries {
     pub rows: std::ops::Range<usize>,
     /// Place of its colour among those of curves.
     pub colour: usize,
-    /// How it is drawn.
-    pub stroke: Stroke,
+    /// How it is drawn: points alone where there is none.
+    pub stroke: Option<Stroke>,
 }
 
 /// Rows over the charts, and the room of one.
@@ -84,14 +84,22 @@ fn chart(of: &WorkbookChart) -> Chart {
         let [red, green, blue] = Colour::Line(series.colour).rgb();
         let colour = u32::from_be_bytes([0, red, green, blue]);
         let dash = match series.stroke {
-            Stroke::Solid => ChartLineDashType::Solid,
-            Stroke::Dotted | Stroke::WideDotted => ChartLineDashType::RoundDot,
+            None | Some(Stroke::Solid) => ChartLineDashType::Solid,
+            Some(Stroke::Dotted | Stroke::WideDotted) => ChartLineDashType::RoundDot,
             _ => ChartLineDashType::Dash,
         };
         let mut line = ChartLine::new();
         line.set_color(colour).set_width(1.5).set_dash_type(dash);
-        chart
-            .add_series()
+        let added = chart.add_series();
+        if series.stroke.is_none() {
+            line.set_hidden(true);
+            let mut fill = ChartFormat::new();
+            fill.set_solid_fill(ChartSolidFill::new().set_color(colour));
+            let mut marker = ChartMarker::new();
+            marker.set_type(ChartMarkerType::Diamond).set_size(7).set_format(&mut fill);
+            added.set_marker(&marker);
+        }
+        added
             .set_name(&series.name)
             .set_categories(range(series.across))
             .set_values(range(series.down))

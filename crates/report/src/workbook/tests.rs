@@ -26,7 +26,7 @@ fn workbook() -> Workbook {
                 down: 1,
                 rows: 0..3,
                 colour: 1,
-                stroke: Stroke::Dashed,
+                stroke: Some(Stroke::Dashed),
             }],
         }],
         sheets: vec![Sheet {

@@ -50,3 +50,33 @@ pub const CALIBRATION_PROFILES: &[ColumnSpec] = specs! {
     "excess": Ratio, "How much greater the sum of squared residuals is than at its least";
     "parabola": Ratio, "What it would be by the standard error alone";
 };
+
+/// Columns of `calibration_dynamic.parquet`: a row for each reading that the string in motion was held
+/// against, with the numbers that were found.
+pub const CALIBRATION_DYNAMIC: &[ColumnSpec] = specs! {
+    "case": Words, "The case that was in the hole";
+    "place": Words, "Where the reading stands in its file";
+    "reading": Words, "As in `calibration.parquet`";
+    "bit_depth_m": Depth, "Measured depth of the bit where the reading was made";
+    "mean_bit_depth_m": Depth, "The same of the string in motion, on average; `null` without an answer",
+        null_where "there is no answer";
+    "measured_N": Force, "Weight as it was read, block included; `null` of torques",
+        null_where "it is a torque";
+    "predicted_N": Force, "The same by the model that the numbers were found with; `null` of torques",
+        null_where "it is a torque";
+    "dynamic_N": Force, "Mean by the dynamics, block included; `null` of torques and without an answer",
+        null_where "it is a torque, or there is no answer";
+    "dynamic_std_N": Force, "Standard deviation against time; `null` as the mean",
+        null_where "it is a torque, or there is no answer";
+    "measured_N_m": Torque, "Torque as it was read; `null` of weights", null_where "it is a weight";
+    "predicted_N_m": Torque, "The same by the model that the numbers were found with; `null` of weights",
+        null_where "it is a weight";
+    "dynamic_N_m": Torque, "Mean by the dynamics; `null` of weights and without an answer",
+        null_where "it is a weight, or there is no answer";
+    "dynamic_std_N_m": Torque, "Standard deviation against time; `null` as the mean",
+        null_where "it is a weight, or there is no answer";
+    "steady": Words, "Whether the string had settled: `yes` or `no`; empty where the case says when, or there \
+                      is no answer",
+        null_where "the case says when, or there is no answer";
+    "message": Words, "Why there is no answer; else empty", null_where "there is an answer";
+};

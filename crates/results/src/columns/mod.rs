@@ -11,6 +11,7 @@ mod modes;
 mod nodes;
 mod plan;
 mod plan_campaign;
+mod plan_measured;
 mod reach;
 mod spectra;
 mod stability;
@@ -24,13 +25,14 @@ pub use self::{
     bha::{BHA, BHA_CONTACTS, BHA_SWEEP},
     bit_test::BIT_TEST,
     bottom_hole::BOTTOM_HOLE,
-    calibration::{CALIBRATION, CALIBRATION_BANDS, CALIBRATION_PROFILES},
+    calibration::{CALIBRATION, CALIBRATION_BANDS, CALIBRATION_DYNAMIC, CALIBRATION_PROFILES},
     contact::CONTACT,
     frames::FRAMES,
     modes::{CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, RESPONSE},
     nodes::NODES,
     plan::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS},
     plan_campaign::{PLAN_FATIGUE, PLAN_WEAR},
+    plan_measured::PLAN_MEASURED,
     reach::{REACH, REACH_LIMITS},
     spectra::SPECTRA,
     stability::STABILITY,

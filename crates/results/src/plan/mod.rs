@@ -2,12 +2,14 @@
 
 mod campaign;
 mod hydraulics;
+mod measured;
 mod tables;
 
 pub use campaign::{
     PlanDamage, PlanFatigue, PlanFatigueHour, PlanWear, plan_fatigue_table, plan_wear_table,
 };
 pub use hydraulics::{PlanDensity, PlanHydraulics};
+pub use measured::PlanMeasured;
 pub use tables::plan_limits_table;
 
 use std::path::Path;
@@ -62,6 +64,9 @@ pub struct PlanSummary {
     /// What comes of numbers that are not known exactly; none where all are.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertain: Option<UncertainSummary>,
+    /// What was measured, model after model, in the order of its file.
+    #[serde(default)]
+    pub measured: Vec<PlanMeasured>,
 }
 
 /// Friction of a hole section at a level.
@@ -178,6 +183,16 @@ impl PlanSummary {
     /// A row for each depth of the bit; none where the mud has no rheology or nothing flows.
     pub fn hydraulics_table(&self) -> Table {
         hydraulics::table(&self.hydraulics)
+    }
+
+    /// A row for each weight and torque that was read, of each model.
+    pub fn measured_table(&self) -> Table {
+        measured::table(&self.measured)
+    }
+
+    /// How many readings lie between low and high friction by a model, of how many that depend on friction.
+    pub fn measured_between(&self, model: &str) -> (usize, usize) {
+        measured::between(&self.measured, model)
     }
 
     /// Writes the summary as indented JSON.

@@ -1,7 +1,6 @@
 //! Friction factors, block weight and bit torque from what was read at the surface.
 
-mod data;
-mod named_case;
+mod dynamic;
 mod notes;
 mod page;
 mod predictions;
@@ -9,7 +8,8 @@ mod request;
 mod tables;
 mod toml;
 
-pub use named_case::NamedCase;
+pub use crate::readings::NamedCase;
+pub use dynamic::CheckDynamics;
 pub use request::{Fit, Outcome, Request, run};
 pub use toml::FRAGMENT;
 pub use wholestring_plan::calibration::Parameter;

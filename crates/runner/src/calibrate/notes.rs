@@ -3,7 +3,7 @@
 use wholestring_plan::calibration::{Calibration, Parameter, Settings};
 use wholestring_units::{Dimension, UnitSet};
 
-use super::data::Data;
+use crate::readings::Readings;
 
 /// Given errors are too small where the sum of squares lies so many standard deviations beyond what
 /// it should be, its cube root being nearly normal (Wilson and Hilferty 1931).
@@ -29,7 +29,7 @@ fn dimension(is_torque: bool) -> Dimension {
 
 /// What is good to know.
 pub(super) fn notes(
-    data: &Data,
+    data: &Readings,
     found: &Calibration,
     settings: &Settings,
     units: UnitSet,
@@ -54,7 +54,7 @@ pub(super) fn notes(
 
 /// What is to be wary of.
 pub(super) fn warnings(
-    data: &Data,
+    data: &Readings,
     found: &Calibration,
     settings: &Settings,
     units: UnitSet,

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use wholestring_report::{
-    CALIBRATION_PICTURES, CalibratedRow, Calibration, CalibrationBand, CalibrationPoint, Cell,
-    Fact, Plot, calibration_html, calibration_plots,
+    CALIBRATION_PICTURES, CalibratedRow, Calibration, CalibrationBand, CalibrationCheck,
+    CalibrationPoint, Cell, Fact, Plot, calibration_html, calibration_plots,
 };
-use wholestring_results::{CalibrationSummary, ResultsError, Table};
+use wholestring_results::{CalibrationSummary, DynamicCheck, ResultsError, Table};
 use wholestring_units::UnitSet;
 
 use super::{
@@ -52,6 +52,7 @@ impl Results for Calibration {
             correlation: summary.correlation.clone(),
             confidence: [summary.confidence, summary.band_confidence],
             outlier_beyond: summary.outlier_beyond,
+            dynamics: summary.dynamics.iter().map(checked).collect(),
             notes: summary.notes.clone(),
             warnings: summary.warnings.clone(),
             head,
@@ -64,6 +65,24 @@ impl Results for Calibration {
 
     fn plots(&self) -> Vec<Plot> {
         calibration_plots(self, &self.head.units)
+    }
+}
+
+fn checked(of: &DynamicCheck) -> CalibrationCheck {
+    let dynamic = of.dynamic.as_ref();
+    CalibrationCheck {
+        place: of.place.clone(),
+        reading: of.reading.clone(),
+        is_torque: of.is_torque,
+        bit_depth_m: of.bit_depth_m,
+        measured: of.measured,
+        predicted: of.predicted,
+        dynamic: dynamic.map(|of| [of.mean, of.std]),
+        said: match (dynamic.and_then(|of| of.steady), &of.message) {
+            (_, Some(message)) => message.clone(),
+            (Some(false), _) => "not settled".to_owned(),
+            _ => String::new(),
+        },
     }
 }
 

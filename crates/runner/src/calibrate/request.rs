@@ -13,15 +13,19 @@ use wholestring_results::{CALIBRATION_VERSION, CalibrationSummary, Occupant, dig
 use wholestring_units::UnitSet;
 
 use super::{
-    data::{self, Data},
-    named_case::NamedCase,
+    dynamic::{self, CheckDynamics},
     notes,
     predictions::Predictions,
     tables, toml,
 };
 use crate::{
-    cancellation::CancellationToken, claim::Claim, error::Error, observer::Observer,
-    output::Output, results_kind::Results,
+    cancellation::CancellationToken,
+    claim::Claim,
+    error::Error,
+    observer::Observer,
+    output::Output,
+    readings::{self, NamedCase, Readings},
+    results_kind::Results,
 };
 
 /// Depths of the bands of a case, by the soft string and by the stiff one.
@@ -65,6 +69,8 @@ pub struct Request<'a> {
     pub data: &'a Path,
     /// What is looked for.
     pub fit: Fit,
+    /// Where the dynamics are to check what was found.
+    pub check: Option<CheckDynamics>,
     /// Units of the pictures and the page; the first case's where nothing is said.
     pub units: Option<UnitSet>,
     /// Where the results go.
@@ -80,8 +86,10 @@ pub struct Outcome {
     pub summary: CalibrationSummary,
     /// Where the results are.
     pub folder: PathBuf,
-    /// How long it took, writing apart.
+    /// How long it took, writing and the check by the dynamics apart.
     pub took: Duration,
+    /// Whether the check by the dynamics was interrupted.
+    pub interrupted: bool,
 }
 
 /// Finds what was asked for, and writes tables, pictures, page and the fragment of a case.
@@ -97,8 +105,12 @@ pub fn run(
     let [first, ..] = request.cases else {
         return Err(Error::BadInput("no case is given".into()));
     };
-    let data = data::read(request.data, request.cases)?;
+    let data = readings::read(request.data, request.cases)?;
     let settings = settings(request, &data)?;
+    let check = match &request.check {
+        Some(check) => Some((check, dynamic::chosen(check, &data)?)),
+        None => None,
+    };
     let name = format!("{} calibration", first.case.name);
     let identities: Vec<_> = request.cases.iter().map(|of| of.case.identity()).collect();
     let occupant = Occupant {
@@ -112,15 +124,24 @@ pub fn run(
     let found = find(request, &data, &settings, cancellation)?;
     let took = begun.elapsed();
     let units = request.units.unwrap_or(first.case.units);
-    let summary = summary(request, &data, &settings, &found, units);
+    let mut summary = summary(request, &data, &settings, &found, units);
+    if let Some((check, depths)) = check {
+        let of = (request, check);
+        summary.dynamics = dynamic::checked(of, &data, &found, &depths, observer, cancellation);
+        summary.warnings.extend(dynamic::warnings(&summary.dynamics, units));
+    }
+    let interrupted = cancellation.is_cancelled();
+    if interrupted {
+        summary.warnings.push("the check by the dynamics was interrupted".to_owned());
+    }
     tables::write(folder, &data, &summary, &found)?;
     folder.write_file(toml::FRAGMENT, toml::fragment(first.case, &summary, &found).as_bytes())?;
     report::Calibration::gather(folder.path(), Some(units))?.write(folder, request.png)?;
-    Ok(Outcome { summary, folder: folder.path().to_owned(), took })
+    Ok(Outcome { summary, folder: folder.path().to_owned(), took, interrupted })
 }
 
 /// What is looked for, by what the readings reach and what the cases give.
-fn settings(request: &Request<'_>, data: &Data) -> Result<Settings, Error> {
+fn settings(request: &Request<'_>, data: &Readings) -> Result<Settings, Error> {
     let fit = &request.fit;
     let case = request.cases[0].case;
     let reaches = |kind: HoleKind| {
@@ -200,7 +221,7 @@ fn frictions(case: &Case) -> [[f64; 2]; 2] {
 
 fn find(
     request: &Request<'_>,
-    data: &Data,
+    data: &Readings,
     settings: &Settings,
     cancellation: &CancellationToken,
 ) -> Result<Calibration, Error> {
@@ -230,7 +251,7 @@ fn find(
 
 /// Depths of the bands: of each case from its first reading to its last, of the deepest to the end of
 /// its hole; with the string and the mud that its deepest reading has.
-fn depths(data: &Data, count: usize) -> Vec<(usize, f64)> {
+fn depths(data: &Readings, count: usize) -> Vec<(usize, f64)> {
     let mut cases: Vec<usize> = data.cases.clone();
     cases.sort_unstable();
     cases.dedup();
@@ -244,7 +265,7 @@ fn depths(data: &Data, count: usize) -> Vec<(usize, f64)> {
     let spans: Vec<_> = cases.into_iter().map(span).collect();
     let deepest = spans.iter().map(|of| of.1).fold(0.0, f64::max);
     let grid = |&(from, to, setup): &(f64, f64, usize)| {
-        let to = if to == deepest { data::deepest_m(&data.assemblies[setup]) } else { to };
+        let to = if to == deepest { readings::deepest_m(&data.assemblies[setup]) } else { to };
         let last = if to > from { count - 1 } else { 0 };
         let at = move |k: usize| from + (to - from) * k as f64 / last.max(1) as f64;
         (0..=last).map(move |k| (setup, at(k))).collect::<Vec<_>>()
@@ -254,7 +275,7 @@ fn depths(data: &Data, count: usize) -> Vec<(usize, f64)> {
 
 fn summary(
     request: &Request<'_>,
-    data: &Data,
+    data: &Readings,
     settings: &Settings,
     found: &Calibration,
     units: UnitSet,
@@ -284,5 +305,6 @@ fn summary(
         strings: found.strings,
         notes: notes::notes(data, found, settings, units),
         warnings: notes::warnings(data, found, settings, units),
+        dynamics: Vec::new(),
     }
 }

@@ -3,20 +3,21 @@
 use wholestring_plan::calibration::{Calibration, Channel, ErrorKind, Parameter, Settings, State};
 use wholestring_results::{
     CALIBRATION, CALIBRATION_BANDS, CALIBRATION_PROFILES, CalibrationSummary, CalibrationTables,
-    ErrorFound, EstimateFound, ResultsError, ResultsFolder, Table,
+    ErrorFound, EstimateFound, ResultsError, ResultsFolder, Table, calibration_dynamic_table,
 };
 
-use super::data::Data;
+use crate::readings::Readings;
 
 /// Names of the tables, without their endings.
 pub(super) const POINTS: &str = "calibration";
 pub(super) const BANDS: &str = "calibration_bands";
 pub(super) const PROFILES: &str = "calibration_profiles";
+const DYNAMIC: &str = "calibration_dynamic";
 
 /// Writes the summary and all tables, as CSV too: the page leads to them.
 pub(super) fn write(
     folder: &ResultsFolder,
-    data: &Data,
+    data: &Readings,
     summary: &CalibrationSummary,
     found: &Calibration,
 ) -> Result<(), ResultsError> {
@@ -29,6 +30,13 @@ pub(super) fn write(
     folder.write_table(POINTS, &tables.points, true)?;
     folder.write_table(BANDS, &tables.bands, true)?;
     folder.write_table(PROFILES, &tables.profiles, true)?;
+    if summary.dynamics.is_empty() {
+        for ending in ["parquet", "csv"] {
+            folder.remove(&format!("{DYNAMIC}.{ending}"))?;
+        }
+    } else {
+        folder.write_table(DYNAMIC, &calibration_dynamic_table(&summary.dynamics), true)?;
+    }
     summary.write(&folder.path().join("summary.json"))
 }
 
@@ -37,7 +45,7 @@ fn by_kind(channel: Channel, value: f64) -> [f64; 2] {
     if channel.is_torque() { [f64::NAN, value] } else { [value, f64::NAN] }
 }
 
-fn points<'a>(data: &Data, found: &Calibration, case: impl Fn(usize) -> &'a str) -> Table {
+fn points<'a>(data: &Readings, found: &Calibration, case: impl Fn(usize) -> &'a str) -> Table {
     let mut table = Table::with_columns(CALIBRATION);
     let fitted = found.points.iter().zip(&data.places).map(|of| (of, 1.0));
     let held_out = found.held_out.iter().zip(&data.held_out_places).map(|of| (of, 0.0));

@@ -1,7 +1,8 @@
 //! The files of a plan.
 
 use wholestring_results::{
-    Column, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table, UncertainBand,
+    Column, Data, PlanMeasured, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table,
+    UncertainBand,
 };
 
 use crate::uncertain::{self, Names};
@@ -14,6 +15,7 @@ pub(super) const LIMITS: &str = "plan_limits";
 pub(super) const HYDRAULICS: &str = "plan_hydraulics";
 pub(super) const FATIGUE: &str = "plan_fatigue";
 pub(super) const WEAR: &str = "plan_wear";
+pub(super) const MEASURED: &str = "plan_measured";
 
 /// Tables whose rows the summary has not all of.
 pub(super) struct Tables {
@@ -56,6 +58,13 @@ pub(super) fn write(
         folder.write_table(HYDRAULICS, &table, true)?;
         table.write_csv(&picture)?;
     }
+    if summary.measured.is_empty() {
+        for ending in ["parquet", "csv"] {
+            folder.remove(&format!("{MEASURED}.{ending}"))?;
+        }
+    } else {
+        folder.write_table(MEASURED, &summary.measured_table(), true)?;
+    }
     for (name, table) in pictures(summary) {
         table.write_csv(&folder.path().join(format!("{name}.csv")))?;
     }
@@ -64,17 +73,21 @@ pub(super) fn write(
 
 /// What each picture shows, a column for each of its curves.
 fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
-    let depth = || {
-        let depths = summary.bit_depths_m.iter().map(|depth| Some(*depth));
-        Column::numbers("bit_depth_m", depths.collect())
+    // Below the rows of the curves, one for each reading.
+    let first = |of: &&PlanMeasured| summary.models.first() == Some(&of.model);
+    let read: Vec<&PlanMeasured> = summary.measured.iter().filter(first).collect();
+    let depth = |read: &[&PlanMeasured]| {
+        let depths =
+            summary.bit_depths_m.iter().copied().chain(read.iter().map(|of| of.bit_depth_m));
+        Column::numbers("bit_depth_m", depths.map(Some).collect())
     };
     let at = |depth_m: f64, found: Option<f64>| (depth_m, found);
     let column = |name: String, found: &[(f64, Option<f64>)]| {
         let value = |depth: &f64| found.iter().find(|(at, _)| at == depth)?.1;
         Column::numbers(name, summary.bit_depths_m.iter().map(value).collect())
     };
-    let curves = |quantity: &str, of: fn(&PlanPoint) -> Option<f64>| {
-        let mut columns = vec![depth()];
+    let curves = |quantity: &str, is_torque: bool, of: fn(&PlanPoint) -> Option<f64>| {
+        let mut columns = vec![depth(&[])];
         for model in &summary.models {
             for operation in &summary.operations {
                 for friction in ["low", "expected", "high"] {
@@ -85,10 +98,27 @@ fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
                 }
             }
         }
+        let read: Vec<_> = read.iter().filter(|of| of.is_torque == is_torque).copied().collect();
+        if read.is_empty() {
+            return Table::new(columns);
+        }
+        columns[0] = depth(&read);
+        for column in &mut columns[1..] {
+            if let Data::Number(values) = &mut column.data {
+                values.resize(values.len() + read.len(), None);
+            }
+        }
+        for operation in &summary.operations {
+            let mut values = vec![None; summary.bit_depths_m.len()];
+            let of_operation = |of: &&PlanMeasured| of.operation == *operation;
+            values.extend(read.iter().map(|of| of_operation(of).then(|| of.beside_curves())));
+            columns.push(Column::numbers(format!("{operation}_measured_{quantity}"), values));
+        }
         Table::new(columns)
     };
     let bands = |table: Table, quantity: &str| {
         let mut columns = table.columns().to_vec();
+        let rows = table.rows();
         let uncertain = summary.uncertain.iter();
         let of: Vec<&UncertainBand> = uncertain.flat_map(|of| &of.bands).collect();
         for operation in &summary.operations {
@@ -99,13 +129,18 @@ fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
                 let found: Vec<_> = found.collect();
                 if !found.is_empty() {
                     let unit = if quantity == "hook_load" { "N" } else { "N_m" };
-                    columns.push(column(format!("{operation}_{part}_{quantity}_{unit}"), &found));
+                    let mut band = column(format!("{operation}_{part}_{quantity}_{unit}"), &found);
+                    // Readings stand below the rows of the curves.
+                    if let Data::Number(values) = &mut band.data {
+                        values.resize(rows, None);
+                    }
+                    columns.push(band);
                 }
             }
         }
         Table::new(columns)
     };
-    let mut weights = vec![depth()];
+    let mut weights = vec![depth(&[])];
     for operation in ["drill", "slide"] {
         for friction in ["low", "expected", "high"] {
             let rows = summary.buckling.iter();
@@ -126,12 +161,12 @@ fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
     [
         (
             "hook_load",
-            bands(curves("hook_load_N", |of| Some(of.scalars?.hook_load_N)), "hook_load"),
+            bands(curves("hook_load_N", false, |of| Some(of.scalars?.hook_load_N)), "hook_load"),
         ),
         (
             "torque",
             bands(
-                curves("surface_torque_N_m", |of| Some(of.scalars?.surface_torque_N_m)),
+                curves("surface_torque_N_m", true, |of| Some(of.scalars?.surface_torque_N_m)),
                 "surface_torque",
             ),
         ),

@@ -4,6 +4,7 @@ mod campaign;
 mod files;
 mod kind;
 mod levels;
+mod measured;
 mod mud;
 mod outcome;
 mod page;

@@ -4,9 +4,11 @@ use wholestring_report::Plan;
 use wholestring_results::{Occupant, PlanSummary, digest};
 
 use super::{
-    files, page,
+    files,
+    measured::Measured,
+    page,
     request::Request,
-    work::{Ended, Work},
+    work::{Ended, Solvers, Work},
 };
 use crate::{
     batch::BatchOutcome, cancellation::CancellationToken, claim::Claim, error::Error,
@@ -34,7 +36,9 @@ pub fn run(
 ) -> Result<Outcome, Error> {
     let case = request.case;
     let broomstick = case.broomstick().map_err(Error::failed)?;
-    let identity = digest(&(case.identity(), &case.plan));
+    let measured = Measured::of(request)?;
+    let read = case.plan.measured.as_ref();
+    let identity = digest(&(case.identity(), &case.plan, read.map(|of| format!("{of:?}"))));
     let name = format!("{} plan", case.name);
     let occupant = Occupant { kind: "plan".into(), name, identity: identity.clone() };
     let claimed = Claim {
@@ -43,8 +47,11 @@ pub fn run(
     }
     .folder()?;
     let folder = &claimed.folder;
+    if let Some(read) = read {
+        observer.note(&format!("{}: {}", read.file, read.notes.join("; ")));
+    }
     let sampler = Sampler::of(case, request.template, request.overrides);
-    let of = (&broomstick, sampler.as_ref());
+    let of = Solvers { broomstick: &broomstick, measured: &measured, sampler: sampler.as_ref() };
     let work = Work::new(request, of, identity, folder, observer, cancellation)?;
     work.solve_all()?;
     let Ended { summary, tables, batch } = work.end();

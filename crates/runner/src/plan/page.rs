@@ -6,7 +6,7 @@ use serde_json::Value as Json;
 use wholestring_plan::limits::LimitKind;
 use wholestring_report::{
     BucklingCurve, Cell, Fact, Level, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow,
-    PlanLevel, PlanLimitRow, PlanRig, PlanSpot, PlanWearRow, Section, operation_name,
+    PlanLevel, PlanLimitRow, PlanMeasured, PlanRig, PlanSpot, PlanWearRow, Section, operation_name,
     shown_dimension,
 };
 use wholestring_results::{
@@ -92,6 +92,7 @@ fn of_summary(summary: &PlanSummary, units: Option<UnitSet>) -> Plan {
         },
         uncertain: summary.uncertain.as_ref().map(|of| uncertain::shown(of, &Names::PLAN)),
         weight_on_bit_N: number(&settings["operation"]["wob_N"]).filter(|_| drills),
+        measured: summary.measured.iter().map(measured).collect(),
     }
 }
 
@@ -209,6 +210,22 @@ fn wear(of: &PlanWear) -> PlanWearRow {
         worn: number(of.worn),
         burst_Pa: of.burst_Pa.unwrap_or([f64::NAN; 2]),
         collapse_Pa: of.collapse_Pa.unwrap_or([f64::NAN; 2]),
+    }
+}
+
+fn measured(of: &wholestring_results::PlanMeasured) -> PlanMeasured {
+    PlanMeasured {
+        model: of.model.clone(),
+        place: of.place.clone(),
+        operation: of.operation.clone(),
+        is_torque: of.is_torque,
+        held_out: of.held_out,
+        bit_depth_m: of.bit_depth_m,
+        measured: of.measured,
+        block_N: of.block_N,
+        predicted: of.predicted.map(|value| value.unwrap_or(f64::NAN)),
+        between: of.between(),
+        message: of.message.clone(),
     }
 }
 

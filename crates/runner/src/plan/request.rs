@@ -12,7 +12,8 @@ use crate::output::Output;
 pub struct Request<'a> {
     /// The case.
     pub case: &'a Case,
-    /// Its text, to be read again with each sample of what is uncertain in it.
+    /// Its text, to be read again with each sample of what is uncertain in it, and with what a row of
+    /// measured weights changes.
     pub template: &'a Template,
     /// What is changed in it.
     pub overrides: &'a [Override],

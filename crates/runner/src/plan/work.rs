@@ -13,6 +13,7 @@ use wholestring_results::{
 use super::{
     campaign::{Taken, came, taken},
     files::Tables,
+    measured::{Measured, MeasuredDone, MeasuredTask},
     mud,
     request::Request,
     rows::{Lack, buckling, frictions, in_words, limits, points, unchecked},
@@ -37,6 +38,8 @@ enum Piece {
     Buckling(f64),
     /// A sample of what is uncertain.
     Sample(usize),
+    /// What would have been read.
+    Measured(MeasuredTask),
 }
 
 /// What came of a piece.
@@ -45,6 +48,7 @@ enum Done {
     Points(Vec<PlanPoint>, Vec<PlanLimit>, BTreeSet<Lack>, Vec<Taken>),
     Buckling(Vec<PlanBuckling>),
     Sample(Sampled),
+    Measured(MeasuredDone),
 }
 
 /// What became of the work.
@@ -70,10 +74,22 @@ fn worst(limits: &[PlanLimit]) -> Vec<PlanLimit> {
     found.into_iter().cloned().collect()
 }
 
+/// What solves the pieces.
+#[derive(Clone, Copy)]
+pub(super) struct Solvers<'a> {
+    /// Every operation at every depth.
+    pub(super) broomstick: &'a Broomstick,
+    /// What would have been read.
+    pub(super) measured: &'a Measured,
+    /// Samples of what is uncertain, where anything is.
+    pub(super) sampler: Option<&'a Sampler<'a>>,
+}
+
 /// Pieces that are solved together.
 pub(super) struct Work<'a> {
     request: &'a Request<'a>,
     broomstick: &'a Broomstick,
+    measured: &'a Measured,
     sampler: Option<&'a Sampler<'a>>,
     folder: &'a ResultsFolder,
     list: Vec<Piece>,
@@ -87,7 +103,7 @@ impl<'a> Work<'a> {
     /// continued.
     pub(super) fn new(
         request: &'a Request<'a>,
-        (broomstick, sampler): (&'a Broomstick, Option<&'a Sampler<'a>>),
+        Solvers { broomstick, measured, sampler }: Solvers<'a>,
         identity: String,
         folder: &'a ResultsFolder,
         observer: &'a dyn Observer,
@@ -95,8 +111,10 @@ impl<'a> Work<'a> {
     ) -> Result<Self, ResultsError> {
         let tasks = broomstick.tasks().into_iter().map(Piece::Points);
         let depths = broomstick.depths_m().iter().copied().map(Piece::Buckling);
+        let read = measured.tasks(request).into_iter().map(Piece::Measured);
         let samples = 0..sampler.map_or(0, |of| of.points.len());
-        let list: Vec<Piece> = tasks.chain(depths).chain(samples.map(Piece::Sample)).collect();
+        let list: Vec<Piece> =
+            tasks.chain(depths).chain(read).chain(samples.map(Piece::Sample)).collect();
         let every = request.checkpoint_every.unwrap_or_else(|| checkpoint_every(request.case));
         let pieces = Pieces::new(
             (list.len(), identity),
@@ -106,7 +124,17 @@ impl<'a> Work<'a> {
             cancellation,
         )?;
         let start = Instant::now();
-        Ok(Self { request, broomstick, sampler, folder, list, pieces, cancellation, start })
+        Ok(Self {
+            request,
+            broomstick,
+            measured,
+            sampler,
+            folder,
+            list,
+            pieces,
+            cancellation,
+            start,
+        })
     }
 
     /// Solves what is left, the deepest and slowest first, and samples last, which are short: what is
@@ -114,7 +142,7 @@ impl<'a> Work<'a> {
     pub(super) fn solve_all(&self) -> Result<(), ResultsError> {
         let mut order: Vec<usize> = (0..self.list.len()).collect();
         let weight = |piece: &usize| match self.list[*piece] {
-            Piece::Points(task) => {
+            Piece::Points(task) | Piece::Measured(MeasuredTask { task, .. }) => {
                 (1 + u8::from(task.model == Statics::Stiff), task.operation.bit_depth_m)
             }
             Piece::Buckling(depth_m) => (1, 10.0 * depth_m),
@@ -146,6 +174,7 @@ impl<'a> Work<'a> {
                 Done::Points(points(&found), limits, unchecked, taken(&found))
             }
             Piece::Buckling(depth_m) => Done::Buckling(buckling(&of.weights_to_buckle(depth_m))),
+            Piece::Measured(of) => Done::Measured(self.measured.solve(&of)),
             Piece::Sample(sample) => {
                 Done::Sample(asked.map(|asked| asked.solve(sample)).unwrap_or_default())
             }
@@ -162,7 +191,7 @@ impl<'a> Work<'a> {
         let done = self.pieces.into_done();
         let (mut points, mut weights) = (Vec::new(), Vec::new());
         let (mut all_limits, mut lacking) = (Vec::new(), BTreeSet::new());
-        let mut all_taken = Vec::new();
+        let (mut all_taken, mut all_measured) = (Vec::new(), Vec::new());
         let mut sampled = Vec::new();
         for (piece, one) in self.list.iter().zip(done) {
             let Some(one) = one else {
@@ -180,6 +209,7 @@ impl<'a> Work<'a> {
                 }
                 Done::Buckling(of) => weights.extend(of),
                 Done::Sample(of) => sampled.push(Some(of)),
+                Done::Measured(of) => all_measured.push(of),
             }
         }
         let plan = &case.plan;
@@ -217,6 +247,7 @@ impl<'a> Work<'a> {
             "models": models,
             "limits": plan.limits,
             "campaign": plan.campaign,
+            "measured": plan.measured.as_ref().map(|of| &of.file),
         });
         if let Some(uncertain) = &plan.uncertain {
             settings["plan"]["uncertain"] = json!(uncertain);
@@ -243,6 +274,7 @@ impl<'a> Work<'a> {
             fatigue: came.fatigue,
             wear: came.worst_wear,
             uncertain,
+            measured: self.measured.rows(self.request, &all_measured),
         };
         let tables = Tables {
             limits: plan_limits_table(&all_limits),

@@ -4,7 +4,7 @@ use wholestring_report::{
     Cells, FRICTION_STROKES, Sheet, SheetColumn, Workbook, WorkbookChart, WorkbookSeries,
     operation_name,
 };
-use wholestring_results::{Column, Data, PlanSummary, Table};
+use wholestring_results::{Column, Data, PlanMeasured, PlanSummary, Table};
 use wholestring_units::UnitSet;
 
 use super::{
@@ -19,9 +19,12 @@ use crate::page::{
 /// Name of the sheet of points.
 const BROOMSTICK: &str = "Broomstick";
 
+/// Name of the sheet of readings.
+const MEASURED: &str = "Measured";
+
 /// The workbook of a plan in these units.
 pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) -> Workbook {
-    let points = summary.broomstick_table();
+    let (points, measured) = (summary.broomstick_table(), summary.measured_table());
     let tables = [
         (
             BROOMSTICK,
@@ -42,11 +45,20 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
             &summary.hydraulics_table(),
             "Pressures and equivalent densities with the bit at each depth",
         ),
+        (
+            MEASURED,
+            &measured,
+            "What was read, beside what the string in the hole is predicted to show",
+        ),
     ];
+    let is_there = |name: &str| match name {
+        "Hydraulics" => !summary.hydraulics.is_empty(),
+        MEASURED => !summary.measured.is_empty(),
+        _ => true,
+    };
+    let tables = tables.into_iter().filter(|(name, ..)| is_there(name));
     let uncertain = summary.uncertain.as_ref();
     let scattered = uncertain.map(|of| (of.table(), of.indices_table()));
-    let has_mud = !summary.hydraulics.is_empty();
-    let tables = tables.into_iter().filter(|(name, ..)| has_mud || *name != "Hydraulics");
     let scattered = scattered.iter().flat_map(|(bands, indices)| {
         let samples = found.samples.as_ref();
         let samples =
@@ -71,7 +83,10 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
         ("Surface torque", "surface_torque_N_m", "all that turns", true),
     ];
     let charts = charts.into_iter().filter_map(|(title, column, which, turns)| {
-        chart(summary, &sheets[0], &points, (title, column, which, turns))
+        let mut chart = chart(summary, &sheets[0], &points, (title, column, which, turns))?;
+        let read = if turns { "measured_N_m" } else { "hook_load_N" };
+        chart.series.extend(read_points(summary, &measured, read, turns));
+        Some(chart)
     });
     Workbook {
         title: format!("{}: plan", summary.case),
@@ -145,7 +160,7 @@ fn chart(
                 down,
                 rows,
                 colour,
-                stroke,
+                stroke: Some(stroke),
             });
         }
     }
@@ -155,4 +170,35 @@ fn chart(
         down: sheet.columns[down].head(),
         series,
     })
+}
+
+/// What was read in each operation, as points: rows of a reading stand together.
+fn read_points(
+    summary: &PlanSummary,
+    measured: &Table,
+    column: &str,
+    torques: bool,
+) -> Vec<WorkbookSeries> {
+    let place = |name: &str| measured.columns().iter().position(|of| of.name == name);
+    let Some((across, down)) = place(column).zip(place("bit_depth_m")) else { return Vec::new() };
+    let mut all = Vec::new();
+    for (colour, operation) in summary.operations.iter().enumerate() {
+        let is_of = |of: &PlanMeasured| {
+            Some(&of.model) == summary.models.first()
+                && of.operation == *operation
+                && of.is_torque == torques
+        };
+        let Some(first) = summary.measured.iter().position(is_of) else { continue };
+        let count = summary.measured[first..].iter().take_while(|of| is_of(of)).count();
+        all.push(WorkbookSeries {
+            name: format!("{} measured", operation_name(operation)),
+            sheet: MEASURED.to_owned(),
+            across,
+            down,
+            rows: first..first + count,
+            colour,
+            stroke: None,
+        });
+    }
+    all
 }

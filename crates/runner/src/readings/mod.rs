@@ -1,4 +1,8 @@
-//! Readings, and the strings that they were made with.
+//! Readings at the surface, and the strings that they were made with.
+
+mod named_case;
+
+pub use named_case::NamedCase;
 
 use std::path::Path;
 
@@ -6,45 +10,46 @@ use wholestring_case::Override;
 use wholestring_plan::calibration::{Assembly, Channel, Reading};
 use wholestring_survey::{ImportedReading, ImportedReadings, read_readings};
 
-use super::named_case::NamedCase;
 use crate::{error::Error, survey};
 
 /// Readings with what was in the hole.
-pub(super) struct Data {
-    pub(super) readings: Vec<Reading>,
+#[derive(Default)]
+pub(crate) struct Readings {
+    pub(crate) readings: Vec<Reading>,
     /// Where each stands in its file.
-    pub(super) places: Vec<String>,
+    pub(crate) places: Vec<String>,
     /// Those that take no part in the fit, and where each stands.
-    pub(super) held_out: Vec<Reading>,
-    pub(super) held_out_places: Vec<String>,
+    pub(crate) held_out: Vec<Reading>,
+    pub(crate) held_out_places: Vec<String>,
     /// Strings in their holes: one for each case, density of mud and what else a row changes.
-    pub(super) assemblies: Vec<Assembly>,
+    pub(crate) assemblies: Vec<Assembly>,
     /// Each one's case.
-    pub(super) cases: Vec<usize>,
+    pub(crate) cases: Vec<usize>,
     /// How the file was understood.
-    pub(super) notes: Vec<String>,
+    pub(crate) notes: Vec<String>,
 }
 
 /// Bits this near to the end of the hole are at it, m.
 const ROUNDED_M: f64 = 1e-3;
 
 /// Reads a file and finds each row's case.
-pub(super) fn read(file: &Path, cases: &[NamedCase<'_>]) -> Result<Data, Error> {
+pub(crate) fn read(file: &Path, cases: &[NamedCase<'_>]) -> Result<Readings, Error> {
     let name = file.display().to_string();
     let bytes = survey::bytes(file, "readings")?;
-    let ImportedReadings { readings: rows, notes } =
+    let ImportedReadings { readings, notes } =
         read_readings(&bytes, &name).map_err(|error| survey::explained(&error))?;
-    let mut data = Data {
-        readings: Vec::new(),
-        places: Vec::new(),
-        held_out: Vec::new(),
-        held_out_places: Vec::new(),
-        assemblies: Vec::new(),
-        cases: Vec::new(),
-        notes,
-    };
+    Ok(Readings { notes, ..of_rows(&name, &readings, cases)? })
+}
+
+/// Finds the case of each row of a file.
+pub(crate) fn of_rows(
+    name: &str,
+    rows: &[ImportedReading],
+    cases: &[NamedCase<'_>],
+) -> Result<Readings, Error> {
+    let mut data = Readings::default();
     let mut changes: Vec<Changes<'_>> = Vec::new();
-    for row in &rows {
+    for row in rows {
         let bad = |reason: String| Error::BadInput(format!("{name}, {}: {reason}", row.place));
         let case = of_row(row, cases).map_err(bad)?;
         let change: Changes<'_> = (row.mud_density_kg_per_m3, &row.keys);
@@ -123,7 +128,7 @@ fn of_row(row: &ImportedReading, cases: &[NamedCase<'_>]) -> Result<usize, Strin
 }
 
 /// The deepest that the bit of a string can be, m.
-pub(super) fn deepest_m(assembly: &Assembly) -> f64 {
+pub(crate) fn deepest_m(assembly: &Assembly) -> f64 {
     let well = &assembly.setup.well;
     let hole_m = well.hole.sections().last().map_or(0.0, |section| section.to_md_m);
     hole_m.min(well.path.last_md_m())

@@ -1,0 +1,54 @@
+//! Weights and torques that were read at the surface, in a file beside the case.
+
+use wholestring::operation::{Operation, OperationKind};
+use wholestring_config::prelude::*;
+use wholestring_plan::Setup;
+use wholestring_survey::{ImportedReading, read_readings};
+
+use crate::beside::{read_beside, unfit};
+
+/// What was read at the surface of the well of a plan.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measured {
+    /// Name of the file, as the case has it.
+    pub file: String,
+    /// By their order in the file.
+    pub readings: Vec<ImportedReading>,
+    /// How the file was understood, in sentences.
+    pub notes: Vec<String>,
+}
+
+/// The readings of a file, and whether the case can be held against them.
+pub(crate) fn from_file(
+    file: &Spanned<String>,
+    setup: &Setup,
+    own: &[Operation],
+    files: &dyn Files,
+    reader: &mut Reader,
+) -> Option<Measured> {
+    let bytes = read_beside(file, "file of measured weights", files, reader)?;
+    let imported = match read_readings(&bytes, &file.value) {
+        Ok(imported) => imported,
+        Err(error) => return unfit(&error, file, "measured weights", reader).refuse(reader),
+    };
+    let readings = imported.readings;
+    let on_bottom = readings.iter().find(|row| row.torque_on_bottom_N_m.is_some());
+    if let Some(row) = on_bottom.filter(|_| own.iter().all(|of| of.kind != OperationKind::Drill)) {
+        return Diagnostic::error("a torque on bottom was measured, but the case does not drill")
+            .at(file.place, format!("in {}", row.place))
+            .help("add \"drill\" to `kind` in [operation], with its set points")
+            .refuse(reader);
+    }
+    let weighs = |row: &ImportedReading| {
+        [row.pick_up_N, row.slack_off_N, row.rotating_N].iter().any(Option::is_some)
+    };
+    if setup.rig.block_weight_N.is_none() && readings.iter().any(weighs) {
+        let diagnostic =
+            Diagnostic::warning("measured weights hold the block's, which is not given");
+        let diagnostic = diagnostic
+            .at(file.place, "compared as if the block weighed nothing")
+            .help("give `block_weight` under [rig]; `wholestring calibrate` finds it");
+        reader.report(diagnostic);
+    }
+    Some(Measured { file: file.value.clone(), readings, notes: imported.notes })
+}

@@ -1,0 +1,137 @@
+//! What was measured, beside what the plan would have read.
+
+use serde::{Deserialize, Serialize};
+
+use crate::{PLAN_MEASURED, Table};
+
+/// Predictions with low and with high friction that differ by less than this part of the one between them do not
+/// depend on friction: no reading lies between them but by chance.
+const SAME: f64 = 2e-3;
+
+/// A weight or torque that was read, and what each level of friction makes of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PlanMeasured {
+    /// Name of the model that predicts.
+    pub model: String,
+    /// Where it stands in its file.
+    pub place: String,
+    /// Name of the operation.
+    pub operation: String,
+    /// What was read: `pick_up`, `slack_off`, `rotating`, `torque` or `torque_on_bottom`.
+    pub reading: String,
+    /// Whether it is a torque, N·m, and no weight, N.
+    pub is_torque: bool,
+    /// The file holds it out of a calibration.
+    pub held_out: bool,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// As it was read; weights with the block's.
+    pub measured: f64,
+    /// Weight of the block that it holds, N; zero of torques.
+    pub block_N: f64,
+    /// The same by the string that was in the hole, with low, expected and high friction; none without an answer.
+    pub predicted: [Option<f64>; 3],
+    /// Why there is no answer.
+    pub message: Option<String>,
+}
+
+impl PlanMeasured {
+    /// What stands beside the curves of a plan: torque, or hook load without block.
+    pub fn beside_curves(&self) -> f64 {
+        self.measured - self.block_N
+    }
+
+    /// Measured less predicted with the friction that is expected.
+    pub fn residual(&self) -> Option<f64> {
+        Some(self.measured - self.predicted[1]?)
+    }
+
+    /// Whether it lies between what low and high friction make of it; none where friction makes nothing of it, or
+    /// there is no answer.
+    pub fn between(&self) -> Option<bool> {
+        let [Some(low), Some(expected), Some(high)] = self.predicted else { return None };
+        let depends = (high - low).abs() > SAME * expected.abs();
+        depends.then(|| (low.min(high)..=low.max(high)).contains(&self.measured))
+    }
+}
+
+/// How many readings lie between low and high friction by a model, of how many that depend on friction.
+pub(super) fn between(rows: &[PlanMeasured], model: &str) -> (usize, usize) {
+    let told = rows.iter().filter(|of| of.model == model).filter_map(PlanMeasured::between);
+    told.fold((0, 0), |(within, all), is| (within + usize::from(is), all + 1))
+}
+
+/// A row for each reading by each model.
+pub(super) fn table(rows: &[PlanMeasured]) -> Table {
+    let mut table = Table::with_columns(PLAN_MEASURED);
+    for of in rows {
+        let [low, expected, high] = of.predicted;
+        let values = [Some(of.measured), low, expected, high, of.residual()];
+        let values = values.map(|value| value.unwrap_or(f64::NAN));
+        let none = [f64::NAN; 5];
+        let (weights, torques) = if of.is_torque { (none, values) } else { (values, none) };
+        let answer = |is: bool| if is { "yes" } else { "no" };
+        table.append(
+            &[
+                ("model", &[&of.model]),
+                ("place", &[&of.place]),
+                ("operation", &[&of.operation]),
+                ("reading", &[&of.reading]),
+                ("between", &[of.between().map_or("", answer)]),
+                ("message", &[of.message.as_deref().unwrap_or_default()]),
+            ],
+            &[
+                ("held_out", &[f64::from(u8::from(of.held_out))]),
+                ("bit_depth_m", &[of.bit_depth_m]),
+                ("measured_N", &[weights[0]]),
+                ("hook_load_N", &[weights[0] - of.block_N]),
+                ("low_friction_N", &[weights[1]]),
+                ("predicted_N", &[weights[2]]),
+                ("high_friction_N", &[weights[3]]),
+                ("residual_N", &[weights[4]]),
+                ("measured_N_m", &[torques[0]]),
+                ("low_friction_N_m", &[torques[1]]),
+                ("predicted_N_m", &[torques[2]]),
+                ("high_friction_N_m", &[torques[3]]),
+                ("residual_N_m", &[torques[4]]),
+            ],
+        );
+    }
+    table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(predicted: [f64; 3], measured: f64) -> PlanMeasured {
+        PlanMeasured {
+            model: "soft".into(),
+            place: "line 2".into(),
+            operation: "trip_in".into(),
+            reading: "slack_off".into(),
+            is_torque: false,
+            held_out: false,
+            bit_depth_m: 1000.0,
+            measured,
+            block_N: 0.0,
+            predicted: predicted.map(Some),
+            message: None,
+        }
+    }
+
+    /// More friction makes slack-off less: between is between, whichever is greater.
+    #[test]
+    fn between_is_told_where_friction_tells() {
+        let slack_off = [300.0, 250.0, 200.0];
+        let rows =
+            [row(slack_off, 210.0), row(slack_off, 190.0), row([250.0, 250.1, 250.2], 260.0)];
+        assert_eq!(rows.each_ref().map(PlanMeasured::between), [Some(true), Some(false), None]);
+        assert_eq!(rows[0].residual(), Some(-40.0));
+        assert_eq!(between(&rows, "soft"), (1, 2));
+        assert_eq!(between(&rows, "stiff"), (0, 0));
+        let locked =
+            PlanMeasured { predicted: [Some(300.0), Some(250.0), None], ..rows[0].clone() };
+        assert_eq!((locked.between(), locked.residual()), (None, Some(-40.0)));
+    }
+}
