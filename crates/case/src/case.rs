@@ -63,7 +63,7 @@ impl Case {
     /// # Errors
     /// A friction factor or a casing that is out of its range, which the reader of a case has seen to.
     pub fn broomstick(&self) -> Result<Broomstick, PlanError> {
-        let Plan { frictions, bit_depths_m, operations, models, limits, campaign } =
+        let Plan { frictions, bit_depths_m, operations, models, limits, campaign, dynamic: _ } =
             self.plan.clone();
         let of = Broomstick::new(&self.setup(), &frictions, operations, bit_depths_m, models)?;
         let of = of.with_settings(self.soft, self.dynamics.stiff_string()).with_limits(limits);

@@ -10,13 +10,14 @@ use wholestring::{
 use wholestring_config::prelude::*;
 use wholestring_plan::{
     CampaignSettings, FrictionLevel, Frictions, KindFriction, LevelFriction, Setup, Statics,
-    bit_depths_m, limits::LimitSettings,
+    bit_depths_m, dynamic::DynamicPlan, limits::LimitSettings,
 };
 
 use crate::{
     hole::{FrictionRule, coefficient},
     operation_kind::KindRule,
     plan_campaign::{self, CampaignTable, FatigueTable},
+    plan_dynamic::{self, DynamicTable},
     plan_factors::{self, FactorsTable},
     words::words,
 };
@@ -31,7 +32,7 @@ const STATICS: &[(&str, Statics)] = words!(Statics);
 const MAX_DEPTHS: usize = 1000;
 
 /// Rotary speed off bottom of a case that gives none, rad/s: 60 rev/min.
-const USUAL_ROTATION_RAD_PER_S: f64 = 2.0 * std::f64::consts::PI;
+pub(crate) const USUAL_ROTATION_RAD_PER_S: f64 = 2.0 * std::f64::consts::PI;
 
 table! {
     /// What `wholestring plan` computes: hook load and torque against the depth of the bit, and what
@@ -76,6 +77,9 @@ table! {
         campaign: CampaignTable = optional(Section::<CampaignTable>::RULE);
         /// How fatigue of the string is computed.
         fatigue: FatigueTable = optional(Section::<FatigueTable>::RULE);
+        /// What the dynamics is asked for: peaks of a string that sets itself in motion, and casing wear.
+        /// Default: nothing.
+        dynamic: DynamicTable = optional(Section::<DynamicTable>::RULE);
     }
 }
 
@@ -103,7 +107,7 @@ table! {
     }
 }
 
-fn depth(example: &'static str) -> Quantity {
+pub(crate) fn depth(example: &'static str) -> Quantity {
     let range = Range::positive_to(20_000.0).usual(10.0, 13_000.0);
     Quantity::si(Dimension::Length, range, example)
 }
@@ -171,6 +175,8 @@ pub struct Plan {
     pub limits: LimitSettings,
     /// For what casing wear and fatigue are summed.
     pub campaign: CampaignSettings,
+    /// What the dynamics is asked for.
+    pub dynamic: DynamicPlan,
 }
 
 /// What a model is made of, to be made again at other depths and frictions.
@@ -189,6 +195,7 @@ pub(crate) fn build(
     table: &PlanTable,
     setup: &Setup,
     own: &[Operation],
+    gel_strength_Pa: Option<f64>,
     reader: &mut Reader,
 ) -> Option<Plan> {
     let frictions = frictions(table, setup, reader);
@@ -204,13 +211,24 @@ pub(crate) fn build(
         depths_m.as_ref()?.last().copied()?,
         reader,
     );
+    let campaign = campaign?;
+    let beside = plan_dynamic::Beside {
+        setup,
+        own,
+        planned: operations.as_deref()?,
+        campaign: &campaign,
+        deepest_m: depths_m.as_ref()?.last().copied()?,
+        gel_strength_Pa,
+    };
+    let dynamic = plan_dynamic::build(table.dynamic.optional()?, &beside, reader);
     Some(Plan {
         frictions: frictions?,
         bit_depths_m: depths_m?,
         operations: operations?,
         models: models.iter().map(|at| at.value).collect(),
         limits: limits?,
-        campaign: campaign?,
+        campaign,
+        dynamic: dynamic?,
     })
 }
 
@@ -308,9 +326,15 @@ fn depths_m(
             reader.report(Diagnostic::idle(name, place, why));
         }
     }
-    let listed = &listed.value;
-    for (index, at) in listed.iter().enumerate() {
+    for at in &listed.value {
         check_depth(at, setup, reader)?;
+    }
+    listed_once(&listed.value, reader)
+}
+
+/// Depths, growing; none may be listed twice.
+pub(crate) fn listed_once(listed: &[Spanned<f64>], reader: &mut Reader) -> Option<Vec<f64>> {
+    for (index, at) in listed.iter().enumerate() {
         if let Some(first) = listed[..index].iter().find(|first| first.value == at.value) {
             return Diagnostic::error(format!("{} m is listed twice", number_text(at.value)))
                 .at(at.place, "again here")
@@ -324,7 +348,7 @@ fn depths_m(
 }
 
 /// A depth must be in the hole, and leave room for the components below the pipe.
-fn check_depth(at: &Spanned<f64>, setup: &Setup, reader: &mut Reader) -> Option<()> {
+pub(crate) fn check_depth(at: &Spanned<f64>, setup: &Setup, reader: &mut Reader) -> Option<()> {
     let metres = |value: f64| number_text((1e3 * value).round() / 1e3);
     let hole_m = setup.well.hole.sections().last().map_or(0.0, |last| last.to_md_m);
     if at.value > hole_m {

@@ -11,6 +11,7 @@ mod mud;
 mod operation;
 mod overrides;
 mod plan;
+mod plan_dynamic;
 mod plan_limits;
 mod records;
 mod rock;

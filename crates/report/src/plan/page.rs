@@ -1,6 +1,6 @@
 //! The page of a plan as one file that needs nothing else.
 
-use super::{Plan, campaign, figures::plan_plots, limits, tables};
+use super::{Plan, campaign, figures::plan_plots, limits, peaks, tables};
 use crate::{StudyPage, StudyPart, plots::Shown, study_html};
 
 /// What the numbers stand for.
@@ -9,7 +9,7 @@ const ABOUT: &str = "Hook load and surface torque against the depth of the bit: 
     friction. The workbook plan.xlsx has every table, with charts of its own.";
 
 /// Title and caption of each picture.
-const PICTURES: [(&str, &str, &str); 4] = [
+const PICTURES: [(&str, &str, &str); 5] = [
     (
         "hook_load",
         "Hook load",
@@ -31,6 +31,12 @@ const PICTURES: [(&str, &str, &str); 4] = [
         "Pressure at the standpipe, and the density that weighs as much as mud and friction at the bit and \
          at the deepest casing shoe: circulating, and tripping at the case's speed with mud shut out of \
          the string or streaming through it.",
+    ),
+    (
+        "peaks",
+        "Setting in motion",
+        "By the dynamics: a string that hangs at rest is lifted from the slips or lowered, its pumps or its \
+         rotary start, in the time that the plan states. A ring is the peak.",
     ),
 ];
 
@@ -56,6 +62,7 @@ pub fn plan_html(plan: &Plan) -> String {
     let mut parts: Vec<StudyPart> = pictures.collect();
     parts.extend(limits::factors(plan));
     parts.extend(limits::nearest(plan, shown));
+    parts.extend(peaks::table(plan, shown));
     parts.extend(campaign::fatigue(plan, shown));
     parts.extend(campaign::wear(plan, shown));
     parts.extend(tables::at_depth(plan, shown));

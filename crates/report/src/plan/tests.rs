@@ -111,6 +111,7 @@ fn plan() -> Plan {
         unchecked: vec!["no make-up torque of pipe".into()],
         fatigue: vec![fatigue("drill <pipe>", 1.2), fatigue("collar", 1e-7)],
         wear: vec![wear()],
+        events: Vec::new(),
         weight_on_bit_N: Some(3e4),
     }
 }

@@ -11,6 +11,7 @@ mod modes;
 mod nodes;
 mod plan;
 mod plan_campaign;
+mod plan_peaks;
 mod reach;
 mod spectra;
 mod stability;
@@ -30,6 +31,7 @@ pub use self::{
     nodes::NODES,
     plan::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS},
     plan_campaign::{PLAN_FATIGUE, PLAN_WEAR},
+    plan_peaks::{PLAN_PEAKS, PLAN_PEAKS_TIME},
     reach::{REACH, REACH_LIMITS},
     spectra::SPECTRA,
     stability::STABILITY,

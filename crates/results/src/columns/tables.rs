@@ -4,7 +4,8 @@ use super::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
     CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
     MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS,
-    PLAN_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TIME, WEAR,
+    PLAN_LIMITS, PLAN_PEAKS, PLAN_PEAKS_TIME, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA,
+    STABILITY, TIME, WEAR,
 };
 
 /// Every table, by the name of its file, and its columns.
@@ -33,6 +34,8 @@ pub const TABLES: &[(&str, &[ColumnSpec])] = &[
     ("plan_hydraulics", PLAN_HYDRAULICS),
     ("plan_fatigue", PLAN_FATIGUE),
     ("plan_wear", PLAN_WEAR),
+    ("plan_peaks", PLAN_PEAKS),
+    ("plan_peaks_time", PLAN_PEAKS_TIME),
     ("reach", REACH),
     ("reach_limits", REACH_LIMITS),
     ("calibration", CALIBRATION),

@@ -2,12 +2,16 @@
 
 mod campaign;
 mod hydraulics;
+mod peaks;
 mod tables;
 
 pub use campaign::{
     PlanDamage, PlanFatigue, PlanFatigueHour, PlanWear, plan_fatigue_table, plan_wear_table,
 };
 pub use hydraulics::{PlanDensity, PlanHydraulics};
+pub use peaks::{
+    PlanGel, PlanHistory, PlanPeak, PlanPeakOf, plan_peaks_table, plan_peaks_time_table,
+};
 pub use tables::plan_limits_table;
 
 use std::path::Path;
@@ -59,6 +63,10 @@ pub struct PlanSummary {
     pub fatigue: Vec<PlanFatigue>,
     /// Model after model, of each casing the stretch that is worn most, from the surface down.
     pub wear: Vec<PlanWear>,
+    /// Peaks by the dynamics, event after event, friction after friction, down the hole; empty where none was asked
+    /// for.
+    #[serde(default)]
+    pub peaks: Vec<PlanPeak>,
 }
 
 /// Friction of a hole section at a level.

@@ -1,6 +1,8 @@
 //! The files of a plan.
 
-use wholestring_results::{Column, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table};
+use wholestring_results::{
+    Column, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table, plan_peaks_table,
+};
 
 /// Names of the tables, without their endings.
 pub(super) const BROOMSTICK: &str = "plan_broomstick";
@@ -10,6 +12,8 @@ pub(super) const LIMITS: &str = "plan_limits";
 pub(super) const HYDRAULICS: &str = "plan_hydraulics";
 pub(super) const FATIGUE: &str = "plan_fatigue";
 pub(super) const WEAR: &str = "plan_wear";
+pub(super) const PEAKS: &str = "plan_peaks";
+pub(super) const PEAKS_TIME: &str = "plan_peaks_time";
 
 /// Tables whose rows the summary has not all of.
 pub(super) struct Tables {
@@ -19,6 +23,8 @@ pub(super) struct Tables {
     pub(super) fatigue: Table,
     /// Of casing wear.
     pub(super) wear: Table,
+    /// Of events against time.
+    pub(super) peaks_time: Table,
 }
 
 /// Name of the workbook.
@@ -37,6 +43,16 @@ pub(super) fn write(
     folder.write_table(BROOMSTICK, &summary.broomstick_table(), true)?;
     folder.write_table(BUCKLING, &summary.buckling_table(), true)?;
     folder.write_table(FRICTION, &summary.friction_table(), true)?;
+    if summary.peaks.is_empty() {
+        for name in [PEAKS, PEAKS_TIME, "peaks"] {
+            folder.remove(&format!("{name}.parquet"))?;
+            folder.remove(&format!("{name}.csv"))?;
+        }
+    } else {
+        folder.write_table(PEAKS, &plan_peaks_table(&summary.peaks), true)?;
+        folder.write_table(PEAKS_TIME, &tables.peaks_time, true)?;
+        tables.peaks_time.write_csv(&folder.path().join("peaks.csv"))?;
+    }
     let picture = folder.path().join("hydraulics.csv");
     if summary.hydraulics.is_empty() {
         for name in ["plan_hydraulics.parquet", "plan_hydraulics.csv", "hydraulics.csv"] {

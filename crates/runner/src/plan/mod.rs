@@ -1,11 +1,13 @@
 //! Torque and drag at every depth of the bit, with low, expected and high friction.
 
 mod campaign;
+mod dynamic;
 mod files;
 mod levels;
 mod mud;
 mod outcome;
 pub(crate) mod page;
+mod peaks;
 mod request;
 mod rows;
 mod work;

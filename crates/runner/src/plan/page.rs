@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use serde_json::Value as Json;
-use wholestring_plan::limits::LimitKind;
+use wholestring_plan::{dynamic::Event, limits::LimitKind};
 use wholestring_report::{
     BucklingCurve, Cell, Fact, Level, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow,
     PlanLevel, PlanLimitRow, PlanRig, PlanSpot, PlanWearRow, Section, operation_name, plan_html,
@@ -11,14 +11,14 @@ use wholestring_report::{
 };
 use wholestring_results::{
     Level as Grave, PlanFatigue, PlanLimit, PlanPoint, PlanSummary, PlanWear, ResultsError,
-    ResultsFolder,
+    ResultsFolder, Table,
 };
 use wholestring_units::UnitSet;
 
 use super::{
-    files::{BROOMSTICK, FATIGUE, LIMITS, Tables, WEAR, WORKBOOK},
+    files::{BROOMSTICK, FATIGUE, LIMITS, PEAKS_TIME, Tables, WEAR, WORKBOOK},
     levels::{LEVELS, label, short},
-    mud,
+    mud, peaks,
     workbook::workbook,
 };
 use crate::page::{self, FILE, table, write_picture};
@@ -31,7 +31,7 @@ pub(crate) fn is_plan(folder: &Path) -> bool {
 /// Writes the page and its pictures; those of an earlier plan that this one has not go.
 pub(crate) fn write(folder: &ResultsFolder, plan: &Plan, png: bool) -> Result<(), ResultsError> {
     let plots = plan_plots(plan, &plan.head.units);
-    for name in ["hook_load", "torque", "buckling_weight", "hydraulics"] {
+    for name in ["hook_load", "torque", "buckling_weight", "hydraulics", "peaks"] {
         match plots.iter().find(|plot| plot.name == name) {
             Some(plot) => write_picture(folder, name, &plot.figure, png)?,
             None => ["svg", "png"]
@@ -59,21 +59,22 @@ pub(crate) fn write_again(
     units: Option<UnitSet>,
 ) -> Result<(), crate::error::Error> {
     let summary = PlanSummary::read(&folder.path().join("summary.json"))?;
-    let plan = of_summary(&summary, units);
+    let peaks_time = table(folder.path(), PEAKS_TIME)?;
+    let plan = of_summary(&summary, &peaks_time, units);
     let units = plan.head.units.parse().unwrap_or_default();
     write(folder, &plan, false)?;
     let [limits, fatigue, wear] = [LIMITS, FATIGUE, WEAR].map(|name| table(folder.path(), name));
-    let tables = Tables { limits: limits?, fatigue: fatigue?, wear: wear? };
+    let tables = Tables { limits: limits?, fatigue: fatigue?, wear: wear?, peaks_time };
     write_workbook(folder, &summary, &tables, units)
 }
 
 /// Everything that is reported of a plan.
 pub(crate) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Plan, ResultsError> {
     let summary = PlanSummary::read(&folder.join("summary.json"))?;
-    Ok(of_summary(&summary, units))
+    Ok(of_summary(&summary, &table(folder, PEAKS_TIME)?, units))
 }
 
-fn of_summary(summary: &PlanSummary, units: Option<UnitSet>) -> Plan {
+fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>) -> Plan {
     let settings = &summary.settings;
     let number = |of: &Json| of.as_f64();
     let rig = &settings["rig"];
@@ -98,6 +99,7 @@ fn of_summary(summary: &PlanSummary, units: Option<UnitSet>) -> Plan {
         unchecked: summary.unchecked.clone(),
         fatigue: summary.fatigue.iter().map(fatigue).collect(),
         wear: summary.wear.iter().map(wear).collect(),
+        events: peaks::events(summary, peaks_time),
         rig: PlanRig {
             block_N: number(&rig["block_weight_N"]),
             hoist_N: number(&rig["hoist_capacity_N"]),
@@ -181,7 +183,8 @@ fn limit(of: &PlanLimit) -> PlanLimitRow {
     let dimension = kind.map_or("", |kind| shown_dimension(kind.quantity()));
     PlanLimitRow {
         kind: kind.map_or_else(|| of.kind.replace('_', " "), |kind| kind.label().to_owned()),
-        operation: of.operation.clone(),
+        operation: Event::from_name(&of.operation)
+            .map_or_else(|| of.operation.clone(), |event| format!("{}, dynamics", event.label())),
         friction: of.friction.clone(),
         bit_depth_m: of.bit_depth_m,
         component: of.component.clone().unwrap_or_default(),

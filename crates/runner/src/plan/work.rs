@@ -7,11 +7,12 @@ use serde_json::json;
 use wholestring_plan::{Broomstick, BroomstickTask, FrictionLevel, Statics, limits::LimitKind};
 use wholestring_results::{
     PLAN_VERSION, PlanBuckling, PlanLimit, PlanPoint, PlanSummary, ResultsError, ResultsFolder,
-    plan_fatigue_table, plan_limits_table, plan_wear_table,
+    plan_fatigue_table, plan_limits_table, plan_peaks_time_table, plan_wear_table,
 };
 
 use super::{
     campaign::{Taken, came, taken},
+    dynamic::{Parts, Ran, Run, runs},
     files::Tables,
     mud,
     request::Request,
@@ -34,6 +35,8 @@ enum Piece {
     Points(BroomstickTask),
     /// The weights to buckle at a depth, m.
     Buckling(f64),
+    /// What the dynamics is asked for.
+    Dynamic(Run),
 }
 
 /// What came of a piece.
@@ -41,6 +44,7 @@ enum Piece {
 enum Done {
     Points(Vec<PlanPoint>, Vec<PlanLimit>, BTreeSet<Lack>, Vec<Taken>),
     Buckling(Vec<PlanBuckling>),
+    Dynamic(Ran),
 }
 
 /// What is kept of the work, and whose work it is.
@@ -101,7 +105,8 @@ impl<'a> Work<'a> {
     ) -> Result<Self, ResultsError> {
         let tasks = broomstick.tasks().into_iter().map(Piece::Points);
         let depths = broomstick.depths_m().iter().copied().map(Piece::Buckling);
-        let pieces: Vec<Piece> = tasks.chain(depths).collect();
+        let runs = runs(request.case, broomstick).into_iter().map(Piece::Dynamic);
+        let pieces: Vec<Piece> = tasks.chain(depths).chain(runs).collect();
         let every = request.checkpoint_every.unwrap_or_else(|| checkpoint_every(request.case));
         let work = Self {
             request,
@@ -150,8 +155,10 @@ impl<'a> Work<'a> {
         });
         let mut order: Vec<usize> = (0..self.pieces.len()).collect();
         let weight = |piece: &usize| match self.pieces[*piece] {
-            Piece::Points(task) => (task.model == Statics::Stiff, task.operation.bit_depth_m),
-            Piece::Buckling(depth_m) => (false, 10.0 * depth_m),
+            Piece::Points(task) if task.model == Statics::Stiff => (1, task.operation.bit_depth_m),
+            Piece::Points(task) => (0, task.operation.bit_depth_m),
+            Piece::Buckling(depth_m) => (0, 10.0 * depth_m),
+            Piece::Dynamic(run) => (2, run.bit_depth_m()),
         };
         order.sort_by(|a, b| {
             let (a, b) = (weight(a), weight(b));
@@ -185,6 +192,13 @@ impl<'a> Work<'a> {
                 Piece::Buckling(depth_m) => {
                     Done::Buckling(buckling(&self.broomstick.weights_to_buckle(depth_m)))
                 }
+                Piece::Dynamic(run) => {
+                    let goes_on = || !self.cancellation.is_cancelled();
+                    match run.solve(self.request.case, self.broomstick, &goes_on) {
+                        Some(ran) => Done::Dynamic(ran),
+                        None => return,
+                    }
+                }
             };
             lock(&self.done)[index] = Some(done);
             let is_due = lock(&self.keeper).is_due();
@@ -217,6 +231,8 @@ impl<'a> Work<'a> {
         let (mut points, mut weights) = (Vec::new(), Vec::new());
         let (mut all_limits, mut lacking) = (Vec::new(), BTreeSet::new());
         let mut all_taken = Vec::new();
+        let is_run = |piece: &&Piece| matches!(piece, Piece::Dynamic(_));
+        let mut parts = Parts::of(self.pieces.iter().filter(is_run).count());
         for one in done.into_iter().flatten() {
             match one {
                 Done::Points(of, limits, unchecked, taken) => {
@@ -226,10 +242,11 @@ impl<'a> Work<'a> {
                     lacking.extend(unchecked);
                 }
                 Done::Buckling(of) => weights.extend(of),
+                Done::Dynamic(ran) => parts.add(ran),
             }
         }
         let plan = &case.plan;
-        let came = came(self.broomstick, &plan.models, &all_taken);
+        let came = came(self.broomstick, &plan.models, &all_taken, parts.whole_wear());
         // Curve by curve: a task has the frictions of one depth.
         let level = |name: &str| FrictionLevel::ALL.iter().position(|of| of.name() == name);
         let models: Vec<String> = plan.models.iter().map(|of| of.name().to_owned()).collect();
@@ -257,12 +274,14 @@ impl<'a> Work<'a> {
             "limits": plan.limits,
             "campaign": plan.campaign,
         });
+        all_limits.extend(parts.limits);
         let mut unchecked = in_words(&lacking);
+        unchecked.extend(parts.lacking);
         let hydraulics = mud::rows(case).unwrap_or_else(|why| {
             unchecked.push(why);
             Vec::new()
         });
-        let summary = PlanSummary {
+        let mut summary = PlanSummary {
             schema_version: PLAN_VERSION,
             case: case.name.clone(),
             settings,
@@ -278,11 +297,17 @@ impl<'a> Work<'a> {
             hydraulics,
             fatigue: came.fatigue,
             wear: came.worst_wear,
+            peaks: parts.peaks,
         };
+        if !plan.dynamic.events.is_empty() || !plan.dynamic.wear.is_empty() {
+            summary.settings["plan"]["dynamic"] = json!(plan.dynamic);
+        }
+        let samples: Vec<_> = summary.peaks.iter().zip(&parts.histories).collect();
         let tables = Tables {
             limits: plan_limits_table(&all_limits),
             fatigue: plan_fatigue_table(&came.damage),
             wear: plan_wear_table(&came.wear),
+            peaks_time: plan_peaks_time_table(&samples),
         };
         Ended { summary, tables, batch }
     }

@@ -4,7 +4,7 @@ use wholestring_report::{
     Cells, FRICTION_STROKES, Sheet, SheetColumn, Workbook, WorkbookChart, WorkbookSeries,
     operation_name,
 };
-use wholestring_results::{Column, Data, PlanSummary, Table};
+use wholestring_results::{Column, Data, PlanSummary, Table, plan_peaks_table};
 use wholestring_units::UnitSet;
 
 use super::{
@@ -22,6 +22,7 @@ const BROOMSTICK: &str = "Broomstick";
 /// The workbook of a plan in these units.
 pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) -> Workbook {
     let points = summary.broomstick_table();
+    let peaks = plan_peaks_table(&summary.peaks);
     let tables = [
         (
             BROOMSTICK,
@@ -36,6 +37,8 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
         ("Limits", &found.limits, "Loads against what bears them, in the unit of each row"),
         ("Fatigue", &found.fatigue, "What the campaign takes of the string's life"),
         ("Casing wear", &found.wear, "What the campaign takes of the casing"),
+        ("Peaks", &peaks, "What a string that sets itself in motion comes to, by the dynamics"),
+        ("Peaks against time", &found.peaks_time, "The same, sample by sample"),
         ("Friction", &summary.friction_table(), "Friction of each hole section at each level"),
         (
             "Hydraulics",
@@ -44,7 +47,13 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
         ),
     ];
     let has_mud = !summary.hydraulics.is_empty();
-    let tables = tables.into_iter().filter(|(name, ..)| has_mud || *name != "Hydraulics");
+    let has_peaks = !summary.peaks.is_empty();
+    let is_there = |name: &str| match name {
+        "Hydraulics" => has_mud,
+        "Peaks" | "Peaks against time" => has_peaks,
+        _ => true,
+    };
+    let tables = tables.into_iter().filter(|(name, ..)| is_there(name));
     let sheets: Vec<Sheet> =
         tables.map(|(name, table, about)| sheet(name, table, about, units)).collect();
     let charts = [
@@ -91,7 +100,7 @@ fn column(of: &Column, units: UnitSet) -> SheetColumn {
 fn readable(of: &Column, word: &str) -> String {
     match of.name.as_str() {
         "operation" => operation_name(word).to_owned(),
-        "worst_finding" => word.replace('_', " "),
+        "worst_finding" | "event" => word.replace('_', " "),
         _ => word.to_owned(),
     }
 }
