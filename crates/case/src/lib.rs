@@ -49,6 +49,7 @@ mod operation_kind;
 mod overrides;
 mod plan;
 mod plan_campaign;
+mod plan_depths;
 mod plan_dynamic;
 mod plan_factors;
 mod records;

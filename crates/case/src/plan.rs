@@ -17,6 +17,7 @@ use crate::{
     hole::{FrictionRule, coefficient},
     operation_kind::KindRule,
     plan_campaign::{self, CampaignTable, FatigueTable},
+    plan_depths::{check_depth, depth, listed_once},
     plan_dynamic::{self, DynamicTable},
     plan_factors::{self, FactorsTable},
     words::words,
@@ -32,7 +33,7 @@ const STATICS: &[(&str, Statics)] = words!(Statics);
 const MAX_DEPTHS: usize = 1000;
 
 /// Rotary speed off bottom of a case that gives none, rad/s: 60 rev/min.
-pub(crate) const USUAL_ROTATION_RAD_PER_S: f64 = 2.0 * std::f64::consts::PI;
+const USUAL_ROTATION_RAD_PER_S: f64 = 2.0 * std::f64::consts::PI;
 
 table! {
     /// What `wholestring plan` computes: hook load and torque against the depth of the bit, and what
@@ -105,11 +106,6 @@ table! {
         /// Of the rock. Default: as without this level.
         open: Friction = optional(FrictionRule);
     }
-}
-
-pub(crate) fn depth(example: &'static str) -> Quantity {
-    let range = Range::positive_to(20_000.0).usual(10.0, 13_000.0);
-    Quantity::si(Dimension::Length, range, example)
 }
 
 /// What a level gives of its friction.
@@ -219,8 +215,10 @@ pub(crate) fn build(
         campaign: &campaign,
         deepest_m: depths_m.as_ref()?.last().copied()?,
         gel_strength_Pa,
+        usual_rotation_rad_per_s: USUAL_ROTATION_RAD_PER_S,
     };
-    let dynamic = plan_dynamic::build(table.dynamic.optional()?, &beside, reader);
+    let asked = table.dynamic.optional()?.and(table.dynamic.given());
+    let dynamic = plan_dynamic::build(asked, &beside, reader);
     Some(Plan {
         frictions: frictions?,
         bit_depths_m: depths_m?,
@@ -330,47 +328,6 @@ fn depths_m(
         check_depth(at, setup, reader)?;
     }
     listed_once(&listed.value, reader)
-}
-
-/// Depths, growing; none may be listed twice.
-pub(crate) fn listed_once(listed: &[Spanned<f64>], reader: &mut Reader) -> Option<Vec<f64>> {
-    for (index, at) in listed.iter().enumerate() {
-        if let Some(first) = listed[..index].iter().find(|first| first.value == at.value) {
-            return Diagnostic::error(format!("{} m is listed twice", number_text(at.value)))
-                .at(at.place, "again here")
-                .at(first.place, "first here")
-                .refuse(reader);
-        }
-    }
-    let mut depths_m: Vec<f64> = listed.iter().map(|at| at.value).collect();
-    depths_m.sort_by(f64::total_cmp);
-    Some(depths_m)
-}
-
-/// A depth must be in the hole, and leave room for the components below the pipe.
-pub(crate) fn check_depth(at: &Spanned<f64>, setup: &Setup, reader: &mut Reader) -> Option<()> {
-    let metres = |value: f64| number_text((1e3 * value).round() / 1e3);
-    let hole_m = setup.well.hole.sections().last().map_or(0.0, |last| last.to_md_m);
-    if at.value > hole_m {
-        return Diagnostic::error(format!(
-            "a bit depth of the plan is beyond the hole: {} m, the hole ends at {} m",
-            metres(at.value),
-            metres(hole_m)
-        ))
-        .at(at.place, format!("expected {} m or less", metres(hole_m)))
-        .refuse(reader);
-    }
-    let assembly_m = setup.shallowest_m();
-    if at.value <= assembly_m {
-        return Diagnostic::error(format!(
-            "a bit depth of the plan leaves no room for the string: {} m stand below its topmost \
-             component",
-            metres(assembly_m)
-        ))
-        .at(at.place, format!("expected more than {} m", metres(assembly_m)))
-        .refuse(reader);
-    }
-    Some(())
 }
 
 fn operations(table: &PlanTable, own: &[Operation], reader: &mut Reader) -> Option<Vec<Operation>> {

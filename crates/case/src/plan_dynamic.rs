@@ -1,6 +1,9 @@
 //! `[plan.dynamic]`: what a plan takes from the dynamics.
 
-use wholestring::operation::{Operation, OperationKind};
+use wholestring::{
+    operation::{Operation, OperationKind},
+    well::{HoleKind, HoleSection},
+};
 use wholestring_config::prelude::*;
 use wholestring_plan::{
     CampaignSettings, FrictionLevel, Setup,
@@ -9,7 +12,7 @@ use wholestring_plan::{
 
 use crate::{
     operation_kind::KindRule,
-    plan::{USUAL_ROTATION_RAD_PER_S, check_depth, depth, listed_once},
+    plan_depths::{check_depth, depth, listed_once},
     words::words,
 };
 
@@ -71,6 +74,8 @@ pub(crate) struct Beside<'a> {
     pub(crate) campaign: &'a CampaignSettings,
     pub(crate) deepest_m: f64,
     pub(crate) gel_strength_Pa: Option<f64>,
+    /// Of what turns off bottom where the case gives no rotary speed.
+    pub(crate) usual_rotation_rad_per_s: f64,
 }
 
 /// What is asked of the dynamics.
@@ -86,6 +91,10 @@ pub(crate) fn build(
     let events = events.map_or(&[][..], |at| &at.value);
     let wear = wear.map_or(&[][..], |at| &at.value);
     if events.is_empty() && wear.is_empty() {
+        // A misspelt key says it better.
+        if reader.has_errors() {
+            return None;
+        }
         return Diagnostic::error("nothing is asked of the dynamics")
             .at(*place, "neither `events` nor `wear`")
             .help("such as events = \"pick_up_from_slips\"")
@@ -93,6 +102,12 @@ pub(crate) fn build(
     }
     once_each(events, Event::name, reader)?;
     once_each(wear, OperationKind::name, reader)?;
+    let cased = |of: &HoleSection| of.kind == HoleKind::Casing;
+    if let (Some(place), false) =
+        (table.wear.place(), beside.setup.well.hole.sections().iter().any(cased))
+    {
+        reader.report(Diagnostic::idle("wear", place, "the hole has no casing"));
+    }
     idle_ramps(table, events, reader);
     let bit_depths_m = match table.bit_depths.optional()? {
         Some(listed) => {
@@ -163,7 +178,7 @@ fn set_points(
     let first = *beside.own.first()?;
     let mut set = of_kind(OperationKind::RotateOffBottom).unwrap_or(first);
     if set.rotary_speed_rad_per_s == 0.0 {
-        set.rotary_speed_rad_per_s = USUAL_ROTATION_RAD_PER_S;
+        set.rotary_speed_rad_per_s = beside.usual_rotation_rad_per_s;
     }
     if let Some(at) = events.iter().find(|at| at.value == Event::BreakCirculation) {
         let lacks = |what: &str, such: &str, reader: &mut Reader| {

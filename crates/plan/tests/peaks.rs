@@ -136,7 +136,7 @@ fn a_rod_is_lifted_against_its_impedance() {
         let tension = tension.expect("a yield strength");
         assert!(tension.md_m.is_some_and(|md_m| md_m < 1.0), "{tension:?}");
         verify("peaks", format!("largest tension of a rod that is lifted in {ramp_s} s, N"))
-            .relative(2e-3, "the half element above the first and the mean of a sample")
+            .relative(3e-3, "half an element, 5 m of 2000 m, hangs above the first tension")
             .report(hook.peak, tension.load);
     }
 }
@@ -145,11 +145,11 @@ fn a_rod_is_lifted_against_its_impedance() {
 /// of the friction at rest, and next to that where the block is slow; what it comes to is kinetic.
 #[test]
 fn friction_at_rest_breaks() {
-    const LENGTH_M: f64 = 300.0;
+    const LENGTH_M: f64 = 1000.0;
     const INCLINATION_DEG: f64 = 60.0;
     let friction = Friction { kinetic: 0.2, at_rest: 0.35, around: 1.0 };
     let setup = straight(LENGTH_M, INCLINATION_DEG, friction, Mud::of_density(1200.0));
-    let (speed, ramp_s, stribeck) = (2.0, 20.0, 0.2);
+    let (speed, ramp_s, stribeck, watch_s) = (0.5, 25.0, 0.3, 4.0);
     let settings = DynamicsSettings { stribeck_speed_m_per_s: stribeck, ..dynamics(5.0) };
     let plan = DynamicPlan {
         set_points: Some(
@@ -157,7 +157,7 @@ fn friction_at_rest_breaks() {
         ),
         hoist_ramp_s: ramp_s,
         rotary_ramp_s: ramp_s,
-        watch_s: 4.0,
+        watch_s,
         ..DynamicPlan::default()
     };
     let metal = steel().density_kg_per_m3;
@@ -177,10 +177,13 @@ fn friction_at_rest_breaks() {
         verify("peaks", format!("hook load at rest of a string that is then {name}, N"))
             .relative(5e-3, "friction holds what the start leaves: a three-hundredth of its own")
             .report(hangs_N, hook.at_rest);
+        // What has been pulled out of the hole in the middle of the last quarter rubs no more.
+        let out_m = if sign > 0.0 { speed * (0.5 * ramp_s + 0.875 * watch_s) } else { 0.0 };
+        let rubs = 1.0 - out_m / LENGTH_M;
         verify("peaks", format!("friction of a string that is {name} at its speed, N"))
-            .relative(5e-3, "elements of 5 m and what still rings")
-            .report(at(speed) * presses_N, sign * (hook.steady - hook.at_rest));
-        let broke_N = sign * (hook.peak - hook.at_rest);
+            .relative(0.01, "the clamp at the top holds some 8 m of 1000 m")
+            .report(at(speed) * rubs * presses_N, sign * (hook.steady - hangs_N));
+        let broke_N = sign * (hook.peak - hangs_N);
         let bound_N = friction.at_rest * presses_N;
         // The top slides already, at some 3 cm/s, where the end breaks; the block accelerates what it pulls.
         let what = format!("friction that breaks where a string is {name}, N");

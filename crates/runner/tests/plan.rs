@@ -141,7 +141,9 @@ fn what_the_dynamics_is_asked_for() {
     assert_eq!(of_events("hoist"), 3);
     assert!(done.summary.wear.iter().any(|of| of.model == "dynamic"));
     let page = fs::read_to_string(whole.join("report.html")).expect("a page");
-    for expected in ["Setting in motion", "pick-up from slips, dynamics", "plan_peaks.csv", "peaks.csv"] {
+    for expected in
+        ["Setting in motion", "pick-up from slips, dynamics", "plan_peaks.csv", "peaks.csv"]
+    {
         assert!(page.contains(expected), "{expected}");
     }
     assert!(whole.join("peaks.svg").is_file());
@@ -152,9 +154,14 @@ fn what_the_dynamics_is_asked_for() {
     assert!(first.batch.is_interrupted());
     let second = plan::run(&request_of(Existing::Resume), &Silent, &token).expect("the rest");
     assert_eq!(second.summary, done.summary);
-    for name in
-        ["summary.json", "plan_peaks.csv", "plan_peaks_time.parquet", "plan_limits.csv", "plan_wear.csv", "report.html"]
-    {
+    for name in [
+        "summary.json",
+        "plan_peaks.csv",
+        "plan_peaks_time.parquet",
+        "plan_limits.csv",
+        "plan_wear.csv",
+        "report.html",
+    ] {
         let read = |folder: &Path| fs::read(folder.join(name)).expect("a file");
         assert!(read(&whole) == read(&stopped), "{name}");
     }
