@@ -113,7 +113,7 @@ fn a_rod_is_lifted_against_its_impedance() {
             watch_s: 4.0 - ramp_s,
             ..DynamicPlan::default()
         };
-        let found = answer(&setup, Event::PickUpFromSlips, &plan, &dynamics(10.0), LENGTH_M);
+        let found = answer(&setup, Event::PickUpFromSlips, &plan, &dynamics(std::env::var("EL").map_or(10.0, |e| e.parse().unwrap())), LENGTH_M);
         let hook = found.hook_load_N;
         verify("peaks", format!("weight of a rod before it is lifted in {ramp_s} s, N"))
             .relative(1e-4, "what the start leaves of its settling")
@@ -150,7 +150,7 @@ fn friction_at_rest_breaks() {
     let friction = Friction { kinetic: 0.2, at_rest: 0.35, around: 1.0 };
     let setup = straight(LENGTH_M, INCLINATION_DEG, friction, Mud::of_density(1200.0));
     let (speed, ramp_s, stribeck, watch_s) = (0.5, 25.0, 0.3, 4.0);
-    let settings = DynamicsSettings { stribeck_speed_m_per_s: stribeck, ..dynamics(5.0) };
+    let settings = DynamicsSettings { stribeck_speed_m_per_s: stribeck, ..dynamics(std::env::var("EL").map_or(5.0, |e| e.parse().unwrap())) };
     let plan = DynamicPlan {
         set_points: Some(
             Operation::trip_out(LENGTH_M).trip_speed_m_per_s(speed).rotary_speed_rad_per_s(10.0),
@@ -200,9 +200,7 @@ fn friction_at_rest_breaks() {
         .relative(0.01, "elements of 5 m and what still rolls")
         .report(around * presses_N * radius_m / (1.0 + around * around).sqrt(), torque.steady);
     let most_N_m = friction.at_rest * presses_N * radius_m;
-    verify("peaks", "most torque over that at which a string turns from rest, N·m")
-        .at_least("a bound: all friction at rest")
-        .report(torque.peak, 1.02 * most_N_m);
+    assert!(torque.peak < 1.02 * most_N_m, "{torque:?} beyond {most_N_m}");
     assert!(torque.peak > 1.1 * torque.steady, "{torque:?}");
     assert!(torque.at_rest.abs() < 1e-3 * torque.steady, "{torque:?}");
 }

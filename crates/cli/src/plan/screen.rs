@@ -98,7 +98,8 @@ fn peaks(summary: &PlanSummary, units: UnitSet) -> String {
         for (name, dimension, peak) in quantities {
             let Some(peak) = peak else { continue };
             let unit = dimension.unit_in(units);
-            let number = |si: f64| format!("{:.1}", unit.from_si(si));
+            // Not a zero with a sign.
+            let number = |si: f64| format!("{:.1}", (10.0 * unit.from_si(si)).round() / 10.0 + 0.0);
             table.row(vec![
                 event.clone(),
                 format!("{name}, {}", unit.symbol),

@@ -36,7 +36,7 @@ const PICTURES: [(&str, &str, &str); 5] = [
         "peaks",
         "Setting in motion",
         "By the dynamics: a string that hangs at rest is lifted from the slips or lowered, its pumps or its \
-         rotary start, in the time that the plan states. A ring is the peak.",
+         rotary start, in the time that the plan states. A dot is the peak.",
     ),
 ];
 

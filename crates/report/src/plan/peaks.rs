@@ -67,11 +67,12 @@ pub(super) fn figure(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
     let mut panels = Vec::new();
     for name in names(plan) {
         for shows in [HOOK, TORQUE, PUMP] {
-            let events: Vec<&PlanEvent> = plan
-                .events
-                .iter()
-                .filter(|of| of.name == name && (shows.peak)(of).is_some())
-                .collect();
+            // What turns and does not move along pulls no more than before.
+            let is_shown = |of: &&PlanEvent| {
+                let turns = (TORQUE.peak)(of).is_some() && shows.dimension == "force";
+                of.name == name && (shows.peak)(of).is_some() && !turns
+            };
+            let events: Vec<&PlanEvent> = plan.events.iter().filter(is_shown).collect();
             if !events.is_empty() {
                 panels.push(panel(plan, shown, name, shows, &events));
             }
@@ -125,7 +126,11 @@ fn panel(plan: &Plan, shown: Shown<'_>, name: &str, shows: Shows, events: &[&Pla
         }
         if let (Some(gel_Pa), "pressure") = (of.gel_Pa, shows.dimension) {
             largest = largest.max(gel_Pa);
-            marks.push(Mark::OwnRule { at: value(gel_Pa), label: "gel".to_owned() });
+            let label = match depths.len() {
+                1 => "gel".to_owned(),
+                _ => format!("gel, {}", shown.quantity(of.bit_depth_m.round(), "length")),
+            };
+            marks.push(Mark::OwnRule { at: value(gel_Pa), label });
         }
     }
     let limit = match shows.dimension {

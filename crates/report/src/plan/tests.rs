@@ -350,7 +350,7 @@ fn events_stand_against_time() {
         panel.marks.iter().filter_map(rule).collect::<Vec<_>>()
     };
     assert_eq!(rules(lifted), [(600.0, "limit".to_owned())]);
-    assert_eq!(rules(pumped), [(6.0, "gel".to_owned())]);
+    assert_eq!(rules(pumped), [(6.0, "gel, 2000 m".to_owned())]);
     let page = plan_html(&plan);
     for text in [
         "Setting in motion",
