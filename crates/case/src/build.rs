@@ -249,8 +249,10 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let modes = case.modes.get()?;
     let modes = modes::build(modes, &model.string, &operations, &dynamics, reader)?;
     let spec = spec?;
+    let gel_strength_Pa = case.mud.get()?.gel_strength_Pa()?;
     let setup = plan::setup(&model, &spec);
-    let plan = plan::build(case.plan.get()?, &setup, &operations, files, reader)?;
+    let beside = plan::Beside { setup: &setup, own: &operations, gel_strength_Pa, files };
+    let plan = plan::build(case.plan.get()?, &beside, reader)?;
     let name = match case.name.optional()? {
         Some(given) => given.value.clone(),
         None => FilePath::new(name)

@@ -50,6 +50,8 @@ mod operation_kind;
 mod overrides;
 mod plan;
 mod plan_campaign;
+mod plan_depths;
+mod plan_dynamic;
 mod plan_factors;
 mod plan_models;
 mod records;

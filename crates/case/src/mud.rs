@@ -85,6 +85,13 @@ table! {
             unit: "",
             range: Range::from_to(0.1, 1.0),
         }).used_with(&[POWER_LAW]);
+        /// Gel strength after the rest before circulation is broken, such as the one after ten minutes. A
+        /// plan's "break_circulation" says what pump pressure breaks it; runs do not use it.
+        gel_strength: f64 = optional(Quantity::si(
+            Dimension::ShearStress,
+            Range::from_to(0.0, 1000.0).usual(0.1, 100.0),
+            "15 lbf/100ft2",
+        ));
     }
 }
 
@@ -97,6 +104,11 @@ impl MudTable {
             drag_coefficient: *self.drag_coefficient.get()?,
             rheology: rheology?,
         })
+    }
+
+    /// The gel strength, Pa, if it is given; `None` after a mistake.
+    pub(crate) fn gel_strength_Pa(&self) -> Option<Option<f64>> {
+        Some(self.gel_strength.optional()?.map(|at| at.value))
     }
 
     /// The rheology with its numbers; `None` after a mistake.

@@ -10,7 +10,7 @@ use wholestring::{
 use wholestring_config::prelude::*;
 use wholestring_plan::{
     CampaignSettings, FrictionLevel, Frictions, KindFriction, LevelFriction, Setup, Statics,
-    bit_depths_m, limits::LimitSettings,
+    bit_depths_m, dynamic::DynamicPlan, limits::LimitSettings,
 };
 
 use crate::{
@@ -18,6 +18,8 @@ use crate::{
     measured::{self, Measured},
     operation_kind::KindRule,
     plan_campaign::{self, CampaignTable, FatigueTable},
+    plan_depths::{check_depth, depth, listed_once},
+    plan_dynamic::{self, DynamicTable},
     plan_factors::{self, FactorsTable},
     plan_models::STATICS,
     uncertain::Uncertain,
@@ -82,6 +84,9 @@ table! {
         fatigue: FatigueTable = optional(Section::<FatigueTable>::RULE);
         /// Numbers of the case that are not known exactly. Default: none.
         uncertain: UncertainTable = optional(Section::<UncertainTable>::RULE);
+        /// What the dynamics is asked for: peaks of a string that sets itself in motion, and casing wear.
+        /// Default: nothing.
+        dynamic: DynamicTable = optional(Section::<DynamicTable>::RULE);
     }
 }
 
@@ -107,11 +112,6 @@ table! {
         /// Of the rock. Default: as without this level.
         open: Friction = optional(FrictionRule);
     }
-}
-
-fn depth(example: &'static str) -> Quantity {
-    let range = Range::positive_to(20_000.0).usual(10.0, 13_000.0);
-    Quantity::si(Dimension::Length, range, example)
 }
 
 /// What a level gives of its friction.
@@ -182,6 +182,8 @@ pub struct Plan {
     /// What was measured; no part of what is computed.
     #[serde(skip)]
     pub measured: Option<Measured>,
+    /// What the dynamics is asked for.
+    pub dynamic: DynamicPlan,
 }
 
 /// What a model is made of, to be made again at other depths and frictions.
@@ -196,13 +198,20 @@ pub(crate) fn setup(model: &Model, string: &StringSpec) -> Setup {
     }
 }
 
-pub(crate) fn build(
-    table: &PlanTable,
-    setup: &Setup,
-    own: &[Operation],
-    files: &dyn Files,
-    reader: &mut Reader,
-) -> Option<Plan> {
+/// What a plan is made beside.
+pub(crate) struct Beside<'a> {
+    /// The string at every depth.
+    pub(crate) setup: &'a Setup,
+    /// The operations of the case.
+    pub(crate) own: &'a [Operation],
+    /// Gel strength of the mud.
+    pub(crate) gel_strength_Pa: Option<f64>,
+    /// The files that the case names.
+    pub(crate) files: &'a dyn Files,
+}
+
+pub(crate) fn build(table: &PlanTable, beside: &Beside<'_>, reader: &mut Reader) -> Option<Plan> {
+    let Beside { setup, own, gel_strength_Pa, files } = *beside;
     let frictions = frictions(table, setup, reader);
     let depths_m = depths_m(table, setup, own.first()?.bit_depth_m, reader);
     let operations = operations(table, own, reader);
@@ -224,6 +233,18 @@ pub(crate) fn build(
         Some(file) => Some(measured::from_file(file, setup, own, files, reader)?),
         None => None,
     };
+    let campaign = campaign?;
+    let beside = plan_dynamic::Beside {
+        setup,
+        own,
+        planned: operations.as_deref()?,
+        campaign: &campaign,
+        deepest_m: depths_m.as_ref()?.last().copied()?,
+        gel_strength_Pa,
+        usual_rotation_rad_per_s: USUAL_ROTATION_RAD_PER_S,
+    };
+    let asked = table.dynamic.optional()?.and(table.dynamic.given());
+    let dynamic = plan_dynamic::build(asked, &beside, reader);
     Some(Plan {
         uncertain,
         frictions: frictions?,
@@ -231,8 +252,9 @@ pub(crate) fn build(
         operations: operations?,
         models: models.iter().map(|at| at.value).collect(),
         limits: limits?,
-        campaign: campaign?,
+        campaign,
         measured,
+        dynamic: dynamic?,
     })
 }
 
@@ -330,45 +352,10 @@ fn depths_m(
             reader.report(Diagnostic::idle(name, place, why));
         }
     }
-    let listed = &listed.value;
-    for (index, at) in listed.iter().enumerate() {
+    for at in &listed.value {
         check_depth(at, setup, reader)?;
-        if let Some(first) = listed[..index].iter().find(|first| first.value == at.value) {
-            return Diagnostic::error(format!("{} m is listed twice", number_text(at.value)))
-                .at(at.place, "again here")
-                .at(first.place, "first here")
-                .refuse(reader);
-        }
     }
-    let mut depths_m: Vec<f64> = listed.iter().map(|at| at.value).collect();
-    depths_m.sort_by(f64::total_cmp);
-    Some(depths_m)
-}
-
-/// A depth must be in the hole, and leave room for the components below the pipe.
-fn check_depth(at: &Spanned<f64>, setup: &Setup, reader: &mut Reader) -> Option<()> {
-    let metres = |value: f64| number_text((1e3 * value).round() / 1e3);
-    let hole_m = setup.well.hole.sections().last().map_or(0.0, |last| last.to_md_m);
-    if at.value > hole_m {
-        return Diagnostic::error(format!(
-            "a bit depth of the plan is beyond the hole: {} m, the hole ends at {} m",
-            metres(at.value),
-            metres(hole_m)
-        ))
-        .at(at.place, format!("expected {} m or less", metres(hole_m)))
-        .refuse(reader);
-    }
-    let assembly_m = setup.shallowest_m();
-    if at.value <= assembly_m {
-        return Diagnostic::error(format!(
-            "a bit depth of the plan leaves no room for the string: {} m stand below its topmost \
-             component",
-            metres(assembly_m)
-        ))
-        .at(at.place, format!("expected more than {} m", metres(assembly_m)))
-        .refuse(reader);
-    }
-    Some(())
+    listed_once(&listed.value, reader)
 }
 
 fn operations(table: &PlanTable, own: &[Operation], reader: &mut Reader) -> Option<Vec<Operation>> {

@@ -8,6 +8,7 @@
 mod broomstick;
 pub mod calibration;
 mod campaign;
+pub mod dynamic;
 mod error;
 pub mod fatigue;
 pub mod hydraulics;

@@ -73,12 +73,13 @@ impl<'a, D: Clone + Send + Serialize + DeserializeOwned> Pieces<'a, D> {
         self.observer.warning(&format!("the checkpoint in {place} is left: {warning}"));
     }
 
-    /// Solves what is left, in this order, so many at a time.
+    /// Solves what is left, in this order, so many at a time; what is cancelled before it has come to
+    /// its end gives nothing.
     pub(crate) fn solve_all(
         &self,
         order: &[usize],
         jobs: usize,
-        solve: impl Fn(usize) -> D + Sync,
+        solve: impl Fn(usize) -> Option<D> + Sync,
     ) -> Result<(), ResultsError> {
         self.observer.batch_started(&BatchSize {
             cases: self.count(),
@@ -93,12 +94,14 @@ impl<'a, D: Clone + Send + Serialize + DeserializeOwned> Pieces<'a, D> {
         self.folder.remove_checkpoint()
     }
 
-    fn solve(&self, piece: usize, solve: &(impl Fn(usize) -> D + Sync)) {
+    fn solve(&self, piece: usize, solve: &(impl Fn(usize) -> Option<D> + Sync)) {
         if lock(&self.done)[piece].is_none() {
             if self.cancellation.is_cancelled() {
                 return;
             }
-            let done = solve(piece);
+            let Some(done) = solve(piece) else {
+                return;
+            };
             lock(&self.done)[piece] = Some(done);
             let is_due = lock(&self.keeper).is_due();
             if is_due && let Err(error) = self.keep() {

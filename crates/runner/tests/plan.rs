@@ -16,7 +16,10 @@ use wholestring_runner::{
 };
 
 fn case() -> (Template, Vec<Override>, Case) {
-    let changes = ["plan.depths=4", "operation.kind=[\"trip_out\"]"];
+    changed(&["plan.depths=4", "operation.kind=[\"trip_out\"]"])
+}
+
+fn changed(changes: &[&str]) -> (Template, Vec<Override>, Case) {
     let changes: Vec<Override> =
         changes.iter().map(|of| of.parse().expect("an override")).collect();
     let file = Path::new("../cli/tests/data/slant.toml");
@@ -107,4 +110,76 @@ fn a_plan_that_is_stopped_goes_on() {
         assert!(read(&whole) == read(&stopped), "{name}");
     }
     assert!(!stopped.join("checkpoint.bin").exists());
+}
+
+/// The dynamics' part has its rows, its samples, its limits and its wear, on the page and in the workbook too, and goes
+/// on from where it was stopped.
+#[test]
+fn what_the_dynamics_is_asked_for() {
+    let place = tempfile::tempdir().expect("a folder");
+    let (whole, stopped) = (place.path().join("whole"), place.path().join("stopped"));
+    let case = changed(&[
+        "plan.depths=2",
+        "operation.kind=[\"trip_out\"]",
+        "operation.flow_rate=\"1500 L/min\"",
+        "rig.hoist_capacity=\"1000 kN\"",
+        "mud.rheology=\"newtonian\"",
+        "mud.viscosity=\"20 cP\"",
+        "mud.gel_strength=\"10 Pa\"",
+        "dynamics.settle=\"1 s\"",
+        "dynamics.duration=\"1 s\"",
+        "plan.campaign.off_bottom=\"10 h\"",
+        "plan.dynamic.events=[\"pick_up_from_slips\", \"break_circulation\", \"break_rotation\"]",
+        "plan.dynamic.wear=\"rotate_off_bottom\"",
+        "plan.dynamic.watch=\"2 s\"",
+        "plan.dynamic.pump_ramp=\"1 s\"",
+    ]);
+    let token = CancellationToken::new();
+    let done = plan::run(&request(&case, &whole, Existing::Protect), &Silent, &token);
+    let done = done.expect("a plan");
+    let names: Vec<&str> = done.summary.peaks.iter().map(|of| of.event.as_str()).collect();
+    assert_eq!(names, ["pick_up_from_slips", "break_circulation", "break_rotation"]);
+    let [lifted, pumped, turned] = &done.summary.peaks[..] else { panic!("three events") };
+    let hook = lifted.hook_load_N.expect("an answer");
+    assert!(hook.peak > hook.at_rest && hook.peak >= hook.steady, "{hook:?}");
+    assert!(lifted.surface_torque_N_m.is_none() && lifted.gel.is_none());
+    assert!(pumped.gel.is_some() && pumped.pump_pressure_Pa.is_some());
+    assert!(turned.surface_torque_N_m.is_some_and(|of| of.peak > 0.0));
+    let of_events = |kind: &str| {
+        let limits = done.summary.worst_limits.iter();
+        limits.filter(|of| of.model == "dynamic" && of.kind == kind).count()
+    };
+    assert_eq!(of_events("hoist"), 3);
+    assert!(done.summary.wear.iter().any(|of| of.model == "dynamic"));
+    let page = fs::read_to_string(whole.join("report.html")).expect("a page");
+    for expected in
+        ["Setting in motion", "pick-up from slips, dynamics", "plan_peaks.csv", "peaks.csv"]
+    {
+        assert!(page.contains(expected), "{expected}");
+    }
+    assert!(whole.join("peaks.svg").is_file());
+
+    let stops = Stops::after(2);
+    let request_of = |existing| request(&case, &stopped, existing);
+    let first = plan::run(&request_of(Existing::Protect), &stops, &stops.token).expect("a part");
+    assert!(first.batch.is_interrupted());
+    let second = plan::run(&request_of(Existing::Resume), &Silent, &token).expect("the rest");
+    assert_eq!(second.summary, done.summary);
+    for name in [
+        "summary.json",
+        "plan_peaks.csv",
+        "plan_peaks_time.parquet",
+        "plan_limits.csv",
+        "plan_wear.csv",
+        "report.html",
+    ] {
+        let read = |folder: &Path| fs::read(folder.join(name)).expect("a file");
+        assert!(read(&whole) == read(&stopped), "{name}");
+    }
+    // A plan without them leaves none of it.
+    let plain = changed(&["plan.depths=2", "operation.kind=[\"trip_out\"]"]);
+    plan::run(&request(&plain, &whole, Existing::Overwrite), &Silent, &token).expect("a plan");
+    for name in ["plan_peaks.csv", "plan_peaks_time.parquet", "peaks.csv", "peaks.svg"] {
+        assert!(!whole.join(name).exists(), "{name}");
+    }
 }

@@ -12,6 +12,7 @@ mod mud;
 mod operation;
 mod overrides;
 mod plan;
+mod plan_dynamic;
 mod plan_limits;
 mod plan_uncertain;
 mod records;

@@ -50,7 +50,7 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
             table.row(row);
         }
     }
-    let mut text = table.text();
+    let mut text = table.text() + &peaks(summary, units);
     for of in summary.worst_limits.iter().filter(|of| of.reserve() < 1.0) {
         text += &format!(
             "{}: {} in {}, {} friction, the bit at {:.0} {}: factor {:.2}, required {:.2}\n",
@@ -87,6 +87,56 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
         text += &format!("{} points are missing: the plan was interrupted\n", summary.missing);
     }
     text
+}
+
+/// What a string that sets itself in motion comes to; nothing where no one asked.
+fn peaks(summary: &PlanSummary, units: UnitSet) -> String {
+    if summary.peaks.is_empty() {
+        return String::new();
+    }
+    let headings =
+        ["event", "quantity", "friction", "bit at", "at rest", "peak", "after, s", "comes to"];
+    let mut table =
+        Table::new("Peaks of a string that hangs at rest, by the dynamics", 3, &headings);
+    let mut reasons = String::new();
+    for of in &summary.peaks {
+        let event = of.event.replace('_', " ");
+        let depth = Dimension::Length.unit_in(units);
+        let bit = format!("{:.0} {}", depth.from_si(of.bit_depth_m), depth.symbol);
+        let quantities = [
+            ("hook load", Dimension::Force, of.hook_load_N),
+            ("torque", Dimension::Torque, of.surface_torque_N_m),
+            ("pump pressure", Dimension::Pressure, of.pump_pressure_Pa),
+        ];
+        for (name, dimension, peak) in quantities {
+            let Some(peak) = peak else { continue };
+            let unit = dimension.unit_in(units);
+            // Not a zero with a sign.
+            let number = |si: f64| format!("{:.1}", (10.0 * unit.from_si(si)).round() / 10.0 + 0.0);
+            table.row(vec![
+                event.clone(),
+                format!("{name}, {}", unit.symbol),
+                of.friction.clone(),
+                bit.clone(),
+                number(peak.at_rest),
+                number(peak.peak),
+                format!("{:.2}", peak.time_s),
+                number(peak.steady),
+            ]);
+        }
+        if let Some(gel) = of.gel {
+            let unit = Dimension::Pressure.unit_in(units);
+            let pressure = unit.from_si(gel.bore_Pa + gel.annulus_Pa);
+            reasons += &format!(
+                "{event}, the bit at {bit}: the gel breaks at {pressure:.1} {}\n",
+                unit.symbol
+            );
+        }
+        if let Some(message) = &of.message {
+            reasons += &format!("{event}, {} friction, the bit at {bit}: {message}\n", of.friction);
+        }
+    }
+    table.text() + &reasons
 }
 
 /// The gravest finding of any friction.

@@ -85,6 +85,11 @@ impl Annulus {
         Self { pipe_m: (0.5 * pipe_od_m).min(FULLEST * hole_m), hole_m }
     }
 
+    /// Diameters of the pipe, as far as it counts, and of the hole, m.
+    pub(super) fn diameters_m(&self) -> [f64; 2] {
+        [2.0 * self.pipe_m, 2.0 * self.hole_m]
+    }
+
     /// Mean speed of mud that passes at a flow rate, m/s.
     pub fn mean_m_per_s(&self, flow_m3_per_s: f64) -> f64 {
         flow_m3_per_s / (PI * (self.hole_m * self.hole_m - self.pipe_m * self.pipe_m))

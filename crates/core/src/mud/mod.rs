@@ -2,11 +2,13 @@
 
 pub mod annulus;
 pub mod bore;
+pub mod gel;
 pub mod hydraulics;
 pub mod rheology;
 mod turbulence;
 
 pub use annulus::{Annulus, AnnulusDrag, Motion};
+pub use gel::AnnulusGel;
 pub use hydraulics::Hydraulics;
 pub use rheology::Rheology;
 

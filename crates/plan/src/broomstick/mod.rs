@@ -105,6 +105,11 @@ impl Broomstick {
         self.campaign.as_ref()
     }
 
+    /// What its loads are compared with.
+    pub(crate) fn limit_settings(&self) -> &LimitSettings {
+        &self.limits
+    }
+
     /// The string at a level of friction.
     pub fn setup(&self, level: FrictionLevel) -> &Setup {
         &self.setups[level as usize]

@@ -105,4 +105,20 @@ impl Campaign {
         };
         duration_s.filter(|of| *of > 0.0)
     }
+
+    /// How long an operation goes on at all depths of the campaign that are nearest to its own, among these, m:
+    /// of one that is looked at there alone. None where it is no part of the campaign.
+    pub(crate) fn duration_near_s(&self, operation: &Operation, among_m: &[f64]) -> Option<f64> {
+        let nearest = |depth_m: f64| {
+            let far = |of: &&f64| (**of - depth_m).abs();
+            among_m.iter().min_by(|a, b| far(a).total_cmp(&far(b))).copied()
+        };
+        let at = |depth_m: &f64| {
+            let operation = Operation { bit_depth_m: *depth_m, ..*operation };
+            self.duration_s(&operation)
+        };
+        let near = self.depths_m.iter().filter(|of| nearest(**of) == Some(operation.bit_depth_m));
+        let all_s: f64 = near.filter_map(at).sum();
+        Some(all_s).filter(|of| *of > 0.0)
+    }
 }

@@ -52,6 +52,21 @@ impl Campaign {
         Some(share)
     }
 
+    /// What a solved operation takes of the casings by its work of friction. It stands for all depths of the
+    /// campaign that are nearest to its own, among these, m; none where it is no part of the campaign.
+    pub fn share_by_work(
+        &self,
+        model: &Model,
+        operation: &Operation,
+        solution: &Solution<'_>,
+        among_m: &[f64],
+    ) -> Option<Share> {
+        let duration_s = self.duration_near_s(operation, among_m)?;
+        let mut wear = self.new.clone();
+        wear.add_by_work(&Stage { model, operation, solution: *solution, duration_s });
+        Some(Share { worn: wear.worn(), ..Share::default() })
+    }
+
     /// What is left of the casings, from the surface down.
     pub fn casings(&self, share: &Share) -> Vec<WearRow> {
         self.new.clone().with(&share.worn).rows()

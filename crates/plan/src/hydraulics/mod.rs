@@ -5,11 +5,13 @@
 //! and friction together is their equivalent density, `ρ + Δp/(g z)` at the vertical depth `z`. Theory:
 //! `docs/src/theory/mud.md`.
 
+mod gel;
 mod passage;
 #[cfg(test)]
 mod tests;
 mod trip;
 
+pub use gel::{GelBreak, gel_break};
 pub use trip::StringEnd;
 
 use wholestring::{

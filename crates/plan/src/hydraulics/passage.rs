@@ -52,6 +52,11 @@ impl Passages {
         Self { mud: model.mud, stretches: stretches.collect() }
     }
 
+    /// Length of each stretch, m, its annulus and its bore, m².
+    pub(super) fn lengths(&self) -> impl Iterator<Item = (f64, &Annulus, f64)> {
+        self.stretches.iter().map(|of| (of.to_md_m - of.from_md_m, &of.annulus, of.bore_m2))
+    }
+
     /// What friction adds to the pressure in the annulus at measured depths, Pa. Below the bit nothing
     /// is added.
     pub(super) fn annulus_loss_Pa<const N: usize>(

@@ -106,7 +106,9 @@ pub(super) fn wear(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     let rows: Vec<_> = plan.wear.iter().map(row).collect();
     let caption = "Of each casing the stretch that the campaign wears most, with the friction that is expected \
         and the wear factors of the plan. Collapse is that of a casing with no more than the wall that is \
-        left all round. What is not known: give the casing by its size, weight and grade.";
+        left all round. What is not known: give the casing by its size, weight and grade. Of the model \
+        \"dynamic\" what the plan asks the dynamics for is worn by its work of friction, the rest as by the \
+        first model.";
     (!rows.is_empty()).then(|| part("Casing wear", caption, Grid { heads, rows }, "plan_wear"))
 }
 

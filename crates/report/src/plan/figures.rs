@@ -1,6 +1,6 @@
 //! All pictures of a plan.
 
-use super::{Plan, broomstick, buckling, mud};
+use super::{Plan, broomstick, buckling, mud, peaks};
 use crate::{
     Plot,
     plots::{Shown, named},
@@ -8,8 +8,8 @@ use crate::{
 };
 
 /// Names of the pictures of a plan.
-pub const PLAN_PICTURES: [&str; 5] =
-    ["hook_load", "torque", "buckling_weight", "hydraulics", "uncertain"];
+pub const PLAN_PICTURES: [&str; 6] =
+    ["hook_load", "torque", "buckling_weight", "hydraulics", "uncertain", "peaks"];
 
 /// Every picture of a plan, in a set of units (`si`, `metric` or `field`), where there is something
 /// to draw.
@@ -22,6 +22,7 @@ pub fn plan_plots(plan: &Plan, units: &str) -> Vec<Plot> {
         buckling::figure(plan, shown),
         mud::figure(plan, shown),
         owed.and_then(|of| uncertain::figure(of, &plan.head.title)),
+        peaks::figure(plan, shown),
     ];
     named(PLAN_PICTURES, figures)
 }

@@ -30,7 +30,12 @@ fn kinds(plan: &Plan) -> Vec<&str> {
 
 /// A row for each kind, a column for each operation: the least factor of all depths and frictions.
 pub(super) fn factors(plan: &Plan) -> Option<StudyPart> {
-    let operations = plan.operations();
+    let mut operations = plan.operations();
+    for of in &plan.limits {
+        if !operations.contains(&of.operation.as_str()) {
+            operations.push(&of.operation);
+        }
+    }
     let mut heads = vec![head("limit", true), head("required", false)];
     heads.extend(operations.iter().map(|of| head(operation_name(of), false)));
     let row = |kind: &str| {

@@ -9,6 +9,7 @@ mod limits;
 mod measured;
 mod mud;
 mod page;
+mod peaks;
 mod tables;
 #[cfg(test)]
 mod tests;
@@ -52,6 +53,8 @@ pub struct Plan {
     pub fatigue: Vec<PlanFatigueRow>,
     /// Of each casing the stretch that is worn most.
     pub wear: Vec<PlanWearRow>,
+    /// What the dynamics says of a string that sets itself in motion.
+    pub events: Vec<PlanEvent>,
     /// Weight on bit of what drills, N.
     pub weight_on_bit_N: Option<f64>,
     /// What comes of numbers that are not known exactly; none where all are.
@@ -219,6 +222,54 @@ pub struct PlanWearRow {
     pub burst_Pa: [f64; 2],
     /// Collapse of the new and of the worn casing, Pa.
     pub collapse_Pa: [f64; 2],
+}
+
+/// A string that sets itself in motion, with the bit at one depth and one friction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanEvent {
+    /// What it is: `pick-up from slips`.
+    pub name: String,
+    /// Place of its friction among [`Plan::levels`].
+    pub level: usize,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// Its peaks; none where there is no answer.
+    pub peaks: Vec<PlanPeakRow>,
+    /// What breaks the gel, Pa, where it is known.
+    pub gel_Pa: Option<f64>,
+    /// What that takes off the hook load, N.
+    pub gel_lift_N: f64,
+    /// Time from its beginning, s.
+    pub time_s: Vec<f64>,
+    /// Hook load without block, N.
+    pub hook_load_N: Vec<f64>,
+    /// Surface torque, N·m.
+    pub torque_N_m: Vec<f64>,
+    /// Pressure of the pump, Pa.
+    pub pump_Pa: Vec<f64>,
+    /// Why there is no answer, or what is to be wary of.
+    pub message: Option<String>,
+}
+
+/// A peak; what is not known is not a number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanPeakRow {
+    /// `hook load`, `surface torque` or `pump pressure`.
+    pub quantity: &'static str,
+    /// Its dimension.
+    pub dimension: String,
+    /// Before, SI.
+    pub at_rest: f64,
+    /// Farthest from that, SI.
+    pub peak: f64,
+    /// When, s from the beginning.
+    pub time_s: f64,
+    /// What it comes to, SI.
+    pub steady: f64,
+    /// Peak over that.
+    pub ratio: f64,
+    /// What the peak has beyond that, as a part of the change.
+    pub overshoot: f64,
 }
 
 /// What the mud does in a plan.

@@ -1,6 +1,6 @@
 //! The page of a plan as one file that needs nothing else.
 
-use super::{Plan, campaign, figures::plan_plots, limits, measured, tables};
+use super::{Plan, campaign, figures::plan_plots, limits, measured, peaks, tables};
 use crate::{StudyPage, StudyPart, plots::Shown, study_html, uncertain};
 
 /// What the numbers stand for.
@@ -9,7 +9,7 @@ const ABOUT: &str = "Hook load and surface torque against the depth of the bit: 
     friction. The workbook plan.xlsx has every table, with charts of its own.";
 
 /// Title and caption of each picture.
-const PICTURES: [(&str, &str, &str); 5] = [
+const PICTURES: [(&str, &str, &str); 6] = [
     (
         "hook_load",
         "Hook load",
@@ -33,6 +33,12 @@ const PICTURES: [(&str, &str, &str); 5] = [
          the string or streaming through it.",
     ),
     ("uncertain", "What the bands are owed to", uncertain::CAPTION),
+    (
+        "peaks",
+        "Setting in motion",
+        "By the dynamics: a string that hangs at rest is lifted from the slips or lowered, its pumps or its \
+         rotary start, in the time that the plan states. A dot is the peak.",
+    ),
 ];
 
 /// The page as the text of an HTML file. No name in it can end the element that it stands in.
@@ -63,6 +69,7 @@ pub fn plan_html(plan: &Plan) -> String {
     parts.extend(measured::table(plan, shown));
     parts.extend(limits::factors(plan));
     parts.extend(limits::nearest(plan, shown));
+    parts.extend(peaks::table(plan, shown));
     parts.extend(campaign::fatigue(plan, shown));
     parts.extend(campaign::wear(plan, shown));
     parts.extend(tables::at_depth(plan, shown));

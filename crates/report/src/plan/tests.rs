@@ -1,8 +1,9 @@
 use std::collections::BTreeMap;
 
 use super::{
-    BucklingCurve, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow, PlanLevel, PlanLimitRow,
-    PlanMeasured, PlanMud, PlanMudRow, PlanRig, PlanSpot, PlanWearRow, plan_html, plan_plots,
+    BucklingCurve, Plan, PlanCurve, PlanEvent, PlanFatigueHourRow, PlanFatigueRow, PlanLevel,
+    PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanPeakRow, PlanRig, PlanSpot, PlanWearRow,
+    plan_html, plan_plots,
 };
 use crate::{
     Cell, DisplayUnit, Fact, Level, PageHead, Section,
@@ -111,6 +112,7 @@ fn plan() -> Plan {
         unchecked: vec!["no make-up torque of pipe".into()],
         fatigue: vec![fatigue("drill <pipe>", 1.2), fatigue("collar", 1e-7)],
         wear: vec![wear()],
+        events: Vec::new(),
         weight_on_bit_N: Some(3e4),
         uncertain: None,
         measured: Vec::new(),
@@ -311,4 +313,101 @@ fn fatigue_and_wear_stand_on_the_page() {
     }
     let none = Plan { fatigue: Vec::new(), wear: Vec::new(), ..plan() };
     assert!(!plan_html(&none).contains("Casing wear"));
+}
+
+fn event(name: &str, bit_depth_m: f64, quantities: &[(&'static str, &str, f64)]) -> PlanEvent {
+    let peak = |(quantity, dimension, peak): &(&'static str, &str, f64)| PlanPeakRow {
+        quantity,
+        dimension: (*dimension).to_owned(),
+        at_rest: 0.5 * peak,
+        peak: *peak,
+        time_s: 2.0,
+        steady: 0.8 * peak,
+        ratio: 1.25,
+        overshoot: 2.0 / 3.0,
+    };
+    let times_s: Vec<f64> = (0..2000).map(|i| 0.01 * f64::from(i)).collect();
+    let series = |dimension: &str| {
+        let of = quantities.iter().find(|of| of.1 == dimension);
+        let peak = of.map_or(f64::NAN, |of| of.2);
+        let at = |time_s: &f64| if (time_s - 2.0).abs() < 0.005 { peak } else { 0.8 * peak };
+        times_s.iter().map(at).collect::<Vec<f64>>()
+    };
+    PlanEvent {
+        name: name.into(),
+        level: 1,
+        bit_depth_m,
+        peaks: quantities.iter().map(peak).collect(),
+        gel_Pa: (name == "breaking circulation").then_some(6e6),
+        gel_lift_N: 2e4,
+        hook_load_N: series("force"),
+        torque_N_m: series("torque"),
+        pump_Pa: series("pressure"),
+        time_s: times_s,
+        message: None,
+    }
+}
+
+/// An event has a panel for each quantity that it moves, with a curve and a ring for each depth, in the colour of its
+/// depth; a sample that stands alone keeps its height though the curve has fewer points. What breaks the gel and a
+/// limit that is near are lines; what has no answer says so in the table.
+#[test]
+fn events_stand_against_time() {
+    let lost = PlanEvent {
+        message: Some("it <diverged>".into()),
+        ..event("pick-up from slips", 500.0, &[])
+    };
+    let plan = Plan {
+        events: vec![
+            event("pick-up from slips", 1000.0, &[("hook load", "force", 5e5)]),
+            event("pick-up from slips", 2000.0, &[("hook load", "force", 9e5)]),
+            event(
+                "breaking circulation",
+                2000.0,
+                &[("hook load", "force", 4e5), ("pump pressure", "pressure", 5e6)],
+            ),
+            lost,
+        ],
+        ..plan()
+    };
+    let plots = plan_plots(&plan, "si");
+    let figure = &plots.last().expect("pictures").figure;
+    let labels: Vec<&str> = figure.panels.iter().map(|of| of.axis.label.as_str()).collect();
+    assert_eq!(
+        labels,
+        [
+            "Pick-up from slips: hook load, kN",
+            "Breaking circulation: hook load, kN",
+            "Breaking circulation: pump pressure, MPa"
+        ]
+    );
+    let [lifted, _, pumped] = &figure.panels[..] else { panic!("three panels") };
+    let curves = lifted.marks.iter().filter_map(|mark| match mark {
+        Mark::Curve { points, .. } => Some(points),
+        _ => None,
+    });
+    let peaks = curves.map(|points| points.iter().map(|of| of.1).fold(0.0, f64::max));
+    assert_eq!(peaks.collect::<Vec<_>>(), [500.0, 900.0]);
+    // The hoist bears 600 kN without its block: it is passed.
+    let rules = |panel: &Panel| {
+        let rule = |mark: &Mark| match mark {
+            Mark::OwnRule { at, label } => Some((*at, label.clone())),
+            _ => None,
+        };
+        panel.marks.iter().filter_map(rule).collect::<Vec<_>>()
+    };
+    assert_eq!(rules(lifted), [(600.0, "limit".to_owned())]);
+    assert_eq!(rules(pumped), [(6.0, "gel, 2000 m".to_owned())]);
+    let page = plan_html(&plan);
+    for text in [
+        "Setting in motion",
+        "to break the gel",
+        "1.250",
+        "66.7 %",
+        "it &lt;diverged&gt;",
+        "plan_peaks.csv",
+    ] {
+        assert!(page.contains(text), "{text}");
+    }
+    assert!(!plan_html(&super::Plan { events: Vec::new(), ..plan }).contains("plan_peaks"));
 }

@@ -3,6 +3,7 @@
 mod campaign;
 mod hydraulics;
 mod measured;
+mod peaks;
 mod tables;
 
 pub use campaign::{
@@ -10,6 +11,9 @@ pub use campaign::{
 };
 pub use hydraulics::{PlanDensity, PlanHydraulics};
 pub use measured::PlanMeasured;
+pub use peaks::{
+    PlanGel, PlanHistory, PlanPeak, PlanPeakOf, plan_peaks_table, plan_peaks_time_table,
+};
 pub use tables::plan_limits_table;
 
 use std::path::Path;
@@ -67,6 +71,10 @@ pub struct PlanSummary {
     /// What was measured, model after model, in the order of its file.
     #[serde(default)]
     pub measured: Vec<PlanMeasured>,
+    /// Peaks by the dynamics, event after event, friction after friction, down the hole; empty where none was asked
+    /// for.
+    #[serde(default)]
+    pub peaks: Vec<PlanPeak>,
 }
 
 /// Friction of a hole section at a level.

@@ -1,6 +1,7 @@
 //! What the campaign of a plan does to string and casing, as results have it.
 
 use serde::{Deserialize, Serialize};
+use wholestring::outcome::ModelKind;
 use wholestring_plan::{
     Broomstick, BroomstickPoint, Campaign, FrictionLevel, Share, Statics,
     fatigue::{DamageRow, FatigueRow},
@@ -11,10 +12,11 @@ use wholestring_results::{PlanDamage, PlanFatigue, PlanFatigueHour, PlanWear};
 /// A damage that nothing survives: what is beyond has no number in JSON.
 const SURELY: f64 = 1e9;
 
-/// A share of the campaign, and by which model.
+/// A share of the campaign, by which model and of which operation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Taken {
     model: String,
+    operation: String,
     share: Share,
 }
 
@@ -22,7 +24,8 @@ pub(super) struct Taken {
 pub(super) fn taken(found: &[BroomstickPoint]) -> Vec<Taken> {
     let of_point = |of: &BroomstickPoint| {
         let share = of.outcome.as_ref().ok()?.share.clone()?;
-        Some(Taken { model: of.model.name().to_owned(), share })
+        let (model, operation) = (of.model.name().to_owned(), of.operation.name().to_owned());
+        Some(Taken { model, operation, share })
     };
     found.iter().filter_map(of_point).collect()
 }
@@ -36,8 +39,14 @@ pub(super) struct Came {
     pub(super) worst_wear: Vec<PlanWear>,
 }
 
-/// Adds up the shares, model after model.
-pub(super) fn came(of: &Broomstick, models: &[Statics], taken: &[Taken]) -> Came {
+/// Adds up the shares, model after model. What the dynamics wears stands after them: with it in the place of what
+/// the first of them says of the same operations.
+pub(super) fn came(
+    of: &Broomstick,
+    models: &[Statics],
+    taken: &[Taken],
+    by_dynamics: &[(String, Share)],
+) -> Came {
     let mut came = Came::default();
     let Some(campaign) = of.campaign() else { return came };
     for model in models.iter().map(|model| model.name()) {
@@ -46,6 +55,15 @@ pub(super) fn came(of: &Broomstick, models: &[Statics], taken: &[Taken]) -> Came
         let mut all = first.clone();
         shares.for_each(|share| all.merge(share));
         came.add(of, campaign, model, &all);
+    }
+    if let (Some((_, all)), Some(first)) = (by_dynamics.first(), models.first()) {
+        let is_replaced = |name: &str| by_dynamics.iter().any(|(of, _)| of == name);
+        let others =
+            taken.iter().filter(|of| of.model == first.name() && !is_replaced(&of.operation));
+        let mut all = all.clone();
+        by_dynamics[1..].iter().for_each(|(_, share)| all.worn.merge(&share.worn));
+        others.for_each(|of| all.worn.merge(&of.share.worn));
+        came.add_wear(campaign, ModelKind::Dynamic.name(), &all);
     }
     came
 }
@@ -71,6 +89,10 @@ impl Came {
                 hour: hour.map(hourly),
             });
         }
+        self.add_wear(campaign, model, all);
+    }
+
+    fn add_wear(&mut self, campaign: &Campaign, model: &str, all: &Share) {
         let wear: Vec<PlanWear> =
             campaign.casings(all).iter().map(|row| stretch(model, row)).collect();
         for of in &wear {

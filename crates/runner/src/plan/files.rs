@@ -2,7 +2,7 @@
 
 use wholestring_results::{
     Column, Data, PlanMeasured, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table,
-    UncertainBand,
+    UncertainBand, plan_peaks_table,
 };
 
 use crate::uncertain::{self, Names};
@@ -16,6 +16,8 @@ pub(super) const HYDRAULICS: &str = "plan_hydraulics";
 pub(super) const FATIGUE: &str = "plan_fatigue";
 pub(super) const WEAR: &str = "plan_wear";
 pub(super) const MEASURED: &str = "plan_measured";
+pub(super) const PEAKS: &str = "plan_peaks";
+pub(super) const PEAKS_TIME: &str = "plan_peaks_time";
 
 /// Tables whose rows the summary has not all of.
 pub(super) struct Tables {
@@ -27,6 +29,8 @@ pub(super) struct Tables {
     pub(super) wear: Table,
     /// Of the samples of what is uncertain, where anything is.
     pub(super) samples: Option<Table>,
+    /// Of events against time.
+    pub(super) peaks_time: Table,
 }
 
 /// Name of the workbook.
@@ -48,6 +52,16 @@ pub(super) fn write(
     folder.write_table(BROOMSTICK, &summary.broomstick_table(), true)?;
     folder.write_table(BUCKLING, &summary.buckling_table(), true)?;
     folder.write_table(FRICTION, &summary.friction_table(), true)?;
+    if summary.peaks.is_empty() {
+        for name in [PEAKS, PEAKS_TIME, "peaks"] {
+            folder.remove(&format!("{name}.parquet"))?;
+            folder.remove(&format!("{name}.csv"))?;
+        }
+    } else {
+        folder.write_table(PEAKS, &plan_peaks_table(&summary.peaks), true)?;
+        folder.write_table(PEAKS_TIME, &tables.peaks_time, true)?;
+        tables.peaks_time.write_csv(&folder.path().join("peaks.csv"))?;
+    }
     let picture = folder.path().join("hydraulics.csv");
     if summary.hydraulics.is_empty() {
         for name in ["plan_hydraulics.parquet", "plan_hydraulics.csv", "hydraulics.csv"] {

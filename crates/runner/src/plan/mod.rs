@@ -1,6 +1,7 @@
 //! Torque and drag at every depth of the bit, with low, expected and high friction.
 
 mod campaign;
+mod dynamic;
 mod files;
 mod kind;
 mod levels;
@@ -8,6 +9,7 @@ mod measured;
 mod mud;
 mod outcome;
 mod page;
+mod peaks;
 mod request;
 mod rows;
 mod sample;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use serde_json::Value as Json;
-use wholestring_plan::limits::LimitKind;
+use wholestring_plan::{dynamic::Event, limits::LimitKind};
 use wholestring_report::{
     BucklingCurve, Cell, Fact, Level, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow,
     PlanLevel, PlanLimitRow, PlanMeasured, PlanRig, PlanSpot, PlanWearRow, Section, operation_name,
@@ -11,14 +11,14 @@ use wholestring_report::{
 };
 use wholestring_results::{
     Level as Grave, PlanFatigue, PlanLimit, PlanPoint, PlanSummary, PlanWear, ResultsError,
-    ResultsFolder,
+    ResultsFolder, Table,
 };
 use wholestring_units::UnitSet;
 
 use super::{
-    files::{FATIGUE, LIMITS, Tables, WEAR, WORKBOOK},
+    files::{FATIGUE, LIMITS, PEAKS_TIME, Tables, WEAR, WORKBOOK},
     levels::{LEVELS, label, short},
-    mud,
+    mud, peaks,
     workbook::workbook,
 };
 use crate::{
@@ -44,23 +44,24 @@ pub(super) fn write_again(
     units: Option<UnitSet>,
 ) -> Result<(), crate::error::Error> {
     let summary = PlanSummary::read(&folder.path().join("summary.json"))?;
-    let plan = of_summary(&summary, units);
+    let peaks_time = table(folder.path(), PEAKS_TIME)?;
+    let plan = of_summary(&summary, &peaks_time, units);
     let units = plan.head.units.parse().unwrap_or_default();
     plan.write(folder, false)?;
     let [limits, fatigue, wear] = [LIMITS, FATIGUE, WEAR].map(|name| table(folder.path(), name));
     let samples = summary.uncertain.as_ref().map(|_| table(folder.path(), Names::PLAN.samples));
     let samples = samples.transpose()?;
-    let tables = Tables { limits: limits?, fatigue: fatigue?, wear: wear?, samples };
+    let tables = Tables { limits: limits?, fatigue: fatigue?, wear: wear?, samples, peaks_time };
     write_workbook(folder, &summary, &tables, units)
 }
 
 /// Everything that is reported of a plan.
 pub(super) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Plan, ResultsError> {
     let summary = PlanSummary::read(&folder.join("summary.json"))?;
-    Ok(of_summary(&summary, units))
+    Ok(of_summary(&summary, &table(folder, PEAKS_TIME)?, units))
 }
 
-fn of_summary(summary: &PlanSummary, units: Option<UnitSet>) -> Plan {
+fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>) -> Plan {
     let settings = &summary.settings;
     let number = |of: &Json| of.as_f64();
     let rig = &settings["rig"];
@@ -85,6 +86,7 @@ fn of_summary(summary: &PlanSummary, units: Option<UnitSet>) -> Plan {
         unchecked: summary.unchecked.clone(),
         fatigue: summary.fatigue.iter().map(fatigue).collect(),
         wear: summary.wear.iter().map(wear).collect(),
+        events: peaks::events(summary, peaks_time),
         rig: PlanRig {
             block_N: number(&rig["block_weight_N"]),
             hoist_N: number(&rig["hoist_capacity_N"]),
@@ -170,7 +172,8 @@ fn limit(of: &PlanLimit) -> PlanLimitRow {
     let dimension = kind.map_or("", |kind| shown_dimension(kind.quantity()));
     PlanLimitRow {
         kind: kind.map_or_else(|| of.kind.replace('_', " "), |kind| kind.label().to_owned()),
-        operation: of.operation.clone(),
+        operation: Event::from_name(&of.operation)
+            .map_or_else(|| of.operation.clone(), |event| format!("{}, dynamics", event.label())),
         friction: of.friction.clone(),
         bit_depth_m: of.bit_depth_m,
         component: of.component.clone().unwrap_or_default(),

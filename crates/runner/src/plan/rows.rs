@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use wholestring::well::HoleKind;
-use wholestring_plan::{Broomstick, BroomstickPoint, BucklingWeight, FrictionLevel};
+use wholestring::{string::ComponentSpec, well::HoleKind};
+use wholestring_plan::{Broomstick, BroomstickPoint, BucklingWeight, FrictionLevel, limits::Limit};
 use wholestring_results::{PlanBuckling, PlanFinding, PlanFriction, PlanLimit, PlanPoint};
 
 pub(super) fn points(found: &[BroomstickPoint]) -> Vec<PlanPoint> {
@@ -36,23 +36,34 @@ pub(super) fn limits(of: &Broomstick, found: &[BroomstickPoint]) -> Vec<PlanLimi
     for point in found {
         let Ok(answer) = &point.outcome else { continue };
         let components = &of.setup(point.friction).string.components;
-        rows.extend(answer.limits.limits.iter().map(|limit| PlanLimit {
+        rows.extend(answer.limits.limits.iter().map(|found| PlanLimit {
             model: point.model.name().to_owned(),
             friction: point.friction.name().to_owned(),
             operation: point.operation.name().to_owned(),
             bit_depth_m: point.bit_depth_m,
-            kind: limit.kind.name().to_owned(),
-            component: limit.component.and_then(|at| Some(components.get(at)?.name.clone())),
-            md_m: limit.md_m,
-            load: limit.load,
-            capacity: limit.capacity,
-            unit: limit.kind.quantity().unit().to_owned(),
-            factor: limit.factor,
-            required: limit.required,
-            standing: limit.level.name().to_owned(),
+            ..limit(components, found)
         }));
     }
     rows
+}
+
+/// A limit of a string of these components, of nobody yet.
+pub(super) fn limit(components: &[ComponentSpec], limit: &Limit) -> PlanLimit {
+    PlanLimit {
+        model: String::new(),
+        friction: String::new(),
+        operation: String::new(),
+        bit_depth_m: f64::NAN,
+        kind: limit.kind.name().to_owned(),
+        component: limit.component.and_then(|at| Some(components.get(at)?.name.clone())),
+        md_m: limit.md_m,
+        load: limit.load,
+        capacity: limit.capacity,
+        unit: limit.kind.quantity().unit().to_owned(),
+        factor: limit.factor,
+        required: limit.required,
+        standing: limit.level.name().to_owned(),
+    }
 }
 
 /// What is missing, and of which component; empty of the rig.

@@ -7,11 +7,12 @@ use serde_json::json;
 use wholestring_plan::{Broomstick, BroomstickTask, FrictionLevel, Statics, limits::LimitKind};
 use wholestring_results::{
     PLAN_VERSION, PlanBuckling, PlanLimit, PlanPoint, PlanSummary, ResultsError, ResultsFolder,
-    plan_fatigue_table, plan_limits_table, plan_wear_table,
+    plan_fatigue_table, plan_limits_table, plan_peaks_time_table, plan_wear_table,
 };
 
 use super::{
     campaign::{Taken, came, taken},
+    dynamic::{Parts, Ran, Run, runs},
     files::Tables,
     measured::{Measured, MeasuredDone, MeasuredTask},
     mud,
@@ -40,6 +41,8 @@ enum Piece {
     Sample(usize),
     /// What would have been read.
     Measured(MeasuredTask),
+    /// What the dynamics is asked for.
+    Dynamic(Run),
 }
 
 /// What came of a piece.
@@ -49,6 +52,7 @@ enum Done {
     Buckling(Vec<PlanBuckling>),
     Sample(Sampled),
     Measured(MeasuredDone),
+    Dynamic(Ran),
 }
 
 /// What became of the work.
@@ -112,9 +116,9 @@ impl<'a> Work<'a> {
         let tasks = broomstick.tasks().into_iter().map(Piece::Points);
         let depths = broomstick.depths_m().iter().copied().map(Piece::Buckling);
         let read = measured.tasks(request).into_iter().map(Piece::Measured);
-        let samples = 0..sampler.map_or(0, |of| of.points.len());
-        let list: Vec<Piece> =
-            tasks.chain(depths).chain(read).chain(samples.map(Piece::Sample)).collect();
+        let runs = runs(request.case, broomstick).into_iter().map(Piece::Dynamic);
+        let samples = (0..sampler.map_or(0, |of| of.points.len())).map(Piece::Sample);
+        let list: Vec<Piece> = tasks.chain(depths).chain(read).chain(runs).chain(samples).collect();
         let every = request.checkpoint_every.unwrap_or_else(|| checkpoint_every(request.case));
         let pieces = Pieces::new(
             (list.len(), identity),
@@ -146,6 +150,7 @@ impl<'a> Work<'a> {
                 (1 + u8::from(task.model == Statics::Stiff), task.operation.bit_depth_m)
             }
             Piece::Buckling(depth_m) => (1, 10.0 * depth_m),
+            Piece::Dynamic(run) => (3, run.bit_depth_m()),
             Piece::Sample(_) => (0, 0.0),
         };
         order.sort_by(|a, b| {
@@ -165,9 +170,10 @@ impl<'a> Work<'a> {
         Some(Asked::new(self.sampler?, &plan.operations, &plan.bit_depths_m))
     }
 
-    fn solve(&self, piece: Piece, asked: Option<&Asked<'_>>) -> Done {
+    /// What comes of a piece; nothing where it is cancelled before it has come to its end.
+    fn solve(&self, piece: Piece, asked: Option<&Asked<'_>>) -> Option<Done> {
         let of = self.broomstick;
-        match piece {
+        Some(match piece {
             Piece::Points(task) => {
                 let found = of.solve(&task);
                 let (limits, unchecked) = (limits(of, &found), unchecked(of, &found));
@@ -175,10 +181,14 @@ impl<'a> Work<'a> {
             }
             Piece::Buckling(depth_m) => Done::Buckling(buckling(&of.weights_to_buckle(depth_m))),
             Piece::Measured(of) => Done::Measured(self.measured.solve(&of)),
+            Piece::Dynamic(run) => {
+                let goes_on = || !self.cancellation.is_cancelled();
+                Done::Dynamic(run.solve(self.request.case, of, &goes_on)?)
+            }
             Piece::Sample(sample) => {
                 Done::Sample(asked.map(|asked| asked.solve(sample)).unwrap_or_default())
             }
-        }
+        })
     }
 
     /// What was found, and how it went.
@@ -193,6 +203,8 @@ impl<'a> Work<'a> {
         let (mut all_limits, mut lacking) = (Vec::new(), BTreeSet::new());
         let (mut all_taken, mut all_measured) = (Vec::new(), Vec::new());
         let mut sampled = Vec::new();
+        let is_run = |piece: &&Piece| matches!(piece, Piece::Dynamic(_));
+        let mut parts = Parts::of(self.list.iter().filter(is_run).count());
         for (piece, one) in self.list.iter().zip(done) {
             let Some(one) = one else {
                 if let Piece::Sample(_) = piece {
@@ -210,10 +222,11 @@ impl<'a> Work<'a> {
                 Done::Buckling(of) => weights.extend(of),
                 Done::Sample(of) => sampled.push(Some(of)),
                 Done::Measured(of) => all_measured.push(of),
+                Done::Dynamic(ran) => parts.add(ran),
             }
         }
         let plan = &case.plan;
-        let came = came(self.broomstick, &plan.models, &all_taken);
+        let came = came(self.broomstick, &plan.models, &all_taken, parts.whole_wear());
         // Curve by curve: a task has the frictions of one depth.
         let level = |name: &str| FrictionLevel::ALL.iter().position(|of| of.name() == name);
         let models: Vec<String> = plan.models.iter().map(|of| of.name().to_owned()).collect();
@@ -252,12 +265,14 @@ impl<'a> Work<'a> {
         if let Some(uncertain) = &plan.uncertain {
             settings["plan"]["uncertain"] = json!(uncertain);
         }
+        all_limits.extend(parts.limits);
         let mut unchecked = in_words(&lacking);
+        unchecked.extend(parts.lacking);
         let hydraulics = mud::rows(case).unwrap_or_else(|why| {
             unchecked.push(why);
             Vec::new()
         });
-        let summary = PlanSummary {
+        let mut summary = PlanSummary {
             schema_version: PLAN_VERSION,
             case: case.name.clone(),
             settings,
@@ -275,12 +290,18 @@ impl<'a> Work<'a> {
             wear: came.worst_wear,
             uncertain,
             measured: self.measured.rows(self.request, &all_measured),
+            peaks: parts.peaks,
         };
+        if !plan.dynamic.events.is_empty() || !plan.dynamic.wear.is_empty() {
+            summary.settings["plan"]["dynamic"] = json!(plan.dynamic);
+        }
+        let events: Vec<_> = summary.peaks.iter().zip(&parts.histories).collect();
         let tables = Tables {
             limits: plan_limits_table(&all_limits),
             fatigue: plan_fatigue_table(&came.damage),
             wear: plan_wear_table(&came.wear),
             samples,
+            peaks_time: plan_peaks_time_table(&events),
         };
         Ended { summary, tables, batch }
     }

@@ -4,7 +4,7 @@ use wholestring_report::{
     Cells, FRICTION_STROKES, Sheet, SheetColumn, Workbook, WorkbookChart, WorkbookSeries,
     operation_name,
 };
-use wholestring_results::{Column, Data, PlanMeasured, PlanSummary, Table};
+use wholestring_results::{Column, Data, PlanMeasured, PlanSummary, Table, plan_peaks_table};
 use wholestring_units::UnitSet;
 
 use super::{
@@ -25,6 +25,7 @@ const MEASURED: &str = "Measured";
 /// The workbook of a plan in these units.
 pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) -> Workbook {
     let (points, measured) = (summary.broomstick_table(), summary.measured_table());
+    let peaks = plan_peaks_table(&summary.peaks);
     let tables = [
         (
             BROOMSTICK,
@@ -39,6 +40,8 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
         ("Limits", &found.limits, "Loads against what bears them, in the unit of each row"),
         ("Fatigue", &found.fatigue, "What the campaign takes of the string's life"),
         ("Casing wear", &found.wear, "What the campaign takes of the casing"),
+        ("Peaks", &peaks, "What a string that sets itself in motion comes to, by the dynamics"),
+        ("Peaks against time", &found.peaks_time, "The same, sample by sample"),
         ("Friction", &summary.friction_table(), "Friction of each hole section at each level"),
         (
             "Hydraulics",
@@ -53,6 +56,7 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
     ];
     let is_there = |name: &str| match name {
         "Hydraulics" => !summary.hydraulics.is_empty(),
+        "Peaks" | "Peaks against time" => !summary.peaks.is_empty(),
         MEASURED => !summary.measured.is_empty(),
         _ => true,
     };
@@ -125,7 +129,7 @@ fn column(of: &Column, units: UnitSet) -> SheetColumn {
 fn readable(of: &Column, word: &str) -> String {
     match of.name.as_str() {
         "operation" => operation_name(word).to_owned(),
-        "worst_finding" => word.replace('_', " "),
+        "worst_finding" | "event" => word.replace('_', " "),
         _ => word.to_owned(),
     }
 }

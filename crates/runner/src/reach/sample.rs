@@ -101,7 +101,7 @@ impl Asked<'_> {
             Pieces::new((count, identity), (folder, existing), keeper, observer, cancellation)?;
         let quantities = self.quantities();
         let order: Vec<usize> = (0..count).collect();
-        pieces.solve_all(&order, jobs, |sample| self.solve(sample, quantities.len()))?;
+        pieces.solve_all(&order, jobs, |sample| Some(self.solve(sample, quantities.len())))?;
         let mut batch = BatchOutcome::begin(folder.path(), count, begun, cancellation);
         batch.finished = pieces.ended();
         let sampled = pieces.into_done();

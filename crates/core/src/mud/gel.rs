@@ -1,0 +1,37 @@
+//! Mud that has gelled at rest: what makes it flow again.
+//!
+//! A plug of gel slides when the stress at its walls is the gel strength `τ_g`. In a bore of diameter
+//! `d` that takes a gradient of `4 τ_g/d`, in the annulus between `d_1` and `d_2` one of
+//! `4 τ_g/(d_2 − d_1)` (Bourgoyne, Millheim, Chenevert and Young, *Applied Drilling Engineering*, SPE 1986,
+//! section 4.13, as commonly printed: `τ_g/(300 d)` in psi/ft, lbf/100 ft² and inches).
+
+use std::f64::consts::PI;
+
+use super::Annulus;
+
+/// What gelled mud in an annulus does to a metre of pipe when it begins to flow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AnnulusGel {
+    /// Gradient of the pressure that it takes, Pa/m.
+    pub gradient_Pa_per_m: f64,
+    /// What that takes off the effective tension, N/m: the stress at the pipe's wall and what the
+    /// gradient adds to the pressure around it, `π d_1 d_2 τ_g/(d_2 − d_1)`.
+    pub lift_N_per_m: f64,
+}
+
+impl Annulus {
+    /// What makes a gel of this strength, Pa, flow.
+    pub fn gel(&self, gel_strength_Pa: f64) -> AnnulusGel {
+        let [pipe_m, hole_m] = self.diameters_m();
+        let gradient_Pa_per_m = 4.0 * gel_strength_Pa / (hole_m - pipe_m);
+        AnnulusGel {
+            gradient_Pa_per_m,
+            lift_N_per_m: 0.25 * PI * pipe_m * hole_m * gradient_Pa_per_m,
+        }
+    }
+}
+
+/// Gradient that makes a gel of this strength, Pa, flow in a bore, Pa/m; zero of none.
+pub fn bore_gradient_Pa_per_m(gel_strength_Pa: f64, bore_m2: f64) -> f64 {
+    if bore_m2 > 0.0 { 2.0 * gel_strength_Pa / (bore_m2 / PI).sqrt() } else { 0.0 }
+}

@@ -1,0 +1,143 @@
+//! The peak of a series, and the series.
+
+use serde::{Deserialize, Serialize};
+use wholestring::outcome::TimeSeries;
+
+use super::settings::REST_S;
+
+/// Time before the event over which what there is at rest is a mean, s.
+const BEFORE_S: f64 = 0.5;
+
+/// Part of the watch at its end over which the steady value is a mean.
+const END: f64 = 0.25;
+
+/// To which side of what there is at rest a peak is looked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Toward {
+    /// To what is more.
+    More,
+    /// To what is less.
+    Less,
+    /// To the side of what it comes to.
+    Steady,
+}
+
+/// What an event makes of a quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Peak {
+    /// Before it.
+    pub at_rest: f64,
+    /// What is farthest from that at any sample, to the side that it goes to.
+    pub peak: f64,
+    /// When, s from the beginning of the event.
+    pub time_s: f64,
+    /// What it comes to: the mean over the last quarter of the watch.
+    pub steady: f64,
+    /// That less the mean over the quarter before.
+    pub drift: f64,
+}
+
+impl Peak {
+    /// The peak over what it comes to; none where that is nothing.
+    pub fn ratio(&self) -> Option<f64> {
+        let ratio = self.peak / self.steady;
+        ratio.is_finite().then_some(ratio)
+    }
+
+    /// How far the peak goes beyond what it comes to, as a part of the change; none where nothing changes.
+    pub fn overshoot(&self) -> Option<f64> {
+        let change = self.steady - self.at_rest;
+        let least = 1e-6 * self.steady.abs().max(self.at_rest.abs());
+        (change.abs() > least).then(|| (self.peak - self.steady) / change)
+    }
+
+    /// Of samples at times from the beginning of the event, s, of which the last `watch_s` are the watch.
+    pub(super) fn of(
+        times_s: &[f64],
+        values: &[f64],
+        watch_s: f64,
+        toward: Toward,
+    ) -> Option<Self> {
+        let pairs = || times_s.iter().copied().zip(values.iter().copied());
+        let mean = |from_s: f64, to_s: f64| {
+            let within = pairs().filter(|(time_s, _)| *time_s > from_s && *time_s <= to_s);
+            let (sum, count) =
+                within.fold((0.0, 0.0), |(sum, n), (_, value)| (sum + value, n + 1.0));
+            (count > 0.0).then_some(sum / count)
+        };
+        let end_s = *times_s.last()?;
+        let part_s = END * watch_s;
+        let at_rest = mean(-BEFORE_S, 0.0)?;
+        let steady = mean(end_s - part_s, end_s)?;
+        let before = mean(end_s - 2.0 * part_s, end_s - part_s)?;
+        let after = pairs().filter(|(time_s, _)| *time_s > 0.0);
+        let up = match toward {
+            Toward::More => true,
+            Toward::Less => false,
+            Toward::Steady => steady >= at_rest,
+        };
+        let far = |(_, value): &(f64, f64)| if up { *value } else { -*value };
+        let (time_s, peak) = after.max_by(|a, b| far(a).total_cmp(&far(b)))?;
+        Some(Self { at_rest, peak, time_s, steady, drift: steady - before })
+    }
+}
+
+/// What an event looks like at surface, sample by sample.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct History {
+    /// Time from the beginning of the event, s.
+    pub time_s: Vec<f64>,
+    /// Hook load without block, N.
+    pub hook_load_N: Vec<f64>,
+    /// Torque at the top of the string, N·m.
+    pub surface_torque_N_m: Vec<f64>,
+    /// Pressure of the pump, Pa; none without a rheology.
+    pub pump_pressure_Pa: Vec<Option<f64>>,
+    /// Speed of the block, m/s, positive downwards.
+    pub block_velocity_m_per_s: Vec<f64>,
+    /// Rotary speed at surface, rad/s.
+    pub rotary_speed_rad_per_s: Vec<f64>,
+    /// What the pumps deliver, m³/s.
+    pub flow_rate_m3_per_s: Vec<f64>,
+}
+
+impl History {
+    /// From half a second before the event on.
+    pub(super) fn of(series: &TimeSeries) -> Self {
+        let first = series.time_s.partition_point(|time_s| *time_s <= REST_S - BEFORE_S);
+        Self {
+            time_s: series.time_s[first..].iter().map(|time_s| time_s - REST_S).collect(),
+            hook_load_N: series.hook_load_N[first..].to_vec(),
+            surface_torque_N_m: series.surface_torque_N_m[first..].to_vec(),
+            pump_pressure_Pa: series.pump_pressure_Pa[first..].to_vec(),
+            block_velocity_m_per_s: series.block_velocity_m_per_s[first..].to_vec(),
+            rotary_speed_rad_per_s: series.rotary_speed_rad_per_s[first..].to_vec(),
+            flow_rate_m3_per_s: series.flow_rate_m3_per_s[first..].to_vec(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A load that rises from 100 to 200, with a sample of 260 on the way.
+    #[test]
+    fn a_peak_is_what_is_farthest_from_rest() {
+        let times_s: Vec<f64> = (0..=140).map(|i| 0.1 * f64::from(i) - 4.0).collect();
+        let value = |time_s: f64| match time_s {
+            t if t <= 0.0 => 100.0,
+            t if (t - 1.0).abs() < 0.05 => 260.0,
+            _ => 200.0,
+        };
+        let values: Vec<f64> = times_s.iter().map(|t| value(*t)).collect();
+        let peak = Peak::of(&times_s, &values, 8.0, Toward::Steady).expect("samples");
+        assert!((peak.time_s - 1.0).abs() < 1e-9);
+        assert_eq!((peak.at_rest, peak.peak, peak.steady, peak.drift), (100.0, 260.0, 200.0, 0.0));
+        assert_eq!((peak.ratio(), peak.overshoot()), (Some(1.3), Some(0.6)));
+        // Nothing changes: no overshoot; nothing is there: no ratio.
+        let still = Peak::of(&times_s, &vec![0.0; times_s.len()], 8.0, Toward::More);
+        let still = still.expect("samples");
+        assert_eq!((still.ratio(), still.overshoot()), (None, None));
+    }
+}

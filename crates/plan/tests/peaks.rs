@@ -1,0 +1,339 @@
+//! Events at rest and wear by the dynamics, against closed forms.
+
+mod common;
+
+use std::f64::consts::PI;
+
+use common::*;
+use wholestring::{
+    GRAVITY_M_PER_S2,
+    dynamics::{DynamicsSettings, HoistLine, RodDamping},
+    mud::Rheology,
+    prelude::*,
+    well::{CasingPipe, HoleSection},
+};
+use wholestring_plan::{
+    Broomstick, CampaignSettings, FrictionLevel, Frictions, Setup, Share, Statics,
+    dynamic::{DynamicPlan, Event, EventAnswer, EventTask},
+    hydraulics::gel_break,
+    limits::LimitKind,
+    strength::PSI_PA,
+};
+use wholestring_verification::verify;
+
+const OD_M: f64 = 0.127;
+const ID_M: f64 = 0.1086;
+const CASING_OD_M: f64 = 0.244475;
+const HOLE_M: f64 = 0.2159;
+
+fn area_m2() -> f64 {
+    0.25 * PI * (OD_M * OD_M - ID_M * ID_M)
+}
+
+/// Plain pipe in a straight hole at an inclination.
+fn straight(length_m: f64, inclination_deg: f64, friction: Friction, mud: Mud) -> Setup {
+    let stations = [0.0, length_m].map(|md_m| Station::from_degrees(md_m, inclination_deg, 0.0));
+    let casing = Some(CasingPipe { od_m: CASING_OD_M, yield_strength_Pa: Some(80e3 * PSI_PA) });
+    let section =
+        HoleSection { casing, friction, ..HoleSection::casing(0.0..length_m, HOLE_M, 0.2) };
+    let pipe = ComponentSpec {
+        yield_strength_Pa: Some(135e3 * PSI_PA),
+        ..ComponentSpec::uniform("pipe", OD_M, ID_M, ToSurface, steel())
+    };
+    Setup {
+        well: Well {
+            path: Path::minimum_curvature(&stations).expect("a path"),
+            hole: Hole::new(vec![section]).expect("a hole"),
+        },
+        string: StringSpec { components: vec![pipe] },
+        mud,
+        rig: Default::default(),
+        ends: Default::default(),
+        buckling: Default::default(),
+    }
+}
+
+fn broomstick(setup: &Setup, operations: Vec<Operation>, depth_m: f64) -> Broomstick {
+    let depths_m = vec![depth_m];
+    Broomstick::new(setup, &Frictions::default(), operations, depths_m, vec![Statics::Soft])
+        .expect("a broomstick")
+}
+
+/// A stiff line without a block, nothing damped.
+fn dynamics(element_m: f64) -> DynamicsSettings {
+    DynamicsSettings {
+        mesh: MeshSettings::uniform(element_m),
+        damping: RodDamping { mass_per_s: 0.0, stiffness_s: 0.0 },
+        hoist_line: HoistLine {
+            stiffness_N_per_m: 1e11,
+            damping_N_s_per_m: 0.0,
+            block_mass_kg: 0.0,
+        },
+        ..DynamicsSettings::default()
+    }
+}
+
+fn answer(
+    setup: &Setup,
+    event: Event,
+    plan: &DynamicPlan,
+    dynamics: &DynamicsSettings,
+    bit_depth_m: f64,
+) -> EventAnswer {
+    let task = EventTask { event, friction: FrictionLevel::Expected, bit_depth_m };
+    let found = broomstick(setup, Vec::new(), bit_depth_m);
+    let found = found.solve_event(&task, plan, dynamics, &|| true).expect("an answer");
+    found.expect("it went on")
+}
+
+/// A free rod that is lifted at its top, from rest to a speed in a time: `F = W + Z [v(t) + 2 Σ (−1)^k v(t − 2kL/c)]`
+/// with `Z = ρ A c`, d'Alembert's waves on a rod whose lower end is free.
+#[test]
+fn a_rod_is_lifted_against_its_impedance() {
+    const LENGTH_M: f64 = 2000.0;
+    const SPEED: f64 = 0.3;
+    let air = Mud { drag_coefficient: 0.0, ..Mud::of_density(0.0) };
+    let setup = straight(LENGTH_M, 0.0, Friction::uniform(0.0), air);
+    let wave = (steel().youngs_modulus_Pa / steel().density_kg_per_m3).sqrt();
+    let impedance = steel().density_kg_per_m3 * area_m2() * wave;
+    let weight_N = steel().density_kg_per_m3 * area_m2() * GRAVITY_M_PER_S2 * LENGTH_M;
+    for ramp_s in [0.5, 1.0, 2.0] {
+        let velocity = |time_s: f64| SPEED * (time_s / ramp_s).clamp(0.0, 1.0);
+        let force_N = |time_s: f64| {
+            let echo = |k: i32| {
+                let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+                2.0 * sign * velocity(time_s - 2.0 * f64::from(k) * LENGTH_M / wave)
+            };
+            impedance * (velocity(time_s) + (1..10).map(echo).sum::<f64>())
+        };
+        let exact = (0..4000).map(|i| force_N(1e-3 * f64::from(i))).fold(0.0, f64::max);
+        let plan = DynamicPlan {
+            set_points: Some(Operation::trip_out(LENGTH_M).trip_speed_m_per_s(SPEED)),
+            hoist_ramp_s: ramp_s,
+            watch_s: 4.0 - ramp_s,
+            ..DynamicPlan::default()
+        };
+        let found = answer(
+            &setup,
+            Event::PickUpFromSlips,
+            &plan,
+            &dynamics(std::env::var("EL").map_or(10.0, |e| e.parse().unwrap())),
+            LENGTH_M,
+        );
+        let hook = found.hook_load_N;
+        verify("peaks", format!("weight of a rod before it is lifted in {ramp_s} s, N"))
+            .relative(1e-4, "what the start leaves of its settling")
+            .report(weight_N, hook.at_rest);
+        verify("peaks", format!("peak over the weight of a rod that is lifted in {ramp_s} s, N"))
+            .relative(0.01, "elements of 10 m; of 20 m twice as far off")
+            .report(exact, hook.peak - hook.at_rest);
+        // The whole course, not the peak alone: the root of the mean square over four seconds.
+        let history = &found.history;
+        let squares = history.time_s.iter().zip(&history.hook_load_N).filter(|(t, _)| **t > 0.0);
+        let (sum, count) = squares.fold((0.0, 0.0), |(sum, n), (time_s, load_N)| {
+            // A sample is the mean over the 10 ms before.
+            let off = load_N - hook.at_rest - force_N(time_s - 0.005);
+            (sum + off * off, n + 1.0)
+        });
+        let off = (sum / count).sqrt() / (impedance * SPEED);
+        assert!(off < 0.01, "{ramp_s} s: {off}");
+        // The tension on the table of limits is that of the top, where the peak is.
+        let tension = found.limits.iter().find(|of| of.kind == LimitKind::Tension);
+        let tension = tension.expect("a yield strength");
+        assert!(tension.md_m.is_some_and(|md_m| md_m < 1.0), "{tension:?}");
+        verify("peaks", format!("largest tension of a rod that is lifted in {ramp_s} s, N"))
+            .relative(3e-3, "half an element, 5 m of 2000 m, hangs above the first tension")
+            .report(hook.peak, tension.load);
+    }
+}
+
+/// The friction at rest of a string in an inclined hole breaks: the peak is between the kinetic friction and all
+/// of the friction at rest, and next to that where the block is slow; what it comes to is kinetic.
+#[test]
+fn friction_at_rest_breaks() {
+    const LENGTH_M: f64 = 1000.0;
+    const INCLINATION_DEG: f64 = 60.0;
+    let friction = Friction { kinetic: 0.2, at_rest: 0.35, around: 1.0 };
+    let setup = straight(LENGTH_M, INCLINATION_DEG, friction, Mud::of_density(1200.0));
+    let (speed, ramp_s, stribeck, watch_s) = (0.5, 25.0, 0.3, 4.0);
+    let settings = DynamicsSettings {
+        stribeck_speed_m_per_s: stribeck,
+        ..dynamics(std::env::var("EL").map_or(5.0, |e| e.parse().unwrap()))
+    };
+    let plan = DynamicPlan {
+        set_points: Some(
+            Operation::trip_out(LENGTH_M).trip_speed_m_per_s(speed).rotary_speed_rad_per_s(10.0),
+        ),
+        hoist_ramp_s: ramp_s,
+        rotary_ramp_s: ramp_s,
+        watch_s,
+        ..DynamicPlan::default()
+    };
+    let metal = steel().density_kg_per_m3;
+    let weight_N_per_m = (metal - 1200.0) * area_m2() * GRAVITY_M_PER_S2;
+    let (sine, cosine) = INCLINATION_DEG.to_radians().sin_cos();
+    let (hangs_N, presses_N) =
+        (weight_N_per_m * cosine * LENGTH_M, weight_N_per_m * sine * LENGTH_M);
+    let at = |sliding: f64| {
+        let part = sliding / stribeck;
+        friction.kinetic + (friction.at_rest - friction.kinetic) / (1.0 + part * part)
+    };
+    let pulled = answer(&setup, Event::PickUpFromSlips, &plan, &settings, LENGTH_M).hook_load_N;
+    let slackened =
+        answer(&setup, Event::SlackOffFromSlips, &plan, &settings, LENGTH_M).hook_load_N;
+    let inertia_N = metal * area_m2() * LENGTH_M * speed / ramp_s;
+    for (name, sign, hook) in [("lifted", 1.0, pulled), ("lowered", -1.0, slackened)] {
+        verify("peaks", format!("hook load at rest of a string that is then {name}, N"))
+            .relative(5e-3, "friction holds what the start leaves: a three-hundredth of its own")
+            .report(hangs_N, hook.at_rest);
+        // What has been pulled out of the hole in the middle of the last quarter rubs no more.
+        let out_m = if sign > 0.0 { speed * (0.5 * ramp_s + 0.875 * watch_s) } else { 0.0 };
+        let rubs = 1.0 - out_m / LENGTH_M;
+        verify("peaks", format!("friction of a string that is {name} at its speed, N"))
+            .relative(0.01, "the clamp at the top holds some 8 m of 1000 m")
+            .report(at(speed) * rubs * presses_N, sign * (hook.steady - hangs_N));
+        let broke_N = sign * (hook.peak - hangs_N);
+        let bound_N = friction.at_rest * presses_N;
+        // The top slides already, at some 3 cm/s, where the end breaks; the block accelerates what it pulls.
+        let what = format!("friction that breaks where a string is {name}, N");
+        verify("peaks", what)
+            .relative(0.05, "the two that the comment names, 2 % each way and less")
+            .report(bound_N, broke_N);
+        assert!(broke_N < bound_N + inertia_N, "{broke_N}");
+    }
+    let turned = answer(&setup, Event::BreakRotation, &plan, &settings, LENGTH_M);
+    let torque = turned.surface_torque_N_m.expect("it turns");
+    let radius_m = 0.5 * OD_M;
+    let around = at(10.0 * radius_m);
+    verify("peaks", "torque of a string that has begun to turn, N·m")
+        .relative(0.01, "elements of 5 m and what still rolls")
+        .report(around * presses_N * radius_m / (1.0 + around * around).sqrt(), torque.steady);
+    let most_N_m = friction.at_rest * presses_N * radius_m;
+    assert!(torque.peak < 1.02 * most_N_m, "{torque:?} beyond {most_N_m}");
+    assert!(torque.peak > 1.1 * torque.steady, "{torque:?}");
+    assert!(torque.at_rest.abs() < 1e-3 * torque.steady, "{torque:?}");
+}
+
+/// `4 τ L/d` of each bore and `4 τ L/(d₂ − d₁)` of each annulus; the same as printed, `τ/(300 d)` psi/ft of
+/// lbf/100 ft² and inches; and what lifts the string as the difference of two forces.
+#[test]
+fn a_gel_breaks() {
+    const POUNDS_PER_100_FT2_PA: f64 = POUND_FORCE_N / (100.0 * 0.3048 * 0.3048);
+    let gel_Pa = 25.0 * POUNDS_PER_100_FT2_PA;
+    let collar = ComponentSpec::uniform("collar", 0.165, 0.0714, Metres(150.0), steel());
+    let setup = straight(1000.0, 30.0, Friction::uniform(0.2), Mud::of_density(1200.0));
+    let pipe = setup.string.components[0].clone();
+    let setup = Setup { string: StringSpec { components: vec![collar, pipe] }, ..setup };
+    let broken = gel_break(&setup.at(1000.0).expect("a model"), 1000.0, gel_Pa);
+    let parts = [(150.0, 0.165, 0.0714), (850.0, OD_M, ID_M)];
+    let sum = |of: &dyn Fn(f64, f64) -> f64| parts.iter().map(|(l, od, id)| l * of(*od, *id)).sum();
+    let bore: f64 = sum(&|_, id| 4.0 * gel_Pa / id);
+    let annulus: f64 = sum(&|od, _| 4.0 * gel_Pa / (HOLE_M - od));
+    verify("peaks", "pressure that breaks gel in the bore, Pa")
+        .relative(1e-12, "rounding")
+        .report(bore, broken.bore_Pa);
+    verify("peaks", "pressure that breaks gel in the annulus, Pa")
+        .relative(1e-12, "rounding")
+        .report(annulus, broken.annulus_Pa);
+    let printed: f64 = sum(&|od, id| {
+        let gap_in = (HOLE_M - od) / INCH_M;
+        25.0 / 300.0 * (INCH_M / id + 1.0 / gap_in) * PSI_PA / 0.3048
+    });
+    verify("peaks", "pressure that breaks gel as printed, Pa")
+        .relative(1e-9, "rounding")
+        .report(printed, broken.pressure_Pa());
+    // At the walls of pipe and hole acts the gel strength; the annulus's gradient on the section of the
+    // pipe is what effective tension adds.
+    let lift: f64 =
+        sum(&|od, _| PI * od * gel_Pa + 0.25 * PI * od * od * 4.0 * gel_Pa / (HOLE_M - od));
+    verify("peaks", "lift of gel on the string, N")
+        .relative(1e-12, "rounding")
+        .report(lift, broken.lift_N);
+}
+
+/// Pumps that start bring the pressure of the steady flow, and the gel counts where it is more.
+#[test]
+fn circulation_breaks() {
+    const LENGTH_M: f64 = 500.0;
+    let rheology = Rheology::Newtonian { viscosity_Pa_s: 0.5 };
+    let mud = Mud { rheology: Some(rheology), ..Mud::of_density(1200.0) };
+    let mut setup = straight(LENGTH_M, 30.0, Friction::uniform(0.2), mud);
+    setup.rig.pump_pressure_limit_Pa = Some(35e6);
+    let turn = Operation::rotate_off_bottom(LENGTH_M).flow_rate_m3_per_s(0.02);
+    let plan = |gel_strength_Pa| DynamicPlan {
+        set_points: Some(turn),
+        pump_ramp_s: 2.0,
+        watch_s: 4.0,
+        gel_strength_Pa,
+        ..DynamicPlan::default()
+    };
+    let at =
+        |gel_Pa| answer(&setup, Event::BreakCirculation, &plan(gel_Pa), &dynamics(10.0), LENGTH_M);
+    let found = at(None);
+    let pump = found.pump_pressure_Pa.expect("a rheology");
+    let wholestring_plan::hydraulics::HydraulicsRow { standpipe_Pa, .. } =
+        wholestring_plan::hydraulics::hydraulics(&setup, &turn, &[LENGTH_M]).expect("a row")[0];
+    verify("peaks", "pressure of pumps that have started, Pa")
+        .relative(1e-3, "what still moves")
+        .report(standpipe_Pa, pump.steady);
+    assert!(pump.at_rest.abs() < 1e-6 * pump.steady, "{pump:?}");
+    assert!(found.gel.is_none() && found.surface_torque_N_m.is_none());
+    // The stream lifts the string.
+    assert!(found.hook_load_N.steady < found.hook_load_N.at_rest - 100.0);
+    let limit = |of: &EventAnswer| {
+        let limit = of.limits.iter().find(|of| of.kind == LimitKind::PumpPressure);
+        limit.expect("a limit of the pump").load
+    };
+    assert_close("limit", limit(&found), pump.peak, 1e-12);
+    let strong = at(Some(1000.0));
+    let gel_Pa = strong.gel.expect("a gel").pressure_Pa();
+    assert!(gel_Pa > pump.peak);
+    assert_close("limit", limit(&strong), gel_Pa, 1e-12);
+}
+
+/// Casing that a string turns in at one inclination: the dynamics' work of friction takes what the side force
+/// does on the same way, but that a string which turns climbs, so that `1/√(1 + μ²)` of the force is left.
+#[test]
+fn wear_by_the_work_of_friction() {
+    const LENGTH_M: f64 = 500.0;
+    const FRICTION: f64 = 0.2;
+    let setup = straight(LENGTH_M, 60.0, Friction::uniform(FRICTION), Mud::of_density(1200.0));
+    let turn = Operation::rotate_off_bottom(LENGTH_M).rotary_speed_rad_per_s(4.0 * PI);
+    let campaign = CampaignSettings { off_bottom_s: 36e3, ..CampaignSettings::default() };
+    let broomstick = broomstick(&setup, vec![turn], LENGTH_M).with_campaign(&campaign);
+    let broomstick = broomstick.expect("casing");
+    let plan =
+        DynamicPlan { bit_depths_m: vec![LENGTH_M], wear: vec![turn], ..DynamicPlan::default() };
+    let settings =
+        DynamicsSettings { settle_s: 10.0, duration_s: 10.0, ..DynamicsSettings::default() };
+    let campaign = broomstick.campaign().expect("a campaign");
+    let [task] = &plan.wear_tasks(campaign)[..] else { panic!("one operation at one depth") };
+    let by_work = broomstick.solve_wear(task, &plan, &settings, &|| true).expect("an answer");
+    let by_work = by_work.expect("a share of the campaign");
+    let points = broomstick.tasks().iter().flat_map(|of| broomstick.solve(of)).collect::<Vec<_>>();
+    let shares = points.iter().filter_map(|of| of.outcome.as_ref().ok()?.share.clone());
+    let [by_force] = &shares.collect::<Vec<_>>()[..] else { panic!("one share") };
+    let worn = |share: &Share| -> f64 {
+        let rows = campaign.casings(share);
+        // The top and the end of the string are held otherwise.
+        let inner = rows.iter().filter(|of| (50.0..LENGTH_M - 50.0).contains(&of.md_m));
+        inner.map(|of| of.worn_m3_per_m).sum()
+    };
+    verify("peaks", "casing worn by the dynamics' work over that by the side force")
+        .relative(5e-3, "joints of the mesh; half the elements leave it")
+        .report(1.0 / (1.0 + FRICTION * FRICTION).sqrt(), worn(&by_work) / worn(by_force));
+}
+
+/// A run that is told to stop has no answer, and none that would be wrong.
+#[test]
+fn what_is_stopped_has_no_answer() {
+    let setup = straight(300.0, 0.0, Friction::uniform(0.2), Mud::of_density(1200.0));
+    let plan =
+        DynamicPlan { set_points: Some(Operation::trip_out(300.0)), ..DynamicPlan::default() };
+    let event = Event::PickUpFromSlips;
+    let task = EventTask { event, friction: FrictionLevel::Expected, bit_depth_m: 300.0 };
+    let of = broomstick(&setup, Vec::new(), 300.0);
+    assert!(matches!(of.solve_event(&task, &plan, &dynamics(10.0), &|| false), Ok(None)));
+    let nothing = DynamicPlan::default();
+    assert!(of.solve_event(&task, &nothing, &dynamics(10.0), &|| true).is_err());
+}

@@ -1,0 +1,187 @@
+//! What a plan takes from the dynamics, as results have it.
+
+use serde::{Deserialize, Serialize};
+use wholestring::outcome::ModelKind;
+use wholestring_case::Case;
+use wholestring_plan::{
+    Broomstick, Share,
+    dynamic::{EventAnswer, EventTask, NoDynamics, Peak, WearTask},
+    hydraulics::GelBreak,
+};
+use wholestring_results::{PlanGel, PlanHistory, PlanLimit, PlanPeak, PlanPeakOf};
+
+use super::rows::limit;
+
+/// Part of what it comes to by which a hook load may still drift: beyond it the watch was short.
+const DRIFT: f64 = 0.01;
+
+/// A piece of the dynamics' part.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Run {
+    /// An event.
+    Event(EventTask),
+    /// An operation that wears casing.
+    Wear(WearTask),
+}
+
+/// What came of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) enum Ran {
+    /// An event with its samples and limits.
+    Event(Box<PlanPeak>, PlanHistory, Vec<PlanLimit>),
+    /// What an operation takes of the casings.
+    Wear { operation: String, bit_depth_m: f64, found: Result<Share, String> },
+}
+
+/// All that a plan asks of the dynamics.
+pub(super) fn runs(case: &Case, of: &Broomstick) -> Vec<Run> {
+    let plan = &case.plan.dynamic;
+    let events = plan.tasks().into_iter().map(Run::Event);
+    let wear = of.campaign().map_or_else(Vec::new, |campaign| plan.wear_tasks(campaign));
+    events.chain(wear.into_iter().map(Run::Wear)).collect()
+}
+
+impl Run {
+    /// Measured depth of the bit, m.
+    pub(super) fn bit_depth_m(&self) -> f64 {
+        match self {
+            Self::Event(task) => task.bit_depth_m,
+            Self::Wear(task) => task.operation.bit_depth_m,
+        }
+    }
+
+    /// Runs it; none where `goes_on` said no on the way.
+    pub(super) fn solve(
+        &self,
+        case: &Case,
+        of: &Broomstick,
+        goes_on: &dyn Fn() -> bool,
+    ) -> Option<Ran> {
+        let (plan, dynamics) = (&case.plan.dynamic, &case.dynamics);
+        match self {
+            Self::Event(task) => match of.solve_event(task, plan, dynamics, goes_on) {
+                Ok(answer) => answer.map(|answer| event(of, task, answer)),
+                Err(error) => Some(unanswered(task, &error)),
+            },
+            Self::Wear(task) => {
+                let found = match of.solve_wear(task, plan, dynamics, goes_on) {
+                    Ok(None) => return None,
+                    Ok(Some(share)) => Ok(share),
+                    Err(error) => Err(error.to_string()),
+                };
+                let operation = task.operation.kind.name().to_owned();
+                Some(Ran::Wear { operation, bit_depth_m: task.operation.bit_depth_m, found })
+            }
+        }
+    }
+}
+
+fn row(task: &EventTask) -> PlanPeak {
+    PlanPeak {
+        event: task.event.name().to_owned(),
+        friction: task.friction.name().to_owned(),
+        bit_depth_m: task.bit_depth_m,
+        hook_load_N: None,
+        surface_torque_N_m: None,
+        pump_pressure_Pa: None,
+        gel: None,
+        message: None,
+    }
+}
+
+fn unanswered(task: &EventTask, error: &NoDynamics) -> Ran {
+    let peak = PlanPeak { message: Some(error.to_string()), ..row(task) };
+    Ran::Event(Box::new(peak), PlanHistory::default(), Vec::new())
+}
+
+fn event(of: &Broomstick, task: &EventTask, answer: EventAnswer) -> Ran {
+    let peak_of = |peak: Peak| PlanPeakOf {
+        at_rest: peak.at_rest,
+        peak: peak.peak,
+        time_s: peak.time_s,
+        steady: peak.steady,
+        drift: peak.drift,
+        ratio: peak.ratio(),
+        overshoot: peak.overshoot(),
+    };
+    let gel = |GelBreak { bore_Pa, annulus_Pa, lift_N }| PlanGel { bore_Pa, annulus_Pa, lift_N };
+    let hook = answer.hook_load_N;
+    let drifts = hook.drift.abs() > DRIFT * hook.steady.abs();
+    let message = drifts.then(|| {
+        format!(
+            "the hook load still drifts by {:.1} % at the end of the watch",
+            100.0 * (hook.drift / hook.steady).abs()
+        )
+    });
+    let peak = PlanPeak {
+        hook_load_N: Some(peak_of(hook)),
+        surface_torque_N_m: answer.surface_torque_N_m.map(peak_of),
+        pump_pressure_Pa: answer.pump_pressure_Pa.map(peak_of),
+        gel: answer.gel.map(gel),
+        message,
+        ..row(task)
+    };
+    let series = answer.history;
+    let pressures = series.pump_pressure_Pa.iter().map(|of| of.unwrap_or(f64::NAN));
+    let history = PlanHistory {
+        pump_pressure_Pa: pressures.collect(),
+        time_s: series.time_s,
+        hook_load_N: series.hook_load_N,
+        surface_torque_N_m: series.surface_torque_N_m,
+        block_velocity_m_per_s: series.block_velocity_m_per_s,
+        rotary_speed_rad_per_s: series.rotary_speed_rad_per_s,
+        flow_rate_m3_per_s: series.flow_rate_m3_per_s,
+    };
+    let components = &of.setup(task.friction).string.components;
+    let limits = answer.limits.iter().map(|found| PlanLimit {
+        model: ModelKind::Dynamic.name().to_owned(),
+        friction: task.friction.name().to_owned(),
+        operation: task.event.name().to_owned(),
+        bit_depth_m: task.bit_depth_m,
+        ..limit(components, found)
+    });
+    Ran::Event(Box::new(peak), history, limits.collect())
+}
+
+/// All that came of the dynamics' part.
+#[derive(Debug, Default)]
+pub(super) struct Parts {
+    pub(super) peaks: Vec<PlanPeak>,
+    pub(super) histories: Vec<PlanHistory>,
+    pub(super) limits: Vec<PlanLimit>,
+    /// What wears, by the name of its operation.
+    pub(super) wear: Vec<(String, Share)>,
+    /// Why wear is not known, or not all of it.
+    pub(super) lacking: Vec<String>,
+    /// Runs that were asked for.
+    pub(super) asked: usize,
+}
+
+impl Parts {
+    /// Of so many runs that were asked for.
+    pub(super) fn of(asked: usize) -> Self {
+        Self { asked, ..Self::default() }
+    }
+
+    /// Adds what came of a run.
+    pub(super) fn add(&mut self, ran: Ran) {
+        self.asked = self.asked.saturating_sub(1);
+        match ran {
+            Ran::Event(peak, history, limits) => {
+                self.peaks.push(*peak);
+                self.histories.push(history);
+                self.limits.extend(limits);
+            }
+            Ran::Wear { operation, found: Ok(share), .. } => self.wear.push((operation, share)),
+            Ran::Wear { operation, bit_depth_m, found: Err(why) } => self.lacking.push(format!(
+                "no wear by the dynamics: {} at {bit_depth_m:.0} m, {why}",
+                operation.replace('_', " ")
+            )),
+        }
+    }
+
+    /// What wears, where all of it is known.
+    pub(super) fn whole_wear(&self) -> &[(String, Share)] {
+        if self.asked == 0 && self.lacking.is_empty() { &self.wear } else { &[] }
+    }
+}
