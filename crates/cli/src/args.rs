@@ -453,10 +453,6 @@ pub(crate) struct ReachArgs {
     #[arg(long)]
     pub(crate) overwrite: bool,
 
-    /// Write the margins as CSV too
-    #[arg(long)]
-    pub(crate) csv: bool,
-
     /// Paint the picture as PNG too, with 300 dots per inch
     #[arg(long)]
     pub(crate) png: bool,

@@ -40,8 +40,8 @@ pub use packed::Packed;
 pub use page::{bha_html, bit_test_html, report_html, sweep_html};
 pub use plan::{
     BucklingCurve, FRICTION_STROKES, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow,
-    PlanLevel, PlanLimitRow, PlanMud, PlanMudRow, PlanRig, PlanSpot, PlanWearRow, operation_name,
-    plan_html, plan_plots,
+    PlanLevel, PlanLimitRow, PlanMud, PlanMudRow, PlanRig, PlanSpot, PlanWearRow, operation_colour,
+    operation_name, plan_html, plan_plots,
 };
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,

@@ -38,7 +38,6 @@ pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
         helix_side_force: !args.no_helix_friction,
         units: Some(units),
         output: Output { folder: args.output.clone(), existing },
-        csv: args.csv,
         png: args.png,
         jobs: args.jobs,
         ..Request::new(&case)

@@ -16,7 +16,8 @@ mod words;
 pub use broomstick::STROKES as FRICTION_STROKES;
 pub use figures::plan_plots;
 pub use page::plan_html;
-pub use words::operation_name;
+pub(crate) use words::{colour, four};
+pub use words::{colour as operation_colour, operation_name};
 
 use crate::{Level, PageHead, Section};
 

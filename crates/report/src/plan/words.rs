@@ -18,7 +18,7 @@ pub fn operation_name(name: &str) -> &str {
 }
 
 /// Place of an operation among the colours of curves: the same in every picture.
-pub(super) fn colour(name: &str) -> usize {
+pub fn colour(name: &str) -> usize {
     use OperationKind::{BackReam, Drill, Ream, RotateOffBottom, Slide, TripIn, TripOut};
     match OperationKind::from_name(name) {
         Some(TripIn) => 0,
@@ -40,7 +40,7 @@ pub(super) fn on_bottom(name: &str) -> bool {
 }
 
 /// A number in four digits, and no more than three decimals.
-pub(super) fn four(value: f64) -> String {
+pub(crate) fn four(value: f64) -> String {
     if !value.is_finite() {
         return "–".to_owned();
     }

@@ -51,6 +51,7 @@ impl<'a> Shown<'a> {
         let number = plain(self.value(si, dimension));
         match self.symbol(dimension) {
             "" => number,
+            "°" => number + "°",
             symbol => format!("{number} {symbol}"),
         }
     }

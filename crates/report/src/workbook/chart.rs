@@ -53,6 +53,8 @@ pub(super) fn write(
     charts: &[WorkbookChart],
 ) -> Result<(), XlsxError> {
     on.set_name("Charts")?;
+    // As every program then has it: charts are as high as so many rows.
+    on.set_default_row_height(15.0);
     on.write_with_format(0, 0, title, &Format::new().set_bold().set_font_size(14))?;
     for (row, line) in (1..).zip(about) {
         on.write_string(row, 0, line)?;
