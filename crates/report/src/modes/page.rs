@@ -101,7 +101,7 @@ fn page(modes: &Modes, units: &str) -> StudyPage {
 }
 
 fn place(shown: Shown<'_>, of: &(f64, String)) -> [String; 2] {
-    [shown.quantity(of.0.round(), "length"), of.1.clone()]
+    [shown.depth(of.0), of.1.clone()]
 }
 
 fn modes_part(modes: &Modes, shown: Shown<'_>) -> StudyPart {

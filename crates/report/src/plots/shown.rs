@@ -56,6 +56,13 @@ impl<'a> Shown<'a> {
         }
     }
 
+    /// A depth in whole metres or feet.
+    pub(crate) fn depth(&self, si: f64) -> String {
+        // The surface is at 0, not at -0.
+        let whole = self.value(si, "length").round() + 0.0;
+        format!("{whole:.0} {}", self.symbol("length"))
+    }
+
     /// `bit depth 4305 m`; nothing of a fact that says nothing.
     pub(crate) fn fact(&self, fact: &Fact) -> Option<String> {
         let value = match &fact.value {

@@ -51,7 +51,7 @@ fn page(reach: &Reach, units: &str) -> StudyPage {
 }
 
 fn limits(reach: &Reach, shown: Shown<'_>) -> StudyPart {
-    let [from, to] = reach.depths_m.map(|depth_m| shown.quantity(depth_m, "length"));
+    let [from, to] = reach.depths_m.map(|depth_m| shown.depth(depth_m));
     // One friction is that of the whole page, which says it above.
     let several = reach.frictions.len() > 1;
     let mut heads = vec![head("operation", true), head("limit", true)];
@@ -66,14 +66,14 @@ fn limits(reach: &Reach, shown: Shown<'_>) -> StudyPart {
     let row = |of: &ReachRow| -> Vec<(String, Verdict)> {
         let depth = match of.depth_m {
             Some(_) if of.already => format!("{from} already"),
-            Some(depth_m) => shown.quantity(depth_m.round(), "length"),
+            Some(depth_m) => shown.depth(depth_m),
             None => format!("none to {to}"),
         };
         let [at_from, at_to] = of.margins.map(|of| match of {
             Some(margin) => format!("{:.1}", 100.0 * margin).replace('-', "\u{2212}"),
             None => "locked up".to_owned(),
         });
-        let md = of.md_m.map(|md_m| shown.quantity(md_m.round(), "length"));
+        let md = of.md_m.map(|md_m| shown.depth(md_m));
         let (word, verdict) = match (of.first, of.stops) {
             (true, _) => ("stops the well first", Verdict::Differs),
             (false, false) if of.depth_m.is_some() => ("goes on buckled", Verdict::None),

@@ -71,9 +71,12 @@ pub(super) fn write(
 fn chart(of: &WorkbookChart) -> Chart {
     let mut chart = Chart::new(ChartType::ScatterStraight);
     chart.title().set_name(&of.title);
-    chart.x_axis().set_name(&of.across);
+    let mut grid = ChartLine::new();
+    grid.set_color(packed(Colour::Grid)).set_width(0.75);
+    chart.x_axis().set_name(&of.across).set_major_gridlines_line(&grid);
     // Depth grows down the page, and what goes across stands on top.
-    chart.y_axis().set_name(&of.down).set_reverse().set_min(0);
+    let depth = chart.y_axis().set_name(&of.down);
+    depth.set_reverse().set_min(0).set_major_gridlines_line(&grid);
     chart.legend().set_position(ChartLegendPosition::Bottom);
     chart.set_width(SIZE[0]).set_height(SIZE[1]);
     for series in &of.series {
@@ -83,8 +86,7 @@ fn chart(of: &WorkbookChart) -> Chart {
             let column = column as u16;
             (series.sheet.as_str(), first, column, last, column)
         };
-        let [red, green, blue] = Colour::Line(series.colour).rgb();
-        let colour = u32::from_be_bytes([0, red, green, blue]);
+        let colour = packed(Colour::Line(series.colour));
         let dash = match series.stroke {
             Stroke::Solid => ChartLineDashType::Solid,
             Stroke::Dotted | Stroke::WideDotted => ChartLineDashType::RoundDot,
@@ -100,4 +102,10 @@ fn chart(of: &WorkbookChart) -> Chart {
             .set_format(&mut line);
     }
     chart
+}
+
+/// A colour as Excel is told it.
+fn packed(colour: Colour) -> u32 {
+    let [red, green, blue] = colour.rgb();
+    u32::from_be_bytes([0, red, green, blue])
 }

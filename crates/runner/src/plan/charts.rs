@@ -23,7 +23,7 @@ pub(super) fn charts(summary: &PlanSummary, sheets: &[Sheet]) -> Vec<WorkbookCha
     let mut charts = Vec::new();
     if let Some(points) = sheet(BROOMSTICK) {
         let broomstick = |title: &str, heading, is_shown: fn(OperationKind) -> bool| {
-            chart(title, points, broomstick(summary, points, heading, is_shown))
+            chart(title, heading, points, broomstick(summary, points, heading, is_shown))
         };
         charts.extend(broomstick("Hook load without block, off bottom", "hook load", |of| {
             !of.on_bottom()
@@ -36,12 +36,14 @@ pub(super) fn charts(summary: &PlanSummary, sheets: &[Sheet]) -> Vec<WorkbookCha
         ));
     }
     if let Some(weights) = sheet(BUCKLING) {
-        charts.extend(chart("Weight on bit to buckle", weights, buckling(summary, weights)));
+        let series = buckling(summary, weights);
+        charts.extend(chart("Weight on bit to buckle", "weight on bit", weights, series));
     }
     if let Some(mud) = sheet(HYDRAULICS) {
-        let pressure = columns(mud, &[("standpipe", "standpipe pressure")]);
-        charts.extend(chart("Standpipe pressure", mud, pressure));
-        charts.extend(chart("Equivalent density at the bit", mud, columns(mud, &DENSITIES)));
+        let series = columns(mud, &[("standpipe", "standpipe pressure")]);
+        charts.extend(chart("Standpipe pressure", "standpipe pressure", mud, series));
+        let series = columns(mud, &DENSITIES);
+        charts.extend(chart("Equivalent density at the bit", "equivalent density", mud, series));
     }
     charts
 }
@@ -55,12 +57,17 @@ const DENSITIES: [(&str, &str); 5] = [
     ("pulling out, string open", "swab open bit"),
 ];
 
-/// A chart with the heading of its first series' column below it; none without series.
-fn chart(title: &str, of: &Sheet, series: Vec<WorkbookSeries>) -> Option<WorkbookChart> {
+/// A chart whose axes are a quantity, in the unit of its first series, and its depth; none without series.
+fn chart(
+    title: &str,
+    quantity: &str,
+    of: &Sheet,
+    series: Vec<WorkbookSeries>,
+) -> Option<WorkbookChart> {
     let first = series.first()?;
     Some(WorkbookChart {
         title: title.to_owned(),
-        across: of.columns[first.across].head(),
+        across: format!("{quantity}, {}", of.columns[first.across].unit),
         down: of.columns[first.down].head(),
         series,
     })
