@@ -60,7 +60,7 @@ impl<'a> Shown<'a> {
     pub(crate) fn depth(&self, si: f64) -> String {
         // The surface is at 0, not at -0.
         let whole = self.value(si, "length").round() + 0.0;
-        format!("{whole:.0} {}", self.symbol("length"))
+        format!("{whole:.0} {}", self.symbol("length")).trim_end().to_owned()
     }
 
     /// `bit depth 4305 m`; nothing of a fact that says nothing.

@@ -71,8 +71,6 @@ fn heading() -> Format {
 pub(super) fn write(on: &mut Worksheet, sheet: &Sheet) -> Result<(), XlsxError> {
     on.set_name(&sheet.name)?;
     on.set_freeze_panes(FIRST_ROW, 0)?;
-    // Five digits are what people read; the cell holds all.
-    let number = Format::new().set_num_format("General");
     for (place, column) in (0u16..).zip(&sheet.columns) {
         let head = column.head();
         on.write_with_format(0, place, &head, &heading())?;
@@ -82,10 +80,7 @@ pub(super) fn write(on: &mut Worksheet, sheet: &Sheet) -> Result<(), XlsxError> 
                 let rows = (FIRST_ROW..).zip(values);
                 for (row, value) in rows {
                     if let Some(value) = value.filter(|value| value.is_finite()) {
-                        let number = match digits(value) {
-                            Some(digits) => Format::new().set_num_format(digits),
-                            None => number.clone(),
-                        };
+                        let number = Format::new().set_num_format(digits(value));
                         on.write_number_with_format(row, place, value, &number)?;
                     }
                 }
@@ -107,15 +102,15 @@ pub(super) fn write(on: &mut Worksheet, sheet: &Sheet) -> Result<(), XlsxError> 
     Ok(())
 }
 
-/// How a number is shown: four digits or so; none of what needs all.
-fn digits(value: f64) -> Option<&'static str> {
+/// How a number is shown: four digits or so, which is what people read; the cell holds all.
+fn digits(value: f64) -> &'static str {
     match value.abs() {
-        0.0 => Some("0"),
-        size if !(1e-3..1e6).contains(&size) => None,
-        size if size >= 1e3 => Some("0"),
-        size if size >= 1e2 => Some("0.0"),
-        size if size >= 1e1 => Some("0.00"),
-        _ => Some("0.000"),
+        0.0 => "0",
+        size if !(1e-3..1e6).contains(&size) => "0.000E+00",
+        size if size >= 1e3 => "0",
+        size if size >= 1e2 => "0.0",
+        size if size >= 1e1 => "0.00",
+        _ => "0.000",
     }
 }
 
