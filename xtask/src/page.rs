@@ -1,4 +1,4 @@
-//! The pages of a run, a sweep, an assembly, a study and a bit test: whether their committed bundle is what its
+//! The pages of a run, a sweep, an assembly, a study, a plan, a reach, a calibration and a bit test: whether their committed bundle is what its
 //! sources make, and whether they work in a browser.
 
 use std::{
@@ -18,6 +18,28 @@ const NASTY: &str = r#"name="Slant </script><script>window.harmed = 1</script> &
 
 /// Names under which a browser of the Chromium family may be installed.
 const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
+
+/// A plan with something in every part of its page: a mud that flows, a rig whose limits are near.
+const PLANNED: [&str; 18] = [
+    "--set",
+    "plan.depths=8",
+    "--set",
+    "plan.models=[\"soft\", \"stiff\"]",
+    "--set",
+    "mud.rheology=bingham",
+    "--set",
+    "mud.plastic_viscosity=0.02 Pa.s",
+    "--set",
+    "mud.yield_point=7 Pa",
+    "--set",
+    "operation.flow_rate=30 l/s",
+    "--set",
+    "rig.block_weight=150 kN",
+    "--set",
+    "rig.hoist_capacity=600 kN",
+    "--set",
+    "rig.top_drive_torque=6 kN.m",
+];
 
 /// The bundle in `crates/report/assets` is what `crates/report/web` makes.
 pub(crate) fn bundle() -> Result<Finding, Failure> {
@@ -58,6 +80,10 @@ pub(crate) fn browser() -> Result<Finding, Failure> {
     page(["bha", "cases/bent-motor.toml"], &["--set", NASTY], &browser, "bha.mjs")?;
     let study = "studies/friction-on-a-slant.toml";
     page(["study", study], &["--png"], &browser, "study.mjs")?;
+    page(["plan", "cases/slant.toml"], &PLANNED, &browser, "plan.mjs")?;
+    page(["reach", "cases/np13-x1042.toml"], &["--to", "11km"], &browser, "reach.mjs")?;
+    let readings = ["--data", "cases/forge-16a-measured.csv"];
+    page(["calibrate", "cases/forge-16a.toml"], &readings, &browser, "calibrate.mjs")?;
     let made_up = target().join("bit-test-page");
     run(
         cargo()

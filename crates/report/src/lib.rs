@@ -43,7 +43,7 @@ pub use page::{bha_html, bit_test_html, report_html, sweep_html};
 pub use plan::{
     BucklingCurve, FRICTION_STROKES, PLAN_PICTURES, Plan, PlanCurve, PlanEvent, PlanFatigueHourRow,
     PlanFatigueRow, PlanLevel, PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanPeakRow,
-    PlanRig, PlanSpot, PlanWearRow, operation_name, plan_html, plan_plots,
+    PlanRig, PlanSpot, PlanWearRow, operation_colour, operation_name, plan_html, plan_plots,
 };
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,

@@ -4,6 +4,7 @@ use crate::{
     draw::palette,
     figure::Figure,
     page::{STYLES, document, escaped},
+    plots::SETS,
 };
 
 /// A study as its page shows it.
@@ -101,23 +102,60 @@ fn styles() -> String {
 
 /// The page as the text of an HTML file. No name in it can end the element that it stands in.
 pub fn study_html(page: &StudyPage) -> String {
-    let title = escaped(&page.title);
-    let program = escaped(&page.program);
-    let about = paragraphs(&page.description);
-    let parts: String = page.parts.iter().enumerate().map(|(index, of)| part(index, of)).collect();
+    whole(page, "", &paragraphs(&page.description), &contents_and_parts(page, ""))
+}
+
+/// What a reader calls each set of units.
+const UNITS: [&str; 3] = ["SI", "Metric", "US field"];
+
+/// The same page in every set of units; it opens with those of the name `opens`, and the reader
+/// chooses others. No program does that: all are in the file, and one is seen.
+pub(crate) fn study_html_in_units(opens: &str, page: impl Fn(&str) -> StudyPage) -> String {
+    let opens = if SETS.contains(&opens) { opens } else { SETS[0] };
+    let mut choices = String::new();
+    let (mut about, mut body) = (String::new(), String::new());
+    for (units, title) in SETS.into_iter().zip(UNITS) {
+        let (page, is_first) = (page(units), units == opens);
+        let (checked, first) = if is_first { (" checked", " opens") } else { ("", "") };
+        choices += &format!(
+            "<label><input type=\"radio\" name=\"units\" id=\"units-{units}\"\
+             {checked}>{title}</label>\n"
+        );
+        let within =
+            |what: &str| format!("<div class=\"in-units in-{units}{first}\">\n{what}</div>\n");
+        about += &within(&paragraphs(&page.description));
+        body += &within(&contents_and_parts(&page, &format!("{units}-")));
+    }
+    let switch = format!(
+        "<fieldset class=\"choice units noprint\">\n<legend>Units</legend>\n{choices}</fieldset>\n"
+    );
+    whole(&page(opens), &switch, &about, &body)
+}
+
+/// A page with its head: title, `switch` beside it, `about` below.
+fn whole(page: &StudyPage, switch: &str, about: &str, body: &str) -> String {
+    let (title, program) = (escaped(&page.title), escaped(&page.program));
+    let body = format!(
+        "<main class=\"study\">\n<header>\n<div class=\"title-line\"><h1>{title}</h1>\n{switch}</div>\n\
+         {about}</header>\n{body}<footer><p>Made by {program}. The files beside this one hold every \
+         digit.</p></footer>\n</main>"
+    );
+    document(&page.title, &page.program, POLICY, &styles(), &body)
+}
+
+/// Where one finds what, and all of it; names of elements begin with `prefix`.
+fn contents_and_parts(page: &StudyPage, prefix: &str) -> String {
+    let parts: String =
+        page.parts.iter().enumerate().map(|(index, of)| part(index, prefix, of)).collect();
     let links: String = page
         .parts
         .iter()
         .enumerate()
-        .map(|(index, of)| format!("<a href=\"#part-{index}\">{}</a>\n", escaped(of.title())))
+        .map(|(index, of)| {
+            format!("<a href=\"#{prefix}part-{index}\">{}</a>\n", escaped(of.title()))
+        })
         .collect();
-    let body = format!(
-        "<main class=\"study\">\n<header>\n<h1>{title}</h1>\n{about}</header>\n\
-         <nav class=\"contents noprint\" aria-label=\"Contents\">\n{links}</nav>\n{parts}\
-         <footer><p>Made by {program}. The files beside this one hold every \
-         digit.</p></footer>\n</main>"
-    );
-    document(&page.title, &page.program, POLICY, &styles(), &body)
+    format!("<nav class=\"contents noprint\" aria-label=\"Contents\">\n{links}</nav>\n{parts}")
 }
 
 fn paragraphs(text: &str) -> String {
@@ -126,8 +164,8 @@ fn paragraphs(text: &str) -> String {
     blocks.map(|block| format!("<p>{}</p>\n", escaped(block))).collect()
 }
 
-/// A figure or a table, `index` of the page.
-fn part(index: usize, part: &StudyPart) -> String {
+/// A figure or a table, `index` of the page; its name begins with `prefix`.
+fn part(index: usize, prefix: &str, part: &StudyPart) -> String {
     let (title, caption, body, files, endings) = match part {
         StudyPart::Figure { title, caption, figure, files, painted } => {
             let body = match figure {
@@ -135,7 +173,7 @@ fn part(index: usize, part: &StudyPart) -> String {
                 Some(figure) => {
                     let mut figure = figure.clone();
                     figure.title.clear();
-                    let element = figure.drawing().element(&format!("figure-{index}"));
+                    let element = figure.drawing().element(&format!("{prefix}figure-{index}"));
                     format!("<figure>{element}</figure>")
                 }
                 None => "<p class=\"note\">No case has answered yet.</p>".to_owned(),
@@ -160,8 +198,8 @@ fn part(index: usize, part: &StudyPart) -> String {
         })
         .collect();
     format!(
-        "<section id=\"part-{index}\">\n<h2>{}</h2>\n{body}\n{}<p \
-         class=\"note\">{}</p>\n</section>\n",
+        "<section id=\"{prefix}part-{index}\">\n<h2>{}</h2>\n{body}\n{}<p \
+         class=\"note noprint\">{}</p>\n</section>\n",
         escaped(title),
         paragraphs(caption),
         links.join(" · ")
@@ -180,21 +218,39 @@ fn table(grid: &Grid) -> String {
     format!("<table>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>")
 }
 
+/// Letters beyond which words are a sentence, which is broken into lines.
+const SENTENCE: usize = 40;
+
 fn cells(heads: &[Head], row: &[(String, Verdict)]) -> String {
     let cell = |(head, (text, verdict)): (&Head, &(String, Verdict))| {
-        let class = match (verdict, head.words) {
-            (Verdict::None, true) => " class=\"words\"",
-            (Verdict::None, false) => "",
-            (Verdict::Agrees, true) => " class=\"words agrees\"",
-            (Verdict::Agrees, false) => " class=\"agrees\"",
-            (Verdict::Near, true) => " class=\"words near\"",
-            (Verdict::Near, false) => " class=\"near\"",
-            (Verdict::Differs, true) => " class=\"words differs\"",
-            (Verdict::Differs, false) => " class=\"differs\"",
+        let mut classes = Vec::new();
+        classes.extend(head.words.then_some("words"));
+        classes.extend((text.chars().count() > SENTENCE).then_some("sentence"));
+        classes.extend(match verdict {
+            Verdict::None => None,
+            Verdict::Agrees => Some("agrees"),
+            Verdict::Near => Some("near"),
+            Verdict::Differs => Some("differs"),
+        });
+        let class = match classes.is_empty() {
+            true => String::new(),
+            false => format!(" class=\"{}\"", classes.join(" ")),
         };
-        format!("<td{class}>{}</td>", escaped(text))
+        format!("<td{class}>{}</td>", escaped(&kept_together(text)))
     };
     heads.iter().zip(row).map(cell).collect()
+}
+
+/// A number and the unit behind it stay in one line.
+fn kept_together(text: &str) -> String {
+    let mut kept = String::with_capacity(text.len());
+    let mut letters = text.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let follows_digit = kept.ends_with(|last: char| last.is_ascii_digit());
+        let before_unit = letters.peek().is_some_and(|next| next.is_alphabetic() || *next == '°');
+        kept.push(if letter == ' ' && follows_digit && before_unit { '\u{a0}' } else { letter });
+    }
+    kept
 }
 
 /// A path as an address within a page.
@@ -274,6 +330,38 @@ mod tests {
         let dark =
             page.split("@media screen and (prefers-color-scheme:dark){:root{").nth(1).unwrap();
         assert!(dark.starts_with("--paper:"), "{}", &dark[..40]);
+    }
+
+    /// One file holds the page in every set of units: each name once, and it opens with those that are
+    /// asked for.
+    #[test]
+    fn the_reader_chooses_the_units() {
+        let made = |units: &str| StudyPage {
+            program: String::new(),
+            title: "A well".into(),
+            description: format!("in {units}"),
+            parts: vec![StudyPart::Table {
+                title: format!("A table in {units}"),
+                caption: String::new(),
+                grid: Grid {
+                    heads: vec![Head { text: "load".into(), words: false }],
+                    rows: vec![vec![("12 kN".into(), Verdict::None)]],
+                },
+                files: "table".into(),
+                endings: &["csv"],
+            }],
+        };
+        let page = study_html_in_units("field", made);
+        assert_eq!(page.matches("<h1>").count(), 1);
+        for units in SETS {
+            assert_eq!(page.matches(&format!("in {units}</p>")).count(), 1, "{units}");
+            assert_eq!(page.matches(&format!("id=\"{units}-part-0\"")).count(), 1, "{units}");
+            assert_eq!(page.matches(&format!("href=\"#{units}-part-0\"")).count(), 1, "{units}");
+        }
+        assert_eq!(page.matches(" opens\"").count(), 2, "what it is about, and its parts");
+        assert!(page.contains("id=\"units-field\" checked"));
+        assert_eq!(page.matches(" checked").count(), 1);
+        assert!(page.contains("12\u{a0}kN"));
     }
 
     fn figure() -> Figure {

@@ -37,7 +37,6 @@ pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
         helix_side_force: !args.no_helix_friction,
         units: Some(units),
         output: args.output(),
-        csv: args.csv,
         png: args.page.png,
         jobs: args.jobs,
         ..Request::new(&case, &template, &args.case.overrides)

@@ -24,8 +24,7 @@ fn summary(desk: &Desk) -> ReachSummary {
 #[test]
 fn reach_of_a_slant_well() {
     let desk = Desk::new();
-    let asked =
-        ["reach", "slant.toml", "-o", "out", "--friction", "0.2, 0.4", "--to", "6km", "--csv"];
+    let asked = ["reach", "slant.toml", "-o", "out", "--friction", "0.2, 0.4", "--to", "6km"];
     let output = desk.done(&[&asked[..], &RIG].concat());
     let said = String::from_utf8(output.stdout).unwrap();
     let summary = summary(&desk);

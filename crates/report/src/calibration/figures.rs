@@ -1,26 +1,35 @@
 //! The pictures of a calibration.
 
+use wholestring::operation::OperationKind;
+
 use super::{Calibration, CalibrationPoint};
 use crate::{
     Plot,
     figure::{
         Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke,
     },
+    plan::operation_colour,
     plots::{Shown, named},
 };
 
-/// Readings in the order of their colours.
-const READINGS: [(&str, &str); 5] = [
-    ("slack_off", "slack-off"),
-    ("rotating", "rotating"),
-    ("pick_up", "pick-up"),
-    ("torque", "torque off bottom"),
-    ("torque_on_bottom", "torque on bottom"),
+/// Readings from the left to the right, how they are said, and the operation whose colour they have: it
+/// is the same on a plan's broomstick.
+const READINGS: [(&str, &str, OperationKind); 5] = [
+    ("slack_off", "slack-off", OperationKind::TripIn),
+    ("rotating", "rotating", OperationKind::RotateOffBottom),
+    ("pick_up", "pick-up", OperationKind::TripOut),
+    ("torque", "torque off bottom", OperationKind::RotateOffBottom),
+    ("torque_on_bottom", "torque on bottom", OperationKind::Drill),
 ];
 
 /// Names of the pictures of a calibration: the broomstick, the residuals, the profiles.
 pub const CALIBRATION_PICTURES: [&str; 3] =
     ["calibration_bands", "calibration", "calibration_profiles"];
+
+/// The colour of the reading of this place.
+fn ink(place: usize) -> Ink {
+    Ink::Line(operation_colour(READINGS[place].2.name()))
+}
 
 /// Pictures of a calibration, in these units.
 pub fn calibration_plots(of: &Calibration, units: &str) -> Vec<Plot> {
@@ -41,7 +50,7 @@ fn dimension(is_torque: bool) -> &'static str {
 
 /// How readings are said.
 pub(super) fn said(reading: &str) -> &str {
-    READINGS.iter().find(|(name, _)| *name == reading).map_or(reading, |(_, said)| said)
+    READINGS.iter().find(|(name, ..)| *name == reading).map_or(reading, |(_, said, _)| said)
 }
 
 impl Drawing<'_> {
@@ -74,7 +83,7 @@ impl Drawing<'_> {
         place: usize,
         value: impl Fn(&CalibrationPoint) -> f64,
     ) -> [Mark; 2] {
-        [(true, Ink::Line(place)), (false, Ink::Note)].map(|(used, ink)| {
+        [(true, ink(place)), (false, Ink::Note)].map(|(used, ink)| {
             let points = self.points_of(name).filter(|of| of.used == used);
             let points = points.map(|of| self.place(of, value(of))).collect();
             Mark::Points { ink, shape: Shape::of(place), points }
@@ -92,10 +101,10 @@ impl Drawing<'_> {
 
     fn read(&self, torques: bool) -> Vec<(usize, &'static str, &'static str)> {
         let names = READINGS.into_iter().enumerate();
-        let named = names.filter(|(_, (name, _))| name.starts_with("torque") == torques);
+        let named = names.filter(|(_, (name, ..))| name.starts_with("torque") == torques);
         named
-            .filter(|(_, (name, _))| self.has(name))
-            .map(|(place, (name, said))| (place, name, said))
+            .filter(|(_, (name, ..))| self.has(name))
+            .map(|(place, (name, said, _))| (place, name, said))
             .collect()
     }
 
@@ -103,7 +112,7 @@ impl Drawing<'_> {
         let kind = dimension(torques);
         let mut marks = Vec::new();
         for (place, name, _) in self.read(torques) {
-            let ink = Ink::Line(place);
+            let ink = ink(place);
             let mut cases: Vec<&str> = Vec::new();
             for band in &self.of.bands {
                 if !cases.contains(&band.case.as_str()) {
@@ -141,7 +150,7 @@ impl Drawing<'_> {
         all.extend(self.read(true));
         let key = |(place, _, said): (usize, &str, &str)| Key {
             name: said.to_owned(),
-            sample: of(Ink::Line(place), Shape::of(place)),
+            sample: of(ink(place), Shape::of(place)),
         };
         let mut keys: Vec<Key> = all.into_iter().map(key).collect();
         if self.of.points.iter().any(|of| !of.used) {
@@ -151,7 +160,7 @@ impl Drawing<'_> {
     }
 
     fn layout(columns: usize) -> Layout {
-        Layout { direction: Direction::Down, columns, width_mm: 180.0, panel_mm: 130.0 }
+        Layout { direction: Direction::Down, columns, width_mm: 180.0, panel_mm: 105.0 }
     }
 
     fn broomstick(&self) -> Figure {

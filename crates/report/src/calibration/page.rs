@@ -6,9 +6,10 @@ use super::{
 };
 use crate::{
     Grid, StudyPage, StudyPart, Verdict,
-    grid_cells::{heads, row},
+    grid_cells::{head, heads, row},
+    plan::four,
     plots::Shown,
-    study_html,
+    study::study_html_in_units,
 };
 
 /// What the numbers stand for.
@@ -17,11 +18,14 @@ const ABOUT: &str = "What friction was, by what was read at the surface: the num
 
 /// The page as the text of an HTML file. No name in it can end the element that it stands in.
 pub fn calibration_html(of: &Calibration) -> String {
-    let shown = Shown::new(&of.head.dimensions, &of.head.units);
+    study_html_in_units(&of.head.units, |units| page(of, units))
+}
+
+fn page(of: &Calibration, units: &str) -> StudyPage {
+    let shown = Shown::new(&of.head.dimensions, units);
     let facts = of.head.facts.iter().filter_map(|fact| shown.fact(fact));
     let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
     description.extend(of.warnings.iter().map(|text| format!("\n\nWarning: {text}.")));
-    description.extend(of.notes.iter().map(|text| format!("\n\nNote: {text}.")));
     let [interval, band] = of.confidence.map(|of| format!("{:.0} %", 100.0 * of));
     let captions = [
         (
@@ -50,8 +54,7 @@ pub fn calibration_html(of: &Calibration) -> String {
         ),
     ];
     let mut parts = vec![estimates(of, shown, &interval)];
-    for (plot, (title, caption)) in calibration_plots(of, &of.head.units).into_iter().zip(captions)
-    {
+    for (plot, (title, caption)) in calibration_plots(of, units).into_iter().zip(captions) {
         parts.push(StudyPart::Figure {
             title: title.to_owned(),
             caption,
@@ -63,12 +66,8 @@ pub fn calibration_html(of: &Calibration) -> String {
     parts.extend(dynamics(of, shown));
     parts.push(correlations(of));
     parts.push(readings(of, shown));
-    study_html(&StudyPage {
-        program: of.head.program.clone(),
-        title: of.head.title.clone(),
-        description,
-        parts,
-    })
+    parts.extend(notes(of));
+    StudyPage { program: of.head.program.clone(), title: of.head.title.clone(), description, parts }
 }
 
 fn estimates(of: &Calibration, shown: Shown<'_>, interval: &str) -> StudyPart {
@@ -165,29 +164,34 @@ fn correlations(of: &Calibration) -> StudyPart {
 }
 
 fn readings(of: &Calibration, shown: Shown<'_>) -> StudyPart {
-    let heads = heads(&[
-        ("reading", true),
-        ("case", true),
-        ("place", true),
-        ("bit depth", false),
-        ("measured", false),
-        ("predicted", false),
-        ("residual, standard errors", false),
-        ("in the fit", true),
-        ("in its band", true),
+    // One case is that of the whole page.
+    let several = of.points.iter().any(|point| point.case != of.points[0].case);
+    let mut heads = vec![head("reading", true)];
+    heads.extend(several.then(|| head("case", true)));
+    heads.extend([
+        head("place", true),
+        head("bit depth", false),
+        head("measured", false),
+        head("predicted", false),
+        head("residual, standard errors", false),
+        head("in the fit", true),
+        head("in its band", true),
     ]);
     let rows = of.points.iter().map(|point| {
         let dimension = if point.is_torque { "torque" } else { "force" };
-        let mut cells = row(vec![
-            said(&point.reading).to_owned(),
-            point.case.clone(),
+        let load =
+            |si: f64| format!("{} {}", four(shown.value(si, dimension)), shown.symbol(dimension));
+        let mut cells = vec![said(&point.reading).to_owned()];
+        cells.extend(several.then(|| point.case.clone()));
+        cells.extend([
             point.place.clone(),
             shown.quantity(point.bit_depth_m, "length"),
-            shown.quantity(point.measured, dimension),
-            shown.quantity(point.predicted, dimension),
+            load(point.measured),
+            load(point.predicted),
             format!("{:.2}", point.standardised).replace('-', "\u{2212}"),
             if point.used { "yes" } else { "held out" }.to_owned(),
         ]);
+        let mut cells = row(cells);
         cells.push(match (point.outlier, point.within_band) {
             (true, _) => ("outlier".to_owned(), Verdict::Differs),
             (false, true) => ("yes".to_owned(), Verdict::Agrees),
@@ -197,9 +201,25 @@ fn readings(of: &Calibration, shown: Shown<'_>) -> StudyPart {
     });
     StudyPart::Table {
         title: "Readings".into(),
-        caption: "Weights with the block's.".into(),
+        caption: "Weights with the block's. Place: where the reading stands in its file. In its band: within \
+                  that of readings above."
+            .into(),
         grid: Grid { heads, rows: rows.collect() },
         files: "calibration".into(),
         endings: &["csv", "parquet"],
     }
+}
+
+/// How the readings were taken, and what was held.
+fn notes(of: &Calibration) -> Option<StudyPart> {
+    let rows = of.notes.iter().map(|text| row(vec![text.replace('`', "")]));
+    let grid = Grid { heads: heads(&[("note", true)]), rows: rows.collect() };
+    (!grid.rows.is_empty()).then(|| StudyPart::Table {
+        title: "Notes".into(),
+        caption: "What was taken from the file of readings, and what was assumed; in the units of the case."
+            .into(),
+        grid,
+        files: "summary".into(),
+        endings: &["json"],
+    })
 }

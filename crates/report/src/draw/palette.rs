@@ -52,9 +52,9 @@ pub(crate) const PALETTE: &[Colour] = &[
     colour("low-side-strong", 0x0c4a9e, 0x8cc6ff),
     colour("middle", 0xf7f7f7, 0x22282e),
     // Judgements, which stand beside a word and a shape.
-    colour("good", 0x1b7a3d, 0x5cc98a),
-    colour("near", 0x8a5a00, 0xf0b849),
-    colour("over", 0xb3261e, 0xff897d),
+    colour("good", 0x047973, 0x52dfd9),
+    colour("near", 0x876817, 0xffc934),
+    colour("over", 0x6b0018, 0xf3597c),
     // Cividis (Nuñez, Anderton and Renslow 2018), by a few of its colours: even in lightness to
     // every kind of eye.
     colour("amount-0", 0x00224e, 0x00224e),
@@ -157,6 +157,43 @@ mod tests {
                     assert!(apart >= 20.0, "{style}: {} and {}: {apart:.1}", a.name, b.name);
                 }
             }
+        }
+    }
+
+    /// A figure of more than seven curves goes on with the colours of rock and casing. They are told from
+    /// any other side by side, though not as well: from 7 on (the least is rock from orange, 7.2).
+    #[test]
+    fn two_more_colours_follow_those_of_lines() {
+        for (style, of) in STYLES {
+            let mut all = lines();
+            for more in ["rock", "casing"].map(find) {
+                for other in &all {
+                    let apart = min_difference(rgb(of(more)), rgb(of(other)));
+                    assert!(apart >= 7.0, "{style}: {} and {}: {apart:.1}", more.name, other.name);
+                }
+                all.push(more);
+            }
+        }
+    }
+
+    /// Lights stand beside words and marks, and every eye tells them apart without: by 20, as curves. What
+    /// stands on the ground of a limit that is not kept, its light thinned to 16 %, is read.
+    #[test]
+    fn every_eye_tells_the_lights_apart() {
+        for (style, of) in STYLES {
+            let lights = ["good", "near", "over"].map(find);
+            for (a, b) in [(0, 1), (1, 2), (0, 2)] {
+                let apart = min_difference(rgb(of(lights[a])), rgb(of(lights[b])));
+                let [a, b] = [lights[a].name, lights[b].name];
+                assert!(apart >= 20.0, "{style}: {a} and {b}: {apart:.1}");
+            }
+            let [over, paper] = ["over", "paper"].map(|name| rgb(of(find(name))));
+            let mixed = |k: usize| 0.16 * f64::from(over[k]) + 0.84 * f64::from(paper[k]);
+            let ground = [0, 1, 2].map(|k| mixed(k).round() as u8);
+            let text = contrast(rgb(of(find("text"))), ground);
+            assert!(text >= 4.5, "{style}: text on a limit that is not kept: {text:.2}");
+            let mark = contrast(over, ground);
+            assert!(mark >= 3.0, "{style}: its mark: {mark:.2}");
         }
     }
 

@@ -22,11 +22,14 @@ const SAMPLE: f64 = 17.0;
 const NAME: f64 = 21.0;
 /// Between two entries.
 const APART: f64 = 12.0;
+/// Names are measured as Helvetica has them; a reader without that, or one of its width, has up to so many
+/// times as wide ones (DejaVu Sans).
+const LOOSE: f64 = 1.12;
 
 impl<'a> Legend<'a> {
     pub(super) fn of(keys: &'a [Key], room: f64) -> Self {
         let names = keys.iter().map(|key| text_width(&key.name, SIZE));
-        let width = NAME + names.fold(0.0, f64::max);
+        let width = NAME + LOOSE * names.fold(0.0, f64::max);
         Self {
             keys,
             width: width + APART,

@@ -8,7 +8,7 @@ use crate::{
     Grid, StudyPage, StudyPart,
     grid_cells::{heads, row},
     plots::Shown,
-    study_html,
+    study::study_html_in_units,
 };
 
 /// What the numbers stand for.
@@ -19,7 +19,11 @@ const ABOUT: &str = "Small motions about the string at rest: natural frequencies
 
 /// The page as the text of an HTML file. No name in it can end the element that it stands in.
 pub fn modes_html(modes: &Modes) -> String {
-    let shown = Shown::new(&modes.head.dimensions, &modes.head.units);
+    study_html_in_units(&modes.head.units, |units| page(modes, units))
+}
+
+fn page(modes: &Modes, units: &str) -> StudyPage {
+    let shown = Shown::new(&modes.head.dimensions, units);
     let facts = modes.head.facts.iter().filter_map(|fact| shown.fact(fact));
     let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
     if !modes.stable {
@@ -69,7 +73,7 @@ pub fn modes_html(modes: &Modes) -> String {
             "stability",
         ),
     ];
-    for plot in modes_plots(modes, &modes.head.units) {
+    for plot in modes_plots(modes, units) {
         let Some((_, title, caption, files)) =
             captions.iter().find(|(name, ..)| *name == plot.name)
         else {
@@ -88,16 +92,16 @@ pub fn modes_html(modes: &Modes) -> String {
             painted: false,
         });
     }
-    study_html(&StudyPage {
+    StudyPage {
         program: modes.head.program.clone(),
         title: modes.head.title.clone(),
         description,
         parts,
-    })
+    }
 }
 
 fn place(shown: Shown<'_>, of: &(f64, String)) -> [String; 2] {
-    [shown.quantity(of.0.round(), "length"), of.1.clone()]
+    [shown.depth(of.0), of.1.clone()]
 }
 
 fn modes_part(modes: &Modes, shown: Shown<'_>) -> StudyPart {

@@ -72,28 +72,32 @@ fn figure(
     let (drilling, off): (Vec<&str>, Vec<&str>) = all.partition(|of| on_bottom(of));
     let groups = [(off, "off bottom"), (drilling, "on bottom")];
     let groups = groups.into_iter().filter(|(operations, _)| !operations.is_empty());
-    let mut told = Vec::new();
+    let mut is_limit_drawn = false;
     let mut panels = Vec::new();
     let mut operations = Vec::new();
     for (group, name) in groups {
-        let (panel, beyond) = panel(plan, shown, quantity, &group, name);
+        let (panel, is_near) = panel(plan, shown, quantity, &group, name);
         panels.push(panel);
-        told.extend(beyond.filter(|of| !told.contains(of)).collect::<Vec<_>>());
+        is_limit_drawn |= is_near;
         operations.extend(group);
     }
     let mut keys = keys(plan, &operations);
     keys.extend(measured::keys(plan, &operations, quantity.dimension));
+    let told = quantity.limit.filter(|_| !is_limit_drawn).map(|limit| {
+        format!("{} {}", quantity.limit_name, shown.quantity(limit, quantity.dimension))
+    });
     let subtitle = subtitle(plan, quantity.about, told);
     (!panels.is_empty()).then(|| over_depth(plan, shown, &subtitle, keys, panels))
 }
 
+/// Some operations, and whether the limit is drawn beside them.
 fn panel(
     plan: &Plan,
     shown: Shown<'_>,
     quantity: &Quantity<'_>,
     operations: &[&str],
     name: &str,
-) -> (Panel, impl Iterator<Item = String> + use<>) {
+) -> (Panel, bool) {
     let value = |spot: &PlanSpot| shown.value((quantity.of)(spot), quantity.dimension);
     let depth = |spot: &PlanSpot| shown.value(spot.bit_depth_m, "length");
     let points = |of: &PlanCurve| -> Vec<(f64, f64)> {
@@ -140,12 +144,9 @@ fn panel(
     if let (Some(at), true) = (limit, is_near) {
         marks.push(Mark::OwnRule { at, label: quantity.limit_name.to_owned() });
     }
-    let told = quantity.limit.filter(|_| !is_near).map(|limit| {
-        format!("{} {}", quantity.limit_name, shown.quantity(limit, quantity.dimension))
-    });
     let title = format!("{}, {name}", quantity.title);
     let axis = Axis::new(shown.label(&title, quantity.dimension), Range::Zero);
-    (Panel::new(axis, marks), told.into_iter())
+    (Panel::new(axis, marks), is_near)
 }
 
 /// The friction at the end of each line; nothing where the lines of all frictions are one.
@@ -189,14 +190,14 @@ fn keys(plan: &Plan, operations: &[&str]) -> Vec<Key> {
 }
 
 /// What the picture is of, and limits that lie beyond it.
-fn subtitle(plan: &Plan, about: &str, told: Vec<String>) -> String {
+fn subtitle(plan: &Plan, about: &str, told: Option<String>) -> String {
     let first = plan.models.first();
     let lines = first.map(|model| match plan.models.len() {
         1 => format!("{model} string"),
         _ => format!("lines: {model} string"),
     });
     let about = (!about.is_empty()).then(|| about.to_owned());
-    let limits = told.into_iter().map(|of| format!("limit of the {of}, beyond the picture"));
+    let limits = told.map(|of| format!("limit of the {of}, beyond the picture"));
     let bands = plan.uncertain.iter().map(Uncertain::said);
     lines.into_iter().chain(about).chain(limits).chain(bands).collect::<Vec<_>>().join("; ")
 }

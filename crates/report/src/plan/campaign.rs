@@ -38,6 +38,11 @@ fn quantity(shown: Shown<'_>, si: f64, dimension: &str) -> Cell {
     plain(if si.is_nan() { "not known".into() } else { four(shown.value(si, dimension)) })
 }
 
+/// A depth in whole metres or feet, whose unit stands in the heading.
+fn place(shown: Shown<'_>, md_m: f64) -> Cell {
+    plain(format!("{:.0}", shown.value(md_m, "length")))
+}
+
 /// Fatigue of each component.
 pub(super) fn fatigue(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     let [length, pressure, dogleg] =
@@ -58,7 +63,7 @@ pub(super) fn fatigue(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         match &of.hour {
             Some(hour) => cells.extend([
                 plain(percent(hour.damage_per_hour)),
-                quantity(shown, hour.md_m.round(), "length"),
+                place(shown, hour.md_m),
                 quantity(shown, hour.bending_Pa, "pressure"),
                 quantity(shown, hour.doglegs_rad_per_m[0], "dogleg severity"),
                 quantity(shown, hour.doglegs_rad_per_m[1], "dogleg severity"),
@@ -95,7 +100,7 @@ pub(super) fn wear(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
             plain(format!("section {}", of.section)),
             plain(of.model.clone()),
             part_of(of.worn),
-            quantity(shown, of.md_m.round(), "length"),
+            place(shown, of.md_m),
             quantity(shown, of.groove_m, "diameter"),
             quantity(shown, of.wall_left_m, "diameter"),
         ];

@@ -43,7 +43,7 @@ pub(super) fn over_depth(
             direction: crate::figure::Direction::Down,
             columns: panels.len().max(1),
             width_mm: 180.0,
-            panel_mm: 120.0,
+            panel_mm: 100.0,
         },
         shared: depth,
         panels,

@@ -83,7 +83,7 @@ pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     nearest.sort_by(|a, b| reserve(a).total_cmp(&reserve(b)));
     let row = |of: &PlanLimitRow| {
         let place = match of.md_m {
-            Some(md_m) => format!("{}, {}", of.component, shown.quantity(md_m.round(), "length")),
+            Some(md_m) => format!("{}, {}", of.component, shown.depth(md_m)),
             None => "whole string, rig".to_owned(),
         };
         let quantity = |si: f64| {
@@ -96,7 +96,7 @@ pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
             plain(operation_name(&of.operation).to_owned()),
             plain(of.friction.clone()),
             plain(place),
-            plain(shown.quantity(of.bit_depth_m.round(), "length")),
+            plain(shown.depth(of.bit_depth_m)),
             plain(quantity(of.load)),
             plain(quantity(of.capacity)),
             plain(two(of.factor)),

@@ -18,9 +18,8 @@ mod words;
 pub use broomstick::STROKES as FRICTION_STROKES;
 pub use figures::{PLAN_PICTURES, plan_plots};
 pub use page::plan_html;
-pub use words::operation_name;
-
-pub(crate) use words::{colour as operation_colour, four};
+pub(crate) use words::four;
+pub use words::{colour as operation_colour, operation_name};
 
 use crate::{Level, PageHead, Section, Uncertain};
 

@@ -1,7 +1,7 @@
 //! The page of a plan as one file that needs nothing else.
 
 use super::{Plan, campaign, figures::plan_plots, limits, measured, peaks, tables};
-use crate::{StudyPage, StudyPart, plots::Shown, study_html, uncertain};
+use crate::{StudyPage, StudyPart, plots::Shown, study::study_html_in_units, uncertain};
 
 /// What the numbers stand for.
 const ABOUT: &str = "Hook load and surface torque against the depth of the bit: the same string, its \
@@ -43,13 +43,17 @@ const PICTURES: [(&str, &str, &str); 6] = [
 
 /// The page as the text of an HTML file. No name in it can end the element that it stands in.
 pub fn plan_html(plan: &Plan) -> String {
-    let shown = Shown::new(&plan.head.dimensions, &plan.head.units);
+    study_html_in_units(&plan.head.units, |units| page(plan, units))
+}
+
+fn page(plan: &Plan, units: &str) -> StudyPage {
+    let shown = Shown::new(&plan.head.dimensions, units);
     let facts = plan.head.facts.iter().filter_map(|fact| shown.fact(fact));
     let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
     if let Some(message) = &plan.message {
         description += &format!("\n\n{message}");
     }
-    let plots = plan_plots(plan, &plan.head.units);
+    let plots = plan_plots(plan, units);
     let pictures = PICTURES.iter().filter_map(|(name, title, caption)| {
         let plot = plots.iter().find(|plot| plot.name == *name)?;
         Some(StudyPart::Figure {
@@ -78,10 +82,10 @@ pub fn plan_html(plan: &Plan) -> String {
     parts.extend(tables::buckling(plan, shown));
     parts.extend(tables::mud(plan, shown));
     parts.extend(tables::without_answer(plan));
-    study_html(&StudyPage {
+    StudyPage {
         program: plan.head.program.clone(),
         title: plan.head.title.clone(),
         description,
         parts,
-    })
+    }
 }

@@ -73,7 +73,7 @@ pub(super) fn at_depth(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         Some(row(cells))
     });
     let grid = Grid { heads, rows: rows.collect() };
-    let title = format!("With the bit at {}", shown.quantity(depth_m, "length"));
+    let title = format!("With the bit at {}", shown.depth(depth_m));
     let caption =
         "Every operation at the deepest depth of the plan; the workbook has them all.".to_owned();
     let (files, endings) = ("plan".to_owned(), &["xlsx"][..]);

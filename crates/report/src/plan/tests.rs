@@ -283,14 +283,16 @@ fn the_page_says_everything() {
         "href=\"hook_load.csv\"",
         "href=\"plan.xlsx\"",
         "With the bit at 2000 m",
-        "<td class=\"differs\">1.05 short</td>",
+        "<td class=\"differs\">1.05\u{a0}short</td>",
         "<td class=\"words near\">near</td>",
-        "drill &lt;pipe&gt;, 0 m",
+        "drill &lt;pipe&gt;, 0\u{a0}m",
         "Not all was checked: no make-up torque of pipe.",
     ] {
         assert!(page.contains(expected), "{expected}");
     }
-    assert_eq!(page.matches("<svg").count(), 4);
+    // In three sets of units.
+    assert_eq!(page.matches("<svg").count(), 3 * 4);
+    assert!(page.contains("Surface torque, ft·lbf, soft string"));
     assert!(!page.contains("<Well>") && !page.contains("<locks>"));
 }
 

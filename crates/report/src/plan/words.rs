@@ -18,7 +18,7 @@ pub fn operation_name(name: &str) -> &str {
 }
 
 /// Place of an operation among the colours of curves: the same in every picture.
-pub(crate) fn colour(name: &str) -> usize {
+pub fn colour(name: &str) -> usize {
     use OperationKind::{BackReam, Drill, Ream, RotateOffBottom, Slide, TripIn, TripOut};
     match OperationKind::from_name(name) {
         Some(TripIn) => 0,

@@ -51,8 +51,16 @@ impl<'a> Shown<'a> {
         let number = plain(self.value(si, dimension));
         match self.symbol(dimension) {
             "" => number,
+            "°" => number + "°",
             symbol => format!("{number} {symbol}"),
         }
+    }
+
+    /// A depth in whole metres or feet.
+    pub(crate) fn depth(&self, si: f64) -> String {
+        // The surface is at 0, not at -0.
+        let whole = self.value(si, "length").round() + 0.0;
+        format!("{whole:.0} {}", self.symbol("length")).trim_end().to_owned()
     }
 
     /// `bit depth 4305 m`; nothing of a fact that says nothing.

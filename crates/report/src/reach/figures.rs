@@ -11,17 +11,17 @@ use crate::{
 /// How far below zero a margin is drawn, per cent.
 const BELOW: f64 = -25.0;
 
-/// Colours of the limits: there are more of these than of lines.
-const INKS: [Ink; 9] = [
+/// Colours of the limits: those of lines first, for there are seldom more limits than these.
+pub(super) const INKS: [Ink; 9] = [
     Ink::Line(0),
     Ink::Line(1),
     Ink::Line(2),
     Ink::Line(3),
-    Ink::Error,
     Ink::Line(4),
     Ink::Line(5),
     Ink::Line(6),
-    Ink::Note,
+    Ink::Rock,
+    Ink::Casing,
 ];
 
 /// Names of the pictures of a reach.
@@ -41,8 +41,13 @@ pub fn reach_plots(reach: &Reach, units: &str) -> Vec<Plot> {
 fn margins(reach: &Reach, units: &str) -> Figure {
     let shown = Shown::new(&reach.head.dimensions, units);
     let operations = distinct(reach.curves.iter().map(|of| of.operation.as_str()));
+    let drawn_titles: Vec<&String> = reach
+        .titles
+        .iter()
+        .filter(|of| reach.curves.iter().any(|curve| curve.limit == **of))
+        .collect();
     let ink = |limit: &str| {
-        let place = reach.titles.iter().position(|of| of == limit);
+        let place = drawn_titles.iter().position(|of| *of == limit);
         INKS[place.unwrap_or(0) % INKS.len()]
     };
     let panels = operations.iter().map(|operation| {
@@ -64,18 +69,17 @@ fn margins(reach: &Reach, units: &str) -> Figure {
                 marks.push(Mark::Name { at: points[0], text: row.limit.clone() });
             }
         }
-        let mut name = operation.to_string();
-        name[..1].make_ascii_uppercase();
+        let mut letters = operation.chars();
+        let first = letters.next().map(|letter| letter.to_uppercase().to_string());
+        let name = first.unwrap_or_default() + letters.as_str();
         let axis = Axis::new(format!("{name}: margin, %"), Range::Fixed(BELOW, 105.0));
         Panel::new(axis, marks)
     });
-    let mut keys: Vec<Key> = Vec::new();
-    for limit in &reach.titles {
-        if reach.curves.iter().any(|of| of.limit == *limit) {
-            let sample = Sample::Line(ink(limit), Stroke::Solid);
-            keys.push(Key { name: limit.clone(), sample });
-        }
-    }
+    let key = |limit: &&String| Key {
+        name: (*limit).clone(),
+        sample: Sample::Line(ink(limit), Stroke::Solid),
+    };
+    let mut keys: Vec<Key> = drawn_titles.iter().map(key).collect();
     if reach.frictions.len() > 1 {
         for (number, friction) in reach.frictions.iter().enumerate() {
             let sample = Sample::Line(Ink::Text, Stroke::of(number));

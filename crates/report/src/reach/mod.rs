@@ -13,10 +13,10 @@ use crate::{PageHead, Uncertain};
 pub struct Reach {
     /// Under the name of the case.
     pub head: PageHead,
-    /// What stops the well first, a sentence for each friction.
-    pub answers: Vec<String>,
-    /// What is to be known besides, in sentences.
-    pub notes: Vec<String>,
+    /// What stops the well first, a sentence for each friction, in SI, metric and field units.
+    pub answers: [Vec<String>; 3],
+    /// What is to be known besides, in sentences, in the same units.
+    pub notes: [Vec<String>; 3],
     /// Friction factors, as people say them, in the order of the curves.
     pub frictions: Vec<String>,
     /// Every limit that there is, as people say it, in the order of the colours.

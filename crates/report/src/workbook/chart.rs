@@ -53,6 +53,8 @@ pub(super) fn write(
     charts: &[WorkbookChart],
 ) -> Result<(), XlsxError> {
     on.set_name("Charts")?;
+    // As every program then has it: charts are as high as so many rows.
+    on.set_default_row_height(15.0);
     on.write_with_format(0, 0, title, &Format::new().set_bold().set_font_size(14))?;
     for (row, line) in (1..).zip(about) {
         on.write_string(row, 0, line)?;
@@ -69,9 +71,12 @@ pub(super) fn write(
 fn chart(of: &WorkbookChart) -> Chart {
     let mut chart = Chart::new(ChartType::ScatterStraight);
     chart.title().set_name(&of.title);
-    chart.x_axis().set_name(&of.across);
+    let mut grid = ChartLine::new();
+    grid.set_color(packed(Colour::Grid)).set_width(0.75);
+    chart.x_axis().set_name(&of.across).set_major_gridlines_line(&grid);
     // Depth grows down the page, and what goes across stands on top.
-    chart.y_axis().set_name(&of.down).set_reverse().set_min(0);
+    let depth = chart.y_axis().set_name(&of.down);
+    depth.set_reverse().set_min(0).set_major_gridlines_line(&grid);
     chart.legend().set_position(ChartLegendPosition::Bottom);
     chart.set_width(SIZE[0]).set_height(SIZE[1]);
     for series in &of.series {
@@ -81,8 +86,7 @@ fn chart(of: &WorkbookChart) -> Chart {
             let column = column as u16;
             (series.sheet.as_str(), first, column, last, column)
         };
-        let [red, green, blue] = Colour::Line(series.colour).rgb();
-        let colour = u32::from_be_bytes([0, red, green, blue]);
+        let colour = packed(Colour::Line(series.colour));
         let dash = match series.stroke {
             None | Some(Stroke::Solid) => ChartLineDashType::Solid,
             Some(Stroke::Dotted | Stroke::WideDotted) => ChartLineDashType::RoundDot,
@@ -106,4 +110,10 @@ fn chart(of: &WorkbookChart) -> Chart {
             .set_format(&mut line);
     }
     chart
+}
+
+/// A colour as Excel is told it.
+fn packed(colour: Colour) -> u32 {
+    let [red, green, blue] = colour.rgb();
+    u32::from_be_bytes([0, red, green, blue])
 }

@@ -35,6 +35,21 @@ pub enum Cells {
     Words(Vec<String>),
 }
 
+impl Cells {
+    /// How many rows they are.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Numbers(values) => values.len(),
+            Self::Words(words) => words.len(),
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
 impl SheetColumn {
     /// Heading and unit: `Hook load, kN`.
     pub fn head(&self) -> String {
@@ -56,8 +71,6 @@ fn heading() -> Format {
 pub(super) fn write(on: &mut Worksheet, sheet: &Sheet) -> Result<(), XlsxError> {
     on.set_name(&sheet.name)?;
     on.set_freeze_panes(FIRST_ROW, 0)?;
-    // Five digits are what people read; the cell holds all.
-    let number = Format::new().set_num_format("General");
     for (place, column) in (0u16..).zip(&sheet.columns) {
         let head = column.head();
         on.write_with_format(0, place, &head, &heading())?;
@@ -67,10 +80,7 @@ pub(super) fn write(on: &mut Worksheet, sheet: &Sheet) -> Result<(), XlsxError> 
                 let rows = (FIRST_ROW..).zip(values);
                 for (row, value) in rows {
                     if let Some(value) = value.filter(|value| value.is_finite()) {
-                        let number = match digits(value) {
-                            Some(digits) => Format::new().set_num_format(digits),
-                            None => number.clone(),
-                        };
+                        let number = Format::new().set_num_format(digits(value));
                         on.write_number_with_format(row, place, value, &number)?;
                     }
                 }
@@ -84,10 +94,7 @@ pub(super) fn write(on: &mut Worksheet, sheet: &Sheet) -> Result<(), XlsxError> 
         }
         on.set_column_width(place, widest as f64 + 2.0)?;
     }
-    let rows = sheet.columns.first().map_or(0, |first| match &first.cells {
-        Cells::Numbers(values) => values.len(),
-        Cells::Words(words) => words.len(),
-    });
+    let rows = sheet.columns.first().map_or(0, |first| first.cells.len());
     if let (Some(last), true) = (sheet.columns.len().checked_sub(1), rows > 0) {
         on.autofilter(0, 0, rows as u32, last as u16)?;
     }
@@ -95,32 +102,39 @@ pub(super) fn write(on: &mut Worksheet, sheet: &Sheet) -> Result<(), XlsxError> 
     Ok(())
 }
 
-/// How a number is shown: four digits or so; none of what needs all.
-fn digits(value: f64) -> Option<&'static str> {
+/// How a number is shown: four digits or so, which is what people read; the cell holds all.
+fn digits(value: f64) -> &'static str {
     match value.abs() {
-        0.0 => Some("0"),
-        size if !(1e-3..1e6).contains(&size) => None,
-        size if size >= 1e3 => Some("0"),
-        size if size >= 1e2 => Some("0.0"),
-        size if size >= 1e1 => Some("0.00"),
-        _ => Some("0.000"),
+        0.0 => "0",
+        size if !(1e-3..1e6).contains(&size) => "0.000E+00",
+        size if size >= 1e3 => "0",
+        size if size >= 1e2 => "0.0",
+        size if size >= 1e1 => "0.00",
+        _ => "0.000",
     }
 }
 
-/// What each column of each sheet means.
+/// What a row of each sheet is, and what each of its columns means.
 pub(super) fn write_meanings(on: &mut Worksheet, sheets: &[Sheet]) -> Result<(), XlsxError> {
     on.set_name("Columns")?;
     on.set_freeze_panes(FIRST_ROW, 0)?;
     for (place, head) in (0u16..).zip(["sheet", "column", "unit", "meaning"]) {
         on.write_with_format(0, place, head, &heading())?;
     }
-    let columns = sheets.iter().flat_map(|sheet| sheet.columns.iter().map(move |of| (sheet, of)));
-    for (row, (sheet, of)) in (FIRST_ROW..).zip(columns) {
-        let texts = [&sheet.name, &of.heading, &of.unit, &of.meaning];
+    let of_sheet = |sheet: &Sheet| {
+        let rows = sheet.columns.iter();
+        let rows =
+            rows.map(|of| [&sheet.name, &of.heading, &of.unit, &of.meaning].map(String::clone));
+        let first = [sheet.name.clone(), String::new(), String::new(), sheet.about.clone()];
+        [first].into_iter().chain(rows).collect::<Vec<_>>()
+    };
+    let wrapped = Format::new().set_text_wrap().set_align(FormatAlign::Top);
+    for (row, texts) in (FIRST_ROW..).zip(sheets.iter().flat_map(of_sheet)) {
         for (place, text) in (0u16..).zip(texts) {
-            on.write_string(row, place, text)?;
+            on.write_string_with_format(row, place, text, &wrapped)?;
         }
     }
+    on.set_landscape().set_print_fit_to_pages(1, 0).set_repeat_rows(0, 0)?;
     for (place, width) in (0u16..).zip([18.0, 26.0, 10.0, 100.0]) {
         on.set_column_width(place, width)?;
     }

@@ -31,7 +31,7 @@ fn workbook() -> Workbook {
         }],
         sheets: vec![Sheet {
             name: "Broomstick".into(),
-            about: String::new(),
+            about: "A row for each depth".into(),
             columns: vec![
                 column("operation", "", Cells::Words(vec!["pick-up".into(); 3])),
                 column("bit depth", "m", Cells::Numbers([500.0, 1000.0, 1500.5].map(Some).into())),
@@ -60,7 +60,8 @@ fn a_workbook_is_read_back() {
     assert_eq!(cell(1, 2), Data::Float(1.0 / 3.0));
     assert_eq!([cell(2, 2), cell(3, 2)], [Data::Empty, Data::Empty]);
     let columns = read.worksheet_range("Columns").expect("a sheet");
-    assert_eq!(columns.get_value((3, 3)), Some(&text("What hook load means")));
+    assert_eq!(columns.get_value((1, 3)), Some(&text("A row for each depth")));
+    assert_eq!(columns.get_value((4, 3)), Some(&text("What hook load means")));
 }
 
 /// The chart is Excel's own, of the cells: its file names their rows and turns the depth round.

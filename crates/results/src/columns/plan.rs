@@ -23,6 +23,10 @@ pub const PLAN_BROOMSTICK: &[ColumnSpec] = plan_specs! {
         "Tension at the top of the string; block and top drive excluded; this and the other numbers \
          are `null` where there is no answer",
         null_where "there is no answer";
+    "hook_load_with_block_N": Force,
+        "The same with the block, which is what the hoist carries; `null` where the block's weight is not \
+         given or there is no answer",
+        null_where "the block's weight is not given or there is no answer";
     "surface_torque_N_m": Torque, "Torque at the top of the string, or `null`",
         null_where "there is no answer";
     "weight_on_bit_N": Force, "Weight on bit, or `null`", null_where "there is no answer";

@@ -34,10 +34,12 @@ impl PlanSummary {
     /// A row for each point.
     pub fn broomstick_table(&self) -> Table {
         let mut table = Table::with_columns(PLAN_BROOMSTICK);
+        let block_N = self.settings["rig"]["block_weight_N"].as_f64();
         for of in &self.points {
             let worst = of.worst.as_ref();
             let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
             let scalars = of.scalars.as_ref();
+            let with_block_N = scalars.and_then(|of| Some(of.hook_load_N + block_N?));
             table.append(
                 &[
                     ("model", &[&of.model]),
@@ -51,6 +53,7 @@ impl PlanSummary {
                 &[
                     ("bit_depth_m", &[of.bit_depth_m]),
                     ("hook_load_N", &number(scalars.map(|of| of.hook_load_N))),
+                    ("hook_load_with_block_N", &number(with_block_N)),
                     ("surface_torque_N_m", &number(scalars.map(|of| of.surface_torque_N_m))),
                     ("weight_on_bit_N", &number(scalars.map(|of| of.weight_on_bit_N))),
                     ("bit_torque_N_m", &number(scalars.map(|of| of.bit_torque_N_m))),

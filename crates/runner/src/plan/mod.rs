@@ -1,6 +1,7 @@
 //! Torque and drag at every depth of the bit, with low, expected and high friction.
 
 mod campaign;
+mod charts;
 mod dynamic;
 mod files;
 mod kind;

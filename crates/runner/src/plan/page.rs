@@ -263,7 +263,9 @@ fn facts(summary: &PlanSummary) -> Vec<Fact> {
         fact("Operations", Cell::Text(names.join(", "))),
         fact("Solved by", Cell::Text(models.join(", "))),
         fact("Friction", Cell::Text(frictions.join(", "))),
-        fact("Bit depths", Cell::Quantities { values: ends.to_vec(), dimension: "length".into() }),
+        fact("Bit depths", Cell::Text(depths.len().to_string())),
+        fact("From", Cell::quantity(ends[0].round(), "length")),
+        fact("To", Cell::quantity(ends[1].round(), "length")),
         fact("Mud density", quantity(&settings["mud"]["density_kg_per_m3"], "density")),
         fact("Weight of the block", quantity(&settings["rig"]["block_weight_N"], "force")),
     ]

@@ -1,50 +1,37 @@
 //! `plan.xlsx`: every table as a sheet, and the broomsticks as charts.
 
-use wholestring_report::{
-    Cells, FRICTION_STROKES, Sheet, SheetColumn, Workbook, WorkbookChart, WorkbookSeries,
-    operation_name,
-};
-use wholestring_results::{Column, Data, PlanMeasured, PlanSummary, Table, plan_peaks_table};
+use wholestring_report::{Cells, DisplayUnit, Sheet, SheetColumn, Workbook, operation_name};
+use wholestring_results::{Column, Data, PlanSummary, Table, plan_peaks_table};
 use wholestring_units::UnitSet;
 
 use super::{
+    charts::{BROOMSTICK, BUCKLING, HYDRAULICS, MEASURED, charts},
     files::Tables,
-    levels::{LEVELS, label},
 };
 use crate::page::{
     PROGRAM,
     dimensions::{of_setting, pretty, unit},
 };
 
-/// Name of the sheet of points.
-const BROOMSTICK: &str = "Broomstick";
-
-/// Name of the sheet of readings.
-const MEASURED: &str = "Measured";
-
 /// The workbook of a plan in these units.
 pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) -> Workbook {
-    let (points, measured) = (summary.broomstick_table(), summary.measured_table());
+    let measured = summary.measured_table();
     let peaks = plan_peaks_table(&summary.peaks);
     let tables = [
         (
             BROOMSTICK,
-            &points,
+            &summary.broomstick_table(),
             "A row for each depth of the bit of each model, operation and friction",
         ),
-        (
-            "Weight to buckle",
-            &summary.buckling_table(),
-            "Weights on bit under which the string buckles",
-        ),
-        ("Limits", &found.limits, "Loads against what bears them, in the unit of each row"),
+        (BUCKLING, &summary.buckling_table(), "Weights on bit under which the string buckles"),
+        ("Limits", &found.limits, "Loads against what bears them, in the unit of the row"),
         ("Fatigue", &found.fatigue, "What the campaign takes of the string's life"),
         ("Casing wear", &found.wear, "What the campaign takes of the casing"),
         ("Peaks", &peaks, "What a string that sets itself in motion comes to, by the dynamics"),
         ("Peaks against time", &found.peaks_time, "The same, sample by sample"),
         ("Friction", &summary.friction_table(), "Friction of each hole section at each level"),
         (
-            "Hydraulics",
+            HYDRAULICS,
             &summary.hydraulics_table(),
             "Pressures and equivalent densities with the bit at each depth",
         ),
@@ -55,7 +42,7 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
         ),
     ];
     let is_there = |name: &str| match name {
-        "Hydraulics" => !summary.hydraulics.is_empty(),
+        HYDRAULICS => !summary.hydraulics.is_empty(),
         "Peaks" | "Peaks against time" => !summary.peaks.is_empty(),
         MEASURED => !summary.measured.is_empty(),
         _ => true,
@@ -82,40 +69,61 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
         .chain(scattered)
         .map(|(name, table, about)| sheet(name, table, about, units))
         .collect();
-    let charts = [
-        ("Hook load without block", "hook_load_N", "off bottom", false),
-        ("Surface torque", "surface_torque_N_m", "all that turns", true),
-    ];
-    let charts = charts.into_iter().filter_map(|(title, column, which, turns)| {
-        let mut chart = chart(summary, &sheets[0], &points, (title, column, which, turns))?;
-        let read = if turns { "measured_N_m" } else { "hook_load_N" };
-        chart.series.extend(read_points(summary, &measured, read, turns));
-        Some(chart)
-    });
+    let charts = charts(summary, &sheets);
     Workbook {
         title: format!("{}: plan", summary.case),
         about: vec![format!("Made by {PROGRAM}. Units are those of the headings.")],
-        charts: charts.collect(),
+        charts,
         sheets,
     }
 }
 
 fn sheet(name: &str, table: &Table, about: &str, units: UnitSet) -> Sheet {
-    let columns = table.columns().iter().map(|of| column(of, units)).collect();
+    let rows = row_units(table, units);
+    let columns = table.columns().iter().map(|of| column(of, rows.as_deref(), units)).collect();
     Sheet { name: name.to_owned(), about: about.to_owned(), columns }
 }
 
-/// A column in the reader's units, which stand in its heading.
-fn column(of: &Column, units: UnitSet) -> SheetColumn {
-    let found = of_setting(&of.name).filter(|_| !of.unit.is_empty());
-    let (dimension, stem) = found.unwrap_or(("", &of.name));
+/// Columns whose unit is that of their row.
+const OF_ROWS: [&str; 2] = ["load", "capacity"];
+
+/// SI units that rows name, and what they are of.
+const ROW_UNITS: [(&str, &str); 3] = [("N", "force"), ("N·m", "torque"), ("Pa", "pressure")];
+
+/// The reader's unit of each row of a table whose rows name theirs.
+fn row_units(table: &Table, units: UnitSet) -> Option<Vec<DisplayUnit>> {
+    let shown = |si: &String| {
+        let dimension = ROW_UNITS.iter().find(|(symbol, _)| symbol == si).map_or("", |of| of.1);
+        unit(dimension, units).unwrap_or(DisplayUnit { symbol: si.clone(), factor: 1.0 })
+    };
+    Some(table.words("unit")?.iter().map(shown).collect())
+}
+
+/// What lies across a wall is as small as a diameter.
+const ACROSS: [&str; 3] = ["groove_m", "wall_m", "wall_left_m"];
+
+/// A column in the reader's units, which stand in its heading, or in the rows' own.
+fn column(of: &Column, rows: Option<&[DisplayUnit]>, units: UnitSet) -> SheetColumn {
+    let found = match of.name.strip_suffix("_m") {
+        Some(stem) if ACROSS.contains(&of.name.as_str()) => Some(("diameter", stem)),
+        _ => of_setting(&of.name),
+    };
+    let (dimension, stem) = found.filter(|_| !of.unit.is_empty()).unwrap_or(("", &of.name));
     let shown = unit(dimension, units);
-    let factor = shown.as_ref().map_or(1.0, |of| of.factor);
-    let cells = match &of.data {
-        Data::Number(values) => {
-            Cells::Numbers(values.iter().map(|value| value.map(|value| value / factor)).collect())
+    let all = shown.as_ref().map_or(1.0, |of| of.factor);
+    let rows = rows.filter(|_| OF_ROWS.contains(&of.name.as_str()) || of.name == "unit");
+    let factor = |row: usize| rows.and_then(|units| units.get(row)).map_or(all, |of| of.factor);
+    let cells = match (&of.data, rows) {
+        (Data::Number(values), _) => {
+            let values = values.iter().enumerate();
+            Cells::Numbers(values.map(|(row, value)| Some((*value)? / factor(row))).collect())
         }
-        Data::Text(words) => Cells::Words(words.iter().map(|word| readable(of, word)).collect()),
+        (Data::Text(_), Some(units)) => {
+            Cells::Words(units.iter().map(|of| of.symbol.clone()).collect())
+        }
+        (Data::Text(words), None) => {
+            Cells::Words(words.iter().map(|word| readable(of, word)).collect())
+        }
     };
     SheetColumn {
         heading: stem.replace('_', " "),
@@ -132,77 +140,4 @@ fn readable(of: &Column, word: &str) -> String {
         "worst_finding" | "event" => word.replace('_', " "),
         _ => word.to_owned(),
     }
-}
-
-/// A curve for each operation and friction of the first model, from rows that stand together.
-fn chart(
-    summary: &PlanSummary,
-    sheet: &Sheet,
-    points: &Table,
-    (title, quantity, which, turns): (&str, &str, &str, bool),
-) -> Option<WorkbookChart> {
-    let place = |name: &str| points.columns().iter().position(|of| of.name == name);
-    let (across, down) = (place(quantity)?, place("bit_depth_m")?);
-    let model = summary.models.first()?;
-    let mut series = Vec::new();
-    for (colour, operation) in summary.operations.iter().enumerate() {
-        let kind = wholestring::operation::OperationKind::from_name(operation)?;
-        let is_shown = if turns { kind.rotates() } else { !kind.on_bottom() };
-        if !is_shown {
-            continue;
-        }
-        for (stroke, friction) in FRICTION_STROKES.into_iter().zip(LEVELS) {
-            let is_of = |of: &wholestring_results::PlanPoint| {
-                of.model == *model && of.operation == *operation && of.friction == friction
-            };
-            let first = summary.points.iter().position(is_of)?;
-            let rows = first..first + summary.curve(model, operation, friction).count();
-            series.push(WorkbookSeries {
-                name: format!("{} {}", operation_name(operation), label(summary, friction)),
-                sheet: sheet.name.clone(),
-                across,
-                down,
-                rows,
-                colour,
-                stroke: Some(stroke),
-            });
-        }
-    }
-    (!series.is_empty()).then(|| WorkbookChart {
-        title: format!("{title}, {which}"),
-        across: sheet.columns[across].head(),
-        down: sheet.columns[down].head(),
-        series,
-    })
-}
-
-/// What was read in each operation, as points: rows of a reading stand together.
-fn read_points(
-    summary: &PlanSummary,
-    measured: &Table,
-    column: &str,
-    torques: bool,
-) -> Vec<WorkbookSeries> {
-    let place = |name: &str| measured.columns().iter().position(|of| of.name == name);
-    let Some((across, down)) = place(column).zip(place("bit_depth_m")) else { return Vec::new() };
-    let mut all = Vec::new();
-    for (colour, operation) in summary.operations.iter().enumerate() {
-        let is_of = |of: &PlanMeasured| {
-            Some(&of.model) == summary.models.first()
-                && of.operation == *operation
-                && of.is_torque == torques
-        };
-        let Some(first) = summary.measured.iter().position(is_of) else { continue };
-        let count = summary.measured[first..].iter().take_while(|of| is_of(of)).count();
-        all.push(WorkbookSeries {
-            name: format!("{} measured", operation_name(operation)),
-            sheet: MEASURED.to_owned(),
-            across,
-            down,
-            rows: first..first + count,
-            colour,
-            stroke: None,
-        });
-    }
-    all
 }

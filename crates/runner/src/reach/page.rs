@@ -26,11 +26,11 @@ impl Results for Reach {
         let summary = ReachSummary::read(&folder.join("summary.json"))?;
         let title = format!("{}: reach", summary.case);
         let head = page::head(title, units, Some(&summary.settings), facts(&summary));
-        let set: UnitSet = head.units.parse().unwrap_or_default();
+        let sets = [UnitSet::Si, UnitSet::Metric, UnitSet::Field];
         Ok(Self {
             head,
-            answers: sentences::answers(&summary, set),
-            notes: sentences::notes(&summary, set),
+            answers: sets.map(|set| sentences::answers(&summary, set)),
+            notes: sets.map(|set| sentences::notes(&summary, set)),
             frictions: summary.frictions.iter().map(sentences::friction).collect(),
             titles: Limit::ALL.map(|limit| limit.title().to_owned()).to_vec(),
             limits: summary.frictions.iter().enumerate().flat_map(rows).collect(),

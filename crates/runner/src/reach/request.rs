@@ -64,8 +64,6 @@ pub struct Request<'a> {
     pub units: Option<UnitSet>,
     /// Where the results go.
     pub output: Output,
-    /// Whether the tables are written as CSV too.
-    pub csv: bool,
     /// Whether the picture is painted as PNG too.
     pub png: bool,
     /// Operations that are solved side by side; one per core where nothing is said.
@@ -99,7 +97,6 @@ impl<'a> Request<'a> {
             helix_side_force: true,
             units: None,
             output: Output::default(),
-            csv: false,
             png: false,
             jobs: None,
         }
@@ -226,8 +223,8 @@ pub fn run(
     let written = samples.as_ref().map(|(_, found, table)| (found, table));
     uncertain::write(folder, &Names::REACH, written)?;
     uncertain::write_picture_numbers(folder, summary.uncertain.as_ref())?;
-    folder.write_table(REACH, &reach_table(&answers), request.csv)?;
-    // The page leads to it.
+    // As CSV too: the page leads to them.
+    folder.write_table(REACH, &reach_table(&answers), true)?;
     folder.write_table(LIMITS, &reach_limits_table(&summary), true)?;
     summary.write(&folder.path().join("summary.json"))?;
     let units = request.units.unwrap_or(case.units);

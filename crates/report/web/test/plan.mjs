@@ -1,0 +1,70 @@
+// The page of a plan in a real browser: `node test/plan.mjs CHROMIUM report.html`. Pictures, lights beside words, the workbook
+// beside it, and what is asked of every page that prints as a report.
+import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { browse, text } from "./browser.mjs";
+import { checkSheets, read } from "./sheets.mjs";
+
+const [executablePath, file] = process.argv.slice(2);
+const browser = await browse(executablePath, file, { timeout_ms: 60_000 });
+const { check, close } = browser;
+
+const page = await browser.open({ colorScheme: "light" });
+const parts = await read(page);
+const part = (title) => parts.find((part) => part.title === title);
+
+await check("hook load, torque, weight to buckle and limits have their sections", async () => {
+  for (const title of ["Hook load", "Surface torque", "Weight to buckle", "Limits", "Nearest limits", "Friction"])
+    assert.ok(part(title), title);
+  assert.match(parts.map((of) => of.title).join("; "), /With the bit at \d+ m/);
+});
+
+await check("every operation has a line for each friction", async () => {
+  const figure = page.locator(".in-si section:has(> h2:text-is('Hook load')) figure svg").first();
+  const keys = await figure.locator(".legend-key").allTextContents();
+  for (const expected of ["pick-up", "slack-off", "rotating off bottom", "low friction", "expected friction", "high friction"])
+    assert.ok(keys.some((key) => key.includes(expected)), `${expected} in ${keys}`);
+  const names = await figure.locator("text").allTextContents();
+  const friction = /low friction, (.*)/.exec(keys.find((key) => key.includes("low friction")))[1];
+  // At the ends of pick-up and slack-off.
+  assert.ok(names.filter((name) => name === friction).length >= 2, `${friction} in ${names}`);
+});
+
+await check("a light has a word and a mark", async () => {
+  const words = part("Nearest limits").rows.map((row) => row[1]);
+  assert.ok(words.length > 3);
+  for (const word of words) assert.match(word, /^(kept|near|short|passed)$/);
+  let lights = 0;
+  for (const [kind, mark] of [
+    ["agrees", "\u2713"],
+    ["near", "!"],
+    ["differs", "\u2717"],
+  ]) {
+    const cells = page.locator(`.in-si td.${kind}`);
+    const count = await cells.count();
+    lights += count;
+    if (count === 0) continue;
+    const after = await cells.first().evaluate((cell) => getComputedStyle(cell, "::after").content);
+    assert.ok(after.includes(mark), after);
+  }
+  assert.ok(lights >= words.length, `${lights} lights`);
+  // The least reserve stands first.
+  const reserves = part("Nearest limits").rows.map((row) => Number(row.at(-2)) / Number(row.at(-1)));
+  const known = reserves.filter(Number.isFinite);
+  assert.ok(known.every((reserve, i) => i === 0 || reserve >= known[i - 1] - 0.02), `${known}`);
+});
+
+await check("the workbook lies beside it", async () => {
+  assert.equal(await page.locator(".in-si a[href='plan.xlsx']").count(), 1);
+  assert.ok(existsSync(join(dirname(file), "plan.xlsx")));
+});
+
+await checkSheets(browser, page, file, { figures: 3, sheets: 9 });
+
+await check("names are text, whatever they hold", async () => {
+  assert.equal(await page.locator("main script").count(), 0);
+  assert.match(await text(page, "h1"), /: plan$/);
+});
+
+await close(page, 20_000, "the page of a plan");

@@ -1,0 +1,221 @@
+//! The charts of `plan.xlsx`: curves down the depth of the bit, of the cells of its sheets.
+
+use wholestring::operation::OperationKind;
+use wholestring_report::{
+    Cells, FRICTION_STROKES, Sheet, WorkbookChart, WorkbookSeries, operation_colour, operation_name,
+};
+use wholestring_results::{PlanMeasured, PlanSummary};
+
+use super::levels::{LEVELS, label};
+
+/// Names of the sheets that charts are of.
+pub(super) const BROOMSTICK: &str = "Broomstick";
+pub(super) const BUCKLING: &str = "Weight to buckle";
+pub(super) const HYDRAULICS: &str = "Hydraulics";
+pub(super) const MEASURED: &str = "Measured";
+
+/// Headings of the columns that are drawn.
+const DEPTH: &str = "bit depth";
+const OPERATION: &str = "operation";
+
+/// All of them, of the first model where there are several.
+pub(super) fn charts(summary: &PlanSummary, sheets: &[Sheet]) -> Vec<WorkbookChart> {
+    let sheet = |name: &str| sheets.iter().find(|of| of.name == name);
+    let mut charts = Vec::new();
+    if let Some(points) = sheet(BROOMSTICK) {
+        let broomstick = |title: &str, heading, is_shown: fn(OperationKind) -> bool| {
+            let mut series = broomstick(summary, points, heading, is_shown);
+            series.extend(
+                sheet(MEASURED).map_or_else(Vec::new, |of| read(summary, of, heading, is_shown)),
+            );
+            chart(title, heading, points, series)
+        };
+        charts.extend(broomstick("Hook load without block, off bottom", "hook load", |of| {
+            !of.on_bottom()
+        }));
+        charts.extend(broomstick("Surface torque", "surface torque", OperationKind::rotates));
+        charts.extend(broomstick(
+            "Hook load without block, on bottom",
+            "hook load",
+            OperationKind::on_bottom,
+        ));
+    }
+    if let Some(weights) = sheet(BUCKLING) {
+        let series = buckling(summary, weights);
+        charts.extend(chart("Weight on bit to buckle", "weight on bit", weights, series));
+    }
+    if let Some(mud) = sheet(HYDRAULICS) {
+        let series = columns(mud, &[("standpipe", "standpipe pressure")]);
+        charts.extend(chart("Standpipe pressure", "standpipe pressure", mud, series));
+        let series = columns(mud, &DENSITIES);
+        charts.extend(chart("Equivalent density at the bit", "equivalent density", mud, series));
+    }
+    charts
+}
+
+/// What the string does, and the column of the density at the bit.
+const DENSITIES: [(&str, &str); 5] = [
+    ("circulating", "circulating bit"),
+    ("running in, string closed", "surge closed bit"),
+    ("running in, string open", "surge open bit"),
+    ("pulling out, string closed", "swab closed bit"),
+    ("pulling out, string open", "swab open bit"),
+];
+
+/// A chart whose axes are a quantity, in the unit of its first series, and its depth; none without series.
+fn chart(
+    title: &str,
+    quantity: &str,
+    of: &Sheet,
+    series: Vec<WorkbookSeries>,
+) -> Option<WorkbookChart> {
+    let first = series.first()?;
+    Some(WorkbookChart {
+        title: title.to_owned(),
+        across: format!("{quantity}, {}", of.columns[first.across].unit),
+        down: of.columns[first.down].head(),
+        series,
+    })
+}
+
+/// A curve for each operation and friction.
+fn broomstick(
+    summary: &PlanSummary,
+    sheet: &Sheet,
+    heading: &str,
+    is_shown: fn(OperationKind) -> bool,
+) -> Vec<WorkbookSeries> {
+    let mut all = Vec::new();
+    for name in &summary.operations {
+        if !OperationKind::from_name(name).is_some_and(is_shown) {
+            continue;
+        }
+        for (stroke, friction) in FRICTION_STROKES.into_iter().zip(LEVELS) {
+            let rows = rows(summary, sheet, name, friction);
+            let title = format!("{} {}", operation_name(name), label(summary, friction));
+            all.extend(series(sheet, title, heading, rows).map(|of| WorkbookSeries {
+                colour: operation_colour(name),
+                stroke: Some(stroke),
+                ..of
+            }));
+        }
+    }
+    all
+}
+
+/// What was read in each operation, as points: rows of a reading stand together.
+fn read(
+    summary: &PlanSummary,
+    sheet: &Sheet,
+    heading: &str,
+    is_shown: fn(OperationKind) -> bool,
+) -> Vec<WorkbookSeries> {
+    let is_torque = heading == "surface torque";
+    let column = if is_torque { "measured_N_m" } else { "hook_load_N" };
+    let table = summary.measured_table();
+    let place = |name: &str| table.columns().iter().position(|of| of.name == name);
+    let Some((across, down)) = place(column).zip(place("bit_depth_m")) else { return Vec::new() };
+    let mut all = Vec::new();
+    for name in &summary.operations {
+        if !OperationKind::from_name(name).is_some_and(is_shown) {
+            continue;
+        }
+        let is_of = |of: &PlanMeasured| {
+            Some(&of.model) == summary.models.first()
+                && of.operation == *name
+                && of.is_torque == is_torque
+        };
+        let Some(first) = summary.measured.iter().position(is_of) else { continue };
+        let count = summary.measured[first..].iter().take_while(|of| is_of(of)).count();
+        all.push(WorkbookSeries {
+            name: format!("{} measured", operation_name(name)),
+            sheet: sheet.name.clone(),
+            across,
+            down,
+            rows: first..first + count,
+            colour: operation_colour(name),
+            stroke: None,
+        });
+    }
+    all
+}
+
+/// A curve for each operation that drills, each friction and each shape.
+fn buckling(summary: &PlanSummary, sheet: &Sheet) -> Vec<WorkbookSeries> {
+    let mut all = Vec::new();
+    for name in ["drill", "slide"] {
+        for (stroke, friction) in FRICTION_STROKES.into_iter().zip(LEVELS) {
+            for (shape, heading) in [("sinusoid", "sinusoidal weight"), ("helix", "helical weight")]
+            {
+                let rows = rows(summary, sheet, name, friction);
+                let title =
+                    format!("{}, {shape} {}", operation_name(name), label(summary, friction));
+                // Two colours for each operation.
+                let colour = 2 * usize::from(name == "slide") + usize::from(shape == "helix");
+                all.extend(series(sheet, title, heading, rows).map(|of| WorkbookSeries {
+                    colour,
+                    stroke: Some(stroke),
+                    ..of
+                }));
+            }
+        }
+    }
+    all
+}
+
+/// A curve for each of some columns, of all rows.
+fn columns(sheet: &Sheet, named: &[(&str, &str)]) -> Vec<WorkbookSeries> {
+    let all = 0..sheet.columns.first().map_or(0, |of| of.cells.len());
+    let numbered = named.iter().enumerate();
+    numbered
+        .filter_map(|(colour, (title, heading))| {
+            let of = series(sheet, (*title).to_owned(), heading, all.clone())?;
+            Some(WorkbookSeries { colour, ..of })
+        })
+        .collect()
+}
+
+/// A solid curve of a column over rows; none where there are no rows or no such column.
+fn series(
+    sheet: &Sheet,
+    name: String,
+    heading: &str,
+    rows: std::ops::Range<usize>,
+) -> Option<WorkbookSeries> {
+    let place = |heading: &str| sheet.columns.iter().position(|of| of.heading == heading);
+    let (across, down) = (place(heading)?, place(DEPTH)?);
+    (!rows.is_empty()).then(|| WorkbookSeries {
+        name,
+        sheet: sheet.name.clone(),
+        across,
+        down,
+        rows,
+        colour: 0,
+        stroke: Some(FRICTION_STROKES[1]),
+    })
+}
+
+/// The rows of an operation with a friction by the first model, which stand together.
+fn rows(
+    summary: &PlanSummary,
+    sheet: &Sheet,
+    operation: &str,
+    friction: &str,
+) -> std::ops::Range<usize> {
+    let words = |heading: &str| {
+        let found = sheet.columns.iter().find(|of| of.heading == heading);
+        match found.map(|of| &of.cells) {
+            Some(Cells::Words(words)) => &words[..],
+            _ => &[],
+        }
+    };
+    let model = summary.models.first().map_or("", String::as_str);
+    let wanted = [("model", model), ("friction", friction), (OPERATION, operation_name(operation))];
+    let columns = wanted.map(|(heading, word)| (words(heading), word));
+    let is_of = |row: &usize| {
+        columns.iter().all(|(words, word)| words.get(*row).is_some_and(|found| found == word))
+    };
+    let count = columns[0].0.len();
+    let first = (0..count).find(is_of).unwrap_or(count);
+    first..first + (first..count).take_while(is_of).count()
+}

@@ -1,0 +1,136 @@
+//! The workbook of a plan is read back: every cell is the table's, in the unit of its heading.
+
+use std::{f64::consts::PI, path::Path};
+
+use calamine::{Data as Read, Range, Reader, Xlsx, open_workbook};
+use wholestring_case::Override;
+use wholestring_report::operation_name;
+use wholestring_results::{Data, Table};
+use wholestring_runner::{CancellationToken, Existing, Output, Silent, plan};
+use wholestring_units::UnitSet;
+
+/// Sheets after the charts, and their tables.
+const SHEETS: [(&str, &str); 7] = [
+    ("Broomstick", "plan_broomstick"),
+    ("Weight to buckle", "plan_buckling"),
+    ("Limits", "plan_limits"),
+    ("Fatigue", "plan_fatigue"),
+    ("Casing wear", "plan_wear"),
+    ("Friction", "plan_friction"),
+    ("Hydraulics", "plan_hydraulics"),
+];
+
+/// SI units in one of each unit that sheets in US field units name: by the foot and the pound of 1959 and
+/// the gallon of 231 cubic inches.
+const UNITS: [(&str, f64); 7] = [
+    ("ft", 0.3048),
+    ("in", 0.0254),
+    ("klbf", 4_448.221_615_260_5),
+    ("ft·lbf", 0.3048 * 4.448_221_615_260_5),
+    ("psi", 4.448_221_615_260_5 / (0.0254 * 0.0254)),
+    ("ppg", 0.453_592_37 / (231.0 * 0.0254 * 0.0254 * 0.0254)),
+    ("°", PI / 180.0),
+];
+
+/// What converting there and back may cost, relative.
+const ROUNDED: f64 = 1e-12;
+
+fn changes() -> Vec<Override> {
+    let changes = [
+        "plan.depths=3",
+        "operation.kind=[\"drill\"]",
+        "operation.flow_rate=30 l/s",
+        "mud.rheology=bingham",
+        "mud.plastic_viscosity=0.02 Pa.s",
+        "mud.yield_point=7 Pa",
+        "rig.block_weight=150 kN",
+        "rig.hoist_capacity=600 kN",
+    ];
+    changes.iter().map(|of| of.parse().expect("an override")).collect()
+}
+
+#[test]
+fn every_cell_is_that_of_a_table() {
+    let place = tempfile::tempdir().expect("a folder");
+    let folder = place.path().join("out");
+    let file = Path::new("../../cases/slant.toml");
+    let case = wholestring_case::load(file, &changes()).expect("a sound case");
+    let request = plan::Request {
+        case: &case,
+        units: Some(UnitSet::Field),
+        output: Output { folder: Some(folder.clone()), existing: Existing::Protect },
+        jobs: std::num::NonZeroUsize::new(1),
+        checkpoint_every: None,
+        png: false,
+    };
+    plan::run(&request, &Silent, &CancellationToken::new()).expect("a plan");
+
+    let mut file: Xlsx<_> = open_workbook(folder.join("plan.xlsx")).expect("a workbook");
+    let names = file.sheet_names();
+    assert_eq!(
+        [names.first(), names.last()].map(|of| of.map(String::as_str)),
+        [Some("Charts"), Some("Columns")]
+    );
+    let mut numbers = 0;
+    for (sheet, name) in SHEETS {
+        let table = Table::read_parquet(&folder.join(format!("{name}.parquet"))).expect("a table");
+        assert!(table.rows() > 0, "{name}");
+        let cells = file.worksheet_range(sheet).expect("a sheet");
+        assert_eq!(cells.height(), table.rows() + 1, "{sheet}");
+        numbers += compare(sheet, &cells, &table);
+    }
+    assert!(numbers > 1000, "{numbers} numbers");
+    // What a row is and what each column means.
+    let columns = file.worksheet_range("Columns").expect("a sheet");
+    assert!(columns.rows().all(|row| row[3] != Read::Empty));
+}
+
+/// Compares a sheet with its table; how many numbers that were.
+fn compare(sheet: &str, cells: &Range<Read>, table: &Table) -> usize {
+    let cell = |row: usize, column: usize| cells.get((row, column)).cloned().unwrap_or_default();
+    let row_units = table.columns().iter().position(|of| of.name == "unit");
+    let mut numbers = 0;
+    for (place, column) in table.columns().iter().enumerate() {
+        let heading = cell(0, place).to_string();
+        let (stem, unit) = heading.split_once(", ").unwrap_or((&heading, ""));
+        let expected = stem.replace(' ', "_");
+        assert!(column.name.starts_with(&expected), "{sheet}: {heading} of {}", column.name);
+        assert_eq!(unit.is_empty(), column.unit.is_empty(), "{sheet}: {heading}");
+        let own = ["load", "capacity"].contains(&column.name.as_str());
+        for row in 0..table.rows() {
+            let read = cell(row + 1, place);
+            let place = format!("{sheet}: {heading}, row {row}");
+            match &column.data {
+                Data::Number(values) => {
+                    let unit = match row_units.filter(|_| own) {
+                        Some(units) => cell(row + 1, units).to_string(),
+                        None => unit.to_owned(),
+                    };
+                    let known = UNITS.iter().find(|of| of.0 == unit);
+                    assert!(unit.is_empty() || known.is_some(), "{place}: {unit}");
+                    let factor = known.map_or(1.0, |of| of.1);
+                    match (read, values[row]) {
+                        (Read::Empty, None) => {}
+                        (Read::Float(read), Some(si)) => {
+                            let off = (read * factor - si).abs();
+                            assert!(off <= ROUNDED * si.abs(), "{place}: {read} {unit} of {si}");
+                            numbers += 1;
+                        }
+                        (read, value) => panic!("{place}: {read:?} of {value:?}"),
+                    }
+                }
+                Data::Text(words) => {
+                    let word = match column.name.as_str() {
+                        "operation" => operation_name(&words[row]).to_owned(),
+                        "worst_finding" => words[row].replace('_', " "),
+                        // In the reader's units.
+                        "unit" => continue,
+                        _ => words[row].clone(),
+                    };
+                    assert_eq!(read.to_string(), word, "{place}");
+                }
+            }
+        }
+    }
+    numbers
+}
