@@ -64,6 +64,7 @@ mod string;
 mod template;
 mod top_drive;
 mod tortuosity;
+mod tubular_rules;
 mod unit_set;
 mod vary;
 mod well;
