@@ -1,4 +1,5 @@
-//! What a component has in its body, a bend, steel off the axis, a survey sensor, and what acts across it.
+//! What a component has in its body, a bend, steel off the axis, a survey sensor, and what acts
+//! across it.
 
 use wholestring::string::{
     BodyBend, Cavity, ComponentLength, ComponentSpec, Eccentricity, LateralForce, MAX_ECCENTRIC,

@@ -47,8 +47,8 @@ table! {
         mud: MudTable = required(Section::<MudTable>::RULE);
         /// The metal of the string, wherever a component does not say otherwise.
         steel: SteelTable = optional(Section::<SteelTable>::RULE);
-        /// File of tubulars of one's own beside the case, TOML or CSV, such as "my-pipes.toml": their
-        /// names may stand wherever the string names the catalogue.
+        /// File of tubulars of one's own beside the case, TOML or CSV, such as "my-pipes.toml":
+        /// their names may stand wherever the string names the catalogue.
         catalogue: String = optional(Text);
         /// The string, component by component from the bit up.
         string: Vec<Spanned<ComponentTable>> = required(List::tables::<ComponentTable>(

@@ -3,22 +3,13 @@
 use wholestring::string::{Cavity, ComponentLength};
 use wholestring_config::prelude::*;
 
-use crate::steel::{density, modulus};
+use crate::{
+    steel::{density, modulus},
+    tubular_rules::{diameter, joint_spacing, make_up_torque, mass_per_length, yield_strength},
+};
 
 /// What stands for the length of the component that fills the rest of the string.
 const TO_SURFACE: &str = "to surface";
-
-pub(crate) fn diameter(example: &'static str) -> Quantity {
-    Quantity::si(Dimension::Diameter, Range::from_to(0.005, 2.0).usual(0.02, 1.2), example)
-}
-
-pub(crate) fn yield_strength() -> Quantity {
-    Quantity::si(Dimension::Pressure, Range::from_to(1e7, 1e10).usual(1.5e8, 1.5e9), "931 MPa")
-}
-
-pub(crate) fn make_up_torque() -> Quantity {
-    Quantity::si(Dimension::Torque, Range::positive_to(1e6).usual(1e3, 2e5), "36.7 kN.m")
-}
 
 /// A length, or "to surface".
 pub(crate) struct LengthRule;
@@ -96,10 +87,10 @@ table! {
         /// Length, m unless a unit is given, or "to surface" for the topmost one, which then fills
         /// the rest of the string.
         length: ComponentLength = required(LengthRule);
-        /// Entry of the catalogue of API drill pipe, heavy-weight, collars and coiled tubing, such as
-        /// "5-1/2 in 21.90 lb/ft S-135": gives diameters, joints, mass, yield strength and what the
-        /// connections bear. Drill pipe that is worn ends with its class, "premium" or "class 2". Or the
-        /// name of a tubular of the case's own `catalogue`.
+        /// Entry of the catalogue of API drill pipe, heavy-weight, collars and coiled tubing, such
+        /// as "5-1/2 in 21.90 lb/ft S-135": gives diameters, joints, mass, yield strength and what
+        /// the connections bear. Drill pipe that is worn ends with its class, "premium" or "class
+        /// 2". Or the name of a tubular of the case's own `catalogue`.
         catalogue: String = optional(Text);
         /// Outside diameter of the body, m unless a unit is given. Needed without `catalogue`.
         od: f64 = optional(diameter("139.7 mm"));
@@ -114,11 +105,7 @@ table! {
         /// catalogue's, or no joints.
         joint_od: f64 = optional(diameter("177.8 mm"));
         /// Distance between tool joints. Default: the catalogue's, or no joints.
-        joint_spacing: f64 = optional(Quantity::si(
-            Dimension::Length,
-            Range::from_to(0.5, 100.0).usual(4.0, 16.0),
-            "9.6 m",
-        ));
+        joint_spacing: f64 = optional(joint_spacing());
         /// Diameter over the blades of a stabiliser or reamer, its gauge: blades then are what
         /// touches the wall, at both edges where they are longer than 0.5 m and than half an
         /// element, at their middle otherwise. Their mass is counted where `mass_per_length` counts
@@ -133,11 +120,7 @@ table! {
         ));
         /// Mass per length in air, tool joints included. Default: the catalogue's, or that of the
         /// body between od and id.
-        mass_per_length: f64 = optional(Quantity::si(
-            Dimension::MassPerLength,
-            Range::positive_to(20_000.0).usual(3.0, 1500.0),
-            "35.8 kg/m",
-        ));
+        mass_per_length: f64 = optional(mass_per_length());
         /// Density of its metal. Default: that of [steel].
         density: f64 = optional(density());
         /// Young's modulus. Default: that of [steel].
@@ -150,9 +133,9 @@ table! {
         /// makes them up further. Default: the catalogue's, or unknown.
         make_up_torque: f64 = optional(make_up_torque());
         /// Bend fixed in its body, which turns with it: of a motor's bent housing, of a bent sub.
-        /// The angle between the axes above and below, deg unless a unit is given. Stiff and dynamic
-        /// models. Default: none. Raising it presses bit and housing against opposite sides of the
-        /// hole.
+        /// The angle between the axes above and below, deg unless a unit is given. Stiff and
+        /// dynamic models. Default: none. Raising it presses bit and housing against opposite sides
+        /// of the hole.
         bend: f64 = optional(bend_angle());
         /// Distance of the bend from the component's lower end; a node stands there. Default: its
         /// middle.
@@ -165,10 +148,10 @@ table! {
         /// side, clockwise as one looks down the hole, deg unless a unit is given. Default: 0, the
         /// high side.
         bend_toolface: f64 = optional(direction("90 deg"));
-        /// Force across it, fixed in space however the string turns: of a rotary steerable, whose pads
-        /// press the wall on the other side by as much. Stiff and dynamic models; the soft string
-        /// leaves it out, and says so. Default: none. Raising it presses the bit to that side, or, from
-        /// beyond a stabiliser, to the other.
+        /// Force across it, fixed in space however the string turns: of a rotary steerable, whose
+        /// pads press the wall on the other side by as much. Stiff and dynamic models; the soft
+        /// string leaves it out, and says so. Default: none. Raising it presses the bit to that
+        /// side, or, from beyond a stabiliser, to the other.
         lateral_force: f64 = optional(Quantity::si(
             Dimension::Force,
             Range::from_to(0.0, 1e6).usual(100.0, 1e5),
@@ -181,8 +164,9 @@ table! {
             Range::from_to(0.0, 20_000.0),
             "0.8 m",
         ));
-        /// Direction to which the tool is pushed: the angle from the high side at the bit, clockwise as
-        /// one looks down the hole, deg unless a unit is given. Default: 0, the high side.
+        /// Direction to which the tool is pushed: the angle from the high side at the bit,
+        /// clockwise as one looks down the hole, deg unless a unit is given. Default: 0, the high
+        /// side.
         lateral_force_toolface: f64 = optional(direction("90 deg"));
         /// Distance of its steel's centre of mass from the axis, at most a tenth of od: an
         /// imbalance that throws it outwards with the square of the rotary speed. Dynamic model

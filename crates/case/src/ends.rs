@@ -23,9 +23,9 @@ table! {
         /// The top, which never leaves the hole's axis: "clamped" (along the axis, as in the rotary
         /// table) or "pinned" (free to tilt).
         top: TopEnd = default(Choice { noun: "a way to hold the top", words: TOPS }, TopEnd::default());
-        /// The bit: "held" (by `lateral_stiffness` of `[bit]`, free to tilt), "pinned" (on the hole's
-        /// axis exactly, free to tilt), "clamped" (on the axis and along it) or "free" (it touches the
-        /// wall and rubs like the string above it).
+        /// The bit: "held" (by `lateral_stiffness` of `[bit]`, free to tilt), "pinned" (on the
+        /// hole's axis exactly, free to tilt), "clamped" (on the axis and along it) or "free" (it
+        /// touches the wall and rubs like the string above it).
         bit: BitEnd = default(Choice { noun: "a way to hold the bit", words: BITS }, BitEnd::default());
     }
 }

@@ -68,6 +68,7 @@ mod string;
 mod template;
 mod top_drive;
 mod tortuosity;
+mod tubular_rules;
 mod uncertain;
 mod uncertain_check;
 mod uncertain_table;

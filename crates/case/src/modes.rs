@@ -36,8 +36,8 @@ const HEAVIEST: f64 = 2.0;
 const USUAL_N: f64 = 50e3;
 
 table! {
-    /// Natural frequencies, critical speeds, the answer to a force that turns, and torsional stability,
-    /// for `wholestring modes`.
+    /// Natural frequencies, critical speeds, the answer to a force that turns, and torsional
+    /// stability, for `wholestring modes`.
     ModesTable in "[modes]" {
         /// Modes of each family: lateral of the assembly, axial and torsional of the whole string.
         count: u64 = default(Count { from: 1, to: 100 }, COUNT);

@@ -52,9 +52,10 @@ table! {
             Range::from_to(0.0, 5e6).usual(1e3, 7e5),
             "6 tf",
         ));
-        /// Pull on the bit while it is off bottom: what a stuck bit, a fish or a core holds the string
-        /// back by. Tension at the bit; what comes of it at the surface, the overpull, is more by what
-        /// it presses to the wall on the way. Raising it raises the hook load. Default: none.
+        /// Pull on the bit while it is off bottom: what a stuck bit, a fish or a core holds the
+        /// string back by. Tension at the bit; what comes of it at the surface, the overpull, is
+        /// more by what it presses to the wall on the way. Raising it raises the hook load.
+        /// Default: none.
         bit_pull: f64 = default(
             Quantity::si(Dimension::Force, Range::from_to(0.0, 1e7).usual(1e3, 3e6), "200 kN"),
             0.0,

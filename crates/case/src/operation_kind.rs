@@ -163,7 +163,8 @@ impl Rule for KindRule {
             { "type": "string", "enum": words, "description": "A driller's word for it." },
             {
                 "type": "string",
-                "description": "Either in any capitals, its parts separated otherwise or not at all.",
+                "description": "Either in any capitals, its parts separated otherwise or not at \
+                all.",
                 "pattern": spellings(Self::names_and_abbreviations().map(|(word, _)| word)),
             },
         ] })

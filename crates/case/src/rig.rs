@@ -14,18 +14,18 @@ use wholestring_config::prelude::*;
 const SAME_BLOCK: f64 = 0.05;
 
 table! {
-    /// Limits of the rig. A run warns of an operation that exceeds them; `snubbing_force` alone changes
-    /// what the dynamic model does.
+    /// Limits of the rig. A run warns of an operation that exceeds them; `snubbing_force` alone
+    /// changes what the dynamic model does.
     RigTable in "[rig]" {
         /// Weight of travelling block and top drive. Never part of the reported hook load. How they
         /// move with the top of the string is `mass` of `[hoist]`.
         block_weight: f64 = optional(force("20 tf"));
         /// Largest load that the hoist carries, block included.
         hoist_capacity: f64 = optional(force("450 tf"));
-        /// Largest force with which the rig pushes the string into the hole, the block's weight apart:
-        /// of a snubbing unit, an injector head for coiled tubing, a pull-down. The hook load then
-        /// goes down to its negative; beyond it the string does not go down. Default: none, the rig
-        /// carries and does not push.
+        /// Largest force with which the rig pushes the string into the hole, the block's weight
+        /// apart: of a snubbing unit, an injector head for coiled tubing, a pull-down. The hook
+        /// load then goes down to its negative; beyond it the string does not go down. Default:
+        /// none, the rig carries and does not push.
         snubbing_force: f64 = optional(force("250 kN"));
         /// Rated (continuous) torque of the top drive.
         top_drive_torque: f64 = optional(torque("45 kN.m"));
@@ -156,8 +156,8 @@ table! {
             Range::from_to(-10.0, 10.0),
             "0.3 m/s",
         )).used_with(&[BLOCK_VELOCITY]);
-        /// Hook load: lifting force on the top of the string, block excluded. A negative one pushes, no
-        /// more than `snubbing_force` of `[rig]`.
+        /// Hook load: lifting force on the top of the string, block excluded. A negative one
+        /// pushes, no more than `snubbing_force` of `[rig]`.
         hook_load: f64 = optional(Quantity::si(
             Dimension::Force,
             Range::from_to(-1e8, 1e8).usual(-1e6, 2e7),

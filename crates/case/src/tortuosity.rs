@@ -29,18 +29,18 @@ const MEASURED: f64 = 0.5;
 
 table! {
     /// Tortuosity of a planned path: its smooth curve is turned by small angles, as planners do it,
-    /// so that a plan has the doglegs that drilling adds. All models follow it. Not for a survey with
-    /// close stations, which has them already.
+    /// so that a plan has the doglegs that drilling adds. All models follow it. Not for a survey
+    /// with close stations, which has them already.
     TortuosityTable in "[well.tortuosity]" {
         /// Its form: "random" (inclination at each course length), "sinusoidal" (a sine of measured
-        /// depth) or "helical" (a helix about the plan). In the first two an angle in inclination goes
-        /// with half of it across the hole, an azimuth that depends on the inclination.
+        /// depth) or "helical" (a helix about the plan). In the first two an angle in inclination
+        /// goes with half of it across the hole, an azimuth that depends on the inclination.
         kind: TortuosityKind = default(
             Choice { noun: "a form of tortuosity", words: KINDS },
             TortuosityKind::Random,
         );
-        /// Largest angle in inclination, of a helix to any side; a bare number is in degrees. Raising
-        /// it raises doglegs, torque and drag in proportion.
+        /// Largest angle in inclination, of a helix to any side; a bare number is in degrees.
+        /// Raising it raises doglegs, torque and drag in proportion.
         amplitude: f64 = default(
             Quantity::si(
                 Dimension::Angle,
@@ -50,8 +50,8 @@ table! {
             .bare("deg", DEGREE),
             0.0,
         );
-        /// Length of a wave, or the course length after which the next random angle is taken. Raising
-        /// it lowers doglegs, torque and drag in proportion.
+        /// Length of a wave, or the course length after which the next random angle is taken.
+        /// Raising it lowers doglegs, torque and drag in proportion.
         period: f64 = default(
             Quantity::si(Dimension::Length, Range::from_to(1.0, 10_000.0).usual(9.0, 1000.0), "100 m"),
             30.0,

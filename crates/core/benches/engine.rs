@@ -169,8 +169,8 @@ fn statics(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Pick-up, slack-off and rotating off bottom at three friction factors and fifty depths, each from the
-/// middle of the hole.
+/// Pick-up, slack-off and rotating off bottom at three friction factors and fifty depths, each from
+/// the middle of the hole.
 fn broomstick(threads: usize) {
     let solve = |index: usize| {
         let depth_m = 300.0 + (NP13_M - 300.0) * (index / 9) as f64 / 49.0;

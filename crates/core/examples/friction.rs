@@ -1,7 +1,7 @@
 //! Friction of one's own along the hole: a bed of cuttings where the hole is inclined.
 //!
-//! Coefficients along the hole, at rest and sliding, along and around, which every solver knows. One
-//! that depends on speed or force is in the example `friction_law`.
+//! Coefficients along the hole, at rest and sliding, along and around, which every solver knows.
+//! One that depends on speed or force is in the example `friction_law`.
 //!
 //! `cargo run -p wholestring --example friction`
 

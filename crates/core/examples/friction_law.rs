@@ -50,8 +50,8 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         println!(
             "friction torque at {rotary_speed_rad_per_s} rad/s: {plain:.0} N·m, {own:.0} N·m by the law"
         );
-        // Joints of 84 mm and collars of 83 mm radius carry the string. With more friction it climbs
-        // the wall a little more, which takes up to 2 % off its contact force.
+        // Joints of 84 mm and collars of 83 mm radius carry the string. With more friction it
+        // climbs the wall a little more, which takes up to 2 % off its contact force.
         let sliding_m_per_s = 0.083 * rotary_speed_rad_per_s;
         let expected = 1.0 + 0.5 * (-sliding_m_per_s / 0.5).exp();
         assert!((own / plain / expected - 1.0).abs() < 0.03, "{own} {plain} {expected}");

@@ -36,8 +36,8 @@ pub struct Ends {
 }
 
 impl BitEnd {
-    /// What holds the bit to the hole's axis, N/m, by a lateral stiffness of its own: infinite where
-    /// it does not leave it.
+    /// What holds the bit to the hole's axis, N/m, by a lateral stiffness of its own: infinite
+    /// where it does not leave it.
     pub(crate) fn stiffness_N_per_m(self, own_N_per_m: f64) -> f64 {
         match self {
             Self::Held => own_N_per_m,

@@ -68,10 +68,10 @@ impl Model {
 
     /// Length of the lower end that is held to the hole's axis instead of touching the wall, m.
     ///
-    /// The lowest node always is. Where the first component fills the drilled hole, all of it is if it
-    /// is a [bit](crate::string::Component::is_bit); of a motor or a collar without a bit no more than
-    /// a bit's length, for its body is pressed against the wall like any other. Of a free end nothing
-    /// is.
+    /// The lowest node always is. Where the first component fills the drilled hole, all of it is if
+    /// it is a [bit](crate::string::Component::is_bit); of a motor or a collar without a bit no
+    /// more than a bit's length, for its body is pressed against the wall like any other. Of a free
+    /// end nothing is.
     pub(crate) fn held_length_m(&self) -> f64 {
         if self.ends.bit == BitEnd::Free {
             return 0.0;

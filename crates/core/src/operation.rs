@@ -153,8 +153,8 @@ pub struct Operation {
     pub rotary_speed_rad_per_s: f64,
     /// Weight on bit when the bit is on bottom, N, positive in compression.
     pub weight_on_bit_N: f64,
-    /// Pull on the bit when it is off bottom, N: what a stuck bit, a fish or a core holds the string
-    /// back by.
+    /// Pull on the bit when it is off bottom, N: what a stuck bit, a fish or a core holds the
+    /// string back by.
     pub bit_pull_N: f64,
     /// Torque of the bit at `weight_on_bit_N`, N·m.
     pub bit_torque_N_m: f64,

@@ -11,8 +11,8 @@ pub struct Rig {
     pub block_weight_N: Option<f64>,
     /// Largest load that the hoist carries, N, block included.
     pub hoist_capacity_N: Option<f64>,
-    /// Largest force with which the rig pushes the string into the hole, N, the block's weight apart:
-    /// of a snubbing unit, an injector head, a pull-down. `None` of a rig that only carries.
+    /// Largest force with which the rig pushes the string into the hole, N, the block's weight
+    /// apart: of a snubbing unit, an injector head, a pull-down. `None` of a rig that only carries.
     pub snubbing_force_N: Option<f64>,
     /// Rated (continuous) torque of the top drive, N·m.
     pub top_drive_torque_N_m: Option<f64>,

@@ -180,8 +180,8 @@ fn s2a_criteria() {
 }
 
 /// In a sharp drop a pipe is straight, buckled, pressed straight to the high side, and buckled
-/// again as it is pushed harder; what it is compared with is the load that it passed last where it is
-/// buckled, and the next where it is not.
+/// again as it is pushed harder; what it is compared with is the load that it passed last where it
+/// is buckled, and the next where it is not.
 #[test]
 fn a_drop_has_three_critical_loads() {
     let data = verification("S2a_buckling_along_string.json");

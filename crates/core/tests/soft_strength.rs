@@ -198,8 +198,8 @@ fn in_an_arc(joints: bool, tension_N: f64) -> (Model, SoftProfile) {
 
 /// Without weight, the body bends by Lubinski's `x/tanh x` more than the hole at its joints under
 /// tension and by `x/sinh x` half-way, in compression by `x/tan x` and `x/sin x`,
-/// `x = (l/2)√(|T|/EI)`; a pipe without joints as the hole does. Moments, the bending stress and von
-/// Mises' stress of the larger follow, and the sag. Rounding is left.
+/// `x = (l/2)√(|T|/EI)`; a pipe without joints as the hole does. Moments, the bending stress and
+/// von Mises' stress of the larger follow, and the sag. Rounding is left.
 #[test]
 fn joints_magnify_the_bending_of_a_hole() {
     let hole_per_m = 60.0_f64.to_radians() / 600.0;

@@ -92,9 +92,9 @@ fn a05_published_strengths() {
     }));
 }
 
-/// Worn pipe as API RP 7G prints it (from memory), 5 in 19.50 lb/ft: 560 764 lbf and 58 113 ft·lbf for
-/// premium S-135, by hand from 80 % of the wall; class 2 by hand from 70 %. The last digit, and the
-/// 1e-4 of the standard's constant. What a joint bears stays.
+/// Worn pipe as API RP 7G prints it (from memory), 5 in 19.50 lb/ft: 560 764 lbf and 58 113 ft·lbf
+/// for premium S-135, by hand from 80 % of the wall; class 2 by hand from 70 %. The last digit, and
+/// the 1e-4 of the standard's constant. What a joint bears stays.
 #[test]
 fn worn_pipe_bears_less() {
     for (designation, pull_lbf, torque_ft_lbf, od_in) in [

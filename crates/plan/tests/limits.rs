@@ -14,7 +14,9 @@ use wholestring::{
     string::{Component, ConnectionStrength, ToolJoints, catalogue::PipeClass},
 };
 use wholestring_plan::{
-    limits::{DesignFactors, Limit, LimitKind, LimitSettings, Limits, Missing, Standing, limits},
+    limits::{
+        DesignFactors, LimitKind, LimitSettings, Limits, LoadCheck, Missing, Standing, limits,
+    },
     strength::{BendSide, BodyLoads, PSI_PA, Surface, worst_stress},
 };
 use wholestring_verification::{report_worst, verify};
@@ -67,7 +69,7 @@ fn weight_N_per_m(model: &Model, component: usize) -> f64 {
 }
 
 #[track_caller]
-fn of(found: &Limits, kind: LimitKind, component: Option<usize>) -> Limit {
+fn of(found: &Limits, kind: LimitKind, component: Option<usize>) -> LoadCheck {
     let mut all = found.limits.iter().filter(|of| of.kind == kind && of.component == component);
     let limit = *all.next().unwrap_or_else(|| panic!("no {kind:?} of {component:?}: {found:?}"));
     assert!(all.next().is_none(), "twice: {kind:?} of {component:?}");

@@ -14,8 +14,8 @@ use crate::{
 /// Version of the layout of the files of an assembly at rest; raised when a key changes or goes.
 pub const BHA_VERSION: u32 = 1;
 
-/// `summary.json` of an assembly at rest. Each pair is the part towards the high side and that to the
-/// right of it as one looks down the hole.
+/// `summary.json` of an assembly at rest. Each pair is the part towards the high side and that to
+/// the right of it as one looks down the hole.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BhaSummary {
     /// [`BHA_VERSION`] of the program that wrote it.
@@ -42,7 +42,8 @@ pub struct BhaSummary {
     pub parts: Vec<BhaPart>,
     /// Build rate of the holes in which the inclination was varied, rad/m.
     pub build_rate_rad_per_m: f64,
-    /// Mean side force of the bit over the tool faces, N; none where they were not varied over a revolution.
+    /// Mean side force of the bit over the tool faces, N; none where they were not varied over a
+    /// revolution.
     pub mean_side_force_N: Option<[f64; 2]>,
     /// Inclinations at which the side force towards the high side is zero, rad.
     pub holding_inclinations_rad: Vec<f64>,

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 use wholestring::torsional_stability::{StabilityOfCase, Threshold};
 
-/// Where steady rotation is stable, in `summary.json`: `everywhere` or `nowhere` on the map, or `from`
-/// a speed on.
+/// Where steady rotation is stable, in `summary.json`: `everywhere` or `nowhere` on the map, or
+/// `from` a speed on.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct StableFrom {
     /// Which.

@@ -3,11 +3,12 @@
 use std::{
     num::NonZeroUsize,
     path::{Path, PathBuf},
-    thread,
     time::{Duration, Instant},
 };
 
-use crate::{cancellation::CancellationToken, error::Error, output::Output, shard::Shard};
+use crate::{
+    cancellation::CancellationToken, error::Error, output::Output, parallel::jobs, shard::Shard,
+};
 
 /// How many cases are solved.
 #[derive(Debug, Clone, Default)]
@@ -27,8 +28,7 @@ pub struct BatchOptions {
 impl BatchOptions {
     /// Cases that are solved side by side.
     pub(crate) fn jobs(&self) -> usize {
-        let jobs = self.jobs.or_else(|| thread::available_parallelism().ok());
-        jobs.map_or(1, NonZeroUsize::get)
+        jobs(self.jobs)
     }
 }
 

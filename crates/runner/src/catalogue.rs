@@ -34,8 +34,8 @@ pub struct Found {
 
 impl Found {
     /// What has all of these words and numbers, whole or cut short; without any, everything. Worn
-    /// drill pipe and grades of casing are found where their word is among them. `own` comes first in
-    /// each kind.
+    /// drill pipe and grades of casing are found where their word is among them. `own` comes first
+    /// in each kind.
     pub fn described(query: &str, own: &[CatalogueEntry]) -> Self {
         let class = PipeClass::ALL.into_iter().rfind(|class| describes(query, class.suffix()));
         let class = class.unwrap_or_default();

@@ -137,8 +137,8 @@ pub enum SurveyErrorKind {
     },
     /// A column of readings whose unit nothing states.
     #[error(
-        "the {column} under '{header}' has no unit; write it in the header, such as '{}', or in a row \
-         below it: {}", column.example(), units(column.dimension())
+        "the {column} under '{header}' has no unit; write it in the header, such as '{}', or in a \
+         row below it: {}", column.example(), units(column.dimension())
     )]
     MissingReadingUnit {
         /// The column.
@@ -237,7 +237,11 @@ pub enum SurveyErrorKind {
     /// A measured depth that does not grow.
     #[error(
         "the measured depth {} after {previous}; it must grow from station to station",
-        if found == previous { "repeats:".to_owned() + " " + found } else { format!("runs backwards: {found}") }
+        if found == previous {
+            format!("repeats: {found}")
+        } else {
+            format!("runs backwards: {found}")
+        }
     )]
     DepthNotIncreasing {
         /// The depth as written, with its unit.

@@ -8,7 +8,10 @@ use wholestring::string::{
 };
 use wholestring_config::prelude::*;
 
-use crate::component::{diameter, make_up_torque, mm, yield_strength};
+use crate::{
+    component::mm,
+    tubular_rules::{diameter, joint_spacing, make_up_torque, mass_per_length, yield_strength},
+};
 
 const KINDS: &[(&str, TubularKind)] = &[
     ("drill-pipe", TubularKind::DrillPipe),
@@ -37,11 +40,7 @@ table! {
         /// Minimum yield strength of the body.
         yield_strength: f64 = required(yield_strength());
         /// Mass per length in air, tool joints included. Default: computed from the dimensions.
-        mass_per_length: f64 = optional(Quantity::si(
-            Dimension::MassPerLength,
-            Range::positive_to(20_000.0).usual(3.0, 1500.0),
-            "35.8 kg/m",
-        ));
+        mass_per_length: f64 = optional(mass_per_length());
         /// Outside diameter of the tool joints. Default: no joints.
         joint_od: f64 = optional(diameter("168.3 mm"));
         /// Inside diameter of the tool joints. Default: the body's.
@@ -54,13 +53,9 @@ table! {
             "0.43 m",
         ));
         /// Distance between tool joints. Needed with `joint_od`.
-        joint_spacing: f64 = optional(Quantity::si(
-            Dimension::Length,
-            Range::from_to(0.5, 100.0).usual(4.0, 16.0),
-            "9.6 m",
-        ));
-        /// What its connections are called, such as "NC50". Of an API connection of a tool joint the
-        /// torques are computed where they are not given.
+        joint_spacing: f64 = optional(joint_spacing());
+        /// What its connections are called, such as "NC50". Of an API connection of a tool joint
+        /// the torques are computed where they are not given.
         connection: String = optional(Text);
         /// Torque that the connections are made up with.
         make_up_torque: f64 = optional(make_up_torque());

@@ -10,8 +10,8 @@ pub(super) fn string(string: &DrillString) -> Json {
     components.map(|of| Json::from(component(of))).collect()
 }
 
-/// What a component does not have, joints, blades, a bend, an eccentricity or a lateral force, is left
-/// out.
+/// What a component does not have, joints, blades, a bend, an eccentricity or a lateral force, is
+/// left out.
 fn component(component: &Component) -> Fields {
     Fields::of(component)
         .renamed([("name", "component")])

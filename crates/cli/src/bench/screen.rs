@@ -12,8 +12,8 @@ pub(super) fn sentence(well: &MeasuredWell, count: usize) -> String {
     let assembly =
         assembly_steps.map_or_else(String::new, |steps| format!(", {steps} in it of the assembly"));
     format!(
-        "{case}: bit at {bit_depth_m:.0} m, {elements} elements, steps of {step_ms:.3} ms{assembly}; \
-         contact, friction and statistics on\n\
+        "{case}: bit at {bit_depth_m:.0} m, {elements} elements, steps of {step_ms:.3} \
+         ms{assembly}; contact, friction and statistics on\n\
          {TIME}, median of {count}\n"
     )
 }

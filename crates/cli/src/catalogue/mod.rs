@@ -24,8 +24,8 @@ pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
     if found.is_empty() {
         return Err(Failure::BadInput(format!(
             "error: the catalogue has nothing of `{query}`\n\
-             help: search by size, weight, grade, class or kind, such as 5-1/2, 21.9, S-135, premium, \
-             hwdp, collar, coiled, casing, rig; \
+             help: search by size, weight, grade, class or kind, such as 5-1/2, 21.9, S-135, \
+             premium, hwdp, collar, coiled, casing, rig; \
              without a word everything is listed"
         )));
     }

@@ -25,8 +25,8 @@ pub(crate) struct ReachArgs {
     #[arg(long, value_name = "FACTORS")]
     pub(crate) friction: Option<String>,
 
-    /// Operations, such as `drill,slide` [default: trip_out, rotate_off_bottom, drill, trip_in, slide
-    /// and those of the case, as far as it has their set points]
+    /// Operations, such as `drill,slide` [default: trip_out, rotate_off_bottom, drill, trip_in,
+    /// slide and those of the case, as far as it has their set points]
     #[arg(long, value_name = "KINDS")]
     pub(crate) operation: Option<String>,
 

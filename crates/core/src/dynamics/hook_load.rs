@@ -285,7 +285,8 @@ mod tests {
         }
     }
 
-    /// A weight that answers the lift by half or by three times as much shows its slope in two tries.
+    /// A weight that answers the lift by half or by three times as much shows its slope in two
+    /// tries.
     #[test]
     fn a_steeper_or_flatter_line_takes_three_tries() {
         for slope in [0.5, 2.0, 3.0] {

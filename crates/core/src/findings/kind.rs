@@ -42,8 +42,8 @@ macro_rules! kinds {
 }
 
 kinds! {
-    /// The hook load is at or below zero: the string does not go down by its weight. Against zero, or
-    /// what a rig that pushes gives.
+    /// The hook load is at or below zero: the string does not go down by its weight. Against zero,
+    /// or what a rig that pushes gives.
     HookLoadNegative, "hook_load_negative", Force;
     /// A string that slides down does not bring the weight to the bit: the weight that was
     /// requested , against what arrives with the whole string slacked off and the block, where its

@@ -42,8 +42,8 @@ pub fn at_rest(
     })
 }
 
-/// Of a dynamic run, whose wall forces are those of the string as it lies: the hook is slack, or the
-/// rig pushes with all it has, and the string stands or does not press on the bit.
+/// Of a dynamic run, whose wall forces are those of the string as it lies: the hook is slack, or
+/// the rig pushes with all it has, and the string stands or does not press on the bit.
 pub fn of_dynamic(model: &Model, operation: &Operation, window: &Window<'_>) -> Option<Finding> {
     let hook_load_N = window.statistic("hook_load_N")?.mean;
     let slack_N = MISSING * weight_N(model) - model.rig.push_N();

@@ -26,8 +26,8 @@ const LONGEST_M: f64 = 300.0;
 const BEYOND: usize = 6;
 const ROUNDS: usize = 6;
 
-/// Length of a string's assembly, m: from the bit up to where ordinary drill pipe begins, as the mesh
-/// and the assembly at rest have it; 300 m where there is hardly any other.
+/// Length of a string's assembly, m: from the bit up to where ordinary drill pipe begins, as the
+/// mesh and the assembly at rest have it; 300 m where there is hardly any other.
 pub fn assembly_length_m(string: &DrillString) -> f64 {
     let length_m = assembly_top_m(string);
     if length_m > SHORT_M { length_m } else { LONGEST_M.min(string.length_m()) }
@@ -35,8 +35,8 @@ pub fn assembly_length_m(string: &DrillString) -> f64 {
 
 /// The lowest part of a string, and its lateral modes.
 ///
-/// It is cut out of the string 60 m above its top, where it is held; lateral modes that have most of
-/// their energy in it know nothing of that. What moves mostly above it is left out.
+/// It is cut out of the string 60 m above its top, where it is held; lateral modes that have most
+/// of their energy in it know nothing of that. What moves mostly above it is left out.
 #[derive(Debug, Clone)]
 pub struct Assembly<'a> {
     pub(super) of: &'a SmallMotions,

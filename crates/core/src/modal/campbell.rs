@@ -62,8 +62,8 @@ impl Assembly<'_> {
     /// The Campbell diagram of so many lateral modes of the assembly and of axial and torsional
     /// modes that are known, over rising rotary speeds, rad/s.
     ///
-    /// The state at rest is that of the operation at every speed. Rotation changes the lateral modes
-    /// alone.
+    /// The state at rest is that of the operation at every speed. Rotation changes the lateral
+    /// modes alone.
     ///
     /// # Errors
     /// Where the modes were not all found.

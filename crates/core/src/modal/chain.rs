@@ -17,7 +17,8 @@ pub(super) struct Chain {
     pub(super) upper: Vec<Stiffness>,
     /// `M`, kg and kg·m²; zero of a motion that is held.
     pub(super) mass: Vec<Entry>,
-    /// Moment of inertia about the axis, kg·m²: what `G` is made of; zero where a node may not tilt.
+    /// Moment of inertia about the axis, kg·m²: what `G` is made of; zero where a node may not
+    /// tilt.
     pub(super) polar_kg_m2: Vec<f64>,
 }
 
@@ -72,8 +73,8 @@ impl Chain {
         self.mass.iter().flatten().filter(|mass| **mass > 0.0).count()
     }
 
-    /// `K − λ M`, factorised. Its negative pivots are as many as there are natural frequencies below
-    /// `√λ` in a chain that does not rotate.
+    /// `K − λ M`, factorised. Its negative pivots are as many as there are natural frequencies
+    /// below `√λ` in a chain that does not rotate.
     pub(super) fn shifted(&self, lambda: f64) -> Factors<f64> {
         let block = |(stiffness, mass): (&Stiffness, &Entry)| {
             Block::from_fn(|row, column| {

@@ -10,7 +10,8 @@ pub enum ModalError {
     Stiff(#[from] StiffError),
     /// Modes were left out.
     #[error(
-        "{wanted} modes from {from_Hz} Hz on were not all found: ask for fewer, or from another frequency on"
+        "{wanted} modes from {from_Hz} Hz on were not all found: ask for fewer, or from another \
+        frequency on"
     )]
     Incomplete {
         /// So many were wanted.

@@ -2,8 +2,8 @@
 
 use nalgebra::{ComplexField, SMatrix};
 
-/// Motions of a node: displacement along two directions across the hole and along it, rotation about
-/// two directions across the string and about it.
+/// Motions of a node: displacement along two directions across the hole and along it, rotation
+/// about two directions across the string and about it.
 pub(super) const MOTIONS: usize = 6;
 
 /// How a node's forces change with a node's motion.

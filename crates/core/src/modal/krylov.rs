@@ -115,8 +115,8 @@ impl Krylov {
         }
     }
 
-    /// Lets the operator act on the last block; what it makes of that is the next one. Whether there
-    /// is something new.
+    /// Lets the operator act on the last block; what it makes of that is the next one. Whether
+    /// there is something new.
     pub(super) fn extend(&mut self) -> bool {
         let block = self.basis.len() - self.width..self.basis.len();
         let mut made = Vec::new();

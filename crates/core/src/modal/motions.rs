@@ -139,7 +139,8 @@ impl SmallMotions {
         assert_ne!(family, Family::Lateral, "an assembly's");
         let found =
             family::modes(&self.chain, family, count).ok_or(ModalError::Lost(family.name()))?;
-        // A mode that shares its energy with lateral motion is of the family that it was found from.
+        // A mode that shares its energy with lateral motion is of the family that it was found
+        // from.
         Ok(found.iter().map(|mode| Mode { family, ..self.real(mode) }).collect())
     }
 

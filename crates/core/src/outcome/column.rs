@@ -131,8 +131,9 @@ pub(crate) fn unlike_declared<T>(
 /// Declares a structure of columns and the list of their [`Column`]s at once, in the order of the
 /// files: a column is a field that is kept (`name: Vec<f64>`), or words that follow from the others
 /// (`name = |of| ..`), its kind and its meaning, what people call it where that is more than its
-/// name says, and, where it is not so in all rows of all methods, who knows it and where there is no value; of a scalar whose statistics are taken, its
-/// place among them and on what its drift is measured. What stands behind `beside` is no column.
+/// name says, and, where it is not so in all rows of all methods, who knows it and where there is
+/// no value; of a scalar whose statistics are taken, its place among them and on what its drift is
+/// measured. What stands behind `beside` is no column.
 macro_rules! columns {
     (
         $(#[$about:meta])*

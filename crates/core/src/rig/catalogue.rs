@@ -1,8 +1,8 @@
 //! Top drives and hoists by class: what is common, as ranges.
 //!
-//! Makers print their own ratings, which differ within a class by a third and by gear and motor: these
-//! ranges tell whether a number is usual, and are no rig's. Typical, from memory of makers' public data
-//! sheets.
+//! Makers print their own ratings, which differ within a class by a third and by gear and motor:
+//! these ranges tell whether a number is usual, and are no rig's. Typical, from memory of makers'
+//! public data sheets.
 
 /// Where the ranges come from.
 pub const SOURCE: &str = "typical ranges of makers' public data sheets, from memory: take your own \

@@ -4,7 +4,8 @@
 //! With `w` from the chord, `EI w'''' − T w'' = q`. The even part is a parabola, whose curvature
 //! `β` is how far the ends turn against each other over the length `L`, and beside it, with
 //! `Q = T β + q` and slopes of zero at the ends, that of a span between tool joints
-//! ([`statics::span`](crate::statics::span)): with `z = (L/4) √(T/EI)` and `J(x) = (√x coth √x − 1)/x`,
+//! ([`statics::span`](crate::statics::span)): with `z = (L/4) √(T/EI)` and
+//! `J(x) = (√x coth √x − 1)/x`,
 //!
 //! ```text
 //! EI w'' = EI β + (Q L²/16) (J(z²) ± m/(z coth z))       + at the ends, − half-way
@@ -116,8 +117,8 @@ mod tests {
     use crate::statics::span::{BodyContact, JointSpan};
 
     /// An element whose ends stand as tool joints do in a hole of that curvature bends as the span
-    /// of the soft string, whatever of it touches, to what the fraction lacks: 3e-6, where `T L²` is
-    /// 740 EI at most. The load and the hole's curvature are askew.
+    /// of the soft string, whatever of it touches, to what the fraction lacks: 3e-6, where `T L²`
+    /// is 740 EI at most. The load and the hole's curvature are askew.
     #[test]
     fn an_element_between_joints_is_a_span() {
         const STIFFNESS: f64 = 1.25e6;

@@ -6,7 +6,8 @@ use super::{
 };
 
 impl ComponentSpec {
-    /// A bit of steel without a bore, diameter and length in m: its mass is that of a full cylinder.
+    /// A bit of steel without a bore, diameter and length in m: its mass is that of a full
+    /// cylinder.
     pub fn bit(diameter_m: f64, length_m: f64) -> Self {
         let length = ComponentLength::Metres(length_m);
         Self::uniform("bit", diameter_m, 0.0, length, Material::STEEL)

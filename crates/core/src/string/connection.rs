@@ -11,8 +11,9 @@ const COMPOUND_FRICTION: f64 = 0.08;
 const COS_FLANK: f64 = 0.866_025_403_784_438_6;
 /// Distance from the shoulder to the gauge point, at which the pitch diameter is measured, m.
 const GAUGE_POINT_M: f64 = 0.625 * 0.0254;
-/// How much nearer to the shoulder the pin's critical section is than the gauge point, m. (The pin's
-/// thread is measured 3/4 in from its shoulder, where the taper has taken 1/8 in's worth off.)
+/// How much nearer to the shoulder the pin's critical section is than the gauge point, m. (The
+/// pin's thread is measured 3/4 in from its shoulder, where the taper has taken 1/8 in's worth
+/// off.)
 const PIN_SECTION_M: f64 = 0.125 * 0.0254;
 /// Distance from the box's shoulder to its critical section, m.
 const BOX_SECTION_M: f64 = 0.375 * 0.0254;
@@ -40,8 +41,8 @@ impl ConnectionStrength {
 pub enum Shoulder {
     /// All of it, as API RP 7G's tables of tool joints have it.
     Whole,
-    /// No more of it than where the box would be as strong as the pin, as its tables of drill collars
-    /// have it.
+    /// No more of it than where the box would be as strong as the pin, as its tables of drill
+    /// collars have it.
     Balanced,
 }
 

@@ -25,8 +25,8 @@ use crate::{
 const SLOWEST: f64 = 0.2;
 
 /// Nodes are merged as long as the fastest motion that is looked at turns by no more than this from
-/// one to the next, rad: its frequency is then off by a part of `0.4²/24`, 0.7 %, and that of a motion
-/// five times slower by 0.03 %.
+/// one to the next, rad: its frequency is then off by a part of `0.4²/24`, 0.7 %, and that of a
+/// motion five times slower by 0.03 %.
 const MERGED_RAD: f64 = 0.4;
 
 /// A threshold is found to this part of itself.

@@ -2,9 +2,9 @@
 //! stick and slip.
 //!
 //! Small motions `e^{st}` about steady rotation: the string is a chain in torsion and one along the
-//! hole, with the dynamics' inertia, stiffness and damping; the top drive and the hoist end it above,
-//! the law of the bit couples the two below; wall friction and mud act along it with their slopes.
-//! Roots of its determinant are counted by the argument principle. Theory:
+//! hole, with the dynamics' inertia, stiffness and damping; the top drive and the hoist end it
+//! above, the law of the bit couples the two below; wall friction and mud act along it with their
+//! slopes. Roots of its determinant are counted by the argument principle. Theory:
 //! `docs/src/theory/torsional-stability.md`.
 
 mod bit;

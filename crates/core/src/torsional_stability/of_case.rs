@@ -29,8 +29,8 @@ pub struct StabilityOfCase {
     pub string_frequency_Hz: f64,
     /// Characteristic torsional impedance of the uppermost pipe, N·m·s.
     pub pipe_impedance_N_m_s: f64,
-    /// Frequencies, Hz, from that one up, and the part of a torsional wave of each that the top drive
-    /// sends back.
+    /// Frequencies, Hz, from that one up, and the part of a torsional wave of each that the top
+    /// drive sends back.
     pub reflections: [[f64; 2]; REFLECTED.len()],
     /// A controller with a lower threshold; none where the case is stable at all speeds, the drive
     /// has no inertia, or nothing that was tried is better.

@@ -10,8 +10,8 @@ use super::characteristic::{SteadyRotation, Value};
 /// Samples of the imaginary axis from one root of the string to the next.
 const PER_ROOT: f64 = 6.0;
 
-/// Largest turn of the function between two samples, rad, and largest change of the logarithm of its
-/// magnitude.
+/// Largest turn of the function between two samples, rad, and largest change of the logarithm of
+/// its magnitude.
 const MOST_TURN: f64 = 0.8;
 const MOST_CHANGE: f64 = 1.5;
 

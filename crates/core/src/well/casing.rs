@@ -13,8 +13,8 @@ const POUND_PER_FOOT_KG_PER_M: f64 = 0.453_592_37 / 0.3048;
 pub const SOURCE: &str =
     "API Spec 5CT (outside diameter, nominal weight, wall, drift mandrel, grades)";
 
-/// Grades and their minimum yield strength, psi: of API Spec 5CT, the old C-95, and two makers' grades
-/// of high collapse resistance, which yield as L-80 and P-110.
+/// Grades and their minimum yield strength, psi: of API Spec 5CT, the old C-95, and two makers'
+/// grades of high collapse resistance, which yield as L-80 and P-110.
 const GRADES: [(&str, f64); 15] = [
     ("H-40", 40e3),
     ("J-55", 55e3),

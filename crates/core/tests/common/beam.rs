@@ -21,8 +21,8 @@ pub fn stiffness_N_m2() -> f64 {
     beam(Ends::default(), None).string.components()[0].bending_stiffness_N_m2()
 }
 
-/// The beam with a lateral force: where, from its lower end, m, how much, N, and to which tool face,
-/// rad.
+/// The beam with a lateral force: where, from its lower end, m, how much, N, and to which tool
+/// face, rad.
 pub fn beam(ends: Ends, force: Option<[f64; 3]>) -> Model {
     let lateral_force = force.map(|[from_lower_end_m, force_N, toolface_rad]| LateralForce {
         force_N,

@@ -17,8 +17,8 @@ const RADIUS_M: f64 = 0.06;
 const BUILD_DEG: f64 = 40.0;
 
 /// A weightless pipe without joints under tension in an arc lies against its inside all along and
-/// bends as the hole does, less its own distance from the hole's axis, though its wall acts at nodes
-/// 3.2 m apart.
+/// bends as the hole does, less its own distance from the hole's axis, though its wall acts at
+/// nodes 3.2 m apart.
 ///
 /// What it sinks into the wall by, 0.05 mm, leaves the rest, below 0.4 %. Left out are 30 m at the
 /// ends of the arc, where the curvature jumps: `e^(−30 m √(T/EI))` is 6e-6.
@@ -27,7 +27,8 @@ fn a_plain_pipe_in_an_arc_bends_as_the_hole_does() {
     let model = capstan_model([0.0, 0.0], [BUILD_DEG, 0.0], 0.0, RADIUS_M, TENSION_N);
     let depth_m = model.string.length_m();
     let mut case = Case::new(model, operation(OperationKind::RotateOffBottom, depth_m));
-    // Elements of the automatic mesh carry the jump of the curvature further into the arc than 30 m.
+    // Elements of the automatic mesh carry the jump of the curvature further into the arc than 30
+    // m.
     case.settings.mesh = MeshSettings::uniform(3.2);
     case.lasts(6.0, 2.0);
     let nodes = case.run().nodes;
@@ -91,9 +92,9 @@ const SPACING_M: f64 = 9.6;
 /// February 1961): twice and 0.58 of it here. Elements from joint to joint say so of it as eight a
 /// joint do, which have nodes half-way and a moment of their own there.
 ///
-/// One element has all of it to 5e-4, the joint's force, too, which is what joints sink into the wall
-/// by. Eight have it to 0.3 %, a moment half-way to 0.6 %: what swings on from the start. 1 % is
-/// held. Left out are the joints next to the ends of the arc.
+/// One element has all of it to 5e-4, the joint's force, too, which is what joints sink into the
+/// wall by. Eight have it to 0.3 %, a moment half-way to 0.6 %: what swings on from the start. 1 %
+/// is held. Left out are the joints next to the ends of the arc.
 #[test]
 fn one_element_between_joints_bends_as_eight_do() {
     let light = pipe(300.0, RADIUS_M, ComponentLength::ToSurface);

@@ -165,9 +165,9 @@ fn a_motor_turns_the_bit_of_a_sliding_string() {
 
 /// Turning slowly, the same bit sticks and slips by itself, and drills on in the mean as fast as a
 /// steady one would. It sticks at 100 rev/min and below, swings without stopping from 105 to 180,
-/// and is quiet from 190 up (in steps of 5 and 10). The energy's books stay in balance: what the bit
-/// sets loose is another vibration for every seed, and of 24 starts (six seeds, settled for 1 to 3 s
-/// across the hole) none left more than 3e-4, half of them less than 1e-4, of either sign.
+/// and is quiet from 190 up (in steps of 5 and 10). The energy's books stay in balance: what the
+/// bit sets loose is another vibration for every seed, and of 24 starts (six seeds, settled for 1
+/// to 3 s across the hole) none left more than 3e-4, half of them less than 1e-4, of either sign.
 #[test]
 fn a_slow_drag_bit_sticks_and_slips() {
     let case = vertical(40.0);

@@ -17,8 +17,8 @@ use crate::{
 
 /// Drilling with the autodriller, tripping with the independent law from a centred start, sliding
 /// with the motor, drilling with an eccentric string in single precision, drilling by a table with
-/// noise, a motor that yields and side cutting, tripping out with a pull on a clamped bit under a pinned
-/// top: what changes in a run changes in one of them.
+/// noise, a motor that yields and side cutting, tripping out with a pull on a clamped bit under a
+/// pinned top: what changes in a run changes in one of them.
 fn cases() -> [Case; 6] {
     let mut trip = moderate(OperationKind::TripIn, 0.3);
     trip.settings.friction_law = FrictionLaw::Independent;

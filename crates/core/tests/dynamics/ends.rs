@@ -34,7 +34,8 @@ fn at_rest(case: &Case) -> StiffProfile {
     stiff::solve(&case.model, &case.operation, &settings).expect("an equilibrium")
 }
 
-/// Forces of hole and rock on the bit at the end of a run, N, towards the high side and to the right.
+/// Forces of hole and rock on the bit at the end of a run, N, towards the high side and to the
+/// right.
 fn bit_forces_N(moving: &DynamicOutcome) -> [f64; 2] {
     let last = |of: &[f64]| *of.last().expect("a sample");
     let series = &moving.series;
@@ -53,9 +54,9 @@ fn beam_at_rest(model: Model, operation: Operation) -> Case {
     case
 }
 
-/// Beams whose ends are held in every way, with a lateral force to the right, while they turn or not:
-/// the force is fixed in space. Deflections, side forces of the bit and moments are those of the stiff
-/// string within 1e-4 of the largest: found 1e-13, for the elements are the same.
+/// Beams whose ends are held in every way, with a lateral force to the right, while they turn or
+/// not: the force is fixed in space. Deflections, side forces of the bit and moments are those of
+/// the stiff string within 1e-4 of the largest: found 1e-13, for the elements are the same.
 #[test]
 fn beams_with_ends_of_every_kind() {
     let mut cases = Vec::new();
@@ -85,8 +86,8 @@ fn beams_with_ends_of_every_kind() {
     });
 }
 
-/// The bit's share of a lateral force on a propped beam, `b² (3L − b)/(2 L³)`: thin beams, as of the
-/// stiff string.
+/// The bit's share of a lateral force on a propped beam, `b² (3L − b)/(2 L³)`: thin beams, as of
+/// the stiff string.
 #[test]
 fn a_lateral_force_presses_the_bit() {
     const FORCE_N: f64 = 2000.0;
@@ -120,7 +121,8 @@ fn a_pull_on_the_bit_comes_up() {
     assert_close("work", balance.bit_work_J, -150e3 * 0.3 * 10.0, 1e-2);
 }
 
-/// The free point: a stuck string in a vertical hole is `F L/EA` longer, 1e-5 of it left of its start.
+/// The free point: a stuck string in a vertical hole is `F L/EA` longer, 1e-5 of it left of its
+/// start.
 #[test]
 fn a_stuck_string_stretches_by_its_free_length() {
     const DEPTH_M: f64 = 600.0;
@@ -141,8 +143,8 @@ fn a_stuck_string_stretches_by_its_free_length() {
     assert_close("hook load", found[1].hook_load_N - found[0].hook_load_N, PULL_N, 1e-4);
 }
 
-/// A rig that snubs brings the weight to the bit of a level hole, with the force of the stiff string; one
-/// that only carries does not, and its hook is slack.
+/// A rig that snubs brings the weight to the bit of a level hole, with the force of the stiff
+/// string; one that only carries does not, and its hook is slack.
 #[test]
 fn a_level_hole_asks_for_a_push() {
     const LENGTH_M: f64 = 300.0;

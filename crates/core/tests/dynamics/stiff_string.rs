@@ -28,9 +28,9 @@ fn side(of: &Profile, node: usize) -> i8 {
 }
 
 /// NP13 drilled at 70 rev/min and a moderate well's operations have the hook load and the torque of
-/// their dynamics within 0.05 %, their side force within 0.1 %: found 1e-6 to 1e-4, what waves of the
-/// start leave after 10 s. Nodes lie on the same side but for 1 % of them, and bend and press alike,
-/// within 2 % of the largest, but for 2 %.
+/// their dynamics within 0.05 %, their side force within 0.1 %: found 1e-6 to 1e-4, what waves of
+/// the start leave after 10 s. Nodes lie on the same side but for 1 % of them, and bend and press
+/// alike, within 2 % of the largest, but for 2 %.
 #[test]
 fn rests_where_the_dynamics_do() {
     use OperationKind::{RotateOffBottom, TripIn, TripOut};

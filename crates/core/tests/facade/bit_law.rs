@@ -63,8 +63,8 @@ fn custom(law: OwnRate) -> DynamicsSettings {
 }
 
 /// The rate law written as one's own drills as the engine's. The weight is found to 1e-12 of
-/// itself, and what is left of the difference is rounding, which a string in smooth drilling amplifies to
-/// 1.3e-10 in 4 s.
+/// itself, and what is left of the difference is rounding, which a string in smooth drilling
+/// amplifies to 1.3e-10 in 4 s.
 #[test]
 fn the_rate_law_as_ones_own_is_the_rate_law() {
     let own = run(&custom(OWN));

@@ -44,8 +44,8 @@ fn a_hook_load_below_zero_is_told() {
     }
 }
 
-/// A rig that snubs makes a push a choice: nothing is found up to its force, an error beyond it, and
-/// its push reaches the bit.
+/// A rig that snubs makes a push a choice: nothing is found up to its force, an error beyond it,
+/// and its push reaches the bit.
 #[test]
 fn a_rig_that_pushes_brings_the_string_down() {
     let level = |snubbing_force_N| {

@@ -85,8 +85,8 @@ fn d09_pinned_pipe() {
 }
 
 /// D09: a kilometre of pipe that hangs from a pin, its lower end free, each mode twice. Its bending
-/// stiffness, which the file counts too, is 2 % of the fifth; elements of 2.5 m: of 5 m miss 1.0e-3 of the
-/// fifth, a quarter of that is left; its own stretch is 1e-4.
+/// stiffness, which the file counts too, is 2 % of the fifth; elements of 2.5 m: of 5 m miss 1.0e-3
+/// of the fifth, a quarter of that is left; its own stretch is 1e-4.
 #[test]
 fn d09_hanging_chain() {
     let data = verification("D09_linear_frequencies.json");

@@ -115,8 +115,8 @@ impl Beam {
         state
     }
 
-    /// Zero at a natural frequency: pins at the bit, at the blades, whose forces are unknowns, and at
-    /// the top.
+    /// Zero at a natural frequency: pins at the bit, at the blades, whose forces are unknowns, and
+    /// at the top.
     fn determinant(&self, omega: f64) -> f64 {
         let unknowns = BLADES_M.len() + 2;
         // What each unknown makes of the state: θ and Q at the bit, then the blades.
@@ -167,8 +167,8 @@ fn round_rad_per_s(modes: &[Mode], whirl: Whirl) -> Vec<f64> {
 }
 
 /// Five modes forward and five backward of collars on three blades and two pins, in compression and
-/// in tension, against roots of the transfer matrices. Elements of half a metre: the fifth mode errs
-/// by 1e-3, four times as much with those of a metre.
+/// in tension, against roots of the transfer matrices. Elements of half a metre: the fifth mode
+/// errs by 1e-3, four times as much with those of a metre.
 #[test]
 fn stabilised_collars_whirl_as_transfer_matrices_say() {
     const SPEED: f64 = 300.0;

@@ -89,9 +89,9 @@ fn peak_Hz(signal: &[f64], step_s: f64, near_Hz: f64) -> f64 {
     hertz(best) + 0.5 * (a - c) / (a - 2.0 * b + c) * (hertz(1) - hertz(0))
 }
 
-/// NP13's first three torsional and axial modes against the spectra of the dynamics, which are kicked
-/// by a little more speed of the top drive and of the block. The peaks of forty seconds are as sharp
-/// as 2e-3; the time step and the mass that it adds take 1e-3 of the axial ones.
+/// NP13's first three torsional and axial modes against the spectra of the dynamics, which are
+/// kicked by a little more speed of the top drive and of the block. The peaks of forty seconds are
+/// as sharp as 2e-3; the time step and the mass that it adds take 1e-3 of the axial ones.
 #[test]
 fn np13_rings_as_its_modes_say() {
     const KICK_S: f64 = 20.0;

@@ -93,8 +93,8 @@ fn s1b_assemblies_in_a_straight_hole() {
 }
 
 /// The same as the assembly's page has them: shorter elements where collars lie down, 100 m of them
-/// above the highest blade, every element halved once more. Forces of bit and blades within 2e-4 of the largest;
-/// what halving changes is no less than a third of what is left.
+/// above the highest blade, every element halved once more. Forces of bit and blades within 2e-4 of
+/// the largest; what halving changes is no less than a third of what is left.
 #[test]
 fn s1b_by_the_assembly_alone() {
     for Case { id, model, operation, blades_from_bit_m, expected } in cases() {
@@ -137,9 +137,9 @@ fn pipe(od_m: f64, id_m: f64, stiffness_N_m2: f64, weight_N_per_m: f64) -> Compo
     }
 }
 
-/// C05: a slick assembly hangs free up to `(24 EI c/q)^(1/4)` and presses the bit to the low side by
-/// half of that length's weight. Shear, which the closed form leaves out, and elements of 0.2 m keep
-/// it within 0.5 %; the file allows 2 %.
+/// C05: a slick assembly hangs free up to `(24 EI c/q)^(1/4)` and presses the bit to the low side
+/// by half of that length's weight. Shear, which the closed form leaves out, and elements of 0.2 m
+/// keep it within 0.5 %; the file allows 2 %.
 #[test]
 fn c05_pendulum() {
     const LENGTH_M: f64 = 60.0;

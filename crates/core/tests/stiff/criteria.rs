@@ -1,5 +1,5 @@
-//! What the criteria of buckling say beside the shape that the stiff string takes. It prints the table
-//! of `docs/src/theory/stiff-string.md`:
+//! What the criteria of buckling say beside the shape that the stiff string takes. It prints the
+//! table of `docs/src/theory/stiff-string.md`:
 //! `cargo test -p wholestring --test stiff criteria -- --nocapture`.
 
 use std::f64::consts::{PI, TAU};
@@ -84,10 +84,10 @@ fn goes_rad(of: &StiffProfile) -> f64 {
     high - low
 }
 
-/// Below the sinusoidal load of He and Kyllingstad, which counts the hole's curvature, the pipe lies
-/// straight in every hole; beyond it, it does not; at four times the load of a straight hole it is a
-/// helix. In between, snake and helix are two states that both would stay: which is found is printed,
-/// and held to nothing.
+/// Below the sinusoidal load of He and Kyllingstad, which counts the hole's curvature, the pipe
+/// lies straight in every hole; beyond it, it does not; at four times the load of a straight hole
+/// it is a helix. In between, snake and helix are two states that both would stay: which is found
+/// is printed, and held to nothing.
 #[test]
 fn criteria_beside_the_shape() {
     let holes = [

@@ -18,13 +18,14 @@ use crate::{
     nearest, pressed, settings, solve,
 };
 
-/// Elements of the beams, m: halved and halved again they change the bit's force by 1.1e-4 and 3e-5.
+/// Elements of the beams, m: halved and halved again they change the bit's force by 1.1e-4 and
+/// 3e-5.
 const ELEMENT_M: f64 = 0.25;
 
 /// Deflection under its own weight, the bit's share of it and the moment at the top of a beam whose
-/// ends are held in every way. Elements of 0.25 m against thin beams: side forces and moments within 1e-3
-/// of the load, deflections within 1e-2; found 3e-4 and 7e-3, most of it shear, `48 EI/(κGA L²)` of a
-/// clamped beam's deflection.
+/// ends are held in every way. Elements of 0.25 m against thin beams: side forces and moments
+/// within 1e-3 of the load, deflections within 1e-2; found 3e-4 and 7e-3, most of it shear,
+/// `48 EI/(κGA L²)` of a clamped beam's deflection.
 #[test]
 fn beams_with_ends_of_every_kind() {
     let (stiffness, weight_N) = (beam::stiffness_N_m2(), WEIGHT_N_PER_M * LENGTH_M);
@@ -46,9 +47,9 @@ fn beams_with_ends_of_every_kind() {
     }
 }
 
-/// A lateral force a third of the way up from a pinned bit presses the bit by `F b² (3L − b)/(2 L³)`,
-/// `b` its distance from the clamped top, or by `F b/L` under a pinned one; against its direction, at
-/// every tool face. What the weight presses is taken off.
+/// A lateral force a third of the way up from a pinned bit presses the bit by
+/// `F b² (3L − b)/(2 L³)`, `b` its distance from the clamped top, or by `F b/L` under a pinned one;
+/// against its direction, at every tool face. What the weight presses is taken off.
 #[test]
 fn a_lateral_force_presses_the_bit() {
     const FORCE_N: f64 = 300.0;
@@ -79,8 +80,8 @@ fn a_lateral_force_presses_the_bit() {
     report_worst(rows);
 }
 
-/// C05: a heavy beam is lifted off its floor by `qL/2`, `L = (24 EI h/q)^(1/4)`: the bit on the axis of
-/// a hole that leaves it `h`.
+/// C05: a heavy beam is lifted off its floor by `qL/2`, `L = (24 EI h/q)^(1/4)`: the bit on the
+/// axis of a hole that leaves it `h`.
 #[test]
 fn c05_lifted_beam() {
     let data = verification("C05_stiff_string_contact.json");
@@ -109,8 +110,8 @@ fn c05_lifted_beam() {
     }
 }
 
-/// A free bit lies on the wall as the pipe above it does, and rubs there: a pipe on the low side of a
-/// slant bears its weight to the end.
+/// A free bit lies on the wall as the pipe above it does, and rubs there: a pipe on the low side of
+/// a slant bears its weight to the end.
 #[test]
 fn a_free_bit_lies_on_the_wall() {
     const DEPTH_M: f64 = 200.0;
@@ -129,9 +130,9 @@ fn a_free_bit_lies_on_the_wall() {
     assert_close("the rest", above, across_N_per_m * length_m, 1e-3);
 }
 
-/// A pull on the bit reaches the hook through an arc by the capstan's factor, as in the soft string:
-/// `T e^(μα)` of a string without weight. What the stiff string differs by is how it enters and leaves
-/// its arc: found 7e-4.
+/// A pull on the bit reaches the hook through an arc by the capstan's factor, as in the soft
+/// string: `T e^(μα)` of a string without weight. What the stiff string differs by is how it enters
+/// and leaves its arc: found 7e-4.
 #[test]
 fn a_pull_on_the_bit_comes_up_through_an_arc() {
     const PULL_N: f64 = 2e5;
@@ -163,7 +164,8 @@ fn a_pull_on_the_bit_comes_up_through_an_arc() {
     }
 }
 
-/// A stuck string that hangs straight is stretched by `F L/EA` more, by which its free length is told.
+/// A stuck string that hangs straight is stretched by `F L/EA` more, by which its free length is
+/// told.
 #[test]
 fn a_stuck_string_stretches_by_its_free_length() {
     const DEPTH_M: f64 = 1000.0;
@@ -184,9 +186,9 @@ fn a_stuck_string_stretches_by_its_free_length() {
     }
 }
 
-/// Weight on the bit of a level hole is pushed at the top, with what rubs besides: `−(W + μ w L)`. Of
-/// the stiff string, below the load of the sinusoid, all but what its clamped top carries off the wall
-/// rubs, 8 m of 1000; what touches and what is pushed balance to rounding.
+/// Weight on the bit of a level hole is pushed at the top, with what rubs besides: `−(W + μ w L)`.
+/// Of the stiff string, below the load of the sinusoid, all but what its clamped top carries off
+/// the wall rubs, 8 m of 1000; what touches and what is pushed balance to rounding.
 #[test]
 fn a_level_hole_asks_for_a_push() {
     const LENGTH_M: f64 = 1000.0;

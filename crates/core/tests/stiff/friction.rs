@@ -32,10 +32,10 @@ fn path(inputs: &serde_json::Value, amplitude_deg: f64, wavelength_m: f64) -> Pa
     common::arcs(&stations)
 }
 
-/// By how much a newton of tension presses the string to its wall, along all of the string, rad: the
-/// angle of the capstan, less where the string lies on the outside of its curve. A pull at the bit
-/// `δT` comes up as `dδT/ds = ±μ (n·κ) δT`, `N = |T κ + w⊥|` and `n` its direction: up with the plus, and
-/// down with the minus, for friction takes off the tension there.
+/// By how much a newton of tension presses the string to its wall, along all of the string, rad:
+/// the angle of the capstan, less where the string lies on the outside of its curve. A pull at the
+/// bit `δT` comes up as `dδT/ds = ±μ (n·κ) δT`, `N = |T κ + w⊥|` and `n` its direction: up with the
+/// plus, and down with the minus, for friction takes off the tension there.
 fn pressed_rad(model: &Model, operation: &Operation) -> f64 {
     let soft = soft_string(model, operation).expect("a soft string");
     let rows = soft.md_m.windows(2).zip(&soft.contact_direction);
@@ -47,9 +47,9 @@ fn pressed_rad(model: &Model, operation: &Operation) -> f64 {
 }
 
 /// Hook load within 300 N or a tenth of what stiff and soft differ by, side force within 1.5 %, as
-/// the file asks of elements of 1 m; of rotating strings torque and side force within 0.2 %. It lets
-/// the bit rub, which here its own hole holds: the friction of its reaction there is taken off. It leaves out
-/// that a rotating string climbs: its torque is `√(1 + μ²)` of ours.
+/// the file asks of elements of 1 m; of rotating strings torque and side force within 0.2 %. It
+/// lets the bit rub, which here its own hole holds: the friction of its reaction there is taken
+/// off. It leaves out that a rotating string climbs: its torque is `√(1 + μ²)` of ours.
 #[test]
 fn s1d_whole_strings() {
     let data = verification("S1d_long_string_stiff_vs_soft.json");

@@ -8,9 +8,9 @@ use crate::{
     force_N, nearest, piece, pressed, settings, solve,
 };
 
-/// Forces and curvatures at the joints, with tension and nearly without. Elements of 0.6 m against an
-/// exact solution of every span: within 0.5 % of the largest force and 0.5 % of the largest curvature,
-/// where the file allows 1 %; shear, which it leaves out, is most of that.
+/// Forces and curvatures at the joints, with tension and nearly without. Elements of 0.6 m against
+/// an exact solution of every span: within 0.5 % of the largest force and 0.5 % of the largest
+/// curvature, where the file allows 1 %; shear, which it leaves out, is most of that.
 #[test]
 fn s1a_twelve_joints_in_a_build() {
     let data = verification("S1a_tool_joints_in_build.json");
@@ -72,9 +72,10 @@ fn s1a_twelve_joints_in_a_build() {
     }
 }
 
-/// C05: a weightless pipe that a pull on its bit draws into an arc bends at its joints by `Kl/tanh Kl` of
-/// the arc, `K² = T/EI`, between them by `Kl/sinh Kl`, and presses the wall with each by `2 T tan(κl)` or
-/// so. In the middle of fourteen joints, eight elements between two, against no shear: 1 %, the file's.
+/// C05: a weightless pipe that a pull on its bit draws into an arc bends at its joints by
+/// `Kl/tanh Kl` of the arc, `K² = T/EI`, between them by `Kl/sinh Kl`, and presses the wall with
+/// each by `2 T tan(κl)` or so. In the middle of fourteen joints, eight elements between two,
+/// against no shear: 1 %, the file's.
 #[test]
 fn c05_joints_under_a_pull() {
     const JOINTS: f64 = 14.0;

@@ -14,8 +14,8 @@ use crate::{
     settings, solve,
 };
 
-/// Pipe without joints that builds to 60 deg at 5 deg/30 m and drops from there: it lies on the high
-/// side of the build and of the drop's upper end, and on the low side elsewhere.
+/// Pipe without joints that builds to 60 deg at 5 deg/30 m and drops from there: it lies on the
+/// high side of the build and of the drop's upper end, and on the low side elsewhere.
 fn build_and_drop(friction: f64, bit_depth_m: f64) -> (Model, Operation) {
     let stations = [[0.0, 0.0, 0.0], [300.0, 0.0, 0.0], [660.0, 60.0, 0.0], [900.0, 20.0, 0.0]];
     let path = common::path(&stations, Interpolation::MinimumCurvature);
@@ -30,10 +30,10 @@ fn auto(accuracy: Accuracy) -> StiffSettings {
     StiffSettings { element_length: ElementLength::Auto(accuracy), ..settings(1.0) }
 }
 
-/// Hook load, contact and bending of the mesh that finds its contacts, against elements of 0.4 m, ten
-/// times as many: those of 0.2 m change hook load and contact by 2e-7. What is left is the weight
-/// that is lumped where the pipe lies, in elements of 9.6 m and of half of that. Elements of 3 m, as
-/// many, miss the bending where the hole turns from build to drop by three times as much.
+/// Hook load, contact and bending of the mesh that finds its contacts, against elements of 0.4 m,
+/// ten times as many: those of 0.2 m change hook load and contact by 2e-7. What is left is the
+/// weight that is lumped where the pipe lies, in elements of 9.6 m and of half of that. Elements of
+/// 3 m, as many, miss the bending where the hole turns from build to drop by three times as much.
 #[test]
 fn a_mesh_finds_its_contacts() {
     let (model, operation) = build_and_drop(0.3, 900.0);
@@ -101,8 +101,8 @@ fn a_warm_start_ends_where_a_cold_one_does() {
     assert!(hook_N < 1e-10 * cold.scalars.hook_load_N, "{hook_N}");
 }
 
-/// 2000 m of level hole beyond the helix: the string locks up, and the error says so. Without friction
-/// the same push goes through, and less of it does with friction.
+/// 2000 m of level hole beyond the helix: the string locks up, and the error says so. Without
+/// friction the same push goes through, and less of it does with friction.
 #[test]
 fn a_string_that_locks_up_is_told_from_one_that_is_not_found() {
     let solve = |friction: f64, weight_on_bit_N: f64| {
@@ -131,8 +131,9 @@ fn a_string_that_locks_up_is_told_from_one_that_is_not_found() {
     solve(0.3, 50e3).expect("an equilibrium");
 }
 
-/// 500 m of level hole under four times the sinusoidal load of the pipe: turning, its helix rolls around the
-/// hole, and the error says so; sliding it comes to rest, as it does turning without friction.
+/// 500 m of level hole under four times the sinusoidal load of the pipe: turning, its helix rolls
+/// around the hole, and the error says so; sliding it comes to rest, as it does turning without
+/// friction.
 #[test]
 fn a_buckled_string_that_turns_rolls() {
     let solve = |friction: f64, operation: Operation| {

@@ -22,17 +22,18 @@ fn whole(element_length_m: f64) -> AssemblySettings {
     AssemblySettings { stiff: settings(element_length_m), extent: Extent::Whole, element_length_m }
 }
 
-/// A motor that touches at the bit, at its bend and at a stabiliser above, `a` and `b` apart, in an arc
-/// of curvature `κ`: where `κ = 2 θ/(a + b)`, three points on a circle, the bend `θ` fits the hole and
-/// does not press; elsewhere, by the three-moment theorem of a beam without shear, it adds to the
-/// bit's side force
+/// A motor that touches at the bit, at its bend and at a stabiliser above, `a` and `b` apart, in an
+/// arc of curvature `κ`: where `κ = 2 θ/(a + b)`, three points on a circle, the bend `θ` fits the
+/// hole and does not press; elsewhere, by the three-moment theorem of a beam without shear, it adds
+/// to the bit's side force
 ///
 /// ```text
 /// F = 3 EI (θ − κ (a + b)/2)/(a (a + b))
 /// ```
 ///
-/// The supports are blades with 10 µm of room. What a light pipe without a bend has in a straight hole
-/// is taken off. Of the force of the bend in a straight hole, 22 kN, the room leaves 2e-3, elements of 0.25 m 1e-4.
+/// The supports are blades with 10 µm of room. What a light pipe without a bend has in a straight
+/// hole is taken off. Of the force of the bend in a straight hole, 22 kN, the room leaves 2e-3,
+/// elements of 0.25 m 1e-4.
 #[test]
 fn a_bent_motor_on_three_points() {
     let (a_m, b_m, bent_rad) = (3.0, 7.0, 1.5 * DEGREE);
@@ -83,10 +84,11 @@ fn a_bent_motor_on_three_points() {
     }
 }
 
-/// A beam between two supports `L` apart under `q = w sin i` is tilted by `q (L³ − 6 L x² + 4 x³)/24 EI`
-/// at a distance `x` from the lower one, which points down and to the low side more than the hole: the sensor
-/// there measures too little inclination below the middle and too much above. Elements of 0.05 m, 0.2 m in the upper half:
-/// weight that stands at the nodes leaves 1e-4. The hole is level, so that no tension holds the beam.
+/// A beam between two supports `L` apart under `q = w sin i` is tilted by
+/// `q (L³ − 6 L x² + 4 x³)/24 EI` at a distance `x` from the lower one, which points down and to
+/// the low side more than the hole: the sensor there measures too little inclination below the
+/// middle and too much above. Elements of 0.05 m, 0.2 m in the upper half: weight that stands at
+/// the nodes leaves 1e-4. The hole is level, so that no tension holds the beam.
 #[test]
 fn sag_between_two_supports() {
     let length_m = 12.0;
@@ -118,8 +120,8 @@ fn sag_between_two_supports() {
     }
 }
 
-/// Bit, motor with a bend and blades, MWD, stabiliser, collars, heavy-weight pipe and pipe in a well
-/// that holds 40° below a build.
+/// Bit, motor with a bend and blades, MWD, stabiliser, collars, heavy-weight pipe and pipe in a
+/// well that holds 40° below a build.
 fn well(toolface: f64) -> (Model, Operation) {
     let steel = common::steel();
     let tube = |name: &str, od_m: f64, id_m: f64, length_m: f64| {
@@ -158,8 +160,8 @@ fn once(model: &Model, operation: &Operation, extent: Extent) -> Assembly {
     assembly::solve_once(model, operation, &settings).expect("an equilibrium")
 }
 
-/// 100 m of pipe above the assembly are as good as 200 m and as the whole string: the side force changes by
-/// less than 0.1 %, whatever the tool face and the operation.
+/// 100 m of pipe above the assembly are as good as 200 m and as the whole string: the side force
+/// changes by less than 0.1 %, whatever the tool face and the operation.
 #[test]
 fn pipe_farther_up_does_not_matter() {
     for toolface in [0.0, 120.0 * DEGREE] {
@@ -182,8 +184,8 @@ fn pipe_farther_up_does_not_matter() {
     }
 }
 
-/// A string that is turned by a revolution is the one that it was; a bend to the right presses the bit to the
-/// right, and the mean over a revolution lies below what the high side has.
+/// A string that is turned by a revolution is the one that it was; a bend to the right presses the
+/// bit to the right, and the mean over a revolution lies below what the high side has.
 #[test]
 fn a_tool_face_turns_the_side_force() {
     let (model, operation) = well(0.0);
@@ -201,8 +203,8 @@ fn a_tool_face_turns_the_side_force() {
     assert!(right[1] > 3.0 * (right[0] - 0.5 * (up[0] + down[0])).abs());
 }
 
-/// A pendulum drops, the more the steeper its hole is inclined; a fulcrum builds. In a hole that builds
-/// the bit is pressed down more than in a straight one.
+/// A pendulum drops, the more the steeper its hole is inclined; a fulcrum builds. In a hole that
+/// builds the bit is pressed down more than in a straight one.
 #[test]
 fn inclination_and_curvature_of_a_straight_hole() {
     let (mut model, operation) = well(0.0);

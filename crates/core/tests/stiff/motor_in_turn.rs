@@ -71,7 +71,8 @@ fn model() -> (Model, Operation, AssemblySettings) {
             to_m = cut_m;
         }
     }
-    // Half-way between the file's nodes at 4.75 and 5.75 ft, towards the high side: so its offsets say.
+    // Half-way between the file's nodes at 4.75 and 5.75 ft, towards the high side: so its offsets
+    // say.
     let mut low_m = 0.0;
     for one in &mut parts {
         let ComponentLength::Metres(length_m) = one.length else { unreachable!() };
@@ -120,9 +121,9 @@ fn at(nodes: &[AssemblyNode], from_bit_m: f64, of: impl Fn(&AssemblyNode) -> f64
     of(low) + part * (of(high) - of(low))
 }
 
-/// Forces of bit and blades, offsets and bending moments in both planes against the file's, as far as
-/// its upper blades. What is between the two is mostly its top, at 105 ft, which it holds at the wall
-/// with a moment of its own, where the pipe here goes on; elements half as long change 6e-4.
+/// Forces of bit and blades, offsets and bending moments in both planes against the file's, as far
+/// as its upper blades. What is between the two is mostly its top, at 105 ft, which it holds at the
+/// wall with a moment of its own, where the pipe here goes on; elements half as long change 6e-4.
 #[test]
 fn m01_a_bent_motor_in_a_turn() {
     const TO_FT: f64 = 38.0;

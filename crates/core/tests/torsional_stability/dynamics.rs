@@ -83,8 +83,8 @@ fn drilling(settings: &DynamicsSettings, speed: f64) -> Operation {
     settings.bit.drilling_steadily(operation)
 }
 
-/// By how much a small swing of a frequency grows in a second of the dynamics: its part of the bit's
-/// speed in two windows, after a blow at the bit.
+/// By how much a small swing of a frequency grows in a second of the dynamics: its part of the
+/// bit's speed in two windows, after a blow at the bit.
 fn measured(model: &Model, settings: &DynamicsSettings, speed: f64, frequency_Hz: f64) -> f64 {
     let operation = drilling(settings, speed);
     let mut simulation = Simulation::new(model, &operation, settings).expect("a sound case");
@@ -160,8 +160,8 @@ fn the_threshold_is_that_of_the_dynamics() {
     }
 }
 
-/// A string that rubs along a hole of 60°: friction that falls with the sliding speed makes it swing,
-/// with a bit whose torque does not.
+/// A string that rubs along a hole of 60°: friction that falls with the sliding speed makes it
+/// swing, with a bit whose torque does not.
 #[test]
 fn friction_that_falls_with_speed_makes_the_string_swing() {
     let friction = Friction { at_rest: 0.6, ..Friction::uniform(0.2) };

@@ -54,8 +54,8 @@ fn the_plan_is_kept_without_amplitude_and_at_its_ends() {
     }
 }
 
-/// Stations that a longer path adds, in whole periods, have the doglegs of so many waves: of the sine
-/// four times its largest angle each, of the helix sixteen chords of a cone.
+/// Stations that a longer path adds, in whole periods, have the doglegs of so many waves: of the
+/// sine four times its largest angle each, of the helix sixteen chords of a cone.
 #[test]
 fn doglegs_of_waves_are_those_of_their_closed_forms() {
     let added = |kind| {
@@ -108,8 +108,8 @@ fn random_angles_are_as_they_are_said_to_be() {
 }
 
 /// A string without weight that is pulled through the waves: Euler's capstan on each of them, and
-/// the torque of the same side force where it turns. On arcs the doglegs are the path's turn; on the
-/// curve with continuous curvature it overshoots them a little.
+/// the torque of the same side force where it turns. On arcs the doglegs are the path's turn; on
+/// the curve with continuous curvature it overshoots them a little.
 #[test]
 fn pull_and_torque_are_those_of_a_capstan() {
     let (mu, radius_m, pull_N) = (0.3, 0.07, 400e3);

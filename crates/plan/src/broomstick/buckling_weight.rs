@@ -8,6 +8,7 @@ use wholestring::{
 };
 
 use super::{Broomstick, FrictionLevel, NoAnswer};
+use crate::root::root;
 
 /// More weight than any bit bears, N: a string that stands it does not buckle.
 const MOST_N: f64 = 5e6;
@@ -15,9 +16,6 @@ const MOST_N: f64 = 5e6;
 /// What the weight is found to, as a part of it, and at the least, N.
 const PART: f64 = 1e-4;
 const LEAST_N: f64 = 1.0;
-
-/// Halvings of an interval by which the weight is found in any case.
-const STEPS: usize = 60;
 
 /// Rotary speed of a string whose operations do not turn, rad/s: 60 rev/min.
 pub(crate) const USUAL_ROTATION_RAD_PER_S: f64 = 2.0 * std::f64::consts::PI;
@@ -139,27 +137,9 @@ fn least(
         }
         high = (next_N, margin_N(next_N)?);
     }
-    // Regula falsi with Illinois' weights: an end that stays counts half.
-    let mut ends = [low, high];
-    let mut stayed = None;
-    for _ in 0..STEPS {
-        let [low, high] = ends;
-        if high.0 - low.0 <= (PART * high.0).max(LEAST_N) {
-            break;
-        }
-        let linear = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
-        let room = 0.01 * (high.0 - low.0);
-        let next_N = match linear.is_finite() && high.1.is_finite() {
-            true => linear.clamp(low.0 + room, high.0 - room),
-            false => 0.5 * (low.0 + high.0),
-        };
-        let next = (next_N, margin_N(next_N)?);
-        let replaced = usize::from(next.1 <= 0.0);
-        ends[replaced] = next;
-        if stayed == Some(1 - replaced) {
-            ends[1 - replaced].1 *= 0.5;
-        }
-        stayed = Some(1 - replaced);
-    }
-    Ok(Some(ends[1].0))
+    // A string that locks up has no number for how far it is beyond.
+    let bounded = |margin_N: f64| margin_N.max(-unloaded_N);
+    let ends = [low, high].map(|(weight_N, margin_N)| (weight_N, bounded(margin_N)));
+    let of = |weight_N: f64| margin_N(weight_N).map(bounded);
+    Ok(Some(root(of, ends, (PART * high.0).max(LEAST_N))?))
 }

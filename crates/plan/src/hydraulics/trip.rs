@@ -1,11 +1,12 @@
 //! Surge and swab: the pressure of a string that moves with its pumps off.
 
+use std::convert::Infallible;
+
 use wholestring::{mud::Motion, operation::Operation};
 
 use super::passage::Passages;
+use crate::root::root;
 
-/// Most steps of the search for the flow through an open string; ten are usual.
-const STEPS: usize = 100;
 /// A flow that no string lets through, m³/s: the search for one that is large enough ends there.
 const MOST_M3_PER_S: f64 = 1e3;
 /// How exactly that flow is found, as a part of it.
@@ -45,7 +46,7 @@ pub(super) fn motion(
 }
 
 /// What streams through the bore of a string at a speed, relative to it, m³/s: so much that annulus
-/// and bore add the same pressure at the bit. Illinois' method; the difference falls with the flow.
+/// and bore add the same pressure at the bit; the difference falls with the flow.
 fn through_bore_m3_per_s(passages: &Passages, operation: &Operation, speed_m_per_s: f64) -> f64 {
     let difference_Pa = |flow_m3_per_s: f64| {
         let motion = Motion {
@@ -67,19 +68,10 @@ fn through_bore_m3_per_s(passages: &Passages, operation: &Operation, speed_m_per
         high *= 4.0;
         at_high = difference_Pa(high);
     }
-    for _ in 0..STEPS {
-        let next = (low * at_high - high * at_low) / (at_high - at_low);
-        let at_next = difference_Pa(next);
-        if at_next * at_high <= 0.0 {
-            (low, at_low) = (high, at_high);
-        } else {
-            at_low *= 0.5;
-        }
-        let step = (next - high).abs();
-        (high, at_high) = (next, at_next);
-        if at_next == 0.0 || step <= EXACT * next.abs() {
-            break;
-        }
+    if at_high > 0.0 {
+        return high;
     }
-    high
+    let of = |flow_m3_per_s: f64| Ok::<_, Infallible>(difference_Pa(flow_m3_per_s));
+    let Ok(flow_m3_per_s) = root(of, [(low, at_low), (high, at_high)], EXACT * high);
+    flow_m3_per_s
 }

@@ -1,7 +1,7 @@
 //! Limits along the string: of each component the place that is nearest to its limit.
 
 use super::{
-    Limit, LimitKind, LimitSettings,
+    LimitKind, LimitSettings, LoadCheck,
     limit::Limits,
     loads::Loads,
     strengths::{Strength, Strengths},
@@ -15,12 +15,12 @@ pub fn limits(
     settings: &LimitSettings,
     found: &mut Limits,
 ) {
-    let mut worst = vec![None::<(Limit, usize)>; LimitKind::ALL.len() * strengths.count()];
+    let mut worst = vec![None::<(LoadCheck, usize)>; LimitKind::ALL.len() * strengths.count()];
     for row in 0..loads.rows() {
         for component in loads.components(row) {
             let strength = strengths.component(component);
             at_row(strength, loads, row, component, |kind, load, capacity| {
-                let Some(limit) = Limit::new(kind, load, capacity, &settings.factors) else {
+                let Some(limit) = LoadCheck::new(kind, load, capacity, &settings.factors) else {
                     return;
                 };
                 let slot = &mut worst[component * LimitKind::ALL.len() + kind as usize];
@@ -36,7 +36,7 @@ pub fn limits(
             .then(|| strengths.component(limit.component?).body)
             .flatten()
             .map(|body| worst_stress(body.component(), &loads.body(row)));
-        found.limits.push(Limit { stress, ..limit });
+        found.limits.push(LoadCheck { stress, ..limit });
     }
 }
 

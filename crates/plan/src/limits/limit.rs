@@ -34,7 +34,7 @@ impl Standing {
 
 /// A load against what bears it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limit {
+pub struct LoadCheck {
     /// What it is of.
     pub kind: LimitKind,
     /// The component, counted from the bit; none of the rig.
@@ -55,7 +55,7 @@ pub struct Limit {
     pub stress: Option<SurfaceStress>,
 }
 
-impl Limit {
+impl LoadCheck {
     /// None where nothing loads it.
     pub(super) fn new(
         kind: LimitKind,
@@ -147,23 +147,23 @@ pub struct Unchecked {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Limits {
     /// Of each kind one for each component that it concerns, and those of the rig.
-    pub limits: Vec<Limit>,
+    pub limits: Vec<LoadCheck>,
     /// What could not be checked.
     pub unchecked: Vec<Unchecked>,
 }
 
 impl Limits {
     /// The limit of a kind that has the least reserve.
-    pub fn worst(&self, kind: LimitKind) -> Option<&Limit> {
+    pub fn worst(&self, kind: LimitKind) -> Option<&LoadCheck> {
         self.least(|of| of.kind == kind)
     }
 
     /// What would break, or stop the operation, first.
-    pub fn first(&self) -> Option<&Limit> {
+    pub fn first(&self) -> Option<&LoadCheck> {
         self.least(|of| of.kind.breaks())
     }
 
-    fn least(&self, which: impl Fn(&Limit) -> bool) -> Option<&Limit> {
+    fn least(&self, which: impl Fn(&LoadCheck) -> bool) -> Option<&LoadCheck> {
         let of = self.limits.iter().filter(|of| which(of));
         of.min_by(|a, b| a.reserve().total_cmp(&b.reserve()))
     }

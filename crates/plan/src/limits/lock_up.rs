@@ -6,7 +6,7 @@ use wholestring::{
     statics::buckling::{Pushed, push_through, segments, weight_at_bit_N},
 };
 
-use super::{Limit, LimitKind, LimitSettings, limit::Limits, loads::Loads};
+use super::{LimitKind, LimitSettings, LoadCheck, limit::Limits, loads::Loads};
 
 /// Adds the limit of a string that goes down without rotation: its friction and the weight on bit, against
 /// the same friction and the weight that would arrive at the bit with the whole string slacked off, block and
@@ -28,7 +28,7 @@ pub fn limit(
     let drag_N = loads.scalars.axial_friction_N.abs();
     let asked_N = operation.weight_on_bit_now_N();
     let driven_N = (drag_N + arrives_N).max(0.0);
-    let limit = Limit::new(LimitKind::LockUp, drag_N + asked_N, driven_N, &settings.factors);
+    let limit = LoadCheck::new(LimitKind::LockUp, drag_N + asked_N, driven_N, &settings.factors);
     let place = match push_through(&segments, asked_N, model.buckling) {
         Pushed::LocksUp(above_bit_m) => {
             Some((operation.bit_depth_m - above_bit_m, model.string.component_at(above_bit_m).0))

@@ -15,7 +15,7 @@ mod settings;
 mod strengths;
 
 pub use kind::{DesignFactors, LimitKind};
-pub use limit::{Limit, Limits, Missing, Standing, Unchecked};
+pub use limit::{Limits, LoadCheck, Missing, Standing, Unchecked};
 pub use settings::LimitSettings;
 
 use wholestring::{model::Model, operation::Operation, outcome::Solution};

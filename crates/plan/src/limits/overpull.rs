@@ -2,7 +2,9 @@
 
 use wholestring::{model::Model, operation::Operation};
 
-use super::{Limit, LimitKind, LimitSettings, limit::Limits, loads::Loads, strengths::Strengths};
+use super::{
+    LimitKind, LimitSettings, LoadCheck, limit::Limits, loads::Loads, strengths::Strengths,
+};
 use crate::strength::margin_of_overpull_N;
 
 /// Adds the margins of a string that hangs or is pulled off bottom: of each component where it has least,
@@ -20,9 +22,10 @@ pub fn limits(
         return;
     }
     let LimitSettings { factors, overpull_N, .. } = settings;
-    let limit =
-        |margin_N: f64| Limit::new(LimitKind::Overpull, *overpull_N, margin_N.max(0.0), factors);
-    let mut least = vec![None::<Limit>; strengths.count()];
+    let limit = |margin_N: f64| {
+        LoadCheck::new(LimitKind::Overpull, *overpull_N, margin_N.max(0.0), factors)
+    };
+    let mut least = vec![None::<LoadCheck>; strengths.count()];
     for row in 0..loads.rows() {
         for component in loads.components(row) {
             let Some(yield_N) = strengths.component(component).tensile_yield_N() else {

@@ -3,7 +3,7 @@
 use wholestring::model::Model;
 
 use super::{
-    Limit, LimitKind, LimitSettings,
+    LimitKind, LimitSettings, LoadCheck,
     limit::{Limits, Missing},
     loads::Loads,
 };
@@ -15,7 +15,9 @@ pub fn limits(model: &Model, loads: &Loads<'_>, settings: &LimitSettings, found:
     let torque_N_m = loads.surface_torque_N_m;
     let peak_N_m = rig.top_drive_peak_torque_N_m;
     let mut check = |kind, load: f64, capacity: Option<f64>, missing| match capacity {
-        Some(capacity) => found.limits.extend(Limit::new(kind, load, capacity, &settings.factors)),
+        Some(capacity) => {
+            found.limits.extend(LoadCheck::new(kind, load, capacity, &settings.factors))
+        }
         None => found.lacks(kind, None, missing),
     };
     check(LimitKind::Hoist, hangs_N, rig.hoist_capacity_N, Missing::HoistCapacity);

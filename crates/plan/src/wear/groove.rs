@@ -1,6 +1,8 @@
 //! The groove that a tool joint wears into casing.
 
-use std::f64::consts::PI;
+use std::{convert::Infallible, f64::consts::PI};
+
+use crate::root::root;
 
 /// A groove: what a circle of the joint's radius takes of the casing outside its bore.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,21 +61,14 @@ impl Groove {
         if area_m2 <= 0.0 {
             return Some(0.0);
         }
-        let (mut less_m, mut more_m) = (0.0, 2.0 * self.joint_m);
-        if area_m2 >= PI * self.joint_m.powi(2) {
+        let whole_m2 = PI * self.joint_m.powi(2);
+        if area_m2 >= whole_m2 {
             return None;
         }
-        // The area grows with the depth: halving ends where no number lies between.
-        loop {
-            let middle_m = 0.5 * (less_m + more_m);
-            if middle_m <= less_m || middle_m >= more_m || more_m - less_m < 1e-15 * more_m {
-                return Some(middle_m);
-            }
-            if self.area_m2(middle_m) < area_m2 {
-                less_m = middle_m;
-            } else {
-                more_m = middle_m;
-            }
-        }
+        // The area grows with the depth.
+        let ends = [(0.0, -area_m2), (2.0 * self.joint_m, whole_m2 - area_m2)];
+        let more_m2 = |depth_m: f64| Ok::<_, Infallible>(self.area_m2(depth_m) - area_m2);
+        let Ok(depth_m) = root(more_m2, ends, 0.0);
+        Some(depth_m)
     }
 }

@@ -3,9 +3,9 @@
 use super::{Bha, BhaSweep, bending, sweeps, views};
 use crate::{Plot, plots::Shown};
 
-/// Every picture of an assembly, in a set of units (`si`, `metric` or `field`): `views` (from the side
-/// and from above), `bending` (moment and stress), and a picture of each thing that was varied (`toolface`,
-/// `weight`, `inclination`); none where nothing was solved.
+/// Every picture of an assembly, in a set of units (`si`, `metric` or `field`): `views` (from the
+/// side and from above), `bending` (moment and stress), and a picture of each thing that was varied
+/// (`toolface`, `weight`, `inclination`); none where nothing was solved.
 pub fn bha_plots(bha: &Bha, units: &str) -> Vec<Plot> {
     let shown = Shown::new(&bha.head.dimensions, units);
     if bha.from_bit_m.len() < 2 {

@@ -221,7 +221,8 @@ impl View<'_> {
         self.body([middle_m - 0.5 * length_m, middle_m + 0.5 * length_m], od_m, BLADES)
     }
 
-    /// Contacts on the side of the wall that they press in this plane, the largest with their forces.
+    /// Contacts on the side of the wall that they press in this plane, the largest with their
+    /// forces.
     fn touches(&self) -> Vec<Mark> {
         let to_m = shown_to_m(self.bha);
         let seen = self.bha.contacts.iter().filter(|of| {

@@ -10,8 +10,8 @@ use crate::{
 /// Columns and rows that the map is drawn with between those that were computed.
 const FINE: usize = 8;
 
-/// The map in a set of units (`si`, `metric` or `field`): growth in colours where it is unstable, the
-/// threshold, and the case's own speed and weight.
+/// The map in a set of units (`si`, `metric` or `field`): growth in colours where it is unstable,
+/// the threshold, and the case's own speed and weight.
 pub(crate) fn stability_figure(picture: &StabilityPicture, head: &PageHead, units: &str) -> Figure {
     let shown = Shown::new(&head.dimensions, units);
     let speed = |si: f64| shown.value(si, "rotary speed");

@@ -11,8 +11,8 @@ pub struct StabilityPicture {
     pub speeds_rad_per_s: Vec<f64>,
     /// Weights on bit, N, growing.
     pub weights_N: Vec<f64>,
-    /// How fast the small motion grows that grows most, 1/s: for the first weight at each speed, then
-    /// for the next.
+    /// How fast the small motion grows that grows most, 1/s: for the first weight at each speed,
+    /// then for the next.
     pub growth_per_s: Vec<f64>,
     /// From which speed on each weight is stable, rad/s; not a number where all are, or none is.
     pub thresholds_rad_per_s: Vec<f64>,

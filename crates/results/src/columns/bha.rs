@@ -3,8 +3,8 @@
 use super::specs;
 use crate::ColumnSpec;
 
-/// Columns of `bha.parquet`: the assembly and the pipe that was solved with it, one row per node from the
-/// bit up.
+/// Columns of `bha.parquet`: the assembly and the pipe that was solved with it, one row per node
+/// from the bit up.
 pub const BHA: &[ColumnSpec] = specs! {
     "component": Words, "Component that it stands in";
     "from_bit_m": Length, "Distance from the bit";
@@ -28,8 +28,8 @@ pub const BHA: &[ColumnSpec] = specs! {
     "von_mises_stress_Pa": Pressure, "Largest von Mises stress there";
 };
 
-/// Columns of `bha_contacts.parquet`: where the assembly touches, one row per contact from the bit up,
-/// the bit first.
+/// Columns of `bha_contacts.parquet`: where the assembly touches, one row per contact from the bit
+/// up, the bit first.
 pub const BHA_CONTACTS: &[ColumnSpec] = specs! {
     "touching": Words, "What touches: `bit`, `blades`, `joint` or `body`";
     "component": Words, "Component that it belongs to";
@@ -42,8 +42,8 @@ pub const BHA_CONTACTS: &[ColumnSpec] = specs! {
     "side_rad": Angle, "Angle of the force from the high side, clockwise looking down the hole";
 };
 
-/// Columns of `bha_sweep.parquet`: the assembly at other tool faces, weights and inclinations, one row
-/// for each.
+/// Columns of `bha_sweep.parquet`: the assembly at other tool faces, weights and inclinations, one
+/// row for each.
 pub const BHA_SWEEP: &[ColumnSpec] = specs! {
     "varied": Words, "What is varied: `toolface`, `weight` or `inclination`";
     "message": Words, "Why there is no equilibrium";

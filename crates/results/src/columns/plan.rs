@@ -69,8 +69,8 @@ pub const PLAN_BUCKLING: &[ColumnSpec] = plan_specs! {
     "message": Words, "Why there is no answer; else empty", null_where "there is an answer";
 };
 
-/// Columns of `plan_limits.parquet`: a load against what bears it, for each depth of the bit, model,
-/// operation, friction, kind of limit and component where it is nearest to its limit.
+/// Columns of `plan_limits.parquet`: a load against what bears it, for each depth of the bit,
+/// model, operation, friction, kind of limit and component where it is nearest to its limit.
 pub const PLAN_LIMITS: &[ColumnSpec] = plan_specs! {
     "bit_depth_m": Depth, "Measured depth of the bit";
     "kind": Words, "`tension`, `torsion`, `von_mises`, `hoist`, ...";
@@ -96,8 +96,8 @@ pub const PLAN_FRICTION: &[ColumnSpec] = super::specs! {
     "around": Ratio, "Coefficient of friction around the hole";
 };
 
-/// Columns of `plan_hydraulics.parquet`: a row for each depth of the bit. Equivalent densities weigh as
-/// much as the mud and what its friction adds or takes.
+/// Columns of `plan_hydraulics.parquet`: a row for each depth of the bit. Equivalent densities
+/// weigh as much as the mud and what its friction adds or takes.
 pub const PLAN_HYDRAULICS: &[ColumnSpec] = super::specs! {
     "operation": Words, "Operation whose pumps run: `drill` where there is one";
     "bit_depth_m": Depth, "Measured depth of the bit";

@@ -13,14 +13,16 @@ macro_rules! specs_of_model {
     };
 }
 
-/// Columns of `plan_fatigue.parquet`: a row for each 10 m of each component, from the bit up, of each model.
+/// Columns of `plan_fatigue.parquet`: a row for each 10 m of each component, from the bit up, of
+/// each model.
 pub const PLAN_FATIGUE: &[ColumnSpec] = specs_of_model! {
     "component": Words, "The component";
     "from_lower_end_m": Length, "Distance of the part's lower end from that of the component";
     "damage": Ratio, "Part of its life that the campaign takes, by Miner's rule; at one it fails";
 };
 
-/// Columns of `plan_wear.parquet`: a row for each 5 m of casing, from the surface down, of each model.
+/// Columns of `plan_wear.parquet`: a row for each 5 m of casing, from the surface down, of each
+/// model.
 pub const PLAN_WEAR: &[ColumnSpec] = specs_of_model! {
     "section": Ratio, "Section of the hole, counted from one";
     "md_m": Depth, "Measured depth of the middle of the stretch";

@@ -3,8 +3,8 @@
 use super::specs;
 use crate::ColumnSpec;
 
-/// Columns of `stability.parquet`: the map of torsional stability, a row for each rotary speed at each
-/// weight on bit.
+/// Columns of `stability.parquet`: the map of torsional stability, a row for each rotary speed at
+/// each weight on bit.
 pub const STABILITY: &[ColumnSpec] = specs! {
     "weight_on_bit_N": Force, "Weight on bit";
     "rotary_speed_rad_per_s": RotarySpeed, "Rotary speed at surface";

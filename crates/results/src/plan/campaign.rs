@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::{PLAN_FATIGUE, PLAN_WEAR, Table};
 
-/// Fatigue of a component: its worst part, and the place where an hour of drilling at the deepest depth costs
-/// most.
+/// Fatigue of a component: its worst part, and the place where an hour of drilling at the deepest
+/// depth costs most.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanFatigue {
     /// Name of the model.
@@ -59,7 +59,8 @@ pub struct PlanWear {
     pub md_m: f64,
     /// Depth of the groove, m; none where no groove holds what is gone.
     pub groove_m: Option<f64>,
-    /// Nominal wall, m; this and what follows none where the casing's pipe or its grade is not known.
+    /// Nominal wall, m; this and what follows none where the casing's pipe or its grade is not
+    /// known.
     pub wall_m: Option<f64>,
     /// Wall at the bottom of the groove, m.
     pub wall_left_m: Option<f64>,

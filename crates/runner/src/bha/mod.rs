@@ -1,5 +1,5 @@
-//! The bottom-hole assembly at rest: side force and tilt of the bit, contacts, bending, sag; at other tool
-//! faces, weights and inclinations too.
+//! The bottom-hole assembly at rest: side force and tilt of the bit, contacts, bending, sag; at
+//! other tool faces, weights and inclinations too.
 
 mod nodes;
 mod page;

@@ -20,8 +20,8 @@ const DEGREE: f64 = PI / 180.0;
 /// What is varied, one after the other, SI; what a front leaves out has a default.
 #[derive(Debug, Clone, Default)]
 pub struct Sweeps {
-    /// Tool faces of the lowest bend, rad: a revolution in steps of 15° where nothing is said and the
-    /// string has a bend.
+    /// Tool faces of the lowest bend, rad: a revolution in steps of 15° where nothing is said and
+    /// the string has a bend.
     pub toolfaces_rad: Option<Vec<f64>>,
     /// Weights on bit, N: seven up to one and a half times that of an operation that has one.
     pub weights_N: Option<Vec<f64>>,

@@ -1,6 +1,6 @@
 //! An assembly at rest that is requested, and what came of it.
 
-use std::{f64::consts::TAU, num::NonZeroUsize, path::PathBuf, thread, time::Instant};
+use std::{f64::consts::TAU, num::NonZeroUsize, path::PathBuf, time::Instant};
 
 use serde_json::json;
 use wholestring::{
@@ -21,7 +21,7 @@ use super::{
 };
 use crate::{
     cancellation::CancellationToken, claim::Claim, error::Error, observer::Observer,
-    output::Output, results_kind::Results,
+    output::Output, parallel::jobs, results_kind::Results,
 };
 
 /// Names of the other tables, without their extension.
@@ -79,8 +79,8 @@ pub struct Outcome {
 /// Solves the assembly of a case, and writes its tables, its pictures and its page.
 ///
 /// # Errors
-/// An operation that the case has not, something to vary that it has not, a folder that the results cannot
-/// go to, or an assembly without an equilibrium.
+/// An operation that the case has not, something to vary that it has not, a folder that the results
+/// cannot go to, or an assembly without an equilibrium.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -104,13 +104,12 @@ pub fn run(
     let start = Instant::now();
     let found = assembly::solve(&case.model, operation, &settings).map_err(Error::failed)?;
     let alone_s = start.elapsed().as_secs_f64();
-    let jobs = request.jobs.or_else(|| thread::available_parallelism().ok());
     let base = Base {
         model: &case.model,
         operation,
         settings: &AssemblySettings { extent: AssemblySettings::default().extent, ..settings },
         solved_m: found.nodes.last().map_or(0.0, |top| top.from_bit_m),
-        jobs: jobs.map_or(1, NonZeroUsize::get),
+        jobs: jobs(request.jobs),
         cancellation,
     };
     let points = base.points(&request.sweeps)?;

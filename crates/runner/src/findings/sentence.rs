@@ -97,8 +97,8 @@ pub(super) fn sentence(found: &Finding, of: &OperationSummary, around: &Around<'
             words.torque(words.value())
         ),
         Kind::LateralForceLeftOut => format!(
-            "The soft string leaves out {} across its components: the stiff string and the dynamics \
-             have it",
+            "The soft string leaves out {} across its components: the stiff string and the \
+             dynamics have it",
             words.force(words.value())
         ),
         Kind::UnstableEquilibrium => {

@@ -1,6 +1,6 @@
 //! The map of torsional stability of a case that drills.
 
-use std::{num::NonZeroUsize, sync::Mutex, thread};
+use std::sync::Mutex;
 
 use wholestring::{
     operation::{Operation, OperationKind},
@@ -13,7 +13,7 @@ use wholestring_report::StabilityPicture;
 use wholestring_results::{StabilitySummary, StableFrom, StableWhere, Table};
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::parallel::{in_parallel, lock};
+use crate::parallel::{in_parallel, jobs, lock};
 
 /// Rotary speeds and weights of the map.
 const SPEEDS: usize = 20;
@@ -25,8 +25,9 @@ pub(super) struct Stability {
     pub(super) lines: Vec<StabilityLine>,
 }
 
-/// The map of an operation that drills, or else of the case's first that does; why there is none, where
-/// no operation turns on bottom, the bit stands on solid rock, or settings of the dynamics are not sound.
+/// The map of an operation that drills, or else of the case's first that does; why there is none,
+/// where no operation turns on bottom, the bit stands on solid rock, or settings of the dynamics
+/// are not sound.
 pub(super) fn find(case: &Case, operation: &Operation) -> Result<Stability, String> {
     let drills = |of: &&Operation| of.kind == OperationKind::Drill;
     let operation = [operation].into_iter().chain(&case.operations).find(drills);
@@ -42,8 +43,7 @@ fn map(case: &Case, operation: &Operation) -> Result<Stability, StabilityError> 
     let lines: Vec<Mutex<Option<Result<StabilityLine, StabilityError>>>> =
         weights.iter().map(|_| Mutex::new(None)).collect();
     let order: Vec<usize> = (0..weights.len()).collect();
-    let jobs = thread::available_parallelism().map_or(1, NonZeroUsize::get);
-    in_parallel(jobs, &order, |index| {
+    in_parallel(jobs(None), &order, |index| {
         *lock(&lines[index]) = Some(string.line(weights[index], &settings));
     });
     let lines: Result<Vec<StabilityLine>, StabilityError> =
@@ -103,7 +103,8 @@ pub fn sentences(of: &StabilitySummary, units: UnitSet) -> Vec<String> {
     let parts = parts.collect::<Vec<_>>().join(", ");
     sentences.push(match gives_way(of) {
         true => format!(
-            "The top drive sends back {parts}; the first is the string's lowest torsional frequency."
+            "The top drive sends back {parts}; the first is the string's lowest torsional \
+            frequency."
         ),
         false => "The top turns at a constant speed and sends back all of every wave.".into(),
     });

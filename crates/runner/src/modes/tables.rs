@@ -30,7 +30,8 @@ pub(super) fn write(
     summary.write(&folder.path().join("summary.json"))
 }
 
-/// Writes the map of torsional stability; without one, that of an earlier run goes, its picture too.
+/// Writes the map of torsional stability; without one, that of an earlier run goes, its picture
+/// too.
 pub(super) fn write_stability(
     folder: &ResultsFolder,
     map: Option<&Stability>,

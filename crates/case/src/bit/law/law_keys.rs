@@ -18,8 +18,8 @@ pub(crate) trait LawKeys {
     /// effect; none where they are the operation's.
     fn finds_rate(&self) -> Option<&'static str>;
 
-    /// Torque at the operation's weight on bit, N.m, of a law that does not find it; nothing after a
-    /// mistake.
+    /// Torque at the operation's weight on bit, N.m, of a law that does not find it; nothing after
+    /// a mistake.
     fn torque_N_m(&self) -> Option<Option<f64>> {
         Some(None)
     }

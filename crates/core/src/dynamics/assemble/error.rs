@@ -41,8 +41,8 @@ pub enum SetupError {
     },
     /// A bit that cannot leave its hole's axis, on solid rock that holds it by itself.
     #[error(
-        "the bit is held on the hole's axis, and solid rock under it would push it off: expected an \
-         end that is held by its lateral stiffness, or a free one"
+        "the bit is held on the hole's axis, and solid rock under it would push it off: expected \
+         an end that is held by its lateral stiffness, or a free one"
     )]
     BitEnd,
     /// An excitation of the caller's own under a law that has no rock front to shake.

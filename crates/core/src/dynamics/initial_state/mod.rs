@@ -174,7 +174,8 @@ impl InitialString<'_> {
             .map(|i| self.anchors[i].position_m + Vector3::from(self.chain.displacement(i)))
             .collect();
         for i in 0..=last {
-            // Central difference over the two elements at a node; what is clamped is so to the hole.
+            // Central difference over the two elements at a node; what is clamped is so to the
+            // hole.
             let clamped = i == 0 && self.ends.top == TopEnd::Clamped
                 || i == last && self.ends.bit == BitEnd::Clamped;
             let direction = if clamped {
@@ -208,8 +209,8 @@ impl InitialString<'_> {
         }
     }
 
-    /// Lets the string find its place across the hole, axial motion and spin held, in the steps that
-    /// the run takes.
+    /// Lets the string find its place across the hole, axial motion and spin held, in the steps
+    /// that the run takes.
     fn settle(&mut self, scene: &Scene<'_>) {
         let Scene { operation, input, border, .. } = *scene;
         let (mut stepper, body) = (scene.stepper.clone(), &mut self.body);

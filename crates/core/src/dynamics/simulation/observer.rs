@@ -54,8 +54,8 @@ impl Simulation {
         Ok(ControlFlow::Continue(()))
     }
 
-    /// Advances to the end of the window, and returns the solution over it. [`Simulation::frame`] and
-    /// [`Simulation::series`] stay available.
+    /// Advances to the end of the window, and returns the solution over it. [`Simulation::frame`]
+    /// and [`Simulation::series`] stay available.
     ///
     /// # Errors
     /// A run that diverged; what it had sampled before stays available.

@@ -171,9 +171,9 @@ impl Settling {
     }
 }
 
-/// What each of the scalars that vary changes by for each metre that the bit goes down the hole, the
-/// string as long as it is, by the soft string. Zero of what the soft string does not know, and where
-/// it has no answer: all of a drift counts then.
+/// What each of the scalars that vary changes by for each metre that the bit goes down the hole,
+/// the string as long as it is, by the soft string. Zero of what the soft string does not know, and
+/// where it has no answer: all of a drift counts then.
 fn per_metre(model: &Model, operation: &Operation) -> [f64; VARYING.len()] {
     let at = |down_m| soft::scalars_at(model, operation, &SoftSettings::default(), down_m).ok();
     let ends = [-0.5, 0.5].map(|part| at(part * FORETOLD_OVER_M));

@@ -4,9 +4,8 @@ use super::{Mesh, MeshElement, MeshNode, marks::radius_between_m};
 use crate::{rod::section::Section, sizing::SizeReason, string::DrillString};
 
 impl Mesh {
-    /// Cuts elements of `string` in two, from the surface down; the body touches at their middles, blades
-    /// only between nodes on blades.
-    /// Every node stays where it is.
+    /// Cuts elements of `string` in two, from the surface down; the body touches at their middles,
+    /// blades only between nodes on blades. Every node stays where it is.
     #[must_use]
     pub fn halved(&self, string: &DrillString, which: &[bool], reason: SizeReason) -> Self {
         let mut nodes = vec![self.nodes[0]];

@@ -1,4 +1,5 @@
-//! The places where nodes must stand: ends, blades, bends, lateral forces, and joints where they can.
+//! The places where nodes must stand: ends, blades, bends, lateral forces, and joints where they
+//! can.
 
 use super::node::MeshNode;
 use crate::{
@@ -15,8 +16,8 @@ pub(super) struct Mark {
     pub(super) fixed: bool,
 }
 
-/// Blades that are shorter than this and than an element touch at their middle, m: the tilt that they allow in their
-/// clearance is more than a string bends over their length.
+/// Blades that are shorter than this and than an element touch at their middle, m: the tilt that
+/// they allow in their clearance is more than a string bends over their length.
 const SHORT_BLADE_M: f64 = 0.5;
 
 /// A component without blades of its own that stands out over both its neighbours and is no longer

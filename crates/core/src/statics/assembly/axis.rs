@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::{model::Model, statics::stiff::StiffProfile};
 
-/// A node of the assembly. Each pair is the part towards the high side and that to the right of it as
-/// one looks down the hole.
+/// A node of the assembly. Each pair is the part towards the high side and that to the right of it
+/// as one looks down the hole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AssemblyNode {
     /// Measured depth, m.
@@ -59,8 +59,8 @@ impl Largest {
     }
 }
 
-/// The nodes of what was solved, from the bit up. `from_bit_m` are their distances from the bit, from
-/// the top down.
+/// The nodes of what was solved, from the bit up. `from_bit_m` are their distances from the bit,
+/// from the top down.
 pub(super) fn nodes(model: &Model, of: &StiffProfile, from_bit_m: &[f64]) -> Vec<AssemblyNode> {
     let axis = &of.axis;
     let node = |index: usize| AssemblyNode {

@@ -31,7 +31,8 @@ impl Touching {
     }
 }
 
-/// A place where the string presses on its hole: one node, or a stretch of neighbours of a component.
+/// A place where the string presses on its hole: one node, or a stretch of neighbours of a
+/// component.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Contact {
     /// What touches.

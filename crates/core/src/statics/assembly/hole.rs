@@ -12,9 +12,9 @@ use crate::{
 const MOST: f64 = 0.9;
 const LEAST_M: f64 = 1e-3;
 
-/// The same string in a hole that has one inclination at the bit, rad, and builds at a constant rate
-/// to there over a length, rad/m and m, or from the vertical; straight above. It is as wide and as slippery as the hole at the bit is,
-/// and goes the same way.
+/// The same string in a hole that has one inclination at the bit, rad, and builds at a constant
+/// rate to there over a length, rad/m and m, or from the vertical; straight above. It is as wide
+/// and as slippery as the hole at the bit is, and goes the same way.
 ///
 /// # Errors
 /// Numbers that are not finite, or an inclination outside 0 to π.

@@ -70,8 +70,8 @@ fn inclination_rad(of: &Vector3<f64>) -> f64 {
     of.x.hypot(of.y).atan2(of.z)
 }
 
-/// Measured depth, m, and tilt, rad, between two nodes. A bend stands at a node, whose tilt is that above
-/// it.
+/// Measured depth, m, and tilt, rad, between two nodes. A bend stands at a node, whose tilt is that
+/// above it.
 fn between(nodes: &[AssemblyNode], from_bit_m: f64) -> (f64, [f64; 2]) {
     let above = nodes.partition_point(|node| node.from_bit_m < from_bit_m);
     let above = above.clamp(1, nodes.len() - 1);

@@ -18,8 +18,8 @@ use crate::{
     },
 };
 
-/// The assembly at rest. Each pair is the part towards the high side and that to the right of it as one
-/// looks down the hole.
+/// The assembly at rest. Each pair is the part towards the high side and that to the right of it as
+/// one looks down the hole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Assembly {
     /// Side force of the bit on the rock, N: towards the high side it builds, to the right it turns

@@ -9,8 +9,8 @@
 //! ```
 //!
 //! with `β = 4` up to the sinusoid and `β = 8` up to the helix (He and Kyllingstad 1995), and in
-//! any case up to Lubinski's and Wu and Juvkam-Wold's loads of a vertical hole. A [`Criterion`] says
-//! whose loads are meant. Theory and sources: `docs/src/findings.md`.
+//! any case up to Lubinski's and Wu and Juvkam-Wold's loads of a vertical hole. A [`Criterion`]
+//! says whose loads are meant. Theory and sources: `docs/src/findings.md`.
 
 mod criterion;
 mod critical;

@@ -6,8 +6,8 @@ use crate::{model::Model, operation::Operation};
 /// Longest stretch on which the compression is followed, m.
 const STRETCH_M: f64 = 5.0;
 
-/// The string of an operation in stretches, from the bit up, cut at the depths of a profile, m, from
-/// the surface down.
+/// The string of an operation in stretches, from the bit up, cut at the depths of a profile, m,
+/// from the surface down.
 pub fn segments(model: &Model, operation: &Operation, md_m: &[f64]) -> Vec<Segment> {
     let bit_depth_m = operation.bit_depth_m;
     let density = model.mud.density_kg_per_m3;

@@ -9,8 +9,9 @@
 //! dF/ds = −w (k·t) + μ N v/V,       dM/ds = −μ' N r (Ω r)/V
 //! ```
 //!
-//! from `F = P − WOB` and `M = M_bit` at the bit, `P` the pull on it (Johancsik, Friesen and Dawson 1984). The wall
-//! load of a helix is counted if asked. Theory: `docs/src/theory/soft-string.md`; of a flowing mud: `docs/src/theory/mud.md`.
+//! from `F = P − WOB` and `M = M_bit` at the bit, `P` the pull on it (Johancsik, Friesen and Dawson
+//! 1984). The wall load of a helix is counted if asked. Theory: `docs/src/theory/soft-string.md`;
+//! of a flowing mud: `docs/src/theory/mud.md`.
 
 mod bearing;
 mod error;

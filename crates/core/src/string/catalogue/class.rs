@@ -20,8 +20,8 @@ impl PipeClass {
     /// Every class, the best first.
     pub const ALL: [Self; 3] = [Self::New, Self::Premium, Self::Class2];
 
-    /// The part of the nominal wall that is left at least, worn from outside (API RP 7G, tables 4 to
-    /// 7).
+    /// The part of the nominal wall that is left at least, worn from outside (API RP 7G, tables 4
+    /// to 7).
     pub const fn wall_left(self) -> f64 {
         match self {
             Self::New => 1.0,

@@ -64,8 +64,8 @@ const TOOL_JOINT_MAKE_UP: f64 = 0.6;
 /// Minimum yield strength of the joints of heavy-weight drill pipe, psi, as makers commonly print
 /// it.
 const HEAVY_WEIGHT_YIELD_PSI: f64 = 110_000.0;
-/// Stress to which drill collars are made up, psi (API RP 7G, table 14); heavy-weight drill pipe, as
-/// makers commonly print it.
+/// Stress to which drill collars are made up, psi (API RP 7G, table 14); heavy-weight drill pipe,
+/// as makers commonly print it.
 const COLLAR_MAKE_UP_PSI: f64 = 62_500.0;
 
 /// What a connection yields under, and is made up with to a stress, Pa.
@@ -88,8 +88,8 @@ fn strength(
     }
 }
 
-/// What the connection of a tool joint of these diameters bears, m, where it is an API one: of metal
-/// that yields at 120 000 psi (827 MPa), made up to 60 % of its torsional yield (API RP 7G).
+/// What the connection of a tool joint of these diameters bears, m, where it is an API one: of
+/// metal that yields at 120 000 psi (827 MPa), made up to 60 % of its torsional yield (API RP 7G).
 pub fn tool_joint(name: &str, od_m: f64, id_m: f64) -> ConnectionStrength {
     let make_up_psi = TOOL_JOINT_MAKE_UP * TOOL_JOINT_YIELD_PSI;
     strength(name, od_m, id_m, TOOL_JOINT_YIELD_PSI, make_up_psi, Shoulder::Whole)
@@ -166,8 +166,8 @@ mod tests {
     }
 
     /// Least make-up torques of collars, ft·lbf, from a published table after API RP 7G (Southcorp
-    /// International, Drill collars: connections and recommended make-up torque), which rounds down to
-    /// hundreds, more than that for NC38.
+    /// International, Drill collars: connections and recommended make-up torque), which rounds down
+    /// to hundreds, more than that for NC38.
     #[test]
     fn collars_are_made_up_as_printed() {
         for (name, od_in, id_in, printed) in [

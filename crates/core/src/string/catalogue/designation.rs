@@ -21,7 +21,8 @@ const NEAREST: usize = 4;
 /// Understood are `5-1/2 in 21.90 lb/ft S-135`, `HWDP 5 in 49.3 lb/ft` and
 /// `8 in x 2-13/16 in collar`, `CT 2 in x 0.190 in CT-90`, and the usual other spellings:
 /// `5 1/2" 21.9 ppf S135`, `5.5 in 21.90# s-135 drill pipe`. Drill pipe may have a class,
-/// `5 in 19.50 lb/ft S-135 premium` or `... class 2`. An unknown designation is answered with the nearest entries:
+/// `5 in 19.50 lb/ft S-135 premium` or `... class 2`. An unknown designation is answered with the
+/// nearest entries:
 ///
 /// ```
 /// use wholestring::string::catalogue;
@@ -107,8 +108,8 @@ fn edit_distance(a: &[char], b: &[char]) -> usize {
 struct Reading {
     kind: TubularKind,
     od_in: f64,
-    /// Nominal weight in lb/ft, or in inches the bore of a collar or the wall of coiled tubing; of heavy-weight pipe, whose
-    /// sizes have one weight each, it may be left out.
+    /// Nominal weight in lb/ft, or in inches the bore of a collar or the wall of coiled tubing; of
+    /// heavy-weight pipe, whose sizes have one weight each, it may be left out.
     second: Option<f64>,
     /// Letter of the grade, `e`, `x`, `g`, `s`, or `ct90` of coiled tubing.
     grade: Option<String>,

@@ -95,8 +95,8 @@ impl CatalogueEntry {
     ///
     /// with `S` the spacing of the joints and `L_taper`, `V_taper` those of an 18° and a 35° cone
     /// from the joint's diameter down to the upset's (the cones of API RP 7G's formula for the
-    /// weight of a tool joint). The pipe's upsets are left out; they add 1 to 2 %. A mass that was given
-    /// is the answer.
+    /// weight of a tool joint). The pipe's upsets are left out; they add 1 to 2 %. A mass that was
+    /// given is the answer.
     pub fn mass_per_length_kg_per_m(&self, density_kg_per_m3: f64) -> f64 {
         if let Some(given) = self.given_mass_kg_per_m {
             return given;

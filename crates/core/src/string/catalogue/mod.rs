@@ -9,9 +9,9 @@
 //! below them: those count the upsets too.
 //!
 //! Torques of connections are computed by API RP 7G's formula from the dimensions of their threads
-//! ([`RotaryConnection`](crate::string::RotaryConnection)). Used drill pipe, `5 in 19.50 lb/ft S-135
-//! premium` or `... class 2`, has lost a fifth or three tenths of its wall, evenly from outside; its
-//! tool joints are counted as new.
+//! ([`RotaryConnection`](crate::string::RotaryConnection)). Used drill pipe,
+//! `5 in 19.50 lb/ft S-135 premium` or `... class 2`, has lost a fifth or three tenths of its wall,
+//! evenly from outside; its tool joints are counted as new.
 
 mod class;
 mod coiled;

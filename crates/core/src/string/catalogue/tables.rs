@@ -10,11 +10,14 @@ use crate::string::ConnectionStrength;
 const GRADES: [(&str, f64); 4] =
     [("E-75", 75_000.0), ("X-95", 95_000.0), ("G-105", 105_000.0), ("S-135", 135_000.0)];
 
-const PIPE_SOURCE: &str = "API Spec 5DP (body, grades), API RP 7G (tool joints, torques), range 2 pipe in stands of 28.8 m";
-const PROPRIETARY_SOURCE: &str = "API Spec 5DP (body, grades), XT57 tool joint (proprietary, its torques its maker's), range 2 pipe in stands of 28.8 m";
+const PIPE_SOURCE: &str = "API Spec 5DP (body, grades), API RP 7G (tool joints, torques), range 2 \
+    pipe in stands of 28.8 m";
+const PROPRIETARY_SOURCE: &str = "API Spec 5DP (body, grades), XT57 tool joint (proprietary, its \
+    torques its maker's), range 2 pipe in stands of 28.8 m";
 const HEAVY_WEIGHT_SOURCE: &str =
     "API Spec 7-1 and API RP 7G (body, 55 ksi tube, joints, wear pad), range 2 pipe";
-const COLLAR_SOURCE: &str = "API Spec 7-1 (outside diameter, bore, yield strength), API RP 7G (torques; the connection is a usual one)";
+const COLLAR_SOURCE: &str = "API Spec 7-1 (outside diameter, bore, yield strength), API RP 7G \
+    (torques; the connection is a usual one)";
 
 /// Distance between joints of range 2 drill pipe, m: a third of a stand of 28.8 m. API Spec 5DP
 /// lets a range 2 pipe be 8.84 to 9.75 m long with its tool joint.

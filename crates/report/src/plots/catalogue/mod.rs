@@ -1,5 +1,5 @@
-//! What is drawn of a run: one list for the page and for the files. Which quantities, in which order
-//! and how is chosen here; what each is called and what it measures, its declaration says.
+//! What is drawn of a run: one list for the page and for the files. Which quantities, in which
+//! order and how is chosen here; what each is called and what it measures, its declaration says.
 
 mod contact;
 mod drill_off;

@@ -7,7 +7,8 @@ use crate::{ends::BitEnd, simd::vector::Vector};
 /// The rock beside the bit.
 ///
 /// The bit is held by `F = k (u − s)`, `u` its place across the hole and `s` that to which it has
-/// cut the hole; `k` is infinite where it does not leave its hole's axis, and zero of a free end. On bottom it cuts sideways with the force and the speed, `s' = c |Ω| F`.
+/// cut the hole; `k` is infinite where it does not leave its hole's axis, and zero of a free end.
+/// On bottom it cuts sideways with the force and the speed, `s' = c |Ω| F`.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Side {
     stiffness_N_per_m: f64,

@@ -116,8 +116,9 @@ impl<R: Real> Ends<'_, R> {
         }
     }
 
-    /// Where the middles of the chords of elements are. Between its anchors the hole is the parabola
-    /// that has its tangent at the upper one. `rest` is the inverse of their rest lengths, 1/m.
+    /// Where the middles of the chords of elements are. Between its anchors the hole is the
+    /// parabola that has its tangent at the upper one. `rest` is the inverse of their rest lengths,
+    /// 1/m.
     #[inline(always)]
     pub fn around<N: Doubles>(&self, block: usize, lane: usize, rest: N) -> Around<N> {
         let (row, part) = Layout::row_of::<R>(block);

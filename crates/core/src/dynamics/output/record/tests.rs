@@ -94,8 +94,8 @@ fn whirl_goes_round_at_its_rate() {
 
 /// A string bent to a circle of 200 m, under tension and torque: the bending moment is, since what
 /// holds it there holds it at the nodes, `x coth x EI/ρ` at them, `x = (L/2)√(T/EI)` (`T L²/12ρ`
-/// more, where they are near to each other), and `x/sinh x EI/ρ` half-way; the stress is that of the
-/// textbook. The element's moment goes with the sine of half its bend `L/ρ`: it is less by
+/// more, where they are near to each other), and `x/sinh x EI/ρ` half-way; the stress is that of
+/// the textbook. The element's moment goes with the sine of half its bend `L/ρ`: it is less by
 /// `(L/ρ)²/24` = 1e-5.
 #[test]
 fn moment_and_stress_of_a_circle() {

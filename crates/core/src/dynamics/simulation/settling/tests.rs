@@ -110,8 +110,8 @@ fn the_bound_ends_what_never_is_steady() {
 /// A string that trips at 0.3 m/s changes its hook load by what its travel changes, 150 N/s, and by
 /// a share of its length that it travels besides, 1.5 m of 3000 m in a stretch of 5 s or 30 N/s,
 /// beside the tenth of a percent, another 60 N/s, of a window as long: 80 N/s more or less than
-/// foretold is steady, and is not where the string stays. 100 N/s more or less is not, nor is a hook
-/// load that stands still while it should change.
+/// foretold is steady, and is not where the string stays. 100 N/s more or less is not, nor is a
+/// hook load that stands still while it should change.
 #[test]
 fn a_string_that_travels_may_change() {
     let rates = [(-230.0, true), (-70.0, true), (-250.0, false), (-50.0, false), (0.0, false)];

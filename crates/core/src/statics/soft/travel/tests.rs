@@ -34,9 +34,9 @@ fn a_straight_hole_is_the_same_everywhere() {
     }
 }
 
-/// A string that is pulled out of a lateral through a build of 90°, against whose upper side it lies
-/// all along: of each metre further in, the lateral takes `μ w`, the build makes `μ w e^(μ π/2)` of
-/// it, and `w` no longer hangs in the vertical part.
+/// A string that is pulled out of a lateral through a build of 90°, against whose upper side it
+/// lies all along: of each metre further in, the lateral takes `μ w`, the build makes
+/// `μ w e^(μ π/2)` of it, and `w` no longer hangs in the vertical part.
 ///
 /// Where it lies against one side of a build in one plane the soft string is linear in the tension
 /// below: the tolerance is that of its steps, 3e-7 left, and of the difference, 1e-9.

@@ -18,13 +18,14 @@ use crate::dynamics::{
     },
 };
 
-/// How rock answers a bit: a law of the caller's own, for [`BitLaw::Custom`](crate::dynamics::BitLaw).
+/// How rock answers a bit: a law of the caller's own, for
+/// [`BitLaw::Custom`](crate::dynamics::BitLaw).
 ///
 /// The rock front lies where the bit has cut to and is as stiff as [`CustomLaw`] says. In each step
 /// the engine finds the weight at which the front's compression and its advance agree, asks
 /// [`cut`](Self::cut) for rate and torque on the way, and never lets the rock pull the bit down or
-/// turn it back. The bit's side force, its motor and the noise of [`Excitation`] are the engine's; an
-/// excitation that does without the law is a [`BitExcitation`](crate::dynamics::BitExcitation).
+/// turn it back. The bit's side force, its motor and the noise of [`Excitation`] are the engine's;
+/// an excitation that does without the law is a [`BitExcitation`](crate::dynamics::BitExcitation).
 ///
 /// The law itself does not change. What it keeps between steps are numbers, its `state`, which the
 /// engine holds and writes to checkpoints: a run resumes with the same bits. See the example

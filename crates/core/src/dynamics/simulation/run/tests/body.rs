@@ -135,8 +135,8 @@ fn place_along(simulation: &mut Run<f64>, below: impl Fn(Vector<f64>, Vector<f64
 
 /// A body that lies as it is bent bears its tension alone, at the bend as elsewhere, where it
 /// weighs nothing; held straight, it bears at the bend what two elements have whose one end is
-/// turned against the other's by the bend's angle `θ`: of `K sin θ`, `K = EI/L (4 + φ)/(1 + φ)` with
-/// Timoshenko's `φ`, what is left when the node between has turned. Exact but for rounding.
+/// turned against the other's by the bend's angle `θ`: of `K sin θ`, `K = EI/L (4 + φ)/(1 + φ)`
+/// with Timoshenko's `φ`, what is left when the node between has turned. Exact but for rounding.
 #[test]
 fn a_bend_bears_no_stress_of_its_own() {
     const TENSION_N: f64 = 1e5;

@@ -197,9 +197,9 @@ fn the_bit_shakes_the_string_alike() {
     }
 }
 
-/// The start lets the string settle across the hole in the steps that the run takes: it comes to lie
-/// where it lies with one step for all of it, within 10 µm (1.2 µm was found, of a clearance of 19 mm;
-/// the seed moves every node by one), and either region has the twist that it is to have.
+/// The start lets the string settle across the hole in the steps that the run takes: it comes to
+/// lie where it lies with one step for all of it, within 10 µm (1.2 µm was found, of a clearance of
+/// 19 mm; the seed moves every node by one), and either region has the twist that it is to have.
 #[test]
 fn a_string_in_regions_is_laid_alike() {
     for case in [tripping(), shaken()] {
