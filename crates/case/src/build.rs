@@ -43,7 +43,7 @@ pub fn parse(
     }
 }
 
-static CASE_FILE: Kind = Kind {
+pub(crate) static CASE_FILE: Kind = Kind {
     noun: "case",
     needs: "it needs [well], [mud], [[string]] and [operation]",
     tables: || &schema::TABLES,

@@ -44,6 +44,7 @@ pub use bit_test_table::bit_test_table;
 pub use calibration::{
     CALIBRATION_VERSION, CalibrationSummary, CalibrationTables, ErrorFound, EstimateFound,
 };
+pub use checkpoint::{checkpoint_bytes, read_checkpoint_bytes};
 pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
     CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec, FRAMES, MODE_SHAPES,
