@@ -56,7 +56,7 @@ pub(crate) fn parse_changed(
     }
 }
 
-static CASE_FILE: Kind = Kind {
+pub(crate) static CASE_FILE: Kind = Kind {
     noun: "case",
     needs: "it needs [well], [mud], [[string]] and [operation]",
     tables: || &schema::TABLES,

@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::LazyLock};
 use wholestring_config::Json;
 use wholestring_units::Dimension;
 
-use crate::schema::TABLES;
+use crate::{overrides::SHORT, schema::TABLES};
 
 /// Keys of the settings that no table declares and whose unit leaves open what they are: key, name
 /// without unit, dimension.
@@ -70,6 +70,40 @@ pub fn dimension_of(key: &str) -> Option<(Dimension, &str)> {
         .filter_map(|dimension| Some((*dimension, without(key, *dimension)?)))
         // Of `m_per_s` and `per_s` the longer unit.
         .min_by_key(|(_, name)| name.len())
+}
+
+/// What the value of a dotted or short key of the case file measures, lists counted from zero;
+/// nothing where it is a bare number or no number, or where there is no such key.
+///
+/// ```
+/// use wholestring_case::dimension_at;
+/// use wholestring_units::Dimension;
+///
+/// assert_eq!(dimension_at("well.hole.0.diameter"), Some(Dimension::Diameter));
+/// assert_eq!(dimension_at("wob"), Some(Dimension::Force));
+/// assert_eq!(dimension_at("well.hole.0.friction"), None);
+/// ```
+pub fn dimension_at(path: &str) -> Option<Dimension> {
+    let key = SHORT.iter().find(|(short, _)| *short == path).map_or(path, |(_, long)| long);
+    at(&TABLES, &mut key.split('.')).and_then(declared_by)
+}
+
+/// What a schema says of the place to which keys lead.
+fn at<'a>(schema: &'a Json, keys: &mut dyn Iterator<Item = &str>) -> Option<&'a Json> {
+    let Some(key) = keys.next() else { return Some(schema) };
+    let rest: Vec<&str> = keys.collect();
+    let either = schema["anyOf"].as_array().into_iter().flatten();
+    std::iter::once(schema).chain(either).find_map(|schema| {
+        let below = match &schema["properties"][key] {
+            Json::Null => schema.get("items").filter(|_| is_index(key))?,
+            below => below,
+        };
+        at(below, &mut rest.iter().copied())
+    })
+}
+
+fn is_index(key: &str) -> bool {
+    key == "*" || key.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// The name before a dimension's unit.

@@ -4,7 +4,7 @@ use std::{
     collections::BTreeMap,
     io,
     path::Path,
-    sync::{Mutex, PoisonError},
+    sync::{Mutex, MutexGuard, PoisonError},
 };
 
 use wholestring_config::{
@@ -16,6 +16,7 @@ use wholestring_config::{
 use crate::{
     build::{parse, parse_changed},
     case::Case,
+    edited::edited,
     overrides::Override,
     uncertain::Uncertain,
 };
@@ -44,8 +45,15 @@ impl Template {
     /// A report that says why it cannot be read.
     pub fn read(path: &Path) -> Result<Self, Report> {
         let (name, text) = read_file(path, "case")?;
-        let files = Remembered { disk: Disk::beside(path), read: Mutex::default() };
+        let files = Remembered { disk: Some(Disk::beside(path)), read: Mutex::default() };
         Ok(Self { name, text, files })
+    }
+
+    /// A case from its text and the files that it names, each by the name that it has there;
+    /// `name` is what diagnostics call it. Nothing is read from the disk.
+    pub fn in_memory(name: &str, text: &str, files: BTreeMap<String, Vec<u8>>) -> Self {
+        let files = Remembered { disk: None, read: Mutex::new(files) };
+        Self { name: name.to_owned(), text: text.as_bytes().to_owned(), files }
     }
 
     /// The case with these changes.
@@ -69,23 +77,51 @@ impl Template {
         let change = |root: &mut _, reader: &mut _| uncertain.put(point, root, reader);
         parse_changed(&self.name, &self.text, &self.files, changes, change)
     }
+
+    /// The text of the case with these changes: see [`edited`].
+    ///
+    /// # Errors
+    /// A text that is no TOML, and a change of a key that cannot be.
+    pub fn text(&self, changes: &[Override]) -> Result<String, Report> {
+        edited(&self.name, &String::from_utf8_lossy(&self.text), changes)
+    }
+
+    /// What diagnostics call it.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The files that cases were made of until now, each by the name that the case has for it.
+    pub fn files(&self) -> BTreeMap<String, Vec<u8>> {
+        self.files.held().clone()
+    }
 }
 
 /// Files that are read from the disk when they are first requested.
 #[derive(Debug)]
 struct Remembered {
-    disk: Disk,
+    /// Nothing where all that there is was given.
+    disk: Option<Disk>,
     read: Mutex<BTreeMap<String, Vec<u8>>>,
+}
+
+impl Remembered {
+    fn held(&self) -> MutexGuard<'_, BTreeMap<String, Vec<u8>>> {
+        // A thread that panicked with it left whole files all the same.
+        self.read.lock().unwrap_or_else(PoisonError::into_inner)
+    }
 }
 
 impl Files for Remembered {
     fn read(&self, path: &str) -> io::Result<Vec<u8>> {
-        // A thread that panicked with it left whole files all the same.
-        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut read = self.held();
         if let Some(bytes) = read.get(path) {
             return Ok(bytes.clone());
         }
-        let bytes = self.disk.read(path)?;
+        let Some(disk) = &self.disk else {
+            return Err(io::Error::new(io::ErrorKind::NotFound, "there is no such file"));
+        };
+        let bytes = disk.read(path)?;
         read.insert(path.to_owned(), bytes.clone());
         Ok(bytes)
     }

@@ -39,7 +39,7 @@ pub enum Value {
         whole: Option<i64>,
     },
     /// True or false.
-    Boolean,
+    Boolean(bool),
     /// A date or a time.
     Date,
     /// A list.
@@ -54,7 +54,7 @@ impl Value {
         match self {
             Self::Text { .. } => "text",
             Self::Number { .. } => "a number",
-            Self::Boolean => "true or false",
+            Self::Boolean(_) => "true or false",
             Self::Date => "a date",
             Self::List(_) => "a list",
             Self::Table(_) => "a table",
@@ -231,7 +231,7 @@ fn node(value: &Spanned<DeValue<'_>>, text: &str, source: usize, offset: usize) 
         DeValue::Float(float) => {
             Value::Number { value: float.as_str().parse().unwrap_or(f64::NAN), whole: None }
         }
-        DeValue::Boolean(_) => Value::Boolean,
+        DeValue::Boolean(truth) => Value::Boolean(*truth),
         DeValue::Datetime(_) => Value::Date,
         DeValue::Array(items) => {
             Value::List(items.iter().map(|item| node(item, text, source, offset)).collect())

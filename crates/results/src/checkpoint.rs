@@ -37,21 +37,7 @@ impl ResultsFolder {
     /// Writes `checkpoint.bin`, whole or not at all: whatever happens meanwhile, the last one is
     /// there. The content goes to the disk as it is read: it is never held twice.
     pub fn write_checkpoint(&self, content: &impl Serialize) -> Result<(), ResultsError> {
-        write_whole(&self.checkpoint_path(), |writer| {
-            writer.write_all(MARK)?;
-            writer.write_all(&LAYOUT.to_le_bytes())?;
-            writer.write_all(&[PROGRAM.len() as u8])?;
-            writer.write_all(PROGRAM.as_bytes())?;
-            let mut summed = Summed::new(&mut *writer);
-            // The disk's own error, where there is one, says more than that it could not be
-            // written.
-            if let Err(error) = postcard::to_io(content, &mut summed) {
-                return Err(summed.failed.unwrap_or_else(|| io::Error::other(error)));
-            }
-            let (length, checksum) = summed.end();
-            writer.write_all(&length.to_le_bytes())?;
-            writer.write_all(&checksum.to_le_bytes())
-        })
+        write_whole(&self.checkpoint_path(), |writer| wrap(content, writer))
     }
 
     /// Reads back what [`Self::write_checkpoint`] wrote; none where there is no checkpoint.
@@ -86,6 +72,44 @@ impl ResultsFolder {
         // After it: a checkpoint has its parts as long as it is there.
         frames::remove_parts(self.path(), 0)
     }
+}
+
+/// The bytes of a checkpoint, to be kept anywhere.
+///
+/// # Errors
+/// None that a run gives.
+pub fn checkpoint_bytes(content: &impl Serialize) -> Result<Vec<u8>, ResultsError> {
+    let mut bytes = Vec::new();
+    wrap(content, &mut bytes).map_err(|source| ResultsError::Write { path: memory(), source })?;
+    Ok(bytes)
+}
+
+/// Reads back what [`checkpoint_bytes`] gave.
+///
+/// # Errors
+/// Bytes that are damaged, or that another version of the program gave.
+pub fn read_checkpoint_bytes<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, ResultsError> {
+    unwrap(bytes, &memory())
+}
+
+/// What errors call a checkpoint that is in no file.
+fn memory() -> PathBuf {
+    PathBuf::from("the checkpoint")
+}
+
+fn wrap(content: &impl Serialize, mut writer: impl Write) -> io::Result<()> {
+    writer.write_all(MARK)?;
+    writer.write_all(&LAYOUT.to_le_bytes())?;
+    writer.write_all(&[PROGRAM.len() as u8])?;
+    writer.write_all(PROGRAM.as_bytes())?;
+    let mut summed = Summed::new(&mut writer);
+    // The disk's own error, where there is one, says more than that it could not be written.
+    if let Err(error) = postcard::to_io(content, &mut summed) {
+        return Err(summed.failed.unwrap_or_else(|| io::Error::other(error)));
+    }
+    let (length, checksum) = summed.end();
+    writer.write_all(&length.to_le_bytes())?;
+    writer.write_all(&checksum.to_le_bytes())
 }
 
 fn unwrap<T: DeserializeOwned>(bytes: &[u8], path: &Path) -> Result<T, ResultsError> {

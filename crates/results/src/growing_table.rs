@@ -18,7 +18,7 @@ use crate::{
 
 /// A table of a run. Rows gather in memory until [`GrowingTable::write`] puts them behind those of
 /// the file, as a row group of their own.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct GrowingTable {
     name: &'static str,
     columns: &'static [ColumnSpec],
@@ -47,6 +47,11 @@ impl GrowingTable {
     /// Name of its files, without their ending.
     pub fn name(&self) -> &'static str {
         self.name
+    }
+
+    /// The rows in memory: all of a table that was never written.
+    pub fn rows(&self) -> &Table {
+        &self.waiting
     }
 
     /// Resumes a table from a checkpoint and from what the folder holds of it; rows written since

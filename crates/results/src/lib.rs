@@ -46,6 +46,7 @@ pub use calibration::{
     CALIBRATION_VERSION, CalibrationSummary, CalibrationTables, DynamicCheck, ErrorFound,
     EstimateFound, InMotion, calibration_dynamic_table,
 };
+pub use checkpoint::{checkpoint_bytes, read_checkpoint_bytes};
 pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
     CALIBRATION_DYNAMIC, CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec,

@@ -7,7 +7,7 @@ use std::{
 };
 
 use wholestring_case::{Case, Override, Template, Variation};
-use wholestring_results::Status;
+use wholestring_results::{Status, Table};
 use wholestring_runner::{
     BatchOptions, BatchSize, CancellationToken, CaseEnded, Error, Existing, FolderRefused,
     Observer, Output, Progress, Silent, Task, run, sweep,
@@ -209,4 +209,50 @@ fn a_case_that_is_not_sound_is_named_before_any_is_solved() {
     assert_eq!(unsound.summary.as_deref(), Some(summary));
     assert!(log.lines().is_empty());
     assert!(!folder.exists());
+}
+
+/// What stays in memory is what a run writes, and can be written later.
+#[test]
+fn answers_in_memory_are_those_of_a_run() {
+    let place = tempfile::tempdir().expect("a folder");
+    let case = slant(&["model=[\"soft\", \"dynamic\"]"]);
+    let solved = run::answer(&case, None, &Silent, &CancellationToken::new()).expect("answers");
+    assert!(solved.stopped.is_none());
+    let ran = place.path().join("run");
+    let outcome =
+        run::run(&request(&case, &ran, Existing::Protect), &Silent, &CancellationToken::new());
+    let outcome = outcome.expect("an outcome").finished().expect("a finished run");
+    let answers = &solved.answers;
+    let clocked = |summary: &wholestring_results::Summary| {
+        let mut summary = summary.clone();
+        for numerics in summary.operations.iter_mut().filter_map(|of| of.numerics.as_mut()) {
+            numerics.wall_time_s = 0.0;
+            numerics.real_time_factor = 0.0;
+        }
+        summary
+    };
+    assert_eq!(clocked(answers.summary()), clocked(&outcome.summary));
+    let output = Output { folder: Some(place.path().join("saved")), ..Output::default() };
+    let saved = answers.save(&output, true, &Silent).expect("a folder");
+    let names: Vec<&str> = answers.tables().iter().map(|(name, _)| *name).collect();
+    assert_eq!(names, ["nodes", "time", "wear", "contact"]);
+    for (name, table) in answers.tables() {
+        let file = format!("{name}.parquet");
+        assert!(Table::read_parquet(&ran.join(&file)).expect("a table") == *table, "{name}");
+        assert!(Table::read_parquet(&saved.join(&file)).expect("a table") == *table, "{name}");
+    }
+    assert!(saved.join("report.html").is_file() && saved.join("nodes.csv").is_file());
+    // Others are not replaced.
+    let other = slant(&["model=soft", "name=other"]);
+    let other = run::answer(&other, None, &Silent, &CancellationToken::new()).expect("answers");
+    let refused = other.answers.save(&output, false, &Silent).expect_err("they are others");
+    assert!(matches!(refused, Error::Folder(_)), "{refused}");
+}
+
+#[test]
+fn frames_are_not_kept_in_memory() {
+    let case = slant(&["model=dynamic", "records.frames=\"10 Hz\""]);
+    let refused = run::answer(&case, None, &Silent, &CancellationToken::new());
+    let Err(Error::BadInput(message)) = refused else { panic!("frames need a folder") };
+    assert!(message.contains("folder"), "{message}");
 }

@@ -87,6 +87,44 @@ fn a_plan_is_taken_up_where_it_was_left() {
     assert_eq!(whole.outcome(), resumed.outcome());
 }
 
+/// Lines that are added as the run goes act as those of its plan do, a checkpoint holds them, and one
+/// takes over from another in the middle of its ramp.
+#[test]
+fn a_line_that_is_added_acts_as_one_of_the_plan() {
+    let mut planned = start_up();
+    planned.settings.schedule.steps.push(turning(4.0, 1.0, 20.0));
+    let mut live = planned.clone();
+    // A plan itself may not cut a ramp.
+    planned.settings.schedule.steps[2] = turning(5.0, 1.0, 20.0);
+    live.settings.schedule.steps.truncate(1);
+    let (mut planned, mut simulation) = (planned.start(), live.start());
+    go(&mut simulation, 1.0);
+    simulation.add_to_schedule(turning(5.0, 1.0, 20.0)).expect("a sound line");
+    // Before the one that is there, and in its time.
+    simulation.add_to_schedule(turning(2.0, 3.0, 60.0)).expect("a sound line");
+    go(&mut simulation, 2.0);
+    let checkpoint = simulation.checkpoint().into_owned();
+    let resumed = Simulation::resume(&live.model, &live.operation, &live.settings, checkpoint);
+    let mut resumed = resumed.expect("the same run");
+    go(&mut planned, 7.0);
+    go(&mut simulation, 4.0);
+    go(&mut resumed, 4.0);
+    assert_eq!(planned.series(), simulation.series());
+    assert_eq!(planned.series(), resumed.series());
+
+    // In the middle of the ramp, and late: from where it is.
+    let mut simulation = live.start();
+    simulation.add_to_schedule(turning(2.0, 3.0, 60.0)).expect("a sound line");
+    go(&mut simulation, 3.5);
+    simulation.add_to_schedule(turning(0.0, 0.0, 0.0)).expect("a sound line");
+    go(&mut simulation, 0.5);
+    let set = &simulation.series().rotary_speed_set_rad_per_s;
+    assert_close("in the ramp", set[set.len() / 2 + set.len() / 4], rpm(60.0) / 3.0, 0.05);
+    assert_eq!(set.last(), Some(&0.0));
+    let endless = simulation.add_to_schedule(turning(f64::NAN, 0.0, 0.0));
+    assert_eq!(endless, Err(ScheduleFault::Range));
+}
+
 /// The block stops by the plan while the bit drills, and the weight on bit decays at the
 /// drill-off's rate `k v₀/W₀`, `k` that of pipe, line and rock in series; then the autodriller
 /// brings it to another target by an integral, without which it would stay short of it.

@@ -7,7 +7,8 @@ use wholestring_results::{ResultsError, ResultsFolder};
 
 /// Writes checkpoints of a run as time goes by.
 pub(crate) struct Keeper<'a> {
-    folder: &'a ResultsFolder,
+    /// Nothing for a run that stays in memory.
+    folder: Option<&'a ResultsFolder>,
     every: Duration,
     last: Instant,
 }
@@ -15,23 +16,28 @@ pub(crate) struct Keeper<'a> {
 impl<'a> Keeper<'a> {
     /// A keeper that writes to the folder after each such while.
     pub(crate) fn new(folder: &'a ResultsFolder, every: Duration) -> Self {
-        Self { folder, every, last: Instant::now() }
+        Self { folder: Some(folder), every, last: Instant::now() }
+    }
+
+    /// One that writes nothing: of a run that stays in memory.
+    pub(crate) fn in_memory() -> Self {
+        Self { folder: None, every: Duration::MAX, last: Instant::now() }
     }
 
     /// Whether the time for a checkpoint has come.
     pub(crate) fn is_due(&self) -> bool {
-        self.last.elapsed() >= self.every
+        self.folder.is_some() && self.last.elapsed() >= self.every
     }
 
     /// Writes what is needed to continue.
     pub(crate) fn write(&mut self, content: &impl Serialize) -> Result<(), ResultsError> {
-        let written = self.folder.write_checkpoint(content);
+        let written = self.folder.map_or(Ok(()), |folder| folder.write_checkpoint(content));
         self.last = Instant::now();
         written
     }
 
     /// The run has come to its end: there is nothing to continue with.
     pub(crate) fn finish(self) -> Result<(), ResultsError> {
-        self.folder.remove_checkpoint()
+        self.folder.map_or(Ok(()), ResultsFolder::remove_checkpoint)
     }
 }

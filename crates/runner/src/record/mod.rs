@@ -44,6 +44,9 @@ pub(crate) struct Solved<'a> {
     frames: Option<Cow<'a, FramesSoFar>>,
 }
 
+/// Name of the table of the bottom of the hole, without the ending of its file.
+const BOTTOM_HOLE_FILE: &str = "bottom_hole";
+
 /// Everything that a run leaves.
 pub(crate) struct Record {
     pub(crate) summary: Summary,
@@ -74,6 +77,48 @@ impl Record {
         folder.remove_checkpoint()?;
         let frames = Frames::begin(case, folder, None)?;
         Ok(Self::empty(case, units, frames))
+    }
+
+    /// Begins anew, with no folder: the rows stay in memory, and no frames are kept.
+    pub(crate) fn in_memory(case: &Case, units: UnitSet) -> Self {
+        Self::empty(case, units, None)
+    }
+
+    /// The lines of the schedule where they are not those of the case: some were added.
+    pub(crate) fn schedule_is(&mut self, lines: &[ScheduleStep]) {
+        self.schedule = lines.to_vec();
+    }
+
+    /// Another with the same rows in memory, to be written: rows that are on the disk leave it.
+    pub(crate) fn copy_in_memory(&self) -> Self {
+        Self {
+            summary: self.summary.clone(),
+            identity: self.identity.clone(),
+            nodes: self.nodes.clone(),
+            time: self.time.clone(),
+            schedule: self.schedule.clone(),
+            wear: self.wear.clone(),
+            contact: self.contact.clone(),
+            bottom_hole: self.bottom_hole.clone(),
+            spectra: self.spectra.clone(),
+            frames: None,
+            records: self.records.clone(),
+            hole: self.hole.clone(),
+            units: self.units,
+        }
+    }
+
+    /// The tables as they are in memory, each with its name.
+    pub(crate) fn tables(&self) -> [(&'static str, &Table); 6] {
+        let of = |table| (GrowingTable::name(table), GrowingTable::rows(table));
+        [
+            of(&self.nodes),
+            of(&self.time),
+            of(&self.wear),
+            of(&self.contact),
+            (BOTTOM_HOLE_FILE, &self.bottom_hole),
+            of(&self.spectra),
+        ]
     }
 
     /// Takes up what was solved before, in the same folder.
@@ -192,9 +237,9 @@ impl Record {
     ) -> Result<(), ResultsError> {
         // Of most bits there is none.
         if keep >= Keep::Tables && self.bottom_hole.rows() > 0 {
-            folder.write_table("bottom_hole", &self.bottom_hole, csv)?;
+            folder.write_table(BOTTOM_HOLE_FILE, &self.bottom_hole, csv)?;
         } else {
-            remove_table(folder, "bottom_hole")?;
+            remove_table(folder, BOTTOM_HOLE_FILE)?;
         }
         let [nodes, time, wear, contact] =
             [&mut self.nodes, &mut self.time, &mut self.wear, &mut self.contact];

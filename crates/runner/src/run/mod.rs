@@ -1,12 +1,16 @@
 //! A run: a case with all of its operations and models, solved one after the other.
 
+mod answers;
 mod lift;
+mod live;
 pub(crate) mod pictures;
 mod request;
 mod solve;
 mod stop;
 mod way;
 
+pub use answers::{Answers, Solved, answer};
+pub use live::Live;
 pub use request::{Outcome, Request, run};
 pub(crate) use solve::solve;
 pub use stop::Stop;

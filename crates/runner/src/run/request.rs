@@ -112,7 +112,7 @@ pub fn run(
         cancellation,
         executor: cores::for_rock(case, request.jobs, cancellation),
     };
-    let solved = solve(case, &way, &mut record, folder, under_way);
+    let solved = solve(case, &way, &mut record, Some(folder), under_way);
     // The page is made from the files: of what they hold, only the summary is compared with it.
     let summary = record.into_summary();
     let reported = page::write(folder, units);

@@ -28,15 +28,26 @@ use crate::{
 /// Solves operation after operation, each with every model, and writes after each, so that whatever
 /// comes between keeps what was solved. What the record has is solved already, but for one
 /// operation that may be under way. One that a statics has no answer for ends the run no sooner than
-/// the others are solved; one that diverged, at once.
+/// the others are solved; one that diverged, at once. Without a folder all of it stays in the record.
 pub(crate) fn solve(
     case: &Case,
     way: &Way<'_>,
     record: &mut Record,
-    folder: &ResultsFolder,
+    folder: Option<&ResultsFolder>,
     mut under_way: Option<UnderWay>,
 ) -> Result<(), Stop> {
-    let mut keeper = Keeper::new(folder, way.checkpoint_every);
+    let mut keeper = match folder {
+        Some(folder) => Keeper::new(folder, way.checkpoint_every),
+        None => Keeper::in_memory(),
+    };
+    let write = |record: &mut Record| match folder {
+        Some(folder) => record.write(folder, way.keep, way.csv),
+        None => Ok(()),
+    };
+    let finish = |record: &Record| match folder {
+        Some(folder) => record.finish(folder, way.keep),
+        None => Ok(()),
+    };
     let mut written = false;
     for operation in &case.operations {
         for model in &case.models {
@@ -61,14 +72,14 @@ pub(crate) fn solve(
                     solve_dynamic(case, operation, way, record, &mut keeper, begun)
                 }
             };
-            record.write(folder, way.keep, way.csv)?;
+            write(record)?;
             written = true;
             match stopped {
                 Status::Complete => {}
                 Status::Interrupted => return Err(Stop::Interrupted),
                 Status::Failed(reason) => {
                     keeper.finish()?;
-                    record.finish(folder, way.keep)?;
+                    finish(record)?;
                     return Err(Stop::Unsolved(format!("{}: {reason}", operation.kind.name())));
                 }
             }
@@ -79,10 +90,10 @@ pub(crate) fn solve(
     }
     if !written {
         // All was solved when the run was written to a checkpoint; the folder may not show it.
-        record.write(folder, way.keep, way.csv)?;
+        write(record)?;
     }
     keeper.finish()?;
-    record.finish(folder, way.keep)?;
+    finish(record)?;
     // One from a checkpoint has no answer either.
     record.unsolved().map_or(Ok(()), |reasons| Err(Stop::Unsolved(reasons)))
 }
@@ -274,7 +285,7 @@ fn unsolvable(model: &str, error: &dyn std::error::Error) -> Status {
     Status::Failed(no_answer(model, error))
 }
 
-fn no_answer(model: &str, error: &dyn std::error::Error) -> String {
+pub(super) fn no_answer(model: &str, error: &dyn std::error::Error) -> String {
     format!("the {model} has no answer: {error}")
 }
 
@@ -340,7 +351,8 @@ mod tests {
             }
             let mut record = Record::begin(&case, UnitSet::Si, &folder).expect("a record");
             let cancelled = CancellationToken::new();
-            let stop = solve(&case, &way(&cancelled), &mut record, &folder, None).unwrap_err();
+            let stop =
+                solve(&case, &way(&cancelled), &mut record, Some(&folder), None).unwrap_err();
             let Stop::Unsolved(message) = stop else {
                 panic!("{stop:?}");
             };

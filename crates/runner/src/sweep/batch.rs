@@ -198,7 +198,7 @@ impl<'a> Batch<'a> {
             // Cases are what the cores share.
             executor: cores::alone(self.cancellation),
         };
-        let why = solve(&case, &way, &mut record, &folder, under_way).err();
+        let why = solve(&case, &way, &mut record, Some(&folder), under_way).err();
         if keep == Keep::All {
             page::write(&folder, case.units)?;
         }

@@ -219,10 +219,26 @@ pub struct SetPoints {
 }
 
 impl SetPoints {
-    /// Whether stored set points are those of this schedule.
+    /// Whether stored set points are those of this schedule, with the lines that were added.
     pub(in crate::dynamics) fn check(&self, schedule: &Schedule) -> Result<(), Damaged> {
-        let fits = self.steps == schedule.steps && self.next <= self.steps.len();
-        ensure(fits, "the schedule")
+        let mut stored = self.steps.iter();
+        let holds_all = schedule.steps.iter().all(|line| stored.any(|of| of == line));
+        ensure(holds_all && self.next <= self.steps.len(), "the schedule")
+    }
+
+    /// Adds a line, in the order of its time. It takes over from one that is still ramping what it
+    /// names too; times that have passed are now.
+    ///
+    /// # Errors
+    /// A time or a set point that is not finite, or a time that is negative.
+    pub fn add(&mut self, line: ScheduleStep) -> Result<(), ScheduleFault> {
+        if let Some((_, fault)) = (Schedule { steps: vec![line.clone()] }).fault() {
+            return Err(fault);
+        }
+        let later = self.steps[self.next..].iter().position(|of| of.at_s > line.at_s);
+        let place = later.map_or(self.steps.len(), |later| self.next + later);
+        self.steps.insert(place, line);
+        Ok(())
     }
 
     /// The set points of `operation` until `schedule` changes them.
@@ -290,6 +306,11 @@ impl SetPoints {
             HoistSetPoint::BlockVelocity(_) => HoistSetPoint::BlockVelocity(ramp.at(time_s)),
             HoistSetPoint::WeightOnBit(_) => HoistSetPoint::WeightOnBit(ramp.at(time_s)),
         })
+    }
+
+    /// All lines, those that were added too.
+    pub fn lines(&self) -> &[ScheduleStep] {
+        &self.steps
     }
 
     /// The line of the plan that began last, counted from one; zero before the first.

@@ -21,7 +21,10 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::settings::{DynamicsSettings, HoistControl, Precision};
+use super::settings::{
+    DynamicsSettings, HoistControl, Precision,
+    schedule::{ScheduleFault, ScheduleStep},
+};
 use crate::{
     dynamics::{
         assemble::error::SetupError,
@@ -189,6 +192,20 @@ impl Simulation {
         either!(&mut self.0, run => run.advance(seconds))
     }
 
+    /// Adds a line to the schedule: set points that go to new values, at once or in a ramp. Its time
+    /// is that of the run; one that has passed is now. It takes over from a line that is still
+    /// ramping what it names too. Checkpoints hold it.
+    ///
+    /// # Errors
+    /// A time or a set point that is not finite, or a time that is negative.
+    pub fn add_to_schedule(&mut self, mut line: ScheduleStep) -> Result<(), ScheduleFault> {
+        // Not the larger of both, which of NaN and a number is the number.
+        if line.at_s < self.time_s() {
+            line.at_s = self.time_s();
+        }
+        either!(&mut self.0, run => run.state.set_points.add(line))
+    }
+
     /// Changes the hoist from now on: a connection, a stop, a lift.
     pub fn set_hoist(&mut self, control: HoistControl) {
         either!(&mut self.0, run => run.set_hoist(control));
@@ -228,6 +245,9 @@ accessors! {
     mean_weight_on_bit_N: f64,
     /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
     frame: Frame,
+    /// The lines of the schedule, those that were added too: the line that began last is the
+    /// series' [`schedule_line`](TimeSeries::schedule_line), counted from one.
+    schedule: &[ScheduleStep],
     /// Time since the start, s.
     time_s: f64,
     /// Time at which the window ends, s; at the latest, as long as the run settles until it is

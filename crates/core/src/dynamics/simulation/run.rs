@@ -20,7 +20,7 @@ use crate::{
         output::{
             frame::Frame, outcome::DynamicOutcome, scene::Scene, statistic::Statistic, summary,
         },
-        settings::{DynamicsSettings, HoistControl, Start},
+        settings::{DynamicsSettings, HoistControl, Start, schedule::ScheduleStep},
     },
     ends::{BitEnd, TopEnd},
     model::{Model, MudColumn},
@@ -165,6 +165,11 @@ impl<R: Real> Run<R> {
         if let Some(mud) = &mut self.state.viscous {
             mud.set_flow(flow_m3_per_s, self.operation.bit_loss_Pa(flow_m3_per_s));
         }
+    }
+
+    /// The lines of the schedule, those that were added too.
+    pub fn schedule(&self) -> &[ScheduleStep] {
+        self.state.set_points.lines()
     }
 
     /// Gives every node an additional velocity, m/s, and an additional spin, rad/s: a blow.

@@ -1,0 +1,207 @@
+//! A dynamic run that a front takes forward bit by bit, and whose set points it changes: for a
+//! controller, a digital twin, an environment to learn in.
+
+use std::{
+    sync::Arc,
+    time::{Duration, Instant},
+};
+
+use serde::{Deserialize, Serialize};
+use wholestring::{
+    dynamics::{Checkpoint, ScheduleStep, SetupError, Simulation},
+    operation::Operation,
+    outcome::Solution,
+};
+use wholestring_case::Case;
+use wholestring_results::{Status, checkpoint_bytes, digest, read_checkpoint_bytes};
+
+use super::{answers::Answers, solve::no_answer};
+use crate::{
+    cancellation::CancellationToken,
+    cores,
+    error::Error,
+    observer::{Observer, Watch},
+    record::{
+        Record,
+        rows::{CarriedOut, Effort},
+    },
+};
+
+/// Simulated time between two looks at a cancellation, s: a fraction of a second even where a run is
+/// slower than real time.
+const POLL_INTERVAL_S: f64 = 0.05;
+
+/// A dynamic run that a front takes forward.
+pub struct Live {
+    case: Arc<Case>,
+    operation: Operation,
+    simulation: Simulation,
+    took: Duration,
+}
+
+/// What a checkpoint of it holds.
+#[derive(Serialize, Deserialize)]
+struct Stored<'a> {
+    identity: String,
+    operation: String,
+    took_s: f64,
+    simulation: Checkpoint<'a>,
+}
+
+impl Live {
+    /// Initialises the string for an operation of the case, ready to run; for its only one where
+    /// none is named.
+    ///
+    /// # Errors
+    /// An operation that the case does not have, a hoist whose lift is found by runs of the whole
+    /// case, a string without answer, a cancellation.
+    pub fn begin(
+        case: Arc<Case>,
+        operation: Option<&str>,
+        observer: &dyn Observer,
+        cancellation: &CancellationToken,
+    ) -> Result<Self, Error> {
+        let operation = *named(&case, operation)?;
+        if case.tunes_hook_load {
+            let message = "the lift of this case's hoist is found by runs of the whole case: give \
+                           a run in hand another hoist, such as the autodriller";
+            return Err(Error::BadInput(message.to_owned()));
+        }
+        let start = Instant::now();
+        let watch = Watch { observer, case: 0 };
+        let what = "initialising the string";
+        let shown = watch.preparing(operation.kind.name(), what);
+        let executor = cores::for_rock(&case, None, cancellation);
+        let begun =
+            Simulation::with_executor(&case.model, &operation, &case.dynamics, executor.clone());
+        let simulation = begun.map_err(|error| match error {
+            SetupError::Stopped => Error::Interrupted,
+            error => Error::Failed(no_answer("dynamic model", &error)),
+        })?;
+        drop(shown);
+        Ok(Self { case, operation, simulation, took: start.elapsed() })
+    }
+
+    /// Continues from what [`Live::checkpoint`] gave, to the same bits.
+    ///
+    /// # Errors
+    /// Bytes that are damaged, of another version of the program, or of another case.
+    pub fn resume(case: Arc<Case>, bytes: &[u8]) -> Result<Self, Error> {
+        let stored: Stored<'static> = read_checkpoint_bytes(bytes)?;
+        let anew = |reason: String| Error::NotResumable { noun: "simulation", reason };
+        if stored.identity != digest(&case.identity()) {
+            return Err(anew("the checkpoint is of another case".to_owned()));
+        }
+        let operation = *named(&case, Some(&stored.operation))?;
+        let resumed =
+            Simulation::resume(&case.model, &operation, &case.dynamics, stored.simulation);
+        let mut simulation = resumed.map_err(|error| anew(error.to_string()))?;
+        simulation.set_executor(cores::for_rock(&case, None, &CancellationToken::new()));
+        Ok(Self { case, operation, simulation, took: Duration::from_secs_f64(stored.took_s) })
+    }
+
+    /// Advances by `seconds`, to the nearest sample; stops before where it is cancelled.
+    ///
+    /// # Errors
+    /// A cancellation, and a run that diverged; what it had sampled before stays available.
+    pub fn advance(
+        &mut self,
+        seconds: f64,
+        observer: &dyn Observer,
+        cancellation: &CancellationToken,
+    ) -> Result<(), Error> {
+        if !(seconds.is_finite() && seconds >= 0.0) {
+            let message = format!("a simulation was asked to advance by {seconds} s");
+            return Err(Error::BadInput(message));
+        }
+        let start = Instant::now();
+        let sample_s = self.simulation.sample_interval_s();
+        let from_s = self.simulation.time_s();
+        let end_s = from_s + seconds;
+        let watch = Watch { observer, case: 0 };
+        let shown = watch.simulation(self.operation.kind.name(), None, [from_s, end_s]);
+        let mut missing = (seconds / sample_s).round() as u64;
+        let poll = ((POLL_INTERVAL_S / sample_s).round() as u64).max(1);
+        let mut done = Ok(());
+        while missing > 0 && done.is_ok() {
+            if cancellation.is_cancelled() {
+                done = Err(Error::Interrupted);
+                break;
+            }
+            let next = poll.min(missing);
+            let advanced = self.simulation.advance(next as f64 * sample_s);
+            done = advanced.map_err(|diverged| Error::Failed(diverged.to_string()));
+            missing -= next;
+            shown.reach(self.simulation.time_s(), end_s, false);
+        }
+        self.took += start.elapsed();
+        done
+    }
+
+    /// Adds a line to the schedule: set points that go to new values. A time that has passed is now.
+    ///
+    /// # Errors
+    /// A time or a set point that is out of range.
+    pub fn add_to_schedule(&mut self, line: ScheduleStep) -> Result<(), Error> {
+        self.simulation.add_to_schedule(line).map_err(|fault| Error::BadInput(fault.to_string()))
+    }
+
+    /// The simulation as it stands.
+    pub fn simulation(&self) -> &Simulation {
+        &self.simulation
+    }
+
+    /// The operation.
+    pub fn operation(&self) -> &Operation {
+        &self.operation
+    }
+
+    /// All of it, to be kept: [`Live::resume`] continues from it.
+    ///
+    /// # Errors
+    /// None that a run gives.
+    pub fn checkpoint(&self) -> Result<Vec<u8>, Error> {
+        let stored = Stored {
+            identity: digest(&self.case.identity()),
+            operation: self.operation.kind.name().to_owned(),
+            took_s: self.took.as_secs_f64(),
+            simulation: self.simulation.checkpoint(),
+        };
+        Ok(checkpoint_bytes(&stored)?)
+    }
+
+    /// The answers so far, as a run that was interrupted now has them: over the window if it has
+    /// begun, over everything sampled otherwise.
+    pub fn answers(&self) -> Answers {
+        let mut record = Record::in_memory(&self.case, self.case.units);
+        record.schedule_is(self.simulation.schedule());
+        let outcome = self.simulation.outcome();
+        let bottom = self.simulation.bottom_hole();
+        let carried_out = CarriedOut {
+            status: Status::Interrupted,
+            lift: None,
+            bottom: bottom.as_ref(),
+            effort: Effort { took: self.took, runs: 1 },
+        };
+        record.add(&self.operation, &Solution::from(&outcome), carried_out);
+        Answers::of(&self.case, record)
+    }
+}
+
+/// The operation of that name, or the only one.
+fn named<'a>(case: &'a Case, name: Option<&str>) -> Result<&'a Operation, Error> {
+    let there = || {
+        let names: Vec<&str> = case.operations.iter().map(|of| of.kind.name()).collect();
+        names.join(", ")
+    };
+    match (name, &case.operations[..]) {
+        (None, [only]) => Ok(only),
+        (None, _) => {
+            let message = format!("the case has several operations: name one of {}", there());
+            Err(Error::BadInput(message))
+        }
+        (Some(name), all) => all.iter().find(|of| of.kind.name() == name).ok_or_else(|| {
+            Error::BadInput(format!("the case has no operation `{name}`: it has {}", there()))
+        }),
+    }
+}
