@@ -15,14 +15,13 @@
 //! | [`bit_test`] | the bit alone on its rock |
 //! | [`mod@calibrate`] | friction factors from what was read at the surface |
 //! | [`modes`] | natural frequencies, critical speeds and the answer to a force that turns |
-//! | [`plan`] | torque and drag at every depth of the bit, with low, expected and high friction |, //! | [`reach`] | how far a well can go, and what stops it |,
+//! | [`plan`] | torque and drag at every depth of the bit, with low, expected and high friction |
+//! | [`reach`] | how far a well can go, and what stops it |
 //! | [`mod@bench`] | the measurement of a machine's speed at all this |
 //!
 //! [`Comparison`] has the answers of a run side by side, [`survey`] the positions along a survey,
-//! and
-//! [`Found`] what the catalogue has.
-//! [`write_report`] and [`pictures()`] make the page and the pictures of what lies in a folder
-//! again.
+//! and [`Found`] what the catalogue has. [`write_report`] and [`pictures()`] make the page and the
+//! pictures of what lies in a folder again.
 //!
 //! ```
 //! use wholestring_runner::{CancellationToken, Silent, run};

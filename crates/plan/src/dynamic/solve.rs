@@ -16,7 +16,7 @@ use super::{
 use crate::{
     Broomstick, FrictionLevel,
     hydraulics::{GelBreak, gel_break},
-    limits::{Limit, limits},
+    limits::{LoadCheck, limits},
 };
 
 /// An event with the bit at a depth and a friction.
@@ -44,7 +44,7 @@ pub struct EventAnswer {
     /// The event at surface.
     pub history: History,
     /// How near its peak is to what pipe and rig bear.
-    pub limits: Vec<Limit>,
+    pub limits: Vec<LoadCheck>,
 }
 
 /// Why there is no answer.
@@ -127,7 +127,7 @@ impl Broomstick {
             outcome.hydraulics.map(|of| Hydraulics { pump_pressure_Pa: pump_Pa, ..of });
         let solution = Solution { profile: &profile, hydraulics, ..(&outcome).into() };
         let found = limits(&model, &steady(event, &operation), &solution, self.limit_settings());
-        let is_its = |of: &Limit| event.bears_on(of.kind);
+        let is_its = |of: &LoadCheck| event.bears_on(of.kind);
         Ok(Some(EventAnswer {
             hook_load_N,
             surface_torque_N_m,
