@@ -155,7 +155,12 @@ fn a_reach_of_uncertain_numbers() {
         );
     }
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
-    for expected in ["What is uncertain", "What stops the samples", "What the bands are owed to"] {
+    for expected in [
+        "What is uncertain",
+        "What stops the samples",
+        "What the bands are owed to",
+        "Sobol indices",
+    ] {
         assert!(page.contains(expected), "{expected}");
     }
 }

@@ -87,11 +87,21 @@ impl Uncertain {
         self.notes.first().map_or_else(String::new, |note| note.trim_end_matches('.').to_owned())
     }
 
-    /// What is told of one depth: of several, the deepest.
+    /// What is told of one depth: of several, the deepest; and of each kind of limit, the operation that
+    /// is nearest to it.
     fn told(&self) -> impl Iterator<Item = &UncertainNumber> {
         let depths = self.bands.iter().filter(|of| of.quantity != "margin");
         let deepest_m = depths.clone().filter_map(|of| of.bit_depth_m).fold(0.0, f64::max);
-        depths.filter(move |of| of.bit_depth_m.is_none_or(|depth_m| depth_m == deepest_m))
+        let deepest =
+            depths.filter(move |of| of.bit_depth_m.is_none_or(|depth_m| depth_m == deepest_m));
+        deepest.filter(|of| of.quantity != "reserve" || self.is_nearest(of))
+    }
+
+    /// Whether no other operation has less of a limit left.
+    fn is_nearest(&self, of: &UncertainNumber) -> bool {
+        let mut alike = self.bands.iter();
+        let less = |one: &UncertainNumber| one.quantiles[0] < of.quantiles[0];
+        !alike.any(|one| one.quantity == of.quantity && one.limit == of.limit && less(one))
     }
 
     /// Whether what is told is of more than one friction.

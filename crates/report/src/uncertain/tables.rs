@@ -55,7 +55,9 @@ pub(crate) fn bands(of: &Uncertain, shown: Shown<'_>) -> Option<StudyPart> {
     for text in ["unit", "the case", "5 %", "50 %", "95 %", "without an answer"] {
         heads.push(head(text, text == "unit"));
     }
-    let rows = of.told().map(|one| {
+    // Nothing turns: no torque.
+    let is_something = |of: &&UncertainNumber| of.quantiles.iter().any(|value| *value != 0.0);
+    let rows = of.told().filter(is_something).map(|one| {
         let value = |si: f64| four(shown.value(si, &one.dimension));
         let mut cells = named(one, of);
         cells.push(shown.symbol(&one.dimension).to_owned());
@@ -75,7 +77,8 @@ pub(crate) fn bands(of: &Uncertain, shown: Shown<'_>) -> Option<StudyPart> {
     let rows = rows.collect();
     let caption = "Below these values lie 5, 50 and 95 % of the samples. Hook load, torque and weight to \
         buckle with the bit at its deepest; a reserve is the least factor over the required one of all \
-        depths and components, short where it is below one. Samples without an answer are in no band."
+        depths and components, short where it is below one, here of the operation that has least. Samples \
+        without an answer are in no band."
         .to_owned();
     part("Bands", caption, Grid { heads, rows }, &of.files[0])
 }
@@ -104,7 +107,7 @@ pub(crate) fn owed(of: &Uncertain) -> Option<StudyPart> {
         of samples that it has not seen: below 90 % the indices mean little. A choice among more than four \
         values has what the others do not tell, and no first-order index."
         .to_owned();
-    part("What the bands are owed to", caption, Grid { heads, rows }, &of.files[1])
+    part("Sobol indices", caption, Grid { heads, rows }, &of.files[1])
 }
 
 /// What stops the well first, and how often.

@@ -85,7 +85,10 @@ fn sentence(of: &UncertainSummary, band: &UncertainBand, units: UnitSet) -> Stri
             named.map(|(key, share)| format!("{:.0} % to {key}", 100.0 * share)).collect();
         text += &format!("; owed {}", named.join(", "));
         if owed.predicts < PREDICTS && owed.first.iter().all(Option::is_some) {
-            text += &format!(" (uncertain: {:.0} % predicted)", 100.0 * owed.predicts.max(0.0));
+            text += &format!(
+                " (little sure: the fit predicts {:.0} %)",
+                100.0 * owed.predicts.max(0.0)
+            );
         }
     }
     text + "."

@@ -18,16 +18,18 @@ pub(crate) fn shown(of: &UncertainSummary, names: &Names) -> Uncertain {
     }
 }
 
-/// A limit of a plan or a reach in words.
-fn limit(name: &str) -> &str {
-    let of_plan = LimitKind::ALL.iter().find(|of| of.name() == name).map(|of| of.label());
-    let of_reach = || Limit::ALL.iter().find(|of| of.name() == name).map(|of| of.title());
-    of_plan.or_else(of_reach).unwrap_or(name)
+/// A limit in words: some of a plan and of a reach have one name.
+fn limit(name: &str, of_reach: bool) -> &str {
+    let found = match of_reach {
+        true => Limit::ALL.iter().find(|of| of.name() == name).map(|of| of.title()),
+        false => LimitKind::ALL.iter().find(|of| of.name() == name).map(|of| of.label()),
+    };
+    found.unwrap_or(name)
 }
 
 fn number(of: &UncertainBand) -> UncertainNumber {
     let of_reach = matches!(of.quantity.as_str(), "depth" | "margin");
-    let limit = if of.limit.is_empty() { "" } else { limit(&of.limit) };
+    let limit = if of.limit.is_empty() { "" } else { limit(&of.limit, of_reach) };
     let title = match of.quantity.as_str() {
         "reserve" => format!("reserve: {limit}"),
         "depth" if limit.is_empty() => "depth of the first stop".to_owned(),
@@ -67,7 +69,7 @@ fn stop(of: &UncertainStop) -> (String, usize) {
     let at = of.friction.map_or_else(String::new, |friction| format!(", friction {friction}"));
     let what = match of.limit.is_empty() {
         true => format!("nothing{at}"),
-        false => format!("{}, {}{at}", limit(&of.limit), readable(&of.operation)),
+        false => format!("{}, {}{at}", limit(&of.limit, true), readable(&of.operation)),
     };
     (what, of.samples)
 }
