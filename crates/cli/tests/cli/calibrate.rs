@@ -8,7 +8,7 @@ use wholestring::{
 };
 use wholestring_results::{
     CALIBRATION, CALIBRATION_BANDS, CALIBRATION_DYNAMIC, CALIBRATION_PROFILES, CalibrationSummary,
-    Table,
+    Summary, Table,
 };
 
 use crate::desk::{Desk, transcript};

@@ -56,9 +56,14 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
     let plots = plan_plots(plan, units);
     let pictures = PICTURES.iter().filter_map(|(name, title, caption)| {
         let plot = plots.iter().find(|plot| plot.name == *name)?;
+        let is_broomstick = ["hook_load", "torque"].contains(name);
+        let measured = match !plan.measured.is_empty() && is_broomstick {
+            true => " Diamonds: what was measured, grey where it is held out.",
+            false => "",
+        };
         Some(StudyPart::Figure {
             title: (*title).to_owned(),
-            caption: (*caption).to_owned(),
+            caption: format!("{caption}{measured}"),
             figure: Some(Box::new(plot.figure.clone())),
             files: (*name).to_owned(),
             painted: false,

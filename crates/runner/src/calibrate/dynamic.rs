@@ -11,14 +11,13 @@ use wholestring_plan::calibration::{Calibration, Channel, Motion, Point};
 use wholestring_results::{DynamicCheck, InMotion};
 use wholestring_units::{Dimension, UnitSet};
 
-use super::request::Request;
 use crate::{
     cancellation::CancellationToken,
     cores,
     error::Error,
     observer::{BatchSize, CaseEnded, Observer, Watch},
     parallel::{in_parallel, lock},
-    readings::Readings,
+    readings::{NamedCase, Readings},
 };
 
 /// At which of the readings' depths the string in motion is computed.
@@ -91,7 +90,7 @@ pub(super) fn chosen(check: &CheckDynamics, data: &Readings) -> Result<Vec<(usiz
 
 /// Every reading at these depths beside the string in motion; of work that was cancelled, what was finished.
 pub(super) fn checked(
-    (request, check): (&Request<'_>, &CheckDynamics),
+    (cases, check): (&[NamedCase<'_>], &CheckDynamics),
     data: &Readings,
     found: &Calibration,
     depths: &[(usize, f64)],
@@ -115,7 +114,7 @@ pub(super) fn checked(
     }
     let answers: Vec<Mutex<Option<Result<Moved, String>>>> =
         runs.iter().map(|_| Mutex::new(None)).collect();
-    let tasks: Vec<_> = runs.iter().map(|run| task(request, data, found, run)).collect();
+    let tasks: Vec<_> = runs.iter().map(|run| task(cases, data, found, run)).collect();
     let times = tasks.iter().flatten().map(|task| task.longest_s);
     let size = BatchSize { cases: runs.len(), finished: 0, simulated_s: times.sum() };
     observer.batch_started(&size);
@@ -156,7 +155,7 @@ pub(super) fn checked(
             }
         };
         Some(DynamicCheck {
-            case: request.cases[data.cases[point.reading.setup]].case.name.clone(),
+            case: cases[data.cases[point.reading.setup]].case.name.clone(),
             place: (*place).clone(),
             reading: channel.name().to_owned(),
             is_torque: channel.is_torque(),
@@ -208,7 +207,7 @@ struct Task {
 
 /// The string of a row with the numbers that were found.
 fn task(
-    request: &Request<'_>,
+    cases: &[NamedCase<'_>],
     data: &Readings,
     found: &Calibration,
     run: &Run,
@@ -225,7 +224,7 @@ fn task(
     let settings = DynamicsSettings {
         schedule: Schedule::default(),
         probes: Vec::new(),
-        ..request.cases[data.cases[run.setup]].case.dynamics.clone()
+        ..cases[data.cases[run.setup]].case.dynamics.clone()
     };
     let effort = Effort::of(&model, &operation, &settings).map_err(|error| error.to_string())?;
     let name = operation.kind.name().to_owned();

@@ -126,7 +126,7 @@ pub fn run(
     let units = request.units.unwrap_or(first.case.units);
     let mut summary = summary(request, &data, &settings, &found, units);
     if let Some((check, depths)) = check {
-        let of = (request, check);
+        let of = (request.cases, check);
         summary.dynamics = dynamic::checked(of, &data, &found, &depths, observer, cancellation);
         summary.warnings.extend(dynamic::warnings(&summary.dynamics, units));
     }
