@@ -3,10 +3,7 @@
 use std::{
     fs,
     path::Path,
-    sync::{
-        LazyLock,
-        atomic::{AtomicUsize, Ordering},
-    },
+    sync::atomic::{AtomicUsize, Ordering},
 };
 
 use wholestring_case::{Case, Override, Template};

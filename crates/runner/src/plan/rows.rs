@@ -3,7 +3,9 @@
 use std::collections::BTreeSet;
 
 use wholestring::{string::ComponentSpec, well::HoleKind};
-use wholestring_plan::{Broomstick, BroomstickPoint, BucklingWeight, FrictionLevel, limits::Limit};
+use wholestring_plan::{
+    Broomstick, BroomstickPoint, BucklingWeight, FrictionLevel, limits::LoadCheck,
+};
 use wholestring_results::{PlanBuckling, PlanFinding, PlanFriction, PlanLimit, PlanPoint};
 
 pub(super) fn points(found: &[BroomstickPoint]) -> Vec<PlanPoint> {
@@ -48,7 +50,7 @@ pub(super) fn limits(of: &Broomstick, found: &[BroomstickPoint]) -> Vec<PlanLimi
 }
 
 /// A limit of a string of these components, of nobody yet.
-pub(super) fn limit(components: &[ComponentSpec], limit: &Limit) -> PlanLimit {
+pub(super) fn limit(components: &[ComponentSpec], limit: &LoadCheck) -> PlanLimit {
     PlanLimit {
         model: String::new(),
         friction: String::new(),

@@ -15,6 +15,7 @@ use crate::page::{
 
 /// The workbook of a plan in these units.
 pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) -> Workbook {
+    let scattered = summary.uncertain.as_ref().map(|of| (of.table(), of.indices_table()));
     let measured = summary.measured_table();
     let peaks = plan_peaks_table(&summary.peaks);
     let tables = [
@@ -48,8 +49,6 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
         _ => true,
     };
     let tables = tables.into_iter().filter(|(name, ..)| is_there(name));
-    let uncertain = summary.uncertain.as_ref();
-    let scattered = uncertain.map(|of| (of.table(), of.indices_table()));
     let scattered = scattered.iter().flat_map(|(bands, indices)| {
         let samples = found.samples.as_ref();
         let samples =
