@@ -165,7 +165,7 @@ fn friction_at_rest_breaks() {
     // Nearly as narrow as the pipe: the clamp at the top holds no more than some metres of it off the wall.
     let setup =
         straight_of(0.13, LENGTH_M + 50.0, INCLINATION_DEG, friction, Mud::of_density(1200.0));
-    let (speed, ramp_s, stribeck, watch_s) = (0.5, 25.0, 0.1, 4.0);
+    let (speed, ramp_s, stribeck) = (0.5, 25.0, 0.1);
     // Friction that falls with the speed makes an undamped rod stick and slip for ever: the line takes up the waves
     // that come up the string, as a dashpot of its impedance.
     let wave = (steel().youngs_modulus_Pa / steel().density_kg_per_m3).sqrt();
@@ -182,7 +182,7 @@ fn friction_at_rest_breaks() {
         ),
         hoist_ramp_s: ramp_s,
         rotary_ramp_s: ramp_s,
-        watch_s,
+        watch_s: 4.0,
         ..DynamicPlan::default()
     };
     let metal = steel().density_kg_per_m3;
@@ -202,12 +202,9 @@ fn friction_at_rest_breaks() {
         verify("peaks", format!("hook load at rest of a string that is then {name}, N"))
             .relative(5e-3, "friction holds what the start leaves")
             .report(hangs_N, hook.at_rest);
-        // What has been pulled out of the hole in the middle of the last quarter rubs no more.
-        let out_m = if sign > 0.0 { speed * (0.5 * ramp_s + 0.875 * watch_s) } else { 0.0 };
-        let rubs = 1.0 - out_m / LENGTH_M;
         verify("peaks", format!("friction of a string that is {name} at its speed, N"))
-            .relative(0.02, "the clamp at the top holds some 3 m of 300 m")
-            .report(at(speed) * rubs * presses_N, sign * (hook.steady - hangs_N));
+            .relative(0.025, "top and bit hold some 5 m of 300 m off the wall")
+            .report(at(speed) * presses_N, sign * (hook.steady - hangs_N));
         let broke_N = sign * (hook.peak - hangs_N);
         let bound_N = friction.at_rest * presses_N;
         // The top slides already, at some mm/s, where the end breaks; the block accelerates what it pulls.
