@@ -32,10 +32,21 @@ fn area_m2() -> f64 {
 
 /// Plain pipe in a straight hole at an inclination.
 fn straight(length_m: f64, inclination_deg: f64, friction: Friction, mud: Mud) -> Setup {
+    straight_of(HOLE_M, length_m, inclination_deg, friction, mud)
+}
+
+/// The same in a hole of a diameter, m.
+fn straight_of(
+    hole_m: f64,
+    length_m: f64,
+    inclination_deg: f64,
+    friction: Friction,
+    mud: Mud,
+) -> Setup {
     let stations = [0.0, length_m].map(|md_m| Station::from_degrees(md_m, inclination_deg, 0.0));
     let casing = Some(CasingPipe { od_m: CASING_OD_M, yield_strength_Pa: Some(80e3 * PSI_PA) });
     let section =
-        HoleSection { casing, friction, ..HoleSection::casing(0.0..length_m, HOLE_M, 0.2) };
+        HoleSection { casing, friction, ..HoleSection::casing(0.0..length_m, hole_m, 0.2) };
     let pipe = ComponentSpec {
         yield_strength_Pa: Some(135e3 * PSI_PA),
         ..ComponentSpec::uniform("pipe", OD_M, ID_M, ToSurface, steel())
@@ -113,19 +124,13 @@ fn a_rod_is_lifted_against_its_impedance() {
             watch_s: 4.0 - ramp_s,
             ..DynamicPlan::default()
         };
-        let found = answer(
-            &setup,
-            Event::PickUpFromSlips,
-            &plan,
-            &dynamics(std::env::var("EL").map_or(10.0, |e| e.parse().unwrap())),
-            LENGTH_M,
-        );
+        let found = answer(&setup, Event::PickUpFromSlips, &plan, &dynamics(10.0), LENGTH_M);
         let hook = found.hook_load_N;
         verify("peaks", format!("weight of a rod before it is lifted in {ramp_s} s, N"))
             .relative(1e-4, "what the start leaves of its settling")
             .report(weight_N, hook.at_rest);
         verify("peaks", format!("peak over the weight of a rod that is lifted in {ramp_s} s, N"))
-            .relative(0.01, "elements of 10 m; of 20 m twice as far off")
+            .relative(5e-3, "a sample of 10 ms rounds its apex; elements of 5 m change 2e-4")
             .report(exact, hook.peak - hook.at_rest);
         // The whole course, not the peak alone: the root of the mean square over four seconds.
         let history = &found.history;
@@ -142,7 +147,10 @@ fn a_rod_is_lifted_against_its_impedance() {
         let tension = tension.expect("a yield strength");
         assert!(tension.md_m.is_some_and(|md_m| md_m < 1.0), "{tension:?}");
         verify("peaks", format!("largest tension of a rod that is lifted in {ramp_s} s, N"))
-            .relative(3e-3, "half an element, 5 m of 2000 m, hangs above the first tension")
+            .relative(
+                3e-3,
+                "half an element hangs above the first tension; half of it with elements of 5 m",
+            )
             .report(hook.peak, tension.load);
     }
 }
@@ -151,22 +159,30 @@ fn a_rod_is_lifted_against_its_impedance() {
 /// of the friction at rest, and next to that where the block is slow; what it comes to is kinetic.
 #[test]
 fn friction_at_rest_breaks() {
-    const LENGTH_M: f64 = 1000.0;
+    const LENGTH_M: f64 = 300.0;
     const INCLINATION_DEG: f64 = 60.0;
     let friction = Friction { kinetic: 0.2, at_rest: 0.35, around: 1.0 };
-    let setup = straight(LENGTH_M, INCLINATION_DEG, friction, Mud::of_density(1200.0));
-    let (speed, ramp_s, stribeck, watch_s) = (0.5, 25.0, 0.3, 4.0);
-    let settings = DynamicsSettings {
-        stribeck_speed_m_per_s: stribeck,
-        ..dynamics(std::env::var("EL").map_or(5.0, |e| e.parse().unwrap()))
+    // Nearly as narrow as the pipe: the clamp at the top holds no more than some metres of it off the wall.
+    let setup =
+        straight_of(0.13, LENGTH_M + 50.0, INCLINATION_DEG, friction, Mud::of_density(1200.0));
+    let (speed, ramp_s, stribeck) = (0.5, 25.0, 0.1);
+    // Friction that falls with the speed makes an undamped rod stick and slip for ever: the line takes up the waves
+    // that come up the string, as a dashpot of its impedance.
+    let wave = (steel().youngs_modulus_Pa / steel().density_kg_per_m3).sqrt();
+    let hoist_line = HoistLine {
+        stiffness_N_per_m: 1e5,
+        damping_N_s_per_m: steel().density_kg_per_m3 * area_m2() * wave,
+        block_mass_kg: 0.0,
     };
+    let settings =
+        DynamicsSettings { stribeck_speed_m_per_s: stribeck, hoist_line, ..dynamics(5.0) };
     let plan = DynamicPlan {
         set_points: Some(
             Operation::trip_out(LENGTH_M).trip_speed_m_per_s(speed).rotary_speed_rad_per_s(10.0),
         ),
         hoist_ramp_s: ramp_s,
         rotary_ramp_s: ramp_s,
-        watch_s,
+        watch_s: 4.0,
         ..DynamicPlan::default()
     };
     let metal = steel().density_kg_per_m3;
@@ -184,34 +200,37 @@ fn friction_at_rest_breaks() {
     let inertia_N = metal * area_m2() * LENGTH_M * speed / ramp_s;
     for (name, sign, hook) in [("lifted", 1.0, pulled), ("lowered", -1.0, slackened)] {
         verify("peaks", format!("hook load at rest of a string that is then {name}, N"))
-            .relative(5e-3, "friction holds what the start leaves: a three-hundredth of its own")
+            .relative(5e-3, "friction holds what the start leaves")
             .report(hangs_N, hook.at_rest);
-        // What has been pulled out of the hole in the middle of the last quarter rubs no more.
-        let out_m = if sign > 0.0 { speed * (0.5 * ramp_s + 0.875 * watch_s) } else { 0.0 };
-        let rubs = 1.0 - out_m / LENGTH_M;
         verify("peaks", format!("friction of a string that is {name} at its speed, N"))
-            .relative(0.01, "the clamp at the top holds some 8 m of 1000 m")
-            .report(at(speed) * rubs * presses_N, sign * (hook.steady - hangs_N));
+            .relative(0.025, "top and bit hold some 5 m of 300 m off the wall")
+            .report(at(speed) * presses_N, sign * (hook.steady - hangs_N));
         let broke_N = sign * (hook.peak - hangs_N);
         let bound_N = friction.at_rest * presses_N;
-        // The top slides already, at some 3 cm/s, where the end breaks; the block accelerates what it pulls.
+        // The top slides already, at some mm/s, where the end breaks; the block accelerates what it pulls.
         let what = format!("friction that breaks where a string is {name}, N");
         verify("peaks", what)
-            .relative(0.05, "the two that the comment names, 2 % each way and less")
+            .relative(0.01, "the acceleration of what is pulled, 160 N, and the clamp")
             .report(bound_N, broke_N);
         assert!(broke_N < bound_N + inertia_N, "{broke_N}");
     }
-    let turned = answer(&setup, Event::BreakRotation, &plan, &settings, LENGTH_M);
+    // What torque comes to without friction that falls with the speed, for a drive that gives no way takes up no
+    // waves: Coulomb's, climbed.
+    let (kinetic, mud) = (friction.kinetic, Mud::of_density(1200.0));
+    let long_m = 1000.0;
+    let smooth = straight_of(0.13, long_m, INCLINATION_DEG, Friction::uniform(kinetic), mud);
+    let plan = DynamicPlan { rotary_ramp_s: 5.0, watch_s: 20.0, ..plan };
+    let usual = DynamicsSettings::default();
+    let turned = answer(&smooth, Event::BreakRotation, &plan, &usual, long_m);
     let torque = turned.surface_torque_N_m.expect("it turns");
-    let radius_m = 0.5 * OD_M;
-    let around = at(10.0 * radius_m);
+    let climbed_N = weight_N_per_m * sine * long_m / (1.0 + kinetic * kinetic).sqrt();
     verify("peaks", "torque of a string that has begun to turn, N·m")
-        .relative(0.01, "elements of 5 m and what still rolls")
-        .report(around * presses_N * radius_m / (1.0 + around * around).sqrt(), torque.steady);
-    let most_N_m = friction.at_rest * presses_N * radius_m;
-    assert!(torque.peak < 1.02 * most_N_m, "{torque:?} beyond {most_N_m}");
-    assert!(torque.peak > 1.1 * torque.steady, "{torque:?}");
-    assert!(torque.at_rest.abs() < 1e-3 * torque.steady, "{torque:?}");
+        .relative(0.015, "top and bit hold some 7 m of 1000 m off the wall")
+        .report(kinetic * climbed_N * 0.5 * OD_M, torque.steady);
+    assert!(
+        torque.at_rest.abs() < 1e-3 * torque.steady && torque.peak > torque.steady,
+        "{torque:?}"
+    );
 }
 
 /// `4 τ L/d` of each bore and `4 τ L/(d₂ − d₁)` of each annulus; the same as printed, `τ/(300 d)` psi/ft of
@@ -320,7 +339,7 @@ fn wear_by_the_work_of_friction() {
         inner.map(|of| of.worn_m3_per_m).sum()
     };
     verify("peaks", "casing worn by the dynamics' work over that by the side force")
-        .relative(5e-3, "joints of the mesh; half the elements leave it")
+        .relative(1e-3, "what still rolls after ten seconds; 5e-5 found")
         .report(1.0 / (1.0 + FRICTION * FRICTION).sqrt(), worn(&by_work) / worn(by_force));
 }
 

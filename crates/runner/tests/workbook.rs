@@ -3,7 +3,7 @@
 use std::{f64::consts::PI, path::Path};
 
 use calamine::{Data as Read, Range, Reader, Xlsx, open_workbook};
-use wholestring_case::Override;
+use wholestring_case::{Override, Template};
 use wholestring_report::operation_name;
 use wholestring_results::{Data, Table};
 use wholestring_runner::{CancellationToken, Existing, Output, Silent, plan};
@@ -54,9 +54,12 @@ fn every_cell_is_that_of_a_table() {
     let place = tempfile::tempdir().expect("a folder");
     let folder = place.path().join("out");
     let file = Path::new("../../cases/slant.toml");
-    let case = wholestring_case::load(file, &changes()).expect("a sound case");
+    let (template, overrides) = (Template::read(file).expect("a case"), changes());
+    let case = template.case(&overrides).expect("a sound case");
     let request = plan::Request {
         case: &case,
+        template: &template,
+        overrides: &overrides,
         units: Some(UnitSet::Field),
         output: Output { folder: Some(folder.clone()), existing: Existing::Protect },
         jobs: std::num::NonZeroUsize::new(1),
