@@ -80,7 +80,8 @@ pub(crate) fn browser() -> Result<Finding, Failure> {
     page(["bha", "cases/bent-motor.toml"], &["--set", NASTY], &browser, "bha.mjs")?;
     let study = "studies/friction-on-a-slant.toml";
     page(["study", study], &["--png"], &browser, "study.mjs")?;
-    page(["plan", "cases/slant.toml"], &PLANNED, &browser, "plan.mjs")?;
+    let planned = [&["--set", NASTY], &PLANNED[..]].concat();
+    page(["plan", "cases/slant.toml"], &planned, &browser, "plan.mjs")?;
     page(["reach", "cases/np13-x1042.toml"], &["--to", "11km"], &browser, "reach.mjs")?;
     let readings = ["--data", "cases/forge-16a-measured.csv"];
     page(["calibrate", "cases/forge-16a.toml"], &readings, &browser, "calibrate.mjs")?;

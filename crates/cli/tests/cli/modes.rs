@@ -58,6 +58,7 @@ fn modes_of_a_slant_well() {
     desk.done(&["plot", "out", "--units", "field"]);
     for name in ["campbell", "mode_shapes", "string_shapes", "response"] {
         assert!(desk.path(&format!("out/plots/{name}.svg")).is_file(), "{name}");
+        assert!(desk.path(&format!("out/{name}.csv")).is_file(), "{name}");
     }
 }
 

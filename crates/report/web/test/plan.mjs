@@ -64,7 +64,10 @@ await checkSheets(browser, page, file, { figures: 3, sheets: 9 });
 
 await check("names are text, whatever they hold", async () => {
   assert.equal(await page.locator("main script").count(), 0);
-  assert.match(await text(page, "h1"), /: plan$/);
+  const title = await text(page, "h1");
+  assert.match(title, /: plan$/);
+  assert.equal(title, await page.title());
+  assert.equal(await page.evaluate(() => window.harmed), undefined);
 });
 
 await close(page, 20_000, "the page of a plan");

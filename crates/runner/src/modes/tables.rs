@@ -25,6 +25,8 @@ pub(super) fn write(
     folder.write_table(MODES, &summary.modes_table(), true)?;
     folder.write_table(CRITICAL, &summary.critical_speeds_table(), true)?;
     folder.write_table(SHAPES, &tables.shapes, true)?;
+    // The picture of the whole string's modes is of the same table, and has its numbers beside it too.
+    tables.shapes.write_csv(&folder.path().join("string_shapes.csv"))?;
     folder.write_table(DIAGRAM, &tables.campbell, true)?;
     folder.write_table(ANSWER, &tables.response, true)?;
     summary.write(&folder.path().join("summary.json"))
