@@ -128,7 +128,7 @@ fn jobs() -> Vec<Job> {
 /// The model with the friction of sliding alone: what sticks and slips has no rest.
 fn slippery(model: &Model) -> Model {
     let sections = model.well.hole.sections().iter().map(|section| {
-        let mut section = section.clone();
+        let mut section = *section;
         section.friction.at_rest = section.friction.kinetic;
         section
     });
