@@ -31,6 +31,9 @@ const HOLE_M: f64 = 0.2159;
 /// load of 5 in pipe that lies in such a hole, and twice that.
 const WEIGHTS_N: [f64; 4] = [0.0, 150e3, 220e3, 440e3];
 
+/// Wells of a list.
+const LISTED: usize = 12;
+
 /// Wells, where the command does not say.
 const WELLS: u64 = 200;
 
@@ -102,6 +105,27 @@ fn main() {
             );
         }
     }
+    let mut slowest: Vec<&Try> = tried.iter().collect();
+    slowest.sort_by(|a, b| b.ms.total_cmp(&a.ms));
+    let unexplained = tried.iter().filter(|one| one.end == End::NotConverged);
+    let unstable = tried.iter().filter(|one| one.end == End::Found { stable: false });
+    list("slowest", slowest.into_iter().take(LISTED));
+    list("no reason", unexplained.take(LISTED));
+    list("found, but not stable", unstable.take(LISTED));
+}
+
+/// Wells of a list, to be looked at.
+fn list<'a>(title: &str, of: impl Iterator<Item = &'a Try>) {
+    println!("{title}:");
+    for one in of {
+        let Try { seed, weight_N, kind, ms, steps, over: [sinusoidal, helical], .. } = one;
+        println!(
+            "  seed {seed}, {:.0} kN, {}: {ms:.0} ms, {steps} steps, {sinusoidal:.2} of the \
+             sinusoidal load, {helical:.2} of the helical",
+            weight_N / 1e3,
+            kind.name()
+        );
+    }
 }
 
 /// A build to 60 deg over a fifth of the length and a tangent, drill pipe with joints from end to end,
@@ -146,7 +170,12 @@ fn lengths() {
 
 /// What became of a well.
 struct Try {
+    seed: u64,
+    weight_N: f64,
+    kind: OperationKind,
     ms: f64,
+    /// Newton steps; none where a string that locks up does not say.
+    steps: usize,
     /// The largest compression over the loads of the sinusoid and of the helix.
     over: [f64; 2],
     end: End,
@@ -193,11 +222,15 @@ fn try_well(seed: u64, weight_N: f64) -> Try {
     let begin = Instant::now();
     let solved = stiff::solve(&model, &operation, &StiffSettings::default());
     let ms = 1e3 * begin.elapsed().as_secs_f64();
-    let end = match solved {
-        Ok(found) => End::Found { stable: found.convergence.stable },
-        Err(StiffError::LocksUp { .. } | StiffError::RunsAway { .. }) => End::LocksUp,
-        Err(StiffError::Rolls { .. }) => End::Rolls,
-        Err(StiffError::NotConverged { .. }) => End::NotConverged,
+    let (end, steps) = match solved {
+        Ok(found) => {
+            let of = found.convergence;
+            (End::Found { stable: of.stable }, of.iterations)
+        }
+        Err(StiffError::LocksUp { .. }) => (End::LocksUp, 0),
+        Err(StiffError::RunsAway { iterations, .. }) => (End::LocksUp, iterations),
+        Err(StiffError::Rolls { iterations, .. }) => (End::Rolls, iterations),
+        Err(StiffError::NotConverged { iterations, .. }) => (End::NotConverged, iterations),
         Err(error) => panic!("well {seed}: {error}"),
     };
     let soft = soft::solve(&model, &operation, &SoftSettings::default()).expect("a soft string");
@@ -205,7 +238,7 @@ fn try_well(seed: u64, weight_N: f64) -> Try {
         let pairs = soft.tension_N.iter().zip(loads_N);
         pairs.filter_map(|(tension_N, load_N)| Some(-tension_N / (*load_N)?)).fold(0.0, f64::max)
     });
-    Try { ms, over, end }
+    Try { seed, weight_N, kind: operation.kind, ms, steps, over, end }
 }
 
 /// A random well, its string, and what is done with it.

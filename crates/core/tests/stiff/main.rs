@@ -14,6 +14,7 @@ mod mesh;
 mod motor;
 mod motor_in_turn;
 mod transition;
+mod vertical;
 
 use serde_json::Value;
 use wholestring::{

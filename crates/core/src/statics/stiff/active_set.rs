@@ -21,33 +21,52 @@ const MOST: usize = 40;
 /// Longest step across the hole, m.
 const LONGEST_M: f64 = 0.05;
 
-/// Steps shorter than this end it, m.
+/// Steps shorter than this end it, m, and a next one that would be shorter than that: whole ones in
+/// which no node meets the wall or leaves it.
 const STILL_M: f64 = 1e-10;
+const FORESEEN_M: f64 = 1e-12;
 
-/// Brings a state that is near to equilibrium into it.
+/// Brings a state that is near to equilibrium into it, and leaves the equations of where it ended.
 pub(super) fn iterate(
     string: &StringInHole,
     state: &mut State,
     equations: &mut Equations,
 ) -> Result<Iterated, Singular> {
-    for count in 1..=MOST {
+    // Of the last two steps, if nothing changed but places.
+    let mut settled_m = [None::<f64>; 2];
+    for count in 0..=MOST {
         let torques_N_m = contact::torques_N_m(string, &state.normal_N);
         equations.assemble(string, state, Some(&torques_N_m));
+        if is_still(settled_m) {
+            return Ok(Iterated { count, converged: true });
+        }
+        if count == MOST {
+            break;
+        }
         equations.shift_across(SHIFT * string.foundation_N_per_m());
         let on_wall = OnWall::press(string, state, equations);
         equations.matrix.solve(&mut equations.force)?;
         let step = &equations.force;
         let longest_m = step.iter().map(|by| by[0].hypot(by[1]).hypot(by[2])).fold(0.0, f64::max);
         if !longest_m.is_finite() {
-            return Ok(Iterated { count, converged: false });
+            return Ok(Iterated { count: count + 1, converged: false });
         }
         let part = (LONGEST_M / longest_m).min(1.0);
         equations.stretch(state, part);
         state.advance(step, part);
         let changed = on_wall.follow(string, state, step, part);
-        if changed == 0 && part == 1.0 && longest_m < STILL_M {
-            return Ok(Iterated { count, converged: true });
-        }
+        let settles = changed == 0 && part == 1.0;
+        settled_m = [settled_m[1], settles.then_some(longest_m)];
     }
     Ok(Iterated { count: MOST, converged: false })
+}
+
+/// Whether the last two steps, m, say that it is there: the error of Newton's method is squared from
+/// step to step.
+fn is_still(settled_m: [Option<f64>; 2]) -> bool {
+    match settled_m {
+        [_, Some(last_m)] if last_m < STILL_M => true,
+        [Some(before_m), Some(last_m)] => last_m * (last_m / before_m).powi(2) < FORESEEN_M,
+        _ => false,
+    }
 }

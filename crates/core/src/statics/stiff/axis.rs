@@ -5,8 +5,8 @@ use nalgebra::Vector3;
 use super::{bending::Bending, state::State, string_in_hole::StringInHole};
 use crate::model::Model;
 
-/// Where the string's axis lies in its hole, from the surface to the bit. Each pair is the part towards
-/// the high side and that to the right of it as one looks down the hole.
+/// Where the string's axis lies in its hole, from the surface to the bit. Each pair is the part
+/// towards the high side and that to the right of it as one looks down the hole.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct StringAxis {
     /// Offset from the hole's axis, m.

@@ -30,8 +30,8 @@ struct Bent {
 pub(super) struct Bending {
     /// At the node, N·m.
     pub(super) at_node_N_m: Vec<f64>,
-    /// How far the elements on the two sides of the node are apart about it, N·m: what their lengths
-    /// leave out.
+    /// How far the elements on the two sides of the node are apart about it, N·m: what their
+    /// lengths leave out.
     pub(super) jump_N_m: Vec<f64>,
     /// The same as a vector towards the centre of curvature.
     pub(super) towards_N_m: Vec<Vector3<f64>>,
@@ -58,7 +58,8 @@ impl Bending {
         for index in 0..string.nodes.len() {
             let above = index.checked_sub(1).map(|above| &elements[above]);
             let below = elements.get(index);
-            // The two sides of a node agree but for what each mesh leaves out: by what they hold it.
+            // The two sides of a node agree but for what each mesh leaves out: by what they hold
+            // it.
             let moment = match (above, below) {
                 (Some(above), Some(below)) => {
                     let part = above.holds_N_m / (above.holds_N_m + below.holds_N_m);

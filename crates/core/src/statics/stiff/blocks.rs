@@ -81,37 +81,57 @@ impl Tridiagonal {
         Ok(())
     }
 
-    /// Solves a symmetric system in place, `shift` added to its diagonal, if that makes it positive
-    /// definite: if Cholesky's factors of every block exist. The matrix is kept, its lower blocks
-    /// are not read.
-    pub(super) fn solve_definite(&self, rhs: &mut [Entry], shift: &Entry) -> Option<()> {
-        let mut solved: Vec<Block> = Vec::with_capacity(self.upper.len());
-        for row in 0..self.diagonal.len() {
-            let mut pivot = self.diagonal[row] + Block::from_diagonal(shift);
-            if let Some(above) = row.checked_sub(1) {
-                let coupling = self.upper[above];
-                pivot -= coupling.tr_mul(&solved[above]);
-                let force = rhs[above];
-                rhs[row] -= coupling.tr_mul(&force);
-            }
-            let factor = pivot.cholesky()?;
-            factor.solve_mut(&mut rhs[row]);
-            if let Some(upper) = self.upper.get(row) {
-                solved.push(factor.solve(upper));
-            }
+    /// Whether the matrix, which is symmetric, is positive definite with `shift` added to its
+    /// diagonal: whether Cholesky's factors of every block exist. Its lower blocks are not read.
+    pub(super) fn is_positive_definite(&self, shift: &Entry) -> bool {
+        let shift = Block::from_diagonal(shift);
+        let mut above = Block::zeros();
+        for (row, diagonal) in self.diagonal.iter().enumerate() {
+            let Some(factor) = cholesky(diagonal + shift - above) else { return false };
+            let Some(upper) = self.upper.get(row) else { break };
+            let halved = forwards(&factor, *upper);
+            above = halved.tr_mul(&halved);
         }
-        for row in (0..self.upper.len()).rev() {
-            let below = rhs[row + 1];
-            rhs[row] -= solved[row] * below;
-        }
-        Some(())
+        true
     }
+}
 
-    /// Whether the matrix, which is symmetric, is positive definite.
-    pub(super) fn is_positive_definite(&self) -> bool {
-        let mut rhs = vec![Entry::zeros(); self.diagonal.len()];
-        self.solve_definite(&mut rhs, &Entry::zeros()).is_some()
+/// Cholesky's factor of a block, the inverse of its diagonal in place of that; none where the block
+/// is not positive definite. What is above the diagonal is not read.
+fn cholesky(mut of: Block) -> Option<Block> {
+    for column in 0..UNKNOWNS {
+        let mut pivot = of[(column, column)];
+        for k in 0..column {
+            pivot -= of[(column, k)] * of[(column, k)];
+        }
+        if !(pivot > 0.0 && pivot.is_finite()) {
+            return None;
+        }
+        let over = 1.0 / pivot.sqrt();
+        of[(column, column)] = over;
+        for row in column + 1..UNKNOWNS {
+            let mut entry = of[(row, column)];
+            for k in 0..column {
+                entry -= of[(row, k)] * of[(column, k)];
+            }
+            of[(row, column)] = entry * over;
+        }
     }
+    Some(of)
+}
+
+/// What such a factor comes before in a block: `L x = block`.
+fn forwards(factor: &Block, mut block: Block) -> Block {
+    for column in 0..UNKNOWNS {
+        for row in 0..UNKNOWNS {
+            let mut entry = block[(row, column)];
+            for k in 0..row {
+                entry -= factor[(row, k)] * block[(k, column)];
+            }
+            block[(row, column)] = entry * factor[(row, row)];
+        }
+    }
+    block
 }
 
 /// Turns `matrix x + upper x' = rhs` into `x + upper' x' = rhs'`, by Gauss's elimination with
@@ -223,8 +243,9 @@ mod tests {
             system
         };
         // The pivot of the middle is `middle − 4/3` of its two sides.
-        assert!(chain(1.34).is_positive_definite());
-        assert!(!chain(1.33).is_positive_definite());
+        assert!(chain(1.34).is_positive_definite(&Entry::zeros()));
+        assert!(!chain(1.33).is_positive_definite(&Entry::zeros()));
+        assert!(chain(1.33).is_positive_definite(&Entry::repeat(0.01)));
         let mut nothing = Tridiagonal::zeros(3);
         nothing.diagonal[0] = Block::identity();
         let solved = nothing.solve(&mut [Entry::zeros(); 3]);

@@ -1,4 +1,5 @@
-//! A state carried from one string to another: of a finer mesh, of another load, or somewhat deeper.
+//! A state carried from one string to another: of a finer mesh, of another load, or somewhat
+//! deeper.
 //!
 //! Everything is carried along the string, by the distance from the bit, in the hole's own axes:
 //! those are carried along the hole without twisting, and so hardly depend on the mesh.

@@ -62,8 +62,8 @@ fn reach(
     finish(string, state, equations, iterations)
 }
 
-/// Leaves the nodes on the wall whose contact force is more of the mean weight than their room is of
-/// their clearance.
+/// Leaves the nodes on the wall whose contact force is more of the mean weight than their room is
+/// of their clearance.
 fn touch(string: &StringInHole, state: &mut State) {
     let weight_N = string.weight_N() / string.nodes.len() as f64;
     for (index, node) in string.nodes.iter().enumerate() {

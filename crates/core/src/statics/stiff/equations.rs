@@ -30,7 +30,8 @@ pub(super) struct Equations {
     lengthening: Vec<Lengthening>,
     /// What carries the string at its top, N.
     pub(super) hook_load_N: f64,
-    /// What presses the bit across the hole, N: on what holds it there, if it does not leave the axis.
+    /// What presses the bit across the hole, N: on what holds it there, if it does not leave the
+    /// axis.
     pub(super) bit_side_N: Vector2<f64>,
 }
 
@@ -75,6 +76,9 @@ impl Equations {
         for index in 0..string.elements.len() {
             self.add_element(string, state, index, torque_N_m);
         }
+        if let Some([top_N_m, .., bit_N_m] | [top_N_m @ bit_N_m]) = torque_N_m {
+            self.turn_ends(string, state, [*top_N_m, *bit_N_m]);
+        }
         self.hold_ends(string);
     }
 
@@ -88,8 +92,7 @@ impl Equations {
         let element = &string.elements[index];
         let nodes = [&string.nodes[index], &string.nodes[index + 1]];
         let headings = [&state.heading[index], &state.heading[index + 1]];
-        let seen =
-            [Director::of(headings[0], element.bend.as_ref()), Director::of(headings[1], None)];
+        let seen = seen(string, state, index);
         let directors = [seen[0].along, seen[1].along];
         let ends = Ends { chord_m: state.chord_m(string, index), directors };
         let tension_N = state.tension_N[index];
@@ -105,24 +108,22 @@ impl Equations {
         };
         let lengthening = [0, 1].map(|end| entry(&of.lengthening, end));
         // The symmetric blocks of the energy, its tension condensed.
+        let by_chord = [0, 1].map(|end| of.chord_chord * axes[end]);
+        let by_director = [0, 1].map(|end| of.chord_director[end] * seen[end].by);
+        let sign = |end: usize| if end == 0 { -1.0 } else { 1.0 };
         let block = |row: usize, column: usize| {
-            let sign = if row == column { 1.0 } else { -1.0 };
             let mut block = Block::zeros();
-            let rr = axes[row].tr_mul(&(of.chord_chord * axes[column])) * sign;
+            let rr = axes[row].tr_mul(&by_chord[column]) * (sign(row) * sign(column));
             block.fixed_view_mut::<3, 3>(0, 0).copy_from(&rr);
-            let sign = |end: usize| if end == 0 { -1.0 } else { 1.0 };
-            let rd = axes[row].tr_mul(&(of.chord_director[column] * seen[column].by)) * sign(row);
+            let rd = axes[row].tr_mul(&by_director[column]) * sign(row);
             block.fixed_view_mut::<3, 2>(0, 3).copy_from(&rd);
-            let dr = seen[row].by.tr_mul(&(of.chord_director[row].transpose() * axes[column]))
-                * sign(column);
+            let dr = by_director[row].tr_mul(&axes[column]) * sign(column);
             block.fixed_view_mut::<2, 3>(3, 0).copy_from(&dr);
             let dd = if row == column {
                 seen[row].by.tr_mul(&(of.director[row] * seen[row].by))
                     + seen[row].second(headings[row], of.gradient.directors[row], of.pull_N_m[row])
             } else {
-                let between =
-                    if row == 0 { of.director_director } else { of.director_director.transpose() };
-                seen[row].by.tr_mul(&(between * seen[column].by))
+                seen[0].by.tr_mul(&(of.director_director * seen[1].by))
             };
             block.fixed_view_mut::<2, 2>(3, 3).copy_from(&dd);
             block + lengthening[row] * (lengthening[column].transpose() * axial_N_per_m)
@@ -138,8 +139,42 @@ impl Equations {
             self.force[index + end] -= unbalanced;
         }
         self.lengthening.push(Lengthening { ends: lengthening, excess_m, axial_N_per_m });
-        if let Some(torques) = torque_N_m {
+        if let Some(torques) = torque_N_m
+            && torques[index] != 0.0
+        {
             self.add_couple(index, torques[index], &seen);
+        }
+    }
+
+    /// Takes out of the matrix what the torques under which it was assembled add: it is then that
+    /// of an energy.
+    pub(super) fn untwist(&mut self, string: &StringInHole, state: &State, torque_N_m: &[f64]) {
+        for (index, torque_N_m) in torque_N_m.iter().enumerate() {
+            if *torque_N_m != 0.0 {
+                self.add_couple(index, -torque_N_m, &seen(string, state, index));
+            }
+        }
+        if let [top_N_m, .., bit_N_m] | [top_N_m @ bit_N_m] = torque_N_m {
+            self.turn_ends(string, state, [-top_N_m, -bit_N_m]);
+        }
+        self.hold_unknowns(string);
+    }
+
+    /// What turns the string at its top and holds it at its bit, where those are free to tilt: as
+    /// by a joint that turns alike on both sides, about the direction half-way between the hole's
+    /// and the string's. About either of the two a couple has a part about the hole's axis that
+    /// nothing balances, and drives a buckled pipe in a vertical hole round for ever.
+    fn turn_ends(&mut self, string: &StringInHole, state: &State, [top_N_m, bit_N_m]: [f64; 2]) {
+        for (node, moment_N_m) in [(0, top_N_m), (self.force.len() - 1, -bit_N_m)] {
+            let director = Director::of(&state.heading[node], None);
+            let axis = string.nodes[node].axes[2];
+            let about = axis * (moment_N_m / (1.0 + axis.dot(&director.along)));
+            let force = director.by.tr_mul(&about.cross(&director.along));
+            self.force[node][3] += force.x;
+            self.force[node][4] += force.y;
+            let change = director.by.tr_mul(&(about.cross_matrix() * director.by));
+            let mut moments = self.matrix.diagonal[node].fixed_view_mut::<2, 2>(3, 3);
+            moments -= change;
         }
     }
 
@@ -171,12 +206,18 @@ impl Equations {
         }
     }
 
-    /// The top does not move, nor turn if it is clamped. The bit moves along the hole, and across it as
-    /// its end lets it.
+    /// Holds the ends, and keeps what holds them.
     fn hold_ends(&mut self, string: &StringInHole) {
         let last = self.force.len() - 1;
         self.hook_load_N = self.force[0][2];
         self.bit_side_N = self.force[last].fixed_rows::<2>(0).into_owned();
+        self.hold_unknowns(string);
+    }
+
+    /// The top does not move, nor turn if it is clamped. The bit moves along the hole, and across
+    /// it as its end lets it.
+    fn hold_unknowns(&mut self, string: &StringInHole) {
+        let last = self.force.len() - 1;
         let held: &[usize] = match string.ends.top {
             TopEnd::Clamped => &[0, 1, 2, 3, 4],
             TopEnd::Pinned => &[0, 1, 2],
@@ -200,13 +241,20 @@ impl Equations {
         self.matrix.hold(node, row);
     }
 
-    /// Shifts the matrix across the hole by so much, N/m (Levenberg's regularisation): what costs no
-    /// energy, as going round a vertical hole, has an answer then. Equilibria stay what they are.
+    /// Shifts the matrix across the hole by so much, N/m (Levenberg's regularisation): what costs
+    /// no energy, as going round a vertical hole, has an answer then. Equilibria stay what they
+    /// are.
     pub(super) fn shift_across(&mut self, by_N_per_m: f64) {
         for diagonal in &mut self.matrix.diagonal {
             diagonal[(0, 0)] += by_N_per_m;
             diagonal[(1, 1)] += by_N_per_m;
         }
+    }
+
+    /// Whether the matrix is positive definite with such a shift, N/m.
+    pub(super) fn is_definite(&self, by_N_per_m: f64) -> bool {
+        let shift = Entry::new(by_N_per_m, by_N_per_m, 0.0, 0.0, 0.0);
+        self.matrix.is_positive_definite(&shift)
     }
 
     /// Adds the wall of a node, its contact force condensed: what it is and what it changes by in
@@ -247,6 +295,12 @@ impl Equations {
     pub(super) fn misfit_N(&self) -> f64 {
         self.lengthening.iter().map(|of| (of.axial_N_per_m * of.excess_m).abs()).fold(0.0, f64::max)
     }
+}
+
+/// The directors that an element sees.
+fn seen(string: &StringInHole, state: &State, index: usize) -> [Director; 2] {
+    let [upper, lower] = [index, index + 1].map(|node| &state.heading[node]);
+    [Director::of(upper, string.elements[index].bend.as_ref()), Director::of(lower, None)]
 }
 
 /// A vector's parts along axes.

@@ -8,7 +8,8 @@ pub enum StiffError {
     /// The soft string, which it begins with, has no answer.
     #[error(transparent)]
     Soft(#[from] SoftError),
-    /// A string that slides down and is pressed against its wall the harder the harder it is pushed.
+    /// A string that slides down and is pressed against its wall the harder the harder it is
+    /// pushed.
     #[error(
         "no equilibrium was found: by the wall load of its helix the string locks up at MD \
          {md_m:.0} m, and no push brings the weight to the bit"
@@ -17,8 +18,8 @@ pub enum StiffError {
         /// Measured depth where the compression grows beyond all bounds, m.
         md_m: f64,
     },
-    /// Its compression grows beyond all bounds, though the wall load of a helix by itself would let it
-    /// through.
+    /// Its compression grows beyond all bounds, though the wall load of a helix by itself would let
+    /// it through.
     #[error(
         "no equilibrium was found: the compression grows beyond all bounds, {compression_N:.3e} N at \
          MD {md_m:.0} m after {iterations} iterations: the string locks up"

@@ -14,8 +14,8 @@ use super::{
 /// Forces out of balance that an equilibrium may have, as a part of the string's weight.
 const RESIDUAL: f64 = 1e-8;
 
-/// What costs less energy than this part of the foundation that the weight is costs none: a buckled pipe
-/// in a vertical hole may go round it.
+/// What costs less energy than this part of the foundation that the weight is costs none: a buckled
+/// pipe in a vertical hole may go round it.
 const NEUTRAL: f64 = 1e-5;
 
 /// Ends the contact exactly and looks at what was found; none where it is no equilibrium.
@@ -30,7 +30,7 @@ pub(super) fn finish(
     if !found.converged {
         return None;
     }
-    let (_, residual_N) = residual(string, state, equations);
+    let (_, residual_N) = unbalanced(string, state, equations);
     let residual = residual_N / string.weight_N();
     Some(Convergence {
         elements: string.elements.len(),
@@ -50,6 +50,11 @@ pub(super) fn residual(
 ) -> (usize, f64) {
     let torques_N_m = contact::torques_N_m(string, &state.normal_N);
     equations.assemble(string, state, Some(&torques_N_m));
+    unbalanced(string, state, equations)
+}
+
+/// The same of a state whose equations are assembled.
+fn unbalanced(string: &StringInHole, state: &State, equations: &Equations) -> (usize, f64) {
     let mut worst = (0, equations.misfit_N());
     for (index, node) in string.nodes.iter().enumerate().skip(1) {
         let mut force = equations.force[index].fixed_rows::<3>(0).into_owned();
@@ -70,19 +75,17 @@ fn direction(state: &State, index: usize) -> (Vector2<f64>, f64) {
     (offset / radius_m.max(f64::MIN_POSITIVE), radius_m)
 }
 
-/// Whether every small motion costs energy, the wall given way to where the string touches it.
+/// Whether every small motion costs energy, the wall given way to where the string touches it. The
+/// equations are those of the state, and used up.
 fn is_stable(string: &StringInHole, state: &State, equations: &mut Equations) -> bool {
-    let hook_load_N = equations.hook_load_N;
-    equations.assemble(string, state, None);
-    equations.hook_load_N = hook_load_N;
+    equations.untwist(string, state, &contact::torques_N_m(string, &state.normal_N));
     for (index, node) in string.nodes.iter().enumerate() {
         if let Some(wall_N_per_m) = wall_N_per_m(node, state, index) {
             let mut across = equations.matrix.diagonal[index].fixed_view_mut::<2, 2>(0, 0);
             across += wall_N_per_m;
         }
     }
-    equations.shift_across(NEUTRAL * string.foundation_N_per_m());
-    equations.matrix.is_positive_definite()
+    equations.is_definite(NEUTRAL * string.foundation_N_per_m())
 }
 
 /// What the wall of a node that touches it holds small motions across the hole with, N/m: it gives

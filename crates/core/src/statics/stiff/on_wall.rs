@@ -10,13 +10,13 @@ use super::{
 /// Contact force of a node that meets the wall, as a part of the mean weight of a node.
 const FIRST: f64 = 0.1;
 
-/// Part of its contact force that a node keeps which would be pulled, but is in the wall; below this
-/// part of the mean weight it has none.
+/// Part of its contact force that a node keeps which would be pulled, but is in the wall; below
+/// this part of the mean weight it has none.
 const LESS: f64 = 0.1;
 const NOTHING: f64 = 1e-9;
 
-/// What the wall of a node on it adds to a Newton step: its contact force changes by so much, and so
-/// much for a metre of offset.
+/// What the wall of a node on it adds to a Newton step: its contact force changes by so much, and
+/// so much for a metre of offset.
 #[derive(Debug, Clone, Copy)]
 struct Coupling {
     force_N: f64,
@@ -38,8 +38,8 @@ impl OnWall {
         Self { couplings: couplings.collect() }
     }
 
-    /// Takes a part of the step, which the nodes have gone already, for the contact forces: how many
-    /// nodes meet the wall or leave it.
+    /// Takes a part of the step, which the nodes have gone already, for the contact forces: how
+    /// many nodes meet the wall or leave it.
     pub(super) fn follow(
         &self,
         string: &StringInHole,

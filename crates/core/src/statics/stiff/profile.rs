@@ -39,8 +39,8 @@ pub struct StiffProfile {
     pub scalars: Scalars,
     /// What the mud does; none without a rheology.
     pub hydraulics: Option<Hydraulics>,
-    /// Side force of the bit on the rock or on what holds it, N, towards the high side and to the right of it as one
-    /// looks down the hole.
+    /// Side force of the bit on the rock or on what holds it, N, towards the high side and to the
+    /// right of it as one looks down the hole.
     pub bit_side_force_N: [f64; 2],
     /// Tilt of the bit against the hole's axis, rad, towards the high side and to the right of it.
     pub bit_tilt_rad: [f64; 2],

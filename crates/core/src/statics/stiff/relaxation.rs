@@ -1,16 +1,16 @@
-//! The string let go in the middle of its hole, in a fluid so thick that it never swings: it sinks to
-//! the wall, buckles, rolls and comes to rest, or does not.
+//! The string let go in the middle of its hole, in a fluid so thick that it never swings: it sinks
+//! to the wall, buckles, rolls and comes to rest, or does not.
 //!
 //! ```text
 //! drag · du/dt = forces on the nodes across the hole,    all else in balance
 //! ```
 //!
 //! One step of Newton's method with the drag on its diagonal is a step of implicit Euler; the drag
-//! falls as the string slows down, and the last steps are Newton's own: pseudo-transient continuation
-//! (C. T. Kelley and D. E. Keyes, *Convergence analysis of pseudo-transient continuation*, SIAM J.
-//! Numer. Anal. 35 (1998)). Friction and torque are there from the beginning, energy or not. As the
-//! real string does, this one leaves a state that would not stay: the drag is always more than what
-//! the steepest way down takes.
+//! falls as the string slows down, and the last steps are Newton's own: pseudo-transient
+//! continuation (C. T. Kelley and D. E. Keyes, *Convergence analysis of pseudo-transient
+//! continuation*, SIAM J. Numer. Anal. 35 (1998)). Friction and torque are there from the
+//! beginning, energy or not. As the real string does, this one leaves a state that would not stay:
+//! the drag is always more than what the steepest way down takes.
 
 use nalgebra::Matrix2;
 
@@ -44,12 +44,20 @@ const FIRST: f64 = 1.0;
 const LEAST: f64 = 1e-4;
 const FROZEN: f64 = 1e9;
 
-/// What the drag is multiplied by where it is too little, as after a step of less than this part, ...
+/// What the drag is multiplied by where it is too little, as after a step of less than this part,
+/// ...
 const MORE: f64 = 1.5;
 const SHORT: f64 = 0.3;
 
 /// ... and after a step at full length: with nodes that met the wall or left it, and without.
 const LESS: [f64; 2] = [0.7, 0.3];
+
+/// So many steps in a row in which nodes meet the wall or leave it, at the least drag, are a cycle:
+/// every step goes too far. The drag is raised to this then, or to so many times what it is, and
+/// falls no more while any node does.
+const CYCLE: usize = 20;
+const CAREFUL: f64 = 1e-2;
+const MORE_CAREFUL: f64 = 10.0;
 
 /// A string whose steps are shorter may be at rest, m; after a look in vain, this part of it, so
 /// often.
@@ -60,8 +68,8 @@ pub(super) const LOOKS: usize = 3;
 /// A string whose steps are longer has left where it was, m.
 const MOVES_M: f64 = 1e-2;
 
-/// A node that went round its hole by so much, rad, goes on; by so much it may, where the string did
-/// not come to rest. What does rest went round by less than a turn in hundreds of wells.
+/// A node that went round its hole by so much, rad, goes on; by so much it may, where the string
+/// did not come to rest. What does rest went round by less than a turn in hundreds of wells.
 const ROLLS: [f64; 2] = [4.0 * std::f64::consts::PI, 2.0 * std::f64::consts::PI];
 
 /// Compression that runs away, over the largest of the soft string.
@@ -86,6 +94,9 @@ pub(super) struct Relaxation<'a> {
     pub(super) state: State,
     /// Over the foundation that the weight is.
     drag: f64,
+    /// Steps in a row in which contacts changed, and whether they went on for too long once.
+    restless: usize,
+    careful: bool,
     /// How far each node went round, rad.
     round_rad: Vec<f64>,
     /// Steps so far.
@@ -97,7 +108,10 @@ pub(super) struct Relaxation<'a> {
 struct Stepped {
     longest_m: f64,
     whole: bool,
+    /// Nodes that met the wall or left it.
     changed: usize,
+    /// Whether less drag would have let it go down faster than any motion does.
+    slowed: bool,
 }
 
 impl<'a> Relaxation<'a> {
@@ -115,11 +129,20 @@ impl<'a> Relaxation<'a> {
             }
         }
         let round_rad = vec![0.0; string.nodes.len()];
-        Self { string, state, drag: FIRST, round_rad, steps: 0, still_m: STILL_M }
+        Self {
+            string,
+            state,
+            drag: FIRST,
+            restless: 0,
+            careful: false,
+            round_rad,
+            steps: 0,
+            still_m: STILL_M,
+        }
     }
 
-    /// Goes on until it may be at rest, or never will be. `moved` is told where the string has left the
-    /// state that it was in when it was last said to rest.
+    /// Goes on until it may be at rest, or never will be. `moved` is told where the string has left
+    /// the state that it was in when it was last said to rest.
     pub(super) fn go_on(&mut self, equations: &mut Equations, moved: &mut bool) -> Does {
         let turns = self.string.nodes.iter().any(|node| node.friction[1] != 0.0);
         while self.steps < MOST {
@@ -131,7 +154,8 @@ impl<'a> Relaxation<'a> {
             if turns && let Some(node) = self.rolling(ROLLS[0]) {
                 return Does::Rolls(node);
             }
-            if stepped.whole && stepped.changed == 0 && stepped.longest_m < self.still_m {
+            let slow = stepped.slowed || self.drag == LEAST;
+            if slow && stepped.whole && stepped.changed == 0 && stepped.longest_m < self.still_m {
                 self.still_m *= STILLER;
                 return Does::Rests;
             }
@@ -162,7 +186,7 @@ impl<'a> Relaxation<'a> {
         let Self { string, state, .. } = self;
         let torques_N_m = contact::torques_N_m(string, &state.normal_N);
         equations.assemble(string, state, Some(&torques_N_m));
-        self.slow_down(equations)?;
+        let slowed = self.slow_down(equations)?;
         let Self { string, state, .. } = self;
         equations.shift_across(self.drag * string.foundation_N_per_m());
         let on_wall = OnWall::press(string, state, equations);
@@ -181,40 +205,48 @@ impl<'a> Relaxation<'a> {
         state.advance_round(string, step, part);
         let changed = on_wall.follow(string, state, step, part);
         let whole = part == 1.0;
-        if whole {
+        if self.cycles(changed) {
+            self.drag = (MORE_CAREFUL * self.drag).max(CAREFUL);
+        } else if whole && !(self.careful && changed > 0) {
             self.drag = (LESS[usize::from(changed == 0)] * self.drag).max(LEAST);
         } else if part < SHORT {
             self.drag *= MORE;
         }
-        Some(Stepped { longest_m, whole, changed })
+        Some(Stepped { longest_m, whole, changed, slowed })
     }
 
-    /// Raises the drag until it is more than what any motion gains, friction apart; none where there
-    /// is no such drag.
-    fn slow_down(&mut self, equations: &mut Equations) -> Option<()> {
+    /// Whether contacts changed in so many steps that they would go on doing so.
+    fn cycles(&mut self, changed: usize) -> bool {
+        let counts = changed > 0 && (self.careful || self.drag == LEAST);
+        self.restless = if counts { self.restless + 1 } else { 0 };
+        let cycles = self.restless == CYCLE;
+        if cycles {
+            (self.restless, self.careful) = (0, true);
+        }
+        cycles
+    }
+
+    /// Raises the drag until it is more than what any motion gains, friction apart, and says
+    /// whether it had to; none where there is no such drag.
+    fn slow_down(&mut self, equations: &mut Equations) -> Option<bool> {
         let string = self.string;
         let walls: Vec<Option<Matrix2<f64>>> = (0..string.nodes.len())
             .map(|index| judge::wall_N_per_m(&string.nodes[index], &self.state, index))
             .collect();
         lean(equations, &walls, 1.0);
         let before = self.drag;
-        let mut none = vec![Entry::zeros(); string.nodes.len()];
-        loop {
-            let by = self.drag * string.foundation_N_per_m();
-            let shift = Entry::new(by, by, 0.0, 0.0, 0.0);
-            if equations.matrix.solve_definite(&mut none, &shift).is_some() {
-                break;
-            }
+        while !equations.is_definite(self.drag * string.foundation_N_per_m()) {
             self.drag *= MORE;
             if self.drag > FROZEN {
                 return None;
             }
         }
-        if self.drag > before {
+        let raised = self.drag > before;
+        if raised {
             self.drag *= MORE;
         }
         lean(equations, &walls, -1.0);
-        Some(())
+        Some(raised)
     }
 }
 

@@ -4,8 +4,8 @@ use nalgebra::{Vector2, Vector3};
 
 use super::{blocks::Entry, heading::Heading, string_in_hole::StringInHole};
 
-/// What a node off the wall is pressed with when an interior point begins beside it, as a part of the
-/// mean weight of a node, and what one on it has of its clearance.
+/// What a node off the wall is pressed with when an interior point begins beside it, as a part of
+/// the mean weight of a node, and what one on it has of its clearance.
 const SOME: f64 = 0.01;
 
 /// A way round the hole's axis.

@@ -29,8 +29,8 @@ pub(super) fn add_pull(nodes: &mut [Node], tension_N: f64) {
     }
 }
 
-/// Adds the lateral forces of components, at their tool faces: angles from the high side at the bit,
-/// which has the parts `high_rad` everywhere.
+/// Adds the lateral forces of components, at their tool faces: angles from the high side at the
+/// bit, which has the parts `high_rad` everywhere.
 pub(super) fn add_lateral(nodes: &mut [Node], model: &Model, mesh: &Mesh, high_rad: f64) {
     for span in model.string.spans() {
         let Some(of) = span.component.lateral_force else { continue };

@@ -65,8 +65,8 @@ impl StringInHole {
         }
     }
 
-    /// Mean weight of a node over its mean clearance, N/m: the elastic foundation on which a pipe lies on
-    /// the low side of its hole, `w/r` of Dawson and Paslay.
+    /// Mean weight of a node over its mean clearance, N/m: the elastic foundation on which a pipe
+    /// lies on the low side of its hole, `w/r` of Dawson and Paslay.
     pub(super) fn foundation_N_per_m(&self) -> f64 {
         let walled = self.nodes.iter().filter(|node| node.has_wall());
         let (sum_m, count) =
@@ -81,8 +81,9 @@ impl StringInHole {
     }
 }
 
-/// The angle of the high side at the bit between the axes across the hole, rad, from the first to the
-/// second. They are carried along the hole: the high side at the bit has the same parts everywhere.
+/// The angle of the high side at the bit between the axes across the hole, rad, from the first to
+/// the second. They are carried along the hole: the high side at the bit has the same parts
+/// everywhere.
 pub(super) fn high_side_rad(model: &Model, nodes: &[Node]) -> f64 {
     nodes.last().map_or(0.0, |bit| {
         let high = model.well.path.high_side_of(bit.md_m, &bit.axes[2]);

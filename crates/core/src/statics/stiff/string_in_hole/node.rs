@@ -110,8 +110,8 @@ pub(super) fn along(
     nodes
 }
 
-/// Measured depths of the nodes of a string whose bit is at a depth, m: stretched by the soft string's
-/// tension, and reaching farther on the inside of a bend than the hole's axis does.
+/// Measured depths of the nodes of a string whose bit is at a depth, m: stretched by the soft
+/// string's tension, and reaching farther on the inside of a bend than the hole's axis does.
 pub(super) fn depths_m(
     model: &Model,
     bore: &Bore,

@@ -1,0 +1,333 @@
+//! The stiff string beside the dynamics brought to rest, in every shipped case that has a steady
+//! state: `cargo test -p wholestring-case --test at_rest -- --include-ignored --nocapture` prints
+//! the table of `docs/src/theory/stiff-string.md`.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    sync::Mutex,
+    thread,
+};
+
+use wholestring::{
+    dynamics::{BitSettings, MeshSettings, RodDamping, Schedule, TopDriveSettings},
+    outcome::Profile,
+    prelude::*,
+    statics::{
+        soft::{self, SoftSettings},
+        stiff::{self, StiffError, StiffProfile},
+    },
+};
+use wholestring_case::{Case, load};
+use wholestring_verification::{report_worst, verify};
+
+/// Elements of both, m: two for each joint of pipe. The two have the same elements, and agree or
+/// not on any.
+const ELEMENT_M: f64 = 4.8;
+
+/// Until the string is at rest, and the time over which it is looked at, s.
+const SETTLE_S: f64 = 25.0;
+const WINDOW_S: f64 = 5.0;
+
+/// Damping by mass that brings it there, 1/s.
+const DAMPING_PER_S: f64 = 0.5;
+
+/// Slow: an operation trips and turns no faster, m/s, rad/s.
+const TRIP_M_PER_S: f64 = 0.02;
+const TURN_RAD_PER_S: f64 = 3.0;
+
+/// What a bit of solid rock, whose torque and rate come of the rock, is given here.
+const TORQUE_N_M: f64 = 2000.0;
+const RATE_M_PER_S: f64 = 0.004;
+
+/// What hook load and torque may differ by, as a part of them; side force per joint and bending
+/// moment at joints, as a part of the largest; and the parts of the joints and of the nodes that
+/// must be so near and on the same side.
+const SCALARS: f64 = 5e-3;
+const ALONG: f64 = 2e-2;
+const JOINTS: f64 = 0.97;
+const SIDES: f64 = 0.99;
+
+/// A surface torque that varies by more of its mean is that of a string that is not at rest; a
+/// smaller mean is none, N·m.
+const SWINGS: f64 = 1e-2;
+const LEAST_TORQUE_N_M: f64 = 50.0;
+
+/// Operations that must agree, at least.
+const LEAST: usize = 28;
+
+/// An operation of a case.
+struct Job {
+    case: String,
+    model: Model,
+    operation: Operation,
+    settings: DynamicsSettings,
+}
+
+/// The case files of a folder, studies' own files apart.
+fn files(folder: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(folder);
+    let mut files: Vec<PathBuf> = fs::read_dir(folder)
+        .expect("a folder")
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+        .filter(|path| !fs::read_to_string(path).expect("a text").contains("[[sweep]]"))
+        .collect();
+    files.sort();
+    files
+}
+
+/// Every operation of every case, slow and quiet: nothing shakes the bit, the top turns at a
+/// constant speed, no schedule, friction at rest is that of sliding, and more damping.
+fn jobs() -> Vec<Job> {
+    let quiet = |path: PathBuf| {
+        let case = load(&path, &[]).unwrap_or_else(|report| panic!("{report}"));
+        let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+        let Case { model, operations, dynamics, .. } = case;
+        let own = dynamics.bit;
+        let settings = DynamicsSettings {
+            mesh: MeshSettings::uniform(ELEMENT_M),
+            settle_s: SETTLE_S,
+            duration_s: WINDOW_S,
+            steady: None,
+            schedule: Schedule::default(),
+            damping: RodDamping { mass_per_s: DAMPING_PER_S, ..dynamics.damping },
+            top_drive: TopDriveSettings::Constant,
+            hoist_control: None,
+            autodriller: Default::default(),
+            bit: BitSettings {
+                lateral_stiffness_N_per_m: own.lateral_stiffness_N_per_m,
+                ..BitSettings::default()
+            },
+            ..dynamics
+        };
+        let model = slippery(&model);
+        operations.into_iter().map(move |operation| {
+            let on_bottom = operation.kind.on_bottom();
+            let or = |own: f64, other: f64| if on_bottom && own == 0.0 { other } else { own };
+            Job {
+                case: name.clone(),
+                model: model.clone(),
+                operation: Operation {
+                    bit_torque_N_m: or(operation.bit_torque_N_m, TORQUE_N_M),
+                    rate_of_penetration_m_per_s: or(
+                        operation.rate_of_penetration_m_per_s,
+                        RATE_M_PER_S,
+                    ),
+                    trip_speed_m_per_s: operation.trip_speed_m_per_s.min(TRIP_M_PER_S),
+                    rotary_speed_rad_per_s: operation.rotary_speed_rad_per_s.min(TURN_RAD_PER_S),
+                    ..operation
+                },
+                settings: settings.clone(),
+            }
+        })
+    };
+    ["cases", "studies"].into_iter().flat_map(files).flat_map(quiet).collect()
+}
+
+/// The model with the friction of sliding alone: what sticks and slips has no rest.
+fn slippery(model: &Model) -> Model {
+    let sections = model.well.hole.sections().iter().map(|section| {
+        let mut section = *section;
+        section.friction.at_rest = section.friction.kinetic;
+        section
+    });
+    let hole = Hole::new(sections.collect()).expect("a sound hole");
+    let hole = hole.with_roughness(model.well.hole.roughness().copied()).expect("a sound hole");
+    Model { well: Well { path: model.well.path.clone(), hole }, ..model.clone() }
+}
+
+/// How the two differ.
+#[derive(Debug)]
+struct Apart {
+    hook: f64,
+    torque: f64,
+    /// The parts of the joints that press and bend alike.
+    pressed: f64,
+    bent: f64,
+    sides: f64,
+    /// How far the torque of the dynamics and its weight on the bit swing about their means, as
+    /// parts of them.
+    torque_swings: f64,
+    weight_swings: f64,
+}
+
+impl Apart {
+    fn of(stiff: &StiffProfile, moving: &DynamicOutcome, kind: OperationKind) -> Self {
+        let part = |found: f64, expected: f64| {
+            if found == expected { 0.0 } else { (found - expected).abs() / expected.abs() }
+        };
+        let joints: Vec<usize> = (0..moving.nodes.md_m.len())
+            .filter(|node| moving.nodes.side_force_per_joint_N[*node].is_some())
+            .collect();
+        let all: Vec<usize> = (0..moving.nodes.md_m.len()).collect();
+        // Pipe whose joints are not told apart presses by its length.
+        let nodes = if joints.is_empty() { &all } else { &joints };
+        let sides = |node: &usize| side(stiff, *node) == side(&moving.nodes, *node);
+        let torque = moving.statistic("surface_torque_N_m").expect("a statistic");
+        let weight = moving.statistic("weight_on_bit_N").expect("a statistic");
+        // One that is not turned has what the bit gives it, or next to none.
+        let twisted = kind.rotates() && torque.mean > LEAST_TORQUE_N_M;
+        Self {
+            hook: part(stiff.scalars.hook_load_N, moving.scalars.hook_load_N),
+            torque: if twisted {
+                part(stiff.scalars.surface_torque_N_m, moving.scalars.surface_torque_N_m)
+            } else {
+                0.0
+            },
+            pressed: alike(nodes, &stiff.side_force_N_per_m, &moving.nodes.side_force_N_per_m),
+            bent: alike(nodes, &stiff.bending_moment_N_m, &moving.nodes.bending_moment_N_m),
+            sides: share(&all, sides),
+            torque_swings: if twisted { torque.std / torque.mean } else { 0.0 },
+            weight_swings: if kind.on_bottom() { weight.std / weight.mean } else { 0.0 },
+        }
+    }
+}
+
+/// The share of the nodes at which two columns are as near as they must be.
+fn alike(nodes: &[usize], found: &[f64], expected: &[f64]) -> f64 {
+    let largest = nodes.iter().map(|node| expected[*node].abs()).fold(0.0, f64::max);
+    share(nodes, |node| (found[*node] - expected[*node]).abs() <= ALONG * largest)
+}
+
+fn share(nodes: &[usize], holds: impl Fn(&usize) -> bool) -> f64 {
+    nodes.iter().filter(|node| holds(node)).count() as f64 / nodes.len() as f64
+}
+
+/// On which side a node presses its hole.
+fn side(of: &Profile, node: usize) -> i8 {
+    let force = of.side_force_N_per_m[node];
+    i8::from(force > 0.0) - i8::from(force < 0.0)
+}
+
+/// The largest compression along the soft string over the load of the sinusoid.
+fn over_sinusoidal(job: &Job) -> f64 {
+    let soft =
+        soft::solve(&job.model, &job.operation, &SoftSettings::default()).expect("a soft string");
+    let pairs = soft.tension_N.iter().zip(&soft.sinusoidal_load_N);
+    pairs.filter_map(|(tension_N, load_N)| Some(-tension_N / (*load_N)?)).fold(0.0, f64::max)
+}
+
+/// Why the two need not agree, as far as it can be told from the string and from what they do.
+fn reason(
+    job: &Job,
+    over: f64,
+    stiff: &Result<StiffProfile, StiffError>,
+    apart: Option<&Apart>,
+) -> Option<String> {
+    let bent = job.model.string.components().iter().any(|of| of.bend.is_some());
+    let swings = |of: fn(&Apart) -> f64| apart.is_some_and(|apart| of(apart) > SWINGS);
+    match stiff {
+        Err(error) if over > 1.0 => Some(format!("buckled: {}", in_a_word(error))),
+        Ok(found) if !found.convergence.stable => Some("buckled, and would not stay".to_owned()),
+        _ if over > 1.0 => Some("buckled: many states of rest".to_owned()),
+        _ if bent && job.operation.kind.rotates() => Some("a bend that turns".to_owned()),
+        _ if swings(|of| of.weight_swings) => Some("the weight on the bit swings".to_owned()),
+        _ if swings(|of| of.torque_swings) => Some("the torque swings".to_owned()),
+        _ => None,
+    }
+}
+
+fn in_a_word(error: &StiffError) -> &'static str {
+    match error {
+        StiffError::LocksUp { .. } | StiffError::RunsAway { .. } => "locks up",
+        StiffError::Rolls { .. } => "rolls",
+        _ => "not found",
+    }
+}
+
+/// What came of an operation.
+struct Tried {
+    apart: Option<Apart>,
+    reason: Option<String>,
+    /// Its row of the table.
+    line: String,
+}
+
+fn try_job(job: &Job) -> Tried {
+    let mut simulation =
+        Simulation::new(&job.model, &job.operation, &job.settings).expect("a sound case");
+    let moving = simulation.advance(simulation.end_time_s()).map(|()| simulation.outcome());
+    let mut at = job.operation;
+    if let Ok(moving) = &moving
+        && at.kind.on_bottom()
+    {
+        // The driller's weight is not quite what was asked for.
+        at.weight_on_bit_N = moving.scalars.weight_on_bit_N;
+        at.bit_torque_N_m = moving.scalars.bit_torque_N_m;
+    }
+    let over = over_sinusoidal(job);
+    let stiff = stiff::solve(&job.model, &at, &job.settings.stiff_string());
+    let apart = stiff.as_ref().ok().zip(moving.as_ref().ok());
+    let apart = apart.map(|(stiff, moving)| Apart::of(stiff, moving, at.kind));
+    let reason = reason(job, over, &stiff, apart.as_ref());
+    let differ = match &apart {
+        Some(of) => format!(
+            "{:.1e} | {} | {:.1} | {:.1} | {:.1}",
+            of.hook,
+            if of.torque > 0.0 { format!("{:.1e}", of.torque) } else { "–".to_owned() },
+            100.0 * of.pressed,
+            100.0 * of.bent,
+            100.0 * of.sides
+        ),
+        None => "– | – | – | – | –".to_owned(),
+    };
+    let name = job.operation.kind.name().replace('_', " ");
+    let told = reason.as_deref().unwrap_or("");
+    let line = format!("| {} | {name} | {over:.2} | {differ} | {told} |", job.case);
+    Tried { apart, reason, line }
+}
+
+/// Every operation of every case: hook load and torque within 0.5 %, 99 % of the joints press and
+/// bend alike, within 2 % of the largest, 99 % of the nodes lie on the same side. The rest is
+/// buckled, has a bend that turns, or whirls.
+#[test]
+#[ignore = "minutes: run by cargo xtask verify"]
+fn rests_where_the_dynamics_do_in_every_case() {
+    let jobs = jobs();
+    let next = Mutex::new(0..jobs.len());
+    let tried = Mutex::new(Vec::new());
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                loop {
+                    let index = next.lock().expect("no panic").next();
+                    let Some(index) = index else { break };
+                    let of = try_job(&jobs[index]);
+                    tried.lock().expect("no panic").push((index, of));
+                }
+            });
+        }
+    });
+    let mut tried = tried.into_inner().expect("no panic");
+    tried.sort_by_key(|(index, _)| *index);
+    println!(
+        "| case | operation | F/Fs | hook load | torque | joints press, % | bend, % | sides, % | |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|");
+    for (_, of) in &tried {
+        println!("{}", of.line);
+    }
+    let held: Vec<&Apart> = tried
+        .iter()
+        .filter(|(_, of)| of.reason.is_none())
+        .map(|(_, of)| of.apart.as_ref().unwrap_or_else(|| panic!("{}", of.line)))
+        .collect();
+    assert!(held.len() >= LEAST, "{} of {} are to agree", held.len(), tried.len());
+    type Of = fn(&Apart) -> f64;
+    let numbers: [(&str, Of, f64, &str); 5] = [
+        ("hook load", |of| of.hook, SCALARS, "what is asked for"),
+        ("torque", |of| of.torque, SCALARS, "what is asked for"),
+        ("joints that press otherwise", |of| 1.0 - of.pressed, 1.0 - JOINTS, "2 % of the largest"),
+        ("joints that bend otherwise", |of| 1.0 - of.bent, 1.0 - JOINTS, "2 % of the largest"),
+        ("nodes on another side", |of| 1.0 - of.sides, 1.0 - SIDES, "what is asked for"),
+    ];
+    for (what, of, most, reason) in numbers {
+        let quantity = format!("stiff string beside the dynamics: {what}, as a part");
+        let row = |apart: &&Apart| {
+            verify("at rest", quantity.clone()).absolute(most, reason).row(0.0, of(apart))
+        };
+        report_worst(held.iter().map(row));
+    }
+}
