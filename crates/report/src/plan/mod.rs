@@ -11,14 +11,12 @@ mod page;
 mod tables;
 #[cfg(test)]
 mod tests;
-mod words;
+pub(crate) mod words;
 
 pub use broomstick::STROKES as FRICTION_STROKES;
 pub use figures::plan_plots;
 pub use page::plan_html;
 pub use words::operation_name;
-
-pub(crate) use words::{colour as operation_colour, four};
 
 use crate::{Level, PageHead, Section, Uncertain};
 
