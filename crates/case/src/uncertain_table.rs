@@ -35,7 +35,7 @@ table! {
         samples: u64 = default(Count { from: 10, to: MAX_SAMPLES }, SAMPLES);
         /// Seed of the draw: the same gives the same samples.
         seed: u64 = default(Whole, 1);
-        /// The model of the samples of a plan, "soft" or "stiff" (some thousand times the work of a point).
+        /// The model of the samples of a plan, "soft" or "stiff" (some ten times the work).
         /// A reach has the soft string.
         model: Statics = default(
             Choice { noun: "a model of samples", words: STATICS },
@@ -59,7 +59,7 @@ table! {
         to: GivenAmount = optional(AmountRule);
         /// Likeliest value.
         mode: GivenAmount = optional(AmountRule);
-        /// Mean.
+        /// Mean of it.
         mean: GivenAmount = optional(AmountRule);
         /// Standard deviation.
         std: GivenAmount = optional(AmountRule);

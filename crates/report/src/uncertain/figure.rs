@@ -3,7 +3,7 @@
 use super::{Uncertain, UncertainNumber};
 use crate::{
     figure::{Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape},
-    plan::{operation_colour, operation_name},
+    plan::words::{colour, operation_name},
 };
 
 /// What bars are drawn of, and the heading of their panel.
@@ -48,7 +48,7 @@ pub(crate) fn figure(of: &Uncertain, title: &str) -> Option<Figure> {
     }
     let named = operations.iter().filter(|of| !of.is_empty()).map(|of| Key {
         name: operation_name(of).to_owned(),
-        sample: Sample::Band(Ink::Line(operation_colour(of))),
+        sample: Sample::Band(Ink::Line(colour(of))),
     });
     let what = [
         Key { name: "bar: total index".into(), sample: Sample::Words },
@@ -81,7 +81,7 @@ fn bars(drawn: &[&UncertainNumber]) -> Vec<Mark> {
     let height = FULL / drawn.len() as f64;
     for (place, of) in drawn.iter().enumerate() {
         let Some(owed) = &of.owed else { continue };
-        let ink = Ink::Line(operation_colour(&of.operation));
+        let ink = Ink::Line(colour(&of.operation));
         let middle = (place as f64 + 0.5) * height - 0.5 * FULL;
         for (input, (first, total)) in owed.first.iter().zip(&owed.total).enumerate() {
             if *total < SEEN {

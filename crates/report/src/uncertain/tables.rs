@@ -4,7 +4,7 @@ use super::{Uncertain, UncertainNumber};
 use crate::{
     Grid, StudyPart, Verdict,
     grid_cells::{head, row},
-    plan::{four, operation_name},
+    plan::words::{four, operation_name},
     plots::Shown,
 };
 

@@ -1,5 +1,7 @@
 //! What samples come to: how each number scatters, and which inputs it is owed to.
 
+use std::cmp::Reverse;
+
 use wholestring_plan::uncertainty::{Bands, Distribution, attribute};
 use wholestring_results::{
     UncertainBand, UncertainKey, UncertainOwed, UncertainStop, UncertainSummary,
@@ -37,7 +39,7 @@ pub(crate) fn summary(
             None => reasons.push((message.clone(), 1)),
         }
     }
-    reasons.sort_by(|a, b| b.1.cmp(&a.1));
+    reasons.sort_by_key(|(_, count)| Reverse(*count));
     UncertainSummary {
         model: model.to_owned(),
         samples: uncertain.samples,
@@ -103,7 +105,7 @@ fn stops(frictions: &[Option<f64>], solved: &[(&Vec<f64>, &Sampled)]) -> Vec<Unc
                 }
             }
         }
-        stops.sort_by(|a, b| b.samples.cmp(&a.samples));
+        stops.sort_by_key(|of| Reverse(of.samples));
         all.extend(stops);
     }
     all
