@@ -180,7 +180,7 @@ density = "1.2 sg"
 component = "drill pipe"
 od = "127 mm"
 id = "108.6 mm"
-weight = "30 kg/m"
+mass_per_length = "30 kg/m"
 length = "to surface"
 
 [operation]

@@ -4,6 +4,7 @@ use wholestring::{
     dynamics::{
         HoistSetPoint, Schedule, ScheduleFault, ScheduleStep, SpeedController, TopDriveSettings,
     },
+    outcome::{TIME_SERIES, TimeSeries, Values},
     prelude::*,
 };
 
@@ -87,30 +88,52 @@ fn a_plan_is_taken_up_where_it_was_left() {
     assert_eq!(whole.outcome(), resumed.outcome());
 }
 
+/// The same to the last bit: the first column that is not is named.
+fn assert_same(one: &TimeSeries, other: &TimeSeries) {
+    for column in TIME_SERIES {
+        let (Values::Numbers(one), Values::Numbers(other)) = ((column.of)(one), (column.of)(other))
+        else {
+            continue;
+        };
+        let bits = |of: &[f64]| of.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+        let (one, other) = (bits(&one), bits(&other));
+        let first = one.iter().zip(&other).position(|(a, b)| a != b);
+        assert_eq!((first, one.len()), (None, other.len()), "{}", column.quantity.name);
+    }
+}
+
 /// Lines that are added as the run goes act as those of its plan do, a checkpoint holds them, and one
 /// takes over from another in the middle of its ramp.
 #[test]
 fn a_line_that_is_added_acts_as_one_of_the_plan() {
     let mut planned = start_up();
-    planned.settings.schedule.steps.push(turning(4.0, 1.0, 20.0));
     let mut live = planned.clone();
-    // A plan itself may not cut a ramp.
-    planned.settings.schedule.steps[2] = turning(5.0, 1.0, 20.0);
+    planned.settings.schedule.steps.push(turning(5.0, 1.0, 20.0));
     live.settings.schedule.steps.truncate(1);
-    let (mut planned, mut simulation) = (planned.start(), live.start());
-    go(&mut simulation, 1.0);
-    simulation.add_to_schedule(turning(5.0, 1.0, 20.0)).expect("a sound line");
-    // Before the one that is there, and in its time.
-    simulation.add_to_schedule(turning(2.0, 3.0, 60.0)).expect("a sound line");
-    go(&mut simulation, 2.0);
-    let checkpoint = simulation.checkpoint().into_owned();
+    let lines = [turning(2.0, 3.0, 60.0), turning(5.0, 1.0, 20.0)];
+    let (mut planned, mut early, mut late) = (planned.start(), live.start(), live.start());
+    for line in &lines {
+        early.add_to_schedule(line.clone()).expect("a sound line");
+    }
+    go(&mut late, 1.0);
+    // The second goes before the one that is there, in the order of their times.
+    for line in lines.iter().rev() {
+        late.add_to_schedule(line.clone()).expect("a sound line");
+    }
+    go(&mut late, 2.0);
+    let checkpoint = late.checkpoint().into_owned();
     let resumed = Simulation::resume(&live.model, &live.operation, &live.settings, checkpoint);
     let mut resumed = resumed.expect("the same run");
-    go(&mut planned, 7.0);
-    go(&mut simulation, 4.0);
-    go(&mut resumed, 4.0);
-    assert_eq!(planned.series(), simulation.series());
-    assert_eq!(planned.series(), resumed.series());
+    for (simulation, seconds) in
+        [(&mut planned, 7.0), (&mut early, 7.0), (&mut late, 4.0), (&mut resumed, 4.0)]
+    {
+        go(simulation, seconds);
+    }
+    assert_same(early.series(), late.series());
+    assert_same(early.series(), resumed.series());
+    assert_eq!(early.series().schedule_line, planned.series().schedule_line);
+    let set = |of: &Simulation| of.series().rotary_speed_set_rad_per_s.clone();
+    assert_eq!(set(&early), set(&planned));
 
     // In the middle of the ramp, and late: from where it is.
     let mut simulation = live.start();

@@ -21,6 +21,7 @@ impl Results for Modes {
     const NOUN: &'static str = "modes";
     const TABLE: &'static str = MODES;
     const PICTURES: &'static [&'static str] = &MODES_PICTURES;
+    const WITH_NUMBERS: bool = true;
 
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
         let summary = ModesSummary::read(&folder.join("summary.json"))?;

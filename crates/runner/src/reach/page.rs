@@ -21,6 +21,7 @@ impl Results for Reach {
     const NOUN: &'static str = "a reach";
     const TABLE: &'static str = REACH;
     const PICTURES: &'static [&'static str] = &REACH_PICTURES;
+    const WITH_NUMBERS: bool = true;
 
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
         let summary = ReachSummary::read(&folder.join("summary.json"))?;
