@@ -11,6 +11,7 @@ pub mod figure;
 mod finding;
 mod grid_cells;
 mod modes;
+mod operation_words;
 mod packed;
 mod page;
 mod plan;
@@ -38,12 +39,13 @@ pub use modes::{
     AnswerCurve, CriticalRow, MODES_PICTURES, ModeBranch, ModeRow, ModeShape, Modes, modes_html,
     modes_plots,
 };
+pub use operation_words::{colour as operation_colour, operation_name};
 pub use packed::Packed;
 pub use page::{bha_html, bit_test_html, report_html, sweep_html};
 pub use plan::{
     BucklingCurve, FRICTION_STROKES, PLAN_PICTURES, Plan, PlanCurve, PlanEvent, PlanFatigueHourRow,
     PlanFatigueRow, PlanLevel, PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanPeakRow,
-    PlanRig, PlanSpot, PlanWearRow, operation_colour, operation_name, plan_html, plan_plots,
+    PlanRig, PlanSpot, PlanWearRow, plan_html, plan_plots,
 };
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,

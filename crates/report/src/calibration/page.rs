@@ -7,7 +7,7 @@ use super::{
 use crate::{
     Grid, StudyPage, StudyPart, Verdict,
     grid_cells::{head, heads, row},
-    plan::four,
+    operation_words::four,
     plots::Shown,
     study::study_html_in_units,
 };

@@ -1,11 +1,7 @@
 //! Hook load and surface torque against the depth of the bit.
 
-use super::{
-    Plan, PlanCurve, PlanSpot,
-    depth_figure::over_depth,
-    measured,
-    words::{colour, on_bottom, operation_name, rotates},
-};
+use super::{Plan, PlanCurve, PlanSpot, depth_figure::over_depth, measured};
+use crate::operation_words::{colour, on_bottom, operation_name, rotates};
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::Shown,

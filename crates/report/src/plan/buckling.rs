@@ -1,6 +1,7 @@
 //! The weight on bit under which the string begins to buckle.
 
-use super::{Plan, broomstick::STROKES, depth_figure::over_depth, words::operation_name};
+use super::{Plan, broomstick::STROKES, depth_figure::over_depth};
+use crate::operation_words::operation_name;
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Stroke},
     plots::Shown,

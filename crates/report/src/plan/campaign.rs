@@ -1,7 +1,8 @@
 //! Fatigue and casing wear on a plan's page.
 
-use super::{Plan, PlanFatigueRow, PlanWearRow, words::four};
+use super::{Plan, PlanFatigueRow, PlanWearRow};
 use crate::grid_cells::head;
+use crate::operation_words::four;
 use crate::{Grid, StudyPart, Verdict, plots::Shown};
 
 /// A damage, or a part of a wall, beyond which its light is no longer that of what is well.

@@ -1,10 +1,8 @@
 //! The limits on a plan's page: the nearest of each kind, lights beside words.
 
-use super::{
-    Plan, PlanLimitRow,
-    words::{four, operation_name},
-};
+use super::{Plan, PlanLimitRow};
 use crate::grid_cells::head;
+use crate::operation_words::{four, operation_name};
 use crate::{Grid, StudyPart, Verdict, plots::Shown};
 
 /// The light of a standing. Words stand beside all of them.

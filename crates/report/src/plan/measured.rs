@@ -1,9 +1,7 @@
 //! What was measured, on the broomsticks and in a table.
 
-use super::{
-    Plan, PlanMeasured,
-    words::{colour, four, operation_name},
-};
+use super::{Plan, PlanMeasured};
+use crate::operation_words::{colour, four, operation_name};
 use crate::{
     Grid, StudyPart, Verdict,
     figure::{Ink, Key, Mark, Sample, Shape},

@@ -13,13 +13,10 @@ mod peaks;
 mod tables;
 #[cfg(test)]
 mod tests;
-pub(crate) mod words;
 
 pub use broomstick::STROKES as FRICTION_STROKES;
 pub use figures::{PLAN_PICTURES, plan_plots};
 pub use page::plan_html;
-pub(crate) use words::four;
-pub use words::{colour as operation_colour, operation_name};
 
 use crate::{Level, PageHead, Section, Uncertain};
 

@@ -1,6 +1,7 @@
 //! Standpipe pressure, equivalent density, surge and swab against the depth of the bit.
 
-use super::{Plan, PlanMudRow, depth_figure::over_depth, words::operation_name};
+use super::{Plan, PlanMudRow, depth_figure::over_depth};
+use crate::operation_words::operation_name;
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Stroke},
     plots::Shown,

@@ -1,7 +1,8 @@
 //! Peaks of a string that sets itself in motion: their picture and their table.
 
-use super::{Plan, PlanEvent, PlanPeakRow, broomstick::STROKES, words::four};
+use super::{Plan, PlanEvent, PlanPeakRow, broomstick::STROKES};
 use crate::grid_cells::{head, row};
+use crate::operation_words::four;
 use crate::{
     Grid, StudyPart,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape},

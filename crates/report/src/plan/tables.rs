@@ -1,11 +1,8 @@
 //! Tables of a plan's page.
 
-use super::{
-    Plan, PlanSpot,
-    mud::STATES,
-    words::{four, on_bottom, operation_name, rotates},
-};
+use super::{Plan, PlanSpot, mud::STATES};
 use crate::grid_cells::{head, row};
+use crate::operation_words::{four, on_bottom, operation_name, rotates};
 use crate::{Grid, Level, StudyPart, Verdict, plots::Shown};
 
 /// Reasons that are listed; more are counted.

@@ -3,7 +3,7 @@
 use super::{Uncertain, UncertainNumber};
 use crate::{
     figure::{Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape},
-    plan::words::{colour, operation_name},
+    operation_words::{colour, operation_name},
 };
 
 /// What bars are drawn of, and the heading of their panel.

@@ -4,7 +4,7 @@ use super::{Uncertain, UncertainNumber};
 use crate::{
     Grid, StudyPart, Verdict,
     grid_cells::{head, row},
-    plan::words::{four, operation_name},
+    operation_words::{four, operation_name},
     plots::Shown,
 };
 

@@ -1,6 +1,6 @@
 //! The string in motion, with the numbers that were found, beside some of the readings.
 
-use std::{num::NonZeroUsize, sync::Mutex, thread};
+use std::{num::NonZeroUsize, sync::Mutex};
 
 use wholestring::{
     dynamics::{DynamicsSettings, Effort, Schedule, Simulation},
@@ -16,7 +16,7 @@ use crate::{
     cores,
     error::Error,
     observer::{BatchSize, CaseEnded, Observer, Watch},
-    parallel::{in_parallel, lock},
+    parallel::{in_parallel, jobs, lock},
     readings::{NamedCase, Readings},
 };
 
@@ -118,10 +118,9 @@ pub(super) fn checked(
     let times = tasks.iter().flatten().map(|task| task.longest_s);
     let size = BatchSize { cases: runs.len(), finished: 0, simulated_s: times.sum() };
     observer.batch_started(&size);
-    let jobs = check.jobs.or_else(|| thread::available_parallelism().ok());
     let order: Vec<usize> = (0..runs.len()).collect();
     let ended = Mutex::new(0);
-    in_parallel(jobs.map_or(1, usize::from), &order, |place| {
+    in_parallel(jobs(check.jobs), &order, |place| {
         if cancellation.is_cancelled() {
             return;
         }

@@ -5,6 +5,7 @@ use wholestring_results::{
     UncertainBand, plan_peaks_table,
 };
 
+use super::levels::LEVELS;
 use crate::uncertain::{self, Names};
 
 /// Names of the tables, without their endings.
@@ -104,7 +105,7 @@ fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         let mut columns = vec![depth(&[])];
         for model in &summary.models {
             for operation in &summary.operations {
-                for friction in ["low", "expected", "high"] {
+                for friction in LEVELS {
                     let points = summary.curve(model, operation, friction);
                     let found: Vec<_> = points.map(|one| at(one.bit_depth_m, of(one))).collect();
                     let name = format!("{operation}_{friction}_{model}_{quantity}");
@@ -156,7 +157,7 @@ fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
     };
     let mut weights = vec![depth(&[])];
     for operation in ["drill", "slide"] {
-        for friction in ["low", "expected", "high"] {
+        for friction in LEVELS {
             let rows = summary.buckling.iter();
             let rows = rows.filter(|of| of.operation == operation && of.friction == friction);
             let rows: Vec<_> = rows.collect();

@@ -1,6 +1,6 @@
 //! The work of a plan, on all cores, kept as it comes.
 
-use std::{collections::BTreeSet, thread, time::Instant};
+use std::{collections::BTreeSet, time::Instant};
 
 use serde::{Deserialize, Serialize};
 use serde_json::json;
@@ -25,6 +25,7 @@ use crate::{
     cancellation::CancellationToken,
     checkpoint::Keeper,
     observer::Observer,
+    parallel::jobs,
     pieces::Pieces,
     run::checkpoint_every,
     uncertain::{self, Sampled, Sampler, samples_table},
@@ -157,9 +158,8 @@ impl<'a> Work<'a> {
             let (a, b) = (weight(a), weight(b));
             b.0.cmp(&a.0).then(b.1.total_cmp(&a.1))
         });
-        let jobs = self.request.jobs.or_else(|| thread::available_parallelism().ok());
         let asked = self.asked();
-        self.pieces.solve_all(&order, jobs.map_or(1, usize::from), |piece| {
+        self.pieces.solve_all(&order, jobs(self.request.jobs), |piece| {
             self.solve(self.list[piece], asked.as_ref())
         })
     }

@@ -4,7 +4,6 @@ use std::{
     num::NonZeroUsize,
     path::PathBuf,
     sync::Mutex,
-    thread,
     time::{Duration, Instant},
 };
 
@@ -34,7 +33,7 @@ use crate::{
     error::Error,
     observer::Observer,
     output::Output,
-    parallel::{in_parallel, lock},
+    parallel::{in_parallel, jobs, lock},
     results_kind::Results,
     run::checkpoint_every,
     uncertain::{self, Names, Sampler},
@@ -179,8 +178,7 @@ pub fn run(
     }
     .folder()?;
     let begun = Instant::now();
-    let jobs = request.jobs.or_else(|| thread::available_parallelism().ok());
-    let jobs = jobs.map_or(1, NonZeroUsize::get);
+    let jobs = jobs(request.jobs);
     let found = solve(&setups, &all, &settings, jobs, cancellation)?;
     let folder = &claimed.folder;
     let sampler = Sampler::of(case, request.template, request.overrides);

@@ -1,4 +1,4 @@
-//! What people call what a plan is made of.
+//! What people call operations, their colours, and numbers in a few digits.
 
 use wholestring::operation::OperationKind;
 
