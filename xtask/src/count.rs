@@ -11,11 +11,17 @@ pub(crate) struct Count {
 
 impl Count {
     /// The count in a closing line of cargo test (`test result: ok. 3 passed; 0 failed; ...`) or of
-    /// nextest (`Summary [0.1s] 4 tests run: 3 passed (1 slow), 1 failed, 2 skipped`).
+    /// nextest (`Summary [0.1s] 4 tests run: 3 passed (1 slow), 1 failed, 2 skipped`) or of pytest
+    /// (`1 failed, 3 passed in 0.12s`).
     pub(crate) fn in_line(line: &str) -> Option<Self> {
         let line = without_colour(line);
         let line = line.trim_start();
-        if !line.starts_with("test result:") && !line.starts_with("Summary [") {
+        let is_pytest = line.starts_with(|first: char| first.is_ascii_digit())
+            && line
+                .split_once(" in ")
+                .is_some_and(|(_, time)| time.starts_with(|of: char| of.is_ascii_digit()))
+            && (line.contains(" passed") || line.contains(" failed"));
+        if !is_pytest && !line.starts_with("test result:") && !line.starts_with("Summary [") {
             return None;
         }
         let before = |name: &str| {
@@ -75,6 +81,8 @@ mod tests {
                 4,
                 3,
             ),
+            ("1 failed, 47 passed, 2 warnings in 3.21s", 47, 1),
+            ("48 passed in 61.50s (0:01:01)", 48, 0),
         ] {
             assert_eq!(Count::in_line(line), Some(Count { passed, failed }), "{line}");
         }

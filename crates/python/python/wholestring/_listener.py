@@ -1,0 +1,62 @@
+"""Who hears what long work says."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+
+class Listener:
+    """Draws a bar where one is wanted, and warns.
+
+    Parameters
+    ----------
+    progress
+        Whether to draw a bar, with tqdm.
+    """
+
+    def __init__(self, progress: bool) -> None:
+        self._wanted = progress
+        self._bar: Any = None
+        self._name = ""
+
+    def said(self, is_warning: bool, sentence: str) -> None:
+        """Hear a sentence."""
+        if is_warning:
+            warnings.warn(sentence, stacklevel=4)
+
+    def progress(self, name: str, time_s: float, end_s: float) -> None:
+        """Hear how far a simulation has come."""
+        if not self._wanted:
+            return
+        if self._bar is None or name != self._name:
+            self.close()
+            self._bar = _bar(name, end_s)
+            self._name = name
+        self._bar.total = end_s
+        self._bar.n = min(time_s, end_s)
+        self._bar.refresh()
+
+    def close(self) -> None:
+        """End the bar."""
+        if self._bar is not None:
+            self._bar.close()
+            self._bar = None
+
+    def __enter__(self) -> Listener:
+        """Listen."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Listen no more."""
+        self.close()
+
+
+def _bar(name: str, end_s: float) -> Any:
+    try:
+        from tqdm.auto import tqdm
+    except ImportError as error:
+        message = "a progress bar needs tqdm: pip install 'wholestring[progress]'"
+        raise ImportError(message) from error
+    form = "{l_bar}{bar}| {n:.0f}/{total:.0f} s [{elapsed}<{remaining}]"
+    return tqdm(total=end_s, desc=name, bar_format=form)

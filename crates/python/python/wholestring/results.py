@@ -1,0 +1,315 @@
+"""What a case comes to."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from html import escape
+from os import PathLike
+from pathlib import Path
+from typing import Any, cast
+
+from . import _core
+from ._listener import Listener
+from .table import Table
+
+
+@dataclass(frozen=True, kw_only=True)
+class Finding:
+    """What an engineer must know of an answer.
+
+    Attributes
+    ----------
+    kind
+        What was found, as a word: ``"helical_buckling"``.
+    level
+        ``"error"``, ``"warning"`` or ``"note"``.
+    message
+        A sentence, with the numbers in the units of the case.
+    md_m, to_md_m
+        Measured depth at which it stands or begins, and at which it ends, m.
+    value, limit
+        What was found and what it is compared with.
+    unit
+        SI unit of both.
+    """
+
+    kind: str
+    level: str
+    message: str
+    md_m: float | None = None
+    to_md_m: float | None = None
+    value: float | None = None
+    limit: float | None = None
+    unit: str = ""
+
+
+class OperationResult:
+    """One operation as one model solved it; a dynamic one holds means over its window.
+
+    The scalars are attributes. All that ``summary.json`` says of the operation stands in
+    :attr:`data`.
+    """
+
+    __slots__ = ("_data",)
+
+    def __init__(self, data: Mapping[str, Any]) -> None:
+        self._data = data
+
+    @property
+    def data(self) -> Mapping[str, Any]:
+        """The operation's entry in ``summary.json``."""
+        return self._data
+
+    @property
+    def model(self) -> str:
+        """``"soft"``, ``"stiff"`` or ``"dynamic"``."""
+        return str(self._data["model"])
+
+    @property
+    def operation(self) -> str:
+        """``"trip_out"``, ``"drill"``, and so on."""
+        return str(self._data["operation"])
+
+    @property
+    def status(self) -> str:
+        """``"complete"``, ``"interrupted"`` or ``"failed"``."""
+        return str(self._data["status"])
+
+    @property
+    def friction(self) -> float | list[float]:
+        """Kinetic friction of the hole: a number, or a list by hole section."""
+        return cast("float | list[float]", self._data["friction"])
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What an engineer must know of the answer, the gravest first."""
+        return tuple(Finding(**found) for found in self._data["findings"])
+
+    @property
+    def statistics(self) -> Mapping[str, Mapping[str, float]]:
+        """Mean, standard deviation and extremes over the window by quantity; of dynamics alone."""
+        return cast("Mapping[str, Mapping[str, float]]", self._data.get("statistics") or {})
+
+    def _number(self, name: str) -> float:
+        value = self._data.get(name)
+        return float("nan") if value is None else float(value)
+
+    def _number_or_none(self, name: str) -> float | None:
+        value = self._data.get(name)
+        return None if value is None else float(value)
+
+    @property
+    def bit_depth_m(self) -> float:
+        """Measured depth of the bit, m."""
+        return self._number("bit_depth_m")
+
+    @property
+    def weight_on_bit_N(self) -> float:
+        """Weight on bit as solved, N."""
+        return self._number("weight_on_bit_N")
+
+    @property
+    def bit_torque_N_m(self) -> float:
+        """Bit torque as solved, N.m."""
+        return self._number("bit_torque_N_m")
+
+    @property
+    def hook_load_N(self) -> float:
+        """Tension at the top of the string, N; block and top drive excluded."""
+        return self._number("hook_load_N")
+
+    @property
+    def surface_torque_N_m(self) -> float:
+        """Torque at the top of the string, N.m."""
+        return self._number("surface_torque_N_m")
+
+    @property
+    def friction_torque_N_m(self) -> float:
+        """Part of the surface torque that comes from wall contact alone, N.m."""
+        return self._number("friction_torque_N_m")
+
+    @property
+    def axial_friction_N(self) -> float:
+        """Wall friction along the string, N; positive adds to hook load."""
+        return self._number("axial_friction_N")
+
+    @property
+    def side_force_total_N(self) -> float:
+        """Integral of the magnitude of the side force, N."""
+        return self._number("side_force_total_N")
+
+    @property
+    def twist_rad(self) -> float:
+        """Turn of the top against the bit, rad; positive when the top leads."""
+        return self._number("twist_rad")
+
+    @property
+    def stretch_m(self) -> float:
+        """Elongation against the unloaded string, m."""
+        return self._number("stretch_m")
+
+    @property
+    def neutral_point_m(self) -> float | None:
+        """Measured depth of the shallowest zero of effective tension, m; ``None`` if none."""
+        return self._number_or_none("neutral_point_m")
+
+    @property
+    def cutoff_depth_m(self) -> float | None:
+        """Deepest change from high-side to low-side contact in the build, m; ``None`` if none."""
+        return self._number_or_none("cutoff_depth_m")
+
+    def __repr__(self) -> str:
+        """Give what it is, with hook load and torque."""
+        return (
+            f"<{self.model} {self.operation}: hook load {self.hook_load_N:.6g} N, "
+            f"surface torque {self.surface_torque_N_m:.6g} N.m>"
+        )
+
+
+class Results:
+    """What a case comes to: operations, and tables.
+
+    In memory until :meth:`save` writes the folder that the command line writes; :meth:`load` reads
+    such a folder.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> results = ws.Case.example().soft()
+    >>> [solved.operation for solved in results]
+    ['trip_out', 'trip_in', 'rotate_off_bottom', 'drill', 'slide']
+    >>> results["trip_out"].hook_load_N > results["trip_in"].hook_load_N
+    True
+    """
+
+    __slots__ = ("_core", "_summary", "_tables")
+
+    def __init__(self, core: _core.Answers) -> None:
+        self._core = core
+        self._summary: dict[str, Any] | None = None
+        self._tables: dict[str, Table] = {}
+
+    @classmethod
+    def load(cls, folder: str | PathLike[str]) -> Results:
+        """Read what a run left in a folder.
+
+        Raises
+        ------
+        ResultsError
+            If there is none.
+        """
+        return cls(_core.Answers.load(folder))
+
+    def save(
+        self,
+        folder: str | PathLike[str] | None = None,
+        *,
+        overwrite: bool = False,
+        csv: bool = False,
+    ) -> Path:
+        """Write the folder that the command line writes, its page too, and give its path.
+
+        Parameters
+        ----------
+        folder
+            Where to; ``out/<name of the case>`` where none is given.
+        overwrite
+            Whether to replace what lies there, whatever it is of.
+        csv
+            Whether to write the tables as CSV too.
+
+        Raises
+        ------
+        FolderError
+            If other results lie there.
+        """
+        with Listener(progress=False) as listener:
+            return Path(self._core.save(folder, overwrite, csv, listener))
+
+    @property
+    def folder(self) -> Path | None:
+        """Where they lie; ``None`` while they are in memory."""
+        place = self._core.folder
+        return None if place is None else Path(place)
+
+    @property
+    def summary(self) -> Mapping[str, Any]:
+        """What ``summary.json`` has."""
+        if self._summary is None:
+            self._summary = cast("dict[str, Any]", json.loads(self._core.summary_json()))
+        return self._summary
+
+    @property
+    def operations(self) -> tuple[OperationResult, ...]:
+        """The operations, each by each model, in the order they were solved."""
+        return tuple(OperationResult(of) for of in self.summary["operations"])
+
+    def __iter__(self) -> Iterator[OperationResult]:
+        """Give the operations."""
+        return iter(self.operations)
+
+    def __len__(self) -> int:
+        """Give the number of operations."""
+        return len(self.summary["operations"])
+
+    def __getitem__(self, key: str | tuple[str, str]) -> OperationResult:
+        """Give an operation by its name, or by model and name where several models solved it."""
+        model, name = key if isinstance(key, tuple) else (None, key)
+        found = [of for of in self if of.operation == name and (model is None or of.model == model)]
+        if len(found) == 1:
+            return found[0]
+        there = ", ".join(f"{of.model} {of.operation}" for of in self)
+        if found:
+            message = f"several models solved {name!r}: name one, as in results['soft', {name!r}]"
+            raise KeyError(message)
+        raise KeyError(f"there is no {key!r}: there are {there}")
+
+    @property
+    def tables(self) -> tuple[str, ...]:
+        """Names of the tables."""
+        return tuple(self._core.table_names())
+
+    def table(self, name: str) -> Table:
+        """Give a table: ``"nodes"``, ``"time"``, and so on."""
+        if name not in self._tables:
+            self._tables[name] = Table(self._core.table(name), name)
+        return self._tables[name]
+
+    @property
+    def nodes(self) -> Table:
+        """The profile along the string."""
+        return self.table("nodes")
+
+    @property
+    def time(self) -> Table:
+        """Scalars against time; of dynamics alone."""
+        return self.table("time")
+
+    def __repr__(self) -> str:
+        """Give the operations."""
+        inside = ", ".join(f"{of.model} {of.operation}" for of in self)
+        return f"<Results of {self.summary['case']}: {inside}>"
+
+    def _repr_html_(self) -> str:
+        head = ("model", "operation", "hook load, kN", "surface torque, kN.m", "findings")
+        rows = [
+            (
+                of.model,
+                of.operation,
+                f"{of.hook_load_N / 1e3:.1f}",
+                f"{of.surface_torque_N_m / 1e3:.2f}",
+                "; ".join(found.message for found in of.findings),
+            )
+            for of in self
+        ]
+        cells = "".join(
+            "<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in rows
+        )
+        names = "".join(f"<th>{escape(name)}</th>" for name in head)
+        title = escape(str(self.summary["case"]))
+        return (
+            f"<table><caption>{title}</caption><thead><tr>{names}</tr></thead>"
+            f"<tbody>{cells}</tbody></table>"
+        )

@@ -1,0 +1,122 @@
+"""Tables that other libraries take without a copy."""
+
+from __future__ import annotations
+
+from html import escape
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _core
+
+if TYPE_CHECKING:
+    import pandas
+    import polars
+    from numpy.typing import NDArray
+
+
+class Table:
+    """A table of results, as its Parquet file has it: SI, units in the names of the columns.
+
+    polars, pandas 3, DuckDB and pyarrow take it as it is, by Arrow's PyCapsule interface, and share
+    its memory: ``polars.DataFrame(table)``. A number that does not apply is null there, and NaN to
+    NumPy.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> nodes = ws.Case.example().soft().table("nodes")
+    >>> nodes.columns[:4]
+    ('model', 'operation', 'md_m', 'tension_N')
+    >>> nodes.unit("tension_N")
+    'N'
+    >>> float(nodes["md_m"].max())
+    1200.0
+    """
+
+    __slots__ = ("_core", "_name")
+
+    def __init__(self, core: _core.Table, name: str) -> None:
+        self._core = core
+        self._name = name
+
+    @property
+    def name(self) -> str:
+        """Name of its file, without the ending."""
+        return self._name
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of the columns."""
+        return tuple(self._core.names)
+
+    def __len__(self) -> int:
+        """Give the number of rows."""
+        return self._core.rows
+
+    def __contains__(self, column: object) -> bool:
+        """Tell whether there is such a column."""
+        return column in self._core.names
+
+    def __getitem__(self, column: str) -> NDArray[Any]:
+        """Give a column: numbers are a view of the table's memory, read-only, NaN where null."""
+        numbers = self._core.numbers(column)
+        if numbers is not None:
+            return np.asarray(numbers)
+        return np.array(self._core.words(column), dtype=object)
+
+    def unit(self, column: str) -> str:
+        """Give the SI unit of a column, empty where it has none."""
+        return self._core.unit(column)
+
+    def meaning(self, column: str) -> str:
+        """Give what a column is, in a sentence."""
+        return self._core.meaning(column)
+
+    def to_numpy(self) -> dict[str, NDArray[Any]]:
+        """Give the columns by their names; numbers are views, read-only."""
+        return {column: self[column] for column in self.columns}
+
+    def to_polars(self) -> polars.DataFrame:
+        """Give a polars data frame that shares the numbers."""
+        import polars
+
+        return polars.DataFrame(self)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Give a pandas data frame that shares the numbers where pandas can."""
+        import pandas
+
+        return pandas.DataFrame(self.to_numpy(), copy=False)
+
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
+        """Give Arrow's stream."""
+        return self._core.__arrow_c_stream__(requested_schema)
+
+    def __arrow_c_schema__(self) -> object:
+        """Give Arrow's schema."""
+        return self._core.__arrow_c_schema__()
+
+    def __repr__(self) -> str:
+        """Give its size."""
+        return f"<Table {self._name}: {len(self)} rows, {len(self.columns)} columns>"
+
+    def _repr_html_(self) -> str:
+        shown = 10
+        head = "".join(
+            f'<th title="{escape(self.meaning(of), quote=True)}">{escape(of)}</th>'
+            for of in self.columns
+        )
+        columns = [self[column][:shown] for column in self.columns]
+        rows = "".join(
+            "<tr>" + "".join(f"<td>{_cell(of[row])}</td>" for of in columns) + "</tr>"
+            for row in range(min(shown, len(self)))
+        )
+        more = f"<p>{len(self)} rows, the first {shown} shown</p>" if len(self) > shown else ""
+        return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>{more}"
+
+
+def _cell(value: object) -> str:
+    if isinstance(value, float):
+        return "" if np.isnan(value) else f"{value:.6g}"
+    return escape(str(value))

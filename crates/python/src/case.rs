@@ -1,0 +1,231 @@
+//! A case that was checked.
+
+use std::{
+    collections::BTreeMap,
+    num::NonZeroUsize,
+    path::PathBuf,
+    sync::{Arc, Mutex, PoisonError},
+};
+
+use pyo3::{
+    prelude::*,
+    types::{PyBytes, PyDict, PyList},
+};
+use wholestring_case::{Case as Checked, Override, Quote, Template};
+use wholestring_runner::{
+    Existing, Output,
+    run::{self, Live},
+};
+
+use crate::{answers::Answers, attended::attended, error, simulation::Simulation};
+
+/// A case that was checked, with the text that it was read from and the changes made to it.
+#[pyclass(frozen, module = "wholestring._core")]
+pub(crate) struct Case {
+    template: Arc<Template>,
+    changes: Vec<Override>,
+    case: Arc<Checked>,
+    /// The same with other models, as they were requested.
+    with_models: Mutex<BTreeMap<String, Arc<Checked>>>,
+}
+
+/// A change as diagnostics quote it.
+fn change(key: &str, value: &str) -> Override {
+    let text = format!("{key} = {value}");
+    let start = text.len() - value.len();
+    let quote = Quote {
+        name: "with_".into(),
+        key: 0..key.len(),
+        value: start..text.len(),
+        text: text.into(),
+        verbatim: true,
+    };
+    Override::quoted(key, value, quote)
+}
+
+impl Case {
+    fn of(py: Python<'_>, template: Arc<Template>, changes: Vec<Override>) -> PyResult<Self> {
+        let case = py.detach(|| template.case(&changes));
+        let case = Arc::new(case.map_err(|report| error::of_report(py, &report))?);
+        Ok(Self { template, changes, case, with_models: Mutex::default() })
+    }
+
+    /// The case with these models, and one operation if it is named.
+    fn with_models(
+        &self,
+        py: Python<'_>,
+        models: Option<Vec<String>>,
+        operation: Option<String>,
+    ) -> PyResult<Arc<Checked>> {
+        let mut changes = self.changes.clone();
+        let mut name = String::new();
+        for (key, words) in [("model", models), ("operation.kind", operation.map(|of| vec![of]))] {
+            if let Some(words) = words {
+                let quoted: Vec<String> = words.iter().map(|word| format!("{word:?}")).collect();
+                let list = format!("[{}]", quoted.join(", "));
+                name.push_str(&list);
+                changes.push(change(key, &list));
+            }
+            name.push(';');
+        }
+        let held = || self.with_models.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(case) = held().get(&name) {
+            return Ok(case.clone());
+        }
+        let case = py.detach(|| self.template.case(&changes));
+        let case = Arc::new(case.map_err(|report| error::of_report(py, &report))?);
+        held().insert(name, case.clone());
+        Ok(case)
+    }
+}
+
+#[pymethods]
+impl Case {
+    /// Reads a case file.
+    #[staticmethod]
+    fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        let template = py.detach(|| Template::read(&path));
+        let template = template.map_err(|report| error::of_report(py, &report))?;
+        Self::of(py, Arc::new(template), Vec::new())
+    }
+
+    /// Reads a case from its text and the files that it names.
+    #[staticmethod]
+    fn parse(
+        py: Python<'_>,
+        text: &str,
+        name: &str,
+        files: BTreeMap<String, Vec<u8>>,
+    ) -> PyResult<Self> {
+        Self::of(py, Arc::new(Template::in_memory(name, text, files)), Vec::new())
+    }
+
+    /// Another case: this one with changes, each a key and a TOML value.
+    fn changed(&self, py: Python<'_>, changes: Vec<(String, String)>) -> PyResult<Self> {
+        let mut all = self.changes.clone();
+        all.extend(changes.iter().map(|(key, value)| change(key, value)));
+        Self::of(py, self.template.clone(), all)
+    }
+
+    /// The text of the case, with its changes.
+    fn to_toml(&self, py: Python<'_>) -> PyResult<String> {
+        self.template.text(&self.changes).map_err(|report| error::of_report(py, &report))
+    }
+
+    /// What diagnostics call it.
+    #[getter]
+    fn source(&self) -> &str {
+        self.template.name()
+    }
+
+    /// The files that it was made of, beside its text.
+    fn files<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let files = PyDict::new(py);
+        for (name, bytes) in self.template.files() {
+            files.set_item(name, PyBytes::new(py, &bytes))?;
+        }
+        Ok(files)
+    }
+
+    /// The settings with all defaults filled in, as JSON.
+    fn settings_json(&self) -> String {
+        self.case.settings.to_string()
+    }
+
+    /// Its name.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.case.name
+    }
+
+    /// Its models.
+    #[getter]
+    fn models(&self) -> Vec<&'static str> {
+        self.case.models.iter().map(|model| model.name()).collect()
+    }
+
+    /// Its operations.
+    #[getter]
+    fn operations(&self) -> Vec<&'static str> {
+        self.case.operations.iter().map(|of| of.kind.name()).collect()
+    }
+
+    /// What is probably not meant, but can be computed.
+    fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        error::diagnostics(py, std::slice::from_ref(&self.case.warnings))
+    }
+
+    /// Solves it in memory: the answers, and what was raised before the end, if it was.
+    #[pyo3(signature = (models, operation, jobs, listener))]
+    fn answer(
+        &self,
+        py: Python<'_>,
+        models: Option<Vec<String>>,
+        operation: Option<String>,
+        jobs: Option<NonZeroUsize>,
+        listener: &Bound<'_, PyAny>,
+    ) -> PyResult<(Answers, Option<Py<PyAny>>)> {
+        let case = self.with_models(py, models, operation)?;
+        let work = attended(py, listener, |observer, cancellation| {
+            run::answer(&case, jobs, observer, cancellation)
+        })?;
+        let solved = work.result.map_err(|error| error::of_work(py, &error))?;
+        let stopped = solved.stopped.map(|stop| error::of_work(py, &stop.into()));
+        let raised = work.raised.or(stopped).map(|raised| raised.into_value(py).into_any());
+        Ok((solved.answers.into(), raised))
+    }
+
+    /// Solves it into a folder: the answers there, and what was raised before the end, if it was.
+    #[pyo3(signature = (models, operation, folder, existing, csv, jobs, listener))]
+    #[allow(clippy::too_many_arguments)]
+    fn run(
+        &self,
+        py: Python<'_>,
+        models: Option<Vec<String>>,
+        operation: Option<String>,
+        folder: Option<PathBuf>,
+        existing: &str,
+        csv: bool,
+        jobs: Option<NonZeroUsize>,
+        listener: &Bound<'_, PyAny>,
+    ) -> PyResult<(Answers, Option<Py<PyAny>>)> {
+        let case = self.with_models(py, models, operation)?;
+        let mut request = run::Request::new(&case);
+        let existing = match existing {
+            "resume" => Existing::Resume,
+            "overwrite" => Existing::Overwrite,
+            _ => Existing::Protect,
+        };
+        request.output = Output { folder, existing };
+        request.csv = csv;
+        request.jobs = jobs;
+        let work = attended(py, listener, |observer, cancellation| {
+            run::run(&request, observer, cancellation)
+        })?;
+        let outcome = work.result.map_err(|error| error::of_work(py, &error))?;
+        let stopped = outcome.stopped.map(|stop| error::of_work(py, &stop.into()));
+        let raised = work.raised.or(stopped).map(|raised| raised.into_value(py).into_any());
+        Ok((Answers::of_folder(py, outcome.folder)?, raised))
+    }
+
+    /// A dynamic run in hand; with a checkpoint, from there on.
+    #[pyo3(signature = (operation, checkpoint, listener))]
+    fn simulation(
+        &self,
+        py: Python<'_>,
+        operation: Option<&str>,
+        checkpoint: Option<&[u8]>,
+        listener: &Bound<'_, PyAny>,
+    ) -> PyResult<Simulation> {
+        let case = self.case.clone();
+        let work = attended(py, listener, |observer, cancellation| match checkpoint {
+            Some(bytes) => Live::resume(case, bytes),
+            None => Live::begin(case, operation, observer, cancellation),
+        })?;
+        match (work.raised, work.result) {
+            (Some(raised), _) => Err(raised),
+            (None, Ok(live)) => Ok(live.into()),
+            (None, Err(error)) => Err(error::of_work(py, &error)),
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! What the Python package `wholestring` is made of: cases, what they come to, and tables that other
+//! libraries take without a copy. Thin: it hands over to the runner, and its words are the
+//! package's, which is in `python/wholestring`.
+
+mod answers;
+mod attended;
+mod case;
+mod column;
+mod error;
+mod simulation;
+mod table;
+mod told;
+
+use pyo3::prelude::*;
+
+/// The compiled half of `wholestring`: private, as its name says.
+#[pymodule]
+mod _core {
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use crate::{
+        answers::Answers, case::Case, column::Column, simulation::Simulation, table::Table,
+    };
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", wholestring_results::ENGINE_VERSION)?;
+        // The case that the package shows itself with.
+        module.add("EXAMPLE", include_str!("../../../cases/slant.toml"))?;
+        module.add("SCALARS", crate::answers::scalars())
+    }
+
+    /// A quantity of a dimension, such as `"10 s"` of a time, in SI.
+    #[pyfunction]
+    fn quantity(py: Python<'_>, text: &str, dimension: &str) -> PyResult<f64> {
+        use wholestring_units::Dimension;
+
+        let found = Dimension::ALL.iter().find(|of| of.name() == dimension);
+        let found = found.ok_or_else(|| crate::error::of_panic(py))?;
+        found
+            .parse(text)
+            .map_err(|error| pyo3::exceptions::PyValueError::new_err(error.to_string()))
+    }
+
+    /// SI unit of a dimension, such as `"rotary speed"`.
+    #[pyfunction]
+    fn si_unit(py: Python<'_>, dimension: &str) -> PyResult<&'static str> {
+        let found = wholestring_units::Dimension::ALL.iter().find(|of| of.name() == dimension);
+        found.map(|of| of.si_symbol()).ok_or_else(|| crate::error::of_panic(py))
+    }
+
+    /// SI unit of what a dotted or short key of a case measures; nothing of a bare number, a text,
+    /// or a key that there is not.
+    #[pyfunction]
+    fn unit_of(key: &str) -> Option<&'static str> {
+        wholestring_case::dimension_at(key).map(wholestring_units::Dimension::si_symbol)
+    }
+}

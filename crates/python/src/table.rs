@@ -1,0 +1,133 @@
+//! Tables that other libraries take without a copy, by Arrow's capsules.
+
+use std::sync::Arc;
+
+use arrow_array::{
+    Array, ArrayRef, Float64Array, RecordBatch, RecordBatchIterator, StringArray,
+    ffi::FFI_ArrowSchema, ffi_stream::FFI_ArrowArrayStream,
+};
+use arrow_buffer::{NullBuffer, ScalarBuffer};
+use arrow_schema::{DataType, Field, Schema};
+use pyo3::{
+    exceptions::{PyKeyError, PyRuntimeError},
+    prelude::*,
+    types::PyCapsule,
+};
+use wholestring_results::{Column as Stored, Data, Table as StoredTable};
+
+use crate::column::Column;
+
+/// A table: its columns, with the unit and the meaning of each.
+#[pyclass(frozen, module = "wholestring._core")]
+pub(crate) struct Table {
+    batch: RecordBatch,
+}
+
+impl Table {
+    /// A table in Arrow's layout, in which it is then shared. A number that does not apply is null,
+    /// and NaN to whoever looks at the memory.
+    pub(crate) fn of(table: &StoredTable) -> PyResult<Self> {
+        let columns = table.columns().iter().map(column).unzip::<_, _, Vec<_>, Vec<_>>();
+        let (fields, arrays) = columns;
+        let batch = RecordBatch::try_new(Arc::new(Schema::new(fields)), arrays)
+            .map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+        Ok(Self { batch })
+    }
+
+    fn place(&self, name: &str) -> PyResult<usize> {
+        let schema = self.batch.schema();
+        schema.index_of(name).map_err(|_| {
+            let names: Vec<&str> =
+                schema.fields().iter().map(|field| field.name().as_str()).collect();
+            let message = format!("there is no column `{name}`: it has {}", names.join(", "));
+            PyKeyError::new_err(message)
+        })
+    }
+
+    fn about(&self, name: &str, what: &str) -> PyResult<String> {
+        let place = self.place(name)?;
+        let about = self.batch.schema().field(place).metadata().get(what).cloned();
+        Ok(about.unwrap_or_default())
+    }
+}
+
+fn column(of: &Stored) -> (Field, ArrayRef) {
+    let array: ArrayRef = match &of.data {
+        Data::Number(numbers) => {
+            let values: Vec<f64> = numbers.iter().map(|of| of.unwrap_or(f64::NAN)).collect();
+            let has_nulls = numbers.iter().any(Option::is_none);
+            let nulls = has_nulls.then(|| numbers.iter().map(Option::is_some).collect());
+            let nulls: Option<NullBuffer> = nulls;
+            Arc::new(Float64Array::new(ScalarBuffer::from(values), nulls))
+        }
+        Data::Text(words) => Arc::new(StringArray::from_iter_values(words)),
+    };
+    let kind = match of.data {
+        Data::Number(_) => DataType::Float64,
+        Data::Text(_) => DataType::Utf8,
+    };
+    let about = [("unit".to_owned(), of.unit.clone()), ("meaning".to_owned(), of.meaning.clone())];
+    (Field::new(&of.name, kind, true).with_metadata(about), array)
+}
+
+#[pymethods]
+impl Table {
+    /// Arrow's stream, for whoever takes Arrow; the memory is shared.
+    #[pyo3(signature = (requested_schema = None))]
+    fn __arrow_c_stream__<'py>(
+        &self,
+        py: Python<'py>,
+        requested_schema: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyCapsule>> {
+        // A wish that need not be granted, by Arrow's own rules.
+        let _ = requested_schema;
+        let batches = [Ok(self.batch.clone())];
+        let reader = RecordBatchIterator::new(batches, self.batch.schema());
+        let stream = FFI_ArrowArrayStream::new(Box::new(reader));
+        PyCapsule::new_with_value(py, stream, c"arrow_array_stream")
+    }
+
+    /// Arrow's schema.
+    fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
+        let schema = FFI_ArrowSchema::try_from(self.batch.schema().as_ref())
+            .map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+        PyCapsule::new_with_value(py, schema, c"arrow_schema")
+    }
+
+    /// Names of the columns.
+    #[getter]
+    fn names(&self) -> Vec<String> {
+        self.batch.schema().fields().iter().map(|field| field.name().clone()).collect()
+    }
+
+    /// Number of rows.
+    #[getter]
+    fn rows(&self) -> usize {
+        self.batch.num_rows()
+    }
+
+    /// SI unit of a column, empty where it has none.
+    fn unit(&self, name: &str) -> PyResult<String> {
+        self.about(name, "unit")
+    }
+
+    /// What a column is, in a sentence.
+    fn meaning(&self, name: &str) -> PyResult<String> {
+        self.about(name, "meaning")
+    }
+
+    /// The numbers of a column, to be viewed; nothing where it is words.
+    fn numbers(&self, name: &str) -> PyResult<Option<Column>> {
+        let array = self.batch.column(self.place(name)?);
+        let numbers = array.as_any().downcast_ref::<Float64Array>();
+        Ok(numbers.map(|numbers| Column { values: numbers.values().clone() }))
+    }
+
+    /// The words of a column; nothing where it is numbers.
+    fn words(&self, name: &str) -> PyResult<Option<Vec<String>>> {
+        let array = self.batch.column(self.place(name)?);
+        let words = array.as_any().downcast_ref::<StringArray>();
+        let owned = |word: Option<&str>| word.unwrap_or_default().to_owned();
+        Ok(words.map(|words| words.iter().map(owned).collect()))
+    }
+}

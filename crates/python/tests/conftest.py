@@ -1,0 +1,30 @@
+"""What several tests need."""
+
+from pathlib import Path
+
+import pytest
+import wholestring as ws
+
+CASES = Path(__file__).parents[3] / "cases"
+
+
+@pytest.fixture(scope="session")
+def slant() -> ws.Case:
+    return ws.Case.example()
+
+
+@pytest.fixture(scope="session")
+def np13() -> ws.Case:
+    return ws.Case.load(CASES / "np13-x1042.toml")
+
+
+@pytest.fixture(scope="session")
+def short(slant: ws.Case) -> ws.Case:
+    """A dynamic run of a second or two."""
+    changes: dict[str, ws.Value] = {
+        "operation.kind": "drill",
+        "dynamics.duration": 1.0,
+        "dynamics.settle": 1.0,
+        "mesh.element_length": 10.0,
+    }
+    return slant.with_(changes)

@@ -1,0 +1,108 @@
+"""Cases: how they are made, changed, written and kept."""
+
+import pickle
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pint
+import pytest
+import wholestring as ws
+
+
+def registry() -> Any:
+    made: Any = getattr(pint, "UnitRegistry")  # noqa: B009 - its types are half known
+    return made()
+
+
+def test_a_number_is_si_and_a_text_has_its_unit(slant: ws.Case) -> None:
+    as_text = slant.with_(wob="60 kN", operation__rpm="120 rpm")
+    as_number = slant.with_({"operation.wob": 60e3, "operation.rpm": 12.566370614359172})
+    assert as_text == as_number
+    assert hash(as_text) == hash(as_number)
+    assert as_text != slant
+    assert as_text.settings["operation"]["wob_N"] == 60e3
+
+
+def test_a_quantity_is_anything_that_converts(slant: ws.Case) -> None:
+    units = registry()
+    made = slant.with_(
+        {
+            "operation.wob": units.Quantity(60.0, "kN"),
+            "operation.flow_rate": units.Quantity(2000.0, "liter/minute"),
+            "mud.density": units.Quantity(9.0, "pound/gallon"),
+        }
+    )
+    assert made.settings["operation"]["wob_N"] == pytest.approx(60e3, rel=1e-15)
+    assert made.settings["operation"]["flow_rate_m3_per_s"] == pytest.approx(2 / 60, rel=1e-14)
+    assert made.settings["mud"]["density_kg_per_m3"] == pytest.approx(1078.4, rel=1e-4)
+    with pytest.raises(pint.DimensionalityError):
+        slant.with_(wob=units.Quantity(60.0, "m"))
+    with pytest.raises(TypeError, match="takes a number without a unit"):
+        slant.with_(friction=units.Quantity(0.3, ""))
+
+
+def test_every_unit_is_one_that_pint_knows(slant: ws.Case) -> None:
+    from wholestring import _core
+    from wholestring._values import for_pint
+
+    units = registry()
+    keys = ["wob", "rpm", "mud.density", "operation.flow_rate", "mud.plastic_viscosity",
+            "string.0.weight", "string.0.od", "bit.torque", "operation.rop"]  # fmt: skip
+    for key in keys:
+        unit = _core.unit_of(key)
+        assert unit is not None, key
+        assert units.Unit(for_pint(unit)) is not None
+
+
+def test_a_case_of_python_objects_is_the_case_of_a_file() -> None:
+    table: dict[str, ws.Value] = {
+        "name": "vertical",
+        "well": {
+            "stations": [["0 m", "0 deg", "0 deg"], ["1000 m", "0 deg", "0 deg"]],
+            "hole": [
+                {"kind": "open", "to": 1000.0, "diameter": "8-1/2 in", "friction": 0.3},
+            ],
+        },
+        "mud": {"density": 1100.0},
+        "string": [
+            {"component": "pipe", "od": 0.127, "id": 0.1086, "weight": 29.0, "length": "to surface"}
+        ],
+        "operation": {"kind": ["trip_out", "trip_in"]},
+    }
+    made = ws.Case.from_dict(table)
+    # Of a vertical string the hook load is its weight in mud, whatever the friction.
+    area = 3.141592653589793 / 4 * (0.127**2 - 0.1086**2)
+    assert area > 0
+    solved = made.soft()
+    assert solved["trip_out"].hook_load_N == pytest.approx(solved["trip_in"].hook_load_N, rel=1e-12)
+    steel = made.settings["steel"]["density_kg_per_m3"]
+    expected = 29.0 * 9.80665 * 1000.0 * (1 - 1100.0 / steel)
+    assert solved["trip_out"].hook_load_N == pytest.approx(expected, rel=1e-9)
+
+
+def test_its_text_is_the_case(np13: ws.Case, slant: ws.Case) -> None:
+    for case in (np13, slant.with_(friction=0.4), slant.with_(rig__block_weight="200 kN")):
+        again = ws.Case(case.to_toml(), files=case.files)
+        assert again == case
+    assert "# 9-5/8 in 40 lb/ft" in slant.with_(friction=0.4).to_toml()
+
+
+def test_a_pickle_opens_in_a_fresh_interpreter(np13: ws.Case, tmp_path: Path) -> None:
+    case = np13.with_(friction=0.22)
+    kept = tmp_path / "case.pickle"
+    kept.write_bytes(pickle.dumps(case))
+    script = (
+        "import pickle, sys; case = pickle.load(open(sys.argv[1], 'rb'));"
+        "print(case.soft('trip_out')['trip_out'].hook_load_N.hex())"
+    )
+    ran = subprocess.run(
+        [sys.executable, "-c", script, str(kept)], capture_output=True, text=True, check=True
+    )
+    assert ran.stdout.strip() == case.soft("trip_out")["trip_out"].hook_load_N.hex()
+
+
+def test_it_cannot_be_changed(slant: ws.Case) -> None:
+    with pytest.raises(AttributeError):
+        slant.name = "other"  # type: ignore[misc]

@@ -1,0 +1,111 @@
+"""Errors: every class, with its message."""
+
+import pickle
+import signal
+import threading
+import time
+from pathlib import Path
+
+import pytest
+import wholestring as ws
+
+
+def test_a_mistaken_case_names_every_mistake(slant: ws.Case) -> None:
+    text = slant.to_toml().replace("density", "densty").replace('"8.5 in"\nfriction = 0.3', "3")
+    with pytest.raises(ws.CaseError) as caught:
+        ws.Case(text, name="well.toml")
+    error = caught.value
+    assert "did you mean `density`?" in str(error)
+    assert "well.toml:" in str(error)
+    found = error.diagnostics[0]
+    assert found.severity == "error"
+    assert found.file == "well.toml"
+    assert found.line is not None
+    assert text.splitlines()[found.line - 1].startswith("densty")
+    assert found.column == 1
+    again = pickle.loads(pickle.dumps(error))
+    assert str(again) == str(error)
+
+
+def test_a_mistaken_change_is_quoted(slant: ws.Case) -> None:
+    with pytest.raises(ws.CaseError, match="there is no key `wobb`") as caught:
+        slant.with_(wobb=3.0)
+    assert caught.value.diagnostics[0].file == "with_"
+    with pytest.raises(ws.CaseError, match="with_"):
+        slant.with_(wob="6 bar")
+    with pytest.raises(ValueError, match="expected a finite number"):
+        slant.with_(wob=float("nan"))
+    with pytest.raises(TypeError, match="expected a text with a unit"):
+        slant.with_(wob=object())  # type: ignore[arg-type]
+
+
+def test_a_file_that_is_not_there(tmp_path: Path) -> None:
+    with pytest.raises(ws.CaseError, match="there is no such file"):
+        ws.Case.load(tmp_path / "none.toml")
+    with pytest.raises(ws.ResultsError):
+        ws.Results.load(tmp_path)
+
+
+def test_other_results_are_not_replaced(slant: ws.Case, tmp_path: Path) -> None:
+    slant.soft("drill").save(tmp_path / "here")
+    other = slant.with_(friction=0.1, name="other").soft("drill")
+    with pytest.raises(ws.FolderError, match="here"):
+        other.save(tmp_path / "here")
+    other.save(tmp_path / "here", overwrite=True)
+    with pytest.raises(ValueError, match="exclude"):
+        slant.run(tmp_path / "here", overwrite=True, resume=True)
+
+
+def test_frames_need_a_folder(short: ws.Case) -> None:
+    with pytest.raises(ws.InputError, match="folder"):
+        short.with_(records__frames="10 Hz").dynamic()
+
+
+def test_an_operation_without_equilibrium_keeps_the_others(slant: ws.Case) -> None:
+    # More weight than the string can take.
+    locked = slant.with_(friction=1.2, wob="900 kN")
+    with pytest.raises(ws.NoAnswerError) as caught:
+        locked.stiff()
+    results = caught.value.results
+    assert results is not None
+    assert {"failed", "complete"} == {of.status for of in results}
+
+
+def test_an_interrupt_keeps_what_was_computed(slant: ws.Case) -> None:
+    long = slant.with_(operation__kind=["rotate_off_bottom", "drill"], dynamics__duration="1 h")
+    sent = 0.0
+
+    def interrupt() -> None:
+        nonlocal sent
+        sent = time.monotonic()
+        signal.raise_signal(signal.SIGINT)
+
+    timer = threading.Timer(2.0, interrupt)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt) as caught:
+        long.dynamic()
+    took = time.monotonic() - sent
+    assert isinstance(caught.value, ws.Interrupted)
+    results = caught.value.results
+    assert results is not None
+    assert results["rotate_off_bottom"].status == "interrupted"
+    # Asked: within 0.2 s; a loaded machine is given more.
+    assert took < 2.0, took
+
+
+def test_python_runs_beside_it(short: ws.Case) -> None:
+    turns = 0
+    done = threading.Event()
+
+    def count() -> None:
+        nonlocal turns
+        while not done.is_set():
+            turns += 1
+            time.sleep(0.001)
+
+    beside = threading.Thread(target=count)
+    beside.start()
+    short.with_(dynamics__duration=3.0).dynamic()
+    done.set()
+    beside.join()
+    assert turns > 20

@@ -1,0 +1,75 @@
+"""A simulation in hand."""
+
+import math
+
+import numpy as np
+import pytest
+import wholestring as ws
+
+
+def test_it_is_the_run_of_the_case(short: ws.Case) -> None:
+    whole = short.dynamic()
+    sim = short.simulation()
+    while sim.time_s < whole.time["time_s"][-1] - 0.5 * sim.sample_interval_s:
+        sim.advance(0.3)
+    ours = sim.results()
+    count = len(whole.time)
+    for name in ("hook_load_N", "surface_torque_N_m", "weight_on_bit_N"):
+        assert np.array_equal(ours.time[name][:count], whole.time[name])
+
+
+def test_a_checkpoint_continues_to_the_same_bits(short: ws.Case) -> None:
+    sim = short.simulation("drill")
+    sim.set(rpm="130 rpm", ramp="0.5 s")
+    sim.advance("0.4 s")
+    kept = sim.checkpoint()
+    again = short.simulation(checkpoint=kept)
+    assert again.time_s == sim.time_s
+    for of in (sim, again):
+        of.advance("0.5 s")
+    assert sim.now == again.now
+    assert np.array_equal(sim.state()["torque_N_m"], again.state()["torque_N_m"])
+    with pytest.raises(ws.FolderError, match="another case"):
+        short.with_(friction=0.1).simulation(checkpoint=kept)
+    with pytest.raises(ws.ResultsError, match="damaged"):
+        short.simulation(checkpoint=kept[:-1] + bytes([kept[-1] ^ 1]))
+
+
+def test_set_points_go_where_they_are_sent(short: ws.Case) -> None:
+    sim = short.with_(operation__kind="rotate_off_bottom").simulation()
+    sim.set(rpm=0.0)
+    sim.advance("0.2 s")
+    sim.set(rpm="60 rpm", ramp="1 s")
+    sim.advance("0.5 s")
+    half = sim.now["rotary_speed_set_rad_per_s"]
+    assert half == pytest.approx(math.pi, rel=0.05)
+    sim.set(rpm="10 rpm")
+    sim.advance("0.1 s")
+    assert sim.now["rotary_speed_set_rad_per_s"] == pytest.approx(10 / 60 * math.tau, rel=1e-12)
+    assert sim.state()["rotary_speed_rad_per_s"][0] == pytest.approx(10 / 60 * math.tau, rel=1e-6)
+    with pytest.raises(ValueError, match="either"):
+        sim.set(block_velocity="0.1 m/s", weight_on_bit="1 kN")
+    with pytest.raises(ValueError, match="a time was expected"):
+        sim.advance("3 m")
+    with pytest.raises(ws.InputError, match="advance by -1"):
+        sim.advance(-1.0)
+    with pytest.raises(ws.InputError, match="out of range"):
+        sim.set(rpm=math.nan)
+
+
+def test_the_state_is_the_whole_string(short: ws.Case) -> None:
+    sim = short.simulation()
+    sim.advance(0.1)
+    state = sim.state()
+    assert state["md_m"][0] < 20.0
+    assert state["md_m"][-1] == pytest.approx(1200.0, abs=1.0)
+    assert state.unit("tension_N") == "N"
+    # The top carries what hangs on the hook.
+    assert state["tension_N"][0] == pytest.approx(sim.now["hook_load_N"], rel=0.05)
+
+
+def test_an_operation_that_there_is_not(slant: ws.Case) -> None:
+    with pytest.raises(ws.InputError, match="name one of trip_out"):
+        slant.simulation()
+    with pytest.raises(ws.InputError, match="no operation `fish`"):
+        slant.simulation("fish")
