@@ -22,8 +22,8 @@ pub mod uncertainty;
 pub mod wear;
 
 pub use broomstick::{
-    Broomstick, BroomstickPoint, BroomstickTask, BucklingWeight, FrictionLevel, Frictions,
-    KindFriction, LevelFriction, NoAnswer, PointAnswer, Statics, bit_depths_m,
+    Broomstick, BroomstickPoint, BroomstickTask, BucklingWeight, ExpectedLoads, FrictionLevel,
+    Frictions, KindFriction, LevelFriction, NoAnswer, PointAnswer, Statics, bit_depths_m,
 };
 pub use campaign::{Campaign, CampaignSettings, Share};
 pub use error::PlanError;

@@ -10,8 +10,8 @@ use wholestring::{
     string::{ComponentLength, Material},
 };
 use wholestring_plan::{
-    Broomstick, BroomstickPoint, FrictionLevel, Frictions, KindFriction, LevelFriction, Setup,
-    Statics, bit_depths_m,
+    Broomstick, BroomstickPoint, FrictionLevel, Frictions, KindFriction, LevelFriction,
+    PointAnswer, Setup, Statics, bit_depths_m,
 };
 use wholestring_verification::verify;
 
@@ -144,17 +144,25 @@ fn points_are_the_soft_string_s_own() {
     }
 }
 
-/// Loads alone are those of the whole point, of either model.
+/// Loads alone are those of the whole point, of either model, to the last digit; a depth that the string
+/// cannot be at has none.
 #[test]
 fn expected_loads_are_those_of_the_point() {
     for by in Statics::ALL {
         let of = broomstick(&common(), levels([0.1, 0.2, 0.3]), vec![900.0], by);
-        for task in &of.tasks()[..2] {
+        let found = of.expected_loads(by, 900.0, &operations());
+        assert_eq!(found.len(), of.tasks().len());
+        for (task, found) in of.tasks().iter().zip(found) {
             let whole = &of.solve(task)[FrictionLevel::Expected as usize];
             let answer = whole.outcome.as_ref().expect("an answer");
-            let (scalars, limits) = of.expected_loads(task).expect("an answer");
-            assert_eq!((scalars, &limits), (answer.scalars, &answer.limits), "{by:?}");
+            let found = found.expect("an answer");
+            let PointAnswer { scalars, limits, .. } = answer;
+            assert_eq!(found.hook_load_N, scalars.hook_load_N, "{by:?}");
+            assert_eq!(found.surface_torque_N_m, scalars.surface_torque_N_m, "{by:?}");
+            assert_eq!(&found.limits, limits, "{by:?}");
         }
+        let none = of.expected_loads(by, -1.0, &operations());
+        assert!(none.len() == operations().len() && none.iter().all(Result::is_err));
     }
     let of = broomstick(&common(), levels([0.1, 0.2, 0.3]), vec![900.0], Statics::Soft);
     let expected = of.expected_weights_to_buckle(900.0);

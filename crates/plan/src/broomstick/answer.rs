@@ -4,14 +4,14 @@ use wholestring::{
     findings::{Finding, of_soft, of_stiff},
     model::Model,
     operation::Operation,
-    outcome::{Scalars, Solution},
+    outcome::Solution,
     statics::{
         soft,
         stiff::{self, Equilibrium, StiffError},
     },
 };
 
-use crate::limits::{Limits, limits};
+use crate::limits::limits;
 
 use super::{
     Broomstick, BroomstickPoint, BroomstickTask, FrictionLevel,
@@ -22,26 +22,6 @@ impl Broomstick {
     /// The points of a task, one for each of [`FrictionLevel::ALL`]. What has no answer says why.
     pub fn solve(&self, task: &BroomstickTask) -> Vec<BroomstickPoint> {
         answers(self, task)
-    }
-
-    /// Torque and drag of a task with the friction that is expected, and how near it is to its limits;
-    /// nothing else of it.
-    ///
-    /// # Errors
-    /// Why there is no answer.
-    pub fn expected_loads(&self, task: &BroomstickTask) -> Result<(Scalars, Limits), NoAnswer> {
-        let operation = &task.operation;
-        let model = self.setup(FrictionLevel::Expected).at(operation.bit_depth_m)?;
-        let loads = |solution: &Solution<'_>| {
-            (solution.scalars, limits(&model, operation, solution, &self.limits))
-        };
-        match task.model {
-            Statics::Soft => Ok(loads(&(&soft::solve(&model, operation, &self.soft)?).into())),
-            Statics::Stiff => {
-                let found = stiff::equilibrium(&model, operation, &self.stiff)?;
-                Ok(loads(&(&found.profile(&model, operation)).into()))
-            }
-        }
     }
 }
 

@@ -1,10 +1,8 @@
 //! The weight on bit under which a string begins to buckle.
 
 use wholestring::{
-    model::Model,
     operation::{Operation, OperationKind},
-    outcome::Profile,
-    statics::soft::{self, SoftError},
+    statics::soft::{SoftError, SoftString},
 };
 
 use super::{Broomstick, FrictionLevel, NoAnswer};
@@ -57,13 +55,17 @@ fn at(of: &Broomstick, bit_depth_m: f64, levels: &[FrictionLevel]) -> Vec<Buckli
     let base = base.unwrap_or_else(|| Operation::drill(bit_depth_m));
     let mut found = Vec::new();
     for friction in levels.iter().copied() {
-        let model = of.setup(friction).at(bit_depth_m);
+        let model = of.setup(friction).at(bit_depth_m).map_err(NoAnswer::from);
+        let string = match &model {
+            Ok(model) => SoftString::new(model, bit_depth_m, &of.soft).map_err(NoAnswer::from),
+            Err(why) => Err(why.clone()),
+        };
         for operation in [OperationKind::Drill, OperationKind::Slide] {
             let own = of.operations.iter().find(|own| own.kind == operation);
             let operation = drilling(*own.unwrap_or(&base), operation, bit_depth_m);
-            let weights_N = match &model {
-                Ok(model) => weights_N(of, model, &operation),
-                Err(error) => Err(error.clone().into()),
+            let weights_N = match &string {
+                Ok(string) => weights_N(string, &operation),
+                Err(why) => Err(why.clone()),
             };
             found.push(BucklingWeight {
                 friction,
@@ -88,17 +90,12 @@ fn drilling(of: Operation, kind: OperationKind, bit_depth_m: f64) -> Operation {
     }
 }
 
-fn weights_N(
-    of: &Broomstick,
-    model: &Model,
-    operation: &Operation,
-) -> Result<[Option<f64>; 2], NoAnswer> {
+fn weights_N(string: &SoftString<'_>, operation: &Operation) -> Result<[Option<f64>; 2], NoAnswer> {
     let margins_N = |weight_N: f64| {
-        match soft::solve(model, &operation.weight_on_bit_N(weight_N), &of.soft) {
-            Ok(solved) => Ok(margins_N(&solved.profile)),
+        match string.buckling_margins_N(&operation.weight_on_bit_N(weight_N)) {
             // Only a helix locks up.
             Err(SoftError::LocksUp { .. }) => Ok([f64::NEG_INFINITY; 2]),
-            Err(error) => Err(error),
+            found => found,
         }
     };
     let unloaded = margins_N(0.0)?;
@@ -107,16 +104,6 @@ fn weights_N(
         found[shape] = least(unloaded[shape], |weight_N| Ok(margins_N(weight_N)?[shape]))?;
     }
     Ok(found)
-}
-
-/// How much more compression the string bears where it bears least more, before a sinusoid and
-/// before a helix, N; infinite where nothing can buckle.
-fn margins_N(profile: &Profile) -> [f64; 2] {
-    [&profile.sinusoidal_load_N, &profile.helical_load_N].map(|loads_N| {
-        let rows = loads_N.iter().zip(&profile.tension_N);
-        let left = rows.filter_map(|(load_N, tension_N)| Some((*load_N)? + tension_N));
-        left.fold(f64::INFINITY, f64::min)
-    })
 }
 
 /// The least weight whose margin is none; it falls as the weight grows. Without friction it falls as

@@ -8,11 +8,13 @@
 mod answer;
 mod buckling_weight;
 mod depths;
+mod expected;
 mod friction;
 mod point;
 
 pub use buckling_weight::BucklingWeight;
 pub use depths::bit_depths_m;
+pub use expected::ExpectedLoads;
 pub use friction::{FrictionLevel, Frictions, KindFriction, LevelFriction};
 pub use point::{BroomstickPoint, NoAnswer, PointAnswer, Statics};
 

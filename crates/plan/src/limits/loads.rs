@@ -3,7 +3,8 @@
 use wholestring::{
     model::Model,
     operation::Operation,
-    outcome::{ModelKind, Profile, Scalars, Solution},
+    outcome::{ModelKind, Profile, Solution},
+    statics::soft::SoftLoads,
 };
 
 use crate::strength::BodyLoads;
@@ -16,10 +17,11 @@ const SAME_M: f64 = 1e-6;
 /// value.
 pub struct Loads<'a> {
     pub profile: &'a Profile,
-    pub scalars: Scalars,
-    /// Hook load, N, and surface torque, N·m, block excluded.
+    /// Hook load, N, and magnitude of the surface torque, N·m, block excluded.
     pub hook_load_N: f64,
     pub surface_torque_N_m: f64,
+    /// Friction along the hole, N.
+    pub axial_friction_N: f64,
     pub pump_pressure_Pa: Option<f64>,
     /// Components at each row, from the bit: the one above first, the one below where two meet there.
     components: Vec<(usize, Option<usize>)>,
@@ -28,13 +30,6 @@ pub struct Loads<'a> {
 
 impl<'a> Loads<'a> {
     pub fn of(model: &Model, operation: &Operation, solution: &Solution<'a>) -> Self {
-        let string = &model.string;
-        let of_row = |md_m: &f64| {
-            let from_bit_m = operation.bit_depth_m - md_m;
-            let above = string.component_at(from_bit_m + SAME_M).0;
-            let below = string.component_at(from_bit_m - SAME_M).0;
-            (above, (below != above).then_some(below))
-        };
         let largest = |name: &str, at_rest: f64| {
             let statistics = solution.in_time.map_or(&[][..], |of| of.statistics);
             let of = statistics.iter().find(|(of, _)| *of == name);
@@ -43,12 +38,27 @@ impl<'a> Loads<'a> {
         let scalars = solution.scalars;
         Self {
             profile: solution.profile,
-            scalars,
             hook_load_N: largest("hook_load_N", scalars.hook_load_N),
             surface_torque_N_m: largest("surface_torque_N_m", scalars.surface_torque_N_m).abs(),
+            axial_friction_N: scalars.axial_friction_N,
             pump_pressure_Pa: solution.hydraulics.map(|of| of.pump_pressure_Pa),
-            components: solution.profile.md_m.iter().map(of_row).collect(),
+            components: components(model, operation, solution.profile),
             soft: solution.model == ModelKind::Soft,
+        }
+    }
+
+    /// Of a soft string of which nothing else is known.
+    pub fn of_soft(model: &Model, operation: &Operation, loads: &'a SoftLoads) -> Self {
+        let SoftLoads { hook_load_N, surface_torque_N_m, axial_friction_N, hydraulics, profile } =
+            loads;
+        Self {
+            profile,
+            hook_load_N: *hook_load_N,
+            surface_torque_N_m: surface_torque_N_m.abs(),
+            axial_friction_N: *axial_friction_N,
+            pump_pressure_Pa: hydraulics.map(|of| of.pump_pressure_Pa),
+            components: components(model, operation, profile),
+            soft: true,
         }
     }
 
@@ -101,4 +111,20 @@ impl<'a> Loads<'a> {
     pub fn bends(&self, row: usize, component: usize) -> bool {
         !self.soft || self.components[row].0 == component
     }
+}
+
+/// Components at each row, from the bit: the one above first, the one below where two meet there.
+fn components(
+    model: &Model,
+    operation: &Operation,
+    profile: &Profile,
+) -> Vec<(usize, Option<usize>)> {
+    let string = &model.string;
+    let of_row = |md_m: &f64| {
+        let from_bit_m = operation.bit_depth_m - md_m;
+        let above = string.component_at(from_bit_m + SAME_M).0;
+        let below = string.component_at(from_bit_m - SAME_M).0;
+        (above, (below != above).then_some(below))
+    };
+    profile.md_m.iter().map(of_row).collect()
 }

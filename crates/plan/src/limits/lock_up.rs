@@ -25,7 +25,7 @@ pub fn limit(
     let push_N = rig.snubbing_force_N.unwrap_or(0.0) + rig.block_weight_N.unwrap_or(0.0);
     let segments = segments(model, operation, &loads.profile.md_m);
     let arrives_N = weight_at_bit_N(&segments, push_N, model.buckling);
-    let drag_N = loads.scalars.axial_friction_N.abs();
+    let drag_N = loads.axial_friction_N.abs();
     let asked_N = operation.weight_on_bit_now_N();
     let driven_N = (drag_N + arrives_N).max(0.0);
     let limit = LoadCheck::new(LimitKind::LockUp, drag_N + asked_N, driven_N, &settings.factors);

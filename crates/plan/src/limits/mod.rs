@@ -18,7 +18,9 @@ pub use kind::{DesignFactors, LimitKind};
 pub use limit::{Limits, LoadCheck, Missing, Standing, Unchecked};
 pub use settings::LimitSettings;
 
-use wholestring::{model::Model, operation::Operation, outcome::Solution};
+use wholestring::{
+    model::Model, operation::Operation, outcome::Solution, statics::soft::SoftLoads,
+};
 
 /// The limits of a solved operation: of each kind one for each component that it concerns, at the place
 /// where it is nearest to its limit, and one for the rig.
@@ -28,12 +30,30 @@ pub fn limits(
     solution: &Solution<'_>,
     settings: &LimitSettings,
 ) -> Limits {
+    of_loads(model, operation, &loads::Loads::of(model, operation, solution), settings)
+}
+
+/// The same of a soft string of which nothing but its loads is known.
+pub fn limits_of_soft(
+    model: &Model,
+    operation: &Operation,
+    loads: &SoftLoads,
+    settings: &LimitSettings,
+) -> Limits {
+    of_loads(model, operation, &loads::Loads::of_soft(model, operation, loads), settings)
+}
+
+fn of_loads(
+    model: &Model,
+    operation: &Operation,
+    loads: &loads::Loads<'_>,
+    settings: &LimitSettings,
+) -> Limits {
     let mut found = Limits::default();
     let strengths = strengths::Strengths::of(model, &mut found);
-    let loads = loads::Loads::of(model, operation, solution);
-    along::limits(&strengths, &loads, settings, &mut found);
-    overpull::limits(model, operation, &strengths, &loads, settings, &mut found);
-    rig::limits(model, &loads, settings, &mut found);
-    lock_up::limit(model, operation, &loads, settings, &mut found);
+    along::limits(&strengths, loads, settings, &mut found);
+    overpull::limits(model, operation, &strengths, loads, settings, &mut found);
+    rig::limits(model, loads, settings, &mut found);
+    lock_up::limit(model, operation, loads, settings, &mut found);
     found
 }

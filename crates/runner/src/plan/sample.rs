@@ -2,7 +2,7 @@
 //! with other numbers.
 
 use wholestring::operation::{Operation, OperationKind};
-use wholestring_plan::{Broomstick, BroomstickTask, limits::LimitKind};
+use wholestring_plan::{Broomstick, limits::LimitKind};
 use wholestring_results::{PlanBuckling, PlanLimit, PlanPoint};
 
 use crate::uncertain::{Quantity, Sampled, Sampler};
@@ -46,15 +46,14 @@ impl<'a> Asked<'a> {
             Ok(broomstick) => broomstick,
             Err(error) => return none(error.to_string()),
         };
-        let mut sampled = Sampled::default();
-        let mut reserves = Vec::new();
+        let mut operations = Vec::new();
         for kind in &self.kinds {
-            let Some(operation) = case.plan.operations.iter().find(|of| of.kind == *kind) else {
-                return none(format!("it has no {}", kind.name()));
-            };
-            reserves.extend(self.loads(&broomstick, operation, &mut sampled));
+            match case.plan.operations.iter().find(|of| of.kind == *kind) {
+                Some(operation) => operations.push(*operation),
+                None => return none(format!("it has no {}", kind.name())),
+            }
         }
-        sampled.answers.extend(reserves);
+        let mut sampled = self.loads(&broomstick, &operations);
         let deepest_m = self.depths_m.last().copied().unwrap_or(0.0);
         let weights = broomstick.expected_weights_to_buckle(deepest_m);
         for kind in DRILLS {
@@ -65,37 +64,38 @@ impl<'a> Asked<'a> {
         sampled
     }
 
-    /// Hook load and torque of an operation at every depth; and the least reserve of each kind of limit.
-    fn loads(
-        &self,
-        of: &Broomstick,
-        operation: &Operation,
-        sampled: &mut Sampled,
-    ) -> Vec<Option<f64>> {
-        let mut reserves: Vec<Option<f64>> = vec![None; LimitKind::ALL.len()];
+    /// Hook load and torque of each operation at every depth; after them the least reserve of each kind of
+    /// limit in each operation.
+    fn loads(&self, of: &Broomstick, operations: &[Operation]) -> Sampled {
+        let by = self.sampler.uncertain.model;
+        let mut reserves = vec![[None::<f64>; LimitKind::ALL.len()]; operations.len()];
+        let mut found = Vec::new();
+        // What a depth has in common is solved once.
         for bit_depth_m in self.depths_m {
-            let task = BroomstickTask {
-                model: self.sampler.uncertain.model,
-                operation: Operation { bit_depth_m: *bit_depth_m, ..*operation },
-            };
-            match of.expected_loads(&task) {
-                Ok((scalars, limits)) => {
-                    let found = [scalars.hook_load_N, scalars.surface_torque_N_m];
-                    sampled.answers.extend(found.map(Some));
-                    for limit in &limits.limits {
+            let all = of.expected_loads(by, *bit_depth_m, operations);
+            for (loads, reserves) in all.into_iter().zip(&mut reserves) {
+                if let Ok(loads) = &loads {
+                    for limit in &loads.limits.limits {
                         let least = &mut reserves[limit.kind as usize];
                         let reserve = limit.reserve();
                         *least = Some(least.map_or(reserve, |least| least.min(reserve)));
                     }
                 }
-                Err(why) => {
+                found.push(loads.map(|of| [of.hook_load_N, of.surface_torque_N_m]));
+            }
+        }
+        let mut sampled = Sampled::default();
+        for (place, operation) in operations.iter().enumerate() {
+            for loads in found.iter().skip(place).step_by(operations.len()) {
+                sampled.answers.extend(loads.as_ref().map_or([None; 2], |of| of.map(Some)));
+                if let Err(why) = loads {
                     let name = operation.kind.name().replace('_', " ");
                     sampled.lacks(|| format!("{name}: {why}"));
-                    sampled.answers.extend([None; 2]);
                 }
             }
         }
-        reserves
+        sampled.answers.extend(reserves.into_iter().flatten());
+        sampled
     }
 
     /// The quantities in the order of the answers, with what the plan itself has found of them.

@@ -1,6 +1,11 @@
 //! When a compressed pipe leaves its straight course.
 
-use super::{criterion::Criterion, place::Place, shape::Shape};
+use super::{
+    criterion::Criterion,
+    loads::{BucklingLoads, CriticalLoads},
+    place::Place,
+    shape::Shape,
+};
 
 /// Steps after which a zero is found to double precision, bisections included.
 const STEPS: usize = 200;
@@ -20,8 +25,13 @@ impl Place {
 
     /// The load that the pipe's weight holds in a vertical hole, N.
     pub fn vertical_load_N(&self, shape: Shape) -> f64 {
+        shape.vertical() * self.vertical_scale_N()
+    }
+
+    /// `(EI w²)^⅓`, N.
+    fn vertical_scale_N(&self) -> f64 {
         let weight_N_per_m = self.weight_N_per_m;
-        shape.vertical() * (self.bending_stiffness_N_m2 * weight_N_per_m * weight_N_per_m).cbrt()
+        (self.bending_stiffness_N_m2 * weight_N_per_m * weight_N_per_m).cbrt()
     }
 
     /// Whether a compression, N, is beyond the load of a shape, with the wall load that it makes
@@ -34,14 +44,24 @@ impl Place {
     /// where it may be buckled, pressed straight to the high side and buckled again, none where
     /// nothing presses the pipe against the wall.
     pub fn critical_loads_N(&self, shape: Shape) -> Vec<f64> {
+        self.critical_loads(shape, 0.0).all_N().to_vec()
+    }
+
+    /// The same, and the least of them that counts, N.
+    fn critical_loads(&self, shape: Shape, least_N: f64) -> CriticalLoads {
+        let mut found = CriticalLoads::none(least_N);
         let (a, b, c) = (self.weight_across_N_per_m, self.build_rad_per_m, self.turn_rad_per_m);
         let stiff = shape.beta() * self.bending_stiffness_N_m2 / self.clearance_m;
         let curved = b.hypot(c);
         if a <= 0.0 {
-            return Vec::from_iter((curved > 0.0).then_some(stiff * curved));
+            if curved > 0.0 {
+                found.push(stiff * curved);
+            }
+            return found;
         }
         if curved == 0.0 {
-            return vec![(stiff * a).sqrt()];
+            found.push((stiff * a).sqrt());
+            return found;
         }
         // `F⁴ − K² w_n²(F)`, its slope and the slope's; the slope is least at `least`, and from
         // `most` on all is positive.
@@ -54,39 +74,51 @@ impl Place {
         let least = stiff * curved / 6.0_f64.sqrt();
         let most = 0.5 * (stiff * curved + (stiff * curved).hypot(2.0 * (stiff * a).sqrt()));
         let most = most * (1.0 + 1e-9);
-        let mut ends = vec![0.0];
+        // The function changes sign between two of its turns at most once.
+        let mut between = |low: f64, high: f64| {
+            if (over(low) > 0.0) != (over(high) > 0.0) {
+                found.push(zero(over, slope, low, high));
+            }
+        };
         if b < 0.0 && slope(least) < 0.0 {
-            ends.push(zero(slope, bend, 0.0, least));
-            ends.push(zero(slope, bend, least, most.max(stiff * curved)));
+            let first = zero(slope, bend, 0.0, least);
+            let second = zero(slope, bend, least, most.max(stiff * curved));
+            between(0.0, first);
+            between(first, second);
+            between(second, most);
+        } else {
+            between(0.0, most);
         }
-        ends.push(most);
-        ends.windows(2)
-            .filter(|pair| (over(pair[0]) > 0.0) != (over(pair[1]) > 0.0))
-            .map(|pair| zero(over, slope, pair[0], pair[1]))
-            .collect()
+        found
     }
 
     /// The critical load that a compression, N, is compared with: of a pipe that is beyond one the
     /// greatest that it has passed, else the next that it would pass; never less than in a vertical
     /// hole. Infinite where there is no clearance.
     pub fn critical_load_N(&self, shape: Shape, compression_N: f64) -> f64 {
-        if self.clearance_m <= 0.0 {
-            return f64::INFINITY;
+        self.critical(shape, self.vertical_scale_N()).compared_with_N(compression_N)
+    }
+
+    /// The critical loads of a shape; infinite where there is no clearance.
+    fn critical(&self, shape: Shape, vertical_scale_N: f64) -> CriticalLoads {
+        match self.clearance_m <= 0.0 {
+            true => CriticalLoads::none(f64::INFINITY),
+            false => self.critical_loads(shape, shape.vertical() * vertical_scale_N),
         }
-        let loads_N = self.critical_loads_N(shape);
-        // Beyond the first it is buckled, beyond the second straight again, beyond the third not.
-        let passed = loads_N.iter().filter(|load| **load < compression_N).count();
-        let compared = if passed % 2 == 1 { passed - 1 } else { passed };
-        let load_N = loads_N.get(compared).copied().unwrap_or(0.0);
-        load_N.max(self.vertical_load_N(shape))
+    }
+
+    /// The critical loads of a criterion, of the sinusoid and of the helix, for whatever
+    /// compression.
+    pub fn buckling_loads(&self, criterion: Criterion) -> BucklingLoads {
+        let seen = self.seen_by(criterion);
+        let vertical_scale_N = seen.vertical_scale_N();
+        BucklingLoads(criterion.shapes().map(|shape| seen.critical(shape, vertical_scale_N)))
     }
 
     /// The critical loads of a criterion that a compression, N, is compared with: of the sinusoid
     /// and of the helix. None where there is no clearance.
     pub fn loads_N(&self, criterion: Criterion, compression_N: f64) -> Option<[f64; 2]> {
-        let seen = self.seen_by(criterion);
-        let loads_N = criterion.shapes().map(|shape| seen.critical_load_N(shape, compression_N));
-        loads_N[0].is_finite().then_some(loads_N)
+        self.buckling_loads(criterion).compared_with_N(compression_N)
     }
 
     /// Whether a pipe under a compression, N, is a helix by a criterion.

@@ -14,12 +14,14 @@
 
 mod criterion;
 mod critical;
+mod loads;
 mod place;
 mod push;
 mod segments;
 mod shape;
 
 pub use criterion::Criterion;
+pub use loads::BucklingLoads;
 pub use place::{Pipe, Place};
 pub use push::{Pushed, Segment, push_through, weight_at_bit_N};
 pub use segments::segments;

@@ -77,8 +77,7 @@ impl<'a> Carrier<'a> {
     ) -> Bearing {
         let component = self.component;
         let bent = self.bent(point, load, totals);
-        let stiffness_N_m2 = component.bending_stiffness_N_m2();
-        let [at_joint_N_m, between_N_m] = bent.curvatures_per_m.map(|per_m| stiffness_N_m2 * per_m);
+        let [at_joint_N_m, between_N_m] = self.moments_of_N_m(&bent);
         let bending_N_m = at_joint_N_m.max(between_N_m);
         let burst_Pa = inside_Pa - outside_Pa;
         let stress_Pa = self.section.von_mises_Pa(
@@ -113,6 +112,16 @@ impl<'a> Carrier<'a> {
             wear_power_W_per_m: self.rotation_rad_per_s * load.friction_torque_N_m_per_m
                 - self.axial_m_per_s * load.axial_friction_N_per_m,
         }
+    }
+
+    /// Bending moments of the body at the joints and half-way between them, N·m.
+    pub(super) fn moments_N_m(&self, point: &Point, load: &Load, totals: &Totals) -> [f64; 2] {
+        self.moments_of_N_m(&self.bent(point, load, totals))
+    }
+
+    fn moments_of_N_m(&self, bent: &Bent) -> [f64; 2] {
+        let stiffness_N_m2 = self.component.bending_stiffness_N_m2();
+        bent.curvatures_per_m.map(|per_m| stiffness_N_m2 * per_m)
     }
 
     /// How the body bends near a point: as the hole, and where tool joints hold it off the wall

@@ -56,15 +56,15 @@ const DEEPEST_BIT_M: f64 = 1e5;
 /// A string may differ from the bit depth by this, m: rounding of sums of lengths.
 const LENGTH_TOLERANCE_M: f64 = 1e-3;
 
-pub(super) fn check(
+/// Of a string with its bit at a depth, m.
+pub(super) fn check_string(
     model: &Model,
-    operation: &Operation,
+    bit_depth_m: f64,
     settings: &SoftSettings,
 ) -> Result<(), SoftError> {
     if !(0.05..=100.0).contains(&settings.step_m) {
         return Err(SoftError::Step(settings.step_m));
     }
-    let bit_depth_m = operation.bit_depth_m;
     if !(bit_depth_m > 0.0 && bit_depth_m <= DEEPEST_BIT_M) {
         return Err(SoftError::BitDepth(bit_depth_m));
     }
@@ -72,6 +72,11 @@ pub(super) fn check(
     if (string_m - bit_depth_m).abs() > LENGTH_TOLERANCE_M {
         return Err(SoftError::StringLength { string_m, bit_depth_m });
     }
+    Ok(())
+}
+
+/// Of the set points of an operation.
+pub(super) fn check_operation(model: &Model, operation: &Operation) -> Result<(), SoftError> {
     let rotation = operation.rotation_rad_per_s();
     let axial = operation.axial_velocity_m_per_s();
     let density = model.mud.density_kg_per_m3;

@@ -46,6 +46,7 @@ impl Mul<f64> for Totals {
 }
 
 /// Load on the wall at one point.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Load {
     /// Of weight and tension.
     pub(super) q_N_per_m: Vector3<f64>,
@@ -56,6 +57,7 @@ pub(super) struct Load {
 }
 
 /// The hole at one depth.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Point {
     pub(super) tangent: Vector3<f64>,
     pub(super) curvature_per_m: Vector3<f64>,

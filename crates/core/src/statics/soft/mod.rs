@@ -14,18 +14,26 @@
 //! of a flowing mud: `docs/src/theory/mud.md`.
 
 mod bearing;
+mod buckling_margins;
 mod error;
+mod hole;
 mod integrate;
 mod load;
+mod loads;
 mod profile;
+mod rows;
+mod segment;
 mod settings;
+mod string;
 mod travel;
 
-use crate::{model::Model, operation::Operation, statics::sliding::Sliding};
+use crate::{model::Model, operation::Operation};
 
 pub use error::SoftError;
+pub use loads::SoftLoads;
 pub use profile::SoftProfile;
 pub use settings::SoftSettings;
+pub use string::SoftString;
 pub(crate) use travel::scalars_at;
 
 /// Torque and drag of one operation by the soft string with its default settings.
@@ -36,7 +44,8 @@ pub fn soft_string(model: &Model, operation: &Operation) -> Result<SoftProfile, 
     solve(model, operation, &SoftSettings::default())
 }
 
-/// Torque and drag of one operation by the soft string.
+/// Torque and drag of one operation by the soft string; of several with the bit at one depth a
+/// [`SoftString`] has them in less time.
 ///
 /// # Errors
 /// A setting or set point out of its range, a string that is not as long as the bit is deep, or a
@@ -46,8 +55,5 @@ pub fn solve(
     operation: &Operation,
     settings: &SoftSettings,
 ) -> Result<SoftProfile, SoftError> {
-    error::check(model, operation, settings)?;
-    let sliding = Sliding::of(operation);
-    let integral = integrate::from_bit(model, operation, sliding, settings)?;
-    Ok(SoftProfile::new(model, operation, integral))
+    SoftString::new(model, operation.bit_depth_m, settings)?.solve(operation)
 }

@@ -4,7 +4,10 @@ use std::ops::Deref;
 
 use nalgebra::Vector3;
 
-use super::integrate::{Integral, Row};
+use super::{
+    integrate::Integral,
+    rows::{Row, Rows},
+};
 use crate::{
     model::Model,
     mud::Hydraulics,
@@ -45,8 +48,13 @@ impl Deref for SoftProfile {
 }
 
 impl SoftProfile {
-    pub(super) fn new(model: &Model, operation: &Operation, integral: Integral) -> Self {
-        let Integral { mut rows, totals, hole_W, hydraulics, .. } = integral;
+    pub(super) fn new(
+        model: &Model,
+        operation: &Operation,
+        kept: Rows,
+        &Integral { totals, hydraulics, .. }: &Integral,
+    ) -> Self {
+        let Rows { mut rows, hole_W, .. } = kept;
         rows.reverse();
         let column = |of: fn(&Row) -> f64| rows.iter().map(of).collect::<Vec<f64>>();
         let md_m = column(|row| row.md_m);

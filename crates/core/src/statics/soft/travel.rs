@@ -1,7 +1,7 @@
 //! The string elsewhere in its hole.
 
-use super::{SoftError, SoftProfile, SoftSettings, error, integrate};
-use crate::{model::Model, operation::Operation, outcome::Scalars, statics::sliding::Sliding};
+use super::{SoftError, SoftProfile, SoftSettings, SoftString, error};
+use crate::{model::Model, operation::Operation, outcome::Scalars};
 
 /// The scalars of the same string, no longer and no shorter, with its bit deeper by `down_m`, or
 /// shallower where that is negative.
@@ -18,14 +18,16 @@ pub(crate) fn scalars_at(
     settings: &SoftSettings,
     down_m: f64,
 ) -> Result<Scalars, SoftError> {
-    error::check(model, operation, settings)?;
+    error::check_string(model, operation.bit_depth_m, settings)?;
+    error::check_operation(model, operation)?;
     let there = Operation { bit_depth_m: operation.bit_depth_m + down_m, ..*operation };
     if there.bit_depth_m <= 0.0 {
         return Err(SoftError::BitDepth(there.bit_depth_m));
     }
-    let mut integral = integrate::from_bit(model, &there, Sliding::of(&there), settings)?;
+    let string = SoftString::elsewhere(model, there.bit_depth_m, settings);
+    let (rows, mut integral) = string.rows(&there)?;
     integral.totals = integral.totals + integral.per_metre_at_surface * -down_m;
-    Ok(SoftProfile::new(model, &there, integral).scalars)
+    Ok(SoftProfile::new(model, &there, rows, &integral).scalars)
 }
 
 #[cfg(test)]

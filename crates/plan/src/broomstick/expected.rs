@@ -1,0 +1,69 @@
+//! What operations with the friction that is expected ask of string and rig, and no more.
+
+use wholestring::{
+    operation::Operation,
+    outcome::Solution,
+    statics::{soft::SoftString, stiff},
+};
+
+use super::{Broomstick, FrictionLevel, NoAnswer, Statics};
+use crate::limits::{Limits, limits, limits_of_soft};
+
+/// Loads of an operation at the surface, and how near it is to its limits.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ExpectedLoads {
+    /// Hook load, N.
+    pub hook_load_N: f64,
+    /// Torque at the surface, N·m.
+    pub surface_torque_N_m: f64,
+    /// How near it is to what string and rig bear.
+    pub limits: Limits,
+}
+
+impl Broomstick {
+    /// What operations with the friction that is expected come to by a model with their bit at a depth, m;
+    /// the same as of their [points](Self::solve), in less time. What has no answer says why.
+    pub fn expected_loads(
+        &self,
+        by: Statics,
+        bit_depth_m: f64,
+        operations: &[Operation],
+    ) -> Vec<Result<ExpectedLoads, NoAnswer>> {
+        let here = |of: &Operation| Operation { bit_depth_m, ..*of };
+        let none = |why: NoAnswer| operations.iter().map(|_| Err(why.clone())).collect();
+        let model = match self.setup(FrictionLevel::Expected).at(bit_depth_m) {
+            Ok(model) => model,
+            Err(error) => return none(error.into()),
+        };
+        match by {
+            Statics::Soft => {
+                let string = match SoftString::new(&model, bit_depth_m, &self.soft) {
+                    Ok(string) => string,
+                    Err(error) => return none(error.into()),
+                };
+                let of = |operation: Operation| {
+                    let found = string.loads(&operation)?;
+                    Ok(ExpectedLoads {
+                        hook_load_N: found.hook_load_N,
+                        surface_torque_N_m: found.surface_torque_N_m,
+                        limits: limits_of_soft(&model, &operation, &found, &self.limits),
+                    })
+                };
+                operations.iter().map(here).map(of).collect()
+            }
+            Statics::Stiff => {
+                let of = |operation: Operation| {
+                    let found = stiff::equilibrium(&model, &operation, &self.stiff)?;
+                    let found = found.profile(&model, &operation);
+                    let solution = Solution::from(&found);
+                    Ok(ExpectedLoads {
+                        hook_load_N: solution.scalars.hook_load_N,
+                        surface_torque_N_m: solution.scalars.surface_torque_N_m,
+                        limits: limits(&model, &operation, &solution, &self.limits),
+                    })
+                };
+                operations.iter().map(here).map(of).collect()
+            }
+        }
+    }
+}
