@@ -7,6 +7,7 @@ mod attended;
 mod case;
 mod column;
 mod error;
+mod law;
 mod simulation;
 mod table;
 mod told;

@@ -22,15 +22,19 @@ from .errors import (
     NoAnswerError,
     ResultsError,
 )
+from .laws import BitLaw, BitReading, Excitation, ShakeReading
 from .results import Finding, OperationResult, Results
 from .simulation import Simulation
 from .table import Table
 
 __all__ = [
+    "BitLaw",
+    "BitReading",
     "Case",
     "CaseError",
     "Diagnostic",
     "Error",
+    "Excitation",
     "Finding",
     "FolderError",
     "InputError",
@@ -40,6 +44,7 @@ __all__ = [
     "Quantity",
     "Results",
     "ResultsError",
+    "ShakeReading",
     "Simulation",
     "Table",
     "Value",

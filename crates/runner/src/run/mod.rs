@@ -1,6 +1,7 @@
 //! A run: a case with all of its operations and models, solved one after the other.
 
 mod answers;
+mod asked;
 mod lift;
 mod live;
 pub(crate) mod pictures;
@@ -10,6 +11,7 @@ mod stop;
 mod way;
 
 pub use answers::{Answers, Solved, answer};
+pub use asked::{Asked, BitAnswer, BitReading, OwnLaws, ShakeReading};
 pub use live::Live;
 pub use request::{Outcome, Request, run};
 pub(crate) use solve::solve;
