@@ -67,8 +67,13 @@ def test_a_case_of_python_objects_is_the_case_of_a_file() -> None:
         },
         "mud": {"density": 1100.0},
         "string": [
-            {"component": "pipe", "od": 0.127, "id": 0.1086, "mass_per_length": 29.0}
-            | {"length": "to surface"}
+            {
+                "component": "pipe",
+                "od": 0.127,
+                "id": 0.1086,
+                "mass_per_length": 29.0,
+                "length": "to surface",
+            }
         ],
         "operation": {"kind": ["trip_out", "trip_in"]},
     }

@@ -127,3 +127,52 @@ def si(value: Scalar, dimension: str) -> float:
     if isinstance(value, int | float):
         return float(value)
     return float(value.to(for_pint(_core.si_unit(dimension))).magnitude)
+
+
+def option(name: str, value: Scalar | None, dimension: str) -> float | None:
+    """Give the value of an option in SI.
+
+    >>> option("to", "6 km", "length"), option("to", None, "length")
+    (6000.0, None)
+    """
+    if value is None:
+        return None
+    try:
+        found = si(value, dimension)
+    except (ValueError, TypeError) as error:
+        raise type(error)(f"`{name}`: {error}") from None
+    if not math.isfinite(found):
+        raise ValueError(f"`{name}` was given {found}: expected a finite number")
+    return found
+
+
+def options(name: str, value: object, dimension: str) -> list[float] | None:
+    """Give the values of an option in SI: one, several, or a text with several.
+
+    >>> options("bit_depths", "1000m..2000m/500m", "length")
+    [1000.0, 1500.0, 2000.0]
+    >>> options("bit_depths", ["1 km", 1500.0], "length")
+    [1000.0, 1500.0]
+    """
+    if value is None:
+        return None
+    if isinstance(value, str):
+        return _core.values(name, value, dimension)
+    if isinstance(value, Quantity):
+        value = value.to(for_pint(_core.si_unit(dimension))).magnitude
+    if isinstance(value, np.ndarray):
+        value = cast("object", value.tolist())
+    several = cast("Sequence[Scalar]", value if isinstance(value, Sequence) else [value])
+    found = (option(name, one, dimension) for one in several)
+    return [one for one in found if one is not None]
+
+
+def written(name: str, value: Scalar | None, dimension: str) -> str | None:
+    """Give the value of an option as a text with its unit.
+
+    >>> written("weight_error", 12e3, "force"), written("weight_error", "12 kN", "force")
+    ('12000.0 N', '12 kN')
+    """
+    if value is None or isinstance(value, str):
+        return value
+    return f"{option(name, value, dimension)!r} {_core.si_unit(dimension)}"
