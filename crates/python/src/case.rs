@@ -135,6 +135,12 @@ impl Case {
         self.case.settings.to_string()
     }
 
+    /// All that it says, as text: the same of two cases that are the same.
+    fn identity(&self) -> String {
+        let Checked { settings, plan, modes, .. } = &*self.case;
+        serde_json::json!([settings, plan, modes]).to_string()
+    }
+
     /// Its name.
     #[getter]
     fn name(&self) -> &str {

@@ -71,7 +71,7 @@ class Planning:
         >>> case = ws.Case.example()
         >>> table = case.broomstick(frictions=[0.2, 0.3], bit_depths=[900.0, 1200.0])
         >>> len(table), table.columns[:4]
-        (16, ('model', 'friction', 'operation', 'bit_depth_m'))
+        (20, ('model', 'friction', 'operation', 'bit_depth_m'))
         """
         options: _core.BroomstickOptions = {
             "models": words(model),
@@ -272,8 +272,10 @@ class Planning:
 
         Raises
         ------
+        CaseError
+            If the readings cannot be read: each mistake with its place.
         InputError
-            If the readings cannot be read, or do not tell what is looked for.
+            If an option cannot be, or the readings do not tell what is looked for.
         FolderError
             If the results cannot go there.
         Interrupted

@@ -80,8 +80,10 @@ def number(value: float, key: str) -> str:
     """Give a number as TOML, with its SI unit where it has one."""
     if not math.isfinite(value):
         raise ValueError(f"`{key}` was given {value}: expected a finite number")
+    # NumPy's numbers are Python's, but for how they are written.
+    plain = int(value) if isinstance(value, int) else float(value)
     unit = _core.unit_of(key)
-    return repr(value) if unit is None else f'"{value!r} {unit}"'
+    return repr(plain) if unit is None else f'"{plain!r} {unit}"'
 
 
 def text(value: str) -> str:

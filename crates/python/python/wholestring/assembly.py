@@ -134,7 +134,7 @@ class Modes(BaseResults):
     >>> case = ws.Case.example().with_(mesh__element_length="20 m", modes__count=2)
     >>> modes = case.modes(operation="rotate_off_bottom")
     >>> torsional = modes.frequencies_Hz("torsional")
-    >>> bool(0.5 < torsional[0] < 0.8)  # a quarter of a shear wave's frequency over 1200 m
+    >>> bool(torsional[0] < 0.65)  # of a uniform rod of 1200 m: collars make it slower
     True
     """
 

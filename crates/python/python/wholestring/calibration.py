@@ -59,22 +59,19 @@ class Calibration(BaseResults):
 
     Examples
     --------
-    Readings that the slant well of the examples would give with other friction:
+    Readings that the slant well of the examples would give with more friction:
 
     >>> import wholestring as ws
-    >>> case = ws.Case.example()
-    >>> sticky = case.broomstick(frictions=[0.25], operations=["trip_out", "trip_in"])
-    >>> loads = {of: sticky["hook_load_N"][sticky["operation"] == of] for of in sticky["operation"]}
-    >>> depths = sticky["bit_depth_m"][sticky["operation"] == "trip_in"]
-    >>> data = {
-    ...     "bit_depth_m": depths[4:],
-    ...     "pick_up_N": loads["trip_out"][4:],
-    ...     "slack_off_N": loads["trip_in"][4:],
-    ... }
-    >>> found = case.with_(rig__block_weight=0.0).calibrate(data, one_factor=True)
+    >>> case = ws.Case.example().with_(rig__block_weight="200 kN")
+    >>> depths = [500.0, 700.0, 900.0, 1050.0, 1200.0]
+    >>> def read(operation):
+    ...     table = case.broomstick(frictions=0.25, bit_depths=depths, operations=operation)
+    ...     return table["hook_load_with_block_N"]
+    >>> data = {"bit_depth_m": depths, "pick_up_N": read("trip_out")}
+    >>> found = case.calibrate(data, one_factor=True)
     >>> round(found["friction"].value, 3)
     0.25
-    >>> found.case.settings["well"]["hole"][0]["friction"]["kinetic"]
+    >>> round(found.case.settings["well"]["hole"][1]["friction"]["kinetic"], 3)
     0.25
     """
 
@@ -88,7 +85,7 @@ class Calibration(BaseResults):
     @property
     def estimates(self) -> tuple[Estimate, ...]:
         """What was looked for, with what was found."""
-        return tuple(_estimate(of) for of in self.summary["estimates"])
+        return tuple(_estimate(dict(of)) for of in self.summary["estimates"])
 
     def __getitem__(self, parameter: str) -> Estimate:
         """Give what was found of a number, by its name."""

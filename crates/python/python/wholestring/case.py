@@ -86,7 +86,8 @@ class Case(Solving, Planning, Assemblies):
     ) -> Case:
         """Make a case of Python objects: the tables and keys of a case file.
 
-        Numbers are SI, texts may have units, and so may quantities of pint.
+        Numbers are SI, texts may have units, and so may quantities of pint. A case file's own bare
+        numbers are not all SI, such as ``rpm``: :meth:`load` and the class itself read those.
 
         Parameters
         ----------
@@ -182,11 +183,11 @@ class Case(Solving, Planning, Assemblies):
         """Tell whether all settings are the same."""
         if not isinstance(other, Case):
             return NotImplemented
-        return self._held.settings_json() == other._held.settings_json()
+        return self._held.identity() == other._held.identity()
 
     def __hash__(self) -> int:
         """Give a hash of all settings."""
-        return hash(self._held.settings_json())
+        return hash(self._held.identity())
 
     def __repr__(self) -> str:
         """Give its name, models and operations."""
