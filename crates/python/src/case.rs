@@ -22,15 +22,15 @@ use crate::{answers::Answers, attended::attended, error, simulation::Simulation}
 /// A case that was checked, with the text that it was read from and the changes made to it.
 #[pyclass(frozen, module = "wholestring._core")]
 pub(crate) struct Case {
-    template: Arc<Template>,
-    changes: Vec<Override>,
+    pub(crate) template: Arc<Template>,
+    pub(crate) changes: Vec<Override>,
     case: Arc<Checked>,
     /// The same with other models, as they were requested.
     with_models: Mutex<BTreeMap<String, Arc<Checked>>>,
 }
 
 /// A change as diagnostics quote it.
-fn change(key: &str, value: &str) -> Override {
+pub(crate) fn change(key: &str, value: &str) -> Override {
     let text = format!("{key} = {value}");
     let start = text.len() - value.len();
     let quote = Quote {
@@ -41,6 +41,15 @@ fn change(key: &str, value: &str) -> Override {
         verbatim: true,
     };
     Override::quoted(key, value, quote)
+}
+
+/// What becomes of what lies in a folder.
+pub(crate) fn existing_of(word: &str) -> Existing {
+    match word {
+        "resume" => Existing::Resume,
+        "overwrite" => Existing::Overwrite,
+        _ => Existing::Protect,
+    }
 }
 
 impl Case {
@@ -110,6 +119,11 @@ impl Case {
     /// The text of the case, with its changes.
     fn to_toml(&self, py: Python<'_>) -> PyResult<String> {
         self.template.text(&self.changes).map_err(|report| error::of_report(py, &report))
+    }
+
+    /// The text that it was read from, without the changes made to it.
+    fn template_text(&self, py: Python<'_>) -> PyResult<String> {
+        self.template.text(&[]).map_err(|report| error::of_report(py, &report))
     }
 
     /// What diagnostics call it.
@@ -191,12 +205,7 @@ impl Case {
     ) -> PyResult<(Answers, Option<Py<PyAny>>)> {
         let case = self.with_models(py, models, operation)?;
         let mut request = run::Request::new(&case);
-        let existing = match existing {
-            "resume" => Existing::Resume,
-            "overwrite" => Existing::Overwrite,
-            _ => Existing::Protect,
-        };
-        request.output = Output { folder, existing };
+        request.output = Output { folder, existing: existing_of(existing) };
         request.csv = csv;
         request.jobs = jobs;
         let work = attended(py, listener, |observer, cancellation| {

@@ -3,7 +3,8 @@
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use pyo3::prelude::*;
-use wholestring_runner::{Observer, Progress, Task};
+use wholestring_case::Report;
+use wholestring_runner::{BatchSize, CaseEnded, Observer, Progress, Task};
 
 /// What work has said and Python has not heard yet.
 #[derive(Default)]
@@ -12,6 +13,8 @@ pub(crate) struct Told(Mutex<State>);
 #[derive(Default)]
 struct State {
     progress: Option<(String, Progress)>,
+    /// How many cases of a batch have ended, and how many there are.
+    cases: Option<(usize, usize)>,
     sentences: Vec<(bool, String)>,
 }
 
@@ -22,12 +25,9 @@ impl Told {
     }
 
     /// Tells a Python object what was said since: `progress(name, time_s, end_s)`,
-    /// `said(is_warning, sentence)`.
+    /// `said(is_warning, sentence)`, and of a batch `cases(ended, of)`.
     pub(crate) fn tell(&self, py: Python<'_>, listener: &Bound<'_, PyAny>) -> PyResult<()> {
-        let (progress, sentences) = {
-            let mut state = self.state();
-            (state.progress.take(), std::mem::take(&mut state.sentences))
-        };
+        let State { progress, cases, sentences } = std::mem::take(&mut *self.state());
         let _ = py;
         for (is_warning, sentence) in sentences {
             listener.call_method1("said", (is_warning, sentence))?;
@@ -35,11 +35,26 @@ impl Told {
         if let Some((name, at)) = progress {
             listener.call_method1("progress", (name, at.time_s, at.end_s))?;
         }
+        if let Some((ended, of)) = cases {
+            listener.call_method1("cases", (ended, of))?;
+        }
         Ok(())
     }
 }
 
 impl Observer for Told {
+    fn diagnostics(&self, report: &Report) {
+        self.state().sentences.push((true, report.render(false)));
+    }
+
+    fn batch_started(&self, size: &BatchSize) {
+        self.state().cases = Some((size.finished, size.cases));
+    }
+
+    fn case_ended(&self, of: &CaseEnded) {
+        self.state().cases = Some((of.ended, of.of));
+    }
+
     fn note(&self, text: &str) {
         self.state().sentences.push((false, text.to_owned()));
     }

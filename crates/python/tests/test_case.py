@@ -49,7 +49,7 @@ def test_every_unit_is_one_that_pint_knows(slant: ws.Case) -> None:
 
     units = registry()
     keys = ["wob", "rpm", "mud.density", "operation.flow_rate", "mud.plastic_viscosity",
-            "string.0.weight", "string.0.od", "bit.torque", "operation.rop"]  # fmt: skip
+            "string.0.mass_per_length", "string.0.od", "bit.torque", "operation.rop"]  # fmt: skip
     for key in keys:
         unit = _core.unit_of(key)
         assert unit is not None, key
@@ -67,17 +67,16 @@ def test_a_case_of_python_objects_is_the_case_of_a_file() -> None:
         },
         "mud": {"density": 1100.0},
         "string": [
-            {"component": "pipe", "od": 0.127, "id": 0.1086, "weight": 29.0, "length": "to surface"}
+            {"component": "pipe", "od": 0.127, "id": 0.1086, "mass_per_length": 29.0}
+            | {"length": "to surface"}
         ],
         "operation": {"kind": ["trip_out", "trip_in"]},
     }
     made = ws.Case.from_dict(table)
     # Of a vertical string the hook load is its weight in mud, whatever the friction.
-    area = 3.141592653589793 / 4 * (0.127**2 - 0.1086**2)
-    assert area > 0
     solved = made.soft()
     assert solved["trip_out"].hook_load_N == pytest.approx(solved["trip_in"].hook_load_N, rel=1e-12)
-    steel = made.settings["steel"]["density_kg_per_m3"]
+    steel = made.settings["string"][0]["density_kg_per_m3"]
     expected = 29.0 * 9.80665 * 1000.0 * (1 - 1100.0 / steel)
     assert solved["trip_out"].hook_load_N == pytest.approx(expected, rel=1e-9)
 

@@ -24,6 +24,7 @@ from .errors import (
 )
 from .results import Finding, OperationResult, Results
 from .simulation import Simulation
+from .sweep import Sweep, sweep
 from .table import Table
 
 __all__ = [
@@ -41,7 +42,9 @@ __all__ = [
     "Results",
     "ResultsError",
     "Simulation",
+    "Sweep",
     "Table",
     "Value",
     "__version__",
+    "sweep",
 ]

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 
 class Listener:
@@ -43,7 +46,7 @@ class Listener:
             self._bar.close()
             self._bar = None
 
-    def __enter__(self) -> Listener:
+    def __enter__(self) -> Self:
         """Listen."""
         return self
 
@@ -52,11 +55,31 @@ class Listener:
         self.close()
 
 
-def _bar(name: str, end_s: float) -> Any:
+class CasesListener(Listener):
+    """Draws a bar of the cases of a sweep."""
+
+    def progress(self, name: str, time_s: float, end_s: float) -> None:
+        """Hear how far one of the simulations has come: the bar counts cases."""
+
+    def cases(self, ended: int, of: int) -> None:
+        """Hear how many cases have ended."""
+        if not self._wanted:
+            return
+        if self._bar is None:
+            self._bar = _tqdm()(total=of, unit="case")
+        self._bar.n = ended
+        self._bar.refresh()
+
+
+def _tqdm() -> Any:
     try:
         from tqdm.auto import tqdm
     except ImportError as error:
         message = "a progress bar needs tqdm: pip install 'wholestring[progress]'"
         raise ImportError(message) from error
+    return tqdm
+
+
+def _bar(name: str, end_s: float) -> Any:
     form = "{l_bar}{bar}| {n:.0f}/{total:.0f} s [{elapsed}<{remaining}]"
-    return tqdm(total=end_s, desc=name, bar_format=form)
+    return _tqdm()(total=end_s, desc=name, bar_format=form)

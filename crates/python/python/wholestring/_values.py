@@ -42,14 +42,17 @@ def for_pint(symbol: str) -> str:
 def toml(value: object, key: str) -> str:
     """Give a value as TOML; ``key`` is the dotted key that it is for.
 
+    A number of a key that has a unit is SI, and is written with it: a case file's own bare numbers
+    need not be.
+
     >>> toml({"kinetic": 0.3}, "well.hole.0.friction"), toml("300 m", "bit_depth")
     ('{ "kinetic" = 0.3 }', '"300 m"')
+    >>> toml(12.5, "rpm")
+    '"12.5 rad/s"'
     """
     if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, int):
-        return str(value)
-    if isinstance(value, float):
+    if isinstance(value, int | float):
         return number(value, key)
     if isinstance(value, str | os.PathLike):
         return text(os.fspath(value))
@@ -66,7 +69,7 @@ def toml(value: object, key: str) -> str:
             message = f"`{key}` takes a number without a unit or a text, and was given {value!r}"
             raise TypeError(message)
         return number(float(value.to(for_pint(unit)).magnitude), key)
-    # NumPy's numbers.
+    # NumPy's numbers and arrays.
     if isinstance(value, np.generic | np.ndarray):
         return toml(cast("object", value.tolist()), key)
     expected = "a text with a unit, a number in SI, a quantity, a list or a mapping"
@@ -74,10 +77,13 @@ def toml(value: object, key: str) -> str:
 
 
 def number(value: float, key: str) -> str:
-    """Give a number as TOML."""
+    """Give a number as TOML, with its SI unit where it has one."""
     if not math.isfinite(value):
         raise ValueError(f"`{key}` was given {value}: expected a finite number")
-    return repr(value)
+    if isinstance(value, float):
+        value = float(value)  # NumPy's numbers say more of themselves.
+    unit = _core.unit_of(key)
+    return repr(value) if unit is None else f'"{value!r} {unit}"'
 
 
 def text(value: str) -> str:

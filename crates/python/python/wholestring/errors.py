@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .results import Results
+    from .sweep import Sweep
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -92,6 +93,9 @@ class Interrupted(KeyboardInterrupt):
     ----------
     results
         What was computed until then.
+    sweep
+        What was solved until then, of a sweep.
     """
 
     results: Results | None = None
+    sweep: Sweep | None = None
