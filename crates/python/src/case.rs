@@ -119,6 +119,11 @@ impl Case {
         self.template.text(&self.changes).map_err(|report| error::of_report(py, &report))
     }
 
+    /// The text that it was read from, without the changes made to it.
+    fn template_text(&self, py: Python<'_>) -> PyResult<String> {
+        self.template.text(&[]).map_err(|report| error::of_report(py, &report))
+    }
+
     /// What diagnostics call it.
     #[getter]
     fn source(&self) -> &str {

@@ -11,6 +11,7 @@ mod error;
 mod law;
 mod folder;
 mod simulation;
+mod sweep;
 mod table;
 mod told;
 
@@ -26,6 +27,8 @@ mod _core {
         bha_of, bit_test_of, broomstick_of, calibrate_by, calibrated, held_dimension, modes_of,
         plan_of, reach_of, study_of, values,
     };
+    #[pymodule_export]
+    use crate::sweep::{Sweep, Variations};
     #[pymodule_export]
     use crate::{
         answers::Answers, case::Case, column::Column, simulation::Simulation, table::Table,
@@ -56,6 +59,15 @@ mod _core {
     fn si_unit(py: Python<'_>, dimension: &str) -> PyResult<&'static str> {
         let found = wholestring_units::Dimension::ALL.iter().find(|of| of.name() == dimension);
         found.map(|of| of.si_symbol()).ok_or_else(|| crate::error::of_panic(py))
+    }
+
+    /// The table of the sweep in a folder, and how many of its columns were varied.
+    #[pyfunction]
+    fn sweep_table(
+        py: Python<'_>,
+        folder: std::path::PathBuf,
+    ) -> PyResult<(usize, crate::table::Table)> {
+        crate::sweep::table(py, &folder)
     }
 
     /// SI unit of what a dotted or short key of a case measures; nothing of a bare number, a text,

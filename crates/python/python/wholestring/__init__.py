@@ -35,6 +35,7 @@ from .planning import Limit, Plan, Reach, Stop
 from .results import OperationResult, Results
 from .simulation import Simulation
 from .studies import Cases, Study, study
+from .sweep import Sweep, sweep
 from .table import Table
 
 __all__ = [
@@ -69,9 +70,11 @@ __all__ = [
     "Simulation",
     "Stop",
     "Study",
+    "Sweep",
     "Table",
     "Value",
     "__version__",
     "load",
     "study",
+    "sweep",
 ]

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 
 class Listener:
@@ -53,7 +56,7 @@ class Listener:
             self._bar.close()
             self._bar = None
 
-    def __enter__(self) -> Listener:
+    def __enter__(self) -> Self:
         """Listen."""
         return self
 

@@ -101,6 +101,9 @@ class Interrupted(KeyboardInterrupt):
     ----------
     results
         What was computed until then.
+    sweep
+        What was solved until then, of a sweep.
     """
 
     results: Any = None
+    sweep: Any = None
