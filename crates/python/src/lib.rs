@@ -8,6 +8,7 @@ mod case;
 mod column;
 mod error;
 mod law;
+mod measure;
 mod simulation;
 mod table;
 mod told;
@@ -23,6 +24,9 @@ mod _core {
     use crate::{
         answers::Answers, case::Case, column::Column, simulation::Simulation, table::Table,
     };
+
+    #[pymodule_export]
+    use crate::measure::{advance_alone, solve_alone};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
