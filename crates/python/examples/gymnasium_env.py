@@ -21,7 +21,7 @@ Run it: ``python gymnasium_env.py``.
 from __future__ import annotations
 
 import math
-from typing import Any, ClassVar
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -36,6 +36,9 @@ SLOWEST, FASTEST = 40.0 * RPM, 180.0 * RPM
 LARGEST_CHANGE = 10.0 * RPM
 NOMINAL_RATE_M_PER_S = 10.0 / 3600.0
 
+LEAST = np.array([-60e3, 0.0, SLOWEST, 0.0])
+MOST = np.array([60e3, 120e3, FASTEST, 500e3])
+
 Observation = NDArray[np.float64]
 Action = NDArray[np.float64]
 
@@ -49,14 +52,8 @@ def falling_torque(bit: ws.BitReading) -> tuple[float, float]:
 class StickSlip(gymnasium.Env[Observation, Action]):
     """A string that sticks and slips, and the rotary speed of its top."""
 
-    metadata: ClassVar[dict[str, Any]] = {"render_modes": []}
-
     def __init__(self) -> None:
-        self.observation_space = gymnasium.spaces.Box(
-            np.array([-60e3, 0.0, SLOWEST, 0.0]),
-            np.array([60e3, 120e3, FASTEST, 500e3]),
-            dtype=np.float64,
-        )
+        self.observation_space = gymnasium.spaces.Box(LEAST, MOST, dtype=np.float64)
         self.action_space = gymnasium.spaces.Box(-1.0, 1.0, (1,), np.float64)
         self._case = ws.Case.example().with_(
             friction=0.1,
@@ -112,7 +109,7 @@ class StickSlip(gymnasium.Env[Observation, Action]):
         speed = last["bit_rotary_speed_rad_per_s"]
         weight = float(last["weight_on_bit_N"].mean())
         seen = np.array([torque.mean(), np.ptp(torque), self._set, weight])
-        seen = np.clip(seen, self.observation_space.low, self.observation_space.high)
+        seen = np.clip(seen, LEAST, MOST)
         severity = float(np.ptp(speed) / (2.0 * max(abs(speed.mean()), 0.1)))
         return seen, float(last["rate_of_penetration_m_per_s"].mean()), severity
 

@@ -58,7 +58,7 @@ impl Case {
     }
 
     /// The case with these models, and one operation if it is named.
-    fn with_models(
+    pub(crate) fn with_models(
         &self,
         py: Python<'_>,
         models: Option<Vec<String>>,

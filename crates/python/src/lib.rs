@@ -10,6 +10,7 @@ mod commands;
 mod error;
 mod law;
 mod folder;
+mod measure;
 mod simulation;
 mod sweep;
 mod table;
@@ -33,6 +34,9 @@ mod _core {
     use crate::{
         answers::Answers, case::Case, column::Column, simulation::Simulation, table::Table,
     };
+
+    #[pymodule_export]
+    use crate::measure::{advance_alone, solve_alone};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -13,7 +13,7 @@ use wholestring::{
 use wholestring_results::{Column, Data, Table as StoredTable};
 use wholestring_runner::{Error, run::Live};
 
-use crate::{answers::Answers, attended::attended, error, law::Raised, table::Table};
+use crate::{answers::Answers, attended::attended_here, error, law::Raised, table::Table};
 
 /// A dynamic run that Python takes forward.
 #[pyclass(frozen, module = "wholestring._core")]
@@ -56,7 +56,7 @@ impl Simulation {
     }
 
     /// Asks the run; refuses a law that asks the run that waits for its answer.
-    fn asked<T: Send>(
+    pub(crate) fn asked<T: Send>(
         &self,
         py: Python<'_>,
         of: impl FnOnce(&mut Live) -> T + Send,
@@ -92,11 +92,11 @@ impl Simulation {
     fn advance(&self, py: Python<'_>, seconds: f64, listener: &Bound<'_, PyAny>) -> PyResult<()> {
         // Refused before a thread waits for it.
         self.asked(py, |_| ())?;
-        let work = attended(py, listener, |observer, cancellation| {
+        let work = attended_here(py, listener, |observer, cancellation| {
             let mut live = self.live();
             let _advancing = Advancing::new(self);
             live.advance(seconds, observer, cancellation)
-        })?;
+        });
         match (work.raised.or(self.raised.take()), work.result) {
             (Some(raised), _) => Err(raised),
             (None, result) => result.map_err(|error| error::of_work(py, &error)),

@@ -187,14 +187,18 @@ def test_a_run_with_laws_is_taken_up_to_the_same_bits(short: ws.Case) -> None:
         assert of.time_s == sim.time_s
         for name in sim.history.columns:
             assert np.array_equal(of.history[name], sim.history[name], equal_nan=True), name
-    for laws in (
-        {},
-        {"bit_law": rate_law},
-        {"bit_law": rate_law, "excitation": lobes},
-        {"bit_law": lambda bit: rate_law(bit), "excitation": lobes, "rate": 333.0},
+
+    def other(bit: ws.BitReading) -> tuple[float, float]:
+        return rate_law(bit)
+
+    for own, shaking, rate in (
+        (None, None, 333.0),
+        (rate_law, None, 333.0),
+        (rate_law, lobes, 1000.0),
+        (other, lobes, 333.0),
     ):
         with pytest.raises(ws.FolderError, match="rate_law at 333 Hz"):
-            short.simulation(checkpoint=kept, **laws)  # type: ignore[arg-type]
+            short.simulation(checkpoint=kept, bit_law=own, excitation=shaking, rate=rate)
     plain = short.simulation().checkpoint()
     with pytest.raises(ws.FolderError, match="no law of one's own, not with the bit law"):
         short.simulation(bit_law=rate_law, checkpoint=plain)

@@ -1,6 +1,8 @@
 """A simulation in hand."""
 
 import math
+import signal
+import threading
 
 import numpy as np
 import pytest
@@ -126,3 +128,18 @@ def test_friction_changes_as_the_run_goes(slant: ws.Case) -> None:
     with pytest.raises(ws.InputError, match="in which friction changes"):
         sim.set(friction=0.2, ramp=-1.0)
     assert sim.friction == (0.25, 0.25)
+
+
+def test_an_interrupt_leaves_a_run_that_goes_on(short: ws.Case) -> None:
+    sim = short.simulation()
+    sim.advance(0.1)
+    timer = threading.Timer(0.3, lambda: signal.raise_signal(signal.SIGINT))
+    timer.start()
+    with pytest.raises(ws.Interrupted, match="stands where it was") as caught:
+        sim.advance(3600.0)
+    timer.join()
+    assert caught.value.results is not None
+    assert 0.1 < sim.time_s < 3600.0
+    stands_s = sim.time_s
+    sim.advance(0.1)
+    assert sim.time_s > stands_s

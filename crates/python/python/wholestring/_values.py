@@ -128,7 +128,10 @@ def si(value: Scalar, dimension: str) -> float:
         return _core.quantity(value, dimension)
     if isinstance(value, int | float):
         return float(value)
-    return float(value.to(for_pint(_core.si_unit(dimension))).magnitude)
+    if isinstance(value, Quantity):  # pyright: ignore[reportUnnecessaryIsInstance]
+        return float(value.to(for_pint(_core.si_unit(dimension))).magnitude)
+    expected = "a text with a unit, a number in SI or a quantity"
+    raise TypeError(f"a {dimension} was given {value!r}: expected {expected}")
 
 
 def option(name: str, value: Scalar | None, dimension: str) -> float | None:
