@@ -11,6 +11,7 @@ mod simulation;
 mod sweep;
 mod table;
 mod told;
+mod variations;
 
 use pyo3::prelude::*;
 
@@ -20,11 +21,11 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::sweep::{Sweep, Variations};
-    #[pymodule_export]
     use crate::{
         answers::Answers, case::Case, column::Column, simulation::Simulation, table::Table,
     };
+    #[pymodule_export]
+    use crate::{sweep::Sweep, variations::Variations};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
