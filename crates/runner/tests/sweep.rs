@@ -141,19 +141,19 @@ fn keys_that_are_varied_together_take_their_values_side_by_side() {
 #[test]
 fn the_table_is_read_back_with_numbers_and_units() {
     let place = tempfile::tempdir().expect("a folder");
-    let vary = ["bit_depth=500m,2000ft", "operation.kind=trip_in,trip_out"];
+    let vary = ["bit_depth=500m,1000ft", "operation.kind=trip_in,trip_out"];
     let outcome = Swept::new(&vary, false).run(place.path());
     assert_eq!(outcome.finished, 4);
     let (varied, table) = sweep::read(place.path()).expect("a table");
     assert_eq!(varied, 2);
     let depth = &table.columns()[0];
     assert_eq!(depth.unit, "m");
-    let metres = Data::Number([500.0, 500.0, 609.6, 609.6].map(Some).to_vec());
+    let metres = Data::Number([500.0, 500.0, 304.8, 304.8].map(Some).to_vec());
     assert_eq!(depth.data, metres);
     assert!(matches!(table.columns()[1].data, Data::Text(_)));
     assert!(table.columns().iter().all(|column| !column.meaning.is_empty()));
     let loads = table.numbers("hook_load_N").expect("numbers");
     assert!(loads.iter().flatten().all(|load| *load > 0.0) && loads.len() == 4);
-    assert_eq!(table.numbers("bit_depth_m").expect("numbers")[2], Some(609.6));
+    assert_eq!(table.numbers("bit_depth_m").expect("numbers")[2], Some(304.8));
     assert!(sweep::read(&place.path().join("nothing")).is_err());
 }
