@@ -15,6 +15,7 @@ mod simulation;
 mod sweep;
 mod table;
 mod told;
+mod variations;
 
 use pyo3::prelude::*;
 
@@ -29,11 +30,11 @@ mod _core {
         plan_of, reach_of, study_of, values,
     };
     #[pymodule_export]
-    use crate::sweep::{Sweep, Variations};
-    #[pymodule_export]
     use crate::{
         answers::Answers, case::Case, column::Column, simulation::Simulation, table::Table,
     };
+    #[pymodule_export]
+    use crate::{sweep::Sweep, variations::Variations};
 
     #[pymodule_export]
     use crate::measure::{advance_alone, solve_alone};
