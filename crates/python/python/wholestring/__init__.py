@@ -9,6 +9,7 @@ Numbers are SI. Where a number goes in, a text with a unit does as well (``"45 k
 anything with ``.to(unit).magnitude``, such as a quantity of pint.
 """
 
+from . import plot
 from ._core import __version__
 from ._values import Quantity, Value
 from .case import Case
@@ -44,4 +45,5 @@ __all__ = [
     "Table",
     "Value",
     "__version__",
+    "plot",
 ]
