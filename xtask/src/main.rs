@@ -14,6 +14,7 @@ mod folders;
 mod page;
 mod peers;
 mod python;
+mod python_package;
 mod verification;
 
 use std::{
@@ -65,6 +66,7 @@ const TEST: &[Step] = &[
     ("Documentation", documentation),
     ("Core for the browser", wasm),
     ("Python example", python::example),
+    ("Python package", python_package::package),
     ("Report in a browser", page::browser),
 ];
 

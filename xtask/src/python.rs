@@ -69,7 +69,7 @@ pub(crate) fn environment(
     check: &str,
     install: &[&str],
 ) -> Option<PathBuf> {
-    let inside = folder.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
+    let inside = inside(folder);
     let is_complete = || succeeds(Command::new(&inside).current_dir(root()).args(["-c", check]));
     if !is_complete() {
         succeeds(python.args(["-m", "venv"]).arg(folder));
@@ -78,6 +78,11 @@ pub(crate) fn environment(
         succeeds(&mut pip);
     }
     is_complete().then_some(inside)
+}
+
+/// The interpreter of a virtual environment.
+pub(crate) fn inside(folder: &Path) -> PathBuf {
+    folder.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" })
 }
 
 fn copy(command: &Command) -> Command {

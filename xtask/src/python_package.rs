@@ -1,8 +1,9 @@
-//! The Python package: built into a virtual environment as a user does, then its tests, the examples
-//! in its documentation, and the checkers of its types.
+//! The Python package: installed into a fresh virtual environment as a user does, where the README's
+//! quick start runs; then its tests, the examples in its documentation, and the checkers of its
+//! types and its style.
 
 use std::{
-    env,
+    env, fs,
     path::{Path, PathBuf},
     process::Command,
 };
@@ -11,7 +12,7 @@ use crate::{
     command::{Failure, run, run_counted, succeeds},
     finding::Finding,
     folders::{root, target},
-    python::{environment, python},
+    python::{environment, inside, python},
 };
 
 /// Oldest Python that the package supports.
@@ -20,48 +21,110 @@ const OLDEST: &str = "3.10";
 /// Since when it installs groups of dependencies.
 const PIP: &str = "pip>=25.1";
 
-const CHECK: &str = "import maturin, mypy, pandas, pint, polars, pyright, pytest, ruff, tqdm";
+/// Whether everything in the group `test` of `pyproject.toml` is there.
+const CHECK: &str = "\
+import importlib.metadata as there, re
+try:
+    import tomllib
+except ImportError:
+    from pip._vendor import tomli as tomllib
+group = tomllib.load(open('pyproject.toml', 'rb'))['dependency-groups']['test']
+for one in group:
+    there.version(re.match(r'[A-Za-z0-9_.-]+', one)[0])";
 
 pub(crate) fn package() -> Result<Finding, Failure> {
-    let inside = match prepared() {
-        Ok(inside) => inside,
+    let with_tests = match prepared() {
+        Ok(with_tests) => with_tests,
         // Where nobody looks, what was not tested would pass for tested.
         Err(reason) if env::var_os("CI").is_some() => return Err(Failure::new(reason)),
         Err(reason) => return Ok(Finding::Skipped(reason)),
     };
-    // Optimised as the other tests are, and of the parts that these are made of.
-    let profile = "--config-settings=build-args=--profile=dev";
-    let mut install = module(&inside, "pip");
-    install.args(["install", "--quiet", "--no-build-isolation", "--no-deps", "--force-reinstall"]);
-    run(install.arg(profile).arg("."), "the package must build")?;
+    quick_start()?;
+    install(&with_tests, &["--no-deps", "--force-reinstall"])?;
     let checks: [(&str, &[&str], &str); 4] = [
         ("ruff", &["format", "--check", "."], "run `ruff format` in crates/python"),
         ("ruff", &["check", "."], "warnings count as errors"),
         ("mypy", &[], "the types must hold"),
-        ("pyright", &[], "the types must hold"),
+        ("pyright", &["--pythonpath"], "the types must hold"),
     ];
     for (name, arguments, advice) in checks {
-        run(module(&inside, name).args(arguments), advice)?;
+        let mut check = module(&with_tests, name);
+        check.args(arguments);
+        if arguments.contains(&"--pythonpath") {
+            check.arg(&with_tests);
+        }
+        run(&mut check, advice)?;
     }
-    run_counted(&mut module(&inside, "pytest")).map(Finding::Tested)
+    run_counted(&mut module(&with_tests, "pytest")).map(Finding::Tested)
+}
+
+/// The README's quick start, in an environment that has nothing but the package and what it needs.
+fn quick_start() -> Result<(), Failure> {
+    let readme = fs::read_to_string(root().join("README.md"));
+    let readme = readme.map_err(|error| Failure::new(format!("README.md: {error}")))?;
+    let shown = first_python(&readme).ok_or_else(|| Failure::new("README.md shows no Python"))?;
+    let folder = target().join("python-fresh");
+    if folder.exists() {
+        let removed = fs::remove_dir_all(&folder);
+        removed.map_err(|error| Failure::new(format!("{}: {error}", folder.display())))?;
+    }
+    let mut python = python(OLDEST).ok_or_else(|| Failure::new("Python is gone"))?;
+    run(python.args(["-m", "venv"]).arg(&folder), "a fresh environment is needed")?;
+    let fresh = inside(&folder);
+    install(&fresh, &[])?;
+    run(
+        Command::new(fresh).current_dir(root()).args(["-c", shown]),
+        "the quick start in README.md must run as it stands",
+    )
+}
+
+/// The first block of Python on a page.
+fn first_python(page: &str) -> Option<&str> {
+    let (_, rest) = page.split_once("\n```python\n")?;
+    rest.split_once("\n```").map(|(block, _)| block)
+}
+
+/// `pip install .`, optimised as the other tests are, and of the parts that these are made of.
+fn install(python: &Path, options: &[&str]) -> Result<(), Failure> {
+    let mut install = module(python, "pip");
+    install.env("MATURIN_PEP517_ARGS", "--profile=dev");
+    install.args(["install", "--quiet", "--disable-pip-version-check"]).args(options);
+    run(install.arg("."), "the package must build")
 }
 
 /// The Python of a virtual environment with what the tests need.
 fn prepared() -> Result<PathBuf, String> {
     let python = python(OLDEST).ok_or(format!("there is no Python {OLDEST} or newer here"))?;
     let folder = target().join("python-package");
-    let missing = || "what its tests need cannot be installed in a virtual environment here".to_owned();
-    let inside = environment(python, &folder, "import pip", &[]).ok_or_else(missing)?;
-    let has_all = || succeeds(Command::new(&inside).current_dir(root()).args(["-c", CHECK]));
+    let missing =
+        || "what its tests need cannot be installed in a virtual environment here".to_owned();
+    let python = environment(python, &folder, "import pip", &[]).ok_or_else(missing)?;
+    let has_all = || succeeds(module(&python, "").args(["-c", CHECK]));
     if !has_all() {
-        succeeds(module(&inside, "pip").args(["install", "--quiet", "--upgrade", PIP]));
-        succeeds(module(&inside, "pip").args(["install", "--quiet", "--group", "test"]));
+        succeeds(module(&python, "pip").args(["install", "--quiet", "--upgrade", PIP]));
+        succeeds(module(&python, "pip").args(["install", "--quiet", "--group", "test"]));
     }
-    has_all().then_some(inside).ok_or_else(missing)
+    if has_all() { Ok(python) } else { Err(missing()) }
 }
 
+/// A module of Python, to be run where the package is; none where its name is empty.
 fn module(python: &Path, name: &str) -> Command {
     let mut command = Command::new(python);
-    command.current_dir(root().join("crates/python")).args(["-m", name]);
+    command.current_dir(root().join("crates/python"));
+    if !name.is_empty() {
+        command.args(["-m", name]);
+    }
     command
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_block_is_found() {
+        let page = "text\n```sh\nls\n```\n\n```python\nimport a\na.b()\n```\n```python\nc\n```\n";
+        assert_eq!(first_python(page), Some("import a\na.b()"));
+        assert_eq!(first_python("nothing"), None);
+    }
 }
