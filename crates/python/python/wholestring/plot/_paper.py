@@ -190,5 +190,7 @@ def depth_down(ax: Drawn, depths: Sequence[Numbers], text: str) -> None:
     # A string begins at the surface, or a length of a node above it.
     if top < 0.05 * bottom:
         top = 0.0
+    if top == bottom:
+        top, bottom = top - 1.0, bottom + 1.0
     ax.set_ylim(bottom, top)
     label_y(ax, text)

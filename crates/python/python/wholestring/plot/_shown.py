@@ -74,7 +74,7 @@ def about(column: str) -> tuple[str, str]:
     """Give what a column is called and its dimension; of one that nobody declared, its name.
 
     >>> about("hook_load_N")
-    ('Hook load', 'force')
+    ('Hook load without block', 'force')
     >>> about("my_column")
     ('My column', '')
     """

@@ -80,8 +80,8 @@ def broomstick(
     ...     "hook_load_N": [3.0e5, 4.1e5, 2.5e5, 2.8e5],
     ... }
     >>> ax = ws.plot.broomstick(rows)
-    >>> ax.get_xlabel(), ax.yaxis_inverted()
-    ('Hook load, kN', True)
+    >>> ax.get_xlabel(), bool(ax.yaxis_inverted())
+    ('Hook load without block, kN', True)
     """
     what = "a broomstick"
     shown = Shown(units, plan)

@@ -120,12 +120,9 @@ def calibration(
         is_first = place == 0 or axes is not None
         text = shown.label("Measured depth of the bit", "length") if is_first else ""
         depth_down(ax, depths, text)
-        known = [of for of in depths if of.size]
-        if known:
-            low = min(float(np.min(of)) for of in known)
-            high = max(float(np.max(of)) for of in known)
-            beyond = 0.03 * (high - low)
-            ax.set_ylim(high + beyond, max(low - beyond, 0.0))
+        bottom, top = ax.get_ylim()
+        beyond = 0.03 * (bottom - top)
+        ax.set_ylim(bottom + beyond, max(top - beyond, 0.0))
         if axes is None and place > 0:
             ax.tick_params(labelleft=False)
     if axes is None:
@@ -159,6 +156,8 @@ def _frame(
             rows = predicted.where(reading=of.name)
             for case in rows.distinct("case") or [""]:
                 mine = rows.where(case=case or None)
+                if not len(mine):
+                    continue
                 curve = _predicted(ax, mine, of, (suffix, dimension), shown, every)
                 depths.append(curve[1])
                 named = [name for name in named if name.text != of.words]
@@ -180,11 +179,10 @@ def _frame(
                 markeredgecolor=colour("paper"),
                 markeredgewidth=0.4,
             )
-        if predicted is None and values.size:
+        if of.words not in {name.text for name in named} and values.size:
             named.append(Name(of.words, of.colour, values, depth, at=0.9))
     ax.set_xlim(*limits(every))
-    low, high = (min(map(np.min, depths)), max(map(np.max, depths))) if depths else (0.0, 1.0)
-    ax.set_ylim(high, low)
+    depth_down(ax, depths, "")
     name_curves(ax, named)
 
 

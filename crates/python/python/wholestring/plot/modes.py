@@ -182,7 +182,7 @@ def modes(
     ...     "turn_rad": [0.0, 1.0],
     ... }
     >>> (first,) = ws.plot.modes(rows, family="torsional")
-    >>> first.get_xlabel(), first.yaxis_inverted()
+    >>> first.get_xlabel(), bool(first.yaxis_inverted())
     ('Mode 1', True)
     """
     what = "a picture of modes"

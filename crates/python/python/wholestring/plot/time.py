@@ -72,7 +72,7 @@ def time(
     >>> rows = {"time_s": [0.0, 1.0, 2.0], "hook_load_N": [9.0e5, 9.1e5, 9.0e5]}
     >>> (hook_load,) = ws.plot.time(rows, "hook-load", units="metric")
     >>> hook_load.get_ylabel()
-    'Hook load, t'
+    'Hook load without block, t'
     """
     what = "a picture against time"
     shown = Shown(units, results)

@@ -103,7 +103,7 @@ def tracks(
     >>> import wholestring as ws
     >>> tension, torque = ws.plot.tracks(ws.Case.example().soft(), "tension", "torque")
     >>> tension.get_xlabel(), torque.get_xlabel()
-    ('Tension, kN', 'Torque, kN·m')
+    ('Effective tension, kN', 'Torque, kN·m')
     """
     return draw([results], [""], names, operations=operations, models=models, units=units, to=axes)
 

@@ -58,8 +58,8 @@ def well(
     --------
     >>> import wholestring as ws
     >>> plan, section = ws.plot.well(ws.Case.example())
-    >>> section.get_ylabel(), section.yaxis_inverted()
-    ('True vertical depth, m', True)
+    >>> plan.get_xlabel(), section.get_ylabel()
+    ('East, m', 'True vertical depth, m')
     """
     shown = Shown(units, case)
     settings = _settings(case)
@@ -128,7 +128,7 @@ def _path(
     _to_scale(ax, x, y)
     last: Numbers | None = None
     for depth in _round_depths(float(md[-1])).tolist():
-        at: Numbers = np.stack([np.interp(depth, md, of) for of in (x, y)])
+        at: Numbers = np.array([float(np.interp(depth, md, x)), float(np.interp(depth, md, y))])
         pixels = ax.transData.transform(at)
         # Seen from above, a vertical hole is a point.
         if last is not None and np.hypot(*(pixels - last)) < 14.0 * ax.figure.dpi / 72.0:
