@@ -1,13 +1,12 @@
-//! What a case comes to: in memory, or as a folder has it.
+//! What commands come to: in memory, or as a folder has it.
 
 use std::path::PathBuf;
 
 use pyo3::{exceptions::PyKeyError, prelude::*};
 use wholestring::outcome::SCALARS;
-use wholestring_results::{Summary, TABLES, Table as StoredTable};
-use wholestring_runner::{Existing, Output, run};
+use wholestring_runner::{Output, copy_results, run};
 
-use crate::{attended::attended, error, table::Table};
+use crate::{attended::attended, commands::existing, error, folder::Folder, table::Table};
 
 /// A summary and tables.
 #[pyclass(frozen, module = "wholestring._core")]
@@ -15,28 +14,12 @@ pub(crate) struct Answers(Place);
 
 enum Place {
     Memory(run::Answers),
-    Folder { path: PathBuf, summary: Summary },
+    Folder(Folder),
 }
 
 impl From<run::Answers> for Answers {
     fn from(answers: run::Answers) -> Self {
         Self(Place::Memory(answers))
-    }
-}
-
-impl Answers {
-    /// Those that a run left in a folder.
-    pub(crate) fn of_folder(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        let summary = Summary::read(&path.join("summary.json"));
-        let summary = summary.map_err(|error| error::of_results(py, &error))?;
-        Ok(Self(Place::Folder { path, summary }))
-    }
-
-    fn summary(&self) -> &Summary {
-        match &self.0 {
-            Place::Memory(answers) => answers.summary(),
-            Place::Folder { summary, .. } => summary,
-        }
     }
 }
 
@@ -50,16 +33,31 @@ pub(crate) fn scalars() -> Vec<(&'static str, &'static str, &'static str)> {
 
 #[pymethods]
 impl Answers {
-    /// Those that a run left in a folder.
+    /// Those that a command left in a folder.
     #[staticmethod]
-    fn load(py: Python<'_>, folder: PathBuf) -> PyResult<Self> {
-        Self::of_folder(py, folder)
+    pub(crate) fn load(py: Python<'_>, folder: PathBuf) -> PyResult<Self> {
+        let folder = py.detach(|| Folder::read(folder));
+        Ok(Self(Place::Folder(folder.map_err(|error| error::of_results(py, &error))?)))
     }
 
-    /// `summary.json`.
+    /// What they are: `a run`, `a plan`, ...
+    #[getter]
+    fn kind(&self) -> &'static str {
+        match &self.0 {
+            Place::Memory(_) => "a run",
+            Place::Folder(folder) => folder.kind,
+        }
+    }
+
+    /// `summary.json`; an empty object where a folder has none.
     fn summary_json(&self, py: Python<'_>) -> PyResult<String> {
-        let json = serde_json::to_string(self.summary());
-        json.map_err(|_| error::of_panic(py))
+        match &self.0 {
+            Place::Memory(answers) => {
+                let json = serde_json::to_string(answers.summary());
+                json.map_err(|_| error::of_panic(py))
+            }
+            Place::Folder(folder) => Ok(folder.summary.clone()),
+        }
     }
 
     /// Where they lie; nothing where they are in memory.
@@ -67,7 +65,7 @@ impl Answers {
     fn folder(&self) -> Option<PathBuf> {
         match &self.0 {
             Place::Memory(_) => None,
-            Place::Folder { path, .. } => Some(path.clone()),
+            Place::Folder(folder) => Some(folder.path.clone()),
         }
     }
 
@@ -77,18 +75,15 @@ impl Answers {
             Place::Memory(answers) => {
                 answers.tables().into_iter().map(|(name, _)| name.to_owned()).collect()
             }
-            Place::Folder { path, .. } => {
-                let names = TABLES.iter().map(|(name, _)| *name);
-                let is_there = |name: &&str| path.join(format!("{name}.parquet")).is_file();
-                names.filter(is_there).map(str::to_owned).collect()
-            }
+            Place::Folder(folder) => folder.tables(),
         }
     }
 
     /// A table by its name.
     fn table(&self, py: Python<'_>, name: &str) -> PyResult<Table> {
-        if !self.table_names().iter().any(|of| of == name) {
-            let names = self.table_names().join(", ");
+        let names = self.table_names();
+        if !names.iter().any(|of| of == name) {
+            let names = names.join(", ");
             return Err(PyKeyError::new_err(format!("there is no table `{name}`: {names}")));
         }
         match &self.0 {
@@ -97,15 +92,14 @@ impl Answers {
                 let found = tables.into_iter().find(|(of, _)| *of == name);
                 found.map_or_else(|| Err(error::of_panic(py)), |(_, table)| Table::of(table))
             }
-            Place::Folder { path, .. } => {
-                let path = path.join(format!("{name}.parquet"));
-                let read = py.detach(|| StoredTable::read_parquet(&path));
+            Place::Folder(folder) => {
+                let read = py.detach(|| folder.table(name));
                 Table::of(&read.map_err(|error| error::of_results(py, &error))?)
             }
         }
     }
 
-    /// Writes what a run leaves, and gives the folder.
+    /// Writes what the command leaves, and gives the folder.
     #[pyo3(signature = (folder, overwrite, csv, listener))]
     fn save(
         &self,
@@ -115,13 +109,18 @@ impl Answers {
         csv: bool,
         listener: &Bound<'_, PyAny>,
     ) -> PyResult<PathBuf> {
-        let Place::Memory(answers) = &self.0 else {
-            let Place::Folder { path, .. } = &self.0 else { return Err(error::of_panic(py)) };
-            return Ok(path.clone());
-        };
-        let existing = if overwrite { Existing::Overwrite } else { Existing::Protect };
-        let output = Output { folder, existing };
-        let saved = attended(py, listener, |observer, _| answers.save(&output, csv, observer))?;
+        let word = if overwrite { "overwrite" } else { "protect" };
+        let output = Output { folder, existing: existing(word) };
+        let saved = attended(py, listener, |observer, _| match &self.0 {
+            Place::Memory(answers) => answers.save(&output, csv, observer),
+            Place::Folder(folder) => {
+                let to = copy_results(&folder.path, &output, observer)?;
+                if csv {
+                    folder.write_csv(&to)?;
+                }
+                Ok(to)
+            }
+        })?;
         match (saved.raised, saved.result) {
             (Some(raised), _) => Err(raised),
             (None, result) => result.map_err(|error| error::of_work(py, &error)),

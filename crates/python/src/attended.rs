@@ -38,7 +38,7 @@ pub(crate) fn attended<T: Send>(
     let look = || {
         Python::attach(|py| {
             py.check_signals()?;
-            told.tell(py, listener_free.bind(py))
+            told.tell(listener_free.bind(py))
         })
     };
     let (result, raised) = py.detach(|| {
@@ -65,6 +65,6 @@ pub(crate) fn attended<T: Send>(
         return Err(raised.unwrap_or_else(|| error::of_panic(py)));
     };
     // What was said last.
-    let raised = raised.or(told.tell(py, listener).err());
+    let raised = raised.or(told.tell(listener).err());
     Ok(Attended { result, raised })
 }

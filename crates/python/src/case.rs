@@ -13,24 +13,27 @@ use pyo3::{
 };
 use wholestring_case::{Case as Checked, Override, Quote, Template};
 use wholestring_runner::{
-    Existing, Output,
+    Output,
     run::{self, Live},
 };
 
-use crate::{answers::Answers, attended::attended, error, simulation::Simulation};
+use crate::{
+    answers::Answers, attended::attended, commands::existing as existing_of, error,
+    simulation::Simulation,
+};
 
 /// A case that was checked, with the text that it was read from and the changes made to it.
 #[pyclass(frozen, module = "wholestring._core")]
 pub(crate) struct Case {
-    template: Arc<Template>,
-    changes: Vec<Override>,
-    case: Arc<Checked>,
+    pub(crate) template: Arc<Template>,
+    pub(crate) changes: Vec<Override>,
+    pub(crate) case: Arc<Checked>,
     /// The same with other models, as they were requested.
     with_models: Mutex<BTreeMap<String, Arc<Checked>>>,
 }
 
 /// A change as diagnostics quote it.
-fn change(key: &str, value: &str) -> Override {
+pub(crate) fn change(key: &str, value: &str) -> Override {
     let text = format!("{key} = {value}");
     let start = text.len() - value.len();
     let quote = Quote {
@@ -132,6 +135,12 @@ impl Case {
         self.case.settings.to_string()
     }
 
+    /// All that it says, as text: the same of two cases that are the same.
+    fn identity(&self) -> String {
+        let Checked { settings, plan, modes, .. } = &*self.case;
+        serde_json::json!([settings, plan, modes]).to_string()
+    }
+
     /// Its name.
     #[getter]
     fn name(&self) -> &str {
@@ -183,7 +192,7 @@ impl Case {
         py: Python<'_>,
         models: Option<Vec<String>>,
         operation: Option<String>,
-        folder: Option<PathBuf>,
+        folder: PathBuf,
         existing: &str,
         csv: bool,
         jobs: Option<NonZeroUsize>,
@@ -191,12 +200,7 @@ impl Case {
     ) -> PyResult<(Answers, Option<Py<PyAny>>)> {
         let case = self.with_models(py, models, operation)?;
         let mut request = run::Request::new(&case);
-        let existing = match existing {
-            "resume" => Existing::Resume,
-            "overwrite" => Existing::Overwrite,
-            _ => Existing::Protect,
-        };
-        request.output = Output { folder, existing };
+        request.output = Output { folder: Some(folder), existing: existing_of(existing) };
         request.csv = csv;
         request.jobs = jobs;
         let work = attended(py, listener, |observer, cancellation| {
@@ -205,7 +209,7 @@ impl Case {
         let outcome = work.result.map_err(|error| error::of_work(py, &error))?;
         let stopped = outcome.stopped.map(|stop| error::of_work(py, &stop.into()));
         let raised = work.raised.or(stopped).map(|raised| raised.into_value(py).into_any());
-        Ok((Answers::of_folder(py, outcome.folder)?, raised))
+        Ok((Answers::load(py, outcome.folder)?, raised))
     }
 
     /// A dynamic run in hand; with a checkpoint, from there on.

@@ -6,8 +6,10 @@ mod answers;
 mod attended;
 mod case;
 mod column;
+mod commands;
 mod conventions;
 mod error;
+mod folder;
 mod simulation;
 mod table;
 mod told;
@@ -19,6 +21,11 @@ use pyo3::prelude::*;
 mod _core {
     use pyo3::prelude::*;
 
+    #[pymodule_export]
+    use crate::commands::{
+        bha_of, bit_test_of, broomstick_of, calibrate_by, calibrated, held_dimension, modes_of,
+        plan_of, reach_of, study_of, values,
+    };
     #[pymodule_export]
     use crate::{
         answers::Answers, case::Case, column::Column, simulation::Simulation, table::Table,

@@ -6,7 +6,9 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pint
+import polars
 import pytest
 import wholestring as ws
 
@@ -49,7 +51,7 @@ def test_every_unit_is_one_that_pint_knows(slant: ws.Case) -> None:
 
     units = registry()
     keys = ["wob", "rpm", "mud.density", "operation.flow_rate", "mud.plastic_viscosity",
-            "string.0.weight", "string.0.od", "bit.torque", "operation.rop"]  # fmt: skip
+            "string.0.mass_per_length", "string.0.od", "bit.torque", "operation.rop"]  # fmt: skip
     for key in keys:
         unit = _core.unit_of(key)
         assert unit is not None, key
@@ -67,19 +69,69 @@ def test_a_case_of_python_objects_is_the_case_of_a_file() -> None:
         },
         "mud": {"density": 1100.0},
         "string": [
-            {"component": "pipe", "od": 0.127, "id": 0.1086, "weight": 29.0, "length": "to surface"}
+            {
+                "component": "pipe",
+                "od": 0.127,
+                "id": 0.1086,
+                "mass_per_length": 29.0,
+                "length": "to surface",
+            }
         ],
         "operation": {"kind": ["trip_out", "trip_in"]},
     }
     made = ws.Case.from_dict(table)
     # Of a vertical string the hook load is its weight in mud, whatever the friction.
-    area = 3.141592653589793 / 4 * (0.127**2 - 0.1086**2)
-    assert area > 0
     solved = made.soft()
     assert solved["trip_out"].hook_load_N == pytest.approx(solved["trip_in"].hook_load_N, rel=1e-12)
-    steel = made.settings["steel"]["density_kg_per_m3"]
+    steel = made.settings["string"][0]["density_kg_per_m3"]
     expected = 29.0 * 9.80665 * 1000.0 * (1 - 1100.0 / steel)
     assert solved["trip_out"].hook_load_N == pytest.approx(expected, rel=1e-9)
+
+
+def test_a_real_case_is_made_of_python_objects(np13: ws.Case) -> None:
+    tomllib = pytest.importorskip("tomllib", reason="of Python 3.11")
+    table: dict[str, Any] = tomllib.loads(np13.to_toml())
+    # What a case file takes in rev/min and means so.
+    table["operation"]["rpm"] = "70 rpm"
+    made = ws.Case.from_dict(table, files=np13.files)
+    assert made == np13
+    del table["well"]["survey"]
+    (content,) = np13.files.values()
+    frame = polars.read_csv(content)
+    rows = frame.to_numpy()
+    own = dict(np13.settings["well"], survey=None)
+    for survey in (frame, frame.to_pandas(), frame.to_dict(), rows, rows.tolist()):
+        made = ws.Case.from_dict(table, survey=survey)
+        assert dict(made.settings["well"], survey=None) == own, type(survey)
+        assert {**made.settings, "well": own} == {**np13.settings, "well": own}
+        assert ws.Case(made.to_toml(), files=made.files) == made
+    ours = made.soft("drill")["drill"].hook_load_N
+    assert ours == np13.soft("drill")["drill"].hook_load_N
+
+
+def test_a_survey_that_is_none() -> None:
+    table: dict[str, ws.Value] = {"well": {}}
+    for bad in (3.0, [[0.0, 0.0]], [["a", "b", "c"]], []):
+        with pytest.raises(ValueError, match="`survey`: expected rows of measured depth"):
+            ws.Case.from_dict(table, survey=bad)
+    with pytest.raises(ws.CaseError, match=r"survey\.csv"):
+        ws.Case.from_dict(table, survey={"depth of fish": [1.0]})
+
+
+def test_numbers_of_numpy_are_numbers(slant: ws.Case) -> None:
+    assert slant.with_(friction=np.float64(0.25)) == slant.with_(friction=0.25)
+    assert slant.with_(wob=np.float64(6e4)) == slant.with_(wob="60 kN")
+    several: Any = np.array([800.0, 900.0])
+    assert slant.with_({"plan.bit_depths": several}) == slant.with_(
+        {"plan.bit_depths": ["800 m", "900 m"]}
+    )
+    assert slant.with_({"dynamics.seed": np.int64(3)}).settings["dynamics"]["seed"] == 3
+
+
+def test_what_a_plan_and_modes_compute_is_of_the_case(slant: ws.Case) -> None:
+    assert slant.with_({"plan.depths": 3}) != slant.with_({"plan.depths": 4})
+    assert slant.with_({"modes.count": 3}) != slant.with_({"modes.count": 4})
+    assert slant.with_({"modes.count": 3}) == slant.with_({"modes.count": 3})
 
 
 def test_its_text_is_the_case(np13: ws.Case, slant: ws.Case) -> None:

@@ -17,7 +17,7 @@ def test_a_mistaken_case_names_every_mistake(slant: ws.Case) -> None:
     error = caught.value
     assert "did you mean `density`?" in str(error)
     assert "well.toml:" in str(error)
-    found = error.diagnostics[0]
+    (found,) = (of for of in error.diagnostics if "densty" in of.message)
     assert found.severity == "error"
     assert found.file == "well.toml"
     assert found.line is not None
@@ -108,4 +108,5 @@ def test_python_runs_beside_it(short: ws.Case) -> None:
     short.with_(dynamics__duration=3.0).dynamic()
     done.set()
     beside.join()
-    assert turns > 20
+    # Once, if Python waited for the run.
+    assert turns > 3

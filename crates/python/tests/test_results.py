@@ -42,7 +42,7 @@ def test_every_scalar_is_an_attribute_with_its_meaning(slant: ws.Case) -> None:
         value = getattr(solved, name)
         assert value is None or isinstance(value, float), name
         said = getattr(type(solved), name).__doc__ or ""
-        assert f", {unit}" in said, f"{name} says its unit, {unit}"
+        assert f", {unit.replace('·', '.')}" in said, f"{name} says its unit, {unit}"
         assert solved.data[name] == value
 
 

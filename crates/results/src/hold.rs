@@ -7,7 +7,7 @@
 use std::{
     fs::{self, File, OpenOptions, TryLockError},
     io::{self, Read, Seek, Write},
-    path::PathBuf,
+    path::{Path, PathBuf},
 };
 
 use serde::{Deserialize, Serialize};
@@ -29,6 +29,11 @@ pub struct Occupant {
 }
 
 impl Occupant {
+    /// What a folder says that it was written for; none where it says nothing.
+    pub fn of_folder(path: &Path) -> Option<Self> {
+        read(&mut File::open(path.join(NAME)).ok()?)
+    }
+
     /// Whether the other is the same work, whatever it is called.
     pub fn is_same(&self, other: &Self) -> bool {
         self.kind == other.kind && self.identity == other.identity

@@ -66,8 +66,8 @@ pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTabl
 pub use plan::{
     PLAN_VERSION, PlanBuckling, PlanDamage, PlanDensity, PlanFatigue, PlanFatigueHour, PlanFinding,
     PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanLimit, PlanMeasured, PlanPeak,
-    PlanPeakOf, PlanPoint, PlanSummary, PlanWear, plan_fatigue_table, plan_limits_table,
-    plan_peaks_table, plan_peaks_time_table, plan_wear_table,
+    PlanPeakOf, PlanPoint, PlanSummary, PlanWear, plan_broomstick_table, plan_fatigue_table,
+    plan_limits_table, plan_peaks_table, plan_peaks_time_table, plan_wear_table,
 };
 pub use reach::{REACH_VERSION, ReachLimit, ReachOfFriction, ReachStop, ReachSummary};
 pub use reach_table::reach_limits_table;

@@ -1,6 +1,6 @@
 //! All kinds of results, and which of them a folder holds.
 
-use std::path::Path;
+use std::{fs, path::Path};
 
 use wholestring_report::{Bha, BitTest, Calibration, Modes, Plan, Reach};
 
@@ -17,6 +17,22 @@ pub(crate) static KINDS: [ResultsKind; 8] = [
     RUN,
     SWEEP,
 ];
+
+/// What a folder of a study holds.
+const STUDY: &str = "a study";
+
+/// What the folder holds the results of: `a run`, `a plan`, `a study`, ...
+///
+/// # Errors
+/// It holds none.
+pub fn results_kind(folder: &Path) -> Result<&'static str, Error> {
+    kind_of(folder).map(|kind| kind.noun).or_else(|error| {
+        let mut entries = fs::read_dir(folder).into_iter().flatten().flatten();
+        // A study has the sweeps that it is made of.
+        let is_study = entries.any(|entry| (SWEEP.is_in)(&entry.path()));
+        if is_study { Ok(STUDY) } else { Err(error) }
+    })
+}
 
 /// What the folder holds the results of.
 ///

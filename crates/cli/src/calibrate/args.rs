@@ -5,8 +5,10 @@ use std::{num::NonZeroUsize, path::PathBuf};
 use clap::{Args, ValueEnum};
 use wholestring::outcome::ModelKind;
 use wholestring_case::Override;
-use wholestring_runner::calibrate::Parameter;
-use wholestring_units::Dimension;
+use wholestring_runner::calibrate::{
+    Parameter,
+    option::{beyond, confidence, depth, force, held, torque},
+};
 
 use crate::shared_args::{OutputArgs, PageArgs};
 
@@ -115,59 +117,4 @@ impl From<Model> for ModelKind {
             Model::Stiff => Self::Stiff,
         }
     }
-}
-
-fn positive(dimension: Dimension, text: &str) -> Result<f64, String> {
-    let value = dimension.parse(text).map_err(|error| error.to_string())?;
-    match value > 0.0 && value.is_finite() {
-        true => Ok(value),
-        false => Err("expected more than zero".to_owned()),
-    }
-}
-
-fn force(text: &str) -> Result<f64, String> {
-    positive(Dimension::Force, text)
-}
-
-fn depth(text: &str) -> Result<f64, String> {
-    positive(Dimension::Length, text)
-}
-
-fn torque(text: &str) -> Result<f64, String> {
-    positive(Dimension::Torque, text)
-}
-
-fn number(text: &str, from: f64, to: f64) -> Result<f64, String> {
-    let value: f64 = text.trim_end_matches('%').trim().parse().map_err(|_| "expected a number")?;
-    match (from..=to).contains(&value) {
-        true => Ok(value),
-        false => Err(format!("expected {from} to {to}")),
-    }
-}
-
-fn beyond(text: &str) -> Result<f64, String> {
-    number(text, 1.0, 100.0)
-}
-
-/// As a part of one.
-fn confidence(text: &str) -> Result<f64, String> {
-    Ok(number(text, 50.0, 99.9)? / 100.0)
-}
-
-fn held(text: &str) -> Result<(Parameter, f64), String> {
-    let (name, value) = text.split_once('=').ok_or("expected NAME=VALUE")?;
-    let name = name.trim();
-    // Without the unit that the value has itself.
-    let short = |of: Parameter| of.name().trim_end_matches("_N_m").trim_end_matches("_N");
-    let of = Parameter::ALL.into_iter().find(|of| of.name() == name || short(*of) == name);
-    let of = of.ok_or_else(|| {
-        let names: Vec<&str> = Parameter::ALL.into_iter().map(short).collect();
-        format!("nothing is called '{name}'; expected one of {}", names.join(", "))
-    })?;
-    let value = match of {
-        Parameter::BlockWeight => Dimension::Force.parse(value).map_err(|error| error.to_string()),
-        Parameter::BitTorque => Dimension::Torque.parse(value).map_err(|error| error.to_string()),
-        _ => number(value, 0.0, 2.0),
-    };
-    Ok((of, value?))
 }

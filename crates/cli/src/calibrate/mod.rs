@@ -31,6 +31,7 @@ pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
     let request = Request {
         cases: &named,
         data: &args.data,
+        content: None,
         fit: Fit {
             one_factor: args.one_factor,
             friction_around: args.friction_around,

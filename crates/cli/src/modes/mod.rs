@@ -5,7 +5,9 @@ mod screen;
 
 use wholestring_runner::modes::{self, Request};
 
-use crate::{failure::Failure, input::load, progress::RunScreen, terminal::print_stdout};
+use crate::{
+    failure::Failure, input::load, interrupt, progress::RunScreen, terminal::print_stdout,
+};
 
 pub(crate) use args::ModesArgs;
 
@@ -19,7 +21,8 @@ pub(crate) fn modes(args: &ModesArgs) -> Result<(), Failure> {
         output: args.output.output(),
         png: args.page.png,
     };
-    let outcome = modes::run(&request, &RunScreen::new(args.page.quiet, false))?;
+    let screen = RunScreen::new(args.page.quiet, false);
+    let outcome = modes::run(&request, &screen, &interrupt::listen())?;
     if !args.page.quiet {
         print_stdout(&screen::text(&outcome.summary, units))?;
         let took_ms = 1e3 * outcome.took.as_secs_f64();

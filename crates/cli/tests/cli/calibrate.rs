@@ -272,6 +272,7 @@ fn a_check_that_is_interrupted_leaves_the_calibration() {
         [NamedCase { file: "well".into(), template: &template, overrides: &[], case: &case }];
     let request = Request {
         cases: &named,
+        content: None,
         data: &desk.path("read.csv"),
         fit: Fit {
             one_factor: false,

@@ -21,7 +21,16 @@ use super::{
 impl Broomstick {
     /// The points of a task, one for each of [`FrictionLevel::ALL`]. What has no answer says why.
     pub fn solve(&self, task: &BroomstickTask) -> Vec<BroomstickPoint> {
-        answers(self, task)
+        self.solve_at(task, &FrictionLevel::ALL)
+    }
+
+    /// The points of a task at these levels of friction alone.
+    pub fn solve_at(
+        &self,
+        task: &BroomstickTask,
+        levels: &[FrictionLevel],
+    ) -> Vec<BroomstickPoint> {
+        answers(self, task, levels)
     }
 
     /// Torque and drag of a task with the friction that is expected, and how near it is to its limits;
@@ -45,8 +54,12 @@ impl Broomstick {
     }
 }
 
-/// The points of a task in the order of [`FrictionLevel::ALL`].
-fn answers(of: &Broomstick, task: &BroomstickTask) -> Vec<BroomstickPoint> {
+/// The points of a task in the order of the levels.
+fn answers(
+    of: &Broomstick,
+    task: &BroomstickTask,
+    levels: &[FrictionLevel],
+) -> Vec<BroomstickPoint> {
     let operation = &task.operation;
     let point = |friction: FrictionLevel, outcome| BroomstickPoint {
         model: task.model,
@@ -57,15 +70,19 @@ fn answers(of: &Broomstick, task: &BroomstickTask) -> Vec<BroomstickPoint> {
     };
     match task.model {
         Statics::Soft => {
-            let levels = FrictionLevel::ALL.into_iter();
-            levels.map(|level| point(level, by_soft(of, level, operation))).collect()
+            levels.iter().map(|level| point(*level, by_soft(of, *level, operation))).collect()
         }
         Statics::Stiff => {
             // The string rests with other friction much as it does with what is expected.
-            let (expected, found) = by_stiff(of, FrictionLevel::Expected, operation, None);
-            let beside = |level| point(level, by_stiff(of, level, operation, found.as_ref()).0);
-            let [low, high] = [FrictionLevel::Low, FrictionLevel::High].map(beside);
-            vec![low, point(FrictionLevel::Expected, expected), high]
+            let expected = levels.iter().find(|level| **level == FrictionLevel::Expected);
+            let Some(&first) = expected.or(levels.first()) else { return Vec::new() };
+            let (outcome, found) = by_stiff(of, first, operation, None);
+            let mut outcome = Some(outcome);
+            let answer = |&level: &FrictionLevel| match outcome.take_if(|_| level == first) {
+                Some(outcome) => point(level, outcome),
+                None => point(level, by_stiff(of, level, operation, found.as_ref()).0),
+            };
+            levels.iter().map(answer).collect()
         }
     }
 }

@@ -4,46 +4,71 @@ A :class:`Case` describes well, string, mud, rig and operations, as a case file 
 immutable: :meth:`Case.with_` makes another. :meth:`Case.soft`, :meth:`Case.stiff` and
 :meth:`Case.dynamic` solve it and give :class:`Results`: scalars with their unit in their name,
 findings, and a :class:`Table` that polars, pandas, DuckDB and NumPy take without a copy.
+:meth:`Case.broomstick`, :meth:`Case.plan`, :meth:`Case.reach`, :meth:`Case.calibrate`,
+:meth:`Case.bha`, :meth:`Case.modes`, :meth:`Case.bit_test` and :func:`study` do what the command
+line's commands do; :func:`load` reads what any of them left in a folder.
 
 Numbers are SI. Where a number goes in, a text with a unit does as well (``"45 klbf"``), and so does
 anything with ``.to(unit).magnitude``, such as a quantity of pint.
 """
 
 from . import plot
+from ._base import BaseResults, Finding
 from ._core import __version__
 from ._values import Quantity, Value
+from .assembly import Bha, BitTest, Modes
+from .calibration import Calibration, Estimate
 from .case import Case
 from .errors import (
     CaseError,
     Diagnostic,
     Error,
+    FindingsError,
     FolderError,
     InputError,
     Interrupted,
     NoAnswerError,
     ResultsError,
 )
-from .results import Finding, OperationResult, Results
+from .loading import load
+from .planning import Limit, Plan, Reach, Stop
+from .results import OperationResult, Results
 from .simulation import Simulation
+from .studies import Cases, Study, study
 from .table import Table
 
 __all__ = [
+    "BaseResults",
+    "Bha",
+    "BitTest",
+    "Calibration",
     "Case",
     "CaseError",
+    "Cases",
     "Diagnostic",
     "Error",
+    "Estimate",
     "Finding",
+    "FindingsError",
     "FolderError",
     "InputError",
     "Interrupted",
+    "Limit",
+    "Modes",
     "NoAnswerError",
     "OperationResult",
+    "Plan",
     "Quantity",
+    "Reach",
     "Results",
     "ResultsError",
     "Simulation",
+    "Stop",
+    "Study",
     "Table",
     "Value",
     "__version__",
+    "load",
     "plot",
+    "study",
 ]

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, TypedDict
 
 __version__: str
 EXAMPLE: str
@@ -14,10 +14,12 @@ def quantity(text: str, dimension: str) -> float: ...
 def si_unit(dimension: str) -> str: ...
 def conventions() -> str: ...
 def well_path(settings_json: str) -> Table: ...
+def values(option: str, text: str, dimension: str) -> list[float]: ...
 
 class Listening(Protocol):
     def said(self, is_warning: bool, sentence: str) -> None: ...
     def progress(self, name: str, time_s: float, end_s: float) -> None: ...
+    def batch(self, ended: int, of: int, part: float) -> None: ...
 
 class Column:
     @property
@@ -39,6 +41,8 @@ class Table:
 class Answers:
     @staticmethod
     def load(folder: str | PathLike[str]) -> Answers: ...
+    @property
+    def kind(self) -> str: ...
     def summary_json(self) -> str: ...
     @property
     def folder(self) -> Path | None: ...
@@ -81,6 +85,7 @@ class Case:
     def source(self) -> str: ...
     def files(self) -> dict[str, bytes]: ...
     def settings_json(self) -> str: ...
+    def identity(self) -> str: ...
     @property
     def name(self) -> str: ...
     @property
@@ -99,7 +104,7 @@ class Case:
         self,
         models: Sequence[str] | None,
         operation: str | None,
-        folder: str | PathLike[str] | None,
+        folder: Path,
         existing: str,
         csv: bool,
         jobs: int | None,
@@ -108,3 +113,75 @@ class Case:
     def simulation(
         self, operation: str | None, checkpoint: bytes | None, listener: Listening
     ) -> Simulation: ...
+
+class Common(TypedDict):
+    folder: Path
+    existing: str
+    units: str | None
+    jobs: int | None
+    checkpoint_s: float | None
+    shard: str | None
+    csv: bool
+    png: bool
+
+class ReachOptions(TypedDict):
+    from_m: float | None
+    to_m: float | None
+    frictions: list[float]
+    operations: list[str]
+    no_helix_friction: bool
+
+class CalibrateOptions(TypedDict):
+    data: str
+    content: bytes | None
+    one_factor: bool
+    friction_around: bool
+    block_weight: bool
+    bit_torque: bool
+    hold: list[tuple[str, str]]
+    weight_error: str | None
+    rotating_error: str | None
+    torque_error: str | None
+    outlier: str
+    band: str
+    model: str
+    check_dynamics: list[float] | None
+
+class BhaOptions(TypedDict):
+    operation: str | None
+    toolfaces_rad: list[float] | None
+    weights_N: list[float] | None
+    inclinations_rad: list[float] | None
+    build_rate_rad_per_m: float
+    whole: bool
+
+class BroomstickOptions(TypedDict):
+    models: list[str]
+    frictions: list[float]
+    bit_depths_m: list[float]
+    operations: list[str]
+    jobs: int | None
+
+Ended = tuple[Path | None, BaseException | None]
+
+def plan_of(case: Case, common: Common, listener: Listening) -> Ended: ...
+def reach_of(case: Case, options: ReachOptions, common: Common, listener: Listening) -> Ended: ...
+def calibrate_by(
+    cases: Sequence[tuple[str, Case]],
+    options: CalibrateOptions,
+    common: Common,
+    listener: Listening,
+) -> Ended: ...
+def calibrated(folder: Path) -> list[tuple[str, str]]: ...
+def held_dimension(name: str) -> str | None: ...
+def modes_of(case: Case, operation: str | None, common: Common, listener: Listening) -> Ended: ...
+def bha_of(case: Case, options: BhaOptions, common: Common, listener: Listening) -> Ended: ...
+def bit_test_of(case: Case, common: Common, listener: Listening) -> Ended: ...
+def study_of(
+    path: str,
+    changes: Sequence[tuple[str, str]],
+    keep: str | None,
+    common: Common,
+    listener: Listening,
+) -> tuple[Ended, list[str]]: ...
+def broomstick_of(case: Case, options: BroomstickOptions, listener: Listening) -> Table: ...

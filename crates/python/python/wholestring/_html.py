@@ -65,6 +65,18 @@ def table(columns: Sequence[Column], *, caption: str = "", note: str = "") -> st
     )
 
 
+def facts(rows: Sequence[tuple[str, str]], *, caption: str) -> str:
+    """Give names and what is said of each as HTML."""
+    cells = "".join(
+        f'<tr><th scope="row">{escape(name)}</th><td>{escape(value)}</td></tr>'
+        for name, value in rows
+    )
+    return (
+        f'<div>{STYLE}<table class="wholestring"><caption>{escape(caption)}</caption>'
+        f"<tbody>{cells}</tbody></table></div>"
+    )
+
+
 def number(value: float) -> str:
     """Give a number in six digits; nothing of what is none.
 

@@ -31,10 +31,20 @@ class Listener:
             return
         if self._bar is None or name != self._name:
             self.close()
-            self._bar = _bar(name, end_s)
+            self._bar = _tqdm()(total=end_s, desc=name, bar_format=_RUN)
             self._name = name
         self._bar.total = end_s
         self._bar.n = min(time_s, end_s)
+        self._bar.refresh()
+
+    def batch(self, ended: int, of: int, part: float) -> None:
+        """Hear how far a batch has come: cases that have ended, and how much of all is done."""
+        if not self._wanted:
+            return
+        if self._bar is None:
+            self._bar = _tqdm()(total=1.0, bar_format=_BATCH)
+        self._bar.n = max(self._bar.n, min(part, 1.0))
+        self._bar.set_postfix_str(f"{ended} of {of}", refresh=False)
         self._bar.refresh()
 
     def close(self) -> None:
@@ -52,11 +62,14 @@ class Listener:
         self.close()
 
 
-def _bar(name: str, end_s: float) -> Any:
+_RUN = "{l_bar}{bar}| {n:.0f}/{total:.0f} s [{elapsed}<{remaining}]"
+_BATCH = "{l_bar}{bar}|{postfix} [{elapsed}<{remaining}]"
+
+
+def _tqdm() -> Any:
     try:
         from tqdm.auto import tqdm
     except ImportError as error:
         message = "a progress bar needs tqdm: pip install 'wholestring[progress]'"
         raise ImportError(message) from error
-    form = "{l_bar}{bar}| {n:.0f}/{total:.0f} s [{elapsed}<{remaining}]"
-    return tqdm(total=end_s, desc=name, bar_format=form)
+    return tqdm

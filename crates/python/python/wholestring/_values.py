@@ -42,14 +42,17 @@ def for_pint(symbol: str) -> str:
 def toml(value: object, key: str) -> str:
     """Give a value as TOML; ``key`` is the dotted key that it is for.
 
+    A number of a key that has a unit is SI, and is written with it: a case file's own bare numbers
+    need not be.
+
     >>> toml({"kinetic": 0.3}, "well.hole.0.friction"), toml("300 m", "bit_depth")
     ('{ "kinetic" = 0.3 }', '"300 m"')
+    >>> toml(12.5, "rpm")
+    '"12.5 rad/s"'
     """
     if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, int):
-        return str(value)
-    if isinstance(value, float):
+    if isinstance(value, int | float):
         return number(value, key)
     if isinstance(value, str | os.PathLike):
         return text(os.fspath(value))
@@ -66,7 +69,7 @@ def toml(value: object, key: str) -> str:
             message = f"`{key}` takes a number without a unit or a text, and was given {value!r}"
             raise TypeError(message)
         return number(float(value.to(for_pint(unit)).magnitude), key)
-    # NumPy's numbers.
+    # NumPy's numbers and arrays.
     if isinstance(value, np.generic | np.ndarray):
         return toml(cast("object", value.tolist()), key)
     expected = "a text with a unit, a number in SI, a quantity, a list or a mapping"
@@ -74,10 +77,13 @@ def toml(value: object, key: str) -> str:
 
 
 def number(value: float, key: str) -> str:
-    """Give a number as TOML."""
+    """Give a number as TOML, with its SI unit where it has one."""
     if not math.isfinite(value):
         raise ValueError(f"`{key}` was given {value}: expected a finite number")
-    return repr(value)
+    # NumPy's numbers are Python's, but for how they are written.
+    plain = int(value) if isinstance(value, int) else float(value)
+    unit = _core.unit_of(key)
+    return repr(plain) if unit is None else f'"{plain!r} {unit}"'
 
 
 def text(value: str) -> str:
@@ -123,3 +129,52 @@ def si(value: Scalar, dimension: str) -> float:
     if isinstance(value, int | float):
         return float(value)
     return float(value.to(for_pint(_core.si_unit(dimension))).magnitude)
+
+
+def option(name: str, value: Scalar | None, dimension: str) -> float | None:
+    """Give the value of an option in SI.
+
+    >>> option("to", "6 km", "length"), option("to", None, "length")
+    (6000.0, None)
+    """
+    if value is None:
+        return None
+    try:
+        found = si(value, dimension)
+    except (ValueError, TypeError) as error:
+        raise type(error)(f"`{name}`: {error}") from None
+    if not math.isfinite(found):
+        raise ValueError(f"`{name}` was given {found}: expected a finite number")
+    return found
+
+
+def options(name: str, value: object, dimension: str) -> list[float] | None:
+    """Give the values of an option in SI: one, several, or a text with several.
+
+    >>> options("bit_depths", "1000m..2000m/500m", "length")
+    [1000.0, 1500.0, 2000.0]
+    >>> options("bit_depths", ["1 km", 1500.0], "length")
+    [1000.0, 1500.0]
+    """
+    if value is None:
+        return None
+    if isinstance(value, str):
+        return _core.values(name, value, dimension)
+    if isinstance(value, Quantity):
+        value = value.to(for_pint(_core.si_unit(dimension))).magnitude
+    if isinstance(value, np.ndarray):
+        value = cast("object", value.tolist())
+    several = cast("Sequence[Scalar]", value if isinstance(value, Sequence) else [value])
+    found = (option(name, one, dimension) for one in several)
+    return [one for one in found if one is not None]
+
+
+def written(name: str, value: Scalar | None, dimension: str) -> str | None:
+    """Give the value of an option as a text with its unit.
+
+    >>> written("weight_error", 12e3, "force"), written("weight_error", "12 kN", "force")
+    ('12000.0 N', '12 kN')
+    """
+    if value is None or isinstance(value, str):
+        return value
+    return f"{option(name, value, dimension)!r} {_core.si_unit(dimension)}"

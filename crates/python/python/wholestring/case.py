@@ -7,15 +7,21 @@ from collections.abc import Mapping
 from os import PathLike
 from typing import Any, cast
 
+import numpy as np
+
 from . import _core, _values
-from ._listener import Listener
+from ._assemblies import Assemblies
+from ._columns import content, is_table
+from ._planning import Planning
+from ._solving import Solving
 from ._values import Value
-from .errors import Diagnostic, Interrupted, NoAnswerError
-from .results import Results
-from .simulation import Simulation
+from .errors import Diagnostic
+
+# What a survey is called that was given as a table.
+_SURVEY = "survey.csv"
 
 
-class Case:
+class Case(Solving, Planning, Assemblies):
     """A case in which everything has been checked. It is immutable.
 
     Parameters
@@ -74,23 +80,39 @@ class Case:
         cls,
         table: Mapping[str, Value],
         *,
+        survey: object | None = None,
         name: str = "case",
         files: Mapping[str, bytes] | None = None,
     ) -> Case:
         """Make a case of Python objects: the tables and keys of a case file.
 
-        Numbers are SI, texts may have units, and so may quantities of pint.
+        Numbers are SI, texts may have units, and so may quantities of pint. A case file's own bare
+        numbers are not all SI, such as ``rpm``: :meth:`load` and the class itself read those.
 
         Parameters
         ----------
         table
             The case: ``{"mud": {"density": 1200.0}, "string": [{...}], ...}``.
+        survey
+            The stations of the well: a list or an array with a row for each, measured depth in m,
+            inclination and azimuth in degrees, as ``well.stations`` has them; or a data frame of
+            polars or pandas, or columns, with units in their names: ``md_m``, ``inc_deg``,
+            ``azi_deg``.
         name
             What errors call it.
         files
             The files that it names, each by the name that it has there.
         """
-        return cls(_values.document(table), name=name, files=files)
+        table, all_files = dict(table), dict(files or {})
+        if survey is not None:
+            well = dict(cast("Mapping[str, Value]", table.get("well") or {}))
+            if is_table(survey):
+                well["survey"] = _SURVEY
+                all_files[_SURVEY] = content(survey)
+            else:
+                well["stations"] = _stations(survey)
+            table["well"] = well
+        return cls(_values.document(table), name=name, files=all_files)
 
     @classmethod
     def example(cls) -> Case:
@@ -114,7 +136,10 @@ class Case:
         CaseError
             If the case would not be sound.
         """
-        return Case._of(self._held.changed(list(_values.changes(changes or {}, keys))))
+        return self._changed(list(_values.changes(changes or {}, keys)))
+
+    def _changed(self, changes: list[tuple[str, str]]) -> Case:
+        return Case._of(self._held.changed(changes))
 
     @property
     def name(self) -> str:
@@ -150,124 +175,6 @@ class Case:
         """Give the case as the text of a case file, with its comments and its changes."""
         return self._held.to_toml()
 
-    def soft(self, operation: str | None = None) -> Results:
-        """Solve with the soft string: milliseconds.
-
-        Parameters
-        ----------
-        operation
-            The one to solve; all of the case where none is named.
-        """
-        return self._solve(["soft"], operation, None, progress=False)
-
-    def stiff(self, operation: str | None = None) -> Results:
-        """Solve with the stiff string, at rest: tens of milliseconds.
-
-        Parameters
-        ----------
-        operation
-            The one to solve; all of the case where none is named.
-
-        Raises
-        ------
-        NoAnswerError
-            If an operation has no equilibrium; its ``results`` hold the others.
-        """
-        return self._solve(["stiff"], operation, None, progress=False)
-
-    def dynamic(
-        self,
-        operation: str | None = None,
-        *,
-        progress: bool = False,
-        jobs: int | None = None,
-    ) -> Results:
-        """Solve with the dynamics of the whole string: seconds.
-
-        Parameters
-        ----------
-        operation
-            The one to solve; all of the case where none is named.
-        progress
-            Whether to draw a bar, with tqdm.
-        jobs
-            Threads that work on solid rock under the bit; one per core where nothing is said.
-
-        Raises
-        ------
-        NoAnswerError
-            If an operation diverged; its ``results`` hold what was computed.
-        Interrupted
-            If the user interrupted it; its ``results`` hold what was computed.
-        """
-        return self._solve(["dynamic"], operation, jobs, progress=progress)
-
-    def run(
-        self,
-        folder: str | PathLike[str] | None = None,
-        *,
-        overwrite: bool = False,
-        resume: bool = False,
-        csv: bool = False,
-        progress: bool = False,
-        jobs: int | None = None,
-    ) -> Results:
-        """Solve with the models that the case names, into a folder, as the command line does.
-
-        Checkpoints are written as it goes: what was interrupted can be resumed.
-
-        Parameters
-        ----------
-        folder
-            Where to; ``out/<name of the case>`` where none is given.
-        overwrite
-            Whether to replace what lies there, whatever it is of.
-        resume
-            Whether to continue what lies there.
-        csv
-            Whether to write the tables as CSV too.
-        progress
-            Whether to draw a bar, with tqdm.
-        jobs
-            Threads that work on solid rock under the bit; one per core where nothing is said.
-        """
-        if overwrite and resume:
-            raise ValueError("overwrite and resume exclude each other")
-        existing = "resume" if resume else "overwrite" if overwrite else "protect"
-        with Listener(progress) as listener:
-            core, raised = self._held.run(None, None, folder, existing, csv, jobs, listener)
-        return _finished(Results(core), raised)
-
-    def simulation(
-        self, operation: str | None = None, *, checkpoint: bytes | None = None
-    ) -> Simulation:
-        """Begin a dynamic run that you take forward yourself.
-
-        Parameters
-        ----------
-        operation
-            The operation; the case's only one where none is named.
-        checkpoint
-            What :meth:`Simulation.checkpoint` gave: the run continues from there, to the same
-            bits.
-
-        Raises
-        ------
-        FolderError
-            If the checkpoint is of another case.
-        InputError
-            If the case has no such operation.
-        """
-        with Listener(progress=False) as listener:
-            return Simulation(self._held.simulation(operation, checkpoint, listener))
-
-    def _solve(
-        self, models: list[str], operation: str | None, jobs: int | None, *, progress: bool
-    ) -> Results:
-        with Listener(progress) as listener:
-            core, raised = self._held.answer(models, operation, jobs, listener)
-        return _finished(Results(core), raised)
-
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle as text."""
         return _restored, (self.to_toml(), self._held.source, dict(self.files))
@@ -276,26 +183,27 @@ class Case:
         """Tell whether all settings are the same."""
         if not isinstance(other, Case):
             return NotImplemented
-        return self._held.settings_json() == other._held.settings_json()
+        return self._held.identity() == other._held.identity()
 
     def __hash__(self) -> int:
         """Give a hash of all settings."""
-        return hash(self._held.settings_json())
+        return hash(self._held.identity())
 
     def __repr__(self) -> str:
         """Give its name, models and operations."""
         return f"<Case {self.name}: {', '.join(self.models)}; {', '.join(self.operations)}>"
 
 
+def _stations(survey: object) -> list[list[float]]:
+    try:
+        rows = np.asarray(survey, dtype=np.float64)
+    except (TypeError, ValueError):
+        rows = np.empty(0)
+    if rows.shape[1:] != (3,):
+        message = "`survey`: expected rows of measured depth, inclination and azimuth, or a table"
+        raise ValueError(message)
+    return cast("list[list[float]]", rows.tolist())
+
+
 def _restored(text: str, name: str, files: dict[str, bytes]) -> Case:
     return Case(text, name=name, files=files)
-
-
-def _finished(results: Results, raised: BaseException | None) -> Results:
-    if raised is None:
-        return results
-    if isinstance(raised, KeyboardInterrupt):
-        raised = Interrupted("interrupted: `results` of this error has what was computed")
-    if isinstance(raised, Interrupted | NoAnswerError):
-        raised.results = results
-    raise raised

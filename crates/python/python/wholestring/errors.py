@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from .results import Results
+from typing import Any
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,7 +79,19 @@ class NoAnswerError(Error, ArithmeticError):
         What was computed beside it.
     """
 
-    results: Results | None = None
+    results: Any = None
+
+
+class FindingsError(Error, ArithmeticError):
+    """An error was found in an answer, and none was to pass.
+
+    Attributes
+    ----------
+    results
+        What was computed.
+    """
+
+    results: Any = None
 
 
 class Interrupted(KeyboardInterrupt):
@@ -94,4 +103,4 @@ class Interrupted(KeyboardInterrupt):
         What was computed until then.
     """
 
-    results: Results | None = None
+    results: Any = None

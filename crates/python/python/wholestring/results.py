@@ -2,50 +2,16 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
-from os import PathLike
-from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
 
-from . import _core, _html
-from ._listener import Listener
+from . import _html
+from ._base import BaseResults, Finding, by_gravity
 from .plot._house import operation_words
 from .plot._shown import Shown, about
 from .table import Table
-
-
-@dataclass(frozen=True, kw_only=True)
-class Finding:
-    """What an engineer must know of an answer.
-
-    Attributes
-    ----------
-    kind
-        What was found, as a word: ``"helical_buckling"``.
-    level
-        ``"error"``, ``"warning"`` or ``"note"``.
-    message
-        A sentence, with the numbers in the units of the case.
-    md_m, to_md_m
-        Measured depth at which it stands or begins, and at which it ends, m.
-    value, limit
-        What was found and what it is compared with.
-    unit
-        SI unit of both.
-    """
-
-    kind: str
-    level: str
-    message: str
-    md_m: float | None = None
-    to_md_m: float | None = None
-    value: float | None = None
-    limit: float | None = None
-    unit: str = ""
 
 
 class OperationResult:
@@ -171,7 +137,7 @@ class OperationResult:
         )
 
 
-class Results:
+class Results(BaseResults):
     """What a case comes to: operations, and tables.
 
     In memory until :meth:`save` writes the folder that the command line writes; :meth:`load` reads
@@ -187,62 +153,8 @@ class Results:
     True
     """
 
-    __slots__ = ("_core", "_summary", "_tables")
-
-    def __init__(self, core: _core.Answers) -> None:
-        self._core = core
-        self._summary: dict[str, Any] | None = None
-        self._tables: dict[str, Table] = {}
-
-    @classmethod
-    def load(cls, folder: str | PathLike[str]) -> Results:
-        """Read what a run left in a folder.
-
-        Raises
-        ------
-        ResultsError
-            If there is none.
-        """
-        return cls(_core.Answers.load(folder))
-
-    def save(
-        self,
-        folder: str | PathLike[str] | None = None,
-        *,
-        overwrite: bool = False,
-        csv: bool = False,
-    ) -> Path:
-        """Write the folder that the command line writes, its page too, and give its path.
-
-        Parameters
-        ----------
-        folder
-            Where to; ``out/<name of the case>`` where none is given.
-        overwrite
-            Whether to replace what lies there, whatever it is of.
-        csv
-            Whether to write the tables as CSV too.
-
-        Raises
-        ------
-        FolderError
-            If other results lie there.
-        """
-        with Listener(progress=False) as listener:
-            return Path(self._core.save(folder, overwrite, csv, listener))
-
-    @property
-    def folder(self) -> Path | None:
-        """Where they lie; ``None`` while they are in memory."""
-        place = self._core.folder
-        return None if place is None else Path(place)
-
-    @property
-    def summary(self) -> Mapping[str, Any]:
-        """What ``summary.json`` has."""
-        if self._summary is None:
-            self._summary = cast("dict[str, Any]", json.loads(self._core.summary_json()))
-        return self._summary
+    __slots__ = ()
+    _kind = "a run"
 
     @property
     def operations(self) -> tuple[OperationResult, ...]:
@@ -270,17 +182,6 @@ class Results:
         raise KeyError(f"there is no {key!r}: there are {there}")
 
     @property
-    def tables(self) -> tuple[str, ...]:
-        """Names of the tables."""
-        return tuple(self._core.table_names())
-
-    def table(self, name: str) -> Table:
-        """Give a table: ``"nodes"``, ``"time"``, and so on."""
-        if name not in self._tables:
-            self._tables[name] = Table(self._core.table(name), name)
-        return self._tables[name]
-
-    @property
     def nodes(self) -> Table:
         """The profile along the string."""
         return self.table("nodes")
@@ -289,6 +190,11 @@ class Results:
     def time(self) -> Table:
         """Scalars against time; of dynamics alone."""
         return self.table("time")
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What an engineer must know of all operations, the gravest first."""
+        return by_gravity([found for of in self for found in of.findings])
 
     def __repr__(self) -> str:
         """Give the operations."""

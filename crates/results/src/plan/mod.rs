@@ -14,7 +14,7 @@ pub use measured::PlanMeasured;
 pub use peaks::{
     PlanGel, PlanHistory, PlanPeak, PlanPeakOf, plan_peaks_table, plan_peaks_time_table,
 };
-pub use tables::plan_limits_table;
+pub use tables::{plan_broomstick_table, plan_limits_table};
 
 use std::path::Path;
 

@@ -1,6 +1,6 @@
 //! The tables of a plan: what its summary has, row by row.
 
-use super::{PlanLimit, PlanSummary};
+use super::{PlanLimit, PlanPoint, PlanSummary};
 use crate::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, Table};
 
 /// A row for each limit.
@@ -30,44 +30,48 @@ pub fn plan_limits_table(limits: &[PlanLimit]) -> Table {
     table
 }
 
+/// A row for each point, of a rig with a block of this weight, N.
+pub fn plan_broomstick_table(points: &[PlanPoint], block_weight_N: Option<f64>) -> Table {
+    let mut table = Table::with_columns(PLAN_BROOMSTICK);
+    for of in points {
+        let worst = of.worst.as_ref();
+        let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
+        let scalars = of.scalars.as_ref();
+        let with_block_N = scalars.and_then(|of| Some(of.hook_load_N + block_weight_N?));
+        table.append(
+            &[
+                ("model", &[&of.model]),
+                ("friction", &[&of.friction]),
+                ("operation", &[&of.operation]),
+                ("buckling", &[of.buckling.as_deref().unwrap_or_default()]),
+                ("worst_finding", &[worst.map_or("", |of| of.kind.as_str())]),
+                ("worst_level", &[worst.map_or("", |of| of.level.name())]),
+                ("message", &[of.message.as_deref().unwrap_or_default()]),
+            ],
+            &[
+                ("bit_depth_m", &[of.bit_depth_m]),
+                ("hook_load_N", &number(scalars.map(|of| of.hook_load_N))),
+                ("hook_load_with_block_N", &number(with_block_N)),
+                ("surface_torque_N_m", &number(scalars.map(|of| of.surface_torque_N_m))),
+                ("weight_on_bit_N", &number(scalars.map(|of| of.weight_on_bit_N))),
+                ("bit_torque_N_m", &number(scalars.map(|of| of.bit_torque_N_m))),
+                ("friction_torque_N_m", &number(scalars.map(|of| of.friction_torque_N_m))),
+                ("axial_friction_N", &number(scalars.map(|of| of.axial_friction_N))),
+                ("side_force_total_N", &number(scalars.map(|of| of.side_force_total_N))),
+                ("stretch_m", &number(scalars.map(|of| of.stretch_m))),
+                ("twist_rad", &number(scalars.map(|of| of.twist_rad))),
+                ("neutral_point_m", &number(scalars.and_then(|of| of.neutral_point_m))),
+                ("worst_md_m", &number(worst.and_then(|of| of.md_m))),
+            ],
+        );
+    }
+    table
+}
+
 impl PlanSummary {
     /// A row for each point.
     pub fn broomstick_table(&self) -> Table {
-        let mut table = Table::with_columns(PLAN_BROOMSTICK);
-        let block_N = self.settings["rig"]["block_weight_N"].as_f64();
-        for of in &self.points {
-            let worst = of.worst.as_ref();
-            let number = |value: Option<f64>| [value.unwrap_or(f64::NAN)];
-            let scalars = of.scalars.as_ref();
-            let with_block_N = scalars.and_then(|of| Some(of.hook_load_N + block_N?));
-            table.append(
-                &[
-                    ("model", &[&of.model]),
-                    ("friction", &[&of.friction]),
-                    ("operation", &[&of.operation]),
-                    ("buckling", &[of.buckling.as_deref().unwrap_or_default()]),
-                    ("worst_finding", &[worst.map_or("", |of| of.kind.as_str())]),
-                    ("worst_level", &[worst.map_or("", |of| of.level.name())]),
-                    ("message", &[of.message.as_deref().unwrap_or_default()]),
-                ],
-                &[
-                    ("bit_depth_m", &[of.bit_depth_m]),
-                    ("hook_load_N", &number(scalars.map(|of| of.hook_load_N))),
-                    ("hook_load_with_block_N", &number(with_block_N)),
-                    ("surface_torque_N_m", &number(scalars.map(|of| of.surface_torque_N_m))),
-                    ("weight_on_bit_N", &number(scalars.map(|of| of.weight_on_bit_N))),
-                    ("bit_torque_N_m", &number(scalars.map(|of| of.bit_torque_N_m))),
-                    ("friction_torque_N_m", &number(scalars.map(|of| of.friction_torque_N_m))),
-                    ("axial_friction_N", &number(scalars.map(|of| of.axial_friction_N))),
-                    ("side_force_total_N", &number(scalars.map(|of| of.side_force_total_N))),
-                    ("stretch_m", &number(scalars.map(|of| of.stretch_m))),
-                    ("twist_rad", &number(scalars.map(|of| of.twist_rad))),
-                    ("neutral_point_m", &number(scalars.and_then(|of| of.neutral_point_m))),
-                    ("worst_md_m", &number(worst.and_then(|of| of.md_m))),
-                ],
-            );
-        }
-        table
+        plan_broomstick_table(&self.points, self.settings["rig"]["block_weight_N"].as_f64())
     }
 
     /// A row for each weight to buckle.

@@ -2,6 +2,7 @@
 
 mod dynamic;
 mod notes;
+pub mod option;
 mod page;
 mod predictions;
 mod request;
@@ -11,5 +12,5 @@ mod toml;
 pub use crate::readings::NamedCase;
 pub use dynamic::CheckDynamics;
 pub use request::{Fit, Outcome, Request, run};
-pub use toml::FRAGMENT;
+pub use toml::{FRAGMENT, changes};
 pub use wholestring_plan::calibration::Parameter;

@@ -67,6 +67,8 @@ pub struct Request<'a> {
     pub cases: &'a [NamedCase<'a>],
     /// The file of the readings.
     pub data: &'a Path,
+    /// What it holds, where that is not on the disk.
+    pub content: Option<&'a [u8]>,
     /// What is looked for.
     pub fit: Fit,
     /// Where the dynamics are to check what was found.
@@ -105,7 +107,7 @@ pub fn run(
     let [first, ..] = request.cases else {
         return Err(Error::BadInput("no case is given".into()));
     };
-    let data = readings::read(request.data, request.cases)?;
+    let data = readings::read(request.data, request.content, request.cases)?;
     let settings = settings(request, &data)?;
     let check = match &request.check {
         Some(check) => Some((check, dynamic::chosen(check, &data)?)),
@@ -116,7 +118,10 @@ pub fn run(
     let occupant = Occupant {
         kind: "calibration".into(),
         name,
-        identity: digest(&(identities, request.data.display().to_string())),
+        identity: match request.content {
+            None => digest(&(identities, request.data.display().to_string())),
+            Some(content) => digest(&(identities, digest(&content))),
+        },
     };
     let claimed = Claim::new(occupant, &request.output, observer).folder()?;
     let folder = &claimed.folder;

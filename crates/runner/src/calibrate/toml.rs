@@ -1,11 +1,14 @@
 //! What was found, as a piece of a case file.
 
-use std::fmt::Write;
+use std::{fmt::Write, fs, path::Path};
 
+use toml_edit::{DocumentMut, Item};
 use wholestring::well::HoleKind;
 use wholestring_case::Case;
 use wholestring_plan::calibration::{Calibration, Factors, Parameter};
-use wholestring_results::CalibrationSummary;
+use wholestring_results::{CalibrationSummary, ResultsError};
+
+use crate::error::Error;
 
 /// Name of the file.
 pub const FRAGMENT: &str = "friction.toml";
@@ -80,6 +83,29 @@ pub(super) fn fragment(case: &Case, summary: &CalibrationSummary, found: &Calibr
         let _ = write!(text, "\n[rig]\nblock_weight = \"{:.0} N\"\n", found.state.block_weight_N);
     }
     text
+}
+
+/// The keys of a case that the fragment in a folder gives what was found, each with its TOML value.
+///
+/// # Errors
+/// A fragment that is not there, or is not one.
+pub fn changes(folder: &Path) -> Result<Vec<(String, String)>, Error> {
+    let path = folder.join(FRAGMENT);
+    let text = fs::read_to_string(&path)
+        .map_err(|source| ResultsError::Read { path: path.clone(), source })?;
+    let wrong = |reason: String| ResultsError::Format { path: path.clone(), reason };
+    let document: DocumentMut = text.parse().map_err(|error| wrong(format!("{error}")))?;
+    let sections = document.get("well").and_then(|well| well.get("hole")?.as_array_of_tables());
+    let sections = sections.ok_or_else(|| wrong("it has no [[well.hole]]".to_owned()))?;
+    let given = |key: String, item: Option<&Item>| {
+        Some((key, item?.as_value()?.clone().decorated("", "").to_string()))
+    };
+    let frictions = sections.iter().enumerate();
+    let frictions = frictions.filter_map(|(place, section)| {
+        given(format!("well.hole.{place}.friction"), section.get("friction"))
+    });
+    let block = document.get("rig").and_then(|rig| rig.get("block_weight"));
+    Ok(frictions.chain(given("rig.block_weight".to_owned(), block)).collect())
 }
 
 /// A length to the millimetre or the micrometre.

@@ -58,7 +58,7 @@ pub(super) fn occupant(
 
 /// Removes what commands left in a folder: the results of a run, and the folders of the cases of a
 /// sweep or a study. What is not theirs stays.
-pub(super) fn remove(path: &Path) -> Result<(), ResultsError> {
+pub(crate) fn remove(path: &Path) -> Result<(), ResultsError> {
     remove_within(path, 0)
 }
 

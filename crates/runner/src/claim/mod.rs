@@ -6,4 +6,5 @@ mod leftovers;
 mod refusal;
 
 pub(crate) use folder::{Claim, Claimed, hold};
+pub(crate) use leftovers::remove as remove_results;
 pub use refusal::FolderRefused;

@@ -18,7 +18,8 @@ use wholestring_units::{Dimension, UnitSet};
 
 use super::{stability, tables};
 use crate::{
-    claim::Claim, error::Error, observer::Observer, output::Output, results_kind::Results,
+    cancellation::CancellationToken, claim::Claim, error::Error, observer::Observer,
+    output::Output, results_kind::Results,
 };
 
 /// Rotary speeds of the diagram, and of the answer to a force.
@@ -54,9 +55,13 @@ pub struct Outcome {
 /// Finds the small motions of a case, and writes their tables, their pictures and their page.
 ///
 /// # Errors
-/// An operation that the case does not have, a string without a state at rest, or a folder that the
-/// results cannot go to.
-pub fn run(request: &Request<'_>, observer: &dyn Observer) -> Result<Outcome, Error> {
+/// An operation that the case does not have, a string without a state at rest, a folder that the
+/// results cannot go to, or a cancellation.
+pub fn run(
+    request: &Request<'_>,
+    observer: &dyn Observer,
+    cancellation: &CancellationToken,
+) -> Result<Outcome, Error> {
     let case = request.case;
     let operation = operation(case, request.operation)?;
     let name = format!("{} modes", case.name);
@@ -68,8 +73,14 @@ pub fn run(request: &Request<'_>, observer: &dyn Observer) -> Result<Outcome, Er
     let claimed = Claim::new(occupant, &request.output, observer).folder()?;
     let folder = &claimed.folder;
     let begun = Instant::now();
-    let (mut summary, tables) = find(case, operation)?;
+    let goes_on = || match cancellation.is_cancelled() {
+        true => Err(Error::Interrupted),
+        false => Ok(()),
+    };
+    let (mut summary, tables) = find(case, operation, &goes_on)?;
+    goes_on()?;
     let map = stability::find(case, operation);
+    goes_on()?;
     match &map {
         Ok(found) => summary.torsional_stability = Some(found.summary.clone()),
         Err(reason) => summary.no_torsional_stability = Some(reason.clone()),
@@ -91,19 +102,29 @@ fn operation<'a>(case: &'a Case, name: Option<&str>) -> Result<&'a Operation, Er
     })
 }
 
-fn find(case: &Case, operation: &Operation) -> Result<(ModesSummary, ModesTables), Error> {
+fn find(
+    case: &Case,
+    operation: &Operation,
+    goes_on: &dyn Fn() -> Result<(), Error>,
+) -> Result<(ModesSummary, ModesTables), Error> {
     let wanted = &case.modes;
     let at_rest = case.dynamics.stiff_string();
     let motions = SmallMotions::new(&case.model, operation, &at_rest, &case.dynamics)
         .map_err(Error::failed)?;
+    goes_on()?;
     let assembly = motions.assembly(wanted.assembly_m);
     let lateral =
         assembly.lateral(0.0, wanted.count, motions.rotary_rad_per_s()).map_err(Error::failed)?;
-    let family = |of| motions.family(of, wanted.count).map_err(Error::failed);
+    let family = |of| {
+        goes_on()?;
+        motions.family(of, wanted.count).map_err(Error::failed)
+    };
     let others = [family(Family::Axial)?, family(Family::Torsional)?].concat();
+    goes_on()?;
     let campbell = assembly
         .campbell(wanted.count, &others, &speeds(wanted.rotary_rad_per_s, SPEEDS), &wanted.orders)
         .map_err(Error::failed)?;
+    goes_on()?;
     let (forcing, words) = forcing(case, &motions, || assembly.middle_of_longest_span_m());
     let answers = assembly.respond(forcing, &speeds(wanted.rotary_rad_per_s, ANSWERS));
     let modes: Vec<Mode> = [lateral, others].concat();

@@ -1,5 +1,6 @@
 //! Torque and drag at every depth of the bit, with low, expected and high friction.
 
+mod broomstick;
 mod campaign;
 mod charts;
 mod dynamic;
@@ -17,7 +18,10 @@ mod sample;
 mod work;
 mod workbook;
 
+pub use broomstick::{BroomstickRequest, broomstick};
 pub use outcome::{Outcome, run};
 pub use request::Request;
+
+pub use wholestring_plan::Statics;
 
 pub use crate::uncertain::{notes, scatter};

@@ -7,6 +7,7 @@ mod sample;
 mod sentences;
 mod tables;
 
+pub(crate) use operations::operation;
 pub use request::{Outcome, Request, run};
 pub use sentences::{answers, notes};
 

@@ -42,7 +42,7 @@ pub(super) fn operations(case: &Case, asked: &[OperationKind]) -> Result<Operati
 }
 
 /// The case's operation of a kind; one with the set points of another where it has none.
-fn operation(case: &Case, kind: OperationKind) -> Result<Operation, String> {
+pub(crate) fn operation(case: &Case, kind: OperationKind) -> Result<Operation, String> {
     let of_kind = case.operations.iter().find(|of| of.kind == kind);
     // Set points are the case's, but that some laws give the bit's torque and rate themselves.
     let alike = || case.operations.iter().find(|of| of.kind.on_bottom() == kind.on_bottom());

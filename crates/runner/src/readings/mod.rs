@@ -4,7 +4,7 @@ mod named_case;
 
 pub use named_case::NamedCase;
 
-use std::path::Path;
+use std::{borrow::Cow, path::Path};
 
 use wholestring_case::Override;
 use wholestring_plan::calibration::{Assembly, Channel, Reading};
@@ -32,10 +32,17 @@ pub(crate) struct Readings {
 /// Bits this near to the end of the hole are at it, m.
 const ROUNDED_M: f64 = 1e-3;
 
-/// Reads a file and finds each row's case.
-pub(crate) fn read(file: &Path, cases: &[NamedCase<'_>]) -> Result<Readings, Error> {
+/// Reads a file, or what it would hold, and finds each row's case.
+pub(crate) fn read(
+    file: &Path,
+    content: Option<&[u8]>,
+    cases: &[NamedCase<'_>],
+) -> Result<Readings, Error> {
     let name = file.display().to_string();
-    let bytes = survey::bytes(file, "readings")?;
+    let bytes = match content {
+        Some(content) => content.into(),
+        None => Cow::from(survey::bytes(file, "readings")?),
+    };
     let ImportedReadings { readings, notes } =
         read_readings(&bytes, &name).map_err(|error| survey::explained(&error))?;
     Ok(Readings { notes, ..of_rows(&name, &readings, cases)? })

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
@@ -43,7 +43,8 @@ def broomstick(
     """Draw hook load, or another scalar, against the depth of the bit: depth down.
 
     Operations differ by colour: slack-off to the left, rotating, pick-up to the right. Friction
-    differs by stroke: low is dotted, expected full, high dashed. A second model is drawn as points.
+    differs by stroke: low is dotted, expected full, high dashed; of friction factors the first is
+    full. A second model is drawn as points.
 
     Parameters
     ----------
@@ -91,7 +92,8 @@ def broomstick(
     own = ax is None
     frame = _frame() if ax is None else given(ax, 1, what)[0]
     solved = _models(columns, models)
-    levels = [of for of in LEVELS if of in columns.distinct("friction")] or [""]
+    levels = _levels(columns)
+    named_level = "expected" if "expected" in levels else list(levels)[len(levels) // 2]
     every: list[Numbers] = []
     depths: list[Numbers] = []
     named: list[Name] = []
@@ -99,7 +101,7 @@ def broomstick(
         look = operation_colour(operation)
         widest: tuple[Numbers, Numbers] | None = None
         for place, model in enumerate(solved):
-            for level in levels:
+            for level, dash in levels.items():
                 rows = columns.where(
                     model=model or None, operation=operation, friction=level or None
                 )
@@ -109,8 +111,8 @@ def broomstick(
                 depth = shown.values(rows.numbers("bit_depth_m"), "length")
                 every.append(values)
                 depths.append(depth)
-                _curve(frame, values, depth, Look(look, _stroke(level)), is_first=place == 0)
-                if place == 0 and level in ("", "expected"):
+                _curve(frame, values, depth, Look(look, dash), is_first=place == 0)
+                if place == 0 and level == named_level:
                     widest = (values, depth)
         if widest is not None:
             named.append(Name(operation_words(operation), look, *widest, at=0.85))
@@ -146,8 +148,21 @@ def _curve(ax: Drawn, values: Numbers, depth: Numbers, look: Look, *, is_first: 
         ax.plot(values, depth, "o", color=look.colour, markersize=2.2, markeredgewidth=0.0)
 
 
-def _stroke(level: str) -> Dash:
-    return stroke({"low": 2, "high": 1}.get(level, 0))
+def _levels(columns: Columns) -> dict[str, Dash]:
+    """Give the strokes of levels of friction, or of friction factors, by their names."""
+    there = columns.distinct("friction")
+    if all(of in LEVELS for of in there):
+        strokes = {"low": stroke(2), "expected": stroke(0), "high": stroke(1)}
+        return {of: strokes[of] for of in LEVELS if of in there} or {"": stroke(0)}
+    return {of: stroke(place) for place, of in enumerate(sorted(there, key=_size))}
+
+
+def _size(word: str) -> tuple[bool, float, str]:
+    """Give what puts numbers in the order of their size, and words behind them."""
+    try:
+        return (False, float(word), "")
+    except ValueError:
+        return (True, 0.0, word)
 
 
 def _models(columns: Columns, models: Sequence[str] | None) -> list[str]:
@@ -176,10 +191,14 @@ def _operations(columns: Columns, quantity: str, operations: Sequence[str] | Non
     return turning or there
 
 
-def _keys(levels: Sequence[str], models: Sequence[str]) -> list[Key]:
+def _keys(levels: Mapping[str, Dash], models: Sequence[str]) -> list[Key]:
     ink = colour("muted")
     several = len(levels) > 1
-    keys = [Key(f"{of} friction", Look(ink, _stroke(of))) for of in levels if several]
+    keys = [
+        Key(f"{of} friction" if of in LEVELS else f"friction {of}", Look(ink, dash))
+        for of, dash in levels.items()
+        if several
+    ]
     if len(models) > 1:
         words = models_words()
         keys += [Key(words.get(of, of), Look(ink), marker="o") for of in models[1:]]

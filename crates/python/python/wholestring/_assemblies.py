@@ -1,0 +1,188 @@
+"""What a case's assembly does at rest, its small motions, and its bit on its rock."""
+
+from __future__ import annotations
+
+from os import PathLike
+
+from . import _core, _values
+from ._commands import carry_out, common
+from ._folder import Place
+from ._planning import Units, Values
+from ._values import Scalar
+from .assembly import Bha, BitTest, Modes
+
+
+class Assemblies:
+    """The verbs that look at the assembly, at small motions and at the bit."""
+
+    __slots__ = ()
+    _held: _core.Case
+
+    def bha(
+        self,
+        folder: str | PathLike[str] | None = None,
+        *,
+        operation: str | None = None,
+        toolface: Values | None = None,
+        weight: Values | None = None,
+        inclination: Values | None = None,
+        build: Scalar = 0.0,
+        whole: bool = False,
+        overwrite: bool = False,
+        units: Units | None = None,
+        csv: bool = False,
+        jobs: int | None = None,
+    ) -> Bha:
+        """Solve the bottom-hole assembly at rest.
+
+        Parameters
+        ----------
+        folder
+            Where the results go; a temporary folder where none is given.
+        operation
+            The operation; the first one that drills where none is named.
+        toolface
+            Tool faces of the bend: ``"0deg..360deg/15deg"``, or a list, rad; a revolution in steps
+            of 15 degrees where nothing is said.
+        weight
+            Weights on bit: ``"20kN..120kN/20kN"``, or a list, N; seven up to 1.5 times the
+            operation's where nothing is said.
+        inclination
+            Inclinations of a straight hole, or a list, rad; every 5 degrees where nothing is said.
+        build
+            Rate at which those holes build down to the bit: ``"2 deg/30m"``, or rad/m.
+        whole
+            Whether to solve the whole string, not only the assembly and 100 m of pipe above it.
+        overwrite
+            Whether to replace what lies there, whatever it is of.
+        units
+            Units of the page; the case's where nothing is said.
+        csv
+            Whether to write the tables as CSV too.
+        jobs
+            Points that are solved side by side; one per core where nothing is said.
+
+        Raises
+        ------
+        InputError
+            If the case has no such operation, or nothing of what is varied.
+        NoAnswerError
+            If the assembly has no equilibrium.
+        FolderError
+            If the results cannot go there.
+        """
+        place = Place(folder, overwrite=overwrite)
+        options = common(place, units=units, jobs=jobs, csv=csv)
+        asked: _core.BhaOptions = {
+            "operation": operation,
+            "toolfaces_rad": _values.options("toolface", toolface, "angle"),
+            "weights_N": _values.options("weight", weight, "force"),
+            "inclinations_rad": _values.options("inclination", inclination, "angle"),
+            "build_rate_rad_per_m": _values.option("build", build, "dogleg severity") or 0.0,
+            "whole": whole,
+        }
+        return carry_out(
+            Bha, place, False, lambda listener: _core.bha_of(self._held, asked, options, listener)
+        )
+
+    def modes(
+        self,
+        folder: str | PathLike[str] | None = None,
+        *,
+        operation: str | None = None,
+        overwrite: bool = False,
+        units: Units | None = None,
+        png: bool = False,
+    ) -> Modes:
+        """Find natural frequencies, critical speeds and the answer to a force that turns.
+
+        How many, and what meets them, stands in the case: ``case.with_(modes__count=10).modes()``.
+
+        Parameters
+        ----------
+        folder
+            Where the results go; a temporary folder where none is given.
+        operation
+            The operation whose string at rest it is; the case's first where none is named.
+        overwrite
+            Whether to replace what lies there, whatever it is of.
+        units
+            Units of the page; the case's where nothing is said.
+        png
+            Whether to paint the pictures as PNG too.
+
+        Raises
+        ------
+        InputError
+            If the case has no such operation.
+        NoAnswerError
+            If the string has no state at rest.
+        FolderError
+            If the results cannot go there.
+        """
+        place = Place(folder, overwrite=overwrite)
+        options = common(place, units=units, png=png)
+        return carry_out(
+            Modes,
+            place,
+            False,
+            lambda listener: _core.modes_of(self._held, operation, options, listener),
+        )
+
+    def bit_test(
+        self,
+        folder: str | PathLike[str] | None = None,
+        *,
+        shard: str | None = None,
+        resume: bool = False,
+        overwrite: bool = False,
+        checkpoint: Scalar | None = None,
+        units: Units | None = None,
+        csv: bool = False,
+        jobs: int | None = None,
+        progress: bool = False,
+    ) -> BitTest:
+        """Drill with the bit alone on its rock, under every weight at every speed.
+
+        Weights and speeds stand in the case, under ``bit_test``.
+
+        Parameters
+        ----------
+        folder
+            Where the results go; a temporary folder where none is given.
+        shard
+            The share of the points to drill, such as ``"1/4"``.
+        resume
+            Whether to leave out what is finished there.
+        overwrite
+            Whether to replace what lies there, whatever it is of.
+        checkpoint
+            Time on the clock between checkpoints: ``"5 min"``, or seconds.
+        units
+            Units of the page; the case's where nothing is said.
+        csv
+            Whether to write the tables as CSV too.
+        jobs
+            Points that are drilled side by side; one per core where nothing is said.
+        progress
+            Whether to draw a bar, with tqdm.
+
+        Raises
+        ------
+        InputError
+            If the case has no rock.
+        FolderError
+            If the results cannot go there.
+        NoAnswerError
+            If points failed; its ``results`` hold the others.
+        Interrupted
+            If the user interrupted it; its ``results`` hold what was computed.
+        """
+        place = Place(folder, overwrite=overwrite, resume=resume)
+        options = common(place, units=units, jobs=jobs, checkpoint=checkpoint, shard=shard, csv=csv)
+        return carry_out(
+            BitTest,
+            place,
+            progress,
+            lambda listener: _core.bit_test_of(self._held, options, listener),
+        )

@@ -1,0 +1,173 @@
+"""What all results have in common."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any, ClassVar, TypeVar
+
+from . import _core, _html
+from ._folder import Place
+from ._listener import Listener
+from .errors import ResultsError
+from .table import Table
+
+R = TypeVar("R", bound="BaseResults")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Finding:
+    """What an engineer must know of an answer.
+
+    Attributes
+    ----------
+    kind
+        What was found, as a word: ``"helical_buckling"``.
+    level
+        ``"error"``, ``"warning"`` or ``"note"``.
+    message
+        A sentence.
+    md_m, to_md_m
+        Measured depth at which it stands or begins, and at which it ends, m.
+    value, limit
+        What was found and what it is compared with.
+    unit
+        SI unit of both.
+    """
+
+    kind: str
+    level: str
+    message: str
+    md_m: float | None = None
+    to_md_m: float | None = None
+    value: float | None = None
+    limit: float | None = None
+    unit: str = ""
+
+
+class BaseResults:
+    """What a command comes to: a summary, tables, and the folder that has them.
+
+    Results of a command that was given no folder lie in a temporary one, which goes with them;
+    :meth:`save` writes the folder that the command line writes.
+    """
+
+    __slots__ = ("_core", "_place", "_summary", "_tables")
+
+    _kind: ClassVar[str]
+
+    def __init__(self, core: _core.Answers, place: Place | None = None) -> None:
+        self._core = core
+        self._place = place
+        self._summary: dict[str, Any] | None = None
+        self._tables: dict[str, Table] = {}
+
+    @classmethod
+    def load(cls: type[R], folder: str | PathLike[str]) -> R:
+        """Read what a command left in a folder.
+
+        Raises
+        ------
+        ResultsError
+            If there is nothing, or what another command left.
+        """
+        core = _core.Answers.load(folder)
+        if core.kind != cls._kind:
+            message = f"{folder} holds {core.kind} and not {cls._kind}: wholestring.load reads both"
+            raise ResultsError(message)
+        return cls(core)
+
+    def save(
+        self,
+        folder: str | PathLike[str] | None = None,
+        *,
+        overwrite: bool = False,
+        csv: bool = False,
+    ) -> Path:
+        """Write the folder that the command line writes, its page too, and give its path.
+
+        From then on :attr:`folder` is that one.
+
+        Parameters
+        ----------
+        folder
+            Where to; ``out/<name of the case>``, as the command line, where none is given.
+        overwrite
+            Whether to replace what lies there, whatever it is of.
+        csv
+            Whether to write all tables as CSV too.
+
+        Raises
+        ------
+        FolderError
+            If other results lie there.
+        """
+        with Listener(progress=False) as listener:
+            saved = Path(self._core.save(folder, overwrite, csv, listener))
+        self._core = _core.Answers.load(saved)
+        self._place = None
+        return saved
+
+    @property
+    def folder(self) -> Path | None:
+        """Where they lie; ``None`` while they are in memory."""
+        return self._core.folder
+
+    @property
+    def summary(self) -> Mapping[str, Any]:
+        """All of ``summary.json``."""
+        if self._summary is None:
+            self._summary = dict(json.loads(self._core.summary_json()))
+        return self._summary
+
+    @property
+    def case_name(self) -> str:
+        """What the case is called."""
+        return str(self.summary.get("case", self.folder.name if self.folder else ""))
+
+    @property
+    def tables(self) -> tuple[str, ...]:
+        """Names of the tables."""
+        return tuple(self._core.table_names())
+
+    def table(self, name: str) -> Table:
+        """Give a table by its name, one of :attr:`tables`.
+
+        Raises
+        ------
+        KeyError
+            If there is none of that name.
+        """
+        if name not in self._tables:
+            self._tables[name] = Table(self._core.table(name), name)
+        return self._tables[name]
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What an engineer must know of the answer, the gravest first."""
+        return ()
+
+    def _facts(self) -> Sequence[tuple[str, str]]:
+        """Give what is shown of them: names, and numbers with their units."""
+        return ()
+
+    def __repr__(self) -> str:
+        """Give what they are of, with their main numbers."""
+        facts = ", ".join(f"{name} {value}" for name, value in self._facts())
+        name = type(self).__name__
+        return (
+            f"<{name} of {self.case_name}: {facts}>" if facts else f"<{name} of {self.case_name}>"
+        )
+
+    def _repr_html_(self) -> str:
+        rows = [*self._facts(), *((of.level, of.message) for of in self.findings)]
+        return _html.facts(rows, caption=f"{type(self).__name__} of {self.case_name}")
+
+
+def by_gravity(findings: Sequence[Finding]) -> tuple[Finding, ...]:
+    """Give findings, the gravest first."""
+    order = {"error": 0, "warning": 1, "note": 2}
+    return tuple(sorted(findings, key=lambda of: order[of.level]))

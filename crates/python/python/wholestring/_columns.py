@@ -1,0 +1,53 @@
+"""Data frames and columns as files have them."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Mapping
+from typing import Any, cast
+
+import numpy as np
+
+
+def content(data: object) -> bytes:
+    r"""Give a data frame or columns as the CSV that readings and surveys are read from.
+
+    >>> content({"bit_depth_m": [300.0, 500.0], "pick_up_kN": [210.5, None]})
+    b'bit_depth_m,pick_up_kN\r\n300.0,210.5\r\n500.0,\r\n'
+    """
+    columns = _columns(data)
+    lengths = {name: len(values) for name, values in columns.items()}
+    if len(set(lengths.values())) > 1:
+        raise ValueError(f"the columns differ in length: {lengths}")
+    text = io.StringIO()
+    rows = csv.writer(text)
+    rows.writerow(columns)
+    rows.writerows([_cell(value) for value in row] for row in zip(*columns.values(), strict=True))
+    return text.getvalue().encode()
+
+
+def _columns(data: object) -> dict[str, list[Any]]:
+    if not isinstance(data, Mapping):
+        # A frame of polars or pandas, or a table of ours: names lead to columns.
+        frame = cast("Any", data)
+        names = getattr(frame, "columns", None)
+        if names is None:
+            message = f"expected a path, a data frame or a mapping of columns, and got {data!r}"
+            raise TypeError(message)
+        data = {str(name): frame[name] for name in names}
+    table = cast("Mapping[str, Any]", data)
+    return {str(name): list(np.asarray(values).tolist()) for name, values in table.items()}
+
+
+def _cell(value: object) -> object:
+    return "" if value is None or value != value else value
+
+
+def is_table(data: object) -> bool:
+    """Tell whether it is a data frame or columns by their names.
+
+    >>> is_table({"md_m": [0.0]}), is_table([[0.0, 0.0, 0.0]])
+    (True, False)
+    """
+    return isinstance(data, Mapping) or hasattr(data, "columns")

@@ -1,0 +1,39 @@
+"""Folders that results go to."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+import weakref
+from os import PathLike
+from pathlib import Path
+
+
+class Place:
+    """Where results go: a folder of the user's, or a temporary one that goes with its last user.
+
+    Parameters
+    ----------
+    folder
+        The folder; a temporary one where none is given.
+    overwrite, resume
+        What becomes of what lies there.
+    """
+
+    def __init__(
+        self,
+        folder: str | PathLike[str] | None,
+        *,
+        overwrite: bool = False,
+        resume: bool = False,
+    ) -> None:
+        if overwrite and resume:
+            raise ValueError("overwrite and resume exclude each other")
+        if folder is None and resume:
+            raise ValueError("resume needs the folder that is to be continued")
+        self.existing = "resume" if resume else "overwrite" if overwrite else "protect"
+        if folder is not None:
+            self.path = Path(folder)
+            return
+        self.path = Path(tempfile.mkdtemp(prefix="wholestring-"))
+        weakref.finalize(self, shutil.rmtree, self.path, ignore_errors=True)

@@ -1,0 +1,348 @@
+"""What a case comes to at every depth, and friction from what was read."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from os import PathLike
+from typing import TYPE_CHECKING, Any, Literal, cast
+
+from . import _core, _values
+from ._columns import content
+from ._commands import carry_out, common, count
+from ._folder import Place
+from ._listener import Listener
+from ._values import Scalar
+from .calibration import Calibration
+from .planning import Plan, Reach
+from .table import Table
+
+if TYPE_CHECKING:
+    from .case import Case
+
+Values = str | Scalar | Sequence[Scalar]
+"""One value, several, or a text with several: ``"500m..1200m/100m"``."""
+
+Units = Literal["si", "metric", "field"]
+
+
+class Planning:
+    """The verbs that look at every depth."""
+
+    __slots__ = ()
+    _held: _core.Case
+
+    def broomstick(
+        self,
+        *,
+        model: str | Sequence[str] | None = None,
+        frictions: str | float | Sequence[float] | None = None,
+        bit_depths: Values | None = None,
+        operations: str | Sequence[str] | None = None,
+        jobs: int | None = None,
+    ) -> Table:
+        """Solve every operation at every depth with every friction: a millisecond a point.
+
+        Nothing is written. What has no answer is a row with its reason.
+
+        Parameters
+        ----------
+        model
+            ``"soft"`` or ``"stiff"``, or both; those of the case's plan where nothing is said.
+        frictions
+            Friction factors of all hole sections. The table has them in its column ``friction``,
+            which else has the ``"low"``, ``"expected"`` and ``"high"`` friction of the case's plan.
+        bit_depths
+            Depths of the bit, such as ``"500m..1200m/100m"`` or a list, m; the plan's where nothing
+            is said.
+        operations
+            ``"trip_out"`` and so on; the plan's where nothing is said.
+        jobs
+            What is solved side by side; one per core where nothing is said.
+
+        Raises
+        ------
+        InputError
+            If a friction factor, a depth or an operation cannot be.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example()
+        >>> table = case.broomstick(frictions=[0.2, 0.3], bit_depths=[900.0, 1200.0])
+        >>> len(table), table.columns[:4]
+        (20, ('model', 'friction', 'operation', 'bit_depth_m'))
+        """
+        options: _core.BroomstickOptions = {
+            "models": words(model),
+            "frictions": factors("frictions", frictions),
+            "bit_depths_m": _values.options("bit_depths", bit_depths, "length") or [],
+            "operations": words(operations),
+            "jobs": count(jobs),
+        }
+        with Listener(progress=False) as listener:
+            return Table(_core.broomstick_of(self._held, options, listener), "plan_broomstick")
+
+    def plan(
+        self,
+        folder: str | PathLike[str] | None = None,
+        *,
+        resume: bool = False,
+        overwrite: bool = False,
+        checkpoint: Scalar | None = None,
+        units: Units | None = None,
+        png: bool = False,
+        jobs: int | None = None,
+        progress: bool = False,
+    ) -> Plan:
+        """Compute torque and drag at every depth of the bit, with low, expected and high friction.
+
+        What a plan computes stands in the case: ``case.with_(plan__depths=20).plan()``.
+
+        Parameters
+        ----------
+        folder
+            Where the results go; a temporary folder where none is given.
+        resume
+            Whether to continue a plan that was interrupted there.
+        overwrite
+            Whether to replace what lies there, whatever it is of.
+        checkpoint
+            Time on the clock between checkpoints: ``"5 min"``, or seconds.
+        units
+            Units of the page and in the workbook; the case's where nothing is said.
+        png
+            Whether to paint each picture as PNG too.
+        jobs
+            What is solved side by side; one per core where nothing is said.
+        progress
+            Whether to draw a bar, with tqdm.
+
+        Raises
+        ------
+        FolderError
+            If the results cannot go there.
+        Interrupted
+            If the user interrupted it; its ``results`` hold what was computed.
+        """
+        place = Place(folder, overwrite=overwrite, resume=resume)
+        options = common(place, units=units, jobs=jobs, checkpoint=checkpoint, png=png)
+        return carry_out(
+            Plan, place, progress, lambda listener: _core.plan_of(self._held, options, listener)
+        )
+
+    def reach(
+        self,
+        folder: str | PathLike[str] | None = None,
+        *,
+        from_: Scalar | None = None,
+        to: Scalar | None = None,
+        friction: str | float | Sequence[float] | None = None,
+        operation: str | Sequence[str] | None = None,
+        no_helix_friction: bool = False,
+        resume: bool = False,
+        overwrite: bool = False,
+        units: Units | None = None,
+        png: bool = False,
+        jobs: int | None = None,
+        progress: bool = False,
+    ) -> Reach:
+        """Find how far the well can go, and what stops it.
+
+        Parameters
+        ----------
+        folder
+            Where the results go; a temporary folder where none is given.
+        from_
+            Depth of the bit to begin with: ``"4000 m"``, or m; the end of the survey where nothing
+            is said.
+        to
+            Deepest bit; 15 km, or twice the first depth where that is deeper.
+        friction
+            Friction factors of all sections, one after the other; the case's own where nothing is
+            said.
+        operation
+            Operations; the usual ones and those of the case, as far as it has their set points.
+        no_helix_friction
+            Whether to leave out the friction of what a helix presses to the wall: nothing locks up.
+        resume
+            Whether to leave out samples of uncertain numbers that are solved.
+        overwrite
+            Whether to replace what lies there, whatever it is of.
+        units
+            Units of the page; the case's where nothing is said.
+        png
+            Whether to paint the pictures as PNG too.
+        jobs
+            What is solved side by side; one per core where nothing is said.
+        progress
+            Whether to draw a bar, with tqdm, of samples of uncertain numbers.
+
+        Raises
+        ------
+        InputError
+            If a depth, a friction factor or an operation cannot be.
+        FolderError
+            If the results cannot go there.
+        """
+        place = Place(folder, overwrite=overwrite, resume=resume)
+        options = common(place, units=units, jobs=jobs, png=png)
+        asked: _core.ReachOptions = {
+            "from_m": _values.option("from_", from_, "length"),
+            "to_m": _values.option("to", to, "length"),
+            "frictions": factors("friction", friction),
+            "operations": words(operation),
+            "no_helix_friction": no_helix_friction,
+        }
+        return carry_out(
+            Reach,
+            place,
+            progress,
+            lambda listener: _core.reach_of(self._held, asked, options, listener),
+        )
+
+    def calibrate(
+        self,
+        data: str | PathLike[str] | Mapping[str, Any] | object,
+        folder: str | PathLike[str] | None = None,
+        *,
+        others: Sequence[Case] = (),
+        one_factor: bool = False,
+        friction_around: bool = False,
+        block_weight: bool = False,
+        bit_torque: bool = False,
+        hold: Mapping[str, Scalar] | None = None,
+        weight_error: Scalar | None = None,
+        rotating_error: Scalar | None = None,
+        torque_error: Scalar | None = None,
+        outlier: float = 3.0,
+        band: float = 90.0,
+        model: Literal["soft", "stiff"] = "soft",
+        check_dynamics: bool | Values = False,
+        overwrite: bool = False,
+        units: Units | None = None,
+        png: bool = False,
+        jobs: int | None = None,
+        progress: bool = False,
+    ) -> Calibration:
+        """Find friction from what was read at the surface.
+
+        Parameters
+        ----------
+        data
+            The readings: a file, CSV or Excel, or a data frame of polars or pandas, or columns by
+            their names. Names have units: ``bit_depth_m``, ``pick_up_kN``, ``slack_off_kN``,
+            ``rotating_kN``, ``torque_kN_m``, ``torque_on_bottom_kN_m``, as the headings of a file.
+        folder
+            Where the results go; a temporary folder where none is given.
+        others
+            Other strings that were in the hole: a column ``case`` of the readings names each by its
+            name.
+        one_factor
+            One friction factor for casing and open hole.
+        friction_around
+            Whether to look for friction around the hole apart from that along it.
+        block_weight
+            Whether to look for the block's weight although the case gives it.
+        bit_torque
+            Whether to look for the bit's torque on bottom.
+        hold
+            What is held, by name: ``{"friction_cased": 0.2, "block_weight": "180 kN"}``.
+        weight_error, rotating_error, torque_error
+            Standard errors of pick-up and slack-off weights, of rotating weights and of torques;
+            estimated where they are not given.
+        outlier
+            Residuals larger than so many of their standard errors are outliers.
+        band
+            Confidence of the bands, %.
+        model
+            Model that predicts; ``"stiff"`` takes minutes.
+        check_dynamics
+            Whether to run the string in motion with what was found; or at which readings' depths.
+        overwrite
+            Whether to replace what lies there, whatever it is of.
+        units
+            Units of the page; the case's where nothing is said.
+        png
+            Whether to paint the pictures as PNG too.
+        jobs
+            Runs of that check side by side; one per core where nothing is said.
+        progress
+            Whether to draw a bar, with tqdm, of that check.
+
+        Raises
+        ------
+        CaseError
+            If the readings cannot be read: each mistake with its place.
+        InputError
+            If an option cannot be, or the readings do not tell what is looked for.
+        FolderError
+            If the results cannot go there.
+        Interrupted
+            If the user interrupted it; its ``results`` hold what was computed.
+        """
+        place = Place(folder, overwrite=overwrite)
+        options = common(place, units=units, jobs=jobs, png=png)
+        is_path = isinstance(data, str | os.PathLike)
+        read = os.fspath(cast("str | PathLike[str]", data)) if is_path else "readings"
+        depths: list[float] | None = [] if check_dynamics is True else None
+        if not isinstance(check_dynamics, bool):
+            depths = _values.options("check_dynamics", check_dynamics, "length")
+        asked: _core.CalibrateOptions = {
+            "data": read,
+            "content": None if is_path else content(data),
+            "one_factor": one_factor,
+            "friction_around": friction_around,
+            "block_weight": block_weight,
+            "bit_torque": bit_torque,
+            "hold": [(name, _held(name, value)) for name, value in (hold or {}).items()],
+            "weight_error": _values.written("weight_error", weight_error, "force"),
+            "rotating_error": _values.written("rotating_error", rotating_error, "force"),
+            "torque_error": _values.written("torque_error", torque_error, "torque"),
+            "outlier": str(outlier),
+            "band": str(band),
+            "model": model,
+            "check_dynamics": depths,
+        }
+        cases = [(_stem(of), of) for of in (self._held, *(other._held for other in others))]
+        found = carry_out(
+            Calibration,
+            place,
+            progress,
+            lambda listener: _core.calibrate_by(cases, asked, options, listener),
+        )
+        found._calibrated = found.applied_to(cast("Case", self))
+        return found
+
+
+def words(given: str | Sequence[str] | None) -> list[str]:
+    """Give words, of which there may be one."""
+    return [given] if isinstance(given, str) else list(given or ())
+
+
+def factors(option: str, given: str | float | Sequence[float] | None) -> list[float]:
+    """Give friction factors."""
+    if given is None:
+        return []
+    if isinstance(given, str):
+        given = [_factor(option, part) for part in given.split(",")]
+    return [float(of) for of in (given if isinstance(given, Sequence) else [given])]
+
+
+def _factor(option: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        message = f"`{option}`: {text.strip()!r} is no friction factor: expected such as 0.3"
+        raise ValueError(message) from None
+
+
+def _held(name: str, value: Scalar) -> str:
+    dimension = _core.held_dimension(name)
+    if dimension is None:
+        return str(value)
+    return _values.written("hold", value, dimension) or ""
+
+
+def _stem(case: _core.Case) -> str:
+    return os.path.splitext(os.path.basename(case.source))[0]

@@ -1,0 +1,146 @@
+"""What a case comes to by each model."""
+
+from __future__ import annotations
+
+from os import PathLike
+
+from . import _core
+from ._commands import count, finished
+from ._folder import Place
+from ._listener import Listener
+from .results import Results
+from .simulation import Simulation
+
+
+class Solving:
+    """The verbs that solve a case's operations by its models."""
+
+    __slots__ = ()
+    _held: _core.Case
+
+    def soft(self, operation: str | None = None) -> Results:
+        """Solve with the soft string: milliseconds.
+
+        Parameters
+        ----------
+        operation
+            The one to solve; all of the case where none is named.
+        """
+        return self._solve(["soft"], operation, None, progress=False)
+
+    def stiff(self, operation: str | None = None) -> Results:
+        """Solve with the stiff string, at rest: tens of milliseconds.
+
+        Parameters
+        ----------
+        operation
+            The one to solve; all of the case where none is named.
+
+        Raises
+        ------
+        NoAnswerError
+            If an operation has no equilibrium; its ``results`` hold the others.
+        """
+        return self._solve(["stiff"], operation, None, progress=False)
+
+    def dynamic(
+        self,
+        operation: str | None = None,
+        *,
+        progress: bool = False,
+        jobs: int | None = None,
+    ) -> Results:
+        """Solve with the dynamics of the whole string: seconds.
+
+        Parameters
+        ----------
+        operation
+            The one to solve; all of the case where none is named.
+        progress
+            Whether to draw a bar, with tqdm.
+        jobs
+            Threads that work on solid rock under the bit; one per core where nothing is said.
+
+        Raises
+        ------
+        NoAnswerError
+            If an operation diverged; its ``results`` hold what was computed.
+        Interrupted
+            If the user interrupted it; its ``results`` hold what was computed.
+        """
+        return self._solve(["dynamic"], operation, jobs, progress=progress)
+
+    def run(
+        self,
+        folder: str | PathLike[str] | None = None,
+        *,
+        overwrite: bool = False,
+        resume: bool = False,
+        csv: bool = False,
+        progress: bool = False,
+        jobs: int | None = None,
+    ) -> Results:
+        """Solve with the models that the case names, into a folder, as the command line does.
+
+        Checkpoints are written as it goes: what was interrupted can be resumed.
+
+        Parameters
+        ----------
+        folder
+            Where the results go; a temporary folder where none is given.
+        overwrite
+            Whether to replace what lies there, whatever it is of.
+        resume
+            Whether to continue what lies there.
+        csv
+            Whether to write the tables as CSV too.
+        progress
+            Whether to draw a bar, with tqdm.
+        jobs
+            Threads that work on solid rock under the bit; one per core where nothing is said.
+
+        Raises
+        ------
+        FolderError
+            If the results cannot go there.
+        NoAnswerError
+            If an operation has no answer; its ``results`` hold the others.
+        Interrupted
+            If the user interrupted it; its ``results`` hold what was computed.
+        """
+        place = Place(folder, overwrite=overwrite, resume=resume)
+        with Listener(progress) as listener:
+            core, raised = self._held.run(
+                None, None, place.path, place.existing, csv, count(jobs), listener
+            )
+        return finished(Results(core, place), raised)
+
+    def simulation(
+        self, operation: str | None = None, *, checkpoint: bytes | None = None
+    ) -> Simulation:
+        """Begin a dynamic run that you take forward yourself.
+
+        Parameters
+        ----------
+        operation
+            The operation; the case's only one where none is named.
+        checkpoint
+            What :meth:`Simulation.checkpoint` gave: the run continues from there, to the same
+            bits.
+
+        Raises
+        ------
+        FolderError
+            If the checkpoint is of another case.
+        InputError
+            If the case has no such operation.
+        """
+        with Listener(progress=False) as listener:
+            return Simulation(self._held.simulation(operation, checkpoint, listener))
+
+    def _solve(
+        self, models: list[str], operation: str | None, jobs: int | None, *, progress: bool
+    ) -> Results:
+        with Listener(progress) as listener:
+            core, raised = self._held.answer(models, operation, count(jobs), listener)
+        return finished(Results(core), raised)

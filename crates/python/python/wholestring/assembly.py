@@ -1,0 +1,266 @@
+"""The bottom-hole assembly at rest, its small motions, and the bit alone on its rock."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._base import BaseResults, Finding
+from .table import Table
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+class Bha(BaseResults):
+    """The bottom-hole assembly at rest: what the bit does to the hole, contacts, bending, sag.
+
+    :meth:`Case.bha` solves it.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> bha = ws.Case.example().bha(inclination="20deg..40deg/10deg")
+    >>> high_N, right_N = bha.side_force_N
+    >>> high_N < 0.0  # a pendulum drops
+    True
+    >>> len(bha.varied)
+    10
+    """
+
+    __slots__ = ()
+    _kind = "an assembly at rest"
+
+    @property
+    def nodes(self) -> Table:
+        """The assembly along its length."""
+        return self.table("bha")
+
+    @property
+    def contacts(self) -> Table:
+        """Where it touches the wall."""
+        return self.table("bha_contacts")
+
+    @property
+    def varied(self) -> Table:
+        """The bit's side force at other tool faces, weights and inclinations."""
+        return self.table("bha_sweep")
+
+    @property
+    def operation(self) -> str:
+        """The operation."""
+        return str(self.summary["operation"])
+
+    @property
+    def _state(self) -> Any:
+        return self.summary["state"]
+
+    @property
+    def side_force_N(self) -> tuple[float, float]:
+        """Side force of the bit on the hole, towards its high side and to the right of it, N."""
+        high, right = self._state["side_force_N"]
+        return float(high), float(right)
+
+    @property
+    def tilt_rad(self) -> tuple[float, float]:
+        """Tilt of the bit against the hole, towards its high side and to the right of it, rad."""
+        high, right = self._state["tilt_rad"]
+        return float(high), float(right)
+
+    @property
+    def length_m(self) -> float:
+        """Length of the assembly, m."""
+        return float(self._state["length_m"])
+
+    @property
+    def weight_on_bit_N(self) -> float:
+        """Weight on bit, N."""
+        return float(self.summary["weight_on_bit_N"])
+
+    @property
+    def largest_bending_moment_N_m(self) -> float:
+        """Largest bending moment, N.m."""
+        return float(self._state["largest_bending_moment_N_m"]["value"])
+
+    @property
+    def largest_bending_stress_Pa(self) -> float:
+        """Largest bending stress, Pa."""
+        return float(self._state["largest_bending_stress_Pa"]["value"])
+
+    @property
+    def largest_von_mises_stress_Pa(self) -> float:
+        """Largest von Mises stress, Pa."""
+        return float(self._state["largest_von_mises_stress_Pa"]["value"])
+
+    @property
+    def holding_inclinations_rad(self) -> NDArray[np.float64]:
+        """Inclinations at which the assembly neither builds nor drops, rad."""
+        return np.array(self.summary["holding_inclinations_rad"], dtype=np.float64)
+
+    @property
+    def holding_weights_N(self) -> NDArray[np.float64]:
+        """Weights on bit at which the assembly neither builds nor drops, N."""
+        return np.array(self.summary["holding_weights_N"], dtype=np.float64)
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """Whether it rests as it was found to rest."""
+        if self._state["stable"]:
+            return ()
+        message = "the equilibrium that was found is not stable"
+        return (Finding(kind="unstable", level="warning", message=message),)
+
+    def _facts(self) -> Sequence[tuple[str, str]]:
+        high, right = self.side_force_N
+        stress_MPa = self.largest_bending_stress_Pa / 1e6
+        return [
+            ("side force towards high side", f"{high / 1e3:.3f} kN"),
+            ("side force to the right", f"{right / 1e3:.3f} kN"),
+            ("largest bending stress", f"{stress_MPa:.1f} MPa"),
+        ]
+
+
+class Modes(BaseResults):
+    """Natural frequencies, critical speeds and the answer to a force that turns.
+
+    :meth:`Case.modes` finds them.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> case = ws.Case.example().with_(mesh__element_length="20 m", modes__count=2)
+    >>> modes = case.modes(operation="rotate_off_bottom")
+    >>> torsional = modes.frequencies_Hz("torsional")
+    >>> bool(torsional[0] < 0.65)  # of a uniform rod of 1200 m: collars make it slower
+    True
+    """
+
+    __slots__ = ()
+    _kind = "modes"
+
+    @property
+    def modes(self) -> Table:
+        """The modes, a row for each."""
+        return self.table("modes")
+
+    @property
+    def shapes(self) -> Table:
+        """Their shapes along the string."""
+        return self.table("mode_shapes")
+
+    @property
+    def campbell(self) -> Table:
+        """Frequencies against rotary speed."""
+        return self.table("campbell")
+
+    @property
+    def critical_speeds(self) -> Table:
+        """Rotary speeds at which an excitation meets a natural frequency."""
+        return self.table("critical_speeds")
+
+    @property
+    def response(self) -> Table:
+        """The answer to a force that turns, against rotary speed."""
+        return self.table("response")
+
+    @property
+    def operation(self) -> str:
+        """The operation whose string at rest it is."""
+        return str(self.summary["operation"])
+
+    @property
+    def rotary_speed_rad_per_s(self) -> float:
+        """Rotary speed of the operation, rad/s."""
+        return float(self.summary["rotary_speed_rad_per_s"])
+
+    def frequencies_Hz(self, family: str) -> NDArray[np.float64]:
+        """Give the natural frequencies of a family, Hz.
+
+        Parameters
+        ----------
+        family
+            ``"lateral"``, ``"axial"`` or ``"torsional"``.
+        """
+        families = ("lateral", "axial", "torsional")
+        if family not in families:
+            raise ValueError(f"`family` was given {family!r}: expected one of {families}")
+        found = [of["frequency_Hz"] for of in self.summary["modes"] if of["family"] == family]
+        return np.array(found, dtype=np.float64)
+
+    @property
+    def critical_speeds_rad_per_s(self) -> NDArray[np.float64]:
+        """Critical rotary speeds, rad/s, growing."""
+        found = [of["rotary_speed_rad_per_s"] for of in self.summary["critical_speeds"]]
+        return np.array(sorted(found), dtype=np.float64)
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """Whether the string rests stably, and why there is no map of torsional stability."""
+        found: list[Finding] = []
+        if not self.summary["stable"]:
+            message = "the string at rest is not stable"
+            found.append(Finding(kind="unstable", level="warning", message=message))
+        reason = self.summary.get("no_torsional_stability")
+        if reason:
+            found.append(Finding(kind="no_torsional_stability", level="note", message=str(reason)))
+        return tuple(found)
+
+    def _facts(self) -> Sequence[tuple[str, str]]:
+        lowest = (
+            (family, self.frequencies_Hz(family)) for family in ("lateral", "axial", "torsional")
+        )
+        return [(f"lowest {family}", f"{of.min():.4g} Hz") for family, of in lowest if of.size]
+
+
+class BitTest(BaseResults):
+    """The bit alone on its rock, under every weight at every speed.
+
+    :meth:`Case.bit_test` makes one.
+    """
+
+    __slots__ = ()
+    _kind = "a bit test"
+
+    @property
+    def points(self) -> Table:
+        """Rate, torque and more, a row for each weight and speed."""
+        return self.table("bit-test")
+
+    @property
+    def rock_strength_Pa(self) -> float:
+        """Strength of the rock, Pa."""
+        return float(self.summary["rock_strength_Pa"])
+
+    @property
+    def bit_radius_m(self) -> float:
+        """Radius of the bit, m."""
+        return float(self.summary["bit_radius_m"])
+
+    @property
+    def law_file(self) -> Path | None:
+        """The table that the bit law ``"table"`` of a case reads; ``None`` until all is drilled."""
+        folder = self.folder
+        file = None if folder is None else folder / "bit-table.csv"
+        return file if file is not None and file.is_file() else None
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """Points that failed."""
+        failed = [of for of in self.summary["points"] if of["status"] == "failed"]
+        return tuple(
+            Finding(
+                kind="failed",
+                level="error",
+                message=f"{of['point']}: {of.get('message', 'failed')}",
+            )
+            for of in failed
+        )
+
+    def _facts(self) -> Sequence[tuple[str, str]]:
+        points = self.summary["points"]
+        done = sum(of["status"] == "complete" for of in points)
+        strength_MPa = self.rock_strength_Pa / 1e6
+        return [("points", f"{done} of {len(points)}"), ("rock", f"{strength_MPa:.4g} MPa")]

@@ -1,0 +1,38 @@
+"""Whatever lies in a folder."""
+
+from __future__ import annotations
+
+from os import PathLike
+
+from . import _core
+from ._base import BaseResults
+from .assembly import Bha, BitTest, Modes
+from .calibration import Calibration
+from .planning import Plan, Reach
+from .results import Results
+from .studies import Cases, Study
+
+_KINDS: dict[str, type[BaseResults]] = {
+    of._kind: of for of in (Results, Plan, Reach, Calibration, Modes, Bha, BitTest, Study, Cases)
+}
+
+
+def load(folder: str | PathLike[str]) -> BaseResults:
+    """Read what a command left in a folder, whatever it was.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import wholestring as ws
+    >>> with tempfile.TemporaryDirectory() as place:
+    ...     saved = ws.Case.example().soft().save(place + "/here")
+    ...     print(type(ws.load(saved)).__name__)
+    Results
+
+    Raises
+    ------
+    ResultsError
+        If there are no results.
+    """
+    core = _core.Answers.load(folder)
+    return _KINDS[core.kind](core)

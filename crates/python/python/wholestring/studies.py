@@ -1,0 +1,179 @@
+"""Studies: sweeps of cases, with the figures and tables made of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from os import PathLike, fspath
+from pathlib import Path
+from typing import Literal
+
+from . import _core, _values
+from ._base import BaseResults, Finding
+from ._commands import common, finished, found
+from ._folder import Place
+from ._listener import Listener
+from ._values import Scalar, Value
+from .errors import FindingsError
+from .results import Results
+from .table import Table
+
+
+class Cases(BaseResults):
+    """The cases of a sweep, each in its folder, as the command line leaves them."""
+
+    __slots__ = ()
+    _kind = "a sweep"
+
+    @property
+    def rows(self) -> Table:
+        """A row for each operation of each case: what was varied, the scalars, the findings."""
+        return self.table("sweep")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the cases that are finished: those of their folders."""
+        return tuple(dict.fromkeys(str(name) for name in self.rows["folder"]))
+
+    def __len__(self) -> int:
+        """Give the number of cases that are finished."""
+        return len(self.names)
+
+    def __getitem__(self, name: str) -> Results:
+        """Give what a case came to, by the name of its folder."""
+        folder = self.folder
+        if folder is None or name not in self.names:
+            raise KeyError(f"there is no case {name!r}: there are {', '.join(self.names)}")
+        return Results(_core.Answers.load(folder / name), self._place)
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """The gravest finding of each case in whose answers errors were found."""
+        rows = self.rows
+        if "errors" not in rows:
+            return ()
+        what = rows["worst_finding_message"]
+        return tuple(
+            Finding(kind="error", level="error", message=f"{rows['folder'][row]}: {what[row]}")
+            for row in range(len(rows))
+            if rows["errors"][row] > 0
+        )
+
+    def _facts(self) -> Sequence[tuple[str, str]]:
+        return [("cases", str(len(self)))]
+
+
+class Study(BaseResults):
+    """A study: its sweeps, its figures and its tables.
+
+    :func:`wholestring.study` carries one out.
+    """
+
+    __slots__ = ()
+    _kind = "a study"
+
+    @property
+    def _root(self) -> Path:
+        folder = self.folder
+        if folder is None:
+            raise ValueError("it has no folder")
+        return folder
+
+    @property
+    def sweeps(self) -> tuple[str, ...]:
+        """Names of its sweeps."""
+        inside = sorted(self._root.iterdir())
+        return tuple(of.name for of in inside if (of / "sweep.csv").is_file())
+
+    def __getitem__(self, sweep: str) -> Cases:
+        """Give a sweep by its name."""
+        if sweep not in self.sweeps:
+            raise KeyError(f"there is no sweep {sweep!r}: there are {', '.join(self.sweeps)}")
+        return Cases(_core.Answers.load(self._root / sweep), self._place)
+
+    @property
+    def figures(self) -> Mapping[str, Path]:
+        """The files of its figures, by their names."""
+        return {of.stem: of for of in sorted((self._root / "figures").glob("*.svg"))}
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """The gravest finding of each case in whose answers errors were found."""
+        return tuple(of for sweep in self.sweeps for of in self[sweep].findings)
+
+    def _facts(self) -> Sequence[tuple[str, str]]:
+        return [(sweep, f"{len(self[sweep])} cases") for sweep in self.sweeps]
+
+
+def study(
+    path: str | PathLike[str],
+    folder: str | PathLike[str] | None = None,
+    *,
+    changes: Mapping[str, Value] | None = None,
+    keep: Literal["summary", "tables", "all"] | None = None,
+    strict: bool = False,
+    shard: str | None = None,
+    resume: bool = False,
+    overwrite: bool = False,
+    checkpoint: Scalar | None = None,
+    csv: bool = False,
+    png: bool = False,
+    jobs: int | None = None,
+    progress: bool = False,
+) -> Study:
+    """Solve the cases of a study, and make its figures, its tables and its page.
+
+    Parameters
+    ----------
+    path
+        The study file.
+    folder
+        Where the results go; a temporary folder where none is given.
+    changes
+        Keys that are set in every case, as :meth:`Case.with_` takes them.
+    keep
+        What is kept of each case; where nothing is said, its tables if dynamics solve it or a
+        figure needs them, else its summary.
+    strict
+        Whether to raise where an error is found in an answer.
+    shard
+        The share of the cases to solve, such as ``"1/4"``.
+    resume
+        Whether to leave out what is finished in the folder.
+    overwrite
+        Whether to replace what lies there, whatever it is of.
+    checkpoint
+        Time on the clock between checkpoints: ``"5 min"``, or seconds.
+    csv
+        Whether to write the tables that are kept as CSV too.
+    png
+        Whether to paint each figure as PNG too.
+    jobs
+        Cases that are solved side by side; one per core where nothing is said.
+    progress
+        Whether to draw a bar, with tqdm.
+
+    Raises
+    ------
+    CaseError
+        With all mistakes of the study and its cases.
+    FolderError
+        If the results cannot go there.
+    NoAnswerError
+        If cases failed; its ``results`` hold the others.
+    FindingsError
+        If errors were found, and ``strict`` lets none pass.
+    Interrupted
+        If the user interrupted it; its ``results`` hold what was computed.
+    """
+    place = Place(folder, overwrite=overwrite, resume=resume)
+    options = common(place, jobs=jobs, checkpoint=checkpoint, shard=shard, csv=csv, png=png)
+    keys = list(_values.changes(changes or {}, {}))
+    with Listener(progress) as listener:
+        ended = _core.study_of(fspath(path), keys, keep, options, listener)
+    (where, raised), with_errors = ended
+    results = finished(found(Study, place, where), raised)
+    if strict and with_errors:
+        error = FindingsError("errors were found in\n" + "\n".join(with_errors))
+        error.results = results
+        raise error
+    return results

@@ -1,0 +1,126 @@
+//! Results that are copied to another folder.
+
+use std::{
+    fs, io,
+    path::{Path, PathBuf},
+};
+
+use wholestring_results::{Occupant, ResultsError, digest};
+
+use crate::{
+    claim::{Claim, remove_results},
+    error::Error,
+    observer::Observer,
+    output::Output,
+    results_kinds::results_kind,
+};
+
+/// Copies what a command left in a folder to another one, which may hold what the command itself
+/// might replace there, and gives it: the folder that `output` names, or the command's own.
+///
+/// # Errors
+/// A folder without results, or one that they cannot go to.
+pub fn copy_results(
+    from: &Path,
+    output: &Output,
+    observer: &dyn Observer,
+) -> Result<PathBuf, Error> {
+    let files = files(from).map_err(|source| read(from, source))?;
+    let occupant = match Occupant::of_folder(from) {
+        Some(occupant) => occupant,
+        None => guessed(from)?,
+    };
+    let is_itself = |to: &PathBuf| match (fs::canonicalize(from), fs::canonicalize(to)) {
+        (Ok(from), Ok(to)) => from == to,
+        _ => false,
+    };
+    if let Some(to) = output.folder.as_ref().filter(|to| is_itself(to)) {
+        return Ok(to.clone());
+    }
+    let claimed = Claim {
+        is_unfinished: &|path| path.join("checkpoint.bin").is_file(),
+        ..Claim::new(occupant, output, observer)
+    }
+    .folder()?;
+    let to = claimed.folder.path();
+    // What an earlier one left, and this one has not, goes.
+    remove_results(to)?;
+    for file in files {
+        let path = to.join(&file);
+        let copied = path.parent().map_or(Ok(()), fs::create_dir_all);
+        let copied = copied.and_then(|()| fs::copy(from.join(&file), &path));
+        copied.map_err(|source| ResultsError::Write { path, source })?;
+    }
+    Ok(to.to_owned())
+}
+
+/// What results are of that do not say it.
+fn guessed(from: &Path) -> Result<Occupant, Error> {
+    let kind = results_kind(from)?.to_owned();
+    let name = from.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let says = ["summary.json", "sweep.csv"].map(|file| fs::read(from.join(file)).ok());
+    Ok(Occupant { kind, name, identity: digest(&says) })
+}
+
+fn read(path: &Path, source: io::Error) -> ResultsError {
+    ResultsError::Read { path: path.to_owned(), source }
+}
+
+/// Every file in a folder and in the folders in it, but those whose names begin with a dot, as seen
+/// from it; a link is none.
+fn files(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let mut all = Vec::new();
+    let mut folders = vec![PathBuf::new()];
+    while let Some(within) = folders.pop() {
+        for entry in fs::read_dir(folder.join(&within))? {
+            let entry = entry?;
+            let (name, kind) = (entry.file_name(), entry.file_type()?);
+            let path = within.join(&name);
+            if name.to_string_lossy().starts_with('.') {
+            } else if kind.is_dir() {
+                folders.push(path);
+            } else if kind.is_file() {
+                all.push(path);
+            }
+        }
+    }
+    Ok(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Existing, Silent};
+
+    /// Whoever saves results has the protection that a command's own have.
+    #[test]
+    fn a_copy_protects_other_results() {
+        let place = tempfile::tempdir().unwrap();
+        let at = |name: &str| place.path().join(name);
+        let put = |folder: &str, identity: &str| {
+            fs::create_dir_all(at(folder).join("plots")).unwrap();
+            let says = format!(r#"{{"kind":"plan","name":"a plan","identity":"{identity}"}}"#);
+            fs::write(at(folder).join(".wholestring"), says).unwrap();
+            fs::write(at(folder).join("summary.json"), identity).unwrap();
+            fs::write(at(folder).join("plots/torque.svg"), identity).unwrap();
+        };
+        put("one", "1");
+        put("other", "2");
+        let copy = |from: &str, to: &str, existing: Existing| {
+            let output = Output { folder: Some(at(to)), existing };
+            copy_results(&at(from), &output, &Silent)
+        };
+        copy("one", "here", Existing::Protect).unwrap();
+        copy("one", "here", Existing::Protect).unwrap();
+        let refused = copy("other", "here", Existing::Protect).unwrap_err();
+        assert!(matches!(refused, Error::Folder(_)), "{refused}");
+        let text = |name: &str| fs::read_to_string(at("here").join(name)).unwrap();
+        assert_eq!([text("summary.json"), text("plots/torque.svg")], ["1", "1"]);
+        copy("other", "here", Existing::Overwrite).unwrap();
+        assert_eq!([text("summary.json"), text("plots/torque.svg")], ["2", "2"]);
+        assert_eq!(Occupant::of_folder(&at("here")).unwrap().identity, "2");
+        // Onto itself, nothing is lost.
+        copy("one", "one", Existing::Overwrite).unwrap();
+        assert!(at("one").join("summary.json").is_file());
+    }
+}

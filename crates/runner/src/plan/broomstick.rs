@@ -1,0 +1,153 @@
+//! A broomstick without a folder: every operation at every depth with every friction.
+
+use std::{num::NonZeroUsize, sync::Mutex};
+
+use wholestring::operation::{Operation, OperationKind};
+use wholestring_case::Case;
+use wholestring_plan::{
+    Broomstick, BroomstickPoint, BroomstickTask, FrictionLevel, Frictions, LevelFriction, Statics,
+};
+use wholestring_results::{Column, Data, PlanPoint, Table, plan_broomstick_table};
+
+use super::rows;
+use crate::{
+    cancellation::CancellationToken,
+    error::Error,
+    parallel::{in_parallel, jobs, lock},
+    reach,
+};
+
+/// A case whose broomstick is wanted; what is left empty is that of its plan.
+#[derive(Debug)]
+pub struct BroomstickRequest<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// By which models.
+    pub models: Vec<Statics>,
+    /// Friction factors of all sections; low, expected and high friction of the plan where empty.
+    pub frictions: Vec<f64>,
+    /// Depths of the bit, m.
+    pub bit_depths_m: Vec<f64>,
+    /// What is done at every depth.
+    pub operations: Vec<OperationKind>,
+    /// What is solved side by side; one per core where nothing is said.
+    pub jobs: Option<NonZeroUsize>,
+}
+
+/// Largest friction factor that a case takes.
+const MOST_FRICTION: f64 = 2.0;
+
+/// A friction factor that was asked for.
+const FRICTION: &str = "Friction factor of all hole sections";
+
+/// The points of a broomstick: the table `plan_broomstick` of the plan of a case. Where friction
+/// factors are asked for they stand in its column `friction` as numbers.
+///
+/// # Errors
+/// A friction factor or a depth that is out of its range, an operation whose set points the case
+/// lacks, or a cancellation.
+pub fn broomstick(
+    request: &BroomstickRequest<'_>,
+    cancellation: &CancellationToken,
+) -> Result<Table, Error> {
+    let case = request.case;
+    let depths_m = depths_m(request)?;
+    let models =
+        if request.models.is_empty() { case.plan.models.clone() } else { request.models.clone() };
+    let operations: Vec<Operation> = match &request.operations[..] {
+        [] => case.plan.operations.clone(),
+        kinds => kinds.iter().map(|kind| operation(case, *kind)).collect::<Result<_, _>>()?,
+    };
+    let setup = case.setup();
+    let with = |frictions: &Frictions| -> Result<Broomstick, Error> {
+        let operations = operations.clone();
+        let of = Broomstick::new(&setup, frictions, operations, depths_m.clone(), models.clone())
+            .map_err(Error::failed)?;
+        let stiff = case.dynamics.stiff_string();
+        Ok(of.with_settings(case.soft, stiff).with_limits(case.plan.limits))
+    };
+    // A broomstick has three frictions at a time.
+    let levels = &FrictionLevel::ALL[..];
+    let sets: Vec<(Broomstick, &[FrictionLevel])> = match &request.frictions[..] {
+        [] => vec![(with(&case.plan.frictions)?, levels)],
+        factors => {
+            let set = |some: &[f64]| {
+                if let Some(factor) = some.iter().find(|of| !(0.0..=MOST_FRICTION).contains(*of)) {
+                    let reason = format!("a friction factor of {factor} is outside 0 to 2");
+                    return Err(Error::BadInput(reason));
+                }
+                let of = |place: usize| LevelFriction::uniform(some[place.min(some.len() - 1)]);
+                let set = with(&Frictions { low: of(0), expected: of(1), high: of(2) })?;
+                Ok((set, &levels[..some.len()]))
+            };
+            factors.chunks(levels.len()).map(set).collect::<Result<_, Error>>()?
+        }
+    };
+    let tasks: Vec<(usize, BroomstickTask)> = (0..sets.len())
+        .flat_map(|set| sets[set].0.tasks().into_iter().map(move |task| (set, task)))
+        .collect();
+    let done: Vec<Mutex<Option<Vec<BroomstickPoint>>>> =
+        tasks.iter().map(|_| Mutex::default()).collect();
+    let order: Vec<usize> = (0..tasks.len()).collect();
+    in_parallel(jobs(request.jobs), &order, |index| {
+        if !cancellation.is_cancelled() {
+            let (set, task) = &tasks[index];
+            let (of, levels) = &sets[*set];
+            *lock(&done[index]) = Some(of.solve_at(task, levels));
+        }
+    });
+    let mut found = Vec::new();
+    for ((set, _), one) in tasks.iter().zip(&done) {
+        let points = lock(one).take().ok_or(Error::Interrupted)?;
+        found.extend(points.into_iter().enumerate().map(|(place, point)| (*set, place, point)));
+    }
+    // Curve by curve, as a plan has them: a task has the frictions of one depth.
+    found.sort_by_key(|(set, place, of): &(usize, usize, BroomstickPoint)| {
+        let model = models.iter().position(|model| *model == of.model);
+        let operation = operations.iter().position(|one| one.kind == of.operation);
+        (model, operation, *set, *place)
+    });
+    let points: Vec<BroomstickPoint> = found.iter().map(|(_, _, of)| of.clone()).collect();
+    let rows: Vec<PlanPoint> = rows::points(&points);
+    let table = plan_broomstick_table(&rows, case.model.rig.block_weight_N);
+    if request.frictions.is_empty() {
+        return Ok(table);
+    }
+    let factor = |(set, place, _): &(usize, usize, _)| {
+        Some(request.frictions[FrictionLevel::ALL.len() * set + place])
+    };
+    let factors = Data::Number(found.iter().map(factor).collect());
+    let columns = table.columns().iter().cloned().map(|column| match column.name.as_str() {
+        "friction" => Column { meaning: FRICTION.into(), data: factors.clone(), ..column },
+        _ => column,
+    });
+    Ok(Table::new(columns.collect()))
+}
+
+/// Depths of the bit that string and well have, growing.
+fn depths_m(request: &BroomstickRequest<'_>) -> Result<Vec<f64>, Error> {
+    let case = request.case;
+    if request.bit_depths_m.is_empty() {
+        return Ok(case.plan.bit_depths_m.clone());
+    }
+    let hole_m = case.model.well.hole.sections().last().map_or(0.0, |section| section.to_md_m);
+    let deepest_m = hole_m.min(case.model.well.path.last_md_m());
+    let shallowest_m = case.setup().shallowest_m();
+    let mut depths_m = request.bit_depths_m.clone();
+    let is_there = |depth_m: &f64| *depth_m > shallowest_m && *depth_m <= deepest_m;
+    if let Some(depth_m) = depths_m.iter().find(|depth_m| !is_there(depth_m)) {
+        return Err(Error::BadInput(format!(
+            "a bit depth of {depth_m} m is out of range: what stands below the pipe that runs to \
+             surface is {shallowest_m:.1} m long, and hole and survey end at {deepest_m:.1} m"
+        )));
+    }
+    depths_m.sort_by(f64::total_cmp);
+    depths_m.dedup();
+    Ok(depths_m)
+}
+
+/// The plan's operation of a kind; one with the case's set points where it has none.
+fn operation(case: &Case, kind: OperationKind) -> Result<Operation, Error> {
+    let planned = case.plan.operations.iter().find(|of| of.kind == kind);
+    planned.map_or_else(|| reach::operation(case, kind).map_err(Error::BadInput), |of| Ok(*of))
+}
