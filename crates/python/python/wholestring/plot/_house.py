@@ -129,7 +129,6 @@ def style() -> Generator[None]:
         "axes.titlecolor": colour("text"),
         "axes.titlesize": TITLE,
         "axes.unicode_minus": True,
-        "figure.facecolor": colour("paper"),
         "font.family": [family()],
         "font.size": TEXT,
         "grid.color": colour("grid"),

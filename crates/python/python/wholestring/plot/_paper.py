@@ -43,9 +43,10 @@ def frames(
     parts = np.asarray(widths if widths is not None else [1.0] * columns, dtype=float)
     parts = parts / parts.sum() * room
     whole_mm = top_mm + bottom_mm + lines * height_mm + (lines - 1) * down
+    # Outside the style: with the first figure a notebook sets up how it shows all of them.
+    figure: Any = plt.figure(figsize=(width_mm / INCH, whole_mm / INCH), facecolor=colour("paper"))
+    made: list[Drawn] = []
     with style():
-        figure: Any = plt.figure(figsize=(width_mm / INCH, whole_mm / INCH))
-        made: list[Drawn] = []
         for place in range(count):
             row, column = divmod(place, columns)
             left = left_mm + float(parts[:column].sum()) + across * column

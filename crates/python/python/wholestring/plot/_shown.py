@@ -99,8 +99,8 @@ def _of_the_case(thing: object) -> Units | None:
 
 def case_name(thing: object) -> str:
     """Give the name of the case that a thing is or came from; empty where it does not say."""
-    summary = getattr(thing, "summary", None)
-    if isinstance(summary, Mapping):
-        return str(cast("Mapping[str, Any]", summary).get("case", ""))
+    own = getattr(thing, "case_name", None)
+    if isinstance(own, str):
+        return own
     name = getattr(thing, "name", None)
     return name if isinstance(name, str) and hasattr(thing, "settings") else ""
