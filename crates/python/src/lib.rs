@@ -7,6 +7,7 @@ mod attended;
 mod case;
 mod column;
 mod commands;
+mod conventions;
 mod error;
 mod law;
 mod folder;
@@ -45,6 +46,18 @@ mod _core {
         // The case that the package shows itself with.
         module.add("EXAMPLE", include_str!("../../../cases/slant.toml"))?;
         module.add("SCALARS", crate::answers::scalars())
+    }
+
+    /// Colours, strokes, units and words of pictures, as JSON.
+    #[pyfunction]
+    fn conventions(py: Python<'_>) -> PyResult<String> {
+        crate::conventions::json(py)
+    }
+
+    /// The path of a well by the settings of its case, from the surface to the bit.
+    #[pyfunction]
+    fn well_path(settings_json: &str) -> PyResult<crate::table::Table> {
+        crate::conventions::well_path(settings_json)
     }
 
     /// A quantity of a dimension, such as `"10 s"` of a time, in SI.

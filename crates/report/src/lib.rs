@@ -6,6 +6,7 @@ mod bit_test;
 mod bottom;
 mod calibration;
 mod cell;
+mod conventions;
 mod draw;
 pub mod figure;
 mod finding;
@@ -33,6 +34,7 @@ pub use calibration::{
     CalibrationPoint, calibration_html, calibration_plots,
 };
 pub use cell::Cell;
+pub use conventions::Conventions;
 pub use draw::Drawing;
 pub use finding::{Finding, Level};
 pub use modes::{

@@ -93,7 +93,7 @@ pub use error::{Error, Unsound};
 pub use keep::Keep;
 pub use observer::{BatchSize, CaseEnded, Observer, Progress, Silent, Task, Trial};
 pub use output::{Existing, Output};
-pub use page::write_picture;
+pub use page::{display_units, well_path, write_picture};
 pub use pictures::{pictures, pictures_folder};
 pub use reports::write_report;
 pub use results_kinds::results_kind;

@@ -12,6 +12,7 @@ Numbers are SI. Where a number goes in, a text with a unit does as well (``"45 k
 anything with ``.to(unit).magnitude``, such as a quantity of pint.
 """
 
+from . import plot
 from ._base import BaseResults, Finding
 from ._core import __version__
 from ._values import Quantity, Value
@@ -75,6 +76,7 @@ __all__ = [
     "Value",
     "__version__",
     "load",
+    "plot",
     "study",
     "sweep",
 ]

@@ -5,12 +5,11 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from html import escape
 from os import PathLike
 from pathlib import Path
 from typing import Any, ClassVar, TypeVar
 
-from . import _core
+from . import _core, _html
 from ._folder import Place
 from ._listener import Listener
 from .errors import ResultsError
@@ -165,12 +164,7 @@ class BaseResults:
 
     def _repr_html_(self) -> str:
         rows = [*self._facts(), *((of.level, of.message) for of in self.findings)]
-        cells = "".join(
-            f'<tr><th style="text-align:left">{escape(name)}</th><td>{escape(value)}</td></tr>'
-            for name, value in rows
-        )
-        title = f"{type(self).__name__} of {self.case_name}"
-        return f"<table><caption>{escape(title)}</caption><tbody>{cells}</tbody></table>"
+        return _html.facts(rows, caption=f"{type(self).__name__} of {self.case_name}")
 
 
 def by_gravity(findings: Sequence[Finding]) -> tuple[Finding, ...]:

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from html import escape
 from typing import Any, cast
 
+import numpy as np
+
+from . import _html
 from ._base import BaseResults, Finding, by_gravity
+from .plot._house import operation_words
+from .plot._shown import Shown, about
 from .table import Table
 
 
@@ -198,23 +202,29 @@ class Results(BaseResults):
         return f"<Results of {self.summary['case']}: {inside}>"
 
     def _repr_html_(self) -> str:
-        head = ("model", "operation", "hook load, kN", "surface torque, kN.m", "findings")
-        rows = [
-            (
-                of.model,
-                of.operation,
-                f"{of.hook_load_N / 1e3:.1f}",
-                f"{of.surface_torque_N_m / 1e3:.2f}",
-                "; ".join(found.message for found in of.findings),
+        shown = Shown(None, self)
+        solved = list(self)
+
+        def scalar(name: str) -> _html.Column:
+            title, dimension = about(name)
+            values = shown.values(np.array([getattr(of, name) for of in solved]), dimension)
+            return _html.Column(
+                title=title,
+                cells=["" if np.isnan(of) else f"{of:.4g}" for of in values.tolist()],
+                unit=shown.symbol(dimension),
             )
-            for of in self
+
+        findings = ["; ".join(found.message for found in of.findings) for of in solved]
+        columns = [
+            _html.Column("Model", [of.model for of in solved], numbers=False),
+            _html.Column(
+                "Operation", [operation_words(of.operation) for of in solved], numbers=False
+            ),
+            scalar("hook_load_N"),
+            scalar("surface_torque_N_m"),
+            scalar("axial_friction_N"),
+            _html.Column("Findings", findings, numbers=False),
         ]
-        cells = "".join(
-            "<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in rows
-        )
-        names = "".join(f"<th>{escape(name)}</th>" for name in head)
-        title = escape(str(self.summary["case"]))
-        return (
-            f"<table><caption>{title}</caption><thead><tr>{names}</tr></thead>"
-            f"<tbody>{cells}</tbody></table>"
-        )
+        if any(of.status != "complete" for of in solved):
+            columns.insert(2, _html.Column("Status", [of.status for of in solved], numbers=False))
+        return _html.table(columns, caption=str(self.summary["case"]))

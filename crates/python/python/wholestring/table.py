@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from html import escape
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import _core
+from . import _core, _html
 
 if TYPE_CHECKING:
     import pandas
@@ -103,20 +102,13 @@ class Table:
 
     def _repr_html_(self) -> str:
         shown = 10
-        head = "".join(
-            f'<th title="{escape(self.meaning(of), quote=True)}">{escape(of)}</th>'
-            for of in self.columns
-        )
-        columns = [self[column][:shown] for column in self.columns]
-        rows = "".join(
-            "<tr>" + "".join(f"<td>{_cell(of[row])}</td>" for of in columns) + "</tr>"
-            for row in range(min(shown, len(self)))
-        )
-        more = f"<p>{len(self)} rows, the first {shown} shown</p>" if len(self) > shown else ""
-        return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>{more}"
-
-
-def _cell(value: object) -> str:
-    if isinstance(value, float):
-        return "" if np.isnan(value) else f"{value:.6g}"
-    return escape(str(value))
+        columns: list[_html.Column] = []
+        for name in self.columns:
+            head = self[name][:shown]
+            numbers = head.dtype.kind == "f"
+            cells = [_html.number(of) if numbers else str(of) for of in head.tolist()]
+            column = _html.Column(title=name, cells=cells, numbers=numbers, hint=self.meaning(name))
+            columns.append(column)
+        more = f", the first {shown} shown" if len(self) > shown else ""
+        size = f"{len(self)} rows, {len(self.columns)} columns{more}"
+        return _html.table(columns, caption=self.name, note=size)

@@ -14,7 +14,7 @@ use crate::{
 
 /// Readings from the left to the right, how they are said, and the operation whose colour they have: it
 /// is the same on a plan's broomstick.
-const READINGS: [(&str, &str, OperationKind); 5] = [
+pub(crate) const READINGS: [(&str, &str, OperationKind); 5] = [
     ("slack_off", "slack-off", OperationKind::TripIn),
     ("rotating", "rotating", OperationKind::RotateOffBottom),
     ("pick_up", "pick-up", OperationKind::TripOut),

@@ -3,6 +3,7 @@
 mod figures;
 mod page;
 
+pub(crate) use figures::READINGS;
 pub use figures::{CALIBRATION_PICTURES, calibration_plots};
 pub use page::calibration_html;
 

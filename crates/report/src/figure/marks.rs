@@ -6,25 +6,16 @@ use crate::draw::{
 };
 
 /// Width of a curve, points.
-const CURVE: f64 = 0.9;
+pub(crate) const CURVE: f64 = 0.9;
 
 /// How much of what lies below it a band hides.
-pub(super) const BAND: f64 = 0.22;
+pub(crate) const BAND: f64 = 0.22;
 
 /// Points closer than this along a curve cannot be distinguished.
 const CLOSE: f64 = 0.12;
 
 pub(super) fn pen(ink: Ink, stroke: Stroke) -> Pen {
-    let dash = match stroke {
-        Stroke::Solid => None,
-        Stroke::Dashed => Some([4.0, 2.2]),
-        Stroke::Dotted => Some([1.1, 1.5]),
-        Stroke::LongDashed => Some([9.0, 2.2]),
-        Stroke::ShortDashed => Some([2.2, 1.2]),
-        Stroke::WideDashed => Some([4.5, 4.5]),
-        Stroke::WideDotted => Some([1.1, 3.2]),
-    };
-    Pen { dash, ..Pen::new(ink, CURVE) }
+    Pen { dash: stroke.dash(), ..Pen::new(ink, CURVE) }
 }
 
 /// A single point.

@@ -13,6 +13,7 @@ mod scale;
 
 use crate::Level;
 pub use crate::draw::{Hue, Ink};
+pub(crate) use marks::{BAND, CURVE};
 pub(crate) use outliers::{OUTLIERS, Outliers};
 
 /// A figure: panels side by side, or one below the other, that share one axis.
@@ -345,6 +346,19 @@ impl Stroke {
             Stroke::WideDotted,
         ];
         ALL[place % ALL.len()]
+    }
+
+    /// Lengths of dash and gap, points; none of a full line.
+    pub(crate) const fn dash(self) -> Option<[f64; 2]> {
+        match self {
+            Self::Solid => None,
+            Self::Dashed => Some([4.0, 2.2]),
+            Self::Dotted => Some([1.1, 1.5]),
+            Self::LongDashed => Some([9.0, 2.2]),
+            Self::ShortDashed => Some([2.2, 1.2]),
+            Self::WideDashed => Some([4.5, 4.5]),
+            Self::WideDotted => Some([1.1, 3.2]),
+        }
     }
 }
 

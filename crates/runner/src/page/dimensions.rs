@@ -22,8 +22,8 @@ const OTHERS: &[(&str, [(&str, f64); 3])] = &[
     ("time step", [("ms", 1e-3); 3]),
 ];
 
-/// Every dimension by its name.
-pub(crate) fn all() -> BTreeMap<String, [DisplayUnit; 3]> {
+/// Every dimension by its name, and its unit in each set: SI, metric, field.
+pub fn all() -> BTreeMap<String, [DisplayUnit; 3]> {
     let known = Dimension::ALL.iter().map(|dimension| {
         let units = [UnitSet::Si, UnitSet::Metric, UnitSet::Field].map(|set| {
             let unit = dimension.unit_in(set);

@@ -18,9 +18,11 @@ pub(crate) mod spectra;
 mod tables;
 pub(crate) mod well;
 
+pub use dimensions::all as display_units;
 pub(crate) use file::{FILE, PROGRAM};
 pub(crate) use head::head;
 pub use picture::write_picture;
 pub(crate) use profile::{PROFILE, write_profile};
 pub(crate) use run::{along_the_hole, complete, gather, lacking, page, write};
 pub(crate) use tables::{Tables, table};
+pub use well::well_path;

@@ -107,6 +107,11 @@ impl<'a> WellBore<'a> {
     }
 }
 
+/// The path of a case from the surface to the bit, by its settings; no rows where they do not hold it.
+pub fn well_path(settings: &Json) -> WellPath {
+    WellBore::of(settings).columns()
+}
+
 /// The path that a run was solved on; none where the settings do not hold it.
 fn path(well: &Json) -> Option<Path> {
     let column = |name: &str| well["stations"][name].as_array();

@@ -1,0 +1,106 @@
+"""Numbers in the reader's units."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Literal, TypeAlias, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._house import conventions
+
+Units: TypeAlias = Literal["si", "metric", "field"]
+"""A set of units: SI, metric as a rig in Europe has it, or field."""
+
+SETS: tuple[Units, ...] = ("si", "metric", "field")
+
+Numbers: TypeAlias = "NDArray[np.float64]"
+
+
+class Shown:
+    """How the reader sees numbers.
+
+    Parameters
+    ----------
+    units
+        The set; where none is named, that of the case that ``thing`` is or came from, else SI.
+    thing
+        What is drawn.
+    """
+
+    def __init__(self, units: Units | None, thing: object = None) -> None:
+        name = units or _of_the_case(thing) or "si"
+        if name not in SETS:
+            raise ValueError(f"there are no units {name!r}: there are {', '.join(SETS)}")
+        self.units: Units = name
+        self._place = SETS.index(name)
+
+    def symbol(self, dimension: str) -> str:
+        """Give the symbol of a dimension's unit; empty where it has none."""
+        unit = self._unit(dimension)
+        return "" if unit is None else str(unit["symbol"])
+
+    def factor(self, dimension: str) -> float:
+        """Give how many SI units are in one of the reader's."""
+        unit = self._unit(dimension)
+        return 1.0 if unit is None else float(unit["factor"])
+
+    def values(self, si: Numbers, dimension: str) -> Numbers:
+        """Give numbers in the reader's units."""
+        return np.asarray(si, dtype=np.float64) / self.factor(dimension)
+
+    def label(self, title: str, dimension: str) -> str:
+        """Give what an axis shows, with its unit.
+
+        >>> Shown("field").label("Hook load", "force")
+        'Hook load, klbf'
+        """
+        symbol = self.symbol(dimension)
+        return f"{title}, {symbol}" if symbol else title
+
+    def quantity(self, si: float, dimension: str) -> str:
+        """Give a number in four digits with its unit."""
+        symbol = self.symbol(dimension)
+        between = "" if symbol in ("", "°") else " "
+        return f"{si / self.factor(dimension):.4g}{between}{symbol}"
+
+    def _unit(self, dimension: str) -> Mapping[str, Any] | None:
+        sets = conventions()["units"].get(dimension)
+        return None if sets is None else cast("Mapping[str, Any]", sets[self._place])
+
+
+def about(column: str) -> tuple[str, str]:
+    """Give what a column is called and its dimension; of one that nobody declared, its name.
+
+    >>> about("hook_load_N")
+    ('Hook load without block', 'force')
+    >>> about("my_column")
+    ('My column', '')
+    """
+    found = conventions()["quantities"].get(column)
+    if found is not None:
+        return str(found[0]), str(found[1])
+    words = column.rsplit(".", 1)[-1].replace("_", " ")
+    return words[:1].upper() + words[1:], ""
+
+
+def _of_the_case(thing: object) -> Units | None:
+    settings = getattr(thing, "settings", None)
+    if settings is None:
+        summary = getattr(thing, "summary", None)
+        if isinstance(summary, Mapping):
+            settings = cast("Mapping[str, Any]", summary).get("settings")
+    if not isinstance(settings, Mapping):
+        return None
+    units = cast("Mapping[str, Any]", settings).get("units")
+    return units if units in SETS else None
+
+
+def case_name(thing: object) -> str:
+    """Give the name of the case that a thing is or came from; empty where it does not say."""
+    own = getattr(thing, "case_name", None)
+    if isinstance(own, str):
+        return own
+    name = getattr(thing, "name", None)
+    return name if isinstance(name, str) and hasattr(thing, "settings") else ""

@@ -1,0 +1,102 @@
+"""Several runs on the same axes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from ._columns import Columns
+from ._shown import Units, case_name
+from .tracks import draw
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+USUAL = ("tension", "torque", "side-force")
+
+
+def compare(
+    *results: object,
+    names: Sequence[str] | None = None,
+    show: Sequence[str] = USUAL,
+    operation: str | None = None,
+    models: Sequence[str] | None = None,
+    units: Units | None = None,
+    axes: Sequence[Axes] | Axes | None = None,
+) -> list[Axes]:
+    """Draw the profiles of several runs on the same tracks: a colour and a stroke a run.
+
+    Parameters
+    ----------
+    *results
+        Results, or tables like their ``nodes``: two to seven.
+    names
+        What each is called; the names of their cases where they differ, else numbers.
+    show
+        What to draw, as in :func:`tracks`.
+    operation
+        The operation, where they have several in common.
+    models
+        Which models to draw; all where nothing is said.
+    units
+        ``"si"``, ``"metric"`` or ``"field"``; those of the first case where nothing is said.
+    axes
+        Axes to draw in, one a name in ``show``; those of a new figure where none are given.
+
+    Returns
+    -------
+    list of matplotlib.axes.Axes
+        One a track.
+
+    Raises
+    ------
+    ValueError
+        If the runs have no operation in common, or several and none is named.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> case = ws.Case.example()
+    >>> runs = [case.with_(friction=of).soft("trip_out") for of in (0.2, 0.3)]
+    >>> (tension,) = ws.plot.compare(*runs, names=["0.2", "0.3"], show=["tension"])
+    >>> [text.get_text() for text in tension.texts]
+    ['0.2', '0.3']
+    """
+    what = "a comparison"
+    if not 2 <= len(results) <= 7:
+        raise ValueError(f"{what} is of two to seven runs, and was given {len(results)}")
+    called = list(names) if names is not None else _names(results)
+    if len(called) != len(results):
+        raise ValueError(f"{what} of {len(results)} runs was given {len(called)} names")
+    return draw(
+        results,
+        called,
+        show,
+        operations=_operation(results, operation, what),
+        models=models,
+        units=units,
+        to=axes,
+    )
+
+
+def _names(results: Sequence[object]) -> list[str]:
+    cases = [case_name(of) for of in results]
+    different = len(set(cases)) == len(cases) and all(cases)
+    return cases if different else [f"run {place + 1}" for place in range(len(results))]
+
+
+def _operation(results: Sequence[object], operation: str | None, what: str) -> list[str] | None:
+    every = [Columns(of, "nodes", what).distinct("operation") for of in results]
+    if not any(every):
+        return None
+    common = [of for of in every[0] if all(of in others for others in every)]
+    if operation is not None:
+        if operation not in common:
+            there = ", ".join(common) or "none"
+            raise ValueError(f"{what}: not all have {operation!r}; in common they have {there}")
+        return [operation]
+    if not common:
+        raise ValueError(f"{what}: the runs have no operation in common")
+    if len(common) > 1:
+        raise ValueError(f"{what} is of one operation: name one of {', '.join(common)}")
+    return common

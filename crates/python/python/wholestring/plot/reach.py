@@ -1,0 +1,165 @@
+"""How far the well can go: margins of its limits."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, cast
+
+import numpy as np
+
+from ._columns import Columns
+from ._house import Drawn, Look, colour, curve_width, line_colour, operation_words, pictures, stroke
+from ._keys import Key, write
+from ._labels import Name, name_curves
+from ._paper import COLUMN_MM, PAGE_MM, frames, given, heading, label_x, label_y
+from ._shown import Numbers, Shown, Units, case_name
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+BELOW, ABOVE = -25.0, 105.0
+"""How far below nothing and above all a margin is drawn, per cent."""
+
+
+def reach(
+    results: object,
+    *,
+    operations: Sequence[str] | None = None,
+    units: Units | None = None,
+    axes: Sequence[Axes] | Axes | None = None,
+) -> list[Axes]:
+    """Draw what is left of each limit against the depth of the bit, a frame an operation.
+
+    Where a curve meets zero, the limit is met: the well goes no farther.
+
+    Parameters
+    ----------
+    results
+        A reach, or a table like its ``reach``.
+    operations
+        Which to draw; all where nothing is said.
+    units
+        ``"si"``, ``"metric"`` or ``"field"``; those of the case where nothing is said.
+    axes
+        Axes to draw in, one an operation; those of a new figure where none are given.
+
+    Returns
+    -------
+    list of matplotlib.axes.Axes
+        One an operation.
+
+    Raises
+    ------
+    ValueError
+        If a column or an operation is missing.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> rows = {
+    ...     "operation": ["slide", "slide"],
+    ...     "limit": ["lock_up", "lock_up"],
+    ...     "bit_depth_m": [2000.0, 3000.0],
+    ...     "margin": [0.6, -0.1],
+    ... }
+    >>> (sliding,) = ws.plot.reach(rows)
+    >>> sliding.get_ylabel()
+    'Sliding: margin, %'
+    """
+    what = "a picture of reach"
+    shown = Shown(units, results)
+    columns = Columns(results, "reach", what)
+    columns.need("operation", "limit", "bit_depth_m", "margin")
+    there = columns.distinct("operation")
+    for operation in operations or ():
+        if operation not in there:
+            raise ValueError(f"{what}: there is no {operation!r}: there are {', '.join(there)}")
+    shows = list(operations) if operations is not None else there
+    across = 1 if len(shows) == 1 else 2
+    made = (
+        frames(
+            len(shows),
+            columns=across,
+            width_mm=PAGE_MM if across > 1 else COLUMN_MM + 25.0,
+            height_mm=52.0,
+            between_mm=(14.0, 13.0),
+            top_mm=14.0,
+        )
+        if axes is None
+        else given(axes, len(shows), what)
+    )
+    limits = columns.distinct("limit")
+    ink = {limit: _ink(place) for place, limit in enumerate(limits)}
+    frictions = _frictions(columns)
+    depths = shown.values(columns.numbers("bit_depth_m"), "length")
+    for ax, operation in zip(made, shows, strict=True):
+        ax.set_xlim(float(depths.min()), float(depths.max()))
+        ax.set_ylim(BELOW, ABOVE)
+        ax.axhline(0.0, color=colour("muted"), linewidth=0.6)
+        words = operation_words(operation)
+        label_y(ax, f"{words[:1].upper()}{words[1:]}: margin, %")
+        label_x(ax, shown.label("Measured depth of the bit", "length"))
+        _curves(ax, columns.where(operation=operation), ink, frictions, shown)
+    if axes is None:
+        heading(made, case_name(results))
+    if len(frictions) > 1:
+        keys = [
+            Key("the case's own friction" if of is None else f"friction {of:g}", look)
+            for place, of in enumerate(frictions)
+            for look in [Look(colour("muted"), stroke(place))]
+        ]
+        write(made, keys, own=axes is None)
+    return cast("list[Axes]", made)
+
+
+def _curves(
+    ax: Drawn,
+    rows: Columns,
+    ink: dict[str, str],
+    frictions: Sequence[float | None],
+    shown: Shown,
+) -> None:
+    named: list[Name] = []
+    for limit in rows.distinct("limit"):
+        for place, friction in enumerate(frictions):
+            mine = rows.where(limit=limit, friction=np.nan if friction is None else friction)
+            depth = shown.values(mine.numbers("bit_depth_m"), "length")
+            margin = 100.0 * mine.numbers("margin")
+            seen = np.where((margin >= BELOW) & (margin <= ABOVE), margin, np.nan)
+            ax.plot(
+                depth,
+                margin,
+                color=ink[limit],
+                linestyle=stroke(place),
+                linewidth=curve_width(),
+            )
+            if place == 0:
+                named.append(Name(limit.replace("_", " "), ink[limit], depth, seen, at=0.5))
+            _met(ax, depth, margin, ink[limit])
+    name_curves(ax, named)
+
+
+def _met(ax: Drawn, depth: Numbers, margin: Numbers, ink: str) -> None:
+    """Mark where a margin is spent first."""
+    spent = np.flatnonzero((margin[:-1] > 0.0) & (margin[1:] <= 0.0))
+    if not spent.size:
+        return
+    at = int(spent[0])
+    part = margin[at] / (margin[at] - margin[at + 1])
+    ax.plot([depth[at] + part * (depth[at + 1] - depth[at])], [0.0], "o", color=ink, markersize=3.4)
+
+
+def _frictions(columns: Columns) -> list[float | None]:
+    if "friction" not in columns:
+        return [None]
+    every = dict.fromkeys(
+        None if np.isnan(of) else of for of in columns.numbers("friction").tolist()
+    )
+    return list(every)
+
+
+def _ink(place: int) -> str:
+    """Give the colour of a limit: those of lines first, then rock and casing."""
+    more = ("rock", "casing")
+    lines = int(pictures()["lines"])
+    return line_colour(place) if place < lines else colour(more[(place - lines) % len(more)])

@@ -1,0 +1,209 @@
+"""What a sweep comes to against what was varied."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, cast
+
+import numpy as np
+
+from ._columns import Columns, Rows
+from ._house import (
+    Drawn,
+    Look,
+    colour,
+    curve_width,
+    line_colour,
+    operation_colour,
+    operation_words,
+    stroke,
+)
+from ._labels import Name, name_curves
+from ._paper import (
+    COLUMN_MM,
+    depth_down,
+    finite,
+    frames,
+    given,
+    heading,
+    label_x,
+    label_y,
+    limits,
+)
+from ._shown import Numbers, Shown, Units, about, case_name
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+MARKERS = ("o", "s", "^", "D", "v")
+
+
+def sweep(
+    table: object,
+    *,
+    x: str,
+    y: str = "hook_load_N",
+    by: str | None = None,
+    operation: str | None = None,
+    model: str | None = None,
+    units: Units | None = None,
+    ax: Axes | None = None,
+) -> Axes:
+    """Draw what a sweep comes to against a key that it varied, a curve for each value of another.
+
+    Where depth is varied, it points down.
+
+    Parameters
+    ----------
+    table
+        The table of a sweep: a row a case, model and operation, with what was varied and scalars.
+    x
+        The column of what was varied along the axis: ``"friction"``, ``"bit_depth_m"``, ...
+    y
+        The scalar to draw.
+    by
+        The column of whose values each has a curve: ``"friction"``, ``"operation"``, ...
+    operation, model
+        Which rows to draw; needed where the table has several and ``by`` is something else.
+    units
+        ``"si"``, ``"metric"`` or ``"field"``; SI where nothing is said.
+    ax
+        Axes to draw in; those of a new figure where none are given.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes.
+
+    Raises
+    ------
+    ValueError
+        If a column is missing, or several rows stand at the same place of a curve.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> rows = {
+    ...     "friction": [0.2, 0.3, 0.2, 0.3],
+    ...     "bit_depth_m": [900.0, 900.0, 1200.0, 1200.0],
+    ...     "surface_torque_N_m": [4.0e3, 6.0e3, 5.5e3, 8.0e3],
+    ... }
+    >>> ax = ws.plot.sweep(rows, x="friction", y="surface_torque_N_m", by="bit_depth_m")
+    >>> [text.get_text() for text in ax.texts]
+    ['900 m', '1200 m']
+    """
+    what = "a picture of a sweep"
+    shown = Shown(units, table)
+    columns = Columns(table, "sweep", what)
+    columns.need(x, y, *([by] if by is not None else []))
+    rows = columns.where(operation=operation, model=model)
+    if not len(rows):
+        asked = ", ".join(of for of in (operation, model) if of)
+        raise ValueError(f"{what}: there are no rows of {asked}")
+    along, label, is_depth = _varied(rows, x, shown)
+    title, dimension = about(y)
+    values = shown.values(rows.numbers(y), dimension)
+    own = ax is None
+    frame = _frame(is_depth=is_depth) if ax is None else given(ax, 1, what)[0]
+    named: list[Name] = []
+    for place, (name, kind, kept) in enumerate(_families(rows, by, shown)):
+        order = np.argsort(along[kept], kind="stable")
+        at, value = along[kept][order], values[kept][order]
+        if np.any(np.diff(at) == 0.0):
+            message = (
+                f"{what}: several rows have the same `{x}`"
+                f"{f' and `{by}`' if by else ''}: name operation and model, or what else differs"
+            )
+            raise ValueError(message)
+        ink = operation_colour(kind) if by == "operation" else line_colour(place)
+        look = Look(ink, stroke(place))
+        points: tuple[Numbers, Numbers] = (value, at) if is_depth else (at, value)
+        frame.plot(
+            *points,
+            color=look.colour,
+            linestyle=look.stroke,
+            linewidth=curve_width(),
+            marker=MARKERS[place % len(MARKERS)],
+            markersize=3.2,
+            markeredgecolor=colour("paper"),
+            markeredgewidth=0.4,
+        )
+        if name:
+            named.append(Name(name, look.colour, *points, at=0.95))
+    least = limits([values])
+    if is_depth:
+        frame.set_xlim(*least)
+        label_x(frame, shown.label(title, dimension), on_top=True)
+        depth_down(frame, [along], label)
+        known = finite([along])
+        frame.set_ylim(known.max() + 0.03 * np.ptp(known), known.min() - 0.03 * np.ptp(known))
+    else:
+        frame.set_ylim(*least)
+        known = finite([along])
+        beyond = 0.04 * float(np.ptp(known)) or 0.5
+        frame.set_xlim(known.min() - beyond, known.max() + beyond)
+        label_x(frame, label)
+        label_y(frame, shown.label(title, dimension))
+    if own:
+        heading([frame], case_name(table))
+    name_curves(frame, named)
+    return cast("Axes", frame)
+
+
+def _varied(rows: Columns, x: str, shown: Shown) -> tuple[Numbers, str, bool]:
+    """Give the numbers along the axis, its label, and whether they are a depth."""
+    title, dimension = about(x)
+    short = x.rsplit(".", 1)[-1]
+    is_depth = short in ("bit_depth", "bit_depth_m")
+    texts = _texts(rows, x)
+    if texts is not None:
+        numbers, unit = texts
+        return numbers, f"{title}, {unit}" if unit else title, is_depth
+    numbers = rows.numbers(x)
+    return shown.values(numbers, dimension), shown.label(title, dimension), is_depth
+
+
+def _texts(rows: Columns, name: str) -> tuple[Numbers, str] | None:
+    """Give the numbers and the unit of a column of texts such as ``900m``; nothing of numbers."""
+    try:
+        rows.numbers(name)
+    except ValueError:
+        pass
+    else:
+        return None
+    words = rows.words(name)
+    split = [re.fullmatch(r"\s*([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(.*?)\s*", of) for of in words]
+    if not all(split):
+        message = (
+            f"a picture of a sweep: `{name}` has no numbers: {', '.join(dict.fromkeys(words))}"
+        )
+        raise ValueError(message)
+    pairs = [(of[1], of[2]) for of in split if of is not None]
+    units = {unit for _, unit in pairs}
+    if len(units) > 1:
+        raise ValueError(f"a picture of a sweep: `{name}` has several units: {sorted(units)}")
+    return np.array([float(number) for number, _ in pairs]), units.pop()
+
+
+def _families(rows: Columns, by: str | None, shown: Shown) -> list[tuple[str, str, Rows]]:
+    """Give the name, the word and the rows of each curve."""
+    if by is None:
+        return [("", "", np.ones(len(rows), dtype=bool))]
+    try:
+        numbers = rows.numbers(by)
+    except ValueError:
+        words = rows.words(by)
+        said = operation_words if by == "operation" else str
+        return [(said(of), of, words == of) for of in dict.fromkeys(words)]
+    title, dimension = about(by)
+    every = sorted(set(numbers[np.isfinite(numbers)].tolist()))
+    # A bare number says not what it is.
+    before = "" if shown.symbol(dimension) else f"{title.lower()} "
+    return [(before + shown.quantity(of, dimension), "", numbers == of) for of in every]
+
+
+def _frame(*, is_depth: bool) -> Drawn:
+    top, bottom, height = (15.0, 4.0, 90.0) if is_depth else (9.0, 10.0, 62.0)
+    return frames(
+        1, columns=1, width_mm=COLUMN_MM + 20.0, height_mm=height, top_mm=top, bottom_mm=bottom
+    )[0]

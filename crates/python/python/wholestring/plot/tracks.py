@@ -1,0 +1,407 @@
+"""Profiles along the string against measured depth."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+
+from .. import _core
+from ..table import Table
+from . import _hole
+from ._columns import Columns
+from ._curves import Curve, curves, stroke_keys
+from ._house import SMALL, Drawn, Look, colour, curve_width, pictures, stroke, words
+from ._keys import Key, band_key, write
+from ._labels import Name, name_curves
+from ._near import largest, rows_of_largest, smallest
+from ._outliers import mark, reached
+from ._paper import PAGE_MM, depth_down, finite, frames, given, heading, label_x, limits
+from ._shown import Numbers, Shown, Units, about, case_name
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+IN_A_LINE = 4
+HOLE_MM = 7.0
+BETWEEN = "between the joints"
+
+
+@dataclass(frozen=True)
+class Track:
+    """What a frame shows, and how its axis is made."""
+
+    column: str
+    title: str
+    dimension: str
+    source: str = "profile"
+    band: tuple[str, str] | None = None
+    min_span: float = 0.0
+    zero: bool = False
+    sides: bool = False
+    touches: bool = False
+    swings: bool = False
+    range: tuple[float, float] | None = None
+
+
+@dataclass
+class Run:
+    """What is drawn of one run."""
+
+    nodes: Columns
+    wear: Columns | None
+    well: Columns | None
+    settings: Mapping[str, Any] | None
+    name: str
+
+
+def tracks(
+    results: object,
+    *names: str,
+    operations: Sequence[str] | None = None,
+    models: Sequence[str] | None = None,
+    units: Units | None = None,
+    axes: Sequence[Axes] | Axes | None = None,
+) -> list[Axes]:
+    """Draw profiles along the string, side by side, depth down.
+
+    Operations differ by colour, models by stroke; the names of the curves stand in the first frame.
+    A band reaches from the 5th to the 95th percentile of the time. Where one curve alone is drawn,
+    the side of the hole that the string lies on is filled. From afar a joint's contact counts for
+    the pipe on either side of it.
+
+    Parameters
+    ----------
+    results
+        Results, or a table like their ``nodes``.
+    *names
+        What to draw: ``"tension"``, ``"torque"``, ``"side-force"``, ``"contact"``,
+        ``"bending-moment"``, ``"wear"``, ``"inclination"``, ``"dogleg-severity"``, or any column of
+        the table; all of those that have values where nothing is named.
+    operations, models
+        Which to draw; all where nothing is said.
+    units
+        ``"si"``, ``"metric"`` or ``"field"``; those of the case where nothing is said.
+    axes
+        Axes to draw in, one a name; those of a new figure where none are given.
+
+    Returns
+    -------
+    list of matplotlib.axes.Axes
+        One a track.
+
+    Raises
+    ------
+    ValueError
+        If there is no such column, operation or model.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> tension, torque = ws.plot.tracks(ws.Case.example().soft(), "tension", "torque")
+    >>> tension.get_xlabel(), torque.get_xlabel()
+    ('Effective tension, kN', 'Torque, kN·m')
+    """
+    return draw([results], [""], names, operations=operations, models=models, units=units, to=axes)
+
+
+def draw(
+    results: Sequence[object],
+    run_names: Sequence[str],
+    names: Sequence[str],
+    *,
+    operations: Sequence[str] | None,
+    models: Sequence[str] | None,
+    units: Units | None,
+    to: Sequence[Axes] | Axes | None,
+) -> list[Axes]:
+    """Draw the tracks of one run or several."""
+    what = "a picture of tracks"
+    shown = Shown(units, results[0])
+    runs = [_run(of, name, what) for of, name in zip(results, run_names, strict=True)]
+    whose = curves(
+        [run.nodes for run in runs], run_names, operations=operations, models=models, what=what
+    )
+    shows = _chosen(names, runs, whose)
+    own = to is None
+    hole = _hole_of(runs) if own else []
+    strips: list[Drawn] = []
+    if to is None:
+        made, strips = _frames(len(shows), bool(hole))
+    else:
+        made = given(to, len(shows), what)
+    depths: list[Numbers] = []
+    drawn: list[list[Name]] = []
+    for ax, track in zip(made, shows, strict=True):
+        drawn.append(_track(ax, track, runs, whose, shown, depths))
+    label = shown.label("Measured depth", "length")
+    for ax in strips:
+        depth_down(ax, depths, label)
+        settings = cast("Mapping[str, Any]", runs[0].settings)
+        _hole.draw(ax, hole, float(settings["operation"]["bit_depth_m"]), shown)
+        ax.tick_params(labelleft=True)
+    for place, ax in enumerate(made):
+        is_first = not strips and (not own or place % _in_a_line(len(made)) == 0)
+        depth_down(ax, depths, label if is_first else "")
+        if own and not is_first:
+            ax.tick_params(labelleft=False)
+    if own:
+        heading([*strips, *made], _title(runs))
+    keys = stroke_keys(whose)
+    if any(ax.collections and track.band for ax, track in zip(made, shows, strict=True)):
+        keys.append(band_key(whose[0].look if len(whose) == 1 else Look(colour("muted"))))
+    if any(of.get_gid() == BETWEEN for ax in made for of in ax.get_lines()):
+        ink = whose[0].look.colour if len(whose) == 1 else colour("muted")
+        keys.append(Key(BETWEEN, Look(ink, stroke(2))))
+    write([*strips, *made], keys, own=own)
+    # The names stand once: in the first frame in which the curves are well apart.
+    apart = [_apart(names) if len(names) == max(map(len, drawn)) else 0.0 for names in drawn]
+    best = next(place for place, of in enumerate(apart) if of >= 0.25 * max(apart))
+    name_curves(made[best], drawn[best])
+    return cast("list[Axes]", made)
+
+
+def _in_a_line(count: int) -> int:
+    return -(-count // -(-count // IN_A_LINE))
+
+
+def _frames(count: int, with_hole: bool) -> tuple[list[Drawn], list[Drawn]]:
+    """Give the frames of the tracks, and those of the hole beside each line of them."""
+    columns = _in_a_line(count)
+    lines = -(-count // columns)
+    extra = 1 if with_hole else 0
+    width = PAGE_MM if columns > 2 else 65.0 * columns + 20.0
+    made = frames(
+        count + lines * extra,
+        columns=columns + extra,
+        width_mm=width,
+        height_mm=105.0 if lines == 1 else 88.0,
+        widths=[HOLE_MM] * extra + [(width - 30.0) / columns] * columns,
+        between_mm=(4.0, 22.0),
+        top_mm=21.0,
+        bottom_mm=6.0,
+        share_y=True,
+    )
+    strips = made[:: columns + 1] if with_hole else []
+    return [ax for ax in made if ax not in strips], strips
+
+
+def _track(
+    ax: Drawn,
+    track: Track,
+    runs: Sequence[Run],
+    whose: Sequence[Curve],
+    shown: Shown,
+    depths: list[Numbers],
+) -> list[Name]:
+    values: list[Numbers] = []
+    named: list[Name] = []
+    beyond: list[tuple[Numbers, Numbers, str]] = []
+
+    def keep(md_m: Numbers, si: Numbers) -> tuple[Numbers, Numbers]:
+        depth, value = shown.values(md_m, "length"), shown.values(si, track.dimension)
+        depths.append(depth)
+        values.append(value)
+        return depth, value
+
+    if track.source == "well":
+        for place, run in enumerate(_distinct_wells(runs)):
+            columns = cast("Columns", run.well)
+            depth, value = keep(columns.numbers("md_m"), columns.numbers(track.column))
+            look = Look(colour("text")) if place == 0 else Look(colour(f"line-{place}"))
+            _plot(ax, value, depth, look)
+    else:
+        for curve in whose:
+            name = _curve(ax, track, runs[curve.run], curve, keep, alone=len(whose) == 1)
+            if name is not None:
+                beyond.append((name.x, name.y, name.colour))
+                named.extend([name] if name.text else [])
+    title = about(track.column)[0] if not track.title else track.title
+    label_x(ax, shown.label(title, track.dimension), on_top=True)
+    if track.range is not None:
+        ax.set_xlim(*(float(of) for of in shown.values(np.array(track.range), track.dimension)))
+    else:
+        least = track.min_span / shown.factor(track.dimension)
+        clips = track.source == "profile"
+        inner = reached(values, zero=track.zero) if clips else None
+        spans = [np.array(inner)] if inner is not None else values
+        ax.set_xlim(*limits(spans, zero=track.zero, min_span=least))
+        if clips:
+            mark(ax, beyond)
+    low, high = ax.get_xlim()
+    if low < 0.0 < high:
+        ax.axvline(0.0, color=colour("frame"), linewidth=0.6, zorder=0.9)
+    if track.sides:
+        _name_sides(ax)
+    return named
+
+
+def _curve(
+    ax: Drawn,
+    track: Track,
+    run: Run,
+    curve: Curve,
+    keep: Callable[[Numbers, Numbers], tuple[Numbers, Numbers]],
+    *,
+    alone: bool,
+) -> Name | None:
+    source = run.wear if track.source == "wear" else run.nodes
+    if source is None:
+        return None
+    columns = curve.rows(source)
+    if not columns.known(track.column):
+        return None
+    md_m, si = columns.numbers("md_m"), columns.numbers(track.column)
+    low, high = _ends(columns, track)
+    between: Numbers | None = None
+    rules = pictures()["rules"]
+    reach = float(rules["joint_reach_m"])
+    if track.touches:
+        si = largest(md_m, si, reach)
+    if track.swings and md_m[-1] - md_m[0] > float(rules["far_m"]):
+        least, rows = smallest(md_m, si, reach), rows_of_largest(md_m, si, reach)
+        si = si[rows]
+        if low is not None and high is not None:
+            low, high = low[rows], high[rows]
+        if np.nanmax(np.abs(least - si)) > float(rules["min_difference"]) * np.nanmax(np.abs(si)):
+            between = least
+    if low is not None and high is not None:
+        depth, left = keep(md_m, low)
+        _, right = keep(md_m, high)
+        alpha = float(pictures()["band"])
+        ax.fill_betweenx(depth, left, right, color=curve.look.colour, alpha=alpha, linewidth=0)
+    depth, value = keep(md_m, si)
+    if track.sides and alone:
+        for name, where in (("high-side", value > 0.0), ("low-side", value < 0.0)):
+            side = np.where(where, value, 0.0)
+            ax.fill_betweenx(depth, 0.0, side, color=colour(name), linewidth=0)
+    if between is not None:
+        across = keep(md_m, between)[1]
+        _plot(ax, across, depth, Look(curve.look.colour, stroke(2)), BETWEEN)
+    _plot(ax, value, depth, curve.look)
+    return Name(curve.name, curve.look.colour, value, depth, at=0.35)
+
+
+def _ends(columns: Columns, track: Track) -> tuple[Numbers | None, Numbers | None]:
+    if track.band is None or not columns.known(track.band[0]):
+        return None, None
+    return columns.numbers(track.band[0]), columns.numbers(track.band[1])
+
+
+def _plot(ax: Drawn, across: Numbers, depth: Numbers, look: Look, gid: str | None = None) -> None:
+    width = curve_width()
+    ax.plot(across, depth, color=look.colour, linestyle=look.stroke, linewidth=width, gid=gid)
+
+
+def _name_sides(ax: Drawn) -> None:
+    low, high = ax.get_xlim()
+    for left, text, of in ((True, "low side", low < 0.0), (False, "high side", high > 0.0)):
+        if of:
+            ax.text(
+                0.0 if left else 1.0,
+                -0.012,
+                text,
+                transform=ax.transAxes,
+                ha="left" if left else "right",
+                va="top",
+                **words(SMALL, "muted"),
+            )
+
+
+def _apart(names: Sequence[Name]) -> float:
+    """Tell how far apart the two nearest curves run, over the largest value."""
+    known = [of for of in (finite([name.x]) for name in names) if of.size]
+    if len(known) < 2:
+        return 0.0
+    middles = np.sort([float(np.median(of)) for of in known])
+    most = max(float(np.abs(of).max()) for of in known)
+    return float(np.diff(middles).min()) / most if most > 0.0 else 0.0
+
+
+def _run(thing: object, name: str, what: str) -> Run:
+    nodes = Columns(thing, "nodes", what)
+    nodes.need("md_m")
+    summary = getattr(thing, "summary", None)
+    if not isinstance(summary, Mapping):
+        return Run(nodes, None, None, None, name)
+    settings = cast("Mapping[str, Any]", cast("Mapping[str, Any]", summary)["settings"])
+    there = cast("Sequence[str]", getattr(thing, "tables", ()))
+    wear = Columns(thing, "wear", what) if "wear" in there else None
+    path = Table(_core.well_path(json.dumps(settings)), "well")
+    well = Columns(path, "well", what) if len(path) else None
+    return Run(nodes, wear, well, settings, name or case_name(thing))
+
+
+def _declared() -> dict[str, Track]:
+    made: dict[str, Track] = {}
+    for of in pictures()["tracks"]:
+        made[of["name"]] = Track(
+            column=of["column"],
+            title=of["title"],
+            dimension=of["dimension"],
+            source=of["from"],
+            band=tuple(of["band"]) if of.get("band") else None,
+            min_span=of["min_span"],
+            zero=of["zero"],
+            sides=of["sides"],
+            touches=of["touches"],
+            swings=of["swings"],
+            range=tuple(of["range"]) if of.get("range") else None,
+        )
+    return made
+
+
+def _chosen(names: Sequence[str], runs: Sequence[Run], whose: Sequence[Curve]) -> list[Track]:
+    declared = _declared()
+    if not names:
+        known = [of for of in declared.values() if _has(of, runs, whose)]
+        if not known:
+            runs[0].nodes.need(*(of.column for of in declared.values() if of.source == "profile"))
+        return known
+    chosen: list[Track] = []
+    for name in names:
+        by_column = next((of for of in declared.values() if of.column == name), None)
+        track = declared.get(name) or by_column
+        if track is None:
+            title, dimension = about(name)
+            track = Track(column=name, title=title, dimension=dimension)
+        if not _has(track, runs, whose):
+            if track.source == "profile":
+                runs[0].nodes.need(track.column)
+            raise ValueError(f"a picture of tracks: `{name}` has no values here")
+        chosen.append(track)
+    return chosen
+
+
+def _has(track: Track, runs: Sequence[Run], whose: Sequence[Curve]) -> bool:
+    if track.source == "well":
+        return any(run.well is not None for run in runs)
+    for curve in whose:
+        source = runs[curve.run].wear if track.source == "wear" else runs[curve.run].nodes
+        if source is not None and curve.rows(source).known(track.column):
+            return True
+    return False
+
+
+def _distinct_wells(runs: Sequence[Run]) -> list[Run]:
+    """Give one run a well: several in the same one show its path once."""
+    seen: dict[str, Run] = {}
+    for run in runs:
+        if run.well is not None and run.settings is not None:
+            seen.setdefault(json.dumps(run.settings["well"], sort_keys=True), run)
+    return list(seen.values())
+
+
+def _hole_of(runs: Sequence[Run]) -> list[_hole.Section]:
+    """Give the hole beside the tracks; nothing where the runs differ in it."""
+    every = [_hole.sections(run.settings) for run in runs if run.settings is not None]
+    if len(every) != len(runs) or any(of != every[0] for of in every):
+        return []
+    return every[0]
+
+
+def _title(runs: Sequence[Run]) -> str:
+    return runs[0].name if len(runs) == 1 else ""

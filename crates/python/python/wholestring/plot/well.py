@@ -1,0 +1,185 @@
+"""The path of a well: from above, and as a vertical section."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+
+from .. import _core
+from ..table import Table
+from . import _hole
+from ._columns import Columns
+from ._house import SMALL, Drawn, Look, colour, curve_width, words
+from ._keys import Key, write
+from ._paper import PAGE_MM, finite, frames, given, heading, label_x, label_y
+from ._shown import Numbers, Shown, Units, case_name
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+DEPTHS = 6
+"""So many measured depths stand beside the path, about."""
+
+
+def well(
+    case: object,
+    *,
+    units: Units | None = None,
+    axes: Sequence[Axes] | None = None,
+) -> list[Axes]:
+    """Draw the path of a well from above, and its vertical section: both to scale.
+
+    The section is along the direction from the wellhead to the end of the path. Cased hole is a
+    heavy line; measured depths stand beside the path.
+
+    Parameters
+    ----------
+    case
+        A case, or results.
+    units
+        ``"si"``, ``"metric"`` or ``"field"``; those of the case where nothing is said.
+    axes
+        Two axes to draw in, plan and section; those of a new figure where none are given.
+
+    Returns
+    -------
+    list of matplotlib.axes.Axes
+        Plan and section.
+
+    Raises
+    ------
+    TypeError
+        If it is neither a case nor results.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> plan, section = ws.plot.well(ws.Case.example())
+    >>> plan.get_xlabel(), section.get_ylabel()
+    ('East, m', 'True vertical depth, m')
+    """
+    shown = Shown(units, case)
+    settings = _settings(case)
+    path = Columns(
+        Table(_core.well_path(json.dumps(settings)), "well"), "well", "a picture of a well"
+    )
+    if not len(path):
+        raise ValueError("a picture of a well: the case has no path")
+    hole = _hole.sections(settings)
+    made = (
+        frames(
+            2,
+            columns=2,
+            width_mm=PAGE_MM,
+            height_mm=75.0,
+            between_mm=(18.0, 0.0),
+            top_mm=15.0,
+            bottom_mm=11.0,
+        )
+        if axes is None
+        else given(axes, 2, "a picture of a well")
+    )
+    plan, section = made
+    column = {
+        name: shown.values(path.numbers(name), "length")
+        for name in ("md_m", "north_m", "east_m", "tvd_m", "vertical_section_m")
+    }
+    _path(plan, column["east_m"], column["north_m"], column["md_m"], hole, shown)
+    _path(section, column["vertical_section_m"], column["tvd_m"], column["md_m"], hole, shown)
+    _from_the_surface(section, column["tvd_m"])
+    label_x(plan, shown.label("East", "length"))
+    label_y(plan, shown.label("North", "length"))
+    label_x(section, shown.label("Along the section", "length"))
+    label_y(section, shown.label("True vertical depth", "length"))
+    if axes is None:
+        heading(made, case_name(case))
+        keys = [
+            Key("casing", Look(colour("casing"))),
+            Key("open hole", Look(colour("rock"))),
+            Key(shown.label("measured depth", "length"), Look(colour("text")), marker="o"),
+        ]
+        write(made, keys if any(of.cased for of in hole) else keys[1:], own=True)
+    return cast("list[Axes]", made)
+
+
+def _path(
+    ax: Drawn,
+    x: Numbers,
+    y: Numbers,
+    md: Numbers,
+    hole: Sequence[_hole.Section],
+    shown: Shown,
+) -> None:
+    for of in hole:
+        start, end = (float(shown.values(np.array(at), "length")) for at in (of.from_m, of.to_m))
+        inside = np.concatenate(
+            ([max(start, md[0])], md[(md > start) & (md < end)], [min(end, md[-1])])
+        )
+        ax.plot(
+            np.interp(inside, md, x),
+            np.interp(inside, md, y),
+            color=colour("casing" if of.cased else "rock"),
+            linewidth=2.4 if of.cased else 1.4 * curve_width(),
+            solid_capstyle="butt",
+        )
+    _to_scale(ax, x, y)
+    last: Numbers | None = None
+    for depth in _round_depths(float(md[-1])).tolist():
+        at: Numbers = np.array([float(np.interp(depth, md, x)), float(np.interp(depth, md, y))])
+        pixels = ax.transData.transform(at)
+        # Seen from above, a vertical hole is a point.
+        if last is not None and np.hypot(*(pixels - last)) < 14.0 * ax.figure.dpi / 72.0:
+            continue
+        last = pixels
+        ax.plot(*at, "o", color=colour("text"), markersize=2.6)
+        ax.annotate(
+            f"{depth:,.0f}".replace(",", "\N{NARROW NO-BREAK SPACE}"),
+            xy=tuple(at),
+            xytext=(4.0, 0.0),
+            textcoords="offset points",
+            va="center",
+            **words(SMALL),
+        )
+
+
+def _to_scale(ax: Drawn, x: Numbers, y: Numbers) -> None:
+    """Have both axes to the same scale, and the path in the middle."""
+    box = ax.get_window_extent()
+    spans = [float(np.ptp(finite([of]))) for of in (x, y)]
+    largest = max(*spans, 1.0)
+    room = max(spans[0] / box.width, spans[1] / box.height, 0.2 * largest / box.width)
+    per_pixel = 1.3 * room
+    for of, size, limit in ((x, box.width, ax.set_xlim), (y, box.height, ax.set_ylim)):
+        middle = 0.5 * (float(of.min()) + float(of.max()))
+        half = 0.5 * per_pixel * size
+        limit(middle - half, middle + half)
+    ax.set_aspect("equal", adjustable="box")
+
+
+def _from_the_surface(ax: Drawn, tvd: Numbers) -> None:
+    """Have depth point down from a little above the surface, as far as it did."""
+    low, high = ax.get_ylim()
+    top = float(tvd.min()) - 0.06 * (high - low)
+    ax.set_ylim(top + (high - low), top)
+
+
+def _round_depths(last: float) -> Numbers:
+    """Give round depths down to the last, and the last."""
+    rough = last / DEPTHS
+    power = 10.0 ** np.floor(np.log10(rough))
+    step = float(next(of for of in (1.0, 2.0, 5.0, 10.0) if of * power >= rough) * power)
+    every = np.arange(0.0, last - 0.4 * step, step)
+    return np.append(every, last)
+
+
+def _settings(case: object) -> Mapping[str, Any]:
+    settings: object = getattr(case, "settings", None)
+    if settings is None:
+        summary = cast("Mapping[str, object]", getattr(case, "summary", {}))
+        settings = summary.get("settings")
+    if not isinstance(settings, Mapping):
+        raise TypeError(f"a picture of a well takes a case or results, not {case!r}")
+    return cast("Mapping[str, Any]", settings)

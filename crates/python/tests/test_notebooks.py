@@ -1,0 +1,56 @@
+"""The notebooks: each runs from its top to its end, and none is committed with outputs."""
+
+import os
+from pathlib import Path
+from typing import Any
+
+import nbclient
+import nbformat
+import pytest
+import wholestring as ws
+
+FOLDER = Path(__file__).parents[1] / "notebooks"
+NOTEBOOKS = sorted(FOLDER.glob("*.ipynb"))
+
+
+def read(path: Path) -> Any:
+    return nbformat.read(path, as_version=4)  # type: ignore[no-untyped-call]
+
+
+def test_they_are_there() -> None:
+    assert NOTEBOOKS
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda of: of.stem)
+def test_no_outputs_are_committed(path: Path) -> None:
+    for cell in read(path).cells:
+        if cell.cell_type == "code":
+            assert cell.outputs == []
+            assert cell.execution_count is None
+    assert "widgets" not in read(path).metadata
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda of: of.stem)
+def test_it_runs(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    # The kernel of this environment: `python3` is the interpreter that runs the tests.
+    monkeypatch.setenv("MPLBACKEND", "module://matplotlib_inline.backend_inline")
+    # The kernel works in the notebook's folder, and must find the package all the same.
+    search = [str(Path(ws.__file__).parents[1]), os.environ.get("PYTHONPATH", "")]
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(of for of in search if of))
+    notebook = read(path)
+    client = nbclient.NotebookClient(
+        notebook,
+        # 60 s where the package is built with optimisation; tests take it as other tests are built.
+        timeout=240,
+        kernel_name="python3",
+        resources={"metadata": {"path": str(path.parent)}},
+    )
+    client.execute()
+    shown = [
+        output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs
+    ]
+    drawn = [of for of in shown if "image/png" in of.get("data", {})]
+    asked = [cell for cell in notebook.cells if "ws.plot." in cell.source]
+    assert len(drawn) >= sum(cell.cell_type == "code" for cell in asked)
+    said = [of for of in shown if of.output_type == "stream" and of.name == "stderr"]
+    assert not said, said[0].text
