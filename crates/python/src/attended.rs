@@ -92,7 +92,7 @@ pub(crate) fn attended_here<T: Send>(
     let result = py.detach(|| work(&looking, &cancellation));
     let (_, raised) = looking.at.into_inner().unwrap_or_else(PoisonError::into_inner);
     // What was said last.
-    let raised = raised.or(looking.told.tell(py, listener).err());
+    let raised = raised.or(looking.told.tell(listener).err());
     Attended { result, raised }
 }
 
@@ -122,7 +122,7 @@ impl Observer for Looking {
         }
         let looked = Python::attach(|py| {
             py.check_signals()?;
-            self.told.tell(py, self.listener.bind(py))
+            self.told.tell(self.listener.bind(py))
         });
         if let Err(error) = looked {
             self.cancellation.cancel();

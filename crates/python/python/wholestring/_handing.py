@@ -42,7 +42,7 @@ class Handing:
         """Hand out all cases, and tell whether the user interrupted it."""
         order = self._core.left()
         self._ended = len(self._names) - len(order)
-        self._listener.batch(self._ended, len(self._names), self._ended / max(len(self._names), 1))
+        self._tell()
         running = Path(self._job.running)
         for left in running.parent.glob(f"{RUNNING}*"):
             # Workers of one whose driver was killed: they stop.
@@ -110,4 +110,8 @@ class Handing:
 
     def _count(self, ended: int) -> None:
         self._ended += ended
-        self._listener.batch(self._ended, len(self._names), self._ended / max(len(self._names), 1))
+        self._tell()
+
+    def _tell(self) -> None:
+        cases = len(self._names)
+        self._listener.batch(self._ended, cases, self._ended / max(cases, 1))
