@@ -52,7 +52,7 @@ fn operations() -> Vec<Operation> {
         turning(Operation::rotate_off_bottom(DEPTH_M)),
         turning(advancing(Operation::drill(DEPTH_M))).weight_on_bit_N(60e3).bit_torque_N_m(3e3),
         advancing(Operation::slide(DEPTH_M)).weight_on_bit_N(60e3),
-        turning(advancing(Operation::new(OperationKind::Backream, DEPTH_M))),
+        turning(advancing(Operation::new(OperationKind::BackReam, DEPTH_M))),
     ]
 }
 

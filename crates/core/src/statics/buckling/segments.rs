@@ -1,6 +1,6 @@
 //! The string in its hole as stretches to push through.
 
-use super::{place::Place, push::Segment};
+use super::{place::Pipe, push::Segment};
 use crate::{model::Model, operation::Operation};
 
 /// Longest stretch on which the compression is followed, m.
@@ -29,14 +29,16 @@ pub fn segments(model: &Model, operation: &Operation, md_m: &[f64]) -> Vec<Segme
         }
         let length_m = to_md_m - from_md_m;
         let middle_m = 0.5 * (from_md_m + to_md_m);
-        let point = model.well.path.at(middle_m);
+        let heading = model.well.path.heading_at(middle_m);
         let (_, component) = model.string.component_at(bit_depth_m - middle_m);
+        let section = model.well.hole.at(middle_m);
+        let pipe = Pipe::new(component, section.diameter_m, density);
         segments.push(Segment {
             length_m,
-            place: Place::on(model, bit_depth_m, middle_m, &point),
-            friction: model.well.hole.at(middle_m).friction.kinetic,
+            place: pipe.at(&heading.tangent, &heading.curvature_per_m),
+            friction: section.friction.kinetic,
             weight_along_N_per_m: component.buoyed_weight_per_length_N_per_m(density)
-                * point.tangent.z,
+                * heading.tangent.z,
         });
         to_md_m = from_md_m;
     }

@@ -112,8 +112,9 @@ pub(super) fn from_bit(
 ) -> Result<Integral, SoftError> {
     let path = &model.well.path;
     let sliding = Sliding::of(operation);
+    let mud = model.mud_column();
     let mut segments: Vec<Segment<'_>> =
-        stretches.iter().map(|of| Segment::new(model, operation, sliding, of)).collect();
+        stretches.iter().map(|of| Segment::new(model, mud, operation, sliding, of)).collect();
     let passages: Vec<Passage> = segments.iter().map(Segment::passage).collect();
     let (circulating, hydraulics) = circulation::along(model, operation, &passages);
     for (segment, circulating) in segments.iter_mut().zip(circulating) {

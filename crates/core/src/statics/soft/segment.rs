@@ -62,6 +62,7 @@ impl Course {
 impl<'a> Segment<'a> {
     pub(super) fn new(
         model: &'a Model,
+        mud: MudColumn,
         operation: &Operation,
         sliding: Sliding,
         &Stretch { from_md_m, to_md_m, .. }: &Stretch,
@@ -85,7 +86,7 @@ impl<'a> Segment<'a> {
             torsional_stiffness_N_m2: component.torsional_stiffness_N_m2(),
             pressure_strain_per_Pa: (1.0 - 2.0 * material.poisson_ratio())
                 / material.youngs_modulus_Pa,
-            mud: model.mud_column(),
+            mud,
             outer_diameter_m: component.od_m,
             bore_m2: component.inner_area_m2(),
             hole_diameter_m: hole.diameter_m,

@@ -2,7 +2,7 @@ use super::*;
 use crate::{
     common::{arcs, model, np13, open_hole, operation, pressing, viscous_mud},
     mud::Rheology,
-    operation::OperationKind::{Backream, Drill, RotateOffBottom, Slide, TripIn, TripOut},
+    operation::OperationKind::{BackReam, Drill, RotateOffBottom, Slide, TripIn, TripOut},
     statics::soft::solve,
 };
 
@@ -33,7 +33,7 @@ fn operations_on_one_string_answer_as_each_alone() {
         operation(RotateOffBottom, DEPTH_M),
         pressing(Drill, DEPTH_M, 80e3),
         pressing(Slide, DEPTH_M, 60e3),
-        operation(Backream, DEPTH_M).rate_of_penetration_m_per_s(0.01),
+        operation(BackReam, DEPTH_M).rate_of_penetration_m_per_s(0.01),
     ];
     for settings in [SoftSettings::default(), SoftSettings { step_m: 7.0, helix_side_force: true }]
     {
@@ -80,10 +80,12 @@ fn operations_on_one_string_answer_as_each_alone() {
 #[test]
 fn string_and_operation_are_checked() {
     let (model, settings) = (winding(), SoftSettings::default());
-    let of = |bit_depth_m, settings| SoftString::new(&model, bit_depth_m, settings).err();
-    assert_eq!(of(-1.0, &settings), Some(SoftError::BitDepth(-1.0)));
-    assert_eq!(of(DEPTH_M, &SoftSettings { step_m: 0.0, ..settings }), Some(SoftError::Step(0.0)));
-    assert!(matches!(of(900.0, &settings), Some(SoftError::StringLength { .. })));
+    let of = |bit_depth_m, step_m| {
+        SoftString::new(&model, bit_depth_m, &SoftSettings { step_m, ..settings }).err()
+    };
+    assert_eq!(of(-1.0, 1.0), Some(SoftError::BitDepth(-1.0)));
+    assert_eq!(of(DEPTH_M, 0.0), Some(SoftError::Step(0.0)));
+    assert!(matches!(of(900.0, 1.0), Some(SoftError::StringLength { .. })));
     let string = SoftString::new(&model, DEPTH_M, &settings).expect("a string");
     let still = operation(Drill, DEPTH_M).rotary_speed_rad_per_s(0.0);
     let is_refused = |error: Option<SoftError>| matches!(error, Some(SoftError::SetPoint { .. }));
