@@ -28,8 +28,7 @@ pub(crate) fn solve_alone(
     operation: String,
 ) -> PyResult<()> {
     let case = of.with_models(py, Some(vec![model]), Some(operation))?;
-    let solved = py.detach(|| {
-        run::answer(&case, None, &Silent, &CancellationToken::new()).map(|solved| drop(solved))
-    });
+    let solved =
+        py.detach(|| run::answer(&case, None, &Silent, &CancellationToken::new()).map(drop));
     solved.map_err(|error| error::of_work(py, &error))
 }

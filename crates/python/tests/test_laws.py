@@ -1,8 +1,10 @@
 """Laws of the bit that are Python functions."""
 
 import math
+import re
 from collections.abc import Callable, Sequence
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -205,10 +207,26 @@ def test_a_run_with_laws_is_taken_up_to_the_same_bits(short: ws.Case) -> None:
 
 
 def test_where_a_law_has_no_place(short: ws.Case, slant: ws.Case) -> None:
+    def never(bit: ws.BitReading) -> tuple[float, float]:
+        raise AssertionError("asked off bottom")
+
     with pytest.raises(ws.InputError, match="off bottom"):
-        slant.simulation("trip_out", bit_law=rate_law)
+        slant.simulation("trip_out", bit_law=never)
     with pytest.raises(ws.InputError, match="rock front"):
         short.with_({"bit": {"law": "regenerative"}}).simulation(bit_law=rate_law)
     for rate in (0.0, -1.0, math.nan, math.inf):
         with pytest.raises(ws.InputError, match="is to be asked at"):
             short.simulation(bit_law=rate_law, rate=rate)
+
+
+def test_the_page_runs_as_it_stands() -> None:
+    page = Path(__file__).parents[3] / "docs" / "src" / "extend.md"
+    (code,) = re.findall(r"```python\n(.*?)```", page.read_text(), re.DOTALL)
+    names: dict[str, object] = {}
+    exec(code, names)
+    sim = names["sim"]
+    assert isinstance(sim, ws.Simulation)
+    # The law at 90 rev/min under 5 t.
+    expected = 0.05 * WEIGHT_N * (1.0 + 0.6 / (1.0 + SPEED / 4.0))
+    torque = sim.since(sim.time_s - 1.0)["bit_torque_N_m"].mean()
+    assert torque == pytest.approx(expected, rel=0.02)

@@ -32,6 +32,7 @@ impl FallingTorque {
     }
 }
 
+// ANCHOR: law
 impl BitRockLaw for FallingTorque {
     fn name(&self) -> &str {
         "falling torque"
@@ -46,6 +47,7 @@ impl BitRockLaw for FallingTorque {
         }
     }
 }
+// ANCHOR_END: law
 
 /// A case file with the law in place of its own: the engine takes it from the settings, and its
 /// operations drill as the law has it.
@@ -58,9 +60,11 @@ pub fn case(
     changes: &[Override],
 ) -> Result<Case, String> {
     let mut case = load(file, changes).map_err(|report| report.render(false))?;
+    // ANCHOR: settings
     let rock_stiffness_N_per_m = case.dynamics.bit.law.stiffness_N_per_m();
     let law = CustomLaw { law: Arc::new(law), rock_stiffness_N_per_m, excitation: None };
     case.dynamics.bit.law = BitLaw::Custom(law);
+    // ANCHOR_END: settings
     for operation in &mut case.operations {
         if operation.weight_on_bit_now_N() > 0.0 {
             *operation = case.dynamics.bit.drilling_steadily(*operation);

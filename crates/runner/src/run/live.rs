@@ -17,7 +17,7 @@ use wholestring_results::{Status, checkpoint_bytes, digest, read_checkpoint_byte
 
 use super::{
     answers::Answers,
-    asked::{OwnLaws, StoredLaws},
+    own_laws::{OwnLaws, StoredLaws},
     solve::no_answer,
 };
 use crate::{

@@ -2,8 +2,10 @@
 
 mod answers;
 mod asked;
+mod held;
 mod lift;
 mod live;
+mod own_laws;
 pub(crate) mod pictures;
 mod request;
 mod solve;
@@ -11,8 +13,9 @@ mod stop;
 mod way;
 
 pub use answers::{Answers, Solved, answer};
-pub use asked::{Asked, BitAnswer, BitReading, OwnLaws, ShakeReading};
+pub use asked::{Answering, Asked, BitAnswer, BitReading, ShakeReading};
 pub use live::Live;
+pub use own_laws::OwnLaws;
 pub use request::{Outcome, Request, run};
 pub(crate) use solve::solve;
 pub use stop::Stop;
