@@ -13,13 +13,13 @@ use crate::{attended::attended, commands::existing, error, folder::Folder, table
 pub(crate) struct Answers(Place);
 
 enum Place {
-    Memory(run::Answers),
+    Memory(Box<run::Answers>),
     Folder(Folder),
 }
 
 impl From<run::Answers> for Answers {
     fn from(answers: run::Answers) -> Self {
-        Self(Place::Memory(answers))
+        Self(Place::Memory(Box::new(answers)))
     }
 }
 
