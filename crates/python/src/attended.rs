@@ -57,7 +57,7 @@ pub(crate) fn attended<T: Send>(
         return Err(raised.unwrap_or_else(|| error::of_panic(py)));
     };
     // What was said last.
-    let raised = raised.or(told.tell(listener).err());
+    let raised = raised.or(told.tell(py, listener).err());
     Ok(Attended { result, raised })
 }
 
@@ -84,7 +84,7 @@ pub(crate) fn attended_or_left<T: Send + 'static>(
         let (has_ended, raised) = look_after(&end, &cancellation, &told, &free, PATIENCE);
         (has_ended.then(|| worker.join()), raised)
     });
-    let raised = raised.or(told.tell(listener).err());
+    let raised = raised.or(told.tell(py, listener).err());
     match worker.transpose() {
         Ok(result) => Ok(Attended { result, raised }),
         Err(_) => Err(raised.unwrap_or_else(|| error::of_panic(py))),
@@ -110,7 +110,7 @@ fn look_after(
             None => {
                 let look = Python::attach(|py| {
                     py.check_signals()?;
-                    told.tell(listener.bind(py))
+                    told.tell(py, listener.bind(py))
                 });
                 if let Err(error) = look {
                     cancellation.cancel();
