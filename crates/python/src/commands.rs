@@ -6,8 +6,7 @@ use pyo3::prelude::*;
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_case::Override;
 use wholestring_runner::{
-    BatchOptions, BatchOutcome, CancellationToken, Error, Existing, Keep, Observer, Output, bha,
-    bit_test,
+    BatchOptions, BatchOutcome, CancellationToken, Error, Keep, Observer, Output, bha, bit_test,
     calibrate::{self, CheckDynamics, Fit, NamedCase, option},
     modes,
     plan::{self, Statics},
@@ -17,7 +16,7 @@ use wholestring_units::UnitSet;
 
 use crate::{
     attended::{Attended, attended, attended_or_left},
-    case::{Case, change},
+    case::{Case, change, existing_of},
     error,
     table::Table,
 };
@@ -41,18 +40,9 @@ fn bad(option: &str, reason: impl std::fmt::Display) -> Error {
     Error::BadInput(format!("`{option}`: {reason}"))
 }
 
-/// What becomes of what lies in a folder.
-pub(crate) fn existing(word: &str) -> Existing {
-    match word {
-        "resume" => Existing::Resume,
-        "overwrite" => Existing::Overwrite,
-        _ => Existing::Protect,
-    }
-}
-
 impl Common {
     fn output(&self) -> Output {
-        Output { folder: Some(self.folder.clone()), existing: existing(&self.existing) }
+        Output { folder: Some(self.folder.clone()), existing: existing_of(&self.existing) }
     }
 
     fn units(&self) -> Result<Option<UnitSet>, Error> {

@@ -66,6 +66,7 @@ def test_in_a_temporary_folder_as_in_a_given_one(verb: str, small: ws.Case, tmp_
     assert names == {of.relative_to(tmp_path / "given") for of in (tmp_path / "given").rglob("*")}
     loaded = ws.load(saved)
     assert type(loaded) is type(own)
+    assert isinstance(loaded, ws.BaseResults)
     assert loaded.summary == own.summary
     same_tables(loaded, tmp_path / "given")
     assert type(own).__name__ in repr(loaded)
