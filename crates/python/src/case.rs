@@ -13,14 +13,13 @@ use pyo3::{
 };
 use wholestring_case::{Case as Checked, Override, Quote, Template};
 use wholestring_runner::{
-    Output,
+    Existing, Output,
     run::{self, Live},
 };
 
 use crate::{
     answers::Answers,
     attended::attended,
-    commands::existing as existing_of,
     error,
     law::{self, Function},
     simulation::Simulation,
@@ -48,6 +47,15 @@ pub(crate) fn change(key: &str, value: &str) -> Override {
         verbatim: true,
     };
     Override::quoted(key, value, quote)
+}
+
+/// What becomes of what lies in a folder.
+pub(crate) fn existing_of(word: &str) -> Existing {
+    match word {
+        "resume" => Existing::Resume,
+        "overwrite" => Existing::Overwrite,
+        _ => Existing::Protect,
+    }
 }
 
 impl Case {

@@ -16,8 +16,7 @@ use wholestring_runner::{
 
 use crate::{
     attended::attended,
-    case::{Case, change},
-    commands::existing as existing_of,
+    case::{Case, change, existing_of},
     error,
     table::Table,
 };

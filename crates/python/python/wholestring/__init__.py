@@ -35,7 +35,7 @@ from .loading import load
 from .planning import Limit, Plan, Reach, Stop
 from .results import OperationResult, Results
 from .simulation import Simulation
-from .studies import Cases, Study, study
+from .studies import Study, study
 from .sweep import Sweep, sweep
 from .table import Table
 
@@ -48,7 +48,6 @@ __all__ = [
     "Calibration",
     "Case",
     "CaseError",
-    "Cases",
     "Diagnostic",
     "Error",
     "Excitation",

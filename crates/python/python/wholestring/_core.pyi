@@ -199,6 +199,7 @@ def study_of(
     listener: Listening,
 ) -> tuple[Ended, list[str]]: ...
 def broomstick_of(case: Case, options: BroomstickOptions, listener: Listening) -> Table: ...
+
 class Sweep:
     @staticmethod
     def begin(

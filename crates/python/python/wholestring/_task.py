@@ -92,6 +92,9 @@ class Done:
     def progress(self, name: str, time_s: float, end_s: float) -> None:
         """Hear how far a simulation has come: nobody looks here."""
 
+    def batch(self, ended: int, of: int, part: float) -> None:
+        """Hear how far a batch has come: nobody looks here."""
+
 
 @functools.lru_cache(maxsize=4)
 def _opened(job: bytes) -> tuple[Job, _core.Variations]:

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .sweep import Sweep
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -106,4 +109,4 @@ class Interrupted(KeyboardInterrupt):
     """
 
     results: Any = None
-    sweep: Any = None
+    sweep: Sweep | None = None
