@@ -20,6 +20,11 @@ _KINDS: dict[str, type[BaseResults]] = {
 def load(folder: str | PathLike[str]) -> BaseResults:
     """Read what a command left in a folder, whatever it was.
 
+    Parameters
+    ----------
+    folder
+        The folder.
+
     Examples
     --------
     >>> import tempfile
