@@ -43,10 +43,9 @@ def public() -> Iterator[tuple[str, Any]]:
 
 
 def members(of: type) -> Iterator[tuple[str, Any]]:
-    """Give the public methods and properties of a class, those of its own bases too."""
-    names = dict.fromkeys(
-        name for base in reversed(of.__mro__) if _is_ours(base) for name in vars(base)
-    )
+    """Give the public methods and properties of a class, those of its private bases too."""
+    bases = [base for base in reversed(of.__mro__) if base is of or _is_private(base)]
+    names = dict.fromkeys(name for base in bases for name in vars(base))
     for name in names:
         if name.startswith("_"):
             continue
@@ -65,6 +64,9 @@ def page() -> str:
         parts.append(_entry(name.rsplit(".", 1)[-1], of))
         if not inspect.isclass(of):
             continue
+        bases = [base.__name__ for base in of.__mro__[1:] if base.__name__ in ws.__all__]
+        if bases:
+            parts.append(f"All of `{bases[0]}` besides.\n")
         properties = [(at, one) for at, one in members(of) if isinstance(one, property)]
         if properties:
             parts.append("| attribute | is |\n|---|---|")
@@ -112,10 +114,12 @@ def _signature(name: str, of: Any) -> str:
             return ""
     kept = [one for at, one in signature.parameters.items() if at not in ("self", "cls")]
     given = ", ".join(_parameters(kept))
-    whole = f"{name}({given})"
+    gives = "" if signature.return_annotation is signature.empty else signature.return_annotation
+    end = f" -> {gives}" if gives and not inspect.isclass(of) else ""
+    whole = f"{name}({given}){end}"
     if len(whole) > 100:
         given = ",\n    ".join(_parameters(kept))
-        whole = f"{name}(\n    {given},\n)"
+        whole = f"{name}(\n    {given},\n){end}"
     return whole
 
 
@@ -124,16 +128,20 @@ def _parameters(kept: list[inspect.Parameter]) -> list[str]:
     starred = False
     for one in kept:
         text = one.name
+        typed = "" if one.annotation is one.empty else f": {one.annotation}"
         if one.kind is one.KEYWORD_ONLY and not starred:
             made.append("*")
             starred = True
         if one.kind is one.VAR_POSITIONAL:
-            text = f"*{text}"
+            text = f"*{text}{typed}"
             starred = True
         elif one.kind is one.VAR_KEYWORD:
-            text = f"**{text}"
+            text = f"**{text}{typed}"
         elif one.default is not one.empty:
-            text = f"{text}={one.default!r}"
+            equals = " = " if typed else "="
+            text = f"{text}{typed}{equals}{one.default!r}"
+        else:
+            text = f"{text}{typed}"
         made.append(text)
         following = kept[len([of for of in made if of not in ("*", "/")]) :]
         if one.kind is one.POSITIONAL_ONLY and (
@@ -182,8 +190,9 @@ def _code(example: str) -> str:
     return "\n".join(lines)
 
 
-def _is_ours(base: type) -> bool:
-    return base.__module__.startswith("wholestring")
+def _is_private(base: type) -> bool:
+    """Tell whether a base is the package's and has no entry of its own."""
+    return base.__module__.startswith("wholestring") and base.__name__ not in ws.__all__
 
 
 def main() -> int:

@@ -177,6 +177,26 @@ class Assemblies:
             If points failed; its ``results`` hold the others.
         Interrupted
             If the user interrupted it; its ``results`` hold what was computed.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_(
+        ...     {
+        ...         "string.0.od": "120 mm",
+        ...         "bit.face.cutter_diameter": "19 mm",
+        ...         "rock.strength": "10 MPa",
+        ...         "rock.element_size": "15 mm",
+        ...         "rock.density_factor": 60,
+        ...         "bit_test.wob": ["10 kN"],
+        ...         "bit_test.rpm": ["240 rpm"],
+        ...         "bit_test.settle_revolutions": 0.25,
+        ...         "bit_test.revolutions": 1,
+        ...     }
+        ... )
+        >>> tried = case.bit_test()
+        >>> isinstance(tried, ws.BitTest), len(tried.points)
+        (True, 1)
         """
         place = Place(folder, overwrite=overwrite, resume=resume)
         options = common(place, units=units, jobs=jobs, checkpoint=checkpoint, shard=shard, csv=csv)

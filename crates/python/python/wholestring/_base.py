@@ -36,6 +36,13 @@ class Finding:
         What was found and what it is compared with.
     unit
         SI unit of both.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> results = ws.Case.example().with_(friction=1.5).soft("slide")
+    >>> results.findings[0].level
+    'error'
     """
 
     kind: str
@@ -53,6 +60,13 @@ class BaseResults:
 
     Results of a command that was given no folder lie in a temporary one, which goes with them;
     :meth:`save` writes the folder that the command line writes.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> plan = ws.Case.example().with_({"plan.bit_depths": [800.0, 1200.0]}).plan()
+    >>> isinstance(plan, ws.BaseResults), plan.case_name
+    (True, 'Slant well')
     """
 
     __slots__ = ("_core", "_place", "_summary", "_tables")
@@ -68,6 +82,11 @@ class BaseResults:
     @classmethod
     def load(cls: type[R], folder: str | PathLike[str]) -> R:
         """Read what a command left in a folder.
+
+        Parameters
+        ----------
+        folder
+            The folder.
 
         Raises
         ------
@@ -135,6 +154,11 @@ class BaseResults:
 
     def table(self, name: str) -> Table:
         """Give a table by its name, one of :attr:`tables`.
+
+        Parameters
+        ----------
+        name
+            ``"nodes"``, ``"time"``, and so on.
 
         Raises
         ------

@@ -44,6 +44,14 @@ class Solving:
         ------
         NoAnswerError
             If an operation has no equilibrium; its ``results`` hold the others.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example()
+        >>> stiff, soft = case.stiff("drill")["drill"], case.soft("drill")["drill"]
+        >>> abs(stiff.hook_load_N / soft.hook_load_N - 1.0) < 0.01
+        True
         """
         return self._solve(["stiff"], operation, None, progress=False)
 
@@ -71,6 +79,14 @@ class Solving:
             If an operation diverged; its ``results`` hold what was computed.
         Interrupted
             If the user interrupted it; its ``results`` hold what was computed.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_(mesh__element_length="20 m", dynamics__duration="1 s")
+        >>> drilling = case.dynamic("drill")["drill"]
+        >>> drilling.statistics["hook_load_N"]["std"] < 1e-3 * drilling.hook_load_N
+        True
         """
         return self._solve(["dynamic"], operation, jobs, progress=progress)
 
@@ -111,6 +127,15 @@ class Solving:
             If an operation has no answer; its ``results`` hold the others.
         Interrupted
             If the user interrupted it; its ``results`` hold what was computed.
+
+        Examples
+        --------
+        >>> import tempfile
+        >>> import wholestring as ws
+        >>> with tempfile.TemporaryDirectory() as place:
+        ...     results = ws.Case.example().with_(model="soft").run(place + "/here")
+        ...     print((results.folder / "report.html").is_file())
+        True
         """
         place = Place(folder, overwrite=overwrite, resume=resume)
         with Listener(progress) as listener:

@@ -19,10 +19,30 @@ if TYPE_CHECKING:
 
 @runtime_checkable
 class Quantity(Protocol):
-    """A number with a unit, such as one of pint: ``.to(unit)`` gives it in another unit."""
+    """A number with a unit, such as one of pint: ``.to(unit)`` gives it in another unit.
+
+    Examples
+    --------
+    >>> import pint
+    >>> import wholestring as ws
+    >>> isinstance(pint.UnitRegistry()("45 klbf"), ws.Quantity)
+    True
+    """
 
     def to(self, unit: str, /) -> Any:
-        """Give the same quantity in this unit."""
+        """Give the same quantity in this unit.
+
+        Parameters
+        ----------
+        unit
+            Symbol of the unit, as pint writes it.
+
+        Examples
+        --------
+        >>> import pint
+        >>> float(pint.UnitRegistry()("2 km").to("m").magnitude)
+        2000.0
+        """
         ...
 
 

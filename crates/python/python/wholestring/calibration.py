@@ -37,6 +37,20 @@ class Estimate:
         Ends of its confidence interval; ``None`` where one was not found.
     at_bound
         Whether it lies at an end of what it may be.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> case = ws.Case.example().with_(rig__block_weight="200 kN")
+    >>> depths = [500.0, 700.0, 900.0, 1050.0, 1200.0]
+    >>> table = case.broomstick(
+    ...     frictions=[0.25], bit_depths=depths, operations="trip_out", model="soft"
+    ... )
+    >>> data = {"bit_depth_m": depths, "pick_up_N": table["hook_load_with_block_N"]}
+    >>> found = case.calibrate(data, one_factor=True)
+    >>> estimate = found["friction"]
+    >>> isinstance(estimate, ws.Estimate), round(estimate.value, 3)
+    (True, 0.25)
     """
 
     parameter: str
@@ -195,6 +209,20 @@ class Calibration(BaseResults):
         ------
         CaseError
             If it has fewer.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_(rig__block_weight="200 kN")
+        >>> depths = [500.0, 700.0, 900.0, 1050.0, 1200.0]
+        >>> table = case.broomstick(
+        ...     frictions=[0.25], bit_depths=depths, operations="trip_out", model="soft"
+        ... )
+        >>> data = {"bit_depth_m": depths, "pick_up_N": table["hook_load_with_block_N"]}
+        >>> found = case.calibrate(data, one_factor=True)
+        >>> other = found.applied_to(case.with_(bit_depth="1000 m"))
+        >>> round(other.settings["well"]["hole"][0]["friction"]["kinetic"], 3)
+        0.25
         """
         return case._changed(list(self.changes.items()))
 

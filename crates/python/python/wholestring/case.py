@@ -68,6 +68,11 @@ class Case(Solving, Planning, Assemblies):
     def load(cls, path: str | PathLike[str]) -> Case:
         """Read a case file, and the files that it names.
 
+        Parameters
+        ----------
+        path
+            The case file.
+
         Raises
         ------
         CaseError

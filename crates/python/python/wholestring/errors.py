@@ -28,6 +28,16 @@ class Diagnostic:
         What the text is called in which it stands.
     line, column
         Where it stands, counted from one; ``None`` where it has no place.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> try:
+    ...     ws.Case.example().with_(wob="6 bar")
+    ... except ws.CaseError as error:
+    ...     found = error.diagnostics[0]
+    >>> found.severity, found.file
+    ('error', 'with_')
     """
 
     severity: str

@@ -21,6 +21,11 @@ _KINDS: dict[str, type[BaseResults]] = {
 def load(folder: str | PathLike[str]) -> BaseResults | Sweep:
     """Read what a command left in a folder, whatever it was.
 
+    Parameters
+    ----------
+    folder
+        The folder.
+
     Examples
     --------
     >>> import tempfile

@@ -35,6 +35,14 @@ class Limit:
         Factor between them, and the one that is to be kept.
     standing
         ``"kept"``, ``"near"``, ``"short"`` of what is required, or ``"passed"``.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> plan = ws.Case.example().with_({"plan.bit_depths": [800.0, 1200.0]}).plan()
+    >>> nearest = min(plan.worst_limits, key=lambda of: of.reserve)
+    >>> isinstance(nearest, ws.Limit), nearest.reserve > 0.0
+    (True, True)
     """
 
     kind: str
@@ -166,6 +174,14 @@ class Stop:
         In which operation, and what: ``"slide"``, ``"lock_up"``.
     depth_m
         Depth of the bit, m.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> case = ws.Case.example().with_(rig__top_drive_torque="12 kN.m")
+    >>> stop = case.reach(to="6 km", friction=0.3).stops[0]
+    >>> isinstance(stop, ws.Stop), stop.limit
+    (True, 'top_drive')
     """
 
     friction: float | None

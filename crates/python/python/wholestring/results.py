@@ -19,6 +19,15 @@ class OperationResult:
 
     The scalars are attributes. All that ``summary.json`` says of the operation stands in
     :attr:`data`.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> solved = ws.Case.example().soft("drill")["drill"]
+    >>> solved.model, solved.operation, solved.status
+    ('soft', 'drill', 'complete')
+    >>> solved.weight_on_bit_N
+    49033.25
     """
 
     __slots__ = ("_data",)

@@ -211,7 +211,16 @@ class Simulation:
         return Table(self._held.state(), "frames")
 
     def results(self) -> Results:
-        """Give the answers so far: over the window if it has begun, else over all samples."""
+        """Give the answers so far: over the window if it has begun, else over all samples.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> sim = ws.Case.example().with_(mesh__element_length="20 m").simulation("drill")
+        >>> sim.advance("0.5 s")
+        >>> sim.results()["drill"].model
+        'dynamic'
+        """
         return Results(self._held.answers())
 
     def checkpoint(self) -> bytes:

@@ -130,6 +130,28 @@ def study(
         If errors were found, and ``strict`` lets none pass.
     Interrupted
         If the user interrupted it; its ``results`` hold what was computed.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import wholestring as ws
+    >>> text = '''
+    ... name = "Friction"
+    ... [[sweep]]
+    ... name = "statics"
+    ... case = "slant.toml"
+    ... set = { model = "soft" }
+    ... vary = { friction = [0.2, 0.3] }
+    ... '''
+    >>> with tempfile.TemporaryDirectory() as place:
+    ...     _ = Path(place, "slant.toml").write_text(ws.Case.example().to_toml())
+    ...     _ = Path(place, "study.toml").write_text(text)
+    ...     done = ws.study(Path(place, "study.toml"))
+    >>> done.sweeps, len(done["statics"])
+    (('statics',), 2)
+    >>> isinstance(done, ws.Study), isinstance(done["statics"], ws.Cases)
+    (True, True)
     """
     place = Place(folder, overwrite=overwrite, resume=resume)
     options = common(place, jobs=jobs, checkpoint=checkpoint, shard=shard, csv=csv, png=png)

@@ -65,15 +65,41 @@ class Table:
         return np.array(self._core.words(column), dtype=object)
 
     def unit(self, column: str) -> str:
-        """Give the SI unit of a column, empty where it has none."""
+        """Give the SI unit of a column, empty where it has none.
+
+        Parameters
+        ----------
+        column
+            Name of the column.
+        """
         return self._core.unit(column)
 
     def meaning(self, column: str) -> str:
-        """Give what a column is, in a sentence."""
+        """Give what a column is, in a sentence.
+
+        Parameters
+        ----------
+        column
+            Name of the column.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> ws.Case.example().soft("drill").nodes.meaning("tension_N")
+        'Effective tension; negative in compression'
+        """
         return self._core.meaning(column)
 
     def to_numpy(self) -> dict[str, NDArray[Any]]:
-        """Give the columns by their names; numbers are views, read-only."""
+        """Give the columns by their names; numbers are views, read-only.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> columns = ws.Case.example().soft("drill").nodes.to_numpy()
+        >>> columns["md_m"].flags.writeable
+        False
+        """
         return {column: self[column] for column in self.columns}
 
     def to_polars(self) -> polars.DataFrame:
