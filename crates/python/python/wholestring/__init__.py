@@ -40,18 +40,18 @@ from .sweep import Sweep, sweep
 from .table import Table
 
 __all__ = [
-    "BitLaw",
-    "BitReading",
     "BaseResults",
     "Bha",
+    "BitLaw",
+    "BitReading",
     "BitTest",
     "Calibration",
     "Case",
     "CaseError",
     "Diagnostic",
     "Error",
-    "Excitation",
     "Estimate",
+    "Excitation",
     "Finding",
     "FindingsError",
     "FolderError",
