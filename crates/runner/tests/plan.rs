@@ -1,71 +1,12 @@
 //! A plan that is stopped goes on from where it was.
 
-use std::{
-    fs,
-    path::Path,
-    sync::atomic::{AtomicUsize, Ordering},
-};
+mod slant;
 
-use wholestring_case::{Case, Override, Template};
-use wholestring_runner::{
-    BatchSize, CancellationToken, CaseEnded, Error, Existing, FolderRefused, Observer, Output,
-    Silent, plan,
-};
+use std::fs;
 
-fn case() -> (Template, Vec<Override>, Case) {
-    changed(&["plan.depths=4", "operation.kind=[\"trip_out\"]"])
-}
+use wholestring_runner::{CancellationToken, Error, Existing, FolderRefused, Silent, plan};
 
-fn changed(changes: &[&str]) -> (Template, Vec<Override>, Case) {
-    let changes: Vec<Override> =
-        changes.iter().map(|of| of.parse().expect("an override")).collect();
-    let file = Path::new("../cli/tests/data/slant.toml");
-    let template = Template::read(file).expect("a case");
-    let case = template.case(&changes).expect("a sound case");
-    (template, changes, case)
-}
-
-fn request<'a>(
-    (template, overrides, case): &'a (Template, Vec<Override>, Case),
-    folder: &Path,
-    existing: Existing,
-) -> plan::Request<'a> {
-    plan::Request {
-        case,
-        template,
-        overrides,
-        units: None,
-        output: Output { folder: Some(folder.to_owned()), existing },
-        jobs: std::num::NonZeroUsize::new(1),
-        checkpoint_every: None,
-        png: false,
-    }
-}
-
-/// Cancels after some pieces, and notes how many were finished when it began.
-struct Stops {
-    after: usize,
-    token: CancellationToken,
-    finished: AtomicUsize,
-}
-
-impl Stops {
-    fn after(pieces: usize) -> Self {
-        Self { after: pieces, token: CancellationToken::new(), finished: AtomicUsize::new(0) }
-    }
-}
-
-impl Observer for Stops {
-    fn batch_started(&self, size: &BatchSize) {
-        self.finished.store(size.finished, Ordering::Relaxed);
-    }
-
-    fn case_ended(&self, of: &CaseEnded) {
-        if of.ended >= self.after {
-            self.token.cancel();
-        }
-    }
-}
+use slant::{Slant, Stops, same};
 
 /// What was finished is kept, said to be missing where it is not, refused without being asked to go on,
 /// and not solved again; in the end all files are as of a plan that nobody stopped.
@@ -73,14 +14,14 @@ impl Observer for Stops {
 fn a_plan_that_is_stopped_goes_on() {
     let place = tempfile::tempdir().expect("a folder");
     let (whole, stopped) = (place.path().join("whole"), place.path().join("stopped"));
-    let case = case();
+    let case = Slant::with(&["plan.depths=4", "operation.kind=[\"trip_out\"]"]);
     let token = CancellationToken::new();
-    let done = plan::run(&request(&case, &whole, Existing::Protect), &Silent, &token);
+    let done = plan::run(&case.plan(&whole, Existing::Protect), &Silent, &token);
     let done = done.expect("a plan");
     assert_eq!(done.batch.finished, done.batch.all);
 
     let stops = Stops::after(5);
-    let request_of = |existing| request(&case, &stopped, existing);
+    let request_of = |existing| case.plan(&stopped, existing);
     let first = plan::run(&request_of(Existing::Protect), &stops, &stops.token).expect("a part");
     assert!(first.batch.is_interrupted());
     assert_eq!(first.batch.finished, 5);
@@ -93,19 +34,17 @@ fn a_plan_that_is_stopped_goes_on() {
 
     let goes_on = Stops::after(usize::MAX);
     let second = plan::run(&request_of(Existing::Resume), &goes_on, &token).expect("the rest");
-    assert_eq!(goes_on.finished.load(Ordering::Relaxed), 5);
+    assert_eq!(goes_on.finished(), 5);
     assert_eq!(second.summary, done.summary);
-    for name in [
+    let names = [
         "summary.json",
         "plan_broomstick.parquet",
         "plan_limits.csv",
         "plan_fatigue.csv",
         "plan_wear.csv",
         "report.html",
-    ] {
-        let read = |folder: &Path| fs::read(folder.join(name)).expect("a file");
-        assert!(read(&whole) == read(&stopped), "{name}");
-    }
+    ];
+    same(&names, [&whole, &stopped]);
     assert!(!stopped.join("checkpoint.bin").exists());
 }
 
@@ -115,7 +54,7 @@ fn a_plan_that_is_stopped_goes_on() {
 fn what_the_dynamics_is_asked_for() {
     let place = tempfile::tempdir().expect("a folder");
     let (whole, stopped) = (place.path().join("whole"), place.path().join("stopped"));
-    let case = changed(&[
+    let case = Slant::with(&[
         "plan.depths=2",
         "operation.kind=[\"trip_out\"]",
         "operation.flow_rate=\"1500 L/min\"",
@@ -132,7 +71,7 @@ fn what_the_dynamics_is_asked_for() {
         "plan.dynamic.pump_ramp=\"1 s\"",
     ]);
     let token = CancellationToken::new();
-    let done = plan::run(&request(&case, &whole, Existing::Protect), &Silent, &token);
+    let done = plan::run(&case.plan(&whole, Existing::Protect), &Silent, &token);
     let done = done.expect("a plan");
     let names: Vec<&str> = done.summary.peaks.iter().map(|of| of.event.as_str()).collect();
     assert_eq!(names, ["pick_up_from_slips", "break_circulation", "break_rotation"]);
@@ -157,25 +96,23 @@ fn what_the_dynamics_is_asked_for() {
     assert!(whole.join("peaks.svg").is_file());
 
     let stops = Stops::after(2);
-    let request_of = |existing| request(&case, &stopped, existing);
+    let request_of = |existing| case.plan(&stopped, existing);
     let first = plan::run(&request_of(Existing::Protect), &stops, &stops.token).expect("a part");
     assert!(first.batch.is_interrupted());
     let second = plan::run(&request_of(Existing::Resume), &Silent, &token).expect("the rest");
     assert_eq!(second.summary, done.summary);
-    for name in [
+    let names = [
         "summary.json",
         "plan_peaks.csv",
         "plan_peaks_time.parquet",
         "plan_limits.csv",
         "plan_wear.csv",
         "report.html",
-    ] {
-        let read = |folder: &Path| fs::read(folder.join(name)).expect("a file");
-        assert!(read(&whole) == read(&stopped), "{name}");
-    }
+    ];
+    same(&names, [&whole, &stopped]);
     // A plan without them leaves none of it.
-    let plain = changed(&["plan.depths=2", "operation.kind=[\"trip_out\"]"]);
-    plan::run(&request(&plain, &whole, Existing::Overwrite), &Silent, &token).expect("a plan");
+    let plain = Slant::with(&["plan.depths=2", "operation.kind=[\"trip_out\"]"]);
+    plan::run(&plain.plan(&whole, Existing::Overwrite), &Silent, &token).expect("a plan");
     for name in ["plan_peaks.csv", "plan_peaks_time.parquet", "peaks.csv", "peaks.svg"] {
         assert!(!whole.join(name).exists(), "{name}");
     }

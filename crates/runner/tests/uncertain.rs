@@ -1,55 +1,22 @@
 //! Numbers that are not known exactly: bands and indices of a plan and a reach, from the case to the files.
 
-use std::{
-    fs,
-    path::Path,
-    sync::atomic::{AtomicUsize, Ordering},
-};
+mod slant;
+
+use std::{fs, path::Path};
 
 use wholestring::GRAVITY_M_PER_S2;
-use wholestring_case::{Case, Override, Template};
 use wholestring_results::{PlanSummary, UncertainBand, UncertainSummary};
-use wholestring_runner::{
-    BatchSize, CancellationToken, CaseEnded, Existing, Observer, Output, Silent, plan, reach,
-};
+use wholestring_runner::{CancellationToken, Existing, Output, Silent, plan, reach};
 use wholestring_verification::{report_worst, verify};
 
-/// A straight hole at 60 deg and a plain pipe, whose hook load has a closed form.
-const SLANT: &str = "../cli/tests/data/slant.toml";
+use slant::{Slant, Stops, same};
 
 /// Density and friction, evenly.
 const BOTH: &str = "plan.uncertain.input=[{ key = \"mud.density\", from = \"1000 kg/m3\", \
     to = \"2000 kg/m3\" }, { key = \"friction\", from = 0.05, to = 0.95 }]";
 
-struct Read {
-    template: Template,
-    overrides: Vec<Override>,
-    case: Case,
-}
-
-fn read(changes: &[&str]) -> Read {
-    let overrides: Vec<Override> =
-        changes.iter().map(|of| of.parse().expect("an override")).collect();
-    let template = Template::read(Path::new(SLANT)).expect("a case");
-    let case = template.case(&overrides).unwrap_or_else(|report| panic!("{report}"));
-    Read { template, overrides, case }
-}
-
-fn request<'a>(of: &'a Read, folder: &Path, existing: Existing) -> plan::Request<'a> {
-    plan::Request {
-        case: &of.case,
-        template: &of.template,
-        overrides: &of.overrides,
-        units: None,
-        output: Output { folder: Some(folder.to_owned()), existing },
-        jobs: std::num::NonZeroUsize::new(1),
-        checkpoint_every: None,
-        png: false,
-    }
-}
-
-fn planned(of: &Read, folder: &Path) -> PlanSummary {
-    let request = request(of, folder, Existing::Overwrite);
+fn planned(of: &Slant, folder: &Path) -> PlanSummary {
+    let request = of.plan(folder, Existing::Overwrite);
     plan::run(&request, &Silent, &CancellationToken::new()).expect("a plan").summary
 }
 
@@ -65,7 +32,7 @@ fn band<'a>(of: &'a UncertainSummary, quantity: &str, operation: &str) -> &'a Un
 #[test]
 fn hook_load_of_a_slant_has_its_bands() {
     let place = tempfile::tempdir().expect("a folder");
-    let of = read(&[BOTH, "plan.bit_depths=[\"300 m\", \"600 m\"]"]);
+    let of = Slant::with(&[BOTH, "plan.bit_depths=[\"300 m\", \"600 m\"]"]);
     let summary = planned(&of, place.path());
     let found = summary.uncertain.expect("bands");
     assert_eq!((found.samples, found.solved, found.lacking), (200, 200, 0));
@@ -127,7 +94,7 @@ fn hook_load_of_a_slant_has_its_bands() {
     let numbers = fs::read_to_string(place.path().join("hook_load.csv")).expect("numbers");
     assert!(numbers.contains("trip_out_p95_hook_load_N"), "{numbers}");
     // What is certain again has no bands.
-    let certain = read(&["plan.bit_depths=[\"300 m\", \"600 m\"]"]);
+    let certain = Slant::with(&["plan.bit_depths=[\"300 m\", \"600 m\"]"]);
     assert_eq!(planned(&certain, place.path()).uncertain, None);
     for name in ["plan_uncertain.csv", "uncertain.csv", "uncertain.svg"] {
         assert!(!place.path().join(name).exists(), "{name}");
@@ -138,7 +105,7 @@ fn hook_load_of_a_slant_has_its_bands() {
 #[test]
 fn seeds_have_what_is_left() {
     let place = tempfile::tempdir().expect("a folder");
-    let of = read(&[
+    let of = Slant::with(&[
         "well.tortuosity={ kind = \"random\", amplitude = \"1 deg\", period = \"60 m\" }",
         "plan.uncertain.input=[{ key = \"well.tortuosity.seed\", values = \"1..100/1\" }, \
          { key = \"mud.density\", mean = \"1.2 sg\", std = \"0.002 sg\" }]",
@@ -157,7 +124,7 @@ fn seeds_have_what_is_left() {
 #[test]
 fn samples_without_an_answer_are_counted() {
     let place = tempfile::tempdir().expect("a folder");
-    let of = read(&[
+    let of = Slant::with(&[
         "plan.uncertain.input=[{ key = \"wob\", from = \"20 kN\", to = \"3000 kN\" }]",
         "plan.uncertain.samples=40",
         "operation.kind=[\"slide\"]",
@@ -190,31 +157,6 @@ fn samples_without_an_answer_are_counted() {
     assert!(most < least, "{most} {least}");
 }
 
-/// Cancels after some pieces, and notes how many were finished when it began.
-struct Stops {
-    after: usize,
-    token: CancellationToken,
-    finished: AtomicUsize,
-}
-
-impl Stops {
-    fn after(pieces: usize) -> Self {
-        Self { after: pieces, token: CancellationToken::new(), finished: AtomicUsize::new(0) }
-    }
-}
-
-impl Observer for Stops {
-    fn batch_started(&self, size: &BatchSize) {
-        self.finished.store(size.finished, Ordering::Relaxed);
-    }
-
-    fn case_ended(&self, of: &CaseEnded) {
-        if of.ended >= self.after {
-            self.token.cancel();
-        }
-    }
-}
-
 const FEW: [&str; 4] = [
     BOTH,
     "plan.uncertain.samples=12",
@@ -222,33 +164,25 @@ const FEW: [&str; 4] = [
     "plan.operations=[\"trip_out\"]",
 ];
 
-/// Files of two folders are the same.
-fn same(names: &[&str], [a, b]: [&Path; 2]) {
-    for name in names {
-        let read = |folder: &Path| fs::read(folder.join(name)).expect("a file");
-        assert!(read(a) == read(b), "{name}");
-    }
-}
-
 /// A plan that is stopped in its samples keeps those that are solved, says so, and goes on to the same bytes.
 #[test]
 fn a_plan_goes_on_in_its_samples() {
     let place = tempfile::tempdir().expect("a folder");
     let (whole, stopped) = (place.path().join("whole"), place.path().join("stopped"));
-    let of = read(&FEW);
+    let of = Slant::with(&FEW);
     let done = planned(&of, &whole);
     // Two operations at depths, two weights to buckle, twelve samples.
     let stops = Stops::after(9);
-    let first = plan::run(&request(&of, &stopped, Existing::Protect), &stops, &stops.token);
+    let first = plan::run(&of.plan(&stopped, Existing::Protect), &stops, &stops.token);
     let first = first.expect("a part");
     assert!(first.batch.is_interrupted());
     let part = first.summary.uncertain.expect("bands of what was solved");
     assert_eq!((part.samples, part.solved), (12, 5));
     assert!(plan::notes(&part).iter().any(|note| note.contains("5 of 12 samples")));
     let goes_on = Stops::after(usize::MAX);
-    let request = request(&of, &stopped, Existing::Resume);
+    let request = of.plan(&stopped, Existing::Resume);
     let second = plan::run(&request, &goes_on, &CancellationToken::new()).expect("the rest");
-    assert_eq!(goes_on.finished.load(Ordering::Relaxed), 9);
+    assert_eq!(goes_on.finished(), 9);
     assert_eq!(second.summary, done);
     let names = [
         "summary.json",
@@ -266,7 +200,8 @@ fn a_plan_goes_on_in_its_samples() {
 fn a_reach_has_bands_and_goes_on() {
     let place = tempfile::tempdir().expect("a folder");
     let (whole, stopped) = (place.path().join("whole"), place.path().join("stopped"));
-    let of = read(&[&FEW[..], &["rig.hoist_capacity=300 kN", "rig.block_weight=50 kN"]].concat());
+    let of =
+        Slant::with(&[&FEW[..], &["rig.hoist_capacity=300 kN", "rig.block_weight=50 kN"]].concat());
     let request = |folder: &Path, existing| reach::Request {
         to_m: Some(6000.0),
         output: Output { folder: Some(folder.to_owned()), existing },
@@ -300,7 +235,7 @@ fn a_reach_has_bands_and_goes_on() {
     let goes_on = Stops::after(usize::MAX);
     let rest =
         reach::run(&request(&stopped, Existing::Resume), &goes_on, &token).expect("the rest");
-    assert_eq!(goes_on.finished.load(Ordering::Relaxed), 4);
+    assert_eq!(goes_on.finished(), 4);
     assert_eq!(rest.summary, done.summary);
     let names =
         ["summary.json", "reach_uncertain.parquet", "reach_uncertain_indices.csv", "report.html"];

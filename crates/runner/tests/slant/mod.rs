@@ -1,0 +1,82 @@
+//! The straight hole at 60 deg with its plain pipe, plans of it, and one who stops them.
+
+use std::{
+    fs,
+    path::Path,
+    sync::atomic::{AtomicUsize, Ordering},
+};
+
+use wholestring_case::{Case, Override, Template};
+use wholestring_runner::{
+    BatchSize, CancellationToken, CaseEnded, Existing, Observer, Output, plan,
+};
+
+/// The case as it was read.
+pub struct Slant {
+    pub template: Template,
+    pub overrides: Vec<Override>,
+    pub case: Case,
+}
+
+impl Slant {
+    /// With these keys changed.
+    pub fn with(changes: &[&str]) -> Self {
+        let overrides: Vec<Override> =
+            changes.iter().map(|of| of.parse().expect("an override")).collect();
+        let template = Template::read(Path::new("../cli/tests/data/slant.toml")).expect("a case");
+        let case = template.case(&overrides).unwrap_or_else(|report| panic!("{report}"));
+        Self { template, overrides, case }
+    }
+
+    /// A plan of it, piece after piece.
+    pub fn plan(&self, folder: &Path, existing: Existing) -> plan::Request<'_> {
+        plan::Request {
+            case: &self.case,
+            template: &self.template,
+            overrides: &self.overrides,
+            units: None,
+            output: Output { folder: Some(folder.to_owned()), existing },
+            jobs: std::num::NonZeroUsize::new(1),
+            checkpoint_every: None,
+            png: false,
+        }
+    }
+}
+
+/// Cancels after some pieces, and notes how many were finished when it began.
+pub struct Stops {
+    after: usize,
+    pub token: CancellationToken,
+    finished: AtomicUsize,
+}
+
+impl Stops {
+    pub fn after(pieces: usize) -> Self {
+        Self { after: pieces, token: CancellationToken::new(), finished: AtomicUsize::new(0) }
+    }
+
+    /// How many were finished when it began.
+    pub fn finished(&self) -> usize {
+        self.finished.load(Ordering::Relaxed)
+    }
+}
+
+impl Observer for Stops {
+    fn batch_started(&self, size: &BatchSize) {
+        self.finished.store(size.finished, Ordering::Relaxed);
+    }
+
+    fn case_ended(&self, of: &CaseEnded) {
+        if of.ended >= self.after {
+            self.token.cancel();
+        }
+    }
+}
+
+/// Files of two folders are the same.
+pub fn same(names: &[&str], [a, b]: [&Path; 2]) {
+    for name in names {
+        let read = |folder: &Path| fs::read(folder.join(name)).expect("a file");
+        assert!(read(a) == read(b), "{name}");
+    }
+}
