@@ -31,7 +31,7 @@ def falling_torque(bit: ws.BitReading) -> tuple[float, float]:
 def sticking_string() -> ws.Simulation:
     """Give the string as it sticks and slips, after a stop of the top drive."""
     case = ws.Case.example().with_(
-        rpm=RPM,
+        rpm=f"{RPM} rpm",
         friction=0.1,
         mesh__element_length="10 m",
         dynamics__damping__mass=0.4,

@@ -99,7 +99,7 @@ class StickSlip(gymnasium.Env[Observation, Action]):
         return observation, reward, False, is_over, {"severity": severity}
 
     def _simulation(self, rpm: float, checkpoint: bytes | None) -> ws.Simulation:
-        case = self._case.with_(rpm=rpm)
+        case = self._case.with_(rpm=f"{rpm} rpm")
         return case.simulation("drill", bit_law=falling_torque, checkpoint=checkpoint)
 
     def _observe(self, sim: ws.Simulation) -> tuple[Observation, float, float]:
