@@ -95,7 +95,7 @@ def overhead(arguments: argparse.Namespace) -> dict[str, Any]:
             times: list[float] = []
             for _ in range(arguments.repeat):
                 times.append(swept_s(case, vary, executor, jobs=jobs))
-            single = swept_s(case, vary, executor, jobs=jobs, bundle="1 us")
+            single = swept_s(case, vary, executor, jobs=jobs, bundle="0.001 ms")
         found[name] = {
             "ms_per_case": 1e3 * statistics.median(times) / count,
             "ms_per_case_one_by_one": 1e3 * single / count,
@@ -196,8 +196,8 @@ def main() -> None:
     parser.add_argument("what", choices=["overhead", "speed", "many"])
     parser.add_argument("--cases", type=int, default=1000)
     parser.add_argument("--repeat", type=int, default=3)
-    parser.add_argument("--duration", type=float, default=5.0, help="of a dynamic case, s")
-    parser.add_argument("--settle", type=float, default=5.0, help="before it, s")
+    parser.add_argument("--duration", type=float, default=60.0, help="of a dynamic case, s")
+    parser.add_argument("--settle", type=float, default=20.0, help="before it, s")
     parser.add_argument("--wholestring", default=shutil.which("wholestring"))
     parser.add_argument("--json", type=Path)
     arguments = parser.parse_args()
