@@ -22,6 +22,9 @@ use crate::{
 /// How often a worker looks whether the sweep that it works for still goes on.
 const LOOK: Duration = Duration::from_millis(100);
 
+/// Name of a case, its changes, and its folder.
+type Task = (String, Vec<(String, String)>, PathBuf);
+
 /// A case's text and files, of which a worker solves variations.
 #[pyclass(frozen, module = "wholestring._core")]
 pub(crate) struct Variations(Template);
@@ -40,7 +43,7 @@ impl Variations {
     fn solve<'py>(
         &self,
         py: Python<'py>,
-        cases: Vec<(String, Vec<(String, String)>, PathBuf)>,
+        cases: Vec<Task>,
         keep_: Option<&str>,
         csv: bool,
         checkpoint_s: Option<f64>,

@@ -225,6 +225,7 @@ def sweep(
     if min(tries, 1 if in_flight is None else in_flight, 1 if jobs is None else jobs) < 1:
         raise ValueError("tries, in_flight and jobs are at least 1")
     existing = "overwrite" if overwrite else "resume" if resume else "protect"
+    bundle_s = _values.si(bundle, "time")
     checkpoint_s = None if checkpoint_every is None else _values.si(checkpoint_every, "time")
     pool = None if executor is None else Pool(executor)
     varied = [(key, _written(key, values)) for key, values in vary.items()]
@@ -254,9 +255,7 @@ def sweep(
                     version=_core.__version__,
                 )
                 handing = Handing(core, job, listener)
-                interrupted = handing.run(
-                    pool, in_flight=in_flight, bundle_s=_values.si(bundle, "time"), tries=tries
-                )
+                interrupted = handing.run(pool, in_flight=in_flight, bundle_s=bundle_s, tries=tries)
         finally:
             core.close()
     swept = Sweep(into)

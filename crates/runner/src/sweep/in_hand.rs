@@ -33,6 +33,20 @@ use crate::{
     parallel::{in_parallel, lock},
 };
 
+/// Checks every case, solves them, and writes `sweep.csv` and a page beside the folders of the
+/// cases.
+///
+/// # Errors
+/// Cases that are not sound, or a folder that the results cannot go to. What becomes of the cases
+/// is identified by the outcome.
+pub fn run(
+    request: &Request<'_>,
+    observer: &dyn Observer,
+    cancellation: &CancellationToken,
+) -> Result<BatchOutcome, Error> {
+    InHand::begin(request, observer, cancellation)?.solve(observer, cancellation)
+}
+
 /// A sweep that is checked, holds its folder, and waits for its cases to be solved.
 ///
 /// Either [`Self::solve`] does that here, on all cores, or a front hands the cases out: each of

@@ -19,9 +19,9 @@ mod table;
 pub use self::{
     apart::Apart,
     ending::Ended,
-    in_hand::InHand,
+    in_hand::{InHand, run},
     read::read,
-    request::{Request, run},
+    request::Request,
     table::{FILE, SCALARS},
 };
 pub(crate) use self::{

@@ -4,14 +4,7 @@ use std::sync::Arc;
 
 use wholestring_case::{Override, Template, Variation};
 
-use super::in_hand::InHand;
-use crate::{
-    batch::{BatchOptions, BatchOutcome},
-    cancellation::CancellationToken,
-    error::Error,
-    keep::Keep,
-    observer::Observer,
-};
+use crate::{batch::BatchOptions, keep::Keep};
 
 /// A case that is to be solved with all combinations of some values, the last key varying fastest.
 #[derive(Debug)]
@@ -30,18 +23,4 @@ pub struct Request<'a> {
     pub keep: Option<Keep>,
     /// How the cases are solved.
     pub batch: BatchOptions,
-}
-
-/// Checks every case, solves them, and writes `sweep.csv` and a page beside the folders of the
-/// cases.
-///
-/// # Errors
-/// Cases that are not sound, or a folder that the results cannot go to. What becomes of the cases
-/// is identified by the outcome.
-pub fn run(
-    request: &Request<'_>,
-    observer: &dyn Observer,
-    cancellation: &CancellationToken,
-) -> Result<BatchOutcome, Error> {
-    InHand::begin(request, observer, cancellation)?.solve(observer, cancellation)
 }
