@@ -34,7 +34,7 @@ def is_of_types_alone(of: ast.stmt) -> bool:
 
 
 def there(of: Any) -> set[str]:
-    return {name for name in vars(of) if name not in GIVEN and name != "__doc__"}
+    return {name for name in map(str, of.__dict__) if name not in GIVEN and name != "__doc__"}
 
 
 def test_the_stub_names_what_is_there_and_nothing_else() -> None:
