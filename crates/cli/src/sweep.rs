@@ -1,5 +1,7 @@
 //! `wholestring sweep`: solves a case for all combinations of some values.
 
+use std::sync::Arc;
+
 use clap::Args;
 use wholestring_case::{Template, Variation};
 use wholestring_runner::sweep::{self, Request};
@@ -37,11 +39,12 @@ pub(crate) struct SweepArgs {
 pub(crate) fn sweep(args: &SweepArgs) -> Result<(), Failure> {
     args.kept.check(&args.batch)?;
     let variations = Variation::read_all(&args.vary)?;
-    let template = Template::read(&args.case.case)?;
+    let template = Arc::new(Template::read(&args.case.case)?);
     let request = Request {
         template: &template,
         overrides: &args.case.overrides,
         variations: &variations,
+        together: false,
         keep: args.kept.keep(),
         batch: args.batch.options(),
     };

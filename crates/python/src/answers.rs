@@ -6,20 +6,20 @@ use pyo3::{exceptions::PyKeyError, prelude::*};
 use wholestring::outcome::SCALARS;
 use wholestring_runner::{Output, copy_results, run};
 
-use crate::{attended::attended, commands::existing, error, folder::Folder, table::Table};
+use crate::{attended::attended, case::existing_of, error, folder::Folder, table::Table};
 
 /// A summary and tables.
 #[pyclass(frozen, module = "wholestring._core")]
 pub(crate) struct Answers(Place);
 
 enum Place {
-    Memory(run::Answers),
+    Memory(Box<run::Answers>),
     Folder(Folder),
 }
 
 impl From<run::Answers> for Answers {
     fn from(answers: run::Answers) -> Self {
-        Self(Place::Memory(answers))
+        Self(Place::Memory(Box::new(answers)))
     }
 }
 
@@ -110,7 +110,7 @@ impl Answers {
         listener: &Bound<'_, PyAny>,
     ) -> PyResult<PathBuf> {
         let word = if overwrite { "overwrite" } else { "protect" };
-        let output = Output { folder, existing: existing(word) };
+        let output = Output { folder, existing: existing_of(word) };
         let saved = attended(py, listener, |observer, _| match &self.0 {
             Place::Memory(answers) => answers.save(&output, csv, observer),
             Place::Folder(folder) => {

@@ -2,9 +2,12 @@
 //! tenth of a second, and its progress is told.
 
 use std::{
-    sync::mpsc::{RecvTimeoutError, channel},
+    sync::{
+        Arc,
+        mpsc::{Receiver, RecvTimeoutError, channel},
+    },
     thread,
-    time::Duration,
+    time::{Duration, Instant},
 };
 
 use pyo3::prelude::*;
@@ -14,6 +17,9 @@ use crate::{error, told::Told};
 
 /// How often Python is asked for an interrupt and told of the progress.
 const LOOK: Duration = Duration::from_millis(50);
+
+/// How long work that may be left is waited for after an interrupt.
+const PATIENCE: Duration = Duration::from_millis(100);
 
 /// What work came to, and what was raised meanwhile: an interrupt, or an error of the listener. The
 /// work was then cancelled and has kept what it had.
@@ -34,30 +40,16 @@ pub(crate) fn attended<T: Send>(
 ) -> PyResult<Attended<T>> {
     let cancellation = CancellationToken::new();
     let told = Told::default();
-    let listener_free = listener.clone().unbind();
-    let look = || {
-        Python::attach(|py| {
-            py.check_signals()?;
-            told.tell(listener_free.bind(py))
-        })
-    };
+    let free = listener.clone().unbind();
     let (result, raised) = py.detach(|| {
         thread::scope(|scope| {
-            let (ended, end) = channel();
+            let (ended, end) = channel::<()>();
             let worker = scope.spawn(|| {
                 // Dropped when the work is done, however it ends.
                 let _ended = ended;
                 work(&told, &cancellation)
             });
-            let mut raised = None;
-            while end.recv_timeout(LOOK) == Err::<(), _>(RecvTimeoutError::Timeout) {
-                if raised.is_none()
-                    && let Err(error) = look()
-                {
-                    cancellation.cancel();
-                    raised = Some(error);
-                }
-            }
+            let (_, raised) = look_after(&end, &cancellation, &told, &free, Duration::MAX);
             (worker.join(), raised)
         })
     });
@@ -65,6 +57,67 @@ pub(crate) fn attended<T: Send>(
         return Err(raised.unwrap_or_else(|| error::of_panic(py)));
     };
     // What was said last.
-    let raised = raised.or(told.tell(listener).err());
+    let raised = raised.or(told.tell(py, listener).err());
     Ok(Attended { result, raised })
+}
+
+/// The same of work that leaves nothing when it is interrupted: nobody waits for it then, there is
+/// no result, and it ends by itself as soon as it looks at its cancellation.
+///
+/// # Errors
+/// Work that panicked.
+pub(crate) fn attended_or_left<T: Send + 'static>(
+    py: Python<'_>,
+    listener: &Bound<'_, PyAny>,
+    work: impl FnOnce(&dyn Observer, &CancellationToken) -> T + Send + 'static,
+) -> PyResult<Attended<Option<T>>> {
+    let cancellation = CancellationToken::new();
+    let told = Arc::new(Told::default());
+    let free = listener.clone().unbind();
+    let (worker, raised) = py.detach(|| {
+        let (ended, end) = channel::<()>();
+        let (its_told, its_cancellation) = (told.clone(), cancellation.clone());
+        let worker = thread::spawn(move || {
+            let _ended = ended;
+            work(&*its_told, &its_cancellation)
+        });
+        let (has_ended, raised) = look_after(&end, &cancellation, &told, &free, PATIENCE);
+        (has_ended.then(|| worker.join()), raised)
+    });
+    let raised = raised.or(told.tell(py, listener).err());
+    match worker.transpose() {
+        Ok(result) => Ok(Attended { result, raised }),
+        Err(_) => Err(raised.unwrap_or_else(|| error::of_panic(py))),
+    }
+}
+
+/// Looks after Python until the work has ended, or, where Python has raised something, for so long
+/// after that: whether it has ended, and what was raised.
+fn look_after(
+    end: &Receiver<()>,
+    cancellation: &CancellationToken,
+    told: &Told,
+    listener: &Py<PyAny>,
+    patience: Duration,
+) -> (bool, Option<PyErr>) {
+    let mut raised: Option<(PyErr, Instant)> = None;
+    while end.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
+        match &raised {
+            Some((_, since)) if since.elapsed() >= patience => {
+                return (false, raised.map(|(error, _)| error));
+            }
+            Some(_) => {}
+            None => {
+                let look = Python::attach(|py| {
+                    py.check_signals()?;
+                    told.tell(py, listener.bind(py))
+                });
+                if let Err(error) = look {
+                    cancellation.cancel();
+                    raised = Some((error, Instant::now()));
+                }
+            }
+        }
+    }
+    (true, raised.map(|(error, _)| error))
 }

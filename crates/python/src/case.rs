@@ -13,14 +13,11 @@ use pyo3::{
 };
 use wholestring_case::{Case as Checked, Override, Quote, Template};
 use wholestring_runner::{
-    Output,
+    Existing, Output,
     run::{self, Live},
 };
 
-use crate::{
-    answers::Answers, attended::attended, commands::existing as existing_of, error,
-    simulation::Simulation,
-};
+use crate::{answers::Answers, attended::attended, error, simulation::Simulation};
 
 /// A case that was checked, with the text that it was read from and the changes made to it.
 #[pyclass(frozen, module = "wholestring._core")]
@@ -44,6 +41,15 @@ pub(crate) fn change(key: &str, value: &str) -> Override {
         verbatim: true,
     };
     Override::quoted(key, value, quote)
+}
+
+/// What becomes of what lies in a folder.
+pub(crate) fn existing_of(word: &str) -> Existing {
+    match word {
+        "resume" => Existing::Resume,
+        "overwrite" => Existing::Overwrite,
+        _ => Existing::Protect,
+    }
 }
 
 impl Case {
@@ -113,6 +119,11 @@ impl Case {
     /// The text of the case, with its changes.
     fn to_toml(&self, py: Python<'_>) -> PyResult<String> {
         self.template.text(&self.changes).map_err(|report| error::of_report(py, &report))
+    }
+
+    /// The text that it was read from, without the changes made to it.
+    fn template_text(&self, py: Python<'_>) -> PyResult<String> {
+        self.template.text(&[]).map_err(|report| error::of_report(py, &report))
     }
 
     /// What diagnostics call it.

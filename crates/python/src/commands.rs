@@ -6,8 +6,7 @@ use pyo3::prelude::*;
 use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_case::Override;
 use wholestring_runner::{
-    BatchOptions, BatchOutcome, CancellationToken, Error, Existing, Keep, Observer, Output, bha,
-    bit_test,
+    BatchOptions, BatchOutcome, CancellationToken, Error, Keep, Observer, Output, bha, bit_test,
     calibrate::{self, CheckDynamics, Fit, NamedCase, option},
     modes,
     plan::{self, Statics},
@@ -16,8 +15,8 @@ use wholestring_runner::{
 use wholestring_units::UnitSet;
 
 use crate::{
-    attended::attended,
-    case::{Case, change},
+    attended::{Attended, attended, attended_or_left},
+    case::{Case, change, existing_of},
     error,
     table::Table,
 };
@@ -41,18 +40,9 @@ fn bad(option: &str, reason: impl std::fmt::Display) -> Error {
     Error::BadInput(format!("`{option}`: {reason}"))
 }
 
-/// What becomes of what lies in a folder.
-pub(crate) fn existing(word: &str) -> Existing {
-    match word {
-        "resume" => Existing::Resume,
-        "overwrite" => Existing::Overwrite,
-        _ => Existing::Protect,
-    }
-}
-
 impl Common {
     fn output(&self) -> Output {
-        Output { folder: Some(self.folder.clone()), existing: existing(&self.existing) }
+        Output { folder: Some(self.folder.clone()), existing: existing_of(&self.existing) }
     }
 
     fn units(&self) -> Result<Option<UnitSet>, Error> {
@@ -100,15 +90,35 @@ fn carry_out(
     listener: &Bound<'_, PyAny>,
     work: impl FnOnce(&dyn Observer, &CancellationToken) -> Result<Found, Error> + Send,
 ) -> PyResult<Ended> {
-    let work = attended(py, listener, work)?;
-    let raised = |raised: PyErr| Some(raised.into_value(py).into_any());
-    match (work.result, work.raised) {
-        (Ok((folder, stopped)), found) => {
+    let Attended { result, raised } = attended(py, listener, work)?;
+    came(py, Some(result), raised)
+}
+
+/// The same of work that leaves nothing when it is interrupted.
+fn carry_out_or_leave(
+    py: Python<'_>,
+    listener: &Bound<'_, PyAny>,
+    work: impl FnOnce(&dyn Observer, &CancellationToken) -> Result<Found, Error> + Send + 'static,
+) -> PyResult<Ended> {
+    let Attended { result, raised } = attended_or_left(py, listener, work)?;
+    came(py, result, raised)
+}
+
+/// What Python is given of what came of work.
+fn came(
+    py: Python<'_>,
+    result: Option<Result<Found, Error>>,
+    raised: Option<PyErr>,
+) -> PyResult<Ended> {
+    let value = |raised: PyErr| raised.into_value(py).into_any();
+    match (result, raised) {
+        (Some(Ok((folder, stopped))), raised) => {
             let stopped = || stopped.map(|stop| error::of_work(py, &stop));
-            Ok((Some(folder), found.or_else(stopped).and_then(raised)))
+            Ok((Some(folder), raised.or_else(stopped).map(value)))
         }
-        (Err(_), Some(found)) => Ok((None, raised(found))),
-        (Err(stop), None) => Err(error::of_work(py, &stop)),
+        (_, Some(raised)) => Ok((None, Some(value(raised)))),
+        (Some(Err(stop)), None) => Err(error::of_work(py, &stop)),
+        (None, None) => Err(error::of_panic(py)),
     }
 }
 
@@ -291,14 +301,15 @@ pub(crate) fn calibrated(py: Python<'_>, folder: PathBuf) -> PyResult<Vec<(Strin
 pub(crate) fn modes_of(
     py: Python<'_>,
     case: &Case,
-    operation: Option<&str>,
+    operation: Option<String>,
     common: Common,
     listener: &Bound<'_, PyAny>,
 ) -> PyResult<Ended> {
-    carry_out(py, listener, |observer, cancellation| {
+    let case = case.case.clone();
+    carry_out_or_leave(py, listener, move |observer, cancellation| {
         let request = modes::Request {
-            case: &case.case,
-            operation,
+            case: &case,
+            operation: operation.as_deref(),
             units: common.units()?,
             output: common.output(),
             png: common.png,
@@ -327,7 +338,8 @@ pub(crate) fn bha_of(
     common: Common,
     listener: &Bound<'_, PyAny>,
 ) -> PyResult<Ended> {
-    carry_out(py, listener, |observer, cancellation| {
+    let case = case.case.clone();
+    carry_out_or_leave(py, listener, move |observer, cancellation| {
         let request = bha::Request {
             operation: options.operation.as_deref().map(operation).transpose()?,
             whole: options.whole,
@@ -341,7 +353,7 @@ pub(crate) fn bha_of(
             output: common.output(),
             csv: common.csv,
             jobs: common.jobs,
-            ..bha::Request::new(&case.case)
+            ..bha::Request::new(&case)
         };
         Ok((bha::run(&request, observer, cancellation)?.folder, None))
     })
@@ -428,14 +440,15 @@ pub(crate) fn broomstick_of(
     options: BroomstickOptions,
     listener: &Bound<'_, PyAny>,
 ) -> PyResult<Table> {
-    let work = attended(py, listener, |_, cancellation| {
+    let case = case.case.clone();
+    let work = attended_or_left(py, listener, move |_, cancellation| {
         let model = |name: &String| {
             let found = Statics::ALL.into_iter().find(|of| of.name() == name);
             found.ok_or_else(|| no_statics(name))
         };
         let operations = options.operations.iter().map(|name| operation(name));
         let request = plan::BroomstickRequest {
-            case: &case.case,
+            case: &case,
             models: options.models.iter().map(model).collect::<Result<_, _>>()?,
             frictions: options.frictions,
             bit_depths_m: options.bit_depths_m,
@@ -446,8 +459,9 @@ pub(crate) fn broomstick_of(
     })?;
     match (work.raised, work.result) {
         (Some(raised), _) => Err(raised),
-        (None, Ok(table)) => Table::of(&table),
-        (None, Err(error)) => Err(error::of_work(py, &error)),
+        (None, Some(Ok(table))) => Table::of(&table),
+        (None, Some(Err(error))) => Err(error::of_work(py, &error)),
+        (None, None) => Err(error::of_panic(py)),
     }
 }
 

@@ -26,7 +26,9 @@ fn exception<'py>(
 /// The exception for work that was not done.
 pub(crate) fn of_work(py: Python<'_>, error: &Error) -> PyErr {
     let class = match error {
-        Error::Unsound(unsound) => return of_reports(py, &unsound.reports),
+        Error::Unsound(unsound) => {
+            return of_reports(py, &unsound.render(false), &unsound.reports);
+        }
         Error::BadInput(_) => "InputError",
         Error::Folder(_) | Error::NotResumable { .. } => "FolderError",
         Error::Results(_) => "ResultsError",
@@ -50,13 +52,12 @@ pub(crate) fn of_panic(py: Python<'_>) -> PyErr {
 
 /// The exception for mistakes in a case.
 pub(crate) fn of_report(py: Python<'_>, report: &Report) -> PyErr {
-    of_reports(py, std::slice::from_ref(report))
+    of_reports(py, &report.render(false), std::slice::from_ref(report))
 }
 
-fn of_reports(py: Python<'_>, reports: &[Report]) -> PyErr {
-    let text: Vec<String> = reports.iter().map(|report| report.render(false)).collect();
+fn of_reports(py: Python<'_>, text: &str, reports: &[Report]) -> PyErr {
     match diagnostics(py, reports) {
-        Ok(found) => exception(py, "CaseError", (text.join("\n").trim_end(), found)),
+        Ok(found) => exception(py, "CaseError", (text.trim_end(), found)),
         Err(error) => error,
     }
 }

@@ -11,8 +11,10 @@ mod conventions;
 mod error;
 mod folder;
 mod simulation;
+mod sweep;
 mod table;
 mod told;
+mod variations;
 
 use pyo3::prelude::*;
 
@@ -30,6 +32,8 @@ mod _core {
     use crate::{
         answers::Answers, case::Case, column::Column, simulation::Simulation, table::Table,
     };
+    #[pymodule_export]
+    use crate::{sweep::Sweep, variations::Variations};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -68,6 +72,15 @@ mod _core {
     fn si_unit(py: Python<'_>, dimension: &str) -> PyResult<&'static str> {
         let found = wholestring_units::Dimension::ALL.iter().find(|of| of.name() == dimension);
         found.map(|of| of.si_symbol()).ok_or_else(|| crate::error::of_panic(py))
+    }
+
+    /// The table of the sweep in a folder, and how many of its columns were varied.
+    #[pyfunction]
+    fn sweep_table(
+        py: Python<'_>,
+        folder: std::path::PathBuf,
+    ) -> PyResult<(usize, crate::table::Table)> {
+        crate::sweep::table(py, &folder)
     }
 
     /// SI unit of what a dotted or short key of a case measures; nothing of a bare number, a text,

@@ -45,7 +45,7 @@ impl Told {
 
     /// Tells a Python object what was said since: `progress(name, time_s, end_s)`,
     /// `batch(ended, of, part)`, `said(is_warning, sentence)`.
-    pub(crate) fn tell(&self, listener: &Bound<'_, PyAny>) -> PyResult<()> {
+    pub(crate) fn tell(&self, _: Python<'_>, listener: &Bound<'_, PyAny>) -> PyResult<()> {
         let (progress, batch, sentences) = {
             let mut state = self.state();
             let batch = state.batch.as_mut().filter(|batch| !batch.heard).map(|batch| {

@@ -121,7 +121,7 @@ def test_a_survey_that_is_none() -> None:
 def test_numbers_of_numpy_are_numbers(slant: ws.Case) -> None:
     assert slant.with_(friction=np.float64(0.25)) == slant.with_(friction=0.25)
     assert slant.with_(wob=np.float64(6e4)) == slant.with_(wob="60 kN")
-    several: Any = np.array([800.0, 900.0])
+    several = np.array([800.0, 900.0])
     assert slant.with_({"plan.bit_depths": several}) == slant.with_(
         {"plan.bit_depths": ["800 m", "900 m"]}
     )

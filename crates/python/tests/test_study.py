@@ -58,10 +58,10 @@ def test_a_study_and_its_sweeps(study: Path, tmp_path: Path) -> None:
     assert done.sweeps == ("statics",)
     sweep = done["statics"]
     assert len(sweep) == 6
-    rows = sweep.rows.to_polars()
+    rows = sweep.table.to_polars()
     assert rows.height == 12
     assert rows["hook_load_N"].dtype == polars.Float64
-    assert sweep.rows.unit("hook_load_N") == "N"
+    assert sweep.table.unit("hook_load_N") == "N"
     case = ws.Case.load(tmp_path / "rod.toml").with_(friction=0.1, bit_depth="1000 m")
     solved = case.soft()
     first = sweep["friction=0.1,bit_depth=1000m"]
@@ -77,7 +77,7 @@ def test_a_study_and_its_sweeps(study: Path, tmp_path: Path) -> None:
     loaded = ws.load(tmp_path / "out")
     assert isinstance(loaded, ws.Study)
     inside = ws.load(tmp_path / "out" / "statics")
-    assert isinstance(inside, ws.Cases)
+    assert isinstance(inside, ws.Sweep)
     assert len(inside) == 6
     assert isinstance(ws.load(tmp_path / "out" / "statics" / sweep.names[0]), ws.Results)
     assert "6 cases" in repr(loaded)

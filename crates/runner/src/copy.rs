@@ -8,7 +8,7 @@ use std::{
 use wholestring_results::{Occupant, ResultsError, digest};
 
 use crate::{
-    claim::{Claim, remove_results},
+    claim::{Claim, clear},
     error::Error,
     observer::Observer,
     output::Output,
@@ -44,7 +44,7 @@ pub fn copy_results(
     .folder()?;
     let to = claimed.folder.path();
     // What an earlier one left, and this one has not, goes.
-    remove_results(to)?;
+    clear(to)?;
     for file in files {
         let path = to.join(&file);
         let copied = path.parent().map_or(Ok(()), fs::create_dir_all);

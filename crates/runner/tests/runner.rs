@@ -169,12 +169,13 @@ fn results_of_another_case_are_left_alone() {
 
 /// A sweep of these frictions.
 fn swept(frictions: &str, folder: &Path, observer: &dyn Observer) -> Result<usize, Error> {
-    let template = Template::read(file()).expect("a case file");
+    let template = Arc::new(Template::read(file()).expect("a case file"));
     let variations = Variation::read_all(&[format!("friction={frictions}")]).expect("values");
     let request = sweep::Request {
         template: &template,
         overrides: &["model=soft".parse().expect("an override")],
         variations: &variations,
+        together: false,
         keep: None,
         batch: BatchOptions {
             output: Output { folder: Some(folder.to_owned()), existing: Existing::Protect },

@@ -34,7 +34,8 @@ from .loading import load
 from .planning import Limit, Plan, Reach, Stop
 from .results import OperationResult, Results
 from .simulation import Simulation
-from .studies import Cases, Study, study
+from .studies import Study, study
+from .sweep import Sweep, sweep
 from .table import Table
 
 __all__ = [
@@ -44,7 +45,6 @@ __all__ = [
     "Calibration",
     "Case",
     "CaseError",
-    "Cases",
     "Diagnostic",
     "Error",
     "Estimate",
@@ -65,10 +65,12 @@ __all__ = [
     "Simulation",
     "Stop",
     "Study",
+    "Sweep",
     "Table",
     "Value",
     "__version__",
     "load",
     "plot",
     "study",
+    "sweep",
 ]

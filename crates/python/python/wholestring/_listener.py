@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 
 class Listener:
@@ -53,13 +56,33 @@ class Listener:
             self._bar.close()
             self._bar = None
 
-    def __enter__(self) -> Listener:
+    def __enter__(self) -> Self:
         """Listen."""
         return self
 
     def __exit__(self, *_: object) -> None:
         """Listen no more."""
         self.close()
+
+
+class CasesListener(Listener):
+    """Draws a bar of the cases of a sweep."""
+
+    def progress(self, name: str, time_s: float, end_s: float) -> None:
+        """Hear how far one of the simulations has come: the bar counts cases."""
+
+    def batch(self, ended: int, of: int, part: float) -> None:
+        """Hear how far it has come."""
+        self.cases(ended, of)
+
+    def cases(self, ended: int, of: int) -> None:
+        """Hear how many cases have ended."""
+        if not self._wanted:
+            return
+        if self._bar is None:
+            self._bar = _tqdm()(total=of, unit="case")
+        self._bar.n = ended
+        self._bar.refresh()
 
 
 _RUN = "{l_bar}{bar}| {n:.0f}/{total:.0f} s [{elapsed}<{remaining}]"

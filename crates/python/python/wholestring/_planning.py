@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Literal, cast
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, cast
 
 from . import _core, _values
 from ._columns import content
@@ -14,13 +14,16 @@ from ._folder import Place
 from ._listener import Listener
 from ._values import Scalar
 from .calibration import Calibration
+from .errors import Interrupted
 from .planning import Plan, Reach
 from .table import Table
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from .case import Case
 
-Values = str | Scalar | Sequence[Scalar]
+Values: TypeAlias = "Scalar | NDArray[Any] | Sequence[Scalar]"
 """One value, several, or a text with several: ``"500m..1200m/100m"``."""
 
 Units = Literal["si", "metric", "field"]
@@ -64,6 +67,8 @@ class Planning:
         ------
         InputError
             If a friction factor, a depth or an operation cannot be.
+        Interrupted
+            If the user interrupted it.
 
         Examples
         --------
@@ -81,7 +86,11 @@ class Planning:
             "jobs": count(jobs),
         }
         with Listener(progress=False) as listener:
-            return Table(_core.broomstick_of(self._held, options, listener), "plan_broomstick")
+            try:
+                table = _core.broomstick_of(self._held, options, listener)
+            except KeyboardInterrupt as error:
+                raise Interrupted("interrupted: nothing is kept of a broomstick") from error
+        return Table(table, "plan_broomstick")
 
     def plan(
         self,

@@ -7,11 +7,14 @@ import math
 import os
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, Protocol, TypeAlias, cast, runtime_checkable
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, cast, runtime_checkable
 
 import numpy as np
 
 from . import _core
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 
 @runtime_checkable
@@ -43,10 +46,10 @@ class Quantity(Protocol):
         ...
 
 
-Scalar: TypeAlias = str | float | int | bool | Quantity
+Scalar: TypeAlias = "str | float | int | bool | np.integer[Any] | Quantity"
 """A value of a key: a text, a number in SI, or a quantity."""
 
-Value: TypeAlias = "Scalar | Sequence[Value] | Mapping[str, Value]"
+Value: TypeAlias = "Scalar | NDArray[Any] | Sequence[Value] | Mapping[str, Value]"
 """A value of a key, a list or a table of such."""
 
 
@@ -146,7 +149,7 @@ def si(value: Scalar, dimension: str) -> float:
     """
     if isinstance(value, str):
         return _core.quantity(value, dimension)
-    if isinstance(value, int | float):
+    if isinstance(value, int | float | np.integer):
         return float(value)
     return float(value.to(for_pint(_core.si_unit(dimension))).magnitude)
 

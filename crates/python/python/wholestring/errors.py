@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .sweep import Sweep
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -111,6 +114,9 @@ class Interrupted(KeyboardInterrupt):
     ----------
     results
         What was computed until then.
+    sweep
+        What was solved until then, of a sweep.
     """
 
     results: Any = None
+    sweep: Sweep | None = None

@@ -10,14 +10,15 @@ from .assembly import Bha, BitTest, Modes
 from .calibration import Calibration
 from .planning import Plan, Reach
 from .results import Results
-from .studies import Cases, Study
+from .studies import Study
+from .sweep import Sweep
 
 _KINDS: dict[str, type[BaseResults]] = {
-    of._kind: of for of in (Results, Plan, Reach, Calibration, Modes, Bha, BitTest, Study, Cases)
+    of._kind: of for of in (Results, Plan, Reach, Calibration, Modes, Bha, BitTest, Study)
 }
 
 
-def load(folder: str | PathLike[str]) -> BaseResults:
+def load(folder: str | PathLike[str]) -> BaseResults | Sweep:
     """Read what a command left in a folder, whatever it was.
 
     Parameters
@@ -40,4 +41,4 @@ def load(folder: str | PathLike[str]) -> BaseResults:
         If there are no results.
     """
     core = _core.Answers.load(folder)
-    return _KINDS[core.kind](core)
+    return Sweep(folder) if core.kind == "a sweep" else _KINDS[core.kind](core)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Literal
@@ -14,52 +14,8 @@ from ._folder import Place
 from ._listener import Listener
 from ._values import Scalar, Value
 from .errors import FindingsError
-from .results import Results
+from .sweep import Sweep
 from .table import Table
-
-
-class Cases(BaseResults):
-    """The cases of a sweep, each in its folder, as the command line leaves them."""
-
-    __slots__ = ()
-    _kind = "a sweep"
-
-    @property
-    def rows(self) -> Table:
-        """A row for each operation of each case: what was varied, the scalars, the findings."""
-        return self.table("sweep")
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Names of the cases that are finished: those of their folders."""
-        return tuple(dict.fromkeys(str(name) for name in self.rows["folder"]))
-
-    def __len__(self) -> int:
-        """Give the number of cases that are finished."""
-        return len(self.names)
-
-    def __getitem__(self, name: str) -> Results:
-        """Give what a case came to, by the name of its folder."""
-        folder = self.folder
-        if folder is None or name not in self.names:
-            raise KeyError(f"there is no case {name!r}: there are {', '.join(self.names)}")
-        return Results(_core.Answers.load(folder / name), self._place)
-
-    @property
-    def findings(self) -> tuple[Finding, ...]:
-        """The gravest finding of each case in whose answers errors were found."""
-        rows = self.rows
-        if "errors" not in rows:
-            return ()
-        what = rows["worst_finding_message"]
-        return tuple(
-            Finding(kind="error", level="error", message=f"{rows['folder'][row]}: {what[row]}")
-            for row in range(len(rows))
-            if rows["errors"][row] > 0
-        )
-
-    def _facts(self) -> Sequence[tuple[str, str]]:
-        return [("cases", str(len(self)))]
 
 
 class Study(BaseResults):
@@ -84,11 +40,14 @@ class Study(BaseResults):
         inside = sorted(self._root.iterdir())
         return tuple(of.name for of in inside if (of / "sweep.csv").is_file())
 
-    def __getitem__(self, sweep: str) -> Cases:
-        """Give a sweep by its name."""
+    def __getitem__(self, sweep: str) -> Sweep:
+        """Give a sweep by its name.
+
+        Of a study in a temporary folder it can be read as long as the study is there.
+        """
         if sweep not in self.sweeps:
             raise KeyError(f"there is no sweep {sweep!r}: there are {', '.join(self.sweeps)}")
-        return Cases(_core.Answers.load(self._root / sweep), self._place)
+        return Sweep(self._root / sweep)
 
     @property
     def figures(self) -> Mapping[str, Path]:
@@ -98,10 +57,17 @@ class Study(BaseResults):
     @property
     def findings(self) -> tuple[Finding, ...]:
         """The gravest finding of each case in whose answers errors were found."""
-        return tuple(of for sweep in self.sweeps for of in self[sweep].findings)
+        return tuple(of for sweep in self.sweeps for of in _errors(self[sweep].table))
 
     def _facts(self) -> Sequence[tuple[str, str]]:
         return [(sweep, f"{len(self[sweep])} cases") for sweep in self.sweeps]
+
+
+def _errors(rows: Table) -> Iterator[Finding]:
+    for row in range(len(rows)):
+        if rows["errors"][row] > 0:
+            message = f"{rows['folder'][row]}: {rows['worst_finding_message'][row]}"
+            yield Finding(kind="error", level="error", message=message)
 
 
 def study(

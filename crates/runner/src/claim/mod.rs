@@ -6,5 +6,5 @@ mod leftovers;
 mod refusal;
 
 pub(crate) use folder::{Claim, Claimed, hold};
-pub(crate) use leftovers::remove as remove_results;
+pub(crate) use leftovers::remove as clear;
 pub use refusal::FolderRefused;

@@ -79,7 +79,7 @@ pub fn run(
     };
     let (mut summary, tables) = find(case, operation, &goes_on)?;
     goes_on()?;
-    let map = stability::find(case, operation);
+    let map = stability::find(case, operation, cancellation);
     goes_on()?;
     match &map {
         Ok(found) => summary.torsional_stability = Some(found.summary.clone()),

@@ -13,7 +13,10 @@ use wholestring_report::StabilityPicture;
 use wholestring_results::{StabilitySummary, StableFrom, StableWhere, Table};
 use wholestring_units::{Dimension, UnitSet};
 
-use crate::parallel::{in_parallel, jobs, lock};
+use crate::{
+    cancellation::CancellationToken,
+    parallel::{in_parallel, jobs, lock},
+};
 
 /// Rotary speeds and weights of the map.
 const SPEEDS: usize = 20;
@@ -27,15 +30,23 @@ pub(super) struct Stability {
 
 /// The map of an operation that drills, or else of the case's first that does; why there is none,
 /// where no operation turns on bottom, the bit stands on solid rock, or settings of the dynamics
-/// are not sound.
-pub(super) fn find(case: &Case, operation: &Operation) -> Result<Stability, String> {
+/// are not sound. Once it is cancelled, the map is of no use.
+pub(super) fn find(
+    case: &Case,
+    operation: &Operation,
+    cancellation: &CancellationToken,
+) -> Result<Stability, String> {
     let drills = |of: &&Operation| of.kind == OperationKind::Drill;
     let operation = [operation].into_iter().chain(&case.operations).find(drills);
-    let found = operation.map(|operation| map(case, operation));
+    let found = operation.map(|operation| map(case, operation, cancellation));
     found.unwrap_or(Err(StabilityError::NotDrilling)).map_err(|error| error.to_string())
 }
 
-fn map(case: &Case, operation: &Operation) -> Result<Stability, StabilityError> {
+fn map(
+    case: &Case,
+    operation: &Operation,
+    cancellation: &CancellationToken,
+) -> Result<Stability, StabilityError> {
     let settings = settings(case);
     let string = TorsionalStability::new(&case.model, operation, &case.dynamics)?;
     let of_case = string.of_case(&settings)?;
@@ -44,7 +55,9 @@ fn map(case: &Case, operation: &Operation) -> Result<Stability, StabilityError> 
         weights.iter().map(|_| Mutex::new(None)).collect();
     let order: Vec<usize> = (0..weights.len()).collect();
     in_parallel(jobs(None), &order, |index| {
-        *lock(&lines[index]) = Some(string.line(weights[index], &settings));
+        if !cancellation.is_cancelled() {
+            *lock(&lines[index]) = Some(string.line(weights[index], &settings));
+        }
     });
     let lines: Result<Vec<StabilityLine>, StabilityError> =
         lines.iter().filter_map(|line| lock(line).take()).collect();

@@ -1,6 +1,6 @@
 //! The cases of a study.
 
-use std::{collections::BTreeMap, path::Path};
+use std::{collections::BTreeMap, path::Path, sync::Arc};
 
 use wholestring_case::{Override, Template};
 use wholestring_study::{Study, Sweep};
@@ -11,7 +11,7 @@ use crate::{
 };
 
 /// The case files of a study, each read once.
-pub(super) struct Templates(BTreeMap<String, Template>);
+pub(super) struct Templates(BTreeMap<String, Arc<Template>>);
 
 impl Templates {
     /// Reads every case file that the study names, as seen from the folder.
@@ -20,7 +20,7 @@ impl Templates {
         for name in study.sweeps.iter().flat_map(files) {
             if !templates.contains_key(name) {
                 let template = Template::read(&folder.join(name))?;
-                templates.insert(name.to_owned(), template);
+                templates.insert(name.to_owned(), Arc::new(template));
             }
         }
         Ok(Self(templates))
@@ -31,7 +31,7 @@ impl Templates {
         &self,
         study: &Study,
         overrides: &[Override],
-    ) -> Result<Vec<Point<'_>>, Error> {
+    ) -> Result<Vec<Point>, Error> {
         let mut all = Vec::new();
         for (set, sweep) in study.sweeps.iter().enumerate() {
             for change in overrides {
@@ -49,7 +49,7 @@ impl Templates {
                 let exceptions = sweep.exceptions.iter();
                 for exception in exceptions.filter(|of| of.when.has(&keys, &point.values)) {
                     if let Some(case) = &exception.case {
-                        point.template = &self.0[case];
+                        point.template = self.0[case].clone();
                     }
                     // What is varied has the last word.
                     let varied = point.changes.len() - point.values.len();

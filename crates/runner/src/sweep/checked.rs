@@ -13,6 +13,7 @@ use super::points::Point;
 use crate::{
     cancellation::CancellationToken,
     error::{Error, Unsound},
+    keep::Keep,
     observer::Observer,
     parallel::{in_parallel, lock},
 };
@@ -28,6 +29,10 @@ pub(super) struct Checked {
     pub(super) simulated_s: f64,
     /// Whether its lift is tuned.
     pub(super) lift: bool,
+    /// Operations, each by each model.
+    pub(super) answers: usize,
+    /// What is kept of it where nobody says.
+    pub(super) keep: Keep,
     /// The case itself, until it is solved, where reading it again would take as long as solving
     /// it.
     case: Mutex<Option<Case>>,
@@ -51,6 +56,8 @@ impl Checked {
             identity: digest(&case.identity()),
             cost: cost.sum(),
             lift: dynamic && case.tunes_hook_load,
+            answers: case.operations.len() * case.models.len(),
+            keep: Keep::of_itself(&case, false),
             simulated_s: efforts.iter().map(|effort| effort.end_s).sum(),
             case: Mutex::new((holds && !dynamic).then_some(case)),
         }
@@ -67,7 +74,7 @@ const SHOWN: usize = 5;
 
 /// Reads and checks every case, so that no sweep ends on a mistake in its last.
 pub(super) fn check(
-    points: &[Point<'_>],
+    points: &[Point],
     jobs: usize,
     observer: &dyn Observer,
     cancellation: &CancellationToken,
@@ -94,7 +101,7 @@ pub(super) fn check(
         *lock(&outcomes[i]) = Some(answer.map(|case| Checked::of(case, points.len() <= MAX_HELD)));
     });
     let mut checked = Vec::new();
-    let mut unsound: Vec<(&Point<'_>, Report)> = Vec::new();
+    let mut unsound: Vec<(&Point, Report)> = Vec::new();
     for (point, answer) in points.iter().zip(outcomes) {
         match answer.into_inner().unwrap_or_else(PoisonError::into_inner) {
             Some(Ok(case)) => checked.push(case),

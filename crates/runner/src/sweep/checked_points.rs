@@ -18,15 +18,15 @@ use crate::{
 };
 
 /// The cases of a batch, read and checked.
-pub(crate) struct CheckedPoints<'a> {
-    pub(super) points: Vec<Point<'a>>,
+pub(crate) struct CheckedPoints {
+    pub(super) points: Vec<Point>,
     pub(super) checked: Vec<Checked>,
 }
 
-impl<'a> CheckedPoints<'a> {
+impl CheckedPoints {
     /// Reads and checks every case, so that no batch ends on a mistake in its last.
     pub(crate) fn check(
-        points: Vec<Point<'a>>,
+        points: Vec<Point>,
         options: &BatchOptions,
         observer: &dyn Observer,
         cancellation: &CancellationToken,
@@ -62,7 +62,7 @@ impl<'a> CheckedPoints<'a> {
             let cases = self.points.iter().enumerate();
             cases.filter_map(|(case, point)| shard.has(case).then_some(point))
         };
-        let case = |path: &Path, point: &Point<'_>| within(path, point.set).join(&point.name);
+        let case = |path: &Path, point: &Point| within(path, point.set).join(&point.name);
         let occupant =
             Occupant { kind: kind.to_owned(), name: name.to_owned(), identity: self.identity() };
         Claim {

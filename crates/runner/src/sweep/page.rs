@@ -6,7 +6,7 @@ use wholestring_report::{Sweep, SweepRow, address, sweep_html, sweep_plots};
 use wholestring_results::{Column, Data, ResultsError, ResultsFolder, Summary, Table};
 use wholestring_units::UnitSet;
 
-use super::table::{FILE, SCALARS};
+use super::{read::varied, table::FILE};
 use crate::{
     error::Error,
     page::{self, facts},
@@ -40,23 +40,8 @@ pub(crate) fn write(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<()
 /// Everything that is reported of a sweep.
 fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Sweep, ResultsError> {
     let table = Table::read_csv(&folder.join(FILE))?;
-    // Keys may be named like other columns, `model`: they are those that come first.
-    let begins = |rest: &[Column]| {
-        let names = rest.iter().map(|column| column.name.as_str());
-        names.eq(["model", "operation", SCALARS[0]])
-    };
     let columns = table.columns();
-    let path = folder.join(FILE);
-    let Some(varied) = columns.windows(3).position(begins).filter(|keys| *keys > 0) else {
-        return Err(ResultsError::Format {
-            path,
-            reason: format!(
-                "its columns are not those of a sweep: expected the keys that were varied, then \
-                 model, operation, {}",
-                SCALARS[0]
-            ),
-        });
-    };
+    let varied = varied(&folder.join(FILE), columns)?;
     let (varied, others) = columns.split_at(varied);
     let value = |column: &Column, row: usize| match &column.data {
         Data::Text(words) => words[row].clone(),

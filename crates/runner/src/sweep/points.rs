@@ -1,6 +1,6 @@
 //! The combinations of values that a sweep solves.
 
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, sync::Arc};
 
 use wholestring_case::{Override, Template, Variation};
 
@@ -10,11 +10,11 @@ use crate::{error::Error, folder_name::file_name};
 const MAX_CASES: usize = 100_000;
 
 /// One combination of values.
-pub(crate) struct Point<'a> {
+pub(crate) struct Point {
     /// Index of the set that it belongs to.
     pub(crate) set: usize,
     /// The case that it is a variation of.
-    pub(crate) template: &'a Template,
+    pub(crate) template: Arc<Template>,
     /// The changes of the case: those of all, then its own.
     pub(crate) changes: Vec<Override>,
     /// Its own values, as written.
@@ -24,50 +24,84 @@ pub(crate) struct Point<'a> {
 }
 
 /// All combinations, the last key varying fastest.
-pub(crate) fn points<'a>(
-    template: &'a Template,
+pub(crate) fn points(
+    template: &Arc<Template>,
     common: &[Override],
     variations: &[Variation],
-) -> Result<Vec<Point<'a>>, Error> {
+) -> Result<Vec<Point>, Error> {
     let counts = variations.iter().map(|of| of.values.len());
     let count = counts.clone().try_fold(1_usize, usize::checked_mul);
     let Some(count) = count.filter(|count| *count <= MAX_CASES) else {
         let counts: Vec<String> = counts.map(|count| count.to_string()).collect();
-        return Err(Error::BadInput(format!(
-            "a sweep of {} cases, expected at most {MAX_CASES}",
-            counts.join(" × ")
-        )));
+        return Err(too_many(&counts.join(" × ")));
     };
-    let mut points: Vec<Point<'a>> = (0..count)
-        .map(|case| {
-            let mut stride = count;
-            let own = variations.iter().map(|of| {
-                stride /= of.values.len();
-                of.values[case / stride % of.values.len()].clone()
-            });
-            let own: Vec<Override> = own.collect();
-            let values: Vec<String> = own.iter().map(|of| of.bare().to_owned()).collect();
-            let parts = own.iter().zip(&values);
-            let parts: Vec<_> = parts.map(|(of, value)| format!("{}={value}", of.key)).collect();
-            Point {
-                set: 0,
-                template,
-                changes: [common, &own].concat(),
-                values,
-                name: match parts.is_empty() {
-                    true => "case".to_owned(),
-                    false => parts.join(","),
-                },
-            }
-        })
-        .collect();
+    let own = (0..count).map(|case| {
+        let mut stride = count;
+        let own = variations.iter().map(|of| {
+            stride /= of.values.len();
+            of.values[case / stride % of.values.len()].clone()
+        });
+        own.collect()
+    });
+    Ok(with_names(template, common, own))
+}
+
+/// As many cases as every key has values: the first of each, the second of each, and so on.
+pub(crate) fn points_together(
+    template: &Arc<Template>,
+    common: &[Override],
+    variations: &[Variation],
+) -> Result<Vec<Point>, Error> {
+    let count = variations.first().map_or(1, |of| of.values.len());
+    if let Some(other) = variations.iter().find(|of| of.values.len() != count) {
+        return Err(Error::BadInput(format!(
+            "`{}` has {count} values and `{}` has {}: keys that are varied together have as many \
+             values each",
+            variations[0].key,
+            other.key,
+            other.values.len()
+        )));
+    }
+    if count > MAX_CASES {
+        return Err(too_many(&count.to_string()));
+    }
+    let own = (0..count).map(|case| variations.iter().map(|of| of.values[case].clone()).collect());
+    Ok(with_names(template, common, own))
+}
+
+fn too_many(count: &str) -> Error {
+    Error::BadInput(format!("a sweep of {count} cases, expected at most {MAX_CASES}"))
+}
+
+/// The cases with these values of their own, each with a folder that bears them.
+fn with_names(
+    template: &Arc<Template>,
+    common: &[Override],
+    own: impl Iterator<Item = Vec<Override>>,
+) -> Vec<Point> {
+    let point = |own: Vec<Override>| {
+        let values: Vec<String> = own.iter().map(|of| of.bare().to_owned()).collect();
+        let parts = own.iter().zip(&values);
+        let parts: Vec<_> = parts.map(|(of, value)| format!("{}={value}", of.key)).collect();
+        Point {
+            set: 0,
+            template: template.clone(),
+            changes: [common, &own].concat(),
+            values,
+            name: match parts.is_empty() {
+                true => "case".to_owned(),
+                false => parts.join(","),
+            },
+        }
+    };
+    let mut points: Vec<Point> = own.map(point).collect();
     name_folders(&mut points);
-    Ok(points)
+    points
 }
 
 /// Folders bear the values; where those are too long for a name, or some system does not
 /// distinguish them, the number of the case.
-fn name_folders(points: &mut [Point<'_>]) {
+fn name_folders(points: &mut [Point]) {
     let names: Vec<String> = points.iter().map(|point| file_name(&point.name)).collect();
     let unique: BTreeSet<String> = names.iter().map(|name| name.to_lowercase()).collect();
     let whole = points

@@ -1,8 +1,10 @@
 //! A sweep that is requested.
 
+use std::sync::Arc;
+
 use wholestring_case::{Override, Template, Variation};
 
-use super::{batch::Batch, checked_points::CheckedPoints, points::points, set::Set};
+use super::in_hand::InHand;
 use crate::{
     batch::{BatchOptions, BatchOutcome},
     cancellation::CancellationToken,
@@ -15,11 +17,14 @@ use crate::{
 #[derive(Debug)]
 pub struct Request<'a> {
     /// The case file.
-    pub template: &'a Template,
+    pub template: &'a Arc<Template>,
     /// What is changed in every case.
     pub overrides: &'a [Override],
     /// The keys that are varied, with their values.
     pub variations: &'a [Variation],
+    /// Whether the keys are varied together instead: the first value of each, the second of each,
+    /// and so on.
+    pub together: bool,
     /// What is kept of each case. Where nothing is said: its tables where dynamics solve it or they
     /// are requested as CSV, else its summary.
     pub keep: Option<Keep>,
@@ -38,21 +43,5 @@ pub fn run(
     observer: &dyn Observer,
     cancellation: &CancellationToken,
 ) -> Result<BatchOutcome, Error> {
-    let options = &request.batch;
-    let points = points(request.template, request.overrides, request.variations)?;
-    let valid = CheckedPoints::check(points, options, observer, cancellation)?;
-    let name = format!("{} sweep", valid.first_name());
-    let within_itself = |path: &std::path::Path, _| path.to_owned();
-    let claimed = valid.claim("sweep", &name, options, observer, &within_itself)?;
-    let keys = request.variations.iter().map(|of| of.key.clone());
-    let set = Set {
-        prefix: String::new(),
-        folder: claimed.folder.clone(),
-        keys: keys.collect(),
-        keep: request.keep,
-        needs: Keep::Summary,
-    };
-    let mut batch = Batch::new(options, vec![set], valid, observer, cancellation);
-    batch.solve_all()?;
-    Ok(batch.outcome(claimed.folder.path()))
+    InHand::begin(request, observer, cancellation)?.solve(observer, cancellation)
 }

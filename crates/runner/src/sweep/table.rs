@@ -21,7 +21,8 @@ pub const SCALARS: [&str; outcome::SCALARS.len() + 1] = {
 /// What is reported of a tuned lift, as `summary.json` names it.
 const LIFT: [&str; 3] = ["hook_load_N", "weight_on_bit_N", "runs"];
 
-const STATISTICS: [&str; 8] = ["mean", "std", "min", "max", "p05", "p95", "std_error", "drift"];
+pub(super) const STATISTICS: [&str; 8] =
+    ["mean", "std", "min", "max", "p05", "p95", "std_error", "drift"];
 
 /// The rows of a sweep. Which columns they have is settled by what is swept and solved, so that the
 /// tables of its shards can be put one below the other.

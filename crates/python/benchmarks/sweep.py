@@ -1,0 +1,214 @@
+"""What a case of a sweep costs beside its solution: on threads, processes and Dask's workers.
+
+    python benchmarks/sweep.py overhead            # short cases: the cost of handing one out
+    python benchmarks/sweep.py speed               # 15 depths x 4 friction factors, dynamics
+    python benchmarks/sweep.py many                # 100 000 points: in flight, memory, time
+
+``speed`` sweeps by the command line and on Dask in turn, in the same run, and gives the ratio of
+their speeds: ``--wholestring PATH`` is the command line's program, and must be of the same build
+as the package. Nothing else should run on the machine meanwhile: the load at the beginning and at
+the end is printed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import multiprocessing
+import os
+import platform
+import resource
+import shutil
+import statistics
+import subprocess
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import wholestring as ws
+
+CASES = Path(__file__).parents[3] / "cases"
+
+
+@contextmanager
+def dask(workers: int) -> Iterator[Any]:
+    """Give a client of so many workers of one thread each, on this machine."""
+    from distributed import Client, LocalCluster, Security
+
+    cluster = LocalCluster(
+        n_workers=workers,
+        threads_per_worker=1,
+        host="127.0.0.1",
+        dashboard_address="127.0.0.1:0",
+        security=Security.temporary(),
+        silence_logs=40,
+    )
+    with cluster, Client(cluster) as client:
+        yield client
+
+
+@contextmanager
+def nothing() -> Iterator[None]:
+    """Give no executor: threads of this process, without Python."""
+    yield None
+
+
+def processes(workers: int) -> ProcessPoolExecutor:
+    """Give a pool of processes."""
+    return ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"))
+
+
+def swept_s(case: ws.Case, vary: dict[str, Any], executor: Any, **keywords: Any) -> float:
+    """Sweep into a new folder, and give the time on the clock, s."""
+    with tempfile.TemporaryDirectory() as place:
+        begin = time.perf_counter()
+        swept = ws.sweep(case, vary, folder=Path(place) / "sweep", executor=executor, **keywords)
+        took_s = time.perf_counter() - begin
+        assert not swept.failed, swept.failed
+    return took_s
+
+
+def overhead(arguments: argparse.Namespace) -> dict[str, Any]:
+    """Measure short cases, and what of their time is the solution's."""
+    case = ws.Case.example().with_(model="soft", operation__kind="trip_out")
+    count: int = arguments.cases
+    vary = {"friction": [0.1 + 0.3 * i / count for i in range(count)]}
+    ways: dict[str, Callable[[], Any]] = {
+        "threads of Rust, 1": nothing,
+        "threads of Rust, 2": nothing,
+        "ThreadPoolExecutor, 2": lambda: ThreadPoolExecutor(2),
+        "ProcessPoolExecutor, 1": lambda: processes(1),
+        "ProcessPoolExecutor, 2": lambda: processes(2),
+        "Dask, 1 worker": lambda: dask(1),
+        "Dask, 2 workers": lambda: dask(2),
+    }
+    found: dict[str, Any] = {}
+    for name, make in ways.items():
+        jobs = int(name[-1]) if name.startswith("threads") else None
+        with make() as executor:
+            warm = {"friction": vary["friction"][:20]}
+            swept_s(case, warm, executor, jobs=jobs)
+            times: list[float] = []
+            for _ in range(arguments.repeat):
+                times.append(swept_s(case, vary, executor, jobs=jobs))
+            single = swept_s(case, vary, executor, jobs=jobs, bundle="1 us")
+        found[name] = {
+            "ms_per_case": 1e3 * statistics.median(times) / count,
+            "ms_per_case_one_by_one": 1e3 * single / count,
+        }
+        print(f"{name:26s} {found[name]['ms_per_case']:8.2f} ms a case", end="")
+        print(f" {found[name]['ms_per_case_one_by_one']:8.2f} ms where each is a task", flush=True)
+    return found
+
+
+def speed(arguments: argparse.Namespace) -> dict[str, Any]:
+    """Measure dynamics: the command line and Dask with two workers, in turn."""
+    changes: dict[str, ws.Value] = {
+        "model": "dynamic",
+        "dynamics.duration": arguments.duration,
+        "dynamics.settle": arguments.settle,
+    }
+    case = ws.Case.load(CASES / "np13-x1042.toml").with_(changes)
+    vary = {"bit_depth": "300m..4305m/300m", "friction": [0.1, 0.2, 0.3, 0.4]}
+    rows: list[dict[str, float]] = []
+    with dask(2) as client:
+        client.run(lambda: __import__("wholestring"))
+        for _ in range(arguments.repeat):
+            row = {
+                "dask_s": swept_s(case, vary, client),
+                "threads_s": swept_s(case, vary, None, jobs=2),
+            }
+            if arguments.wholestring:
+                row["command_line_s"] = command_line_s(arguments)
+            rows.append(row)
+            print({name: round(of, 2) for name, of in row.items()}, flush=True)
+    best = {name: min(row[name] for row in rows) for name in rows[0]}
+    ratios = {f"{name} / dask_s": of / best["dask_s"] for name, of in best.items()}
+    print("speed of Dask over that of:", {name: round(of, 3) for name, of in ratios.items()})
+    return {"rows": rows, "ratios": ratios}
+
+
+def command_line_s(arguments: argparse.Namespace) -> float:
+    """Give the time of the same sweep by the command line, s."""
+    program = [arguments.wholestring, "sweep", str(CASES / "np13-x1042.toml"), "-q", "-j", "2"]
+    for setting in (
+        "model=dynamic",
+        f"dynamics.duration={arguments.duration} s",
+        f"dynamics.settle={arguments.settle} s",
+    ):
+        program += ["--set", setting]
+    for values in ("bit_depth=300m..4305m/300m", "friction=0.1,0.2,0.3,0.4"):
+        program += ["--vary", values]
+    with tempfile.TemporaryDirectory() as place:
+        begin = time.perf_counter()
+        subprocess.run([*program, "-o", str(Path(place) / "sweep")], check=True)
+        return time.perf_counter() - begin
+
+
+class Counting(Executor):
+    """A pool that counts what it has in flight."""
+
+    def __init__(self, pool: Executor) -> None:
+        self._pool = pool
+        self._now = 0
+        self.most = 0
+        self.tasks = 0
+
+    def submit(self, work: Any, /, *arguments: Any, **keywords: Any) -> Future[Any]:
+        """Submit, and count."""
+        self._now += 1
+        self.tasks += 1
+        self.most = max(self.most, self._now)
+        future = self._pool.submit(work, *arguments, **keywords)
+        future.add_done_callback(self._ended)
+        return future
+
+    def _ended(self, _: Future[Any]) -> None:
+        self._now -= 1
+
+
+def many(arguments: argparse.Namespace) -> dict[str, Any]:
+    """Sweep as many points as there may be."""
+    case = ws.Case.example().with_(model="soft", operation__kind="trip_out")
+    count = 100_000 if arguments.cases == 1000 else arguments.cases
+    vary = {"friction": [0.1 + 0.3 * i / count for i in range(count)]}
+    with processes(2) as pool:
+        counting = Counting(pool)
+        took_s = swept_s(case, vary, counting, in_flight=6)
+    found = {
+        "cases": count,
+        "took_s": took_s,
+        "tasks": counting.tasks,
+        "most_in_flight": counting.most,
+        "memory_MB": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
+    }
+    print(found)
+    return found
+
+
+def main() -> None:
+    """Measure, and print what was found, as JSON too where that is asked for."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
+    parser.add_argument("what", choices=["overhead", "speed", "many"])
+    parser.add_argument("--cases", type=int, default=1000)
+    parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--duration", type=float, default=5.0, help="of a dynamic case, s")
+    parser.add_argument("--settle", type=float, default=5.0, help="before it, s")
+    parser.add_argument("--wholestring", default=shutil.which("wholestring"))
+    parser.add_argument("--json", type=Path)
+    arguments = parser.parse_args()
+    machine = f"{platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}"
+    print(f"{machine}, wholestring {ws.__version__}; load {os.getloadavg()[0]:.2f}")
+    measure = {"overhead": overhead, "speed": speed, "many": many}[arguments.what]
+    found = measure(arguments)
+    print(f"load at the end {os.getloadavg()[0]:.2f}")
+    if arguments.json:
+        arguments.json.write_text(json.dumps({"machine": machine, "found": found}, indent=1))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,49 @@
+"""A sweep on a Slurm cluster, by Dask: workers come and go as the queue has room for them.
+
+    pip install wholestring 'dask[distributed]' dask-jobqueue
+    python dask_slurm.py my-well.toml out/friction-sweep
+
+This program runs where jobs are submitted, and stays there until the sweep is finished. If it is
+killed, the same command continues.
+"""
+
+import sys
+from typing import Any
+
+import wholestring as ws
+from dask.distributed import Client, Security
+from dask_jobqueue import SLURMCluster
+
+
+def slurm_cluster(**more: Any) -> SLURMCluster:
+    """Give a cluster whose jobs have eight workers of one thread each: a case is one thread."""
+    settings: dict[str, Any] = {
+        "cores": 8,
+        "processes": 8,
+        "memory": "8 GB",
+        "walltime": "04:00:00",
+        "job_name": "wholestring",
+        # A worker ends a little before its job does, so that Dask gives its cases to others.
+        "worker_extra_args": ["--lifetime", "235m", "--lifetime-stagger", "4m"],
+        # Others use the network too. The keys go to a folder that all nodes see, for you alone.
+        "protocol": "tls",
+        "security": Security.temporary(),
+        "shared_temp_directory": ".",
+    }
+    return SLURMCluster(**(settings | more))
+
+
+def main(case_file: str, folder: str) -> None:
+    """Sweep a case, and say what failed."""
+    case = ws.Case.load(case_file)
+    vary = {"friction": [0.1, 0.2, 0.3, 0.4], "bit_depth": "300m..4305m/300m"}
+    with slurm_cluster() as cluster, Client(cluster) as client:
+        cluster.adapt(minimum_jobs=1, maximum_jobs=16)
+        swept = ws.sweep(case, vary, folder=folder, executor=client, progress=True)
+    print(swept)
+    for name, reason in swept.failed.items():
+        print(f"{name}: {reason}")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

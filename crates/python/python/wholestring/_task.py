@@ -1,0 +1,177 @@
+"""Cases of a sweep as a worker solves them: in another process, or on another machine."""
+
+from __future__ import annotations
+
+import functools
+import pickle
+import socket
+import tempfile
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from . import _core
+
+
+@dataclass(frozen=True, kw_only=True)
+class Job:
+    """What all cases of a sweep have in common.
+
+    Attributes
+    ----------
+    name, text, files
+        The case that is varied, and the files that it names.
+    keep, csv, checkpoint_s
+        What is kept of each case, and how often it is written to a checkpoint.
+    running
+        A file in the sweep's folder that is there as long as the sweep goes on.
+    shared
+        Whether workers write to the sweep's folder themselves; ``None``: whoever sees it does.
+    version
+        The version of this package that asks.
+    """
+
+    name: str
+    text: str
+    files: dict[str, bytes]
+    keep: str | None
+    csv: bool
+    checkpoint_s: float | None
+    running: str
+    shared: bool | None
+    version: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Task:
+    """A case: its number, its changes, its folder, and files with which it continues."""
+
+    number: int
+    name: str
+    changes: list[tuple[str, str]]
+    folder: str
+    begun: list[tuple[str, bytes]]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Solved:
+    """How a case ended; with its files where the worker does not see the sweep's folder."""
+
+    number: int
+    ended: bytes
+    files: list[tuple[str, bytes]] | None
+
+
+@dataclass(kw_only=True)
+class Done:
+    """What came of a bundle of cases.
+
+    Attributes
+    ----------
+    solved
+        The cases that were solved, from the first on.
+    warnings
+        What was said meanwhile.
+    took_s
+        Time on the clock.
+    stopped
+        Whether the folder of the sweep was there, and the sweep had ended.
+    """
+
+    solved: list[Solved] = field(default_factory=list[Solved])
+    warnings: list[str] = field(default_factory=list[str])
+    took_s: float = 0.0
+    stopped: bool = False
+
+    def said(self, is_warning: bool, sentence: str) -> None:
+        """Hear a sentence."""
+        if is_warning:
+            self.warnings.append(sentence)
+
+    def progress(self, name: str, time_s: float, end_s: float) -> None:
+        """Hear how far a simulation has come: nobody looks here."""
+
+    def batch(self, ended: int, of: int, part: float) -> None:
+        """Hear how far a batch has come: nobody looks here."""
+
+
+@functools.lru_cache(maxsize=4)
+def _opened(job: bytes) -> tuple[Job, _core.Variations]:
+    held: Job = pickle.loads(job)
+    if held.version != _core.__version__:
+        raise RuntimeError(
+            f"the worker on {socket.gethostname()} has wholestring {_core.__version__}, and the "
+            f"sweep was begun with {held.version}: their answers may differ"
+        )
+    return held, _core.Variations(held.name, held.text, held.files)
+
+
+def solve(job: bytes, tasks: Sequence[Task]) -> Done:
+    """Solve cases one after the other.
+
+    Parameters
+    ----------
+    job
+        A :class:`Job`, pickled: workers open it once.
+    tasks
+        The cases.
+    """
+    begin = time.monotonic()
+    held, variations = _opened(job)
+    done = Done()
+    running = Path(held.running)
+    shared = running.exists() if held.shared is None else held.shared
+    if (shared or held.shared is None) and not running.exists() and running.parent.is_dir():
+        done.stopped = True
+    elif shared:
+        if not running.exists():
+            raise FileNotFoundError(
+                f"the worker on {socket.gethostname()} does not see {running.parent}: with "
+                "shared_folder=False it sends the files of its cases back"
+            )
+        cases = [(of.name, of.changes, of.folder) for of in tasks]
+        ended = _solve(held, variations, cases, running, done)
+        done.solved = [
+            Solved(number=of.number, ended=how, files=None)
+            for of, how in zip(tasks, ended, strict=False)
+        ]
+    else:
+        with tempfile.TemporaryDirectory(prefix="wholestring-") as place:
+            done.solved = _solve_apart(held, variations, tasks, Path(place), done)
+    done.took_s = time.monotonic() - begin
+    return done
+
+
+def _solve_apart(
+    held: Job, variations: _core.Variations, tasks: Sequence[Task], place: Path, done: Done
+) -> list[Solved]:
+    folders = [place / str(of.number) for of in tasks]
+    for of, folder in zip(tasks, folders, strict=True):
+        folder.mkdir()
+        for name, content in of.begun:
+            (folder / name).write_bytes(content)
+    cases = [(of.name, of.changes, str(folder)) for of, folder in zip(tasks, folders, strict=True)]
+    ended = _solve(held, variations, cases, None, done)
+    return [
+        Solved(
+            number=of.number,
+            ended=how,
+            files=[
+                (file.name, file.read_bytes())
+                for file in sorted(folder.iterdir())
+                if file.is_file()
+            ],
+        )
+        for of, folder, how in zip(tasks, folders, ended, strict=False)
+    ]
+
+
+def _solve(
+    held: Job,
+    variations: _core.Variations,
+    cases: list[tuple[str, list[tuple[str, str]], str]],
+    running: Path | None,
+    done: Done,
+) -> list[bytes]:
+    return variations.solve(cases, held.keep, held.csv, held.checkpoint_s, running, done)

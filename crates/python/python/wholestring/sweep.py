@@ -1,0 +1,285 @@
+"""A case with many values: on all cores here, or on any executor."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from concurrent.futures import Executor
+from functools import cached_property
+from html import escape
+from os import PathLike
+from pathlib import Path
+from typing import Literal, cast
+
+import numpy as np
+
+from . import _core, _values
+from ._handing import Handing, running_file
+from ._listener import CasesListener
+from ._pool import HasExecutor, Pool
+from ._task import Job
+from ._values import Scalar, Value
+from .case import Case
+from .errors import Interrupted
+from .results import Results
+from .table import Table
+
+
+class Sweep:
+    """What a sweep came to: a table with a row for each case, model and operation, and folders.
+
+    Examples
+    --------
+    >>> import tempfile, wholestring as ws
+    >>> case = ws.Case.example().with_(model="soft", operation__kind="trip_out")
+    >>> swept = ws.sweep(case, {"friction": [0.2, 0.3]}, folder=tempfile.mkdtemp())
+    >>> swept.names
+    ('friction=0.2', 'friction=0.3')
+    >>> [f"{load / 1e3:.0f} kN" for load in swept.table["hook_load_N"]]
+    ['400 kN', '438 kN']
+    >>> swept["friction=0.2"]["trip_out"].model
+    'soft'
+    """
+
+    def __init__(self, folder: str | PathLike[str]) -> None:
+        self._folder = Path(folder)
+        self._varied, table = _core.sweep_table(self._folder)
+        self._table = Table(table, "sweep")
+
+    @classmethod
+    def load(cls, folder: str | PathLike[str]) -> Sweep:
+        """Read what a sweep left in a folder, of the command line's too.
+
+        Raises
+        ------
+        ResultsError
+            If there is none.
+        """
+        return cls(folder)
+
+    @property
+    def folder(self) -> Path:
+        """Where the results lie."""
+        return self._folder
+
+    @property
+    def table(self) -> Table:
+        """The table of ``sweep.csv``: what was varied, scalars, statistics, findings, status."""
+        return self._table
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """The keys that were varied."""
+        return self._table.columns[: self._varied]
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Names of the cases that have ended, in their order; their folders bear them."""
+        return tuple(dict.fromkeys(str(of) for of in self._table["folder"]))
+
+    @cached_property
+    def failed(self) -> Mapping[str, str]:
+        """Cases that have no answer, each with the reason."""
+        table = self._table
+        failed: dict[str, str] = {}
+        rows = zip(
+            table["folder"], table["status"], table["operation"], table["message"], strict=True
+        )
+        for name, status, operation, message in rows:
+            if status == "failed":
+                reason = f"{operation}: {message}" if operation else str(message)
+                failed[name] = f"{failed[name]}; {reason}" if name in failed else reason
+        return failed
+
+    def __getitem__(self, case: str | int) -> Results:
+        """Give the answers of a case, by its name or its number in :attr:`names`.
+
+        Raises
+        ------
+        ResultsError
+            If it has none.
+        """
+        name = self.names[case] if isinstance(case, int) else case
+        if name not in self.names:
+            raise KeyError(f"there is no case {name!r}: the first are {', '.join(self.names[:3])}")
+        return Results.load(self._folder / name)
+
+    def __len__(self) -> int:
+        """Give the number of cases that have ended."""
+        return len(self.names)
+
+    def __iter__(self) -> Iterator[str]:
+        """Give the names of the cases."""
+        return iter(self.names)
+
+    def __repr__(self) -> str:
+        """Give its size."""
+        failed = f", {len(self.failed)} failed" if self.failed else ""
+        return f"<Sweep of {', '.join(self.keys)}: {len(self)} cases{failed}; {self._folder}>"
+
+    def _repr_html_(self) -> str:
+        shown = 20
+        table = self._table
+        columns = [*self.keys, "model", "operation", "hook_load_N", "surface_torque_N_m"]
+        columns += ["errors", "status"]
+        head = "".join(f"<th>{escape(of)}</th>" for of in columns)
+        values = [table[of][:shown] for of in columns]
+        rows = "".join(
+            "<tr>" + "".join(f"<td>{_cell(of[row])}</td>" for of in values) + "</tr>"
+            for row in range(min(shown, len(table)))
+        )
+        more = f"<p>{len(table)} rows, the first {shown} shown</p>" if len(table) > shown else ""
+        return (
+            f"<table><caption>{escape(repr(self)[1:-1])}</caption><thead><tr>{head}</tr></thead>"
+            f"<tbody>{rows}</tbody></table>{more}"
+        )
+
+
+def _cell(value: object) -> str:
+    if isinstance(value, float):
+        return "" if np.isnan(value) else f"{value:.6g}"
+    return escape(str(value))
+
+
+def sweep(
+    case: Case,
+    vary: Mapping[str, str | Iterable[Value]],
+    *,
+    together: bool = False,
+    folder: str | PathLike[str] | None = None,
+    executor: Executor | HasExecutor | None = None,
+    resume: bool = True,
+    overwrite: bool = False,
+    keep: Literal["summary", "tables", "all"] | None = None,
+    csv: bool = False,
+    progress: bool = False,
+    jobs: int | None = None,
+    checkpoint_every: Scalar | None = None,
+    shared_folder: bool | None = None,
+    in_flight: int | None = None,
+    bundle: Scalar = "0.5 s",
+    tries: int = 3,
+) -> Sweep:
+    """Solve a case with all combinations of some values, into a folder, as ``wholestring sweep``.
+
+    Every case is checked before any is solved. The folder is the command line's: either continues
+    what the other began, and what is finished is not solved again.
+
+    Parameters
+    ----------
+    case
+        What is varied.
+    vary
+        Keys, as :meth:`Case.with_` has them, each with its values: ``{"friction": [0.2, 0.3]}``. A
+        text has them as the command line does: ``{"bit_depth": "300m..4305m/300m"}``. The last key
+        varies fastest.
+    together
+        Whether the keys are varied together instead: the first value of each, the second of each,
+        and so on, as samples are.
+    folder
+        Where to; ``out/<name of the case> sweep`` where none is given.
+    executor
+        Who solves the cases: any ``concurrent.futures.Executor``, or a ``Client`` of Dask. Threads
+        of this process, without Python, where none is given.
+    resume
+        Whether to continue what lies in the folder. Otherwise what is finished there is solved
+        again, and what was begun there is refused.
+    overwrite
+        Whether to replace what lies there, whatever it is of.
+    keep
+        What is kept of each case: its summary, its tables too, or its page too. Where nothing is
+        said: the tables where dynamics solve it, else the summary.
+    csv
+        Whether to write the tables that are kept as CSV too.
+    progress
+        Whether to draw a bar, with tqdm.
+    jobs
+        Threads that check the cases, and without an executor solve them; one per core where nothing
+        is said.
+    checkpoint_every
+        Time on the clock between checkpoints; the case's where nothing is said.
+    shared_folder
+        Whether workers see the folder and write to it themselves, or send the files of their cases
+        back. Where nothing is said, each looks: a file of a random name is there as long as the
+        sweep goes on.
+    in_flight
+        Most bundles of cases that the executor has at a time; three for each worker where nothing
+        is said, so that none waits and no scheduler is flooded.
+    bundle
+        About the time that a bundle of short cases takes. Longer ones come one by one.
+    tries
+        How often a case is handed out whose worker is lost; then it has failed.
+
+    Raises
+    ------
+    CaseError
+        If cases are not sound; nothing was solved.
+    FolderError
+        If the folder holds other results.
+    Interrupted
+        If the user interrupted it; its ``sweep`` holds what was solved.
+
+    Notes
+    -----
+    A case that has no answer is a row with its reason, and an entry of :attr:`Sweep.failed`.
+    """
+    if min(tries, 1 if in_flight is None else in_flight, 1 if jobs is None else jobs) < 1:
+        raise ValueError("tries, in_flight and jobs are at least 1")
+    existing = "overwrite" if overwrite else "resume" if resume else "protect"
+    checkpoint_s = None if checkpoint_every is None else _values.si(checkpoint_every, "time")
+    pool = None if executor is None else Pool(executor)
+    varied = [(key, _written(key, values)) for key, values in vary.items()]
+    if not varied:
+        raise ValueError("vary names no key: expected such as {'friction': [0.2, 0.3]}")
+    with CasesListener(progress) as listener:
+        core = _core.Sweep.begin(
+            case._held, varied, together, folder, existing, keep, csv, jobs, checkpoint_s, listener
+        )
+        into = core.folder()
+        try:
+            if pool is None:
+                (_, interrupted), raised = core.run(listener)
+                interrupted = interrupted or isinstance(raised, KeyboardInterrupt)
+                if raised is not None and not interrupted:
+                    raise raised
+            else:
+                job = Job(
+                    name=case._held.source,
+                    text=case._held.template_text(),
+                    files=dict(case.files),
+                    keep=keep,
+                    csv=csv,
+                    checkpoint_s=checkpoint_s,
+                    running=running_file(into),
+                    shared=shared_folder,
+                    version=_core.__version__,
+                )
+                handing = Handing(core, job, listener)
+                interrupted = handing.run(
+                    pool, in_flight=in_flight, bundle_s=_values.si(bundle, "time"), tries=tries
+                )
+        finally:
+            core.close()
+    swept = Sweep(into)
+    if interrupted:
+        error = Interrupted("interrupted: `sweep` of this error has what was solved")
+        error.sweep = swept
+        raise error
+    return swept
+
+
+def _written(key: str, values: str | Iterable[Value]) -> str | list[str]:
+    if isinstance(values, str):
+        return values
+    if isinstance(values, Mapping) or not isinstance(cast("object", values), Iterable):
+        message = f"`{key}` was given {values!r}: expected a list of values, or a text"
+        raise TypeError(message)
+    return [_values.toml(_short(value), key) for value in values]
+
+
+def _short(value: Value) -> Value:
+    """Give a whole number as such: its folder is called ``bit_depth=300 m``, not 300.0."""
+    if isinstance(value, np.generic):
+        value = cast("Value", value.item())
+    if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
+        return int(value)
+    return value

@@ -1,0 +1,234 @@
+//! Sweeps in hand.
+
+use std::{
+    num::NonZeroUsize,
+    path::{Path, PathBuf},
+    sync::{Mutex, MutexGuard, PoisonError},
+    time::Duration,
+};
+
+use pyo3::{exceptions::PyValueError, prelude::*, types::PyBytes};
+use wholestring_case::{Override, Variation};
+use wholestring_runner::{
+    BatchOptions, BatchOutcome, CancellationToken, Keep, Output,
+    sweep::{self, Ended, InHand, Request},
+};
+
+use crate::{
+    attended::attended,
+    case::{Case, change, existing_of},
+    error,
+    table::Table,
+};
+
+/// Values of a key, or a text that has them as `--vary` does.
+#[derive(FromPyObject)]
+enum Values {
+    Text(String),
+    List(Vec<String>),
+}
+
+/// A sweep that is checked, holds its folder, and waits for its cases to be solved.
+#[pyclass(frozen, module = "wholestring._core")]
+pub(crate) struct Sweep(Mutex<Option<InHand>>);
+
+/// Failed cases, each with its reason, and whether the sweep was interrupted.
+type Outcome = (Vec<(String, String)>, bool);
+
+pub(crate) fn keep(word: Option<&str>) -> PyResult<Option<Keep>> {
+    Ok(Some(match word {
+        None => return Ok(None),
+        Some("summary") => Keep::Summary,
+        Some("tables") => Keep::Tables,
+        Some("all") => Keep::All,
+        Some(other) => {
+            let message = format!("keep is {other:?}: expected \"summary\", \"tables\" or \"all\"");
+            return Err(PyValueError::new_err(message));
+        }
+    }))
+}
+
+pub(crate) fn seconds(of: Option<f64>) -> PyResult<Option<Duration>> {
+    let duration = of.map(Duration::try_from_secs_f64).transpose();
+    duration.map_err(|error| PyValueError::new_err(format!("time between checkpoints: {error}")))
+}
+
+fn variation(py: Python<'_>, key: String, values: Values) -> PyResult<Variation> {
+    match values {
+        Values::Text(text) => {
+            let read = Variation::read_all(&[format!("{key}={text}")]);
+            let mut read = read.map_err(|report| error::of_report(py, &report))?;
+            read.pop().ok_or_else(|| error::of_panic(py))
+        }
+        Values::List(values) => {
+            let values = values.iter().map(|value| change(&key, value)).collect();
+            Ok(Variation { key, values })
+        }
+    }
+}
+
+fn outcome(outcome: BatchOutcome) -> Outcome {
+    let interrupted = outcome.is_interrupted();
+    let failed = outcome.failed.into_iter().map(|of| (of.name, of.reason));
+    (failed.collect(), interrupted)
+}
+
+impl Sweep {
+    fn with<T: Send>(
+        &self,
+        py: Python<'_>,
+        work: impl FnOnce(&mut InHand) -> T + Send,
+    ) -> PyResult<T> {
+        let done = py.detach(|| self.held().as_mut().map(work));
+        done.ok_or_else(ended)
+    }
+
+    fn held(&self) -> MutexGuard<'_, Option<InHand>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+fn ended() -> PyErr {
+    PyValueError::new_err("this sweep has ended")
+}
+
+#[pymethods]
+impl Sweep {
+    /// Reads and checks every case, and claims the folder.
+    #[staticmethod]
+    #[allow(clippy::too_many_arguments)]
+    fn begin(
+        py: Python<'_>,
+        case: &Case,
+        vary: Vec<(String, Values)>,
+        together: bool,
+        folder: Option<PathBuf>,
+        existing: &str,
+        keep_: Option<&str>,
+        csv: bool,
+        jobs: Option<NonZeroUsize>,
+        checkpoint_s: Option<f64>,
+        listener: &Bound<'_, PyAny>,
+    ) -> PyResult<Self> {
+        let variations = vary.into_iter().map(|(key, values)| variation(py, key, values));
+        let variations = variations.collect::<PyResult<Vec<_>>>()?;
+        let request = Request {
+            template: &case.template,
+            overrides: &case.changes,
+            variations: &variations,
+            together,
+            keep: keep(keep_)?,
+            batch: BatchOptions {
+                output: Output { folder, existing: existing_of(existing) },
+                jobs,
+                checkpoint_every: seconds(checkpoint_s)?,
+                csv,
+                ..BatchOptions::default()
+            },
+        };
+        let work = attended(py, listener, |observer, cancellation| {
+            InHand::begin(&request, observer, cancellation)
+        })?;
+        match (work.raised, work.result) {
+            (Some(raised), _) => Err(raised),
+            (None, Ok(hand)) => Ok(Self(Mutex::new(Some(hand)))),
+            (None, Err(error)) => Err(error::of_work(py, &error)),
+        }
+    }
+
+    /// Solves the cases here, on all cores: how it went, and what was raised before the end, if it
+    /// was.
+    fn run(
+        &self,
+        py: Python<'_>,
+        listener: &Bound<'_, PyAny>,
+    ) -> PyResult<(Outcome, Option<Py<PyAny>>)> {
+        let hand = self.held().take().ok_or_else(ended)?;
+        let work =
+            attended(py, listener, |observer, cancellation| hand.solve(observer, cancellation))?;
+        let done = work.result.map_err(|error| error::of_work(py, &error))?;
+        let raised = work.raised.map(|raised| raised.into_value(py).into_any());
+        Ok((outcome(done), raised))
+    }
+
+    /// Where the results go.
+    fn folder(&self, py: Python<'_>) -> PyResult<PathBuf> {
+        self.with(py, |hand| hand.folder().to_owned())
+    }
+
+    /// Names of the cases, in their order.
+    fn names(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        self.with(py, |hand| (0..hand.count()).map(|case| hand.name(case).to_owned()).collect())
+    }
+
+    /// The cases that are to be solved, the longest first.
+    fn left(&self, py: Python<'_>) -> PyResult<Vec<usize>> {
+        self.with(py, InHand::left)
+    }
+
+    /// What is changed in a case.
+    fn changes(&self, py: Python<'_>, case: usize) -> PyResult<Vec<(String, String)>> {
+        let pair = |of: &Override| (of.key.clone(), of.value.clone());
+        self.with(py, |hand| hand.changes(case).iter().map(pair).collect())
+    }
+
+    /// Makes a case's folder ready for who solves it.
+    fn make_ready(&self, py: Python<'_>, case: usize) -> PyResult<PathBuf> {
+        let ready = self.with(py, |hand| hand.make_ready(case))?;
+        ready.map_err(|error| error::of_work(py, &error))
+    }
+
+    /// The files with which another machine continues a case that was begun.
+    fn begun<'py>(
+        &self,
+        py: Python<'py>,
+        case: usize,
+    ) -> PyResult<Vec<(String, Bound<'py, PyBytes>)>> {
+        let begun = self.with(py, |hand| hand.begun(case))?;
+        Ok(begun.into_iter().map(|(name, bytes)| (name, PyBytes::new(py, &bytes))).collect())
+    }
+
+    /// Puts the files of a case that was solved elsewhere into its folder.
+    fn put(&self, py: Python<'_>, case: usize, files: Vec<(String, Vec<u8>)>) -> PyResult<()> {
+        let put = self.with(py, |hand| hand.put(case, &files))?;
+        put.map_err(|error| error::of_work(py, &error))
+    }
+
+    /// Takes up how a case ended, and says whether it came to an end: one that was stopped may be
+    /// handed out again.
+    fn take(&self, py: Python<'_>, case: usize, ended: &[u8]) -> PyResult<bool> {
+        let ended: Ended = serde_json::from_slice(ended)
+            .map_err(|error| PyValueError::new_err(format!("no answer of a case: {error}")))?;
+        let is_interrupted = ended.is_interrupted();
+        self.with(py, |hand| hand.take(case, ended))?;
+        Ok(!is_interrupted)
+    }
+
+    /// Takes up that a case failed for this reason.
+    fn fail(&self, py: Python<'_>, case: usize, reason: String) -> PyResult<()> {
+        self.with(py, |hand| hand.take(case, Ended::failed(reason)))
+    }
+
+    /// Writes table and page, lets the folder go, and says how it went.
+    fn end(&self, py: Python<'_>, interrupted: bool) -> PyResult<Outcome> {
+        let token = CancellationToken::new();
+        if interrupted {
+            token.cancel();
+        }
+        let done = self.with(py, |hand| hand.end(&token))?;
+        self.close();
+        Ok(outcome(done.map_err(|error| error::of_results(py, &error))?))
+    }
+
+    /// Lets the folder go.
+    fn close(&self) {
+        *self.held() = None;
+    }
+}
+
+/// The table of a sweep in a folder, and how many of its columns, from the first, were varied.
+pub(crate) fn table(py: Python<'_>, folder: &Path) -> PyResult<(usize, Table)> {
+    let read = py.detach(|| sweep::read(folder));
+    let (varied, table) = read.map_err(|error| error::of_results(py, &error))?;
+    Ok((varied, Table::of(&table)?))
+}

@@ -1,0 +1,99 @@
+//! Cases of a sweep that are solved apart: in another process, or on another machine.
+
+use std::{
+    collections::BTreeMap,
+    path::{Path, PathBuf},
+    sync::mpsc,
+    thread,
+    time::Duration,
+};
+
+use pyo3::{exceptions::PyKeyboardInterrupt, prelude::*, types::PyBytes};
+use wholestring_case::{Override, Template};
+use wholestring_runner::{CancellationToken, sweep::Apart};
+
+use crate::{
+    attended::attended,
+    case::change,
+    error,
+    sweep::{keep, seconds},
+};
+
+/// How often a worker looks whether the sweep that it works for still goes on.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// A case's text and files, of which a worker solves variations.
+#[pyclass(frozen, module = "wholestring._core")]
+pub(crate) struct Variations(Template);
+
+#[pymethods]
+impl Variations {
+    #[new]
+    fn new(name: &str, text: &str, files: BTreeMap<String, Vec<u8>>) -> Self {
+        Self(Template::in_memory(name, text, files))
+    }
+
+    /// Solves cases one after the other, each a name, its changes and its folder, and gives how they
+    /// ended. Those are left out that were not begun when it was interrupted, or when the file
+    /// `running` was gone.
+    #[allow(clippy::too_many_arguments)]
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        cases: Vec<(String, Vec<(String, String)>, PathBuf)>,
+        keep_: Option<&str>,
+        csv: bool,
+        checkpoint_s: Option<f64>,
+        running: Option<PathBuf>,
+        listener: &Bound<'py, PyAny>,
+    ) -> PyResult<Vec<Bound<'py, PyBytes>>> {
+        let (keep, checkpoint_every) = (keep(keep_)?, seconds(checkpoint_s)?);
+        let work = attended(py, listener, |observer, cancellation| {
+            let solve = || -> Result<Vec<Vec<u8>>, serde_json::Error> {
+                let mut all = Vec::new();
+                for (name, changes, folder) in &cases {
+                    if cancellation.is_cancelled() {
+                        break;
+                    }
+                    let changes: Vec<Override> =
+                        changes.iter().map(|(key, value)| change(key, value)).collect();
+                    let (template, changes) = (&self.0, &changes[..]);
+                    let case = Apart { template, changes, name, keep, csv, checkpoint_every };
+                    let ended = case.solve(folder, observer, cancellation);
+                    all.push(serde_json::to_vec(&ended)?);
+                }
+                Ok(all)
+            };
+            while_running(running.as_deref(), cancellation, solve)
+        })?;
+        // Whoever was interrupted says how far it has come.
+        if let Some(raised) = work.raised.filter(|of| !of.is_instance_of::<PyKeyboardInterrupt>(py))
+        {
+            return Err(raised);
+        }
+        let ended = work.result.map_err(|_| error::of_panic(py))?;
+        Ok(ended.iter().map(|bytes| PyBytes::new(py, bytes)).collect())
+    }
+}
+
+/// Does the work, and cancels it when the file is gone.
+fn while_running<T>(
+    file: Option<&Path>,
+    cancellation: &CancellationToken,
+    work: impl FnOnce() -> T,
+) -> T {
+    let Some(file) = file else { return work() };
+    thread::scope(|scope| {
+        let (ended, end) = mpsc::channel::<()>();
+        scope.spawn(move || {
+            while end.recv_timeout(LOOK) == Err(mpsc::RecvTimeoutError::Timeout) {
+                if !file.exists() {
+                    cancellation.cancel();
+                }
+            }
+        });
+        // Dropped when the work is done, however it ends.
+        let _ended = ended;
+        work()
+    })
+}

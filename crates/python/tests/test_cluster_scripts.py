@@ -1,0 +1,77 @@
+"""What ships for clusters: scripts, rendered and checked but not run on one, and a notebook."""
+
+from __future__ import annotations
+
+import os
+import runpy
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+EXAMPLES = Path(__file__).parents[1] / "examples" / "cluster"
+
+
+def test_the_array_of_slurm_hands_its_shares_to_the_command_line(tmp_path: Path) -> None:
+    script = EXAMPLES / "slurm-array.sh"
+    subprocess.run(["bash", "-n", str(script)], check=True)
+    told = tmp_path / "wholestring"
+    told.write_text('#!/bin/bash\nprintf "%s\\n" "$@"\n')
+    told.chmod(0o755)
+
+    def arguments(task: int) -> list[str]:
+        path = f"{tmp_path}{os.pathsep}{os.environ['PATH']}"
+        given = {"PATH": path, "SLURM_ARRAY_TASK_ID": str(task), "SLURM_CPUS_PER_TASK": "8"}
+        ran = subprocess.run(
+            ["bash", str(script)], env=given, check=True, capture_output=True, text=True
+        )
+        return ran.stdout.splitlines()
+
+    last = arguments(0)
+    assert "--shard" not in last
+    assert "--resume" in last and last[last.index("-j") + 1] == "8"
+    assert last[last.index("-o") + 1] == "out/friction-sweep"
+    lines = script.read_text().splitlines()
+    array = next(line.split("1-")[1] for line in lines if line.startswith("#SBATCH --array="))
+    for task in (1, int(array)):
+        assert arguments(task) == [*last, "--shard", f"{task}/{array}"]
+
+
+def test_dask_jobqueue_renders_the_job(tmp_path: Path) -> None:
+    jobqueue = pytest.importorskip("dask_jobqueue")
+    example = runpy.run_path(str(EXAMPLES / "dask_slurm.py"))
+    here: dict[str, Any] = {
+        "scheduler_options": {"host": "127.0.0.1", "dashboard_address": "127.0.0.1:0"},
+        "shared_temp_directory": str(tmp_path),
+    }
+    with example["slurm_cluster"](**here) as cluster:
+        assert isinstance(cluster, jobqueue.SLURMCluster)
+        script = cluster.job_script()
+    subprocess.run(["bash", "-n"], input=script, text=True, check=True)
+    for wanted in (
+        "#SBATCH -J wholestring",
+        "#SBATCH --cpus-per-task=8",
+        "#SBATCH -t 04:00:00",
+        "--nthreads 1 ",
+        "--nworkers 8",
+        "--lifetime 235m",
+        "tls://127.0.0.1:",
+        "--tls-key",
+    ):
+        assert wanted in script, script
+
+
+def test_the_notebook_of_an_ensemble_runs() -> None:
+    nbformat = pytest.importorskip("nbformat")
+    client = pytest.importorskip("nbclient")
+    pytest.importorskip("distributed")
+    pytest.importorskip("matplotlib")
+    path = Path(__file__).parents[1] / "notebooks" / "ensemble-on-dask.ipynb"
+    notebook = nbformat.read(path, as_version=4)
+    assert not any(cell.get("outputs") for cell in notebook.cells), "outputs are stripped"
+    client.NotebookClient(notebook, timeout=120).execute()
+    said = "".join(
+        output.get("text", "") for cell in notebook.cells for output in cell.get("outputs", [])
+    )
+    assert "90 % of the draws hang on less than" in said

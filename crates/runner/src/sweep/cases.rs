@@ -1,0 +1,146 @@
+//! Sound cases, the sets that they belong to, and the tables of how they ended.
+
+use std::path::PathBuf;
+
+use wholestring_results::{ResultsError, ResultsFolder};
+
+use super::{
+    checked::Checked,
+    checked_points::CheckedPoints,
+    ending::Ending,
+    one_case::OneCase,
+    page as sweep_page,
+    points::Point,
+    set::Set,
+    table::{FILE, SweepTable},
+};
+use crate::{
+    batch::{BatchOptions, BatchOutcome, CaseWithErrors, FailedCase},
+    cancellation::CancellationToken,
+    findings,
+    observer::{Observer, Watch},
+    run::Stop,
+    shard::Shard,
+};
+
+/// Sound cases, and the sets that they belong to.
+pub(crate) struct Cases {
+    pub(super) sets: Vec<Set>,
+    pub(super) points: Vec<Point>,
+    pub(super) checked: Vec<Checked>,
+}
+
+impl Cases {
+    /// Sound cases that belong to these sets.
+    pub(super) fn new(sets: Vec<Set>, valid: CheckedPoints) -> Self {
+        let CheckedPoints { points, checked } = valid;
+        Self { sets, points, checked }
+    }
+
+    /// The numbers of a share, the longest case first: what is left at the end is short, and nobody
+    /// waits long for the others.
+    pub(super) fn longest_first(&self, shard: Shard) -> Vec<usize> {
+        let mut order: Vec<usize> =
+            (0..self.points.len()).filter(|case| shard.has(*case)).collect();
+        order.sort_by(|a, b| self.checked[*b].cost.total_cmp(&self.checked[*a].cost));
+        order
+    }
+
+    /// Solves a case into its folder.
+    pub(super) fn solve(
+        &self,
+        number: usize,
+        options: &BatchOptions,
+        observer: &dyn Observer,
+        cancellation: &CancellationToken,
+    ) -> Result<Ending, Stop> {
+        let (point, checked) = (&self.points[number], &self.checked[number]);
+        let case = match checked.take() {
+            Some(case) => case,
+            None => point
+                .template
+                .case(&point.changes)
+                .map_err(|report| Stop::Unsolved(report.render(false)))?,
+        };
+        let folder = ResultsFolder::create(self.folder(number))?;
+        let one = OneCase {
+            case: &case,
+            label: &self.label(number),
+            simulated_s: checked.simulated_s,
+            keep: self.sets[point.set].keep(&case, options.csv),
+            csv: options.csv,
+            existing: options.output.existing,
+            checkpoint_every: options.checkpoint_every,
+            watch: Watch { observer, case: number },
+            cancellation,
+        };
+        one.solve(&folder)
+    }
+
+    /// The folder of a case.
+    pub(super) fn folder(&self, number: usize) -> PathBuf {
+        let point = &self.points[number];
+        self.sets[point.set].folder.path().join(&point.name)
+    }
+
+    /// What messages call a case.
+    pub(super) fn label(&self, number: usize) -> String {
+        let point = &self.points[number];
+        format!("{}{}", self.sets[point.set].prefix, point.name)
+    }
+
+    /// Writes a set's `sweep.csv`: its cases in their order, as far as they have ended.
+    pub(super) fn write_table(
+        &self,
+        set: usize,
+        endings: &[Option<Ending>],
+    ) -> Result<(), ResultsError> {
+        let of_set = |case: &usize| self.points[*case].set == set;
+        let cases = || (0..self.points.len()).filter(of_set);
+        let dynamic = cases().any(|case| self.checked[case].simulated_s > 0.0);
+        let lift = cases().any(|case| self.checked[case].lift);
+        let mut table = SweepTable::new(self.sets[set].keys.clone(), dynamic, lift);
+        for case in cases() {
+            if let Some(Ending { solved, why, .. }) = &endings[case] {
+                let failure = why.as_ref().and_then(Stop::reason);
+                let point = &self.points[case];
+                table.add(&point.values, &point.name, solved, failure.as_deref());
+            }
+        }
+        let path = self.sets[set].folder.path().join(FILE);
+        table.table().write_csv(&path)
+    }
+
+    /// Writes table and page of each set.
+    pub(super) fn write(&self, endings: &[Option<Ending>]) -> Result<(), ResultsError> {
+        (0..self.sets.len()).try_for_each(|set| {
+            self.write_table(set, endings)?;
+            sweep_page::write(&self.sets[set].folder, None)
+        })
+    }
+
+    /// Adds to an outcome how it went.
+    pub(super) fn conclude(
+        &self,
+        endings: &[Option<Ending>],
+        mut outcome: BatchOutcome,
+    ) -> BatchOutcome {
+        for (case, ending) in endings.iter().enumerate() {
+            let Some(Ending { solved, why, .. }) = ending else {
+                continue;
+            };
+            match why.as_ref().map(Stop::reason) {
+                None => outcome.finished += 1,
+                Some(reason) => outcome
+                    .failed
+                    .extend(reason.map(|reason| FailedCase { name: self.label(case), reason })),
+            }
+            let wrong = solved.iter().filter(|of| findings::is_wrong(of));
+            let operations: Vec<String> = wrong.map(findings::name).collect();
+            if !operations.is_empty() {
+                outcome.with_errors.push(CaseWithErrors { name: self.label(case), operations });
+            }
+        }
+        outcome
+    }
+}

@@ -1,0 +1,239 @@
+//! A sweep whose cases the front hands out: to other processes, or to other machines.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    sync::{Mutex, PoisonError},
+    time::Instant,
+};
+
+use wholestring_case::Override;
+use wholestring_results::{ENGINE_VERSION, ResultsError, ResultsFolder, Summary};
+
+use super::{
+    batch::Batch,
+    cases::Cases,
+    checked_points::CheckedPoints,
+    ending::{Ended, Ending},
+    one_case::is_complete,
+    pace::Pace,
+    points::{points, points_together},
+    request::Request,
+    set::Set,
+};
+use crate::{
+    batch::{BatchOptions, BatchOutcome},
+    cancellation::CancellationToken,
+    claim::{Claimed, clear},
+    error::Error,
+    keep::Keep,
+    observer::Observer,
+    output::Existing,
+    page,
+    parallel::{in_parallel, lock},
+};
+
+/// A sweep that is checked, holds its folder, and waits for its cases to be solved.
+///
+/// Either [`Self::solve`] does that here, on all cores, or a front hands the cases out: each of
+/// [`Self::left`] is [made ready](Self::make_ready), solved [apart](super::Apart) wherever that may
+/// be, and [taken](Self::take) back; [`Self::end`] writes table and page.
+pub struct InHand {
+    cases: Cases,
+    options: BatchOptions,
+    claimed: Claimed,
+    endings: Vec<Option<Ending>>,
+    pace: Pace,
+    start: Instant,
+}
+
+impl InHand {
+    /// Reads and checks every case, and claims the folder.
+    ///
+    /// # Errors
+    /// Cases that are not sound, or a folder that the results cannot go to.
+    pub fn begin(
+        request: &Request<'_>,
+        observer: &dyn Observer,
+        cancellation: &CancellationToken,
+    ) -> Result<Self, Error> {
+        let options = &request.batch;
+        let all = if request.together { points_together } else { points };
+        if let Some(empty) = request.variations.iter().find(|of| of.values.is_empty()) {
+            return Err(Error::BadInput(format!("`{}` is given no values", empty.key)));
+        }
+        let points = all(request.template, request.overrides, request.variations)?;
+        let valid = CheckedPoints::check(points, options, observer, cancellation)?;
+        let name = format!("{} sweep", valid.first_name());
+        let within_itself = |path: &Path, _| path.to_owned();
+        let claimed = valid.claim("sweep", &name, options, observer, &within_itself)?;
+        let keys = request.variations.iter().map(|of| of.key.clone());
+        let set = Set {
+            prefix: String::new(),
+            folder: claimed.folder.clone(),
+            keys: keys.collect(),
+            keep: request.keep,
+            needs: Keep::Summary,
+        };
+        let cases = Cases::new(vec![set], valid);
+        Ok(Self {
+            endings: cases.points.iter().map(|_| None).collect(),
+            cases,
+            options: options.clone(),
+            claimed,
+            pace: Pace::default(),
+            start: Instant::now(),
+        })
+    }
+
+    /// Solves the cases here, on all cores, and writes table and page.
+    ///
+    /// # Errors
+    /// Results that cannot be written.
+    pub fn solve(
+        self,
+        observer: &dyn Observer,
+        cancellation: &CancellationToken,
+    ) -> Result<BatchOutcome, Error> {
+        let mut batch = Batch::of(&self.options, self.cases, observer, cancellation);
+        batch.solve_all()?;
+        Ok(batch.outcome(self.claimed.folder.path()))
+    }
+
+    /// Where the results go.
+    pub fn folder(&self) -> &Path {
+        self.claimed.folder.path()
+    }
+
+    /// How many cases there are.
+    pub fn count(&self) -> usize {
+        self.endings.len()
+    }
+
+    /// Name of a case, which its folder has too.
+    ///
+    /// # Panics
+    /// A number that is none of a case, here as in the other methods.
+    pub fn name(&self, case: usize) -> &str {
+        &self.cases.points[case].name
+    }
+
+    /// What is changed in a case.
+    pub fn changes(&self, case: usize) -> &[Override] {
+        &self.cases.points[case].changes
+    }
+
+    /// The cases that are to be solved, the longest first. Where the sweep is resumed, those that
+    /// are finished are taken up.
+    pub fn left(&mut self) -> Vec<usize> {
+        let mut order = self.cases.longest_first(self.options.shard);
+        if self.options.output.existing == Existing::Resume {
+            let found = Mutex::new(Vec::new());
+            in_parallel(self.options.jobs(), &order, |case| {
+                if let Some(ending) = self.finished(case) {
+                    lock(&found).push((case, ending));
+                }
+            });
+            let found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+            for (case, ending) in found {
+                self.endings[case] = Some(ending);
+            }
+        }
+        order.retain(|case| self.endings[*case].is_none());
+        order
+    }
+
+    /// What an earlier sweep has left of a case that it finished: nothing is missing there. What is
+    /// not found here, who solves the case may still find.
+    fn finished(&self, case: usize) -> Option<Ending> {
+        let (folder, checked) = (self.cases.folder(case), &self.cases.checked[case]);
+        let summary = Summary::read(&folder.join("summary.json")).ok()?;
+        let keep = self.keep(case);
+        let whole = is_complete(&summary, checked.answers)
+            && summary.identity.as_ref() == Some(&checked.identity)
+            && summary.engine_version.as_deref() == Some(ENGINE_VERSION)
+            && keep.has_tables(&folder)
+            && (keep < Keep::All || folder.join(page::FILE).is_file())
+            && !folder.join("checkpoint.bin").is_file();
+        let solved = summary.operations;
+        whole.then_some(Ending { solved, why: None, reused_s: checked.simulated_s })
+    }
+
+    fn keep(&self, case: usize) -> Keep {
+        let by_csv = if self.options.csv { Keep::Tables } else { Keep::Summary };
+        let by_itself = self.cases.checked[case].keep.max(by_csv);
+        let set = &self.cases.sets[self.cases.points[case].set];
+        set.keep.unwrap_or(by_itself).max(set.needs)
+    }
+
+    /// Makes a case's folder ready for who solves it: where the sweep is not resumed, what an
+    /// earlier one left goes, so that the case can be handed out again to whoever continues it.
+    ///
+    /// # Errors
+    /// A folder that cannot be cleared.
+    pub fn make_ready(&self, case: usize) -> Result<PathBuf, Error> {
+        let folder = self.cases.folder(case);
+        if self.options.output.existing != Existing::Resume && folder.is_dir() {
+            clear(&folder)?;
+        }
+        Ok(folder)
+    }
+
+    /// The files, by their names, with which another machine continues a case that was begun; none
+    /// where it was not, or where frames are kept of it: those are too many to send.
+    pub fn begun(&self, case: usize) -> Vec<(String, Vec<u8>)> {
+        const FILE: &str = "checkpoint.bin";
+        let folder = self.cases.folder(case);
+        if folder.join("frames.parts").is_dir() || self.options.output.existing != Existing::Resume
+        {
+            return Vec::new();
+        }
+        let file = fs::read(folder.join(FILE));
+        file.map_or(Vec::new(), |bytes| vec![(FILE.to_owned(), bytes)])
+    }
+
+    /// Puts the files of a case that was solved elsewhere into its folder, in place of all that lies
+    /// there; its summary last, for that tells that the others are whole.
+    ///
+    /// # Errors
+    /// Files that cannot be written.
+    pub fn put(&self, case: usize, files: &[(String, Vec<u8>)]) -> Result<(), Error> {
+        let folder = self.cases.folder(case);
+        if folder.is_dir() {
+            clear(&folder)?;
+        }
+        let folder = ResultsFolder::create(folder)?;
+        let (last, first): (Vec<_>, Vec<_>) =
+            files.iter().partition(|(name, _)| name == "summary.json");
+        for (name, bytes) in first.into_iter().chain(last) {
+            // Files of a case lie side by side.
+            if Path::new(name).file_name() != Some(name.as_ref()) {
+                return Err(Error::BadInput(format!("`{name}` is no file of a case")));
+            }
+            folder.write_file(name, bytes)?;
+        }
+        Ok(())
+    }
+
+    /// Takes up how a case ended.
+    pub fn take(&mut self, case: usize, ended: Ended) {
+        self.endings[case] = Some(ended.into());
+        let (cases, endings) = (&self.cases, &self.endings);
+        self.pace.when_due(|| {
+            // What cannot be written now is reported at the end.
+            let _ = cases.write_table(0, endings);
+        });
+    }
+
+    /// Writes table and page of what has ended, and says how it went.
+    ///
+    /// # Errors
+    /// Results that cannot be written.
+    pub fn end(&self, cancellation: &CancellationToken) -> Result<BatchOutcome, ResultsError> {
+        self.cases.write(&self.endings)?;
+        let shard = self.options.shard;
+        let mine = (0..self.count()).filter(|case| shard.has(*case)).count();
+        let outcome = BatchOutcome::begin(self.folder(), mine, self.start, cancellation);
+        Ok(self.cases.conclude(&self.endings, outcome))
+    }
+}

@@ -1,0 +1,120 @@
+//! `sweep.csv` as a table, with numbers where it has numbers.
+
+use std::path::Path;
+
+use wholestring::outcome::{self, Quantity};
+use wholestring_case::dimension_at;
+use wholestring_results::{Column, Data, ResultsError, Table};
+
+use super::table::{FILE, SCALARS, STATISTICS};
+
+/// Columns of words, with what they are.
+const WORDS: [(&str, &str); 8] = [
+    ("model", "The model that solved it."),
+    ("operation", "The operation."),
+    ("drifting", "The quantities that drift over the window."),
+    ("worst_finding", "Kind of the gravest finding."),
+    ("worst_finding_message", "The gravest finding in a sentence."),
+    ("status", "How it ended: complete, interrupted or failed."),
+    ("message", "Why it failed."),
+    ("folder", "Name of the case's folder."),
+];
+
+/// Columns of numbers that are neither scalars nor their statistics: unit, and what they are.
+const NUMBERS: [(&str, &str, &str); 7] = [
+    ("bit_depth_m", "m", "Measured depth of the bit."),
+    ("settle_s", "s", "When the window of the statistics begins."),
+    ("lift_hook_load_N", "N", "The hook load that the lift is tuned to."),
+    ("lift_weight_on_bit_N", "N", "The weight on bit that the tuned lift gives."),
+    ("lift_runs", "", "The runs that it took to find the lift."),
+    ("errors", "", "Findings that are errors."),
+    ("warnings", "", "Findings that are warnings."),
+];
+
+/// Reads the `sweep.csv` of a folder, and says how many of its columns, from the first, were varied:
+/// what was varied in SI where all its values are numbers of the
+/// key's dimension, and as written otherwise; every other column with its unit and meaning.
+///
+/// # Errors
+/// A file that is not there, or is none of a sweep.
+pub fn read(folder: &Path) -> Result<(usize, Table), ResultsError> {
+    let path = folder.join(FILE);
+    let table = Table::read_csv(&path)?;
+    let varied = varied(&path, table.columns())?;
+    let columns = table.columns().iter().enumerate();
+    let columns = columns.map(|(place, column)| match &column.data {
+        Data::Text(words) if place < varied => key(&column.name, words),
+        Data::Text(words) => answer(&column.name, words),
+        Data::Number(_) => column.clone(),
+    });
+    Ok((varied, Table::new(columns.collect())))
+}
+
+/// How many columns, from the first, were varied.
+///
+/// # Errors
+/// Columns that are not those of a sweep.
+pub(super) fn varied(path: &Path, columns: &[Column]) -> Result<usize, ResultsError> {
+    // Keys may be named like other columns, `model`: they are those that come first.
+    let begins = |rest: &[Column]| {
+        let names = rest.iter().map(|column| column.name.as_str());
+        names.eq(["model", "operation", SCALARS[0]])
+    };
+    let varied = columns.windows(3).position(begins).filter(|keys| *keys > 0);
+    varied.ok_or_else(|| ResultsError::Format {
+        path: path.to_owned(),
+        reason: format!(
+            "its columns are not those of a sweep: expected the keys that were varied, then \
+             model, operation, {}",
+            SCALARS[0]
+        ),
+    })
+}
+
+/// A key that was varied.
+fn key(name: &str, words: &[String]) -> Column {
+    let dimension = dimension_at(name);
+    let number = |word: &String| match dimension {
+        Some(dimension) => dimension.parse(word).ok(),
+        None => word.parse().ok(),
+    };
+    let numbers: Option<Vec<f64>> = words.iter().map(number).collect();
+    let data = match numbers {
+        Some(numbers) => Data::Number(numbers.into_iter().map(Some).collect()),
+        None => Data::Text(words.to_vec()),
+    };
+    let is_number = matches!(data, Data::Number(_));
+    let unit = dimension.filter(|_| is_number).map_or("", |of| of.si_symbol());
+    let meaning = "What was varied: a key of the case file.";
+    Column { name: name.to_owned(), unit: unit.to_owned(), meaning: meaning.to_owned(), data }
+}
+
+/// What was answered.
+fn answer(name: &str, words: &[String]) -> Column {
+    let name = name.to_owned();
+    if let Some((_, meaning)) = WORDS.iter().find(|(of, _)| *of == name) {
+        let (unit, meaning) = (String::new(), (*meaning).to_owned());
+        return Column { name, unit, meaning, data: Data::Text(words.to_vec()) };
+    }
+    let (unit, meaning) = described(&name).unwrap_or_default();
+    let numbers = words.iter().map(|word| word.parse().ok()).collect();
+    Column { name, unit: unit.to_owned(), meaning, data: Data::Number(numbers) }
+}
+
+/// Unit and meaning of a column of numbers.
+fn described(name: &str) -> Option<(&'static str, String)> {
+    if let Some((_, unit, meaning)) = NUMBERS.iter().find(|(of, ..)| *of == name) {
+        return Some((unit, (*meaning).to_owned()));
+    }
+    let scalars = outcome::SCALARS.iter().map(|of| of.quantity);
+    let in_time = outcome::TIME_SERIES.iter().map(|of| of.quantity);
+    let all: Vec<Quantity> = scalars.chain(in_time).collect();
+    if let Some(of) = all.iter().find(|of| of.name == name) {
+        return Some((of.unit, of.meaning.to_owned()));
+    }
+    STATISTICS.iter().find_map(|statistic| {
+        let quantity = name.strip_suffix(statistic)?.strip_suffix('_')?;
+        let of = all.iter().find(|of| of.name == quantity)?;
+        Some((of.unit, format!("`{statistic}` over the window of: {}", of.meaning)))
+    })
+}
