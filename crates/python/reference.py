@@ -7,11 +7,14 @@ import os
 import re
 import sys
 from collections.abc import Iterator
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import wholestring as ws
-from numpydoc.docscrape import NumpyDocString
+
+# It has no types of its own.
+NumpyDocString: Any = import_module("numpydoc.docscrape").NumpyDocString
 
 PAGE = Path(__file__).parents[2] / "docs/src/python-reference.md"
 

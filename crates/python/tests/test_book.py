@@ -42,7 +42,7 @@ def test_the_readme_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
 
 
 def test_the_reference_is_what_the_docstrings_say(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.syspath_prepend(PACKAGE)
+    monkeypatch.setattr(sys, "path", [str(PACKAGE), *sys.path])
     reference = __import__("reference")
     try:
         if os.environ.get("WHOLESTRING_UPDATE_DOCS") == "1":

@@ -60,10 +60,14 @@ def difference(a: str, b: str) -> float:
 
 def lab(rgb: Numbers) -> Numbers:
     """Give CIE L*a*b* of a colour in linear sRGB."""
-    parts = (XYZ @ np.clip(rgb, 0.0, 1.0)) / XYZ.sum(axis=1)
+    parts: Numbers = (XYZ @ np.clip(rgb, 0.0, 1.0)) / XYZ.sum(axis=1)
     dark = (24389.0 / 27.0 * parts + 16.0) / 116.0
-    found: Numbers = np.where(parts > 216.0 / 24389.0, np.cbrt(parts), dark)
-    x, y, z = found.tolist()
+    x, y, z = (
+        bright if part > 216.0 / 24389.0 else low
+        for part, bright, low in zip(
+            parts.tolist(), np.cbrt(parts).tolist(), dark.tolist(), strict=True
+        )
+    )
     return np.array([116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)])
 
 

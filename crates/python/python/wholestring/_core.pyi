@@ -208,7 +208,7 @@ class Sweep:
         together: bool,
         folder: str | PathLike[str] | None,
         existing: str,
-        keep: str | None,
+        keep_: str | None,
         csv: bool,
         jobs: int | None,
         checkpoint_s: float | None,

@@ -150,7 +150,7 @@ def study(
     ...     done = ws.study(Path(place, "study.toml"))
     >>> done.sweeps, len(done["statics"])
     (('statics',), 2)
-    >>> isinstance(done, ws.Study), isinstance(done["statics"], ws.Cases)
+    >>> isinstance(done, ws.Study), isinstance(done["statics"], ws.Sweep)
     (True, True)
     """
     place = Place(folder, overwrite=overwrite, resume=resume)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import Executor
 from functools import cached_property
-from html import escape
 from os import PathLike
 from pathlib import Path
 from typing import Literal, cast
@@ -21,11 +20,16 @@ from ._values import Scalar, Value
 from .case import Case
 from .errors import Interrupted
 from .results import Results
-from .table import Table
+from .table import Table, html
 
 
 class Sweep:
     """What a sweep came to: a table with a row for each case, model and operation, and folders.
+
+    Parameters
+    ----------
+    folder
+        Where it lies.
 
     Examples
     --------
@@ -48,6 +52,11 @@ class Sweep:
     @classmethod
     def load(cls, folder: str | PathLike[str]) -> Sweep:
         """Read what a sweep left in a folder, of the command line's too.
+
+        Parameters
+        ----------
+        folder
+            The folder.
 
         Raises
         ------
@@ -117,27 +126,10 @@ class Sweep:
         return f"<Sweep of {', '.join(self.keys)}: {len(self)} cases{failed}; {self._folder}>"
 
     def _repr_html_(self) -> str:
-        shown = 20
-        table = self._table
-        columns = [*self.keys, "model", "operation", "hook_load_N", "surface_torque_N_m"]
-        columns += ["errors", "status"]
-        head = "".join(f"<th>{escape(of)}</th>" for of in columns)
-        values = [table[of][:shown] for of in columns]
-        rows = "".join(
-            "<tr>" + "".join(f"<td>{_cell(of[row])}</td>" for of in values) + "</tr>"
-            for row in range(min(shown, len(table)))
-        )
-        more = f"<p>{len(table)} rows, the first {shown} shown</p>" if len(table) > shown else ""
-        return (
-            f"<table><caption>{escape(repr(self)[1:-1])}</caption><thead><tr>{head}</tr></thead>"
-            f"<tbody>{rows}</tbody></table>{more}"
-        )
-
-
-def _cell(value: object) -> str:
-    if isinstance(value, float):
-        return "" if np.isnan(value) else f"{value:.6g}"
-    return escape(str(value))
+        names = [*self.keys, "model", "operation", "hook_load_N", "surface_torque_N_m"]
+        names += ["errors", "status"]
+        size = f"{len(self._table)} rows"
+        return html(self._table, names, caption=repr(self)[1:-1], size=size, shown=20)
 
 
 def sweep(

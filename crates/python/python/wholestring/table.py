@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -127,14 +128,18 @@ class Table:
         return f"<Table {self._name}: {len(self)} rows, {len(self.columns)} columns>"
 
     def _repr_html_(self) -> str:
-        shown = 10
-        columns: list[_html.Column] = []
-        for name in self.columns:
-            head = self[name][:shown]
-            numbers = head.dtype.kind == "f"
-            cells = [_html.number(of) if numbers else str(of) for of in head.tolist()]
-            column = _html.Column(title=name, cells=cells, numbers=numbers, hint=self.meaning(name))
-            columns.append(column)
-        more = f", the first {shown} shown" if len(self) > shown else ""
-        size = f"{len(self)} rows, {len(self.columns)} columns{more}"
-        return _html.table(columns, caption=self.name, note=size)
+        size = f"{len(self)} rows, {len(self.columns)} columns"
+        return html(self, self.columns, caption=self.name, size=size, shown=10)
+
+
+def html(table: Table, names: Sequence[str], *, caption: str, size: str, shown: int) -> str:
+    """Give the first rows of some columns as HTML."""
+    columns: list[_html.Column] = []
+    for name in names:
+        head = table[name][:shown]
+        numbers = head.dtype.kind == "f"
+        cells = [_html.number(of) if numbers else str(of) for of in head.tolist()]
+        hint = table.meaning(name)
+        columns.append(_html.Column(title=name, cells=cells, numbers=numbers, hint=hint))
+    more = f", the first {shown} shown" if len(table) > shown else ""
+    return _html.table(columns, caption=caption, note=size + more)

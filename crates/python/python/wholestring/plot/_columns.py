@@ -20,8 +20,8 @@ class Columns:
     Parameters
     ----------
     thing
-        Results that have a table of the name ``table``; or such a table itself, as a
-        :class:`wholestring.Table`, a data frame, or a mapping of columns.
+        Results that have a table of the name ``table``, or this one alone; or such a table itself,
+        as a :class:`wholestring.Table`, a data frame, or a mapping of columns.
     table
         The table.
     what
@@ -115,6 +115,8 @@ def _columns(thing: object, table: str, what: str) -> Mapping[str, Any]:
     if isinstance(thing, Table):
         return thing.to_numpy()
     give = getattr(thing, "table", None)
+    if isinstance(give, Table):
+        return give.to_numpy()
     if callable(give):
         try:
             return cast("Table", give(table)).to_numpy()

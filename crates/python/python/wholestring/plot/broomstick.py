@@ -152,8 +152,10 @@ def _levels(columns: Columns) -> dict[str, Dash]:
     """Give the strokes of levels of friction, or of friction factors, by their names."""
     there = columns.distinct("friction")
     if all(of in LEVELS for of in there):
-        strokes = {"low": stroke(2), "expected": stroke(0), "high": stroke(1)}
-        return {of: strokes[of] for of in LEVELS if of in there} or {"": stroke(0)}
+        strokes: dict[str, Dash] = {}
+        strokes.update(low=stroke(2), expected=stroke(0), high=stroke(1))
+        nothing: dict[str, Dash] = {"": stroke(0)}
+        return {of: strokes[of] for of in LEVELS if of in there} or nothing
     return {of: stroke(place) for place, of in enumerate(sorted(there, key=_size))}
 
 

@@ -127,8 +127,9 @@ def _path(
         )
     _to_scale(ax, x, y)
     last: Numbers | None = None
-    for depth in _round_depths(float(md[-1])).tolist():
-        at: Numbers = np.array([float(np.interp(depth, md, x)), float(np.interp(depth, md, y))])
+    depths: Numbers = _round_depths(float(md[-1]))
+    places: Numbers = np.column_stack((np.interp(depths, md, x), np.interp(depths, md, y)))
+    for depth, at in zip(depths, places, strict=True):
         pixels = ax.transData.transform(at)
         # Seen from above, a vertical hole is a point.
         if last is not None and np.hypot(*(pixels - last)) < 14.0 * ax.figure.dpi / 72.0:
