@@ -21,8 +21,11 @@ table! {
     }
 }
 
+/// The largest coefficient of friction that a case may have.
+pub const MAX_FRICTION: f64 = 2.0;
+
 pub(crate) fn coefficient() -> Number {
-    Number { unit: "", range: Range::from_to(0.0, 2.0).usual(0.05, 0.8) }
+    Number { unit: "", range: Range::from_to(0.0, MAX_FRICTION).usual(0.05, 0.8) }
 }
 
 /// Smallest coefficient along the hole that one around it is taken in its ratio to.

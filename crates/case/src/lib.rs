@@ -84,6 +84,7 @@ pub use case::Case;
 pub use catalogue::{OwnCatalogue, catalogue_schema};
 pub use dimension::{dimension_at, dimension_of};
 pub use edited::edited;
+pub use hole::MAX_FRICTION;
 pub use measured::Measured;
 pub use modes::Modes;
 pub use overrides::{Override, OverrideError, Quote};

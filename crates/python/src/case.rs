@@ -17,7 +17,13 @@ use wholestring_runner::{
     run::{self, Live},
 };
 
-use crate::{answers::Answers, attended::attended, error, simulation::Simulation};
+use crate::{
+    answers::Answers,
+    attended::attended,
+    error,
+    law::{self, Function},
+    simulation::Simulation,
+};
 
 /// A case that was checked, with the text that it was read from and the changes made to it.
 #[pyclass(frozen, module = "wholestring._core")]
@@ -60,7 +66,7 @@ impl Case {
     }
 
     /// The case with these models, and one operation if it is named.
-    fn with_models(
+    pub(crate) fn with_models(
         &self,
         py: Python<'_>,
         models: Option<Vec<String>>,
@@ -223,23 +229,27 @@ impl Case {
         Ok((Answers::load(py, outcome.folder)?, raised))
     }
 
-    /// A dynamic run in hand; with a checkpoint, from there on.
-    #[pyo3(signature = (operation, checkpoint, listener))]
+    /// A dynamic run in hand; with a checkpoint, from there on. Laws are functions with their names
+    /// and rates.
+    #[pyo3(signature = (operation, checkpoint, bit_law, excitation, listener))]
     fn simulation(
         &self,
         py: Python<'_>,
         operation: Option<&str>,
         checkpoint: Option<&[u8]>,
+        bit_law: Option<Function>,
+        excitation: Option<Function>,
         listener: &Bound<'_, PyAny>,
     ) -> PyResult<Simulation> {
         let case = self.case.clone();
+        let (laws, raised) = law::laws(bit_law, excitation);
         let work = attended(py, listener, |observer, cancellation| match checkpoint {
-            Some(bytes) => Live::resume(case, bytes),
-            None => Live::begin(case, operation, observer, cancellation),
+            Some(bytes) => Live::resume(case, &laws, bytes),
+            None => Live::begin(case, operation, &laws, observer, cancellation),
         })?;
-        match (work.raised, work.result) {
-            (Some(raised), _) => Err(raised),
-            (None, Ok(live)) => Ok(live.into()),
+        match (work.raised.or(raised.take()), work.result) {
+            (Some(error), _) => Err(error),
+            (None, Ok(live)) => Ok(Simulation::new(live, raised)),
             (None, Err(error)) => Err(error::of_work(py, &error)),
         }
     }

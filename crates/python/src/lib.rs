@@ -9,6 +9,8 @@ mod column;
 mod commands;
 mod error;
 mod folder;
+mod law;
+mod measure;
 mod simulation;
 mod sweep;
 mod table;
@@ -33,6 +35,9 @@ mod _core {
     };
     #[pymodule_export]
     use crate::{sweep::Sweep, variations::Variations};
+
+    #[pymodule_export]
+    use crate::measure::{advance_alone, solve_alone};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

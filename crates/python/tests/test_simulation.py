@@ -1,6 +1,8 @@
 """A simulation in hand."""
 
 import math
+import signal
+import threading
 
 import numpy as np
 import pytest
@@ -27,7 +29,7 @@ def test_a_checkpoint_continues_to_the_same_bits(short: ws.Case) -> None:
     assert again.time_s == sim.time_s
     for of in (sim, again):
         of.advance("0.5 s")
-    assert sim.now == again.now
+    assert np.array_equal(list(sim.now.values()), list(again.now.values()), equal_nan=True)
     assert np.array_equal(sim.state()["torque_N_m"], again.state()["torque_N_m"])
     with pytest.raises(ws.FolderError, match="another case"):
         short.with_(friction=0.1).simulation(checkpoint=kept)
@@ -73,3 +75,71 @@ def test_an_operation_that_there_is_not(slant: ws.Case) -> None:
         slant.simulation()
     with pytest.raises(ws.InputError, match="no operation `fish`"):
         slant.simulation("fish")
+
+
+def test_reading_looks_at_nothing_older(short: ws.Case) -> None:
+    sim = short.simulation()
+    assert dict(sim.now) == {}
+    assert len(sim.history) == 0
+    sim.advance(0.3)
+    history = sim.history
+    assert tuple(sim.now) == history.columns
+    last = [history[name][-1] for name in history.columns]
+    assert np.array_equal(list(sim.now.values()), last, equal_nan=True)
+    before = sim.time_s
+    sim.advance(0.2)
+    new = sim.since(before)
+    assert new["time_s"][0] > before
+    assert len(history) + len(new) == len(sim.history)
+    assert np.array_equal(new["hook_load_N"], sim.history["hook_load_N"][len(history) :])
+    assert not history["hook_load_N"].flags.writeable
+    # A view outlives the run.
+    shown = history["time_s"]
+    del sim, history
+    assert shown[-1] == before
+
+
+def test_friction_changes_as_the_run_goes(slant: ws.Case) -> None:
+    """Pulled out, the string comes to what a run has whose hole has that friction: to 5e-4 of the
+    hook load, the difference of two windows of the same run; found is 1e-4."""
+    base = slant.with_({"mesh.element_length": 10.0, "operation.kind": "trip_out"})
+    sim = base.simulation()
+    sim.advance(2.0)
+    sim.set(friction=[0.3, 0.4], ramp="1 s")
+    assert sim.friction == (0.2, 0.3)
+    sim.advance(0.5)
+    assert sim.friction == pytest.approx((0.25, 0.35), abs=2e-3)
+    kept = sim.checkpoint()
+    changes = {"well.hole.0.friction": 0.3, "well.hole.1.friction": 0.4}
+    always = base.with_(changes).simulation()
+    again = base.simulation(checkpoint=kept)
+    for of in (sim, again, always):
+        of.advance(25.0 - of.time_s)
+    assert np.array_equal(again.history["hook_load_N"], sim.history["hook_load_N"])
+    assert again.friction == sim.friction == (0.3, 0.4)
+    means = [of.since(5.0)["hook_load_N"].mean() for of in (sim, always)]
+    assert means[0] == pytest.approx(means[1], rel=5e-4)
+    assert sim.results()["trip_out"].friction == [0.3, 0.4]
+    sim.set(friction=0.25)
+    assert sim.friction == (0.25, 0.25)
+    for wrong in (-0.1, 3.0, math.nan, [0.1, 0.2, 0.3]):
+        with pytest.raises(ws.InputError, match="coefficient"):
+            sim.set(friction=wrong)
+    with pytest.raises(ws.InputError, match="in which friction changes"):
+        sim.set(friction=0.2, ramp=-1.0)
+    assert sim.friction == (0.25, 0.25)
+
+
+def test_an_interrupt_leaves_a_run_that_goes_on(short: ws.Case) -> None:
+    sim = short.simulation()
+    sim.advance(0.1)
+    timer = threading.Timer(0.3, lambda: signal.raise_signal(signal.SIGINT))
+    timer.start()
+    with pytest.raises(ws.Interrupted, match="stands where it was") as caught:
+        sim.advance(3600.0)
+    timer.join()
+    assert caught.value.results is not None
+    assert 0.1 < sim.time_s < 3600.0
+    stands_s = sim.time_s
+    sim.advance(0.1)
+    assert sim.time_s > stands_s

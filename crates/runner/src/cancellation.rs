@@ -33,6 +33,11 @@ impl CancellationToken {
         self.0.swap(true, Ordering::Relaxed)
     }
 
+    /// From now on nobody has asked.
+    pub(crate) fn reset(&self) {
+        self.0.store(false, Ordering::Relaxed);
+    }
+
     /// Whether somebody asked to stop.
     pub fn is_cancelled(&self) -> bool {
         self.0.load(Ordering::Relaxed)

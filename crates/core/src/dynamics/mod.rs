@@ -23,6 +23,7 @@ pub use boundary::{
     },
     extension::AnotherExtension,
     friction_coefficient::{CustomFriction, FrictionCoefficient, SlidingContact},
+    hole_friction::FrictionFault,
     top_drive_controller::{CustomTopDrive, TopDriveController, TopDriveReading},
 };
 pub use hook_load::{MAX_TUNING_RUNS, TunedHookLoad, TuningError, tune_hook_load};

@@ -48,6 +48,8 @@ pub struct Column<T: 'static> {
     pub quantity: Quantity,
     /// Its values; none where the method that made the `T` leaves the quantity out.
     pub of: fn(&T) -> Values<'_>,
+    /// The same from a row on, counted from zero, without a look at those before it.
+    pub rows_from: fn(&T, usize) -> Values<'_>,
     /// Its statistics over a window; none where none are taken.
     pub statistics: Option<WindowStatistics>,
 }
@@ -91,19 +93,19 @@ pub enum DriftScale {
 
 /// What a column of rows is kept as.
 pub(crate) trait Rows {
-    fn values(&self) -> Values<'_>;
+    fn values_from(&self, row: usize) -> Values<'_>;
 }
 
 impl Rows for Vec<f64> {
-    fn values(&self) -> Values<'_> {
-        Values::Numbers(Cow::Borrowed(self))
+    fn values_from(&self, row: usize) -> Values<'_> {
+        Values::Numbers(Cow::Borrowed(self.get(row..).unwrap_or_default()))
     }
 }
 
 impl Rows for Vec<Option<f64>> {
-    fn values(&self) -> Values<'_> {
-        let numbers = self.iter().map(|value| value.unwrap_or(f64::NAN));
-        Values::Numbers(numbers.collect())
+    fn values_from(&self, row: usize) -> Values<'_> {
+        let rows = self.get(row..).unwrap_or_default();
+        Values::Numbers(rows.iter().map(|value| value.unwrap_or(f64::NAN)).collect())
     }
 }
 
@@ -163,6 +165,7 @@ macro_rules! columns {
                 quantity: columns!(@quantity $column, $kind, $meaning $(, words $words)?)
                     $(.labelled($label))? $(.of($known_by))? $(.null_where($null_where))?,
                 of: columns!(@of $column $(: $type)? $(= $words)?),
+                rows_from: columns!(@rows_from $column $(: $type)? $(= $words)?),
                 statistics: columns!(@statistics $($place on $scale)?),
             },
         )*];
@@ -184,10 +187,16 @@ macro_rules! columns {
         Some($crate::outcome::WindowStatistics { place: $place, scale: $scale })
     };
     (@of $column:ident: $type:ty) => {
-        |of| $crate::outcome::Rows::values(&of.$column)
+        |of| $crate::outcome::Rows::values_from(&of.$column, 0)
     };
     (@of $column:ident = $words:expr) => {
         |of| $crate::outcome::Values::Words($words(of))
+    };
+    (@rows_from $column:ident: $type:ty) => {
+        |of, row| $crate::outcome::Rows::values_from(&of.$column, row)
+    };
+    (@rows_from $column:ident = $words:expr) => {
+        |of, row| $crate::outcome::Values::Words($words(of).into_iter().skip(row).collect())
     };
 }
 pub(crate) use columns;

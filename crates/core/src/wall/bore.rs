@@ -44,6 +44,11 @@ impl Bore {
         Self { hole: hole.clone(), relief: hole.roughness().filter(rough).map(Relief::new) }
     }
 
+    /// Takes the friction of another hole, which is the same but for it.
+    pub fn set_friction_of(&mut self, hole: Hole) {
+        self.hole = hole;
+    }
+
     /// The section at a measured depth.
     pub fn section(&self, md_m: f64) -> &HoleSection {
         self.hole.at(md_m)

@@ -220,8 +220,16 @@ impl Hole {
     /// # Errors
     /// A coefficient that is negative or not finite.
     pub fn with_friction(&self, kinetic: f64) -> Result<Self, HoleError> {
-        let sections = self.sections.iter().map(|section| {
-            let old = section.friction;
+        self.with_friction_of(|_| kinetic)
+    }
+
+    /// The same with a kinetic coefficient for each section, counted from zero.
+    ///
+    /// # Errors
+    /// A coefficient that is negative or not finite.
+    pub fn with_friction_of(&self, kinetic: impl Fn(usize) -> f64) -> Result<Self, HoleError> {
+        let sections = self.sections.iter().enumerate().map(|(index, section)| {
+            let (old, kinetic) = (section.friction, kinetic(index));
             let ratio = if old.kinetic > 0.0 { old.at_rest / old.kinetic } else { 1.0 };
             HoleSection {
                 friction: Friction { kinetic, at_rest: kinetic * ratio, ..old },

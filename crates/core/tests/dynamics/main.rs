@@ -22,6 +22,7 @@ mod friction;
 mod hold;
 mod hook_load;
 mod independent;
+mod live_friction;
 mod mesh;
 mod mud;
 mod np13;

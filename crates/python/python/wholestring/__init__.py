@@ -29,6 +29,7 @@ from .errors import (
     NoAnswerError,
     ResultsError,
 )
+from .laws import BitLaw, BitReading, Excitation, ShakeReading
 from .loading import load
 from .planning import Limit, Plan, Reach, Stop
 from .results import OperationResult, Results
@@ -40,6 +41,8 @@ from .table import Table
 __all__ = [
     "BaseResults",
     "Bha",
+    "BitLaw",
+    "BitReading",
     "BitTest",
     "Calibration",
     "Case",
@@ -47,6 +50,7 @@ __all__ = [
     "Diagnostic",
     "Error",
     "Estimate",
+    "Excitation",
     "Finding",
     "FindingsError",
     "FolderError",
@@ -61,6 +65,7 @@ __all__ = [
     "Reach",
     "Results",
     "ResultsError",
+    "ShakeReading",
     "Simulation",
     "Stop",
     "Study",

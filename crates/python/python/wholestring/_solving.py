@@ -8,6 +8,10 @@ from . import _core
 from ._commands import count, finished
 from ._folder import Place
 from ._listener import Listener
+from ._values import Scalar
+from .laws import BitLaw, Excitation
+from .laws import bit_law as of_bit
+from .laws import excitation as of_shaking
 from .results import Results
 from .simulation import Simulation
 
@@ -116,7 +120,13 @@ class Solving:
         return finished(Results(core, place), raised)
 
     def simulation(
-        self, operation: str | None = None, *, checkpoint: bytes | None = None
+        self,
+        operation: str | None = None,
+        *,
+        checkpoint: bytes | None = None,
+        bit_law: BitLaw | None = None,
+        excitation: Excitation | None = None,
+        rate: Scalar = 1000.0,
     ) -> Simulation:
         """Begin a dynamic run that you take forward yourself.
 
@@ -127,16 +137,42 @@ class Solving:
         checkpoint
             What :meth:`Simulation.checkpoint` gave: the run continues from there, to the same
             bits.
+        bit_law
+            How the rock answers the bit, in place of the case's law: a function of a
+            :class:`BitReading` that gives the depth of cut per revolution, m, and the torque, N·m.
+            Between two questions both are in proportion to the weight, and the rate of penetration
+            to the speed: exact of a law that is so, of others an error in proportion to the time
+            between. The rock front keeps the stiffness that the case has for it.
+        excitation
+            What shakes the bit: a function of a :class:`ShakeReading` that gives how much deeper
+            the rock front stands, m, and by which part the torque is larger. It is asked a period
+            ahead and followed on a straight line, to the second order in the period.
+        rate
+            How often they are asked: ``"1 kHz"``, or 1/s; once a step at most.
 
         Raises
         ------
         FolderError
-            If the checkpoint is of another case.
+            If the checkpoint is of another case, or of other laws: by their names and their rate.
         InputError
-            If the case has no such operation.
+            If the case has no such operation, or its bit no law to follow.
+
+        Examples
+        --------
+        A bit that takes 20 mm per revolution and MN, with 50 N·m per kN:
+
+        >>> import wholestring as ws
+        >>> def law(bit: ws.BitReading) -> tuple[float, float]:
+        ...     return 2e-8 * bit.weight_on_bit_N, 0.05 * bit.weight_on_bit_N
+        >>> case = ws.Case.example().with_(mesh__element_length="10 m")
+        >>> sim = case.simulation("drill", bit_law=law, rate="500 Hz")
+        >>> sim.advance("0.2 s")
+        >>> bool(sim.now["depth_of_cut_m"] > 0.5e-3)
+        True
         """
+        laws = of_bit(bit_law, rate), of_shaking(excitation, rate)
         with Listener(progress=False) as listener:
-            return Simulation(self._held.simulation(operation, checkpoint, listener))
+            return Simulation(self._held.simulation(operation, checkpoint, *laws, listener))
 
     def _solve(
         self, models: list[str], operation: str | None, jobs: int | None, *, progress: bool

@@ -131,7 +131,10 @@ def si(value: Scalar, dimension: str) -> float:
         return _core.quantity(value, dimension)
     if isinstance(value, int | float | np.integer):
         return float(value)
-    return float(value.to(for_pint(_core.si_unit(dimension))).magnitude)
+    if isinstance(value, Quantity):  # pyright: ignore[reportUnnecessaryIsInstance]
+        return float(value.to(for_pint(_core.si_unit(dimension))).magnitude)
+    expected = "a text with a unit, a number in SI or a quantity"
+    raise TypeError(f"a {dimension} was given {value!r}: expected {expected}")
 
 
 def option(name: str, value: Scalar | None, dimension: str) -> float | None:
@@ -145,7 +148,8 @@ def option(name: str, value: Scalar | None, dimension: str) -> float | None:
     try:
         found = si(value, dimension)
     except (ValueError, TypeError) as error:
-        raise type(error)(f"`{name}`: {error}") from None
+        kind = ValueError if isinstance(error, ValueError) else TypeError
+        raise kind(f"`{name}`: {error}") from error
     if not math.isfinite(found):
         raise ValueError(f"`{name}` was given {found}: expected a finite number")
     return found

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 
 from . import _core, _values
 from ._listener import Listener
@@ -68,6 +69,9 @@ class Simulation:
     def advance(self, time: Scalar, *, progress: bool = False) -> None:
         """Advance by a time, to the nearest sample.
 
+        An exception of a law of one's own comes out here. The simulation then stands at the sample
+        after it, until which the law held what it answered before; what was computed is there.
+
         Parameters
         ----------
         time
@@ -98,9 +102,10 @@ class Simulation:
         block_velocity: Scalar | None = None,
         weight_on_bit: Scalar | None = None,
         flow_rate: Scalar | None = None,
+        friction: float | Sequence[float] | None = None,
         ramp: Scalar = 0.0,
     ) -> None:
-        """Change set points from now on, as a line of the case's schedule does.
+        """Change set points from now on, as a line of the case's schedule does, or friction.
 
         Parameters
         ----------
@@ -112,8 +117,24 @@ class Simulation:
             What the autodriller holds: ``"60 kN"``, or N.
         flow_rate
             What the pumps deliver: ``"2000 L/min"``, or m³/s.
+        friction
+            Kinetic coefficient between string and wall: one for the whole hole, or one for each of
+            its sections from the surface down. Those at rest and around the hole keep their ratios
+            to it.
         ramp
-            Time in which the set points go to their new values: ``"5 s"``, or seconds.
+            Time in which all that is named goes to its new value: ``"5 s"``, or seconds.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_(mesh__element_length="10 m")
+        >>> sim = case.simulation("trip_out")
+        >>> sim.friction
+        (0.2, 0.3)
+        >>> sim.set(friction=(0.25, 0.4), ramp="1 s")
+        >>> sim.advance("0.5 s")
+        >>> tuple(round(of, 2) for of in sim.friction)
+        (0.22, 0.35)
         """
         if block_velocity is not None and weight_on_bit is not None:
             raise ValueError("the hoist follows either the block's velocity or a weight on bit")
@@ -121,21 +142,72 @@ class Simulation:
         def of(value: Scalar | None, dimension: str) -> float | None:
             return None if value is None else _values.si(value, dimension)
 
-        self._held.set(
-            _values.si(ramp, "time"),
+        ramp_s = _values.si(ramp, "time")
+        points = (
             of(rpm, "rotary speed"),
             of(block_velocity, "speed"),
             of(weight_on_bit, "force"),
             of(flow_rate, "flow rate"),
         )
+        if friction is not None:
+            sections = friction if isinstance(friction, Sequence) else (friction,)
+            self._held.set_friction(ramp_s, [float(one) for one in sections])
+        if any(point is not None for point in points):
+            self._held.set(ramp_s, *points)
+
+    @property
+    def friction(self) -> tuple[float, ...]:
+        """The kinetic coefficient of each section of the hole now, from the surface down."""
+        return tuple(self._held.friction())
 
     @property
     def now(self) -> Mapping[str, float]:
-        """The last sample by the names of the columns of the table against time, SI."""
+        """The last sample by the names of the columns of the table against time, SI.
+
+        Nothing older is looked at; it is empty before the first sample.
+        """
         return dict(self._held.last())
 
+    @property
+    def history(self) -> Table:
+        """The table against time so far."""
+        return Table(self._held.samples(-math.inf), "time")
+
+    def since(self, time: Scalar) -> Table:
+        """Give the table against time after a time: what was sampled in the last steps.
+
+        Parameters
+        ----------
+        time
+            Time of the simulation: ``"10 s"``, or seconds.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_(mesh__element_length="10 m")
+        >>> sim = case.simulation("rotate_off_bottom")
+        >>> sim.advance("0.2 s")
+        >>> before = sim.time_s
+        >>> sim.advance("0.1 s")
+        >>> new = sim.since(before)
+        >>> bool(new["time_s"][0] > before), bool(new["time_s"][-1] == sim.time_s)
+        (True, True)
+        """
+        return Table(self._held.samples(_values.si(time, "time")), "time")
+
     def state(self) -> Table:
-        """Give the whole string as it is now: a row a node, from the surface down."""
+        """Give the whole string as it is now: a row a node, from the surface down.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_(mesh__element_length="10 m")
+        >>> sim = case.simulation("rotate_off_bottom")
+        >>> sim.advance("0.1 s")
+        >>> state = sim.state()
+        >>> state.unit("torque_N_m"), len(state["torque_N_m"]) == len(state)
+        ('N·m', True)
+        """
         return Table(self._held.state(), "frames")
 
     def results(self) -> Results:
@@ -143,7 +215,11 @@ class Simulation:
         return Results(self._held.answers())
 
     def checkpoint(self) -> bytes:
-        """Give all of it as bytes, for :meth:`Case.simulation` to continue from."""
+        """Give all of it as bytes, for :meth:`Case.simulation` to continue from, to the same bits.
+
+        Set points, friction and what laws of one's own answered last are in it. The laws themselves
+        are not, nor what they keep by themselves: give :meth:`Case.simulation` the same again.
+        """
         return self._held.checkpoint()
 
     def __repr__(self) -> str:

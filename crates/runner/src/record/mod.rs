@@ -89,6 +89,14 @@ impl Record {
         self.schedule = lines.to_vec();
     }
 
+    /// The kinetic coefficients of the hole's sections where they are not those of the case.
+    pub(crate) fn friction_is(&mut self, kinetic: &[f64]) {
+        let of = |section: usize| kinetic.get(section).copied().unwrap_or(f64::NAN);
+        if let Ok(hole) = self.hole.with_friction_of(of) {
+            self.hole = hole;
+        }
+    }
+
     /// Another with the same rows in memory, to be written: rows that are on the disk leave it.
     pub(crate) fn copy_in_memory(&self) -> Self {
         Self {

@@ -12,10 +12,14 @@ use wholestring::{
     operation::Operation,
     outcome::Solution,
 };
-use wholestring_case::Case;
+use wholestring_case::{Case, MAX_FRICTION};
 use wholestring_results::{Status, checkpoint_bytes, digest, read_checkpoint_bytes};
 
-use super::{answers::Answers, solve::no_answer};
+use super::{
+    answers::Answers,
+    own_laws::{OwnLaws, StoredLaws},
+    solve::no_answer,
+};
 use crate::{
     cancellation::CancellationToken,
     cores,
@@ -37,6 +41,9 @@ pub struct Live {
     operation: Operation,
     simulation: Simulation,
     took: Duration,
+    laws: StoredLaws,
+    /// Used by a law of one's own that gave no answer.
+    failed: CancellationToken,
 }
 
 /// What a checkpoint of it holds.
@@ -45,23 +52,25 @@ struct Stored<'a> {
     identity: String,
     operation: String,
     took_s: f64,
+    laws: StoredLaws,
     simulation: Checkpoint<'a>,
 }
 
 impl Live {
     /// Initialises the string for an operation of the case, ready to run; for its only one where
-    /// none is named.
+    /// none is named. Laws of one's own take the place of the case's.
     ///
     /// # Errors
     /// An operation that the case does not have, a hoist whose lift is found by runs of the whole
-    /// case, a string without answer, a cancellation.
+    /// case, laws where there are none to follow, a string without answer, a cancellation.
     pub fn begin(
         case: Arc<Case>,
         operation: Option<&str>,
+        laws: &OwnLaws,
         observer: &dyn Observer,
         cancellation: &CancellationToken,
     ) -> Result<Self, Error> {
-        let operation = *named(&case, operation)?;
+        let mut operation = *named(&case, operation)?;
         if case.tunes_hook_load {
             let message = "the lift of this case's hoist is found by runs of the whole case: give \
                            a run in hand another hoist, such as the autodriller";
@@ -72,38 +81,50 @@ impl Live {
         let what = "initialising the string";
         let shown = watch.preparing(operation.kind.name(), what);
         let executor = cores::for_rock(&case, None, cancellation);
-        let begun =
-            Simulation::with_executor(&case.model, &operation, &case.dynamics, executor.clone());
+        let (mut settings, failed) = (case.dynamics.clone(), CancellationToken::new());
+        let stored = laws.begin(&operation, &settings)?;
+        laws.apply(&stored, &mut operation, &mut settings, &failed)?;
+        let begun = Simulation::with_executor(&case.model, &operation, &settings, executor);
         let simulation = begun.map_err(|error| match error {
             SetupError::Stopped => Error::Interrupted,
             error => Error::Failed(no_answer("dynamic model", &error)),
         })?;
         drop(shown);
-        Ok(Self { case, operation, simulation, took: start.elapsed() })
+        Ok(Self { case, operation, simulation, took: start.elapsed(), laws: stored, failed })
     }
 
     /// Continues from what [`Live::checkpoint`] gave, to the same bits.
     ///
     /// # Errors
-    /// Bytes that are damaged, of another version of the program, or of another case.
-    pub fn resume(case: Arc<Case>, bytes: &[u8]) -> Result<Self, Error> {
+    /// Bytes that are damaged, of another version of the program, of another case, or with other
+    /// laws of one's own: these are known by their names and rates.
+    pub fn resume(case: Arc<Case>, laws: &OwnLaws, bytes: &[u8]) -> Result<Self, Error> {
         let stored: Stored<'static> = read_checkpoint_bytes(bytes)?;
         let anew = |reason: String| Error::NotResumable { noun: "simulation", reason };
         if stored.identity != digest(&case.identity()) {
             return Err(anew("the checkpoint is of another case".to_owned()));
         }
-        let operation = *named(&case, Some(&stored.operation))?;
-        let resumed =
-            Simulation::resume(&case.model, &operation, &case.dynamics, stored.simulation);
+        if !stored.laws.is_of(laws) {
+            let (found, given) = (stored.laws.titles(), laws.titles());
+            return Err(anew(format!("the checkpoint is of a run with {found}, not with {given}")));
+        }
+        let took = Duration::try_from_secs_f64(stored.took_s);
+        let took = took.map_err(|_| anew("the checkpoint is damaged: its time".to_owned()))?;
+        let mut operation = *named(&case, Some(&stored.operation))?;
+        let (mut settings, failed) = (case.dynamics.clone(), CancellationToken::new());
+        laws.apply(&stored.laws, &mut operation, &mut settings, &failed)?;
+        let resumed = Simulation::resume(&case.model, &operation, &settings, stored.simulation);
         let mut simulation = resumed.map_err(|error| anew(error.to_string()))?;
         simulation.set_executor(cores::for_rock(&case, None, &CancellationToken::new()));
-        Ok(Self { case, operation, simulation, took: Duration::from_secs_f64(stored.took_s) })
+        Ok(Self { case, operation, simulation, took, laws: stored.laws, failed })
     }
 
     /// Advances by `seconds`, to the nearest sample; stops before where it is cancelled.
     ///
     /// # Errors
-    /// A cancellation, and a run that diverged; what it had sampled before stays available.
+    /// A cancellation, a law of one's own that gave no answer, and a run that diverged; what it had
+    /// sampled before stays available. The run stands at a sample then, and can go on but for one
+    /// that diverged. Where a law gave no answer, it held the one before until that sample.
     pub fn advance(
         &mut self,
         seconds: f64,
@@ -121,7 +142,12 @@ impl Live {
         let watch = Watch { observer, case: 0 };
         let shown = watch.simulation(self.operation.kind.name(), None, [from_s, end_s]);
         let mut missing = (seconds / sample_s).round() as u64;
-        let poll = ((POLL_INTERVAL_S / sample_s).round() as u64).max(1);
+        let mut poll = ((POLL_INTERVAL_S / sample_s).round() as u64).max(1);
+        let asks = self.laws != StoredLaws::default();
+        if asks {
+            poll = 1;
+            self.failed.reset();
+        }
         let mut done = Ok(());
         while missing > 0 && done.is_ok() {
             if cancellation.is_cancelled() {
@@ -132,6 +158,10 @@ impl Live {
             let advanced = self.simulation.advance(next as f64 * sample_s);
             done = advanced.map_err(|diverged| Error::Failed(diverged.to_string()));
             missing -= next;
+            if done.is_ok() && self.failed.is_cancelled() {
+                let message = format!("no answer of {}", self.laws.titles());
+                done = Err(Error::Failed(message));
+            }
             shown.reach(self.simulation.time_s(), end_s, false);
         }
         self.took += start.elapsed();
@@ -144,6 +174,25 @@ impl Live {
     /// A time or a set point that is out of range.
     pub fn add_to_schedule(&mut self, line: ScheduleStep) -> Result<(), Error> {
         self.simulation.add_to_schedule(line).map_err(|fault| Error::BadInput(fault.to_string()))
+    }
+
+    /// Sets the kinetic coefficient of friction: one for the whole hole, or one for each of its
+    /// sections from the surface down, reached in proportion to time within `ramp_s`.
+    ///
+    /// # Errors
+    /// Another count, a coefficient that a case cannot have, a time that is not one.
+    pub fn set_friction(&mut self, kinetic: &[f64], ramp_s: f64) -> Result<(), Error> {
+        if let Some(of) = kinetic.iter().find(|of| !(0.0..=MAX_FRICTION).contains(*of)) {
+            let message =
+                format!("a coefficient of friction of {of}: expected 0 to {MAX_FRICTION}");
+            return Err(Error::BadInput(message));
+        }
+        let sections = self.case.model.well.hole.sections().len();
+        let changed = match kinetic {
+            [one] => self.simulation.set_friction(&vec![*one; sections], ramp_s),
+            several => self.simulation.set_friction(several, ramp_s),
+        };
+        changed.map_err(Error::bad_input)
     }
 
     /// The simulation as it stands.
@@ -165,6 +214,7 @@ impl Live {
             identity: digest(&self.case.identity()),
             operation: self.operation.kind.name().to_owned(),
             took_s: self.took.as_secs_f64(),
+            laws: self.laws.clone(),
             simulation: self.simulation.checkpoint(),
         };
         Ok(checkpoint_bytes(&stored)?)
@@ -175,6 +225,7 @@ impl Live {
     pub fn answers(&self) -> Answers {
         let mut record = Record::in_memory(&self.case, self.case.units);
         record.schedule_is(self.simulation.schedule());
+        record.friction_is(&self.simulation.friction());
         let outcome = self.simulation.outcome();
         let bottom = self.simulation.bottom_hole();
         let carried_out = CarriedOut {

@@ -12,7 +12,7 @@ use crate::{
         Bore, BorePoint,
         contact::{self, ContactLaw},
     },
-    well::{Friction, Path},
+    well::{Friction, Hole, Path},
 };
 
 /// The hole around the chain: what a node takes up anew as it slides along.
@@ -113,6 +113,34 @@ impl Borehole {
         self.bore.section(md_m).friction
     }
 
+    /// Takes the friction of another hole, which is the same but for it, to the nodes that feel the
+    /// wall: they have the section's in which their anchors are.
+    pub fn set_friction_of(
+        &mut self,
+        hole: Hole,
+        chain: &mut Chain<impl Real>,
+        anchors: &[Anchor],
+    ) {
+        self.bore.set_friction_of(hole);
+        for (index, anchor) in anchors.iter().enumerate() {
+            if self.touches[index].is_some() {
+                self.rub(chain, index, self.friction(anchor.md_m));
+            }
+        }
+    }
+
+    /// The same of a run that is taken up again, whose nodes have it.
+    pub fn resume_friction_of(&mut self, hole: Hole) {
+        self.bore.set_friction_of(hole);
+    }
+
+    /// Gives a node its coefficients of friction.
+    fn rub(&self, chain: &mut Chain<impl Real>, index: usize, friction: Friction) {
+        node!(chain, index, friction = friction.kinetic);
+        node!(chain, index, friction_rise = friction.at_rest - friction.kinetic);
+        node!(chain, index, friction_around = friction.around);
+    }
+
     /// Puts a node's anchor at `md_m`, the node itself staying where it is.
     pub fn anchor(
         &self,
@@ -163,9 +191,7 @@ impl Borehole {
         let hole = self.bore.smooth_radius_m(md_m);
         let section = self.bore.section(md_m);
         node!(chain, index, radius = radius);
-        node!(chain, index, friction = section.friction.kinetic);
-        node!(chain, index, friction_rise = section.friction.at_rest - section.friction.kinetic);
-        node!(chain, index, friction_around = section.friction.around);
+        self.rub(chain, index, section.friction);
         match self.law {
             ContactLaw::Hertz { .. } => {
                 let (e, nu) = self.steel[index];

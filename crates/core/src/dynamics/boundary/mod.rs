@@ -7,6 +7,7 @@ pub mod extension;
 pub mod friction_coefficient;
 pub mod hoist;
 pub mod hole;
+pub mod hole_friction;
 pub mod lateral_force;
 pub mod mud;
 pub mod top_drive;

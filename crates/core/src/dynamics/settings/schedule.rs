@@ -171,7 +171,7 @@ impl Schedule {
 
 /// A set point on its way from one value to the next.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-struct Ramp {
+pub(in crate::dynamics) struct Ramp {
     from: f64,
     to: f64,
     at_s: f64,
@@ -179,15 +179,26 @@ struct Ramp {
 }
 
 impl Ramp {
-    fn resting(value: f64) -> Self {
+    /// One that is there.
+    pub(in crate::dynamics) fn resting(value: f64) -> Self {
         Self { from: value, to: value, at_s: 0.0, end_s: 0.0 }
     }
 
-    fn begin(from: f64, to: f64, step: &ScheduleStep) -> Self {
-        Self { from, to, at_s: step.at_s, end_s: step.end_s() }
+    /// From one value to another from a time on, s, within so many seconds.
+    pub(in crate::dynamics) fn new([from, to]: [f64; 2], at_s: f64, ramp_s: f64) -> Self {
+        Self { from, to, at_s, end_s: at_s + ramp_s }
     }
 
-    fn at(&self, time_s: f64) -> f64 {
+    fn begin(from: f64, to: f64, step: &ScheduleStep) -> Self {
+        Self::new([from, to], step.at_s, step.ramp_s)
+    }
+
+    /// Where it ends.
+    pub(in crate::dynamics) fn end(&self) -> f64 {
+        self.to
+    }
+
+    pub(in crate::dynamics) fn at(&self, time_s: f64) -> f64 {
         if time_s >= self.end_s {
             return self.to;
         }

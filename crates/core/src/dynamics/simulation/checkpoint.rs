@@ -113,7 +113,7 @@ impl<R: Registers> Run<R> {
         model: &Model,
         operation: &Operation,
         settings: &DynamicsSettings,
-        basis: Basis<R>,
+        mut basis: Basis<R>,
         checkpoint: Checkpoint<'_>,
     ) -> Result<Self, ResumeError> {
         let (found, expected) = (checkpoint.chain.nodes(), basis.mesh.nodes.len());
@@ -129,6 +129,11 @@ impl<R: Registers> Run<R> {
         let mut state = checkpoint.state.into_owned();
         state.attach(settings)?;
         state.check(model, settings, &basis.mesh, &chain)?;
+        if let Some(friction) = &state.hole_friction
+            && let Ok(hole) = friction.hole(&model.well.hole)
+        {
+            basis.borehole.resume_friction_of(hole);
+        }
         Ok(Self::of(model, operation, settings, basis, chain, state))
     }
 }

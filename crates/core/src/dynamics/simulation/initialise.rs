@@ -186,6 +186,7 @@ impl<R: Registers> Run<R> {
                 .friction_coefficient
                 .as_ref()
                 .map(|law| WallFriction::new(law, &chain)),
+            hole_friction: None,
         };
         Ok(Self { executor, ..Self::of(model, operation, settings, basis, chain, state) })
     }

@@ -3,6 +3,7 @@
 mod balance;
 pub mod checkpoint;
 pub mod diverged;
+mod friction;
 mod initialise;
 pub mod kernel_speed;
 mod numbers;
@@ -28,7 +29,7 @@ use super::settings::{
 use crate::{
     dynamics::{
         assemble::error::SetupError,
-        boundary::executor::RockExecutor,
+        boundary::{executor::RockExecutor, hole_friction::FrictionFault},
         output::{frame::Frame, outcome::DynamicOutcome},
         simulation::{
             checkpoint::{Checkpoint, ResumeError},
@@ -206,6 +207,19 @@ impl Simulation {
         either!(&mut self.0, run => run.state.set_points.add(line))
     }
 
+    /// Sets the kinetic coefficient of friction of each section of the hole from now on: cuttings
+    /// that gather, a mud that lubricates. It reaches them in proportion to time within `ramp_s`, in
+    /// steps of 16 of the run's; the coefficients at rest and around the hole keep their ratios to
+    /// it. Checkpoints hold it. A [`FrictionCoefficient`](super::FrictionCoefficient) is told of it
+    /// as of the section's.
+    ///
+    /// # Errors
+    /// Another count than the hole has sections, a coefficient that is negative or not finite, or
+    /// such a time.
+    pub fn set_friction(&mut self, kinetic: &[f64], ramp_s: f64) -> Result<(), FrictionFault> {
+        either!(&mut self.0, run => run.set_friction(kinetic, ramp_s))
+    }
+
     /// Changes the hoist from now on: a connection, a stop, a lift.
     pub fn set_hoist(&mut self, control: HoistControl) {
         either!(&mut self.0, run => run.set_hoist(control));
@@ -248,6 +262,8 @@ accessors! {
     /// The lines of the schedule, those that were added too: the line that began last is the
     /// series' [`schedule_line`](TimeSeries::schedule_line), counted from one.
     schedule: &[ScheduleStep],
+    /// The kinetic coefficient of friction of each section of the hole now.
+    friction: Vec<f64>,
     /// Time since the start, s.
     time_s: f64,
     /// Time at which the window ends, s; at the latest, as long as the run settles until it is

@@ -202,6 +202,7 @@ impl<R: Real> Run<R> {
                     self.check_numbers()?;
                     self.damp(FOLLOW_STEPS);
                     self.follow();
+                    self.reach_friction();
                 }
                 if self.state.steps.is_multiple_of(RENORMALISE_STEPS) {
                     self.chain.renormalise();

@@ -12,6 +12,7 @@ use crate::{
             bit::Bit,
             extension::AnotherExtension,
             hoist::Hoist,
+            hole_friction::HoleFriction,
             mud::{squeezed::Squeezed, viscous::Viscous},
             top_drive::TopDrive,
             wall_friction::WallFriction,
@@ -56,6 +57,8 @@ pub(super) struct State {
     pub(super) settled: Option<Settled>,
     /// The coefficient of friction where that is the caller's.
     pub(super) friction: Option<WallFriction>,
+    /// The hole's friction where the run has changed it.
+    pub(super) hole_friction: Option<HoleFriction>,
 }
 
 impl State {
@@ -95,6 +98,9 @@ impl State {
         ensure(same, "the coefficient of friction")?;
         if let Some(friction) = &self.friction {
             friction.check(nodes, layout)?;
+        }
+        if let Some(friction) = &self.hole_friction {
+            friction.check(&model.well.hole)?;
         }
         if let Some(viscous) = &self.viscous {
             viscous.check(mesh)?;

@@ -60,7 +60,7 @@ impl<R: Real> Run<R> {
     /// Takes the step of the upper region, where the lower one has steps of its own.
     fn step_upper(&mut self, input: &StepInput) -> Option<Coupled> {
         let coupled = Coupled::begin(&mut self.chain, input.dt, input.stiffness_damping)?;
-        self.set_friction(0, input.dt);
+        self.ask_friction(0, input.dt);
         let mut losses = self.stepper.step_region(self.chain.region(0), input);
         losses.damping -= coupled.damping_W * input.dt;
         self.state.ledger.book(&StepWork::default(), &losses);
@@ -74,7 +74,7 @@ impl<R: Real> Run<R> {
         let step_start =
             StepStart { velocity: self.chain.velocity(last), spin: node!(self.chain, last, spin) };
         let region = self.chain.regions() - 1;
-        self.set_friction(region, dt);
+        self.ask_friction(region, dt);
         let before = self.state.body.push(&mut self.chain, input, ramp);
         let mut losses = self.stepper.step_region(self.chain.region(region), input);
         let bit = self.state.bit.act(
@@ -98,7 +98,7 @@ impl<R: Real> Run<R> {
     }
 
     /// Gives the nodes of a region the caller's coefficients of friction, if there are any.
-    fn set_friction(&mut self, region: usize, dt: f64) {
+    fn ask_friction(&mut self, region: usize, dt: f64) {
         if let Some(friction) = &mut self.state.friction {
             let (borehole, anchors, mesh) = (&self.borehole, &self.state.anchors, &self.mesh);
             let around = Placement { borehole, anchors, mesh };

@@ -1,0 +1,122 @@
+"""What Python costs over Rust, measured on this machine: ``python benchmarks/overhead.py``.
+
+Each pair does the same work in turns, through the package and without its Python: the runner
+alone, by a call of the compiled half in the same process. The least times count.
+
+=============================  =================================================  =======
+what                           measured                                           at most
+=============================  =================================================  =======
+advance of 1 s                 ``sim.advance(1.0)`` of NP13 over the runner's     3 %
+soft solve of NP13             ``case.soft("drill")`` over the runner's           20 %
+table of 1e6 rows to polars    ``results.time.to_polars()``, numbers not copied   50 ms
+=============================  =================================================  =======
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import statistics
+import tempfile
+import time
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import wholestring as ws
+from wholestring import _core
+
+NP13 = Path(__file__).parents[3] / "cases" / "np13-x1042.toml"
+ROWS = 1_000_000
+
+
+Pair = tuple[float, float]
+
+
+def timed(work: Callable[[], object]) -> Pair:
+    """Give how long it takes, s: on the clock, and of the processor."""
+    start, cpu = time.perf_counter(), time.process_time()
+    work()
+    return time.perf_counter() - start, time.process_time() - cpu
+
+
+def advance(repeats: int) -> dict[str, float]:
+    """Measure an advance by 1 s: two runs of the same, second by second in turns."""
+    case = ws.Case.load(NP13)
+    ours = case.simulation()
+    ours.advance(0.1)
+    theirs = case.simulation(checkpoint=ours.checkpoint())
+    found = over(repeats, lambda: ours.advance(1.0), lambda: _core.advance_alone(theirs._held, 1.0))
+    assert ours.time_s == theirs.time_s
+    return found
+
+
+def soft(repeats: int) -> dict[str, float]:
+    """Measure a soft solve."""
+    case = ws.Case.load(NP13)
+    case.soft("drill")
+    return over(
+        5 * repeats,
+        lambda: case.soft("drill"),
+        lambda: _core.solve_alone(case._held, "soft", "drill"),
+    )
+
+
+def over(
+    repeats: int, ours: Callable[[], object], theirs: Callable[[], object]
+) -> dict[str, float]:
+    """Give the least times on the clock, s, and by which part the first is more than the second.
+
+    By processor time, which other programs disturb less, it is the median of all pairs.
+    """
+    pairs = [(timed(ours), timed(theirs)) for _ in range(repeats)]
+    clock = [min(pair[of][0] for pair in pairs) for of in range(2)]
+    parts = [ours_s[1] / theirs_s[1] for ours_s, theirs_s in pairs]
+    return {
+        "python_s": clock[0],
+        "rust_s": clock[1],
+        "over": clock[0] / clock[1] - 1.0,
+        "over_by_processor_time": statistics.median(parts) - 1.0,
+    }
+
+
+def table(repeats: int) -> dict[str, float]:
+    """Measure the way of a table of 1e6 rows to polars, and look whether its numbers moved."""
+    # Neither has types.
+    pyarrow: Any = import_module("pyarrow")
+    parquet: Any = import_module("pyarrow.parquet")
+    with tempfile.TemporaryDirectory() as place:
+        case = ws.Case.example().with_(
+            {"mesh.element_length": 20.0, "dynamics.settle": 0.1, "dynamics.duration": 1.0}
+        )
+        case.dynamic("drill").save(Path(place) / "run")
+        file = Path(place) / "run" / "time.parquet"
+        rows = parquet.read_table(file)
+        many = pyarrow.concat_tables([rows] * (ROWS // len(rows) + 1)).slice(0, ROWS)
+        parquet.write_table(many, file)
+        of = ws.Results.load(Path(place) / "run").time
+    assert len(of) == ROWS
+    took = min(timed(of.to_polars)[0] for _ in range(repeats))
+    frame = of.to_polars()
+    numbers = [name for name in of.columns if of[name].dtype == np.float64]
+    moved = sum(
+        not np.shares_memory(of[name], frame[name].to_numpy(allow_copy=False))
+        for name in numbers
+        if frame[name].null_count() == 0
+    )
+    return {"took_s": took, "columns": len(of.columns), "moved": moved}
+
+
+def main() -> None:
+    """Measure, and print a line of JSON each."""
+    parser = argparse.ArgumentParser(description="What Python costs over Rust.")
+    parser.add_argument("--repeats", type=int, default=20)
+    repeats = parser.parse_args().repeats
+    for name, of in (("advance of 1 s", advance), ("soft solve", soft), ("table", table)):
+        print(json.dumps({"what": name, **of(repeats)}))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,86 @@
+//! Laws that are Python functions.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use pyo3::{exceptions::PyValueError, prelude::*};
+use wholestring::dynamics::Shake;
+use wholestring_runner::run::{Asked, BitAnswer, BitReading, OwnLaws, ShakeReading};
+
+/// What a function raised while a run asked it.
+#[derive(Clone, Default)]
+pub(crate) struct Raised(Arc<Mutex<Option<PyErr>>>);
+
+impl Raised {
+    /// Takes it.
+    pub(crate) fn take(&self) -> Option<PyErr> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+
+    /// Two numbers from a function of Python's; nothing, and what it raised is kept, where it has
+    /// none.
+    fn ask<const N: usize>(&self, function: &Py<PyAny>, asked: [f64; N]) -> Option<[f64; 2]> {
+        let answer = Python::attach(|py| {
+            let arguments = pyo3::types::PyTuple::new(py, asked)?;
+            function.bind(py).call1(arguments)?.extract::<(f64, f64)>()
+        });
+        match answer {
+            Ok((one, other)) => Some([one, other]),
+            Err(error) => {
+                self.keep(error);
+                None
+            }
+        }
+    }
+
+    fn keep(&self, error: PyErr) {
+        // The first is why the run stops.
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+    }
+
+    /// What is wrong with an answer is raised as if the function had.
+    fn refuse<T>(&self, what: &str, [one, other]: [f64; 2]) -> Option<T> {
+        let message = format!("{what}, and not ({one}, {other})");
+        self.keep(PyValueError::new_err(message));
+        None
+    }
+}
+
+/// A function with its name and its rate, Hz.
+pub(crate) type Function = (Py<PyAny>, String, f64);
+
+/// The laws of a run, and what they raise.
+pub(crate) fn laws(bit_law: Option<Function>, excitation: Option<Function>) -> (OwnLaws, Raised) {
+    let raised = Raised::default();
+    let bit_law = bit_law.map(|(function, name, rate_Hz)| {
+        let raised = raised.clone();
+        let ask = move |of: &BitReading| {
+            let asked = [
+                of.time_s,
+                of.weight_on_bit_N,
+                of.rotary_speed_rad_per_s,
+                of.angle_rad,
+                of.drilled_m,
+            ];
+            let answer @ [depth_of_cut_m, torque_N_m] = raised.ask(&function, asked)?;
+            if answer.iter().any(|of| !of.is_finite() || *of < 0.0) {
+                let what = "a bit law gives a depth of cut and a torque, finite and zero or more";
+                return raised.refuse(what, answer);
+            }
+            Some(BitAnswer { depth_of_cut_m, torque_N_m })
+        };
+        Asked { name, rate_Hz, ask: Arc::new(ask) }
+    });
+    let excitation = excitation.map(|(function, name, rate_Hz)| {
+        let raised = raised.clone();
+        let ask = move |of: &ShakeReading| {
+            let answer @ [front_m, torque] = raised.ask(&function, [of.time_s, of.angle_rad])?;
+            if answer.iter().any(|of| !of.is_finite()) {
+                let what = "an excitation gives a length and a part of the torque, finite";
+                return raised.refuse(what, answer);
+            }
+            Some(Shake { front_m, torque })
+        };
+        Asked { name, rate_Hz, ask: Arc::new(ask) }
+    });
+    (OwnLaws { bit_law, excitation }, raised)
+}

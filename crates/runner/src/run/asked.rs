@@ -1,0 +1,77 @@
+//! Laws of the bit that a front asks at a rate, in whatever language they are written.
+
+use std::{fmt, sync::Arc};
+
+use crate::error::Error;
+
+/// What a law of the bit is asked with: how the bit drills at the end of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BitReading {
+    /// Time since the start of the run, s.
+    pub time_s: f64,
+    /// Weight on bit, N, more than zero.
+    pub weight_on_bit_N: f64,
+    /// Speed of the bit, motor included, rad/s.
+    pub rotary_speed_rad_per_s: f64,
+    /// Angle through which the bit has turned since the start of the run, rad.
+    pub angle_rad: f64,
+    /// Rock that the bit has taken away along the hole since the start of the run, m.
+    pub drilled_m: f64,
+}
+
+/// What a law of the bit answers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BitAnswer {
+    /// Rock that a revolution takes away under that weight, m; zero or more.
+    pub depth_of_cut_m: f64,
+    /// Torque on bit, N·m; zero or more.
+    pub torque_N_m: f64,
+}
+
+/// What an excitation is asked with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShakeReading {
+    /// Time since the start of the run, s.
+    pub time_s: f64,
+    /// Angle through which the bit will have turned then, at the speed that it has, rad.
+    pub angle_rad: f64,
+}
+
+/// What answers: nothing where it cannot.
+pub type Answering<I, O> = dyn Fn(&I) -> Option<O> + Send + Sync;
+
+/// A law that is asked at a rate. It answers nothing where it cannot: the run then stops.
+pub struct Asked<I, O> {
+    /// Its name, by which a checkpoint knows it again.
+    pub name: String,
+    /// How often it is asked, Hz; once a step at most.
+    pub rate_Hz: f64,
+    /// The law itself.
+    pub ask: Arc<Answering<I, O>>,
+}
+
+impl<I, O> Clone for Asked<I, O> {
+    fn clone(&self) -> Self {
+        Self { name: self.name.clone(), rate_Hz: self.rate_Hz, ask: Arc::clone(&self.ask) }
+    }
+}
+
+impl<I, O> fmt::Debug for Asked<I, O> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.title())
+    }
+}
+
+impl<I, O> Asked<I, O> {
+    /// Name and rate.
+    pub(super) fn title(&self) -> String {
+        format!("{} at {} Hz", self.name, self.rate_Hz)
+    }
+
+    pub(super) fn check(&self) -> Result<(), Error> {
+        if self.rate_Hz.is_finite() && self.rate_Hz > 0.0 {
+            return Ok(());
+        }
+        Err(Error::BadInput(format!("{} is to be asked at {} Hz", self.name, self.rate_Hz)))
+    }
+}

@@ -1,0 +1,138 @@
+//! What a law that is asked at a rate answered, held until it is asked again.
+
+use std::f64::consts::TAU;
+
+use wholestring::dynamics::{BitExcitation, BitRockLaw, BitRockStep, Shake, SteadyCut};
+
+use super::asked::{Asked, BitAnswer, BitReading, ShakeReading};
+use crate::cancellation::CancellationToken;
+
+/// Parts of a period by which a moment may be early and is taken for its end.
+const EARLY: f64 = 1e-6;
+
+/// A law of the bit between two questions: depth of cut and torque in proportion to the weight, as
+/// it answered last. A bit that is off the rock is not asked.
+#[derive(Debug)]
+pub(super) struct HeldLaw {
+    pub(super) title: String,
+    pub(super) asked: Asked<BitReading, BitAnswer>,
+    /// Depth of cut, m/N, and torque, m, per weight at the start.
+    pub(super) first: [f64; 2],
+    pub(super) failed: CancellationToken,
+}
+
+impl BitRockLaw for HeldLaw {
+    fn name(&self) -> &str {
+        &self.title
+    }
+
+    /// Time, s; angle, rad; drilled, m; periods begun; depth of cut and torque per weight.
+    fn initial_state(&self) -> Vec<f64> {
+        let [depth_m_per_N, torque_m] = self.first;
+        vec![0.0, 0.0, 0.0, 1.0, depth_m_per_N, torque_m]
+    }
+
+    fn cut(&self, state: &[f64], weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
+        let &[.., depth_m_per_N, torque_m] = state else {
+            return SteadyCut::default();
+        };
+        let depth_of_cut_m = depth_m_per_N * weight_on_bit_N;
+        SteadyCut {
+            depth_of_cut_m,
+            torque_N_m: torque_m * weight_on_bit_N,
+            rate_of_penetration_m_per_s: depth_of_cut_m * rotary_speed_rad_per_s / TAU,
+        }
+    }
+
+    fn advance(&self, state: &mut [f64], step: &BitRockStep) {
+        let [time_s, angle_rad, drilled_m, periods, depth_m_per_N, torque_m] = state else {
+            return;
+        };
+        *time_s += step.dt_s;
+        *angle_rad += step.bit_speed_rad_per_s * step.dt_s;
+        *drilled_m += step.advance_m;
+        let passed = *time_s * self.asked.rate_Hz + EARLY;
+        if passed < *periods || step.weight_on_bit_N <= 0.0 || self.failed.is_cancelled() {
+            return;
+        }
+        *periods = passed.floor() + 1.0;
+        let reading = BitReading {
+            time_s: *time_s,
+            weight_on_bit_N: step.weight_on_bit_N,
+            rotary_speed_rad_per_s: step.bit_speed_rad_per_s,
+            angle_rad: *angle_rad,
+            drilled_m: *drilled_m,
+        };
+        match (self.asked.ask)(&reading) {
+            Some(answer) => {
+                *depth_m_per_N = answer.depth_of_cut_m / step.weight_on_bit_N;
+                *torque_m = answer.torque_N_m / step.weight_on_bit_N;
+            }
+            None => {
+                self.failed.cancel();
+            }
+        }
+    }
+}
+
+/// An excitation between two questions: on the straight line from one answer to the next, which is
+/// asked a period ahead.
+#[derive(Debug)]
+pub(super) struct HeldShake {
+    pub(super) title: String,
+    pub(super) asked: Asked<ShakeReading, Shake>,
+    /// Front, m, and torque at the start and after the first period.
+    pub(super) first: [f64; 4],
+    pub(super) failed: CancellationToken,
+}
+
+impl BitExcitation for HeldShake {
+    fn name(&self) -> &str {
+        &self.title
+    }
+
+    /// Time, s; angle, rad; beginning and end of the period, s; front and torque at both.
+    fn initial_state(&self) -> Vec<f64> {
+        let period_s = 1.0 / self.asked.rate_Hz;
+        [0.0, 0.0, 0.0, period_s].into_iter().chain(self.first).collect()
+    }
+
+    fn shake(&self, state: &[f64], _bit_angle_rad: f64, time_s: f64) -> Shake {
+        let &[_, _, from_s, to_s, front_m, torque, next_front_m, next_torque] = state else {
+            return Shake::default();
+        };
+        let part = (time_s - from_s) / (to_s - from_s);
+        Shake {
+            front_m: part.mul_add(next_front_m - front_m, front_m),
+            torque: part.mul_add(next_torque - torque, torque),
+        }
+    }
+
+    fn advance(&self, state: &mut [f64], step: &BitRockStep) {
+        let [time_s, angle_rad, from_s, to_s, front_m, torque, next_front_m, next_torque] = state
+        else {
+            return;
+        };
+        *time_s += step.dt_s;
+        *angle_rad += step.bit_speed_rad_per_s * step.dt_s;
+        let period_s = (1.0 / self.asked.rate_Hz).max(step.dt_s);
+        if *time_s < *to_s - EARLY * period_s || self.failed.is_cancelled() {
+            return;
+        }
+        let next_s = *to_s + period_s;
+        let reading = ShakeReading {
+            time_s: next_s,
+            angle_rad: step.bit_speed_rad_per_s.mul_add(next_s - *time_s, *angle_rad),
+        };
+        match (self.asked.ask)(&reading) {
+            Some(shake) => {
+                (*from_s, *to_s) = (*to_s, next_s);
+                (*front_m, *torque) = (*next_front_m, *next_torque);
+                (*next_front_m, *next_torque) = (shake.front_m, shake.torque);
+            }
+            None => {
+                self.failed.cancel();
+            }
+        }
+    }
+}
