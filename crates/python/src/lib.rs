@@ -8,6 +8,7 @@ mod case;
 mod column;
 mod commands;
 mod error;
+mod existing;
 mod folder;
 mod law;
 mod measure;
