@@ -6,7 +6,7 @@ use pyo3::{exceptions::PyKeyError, prelude::*};
 use wholestring::outcome::SCALARS;
 use wholestring_runner::{Output, copy_results, run};
 
-use crate::{attended::attended, case::existing_of, error, folder::Folder, table::Table};
+use crate::{attended::attended, error, existing::existing_of, folder::Folder, table::Table};
 
 /// A summary and tables.
 #[pyclass(frozen, module = "wholestring._core")]

@@ -61,65 +61,6 @@ pub(crate) fn attended<T: Send>(
     Ok(Attended { result, raised })
 }
 
-/// Does work that tells its progress often, and looks after Python between: on this thread, for work
-/// that may be too short for one of its own.
-///
-/// # Errors
-/// None: what was raised meanwhile is in the answer.
-pub(crate) fn attended_here<T: Send>(
-    py: Python<'_>,
-    listener: &Bound<'_, PyAny>,
-    work: impl FnOnce(&dyn Observer, &CancellationToken) -> T + Send,
-) -> Attended<T> {
-    let cancellation = CancellationToken::new();
-    let looking = Looking {
-        told: Told::default(),
-        listener: listener.clone().unbind(),
-        cancellation: cancellation.clone(),
-        at: Mutex::new((Instant::now(), None)),
-    };
-    let result = py.detach(|| work(&looking, &cancellation));
-    let (_, raised) = looking.at.into_inner().unwrap_or_else(PoisonError::into_inner);
-    // What was said last.
-    let raised = raised.or(looking.told.tell(listener).err());
-    Attended { result, raised }
-}
-
-/// Hears what work says, and looks after Python now and then.
-struct Looking {
-    told: Told,
-    listener: Py<PyAny>,
-    cancellation: CancellationToken,
-    /// When it looked last, and what was raised then.
-    at: Mutex<(Instant, Option<PyErr>)>,
-}
-
-impl Observer for Looking {
-    fn note(&self, text: &str) {
-        self.told.note(text);
-    }
-
-    fn warning(&self, text: &str) {
-        self.told.warning(text);
-    }
-
-    fn reached(&self, task: &Task<'_>, progress: &Progress) {
-        self.told.reached(task, progress);
-        let mut at = self.at.lock().unwrap_or_else(PoisonError::into_inner);
-        if at.0.elapsed() < LOOK || at.1.is_some() {
-            return;
-        }
-        let looked = Python::attach(|py| {
-            py.check_signals()?;
-            self.told.tell(self.listener.bind(py))
-        });
-        if let Err(error) = looked {
-            self.cancellation.cancel();
-            at.1 = Some(error);
-        }
-        at.0 = Instant::now();
-    }
-}
 /// The same of work that leaves nothing when it is interrupted: nobody waits for it then, there is
 /// no result, and it ends by itself as soon as it looks at its cancellation.
 ///
@@ -179,4 +120,64 @@ fn look_after(
         }
     }
     (true, raised.map(|(error, _)| error))
+}
+
+/// Does work that tells its progress often, and looks after Python between: on this thread, for work
+/// that may be too short for one of its own.
+///
+/// # Errors
+/// None: what was raised meanwhile is in the answer.
+pub(crate) fn attended_here<T: Send>(
+    py: Python<'_>,
+    listener: &Bound<'_, PyAny>,
+    work: impl FnOnce(&dyn Observer, &CancellationToken) -> T + Send,
+) -> Attended<T> {
+    let cancellation = CancellationToken::new();
+    let looking = Looking {
+        told: Told::default(),
+        listener: listener.clone().unbind(),
+        cancellation: cancellation.clone(),
+        at: Mutex::new((Instant::now(), None)),
+    };
+    let result = py.detach(|| work(&looking, &cancellation));
+    let (_, raised) = looking.at.into_inner().unwrap_or_else(PoisonError::into_inner);
+    // What was said last.
+    let raised = raised.or(looking.told.tell(listener).err());
+    Attended { result, raised }
+}
+
+/// Hears what work says, and looks after Python now and then.
+struct Looking {
+    told: Told,
+    listener: Py<PyAny>,
+    cancellation: CancellationToken,
+    /// When it looked last, and what was raised then.
+    at: Mutex<(Instant, Option<PyErr>)>,
+}
+
+impl Observer for Looking {
+    fn note(&self, text: &str) {
+        self.told.note(text);
+    }
+
+    fn warning(&self, text: &str) {
+        self.told.warning(text);
+    }
+
+    fn reached(&self, task: &Task<'_>, progress: &Progress) {
+        self.told.reached(task, progress);
+        let mut at = self.at.lock().unwrap_or_else(PoisonError::into_inner);
+        if at.0.elapsed() < LOOK || at.1.is_some() {
+            return;
+        }
+        let looked = Python::attach(|py| {
+            py.check_signals()?;
+            self.told.tell(self.listener.bind(py))
+        });
+        if let Err(error) = looked {
+            self.cancellation.cancel();
+            at.1 = Some(error);
+        }
+        at.0 = Instant::now();
+    }
 }

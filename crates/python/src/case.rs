@@ -13,7 +13,7 @@ use pyo3::{
 };
 use wholestring_case::{Case as Checked, Override, Quote, Template};
 use wholestring_runner::{
-    Existing, Output,
+    Output,
     run::{self, Live},
 };
 
@@ -21,6 +21,7 @@ use crate::{
     answers::Answers,
     attended::attended,
     error,
+    existing::existing_of,
     law::{self, Function},
     simulation::Simulation,
 };
@@ -47,15 +48,6 @@ pub(crate) fn change(key: &str, value: &str) -> Override {
         verbatim: true,
     };
     Override::quoted(key, value, quote)
-}
-
-/// What becomes of what lies in a folder.
-pub(crate) fn existing_of(word: &str) -> Existing {
-    match word {
-        "resume" => Existing::Resume,
-        "overwrite" => Existing::Overwrite,
-        _ => Existing::Protect,
-    }
 }
 
 impl Case {

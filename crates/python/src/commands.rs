@@ -16,8 +16,9 @@ use wholestring_units::UnitSet;
 
 use crate::{
     attended::{Attended, attended, attended_or_left},
-    case::{Case, change, existing_of},
+    case::{Case, change},
     error,
+    existing::existing_of,
     table::Table,
 };
 

@@ -16,8 +16,9 @@ use wholestring_runner::{
 
 use crate::{
     attended::attended,
-    case::{Case, change, existing_of},
+    case::{Case, change},
     error,
+    existing::existing_of,
     table::Table,
 };
 

@@ -168,7 +168,8 @@ def option(name: str, value: Scalar | None, dimension: str) -> float | None:
     try:
         found = si(value, dimension)
     except (ValueError, TypeError) as error:
-        raise type(error)(f"`{name}`: {error}") from None
+        kind = ValueError if isinstance(error, ValueError) else TypeError
+        raise kind(f"`{name}`: {error}") from error
     if not math.isfinite(found):
         raise ValueError(f"`{name}` was given {found}: expected a finite number")
     return found
