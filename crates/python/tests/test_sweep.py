@@ -411,8 +411,10 @@ class Slow(Executor):
                 time.sleep(1e-4)
                 continue
             future, (work, arguments) = self.waiting[0]
-            future.set_result(work(*arguments))
+            result = work(*arguments)
+            # Before whoever waits for it may submit the next.
             self.waiting.popleft()
+            future.set_result(result)
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
         self._end.set()
