@@ -234,7 +234,7 @@ class Variations:
     def solve(
         self,
         cases: Sequence[tuple[str, Sequence[tuple[str, str]], str]],
-        keep: str | None,
+        keep_: str | None,
         csv: bool,
         checkpoint_s: float | None,
         running: str | PathLike[str] | None,
