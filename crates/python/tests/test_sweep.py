@@ -537,4 +537,4 @@ def test_a_bar_counts_the_cases(
 ) -> None:
     for executor in (None, ThreadPoolExecutor(1)):
         ws.sweep(soft, VARIED, folder=tmp_path, executor=executor, progress=True, resume=False)
-        assert "6/6" in capsys.readouterr().err
+        assert "6 of 6" in capsys.readouterr().err
