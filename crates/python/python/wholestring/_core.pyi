@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Any, Protocol, TypeAlias, TypedDict
+from typing import Any, Protocol, TypedDict
 
 __version__: str
 EXAMPLE: str
@@ -19,7 +19,7 @@ def values(option: str, text: str, dimension: str) -> list[float]: ...
 def advance_alone(of: Simulation, seconds: float) -> None: ...
 def solve_alone(of: Case, model: str, operation: str) -> None: ...
 
-Function: TypeAlias = tuple[Callable[..., tuple[float, float]], str, float]
+Function = tuple[Callable[..., tuple[float, float]], str, float]
 
 class Listening(Protocol):
     def said(self, is_warning: bool, sentence: str) -> None: ...
