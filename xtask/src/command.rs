@@ -9,7 +9,10 @@ use std::{
     thread,
 };
 
-use crate::{count::Count, folders::root};
+use crate::{
+    count::Count,
+    folders::{root, target},
+};
 
 /// Why a step failed, and the tests counted until then.
 pub(crate) struct Failure {
@@ -37,6 +40,17 @@ pub(crate) fn run(command: &mut Command, advice: &str) -> Result<(), Failure> {
         Ok(status) => Err(Failure::new(format!("`{}`: {status}; {advice}", line(command)))),
         Err(error) => Err(cannot_start(command, &error)),
     }
+}
+
+/// A program of the repository, `--bin` or `--example`, built and ready to run. Built as part of the
+/// workspace, so that what it is made of is what the tests have compiled.
+pub(crate) fn program(kind: &str, name: &str) -> Result<Command, Failure> {
+    let build = ["build", "--quiet", "--workspace", kind, name];
+    run(cargo().args(build), "the program must compile")?;
+    let folder = target().join(if kind == "--example" { "debug/examples" } else { "debug" });
+    let mut program = Command::new(folder.join(format!("{name}{}", env::consts::EXE_SUFFIX)));
+    program.current_dir(root());
+    Ok(program)
 }
 
 /// Whether the command can be started and succeeds; its output is dropped.

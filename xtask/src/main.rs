@@ -24,10 +24,10 @@ use std::{
     time::Instant,
 };
 
-use command::{Failure, cargo, run, run_counted, succeeds};
+use command::{Failure, cargo, program, run, run_counted, succeeds};
 use count::Count;
 use finding::Finding;
-use folders::{root, target};
+use folders::root;
 
 const USAGE: &str = "\
 usage: cargo xtask test      run everything that CI runs
@@ -172,14 +172,8 @@ fn no_cycles() -> Result<Finding, Failure> {
 /// Damaged inputs for every reader, as the fuzzer is asked. Unoptimised checks of arithmetic stay
 /// in.
 fn fuzz(fuzz_options: &[&str]) -> Result<Finding, Failure> {
-    // Built as part of the workspace, so that what it is made of is that of the other programs.
     run(
-        cargo().args(["build", "--quiet", "--workspace", "--bin", "wholestring-fuzz"]),
-        "the fuzzer must compile",
-    )?;
-    let program = format!("debug/wholestring-fuzz{}", env::consts::EXE_SUFFIX);
-    run(
-        Command::new(target().join(program)).args(fuzz_options),
+        program("--bin", "wholestring-fuzz")?.args(fuzz_options),
         "a reader did not stand an input: mend it, and keep the input as a test",
     )?;
     Ok(Finding::Done)

@@ -8,7 +8,7 @@ use std::{
 };
 
 use crate::{
-    command::{Failure, cargo, run, succeeds},
+    command::{Failure, program, run, succeeds},
     finding::Finding,
     folders::{root, target},
 };
@@ -86,13 +86,7 @@ pub(crate) fn browser() -> Result<Finding, Failure> {
     let readings = ["--data", "cases/forge-16a-measured.csv"];
     page(["calibrate", "cases/forge-16a.toml"], &readings, &browser, "calibrate.mjs")?;
     let made_up = target().join("bit-test-page");
-    run(
-        cargo()
-            .args(["run", "--quiet", "--package", "wholestring-report"])
-            .args(["--example", "bit_test_page", "--"])
-            .arg(&made_up),
-        "the browser needs a page",
-    )?;
+    run(program("--example", "bit_test_page")?.arg(&made_up), "the browser needs a page")?;
     works(&made_up, &browser, "bit_test.mjs")?;
     Ok(Finding::Done)
 }
@@ -106,8 +100,7 @@ fn page(
 ) -> Result<(), Failure> {
     let results = target().join(format!("{command}-page"));
     run(
-        cargo()
-            .args(["run", "--quiet", "--package", "wholestring-cli", "--"])
+        program("--bin", "wholestring")?
             .args([command, file, "--quiet", "--overwrite"])
             .args(more)
             .arg("-o")

@@ -7,7 +7,7 @@ use std::{
 };
 
 use crate::{
-    command::{Failure, cargo, run, succeeds},
+    command::{Failure, program, run, succeeds},
     finding::Finding,
     folders::{root, target},
 };
@@ -28,9 +28,8 @@ pub(crate) fn example() -> Result<Finding, Failure> {
     };
     let results = target().join("python-example");
     run(
-        cargo()
-            .args(["run", "--quiet", "--package", "wholestring-cli", "--", "run"])
-            .arg("crates/cli/tests/data/slant.toml")
+        program("--bin", "wholestring")?
+            .args(["run", "crates/cli/tests/data/slant.toml"])
             .args(["--quiet", "--overwrite", "-o"])
             .arg(&results),
         "the example needs its results",
