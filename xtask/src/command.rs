@@ -42,8 +42,8 @@ pub(crate) fn run(command: &mut Command, advice: &str) -> Result<(), Failure> {
     }
 }
 
-/// A program of the repository, `--bin` or `--example`, built and ready to run. Built as part of the
-/// workspace, so that what it is made of is what the tests have compiled.
+/// A program of the repository, `--bin` or `--example`, built and ready to run. Built as part of
+/// the workspace, so that what it is made of is what the tests have compiled.
 pub(crate) fn program(kind: &str, name: &str) -> Result<Command, Failure> {
     let build = ["build", "--quiet", "--workspace", kind, name];
     run(cargo().args(build), "the program must compile")?;

@@ -1,6 +1,6 @@
-//! The Python package: installed into a fresh virtual environment as a user does, where the README's
-//! quick start runs; then its tests, the examples in its documentation, and the checkers of its
-//! types and its style.
+//! The Python package: installed into a fresh virtual environment as a user does, where the
+//! README's quick start runs; then its tests, the examples in its documentation, and the checkers
+//! of its types and its style.
 
 use std::{
     env, fs,

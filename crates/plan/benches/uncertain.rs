@@ -1,5 +1,5 @@
-//! How long a sample of a plan takes on one core, and its parts: the operations at every depth, and the
-//! weights to buckle. The string of NP13-X1042 in a hole like its own, 30 depths, 6 operations:
+//! How long a sample of a plan takes on one core, and its parts: the operations at every depth, and
+//! the weights to buckle. The string of NP13-X1042 in a hole like its own, 30 depths, 6 operations:
 //! `cargo bench -p wholestring-plan --bench uncertain`.
 
 #[path = "../../core/tests/common/np13.rs"]

@@ -144,8 +144,8 @@ fn points_are_the_soft_string_s_own() {
     }
 }
 
-/// Loads alone are those of the whole point, of either model, to the last digit; a depth that the string
-/// cannot be at has none.
+/// Loads alone are those of the whole point, of either model, to the last digit; a depth that the
+/// string cannot be at has none.
 #[test]
 fn expected_loads_are_those_of_the_point() {
     for by in Statics::ALL {

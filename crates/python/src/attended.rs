@@ -122,8 +122,8 @@ fn look_after(
     (true, raised.map(|(error, _)| error))
 }
 
-/// Does work that tells its progress often, and looks after Python between: on this thread, for work
-/// that may be too short for one of its own.
+/// Does work that tells its progress often, and looks after Python between: on this thread, for
+/// work that may be too short for one of its own.
 ///
 /// # Errors
 /// None: what was raised meanwhile is in the answer.

@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use pyo3::{exceptions::PyValueError, prelude::*};
 use wholestring::dynamics::Shake;
-use wholestring_runner::run::{Asked, BitAnswer, BitReading, OwnLaws, ShakeReading};
+use wholestring_runner::run::{BitAnswer, BitReading, OwnLaws, SampledLaw, ShakeReading};
 
 /// What a function raised while a run asked it.
 #[derive(Clone, Default)]
@@ -68,7 +68,7 @@ pub(crate) fn laws(bit_law: Option<Function>, excitation: Option<Function>) -> (
             }
             Some(BitAnswer { depth_of_cut_m, torque_N_m })
         };
-        Asked { name, rate_Hz, ask: Arc::new(ask) }
+        SampledLaw { name, rate_Hz, ask: Arc::new(ask) }
     });
     let excitation = excitation.map(|(function, name, rate_Hz)| {
         let raised = raised.clone();
@@ -80,7 +80,7 @@ pub(crate) fn laws(bit_law: Option<Function>, excitation: Option<Function>) -> (
             }
             Some(Shake { front_m, torque })
         };
-        Asked { name, rate_Hz, ask: Arc::new(ask) }
+        SampledLaw { name, rate_Hz, ask: Arc::new(ask) }
     });
     (OwnLaws { bit_law, excitation }, raised)
 }

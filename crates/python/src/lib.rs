@@ -1,5 +1,5 @@
-//! What the Python package `wholestring` is made of: cases, what they come to, and tables that other
-//! libraries take without a copy. Thin: it hands over to the runner, and its words are the
+//! What the Python package `wholestring` is made of: cases, what they come to, and tables that
+//! other libraries take without a copy. Thin: it hands over to the runner, and its words are the
 //! package's, which is in `python/wholestring`.
 
 mod answers;
@@ -28,8 +28,15 @@ mod _core {
 
     #[pymodule_export]
     use crate::commands::{
-        bha_of, bit_test_of, broomstick_of, calibrate_by, calibrated, held_dimension, modes_of,
-        plan_of, reach_of, study_of, values,
+        bha::bha_of,
+        bit_test::bit_test_of,
+        broomstick::broomstick_of,
+        calibrate::{calibrate_by, calibrated, held_dimension},
+        modes::modes_of,
+        option::values,
+        plan::plan_of,
+        reach::reach_of,
+        study::study_of,
     };
     #[pymodule_export]
     use crate::{

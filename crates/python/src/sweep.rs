@@ -4,19 +4,19 @@ use std::{
     num::NonZeroUsize,
     path::{Path, PathBuf},
     sync::{Mutex, MutexGuard, PoisonError},
-    time::Duration,
 };
 
 use pyo3::{exceptions::PyValueError, prelude::*, types::PyBytes};
 use wholestring_case::{Override, Variation};
 use wholestring_runner::{
-    BatchOptions, BatchOutcome, CancellationToken, Keep, Output,
+    BatchOptions, BatchOutcome, CancellationToken, Output,
     sweep::{self, Ended, InHand, Request},
 };
 
 use crate::{
     attended::attended,
     case::{Case, change},
+    commands::option::{checkpoint_every, keep},
     error,
     existing::existing_of,
     table::Table,
@@ -35,24 +35,6 @@ pub(crate) struct Sweep(Mutex<Option<InHand>>);
 
 /// Failed cases, each with its reason, and whether the sweep was interrupted.
 type Outcome = (Vec<(String, String)>, bool);
-
-pub(crate) fn keep(word: Option<&str>) -> PyResult<Option<Keep>> {
-    Ok(Some(match word {
-        None => return Ok(None),
-        Some("summary") => Keep::Summary,
-        Some("tables") => Keep::Tables,
-        Some("all") => Keep::All,
-        Some(other) => {
-            let message = format!("keep is {other:?}: expected \"summary\", \"tables\" or \"all\"");
-            return Err(PyValueError::new_err(message));
-        }
-    }))
-}
-
-pub(crate) fn seconds(of: Option<f64>) -> PyResult<Option<Duration>> {
-    let duration = of.map(Duration::try_from_secs_f64).transpose();
-    duration.map_err(|error| PyValueError::new_err(format!("time between checkpoints: {error}")))
-}
 
 fn variation(py: Python<'_>, key: String, values: Values) -> PyResult<Variation> {
     match values {
@@ -118,11 +100,12 @@ impl Sweep {
             overrides: &case.changes,
             variations: &variations,
             together,
-            keep: keep(keep_)?,
+            keep: keep(keep_).map_err(|error| error::of_work(py, &error))?,
             batch: BatchOptions {
                 output: Output { folder, existing: existing_of(existing) },
                 jobs,
-                checkpoint_every: seconds(checkpoint_s)?,
+                checkpoint_every: checkpoint_every("checkpoint_every", checkpoint_s)
+                    .map_err(|error| error::of_work(py, &error))?,
                 csv,
                 ..BatchOptions::default()
             },

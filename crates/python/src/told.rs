@@ -24,8 +24,8 @@ struct State {
 struct Batch {
     ended: usize,
     cases: usize,
-    /// What is done, and what there is to do, s: simulated time, and a millisecond for each case, so
-    /// that those without any count too.
+    /// What is done, and what there is to do, s: simulated time, and a millisecond for each case,
+    /// so that those without any count too.
     done_s: f64,
     all_s: f64,
     /// The simulation of each case that is solved now: reached, and where it ends, s.

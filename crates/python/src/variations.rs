@@ -15,8 +15,8 @@ use wholestring_runner::{CancellationToken, sweep::Apart};
 use crate::{
     attended::attended,
     case::change,
+    commands::option::{checkpoint_every, keep},
     error,
-    sweep::{keep, seconds},
 };
 
 /// How often a worker looks whether the sweep that it works for still goes on.
@@ -36,8 +36,8 @@ impl Variations {
         Self(Template::in_memory(name, text, files))
     }
 
-    /// Solves cases one after the other, each a name, its changes and its folder, and gives how they
-    /// ended. Those are left out that were not begun when it was interrupted, or when the file
+    /// Solves cases one after the other, each a name, its changes and its folder, and gives how
+    /// they ended. Those are left out that were not begun when it was interrupted, or when the file
     /// `running` was gone.
     #[allow(clippy::too_many_arguments)]
     fn solve<'py>(
@@ -50,7 +50,10 @@ impl Variations {
         running: Option<PathBuf>,
         listener: &Bound<'py, PyAny>,
     ) -> PyResult<Vec<Bound<'py, PyBytes>>> {
-        let (keep, checkpoint_every) = (keep(keep_)?, seconds(checkpoint_s)?);
+        let of_work = |error| error::of_work(py, &error);
+        let keep = keep(keep_).map_err(of_work)?;
+        let checkpoint_every =
+            checkpoint_every("checkpoint_every", checkpoint_s).map_err(of_work)?;
         let work = attended(py, listener, |observer, cancellation| {
             let solve = || -> Result<Vec<Vec<u8>>, serde_json::Error> {
                 let mut all = Vec::new();

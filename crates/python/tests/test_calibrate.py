@@ -1,7 +1,7 @@
 """Friction from readings: whatever they come in, and what is made of it."""
 
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pandas
@@ -42,11 +42,11 @@ def data(rig: ws.Case) -> dict[str, Any]:
 
 
 @pytest.fixture(scope="module")
-def found(rig: ws.Case, data: dict[str, Any]) -> ws.Calibration:
+def found(rig: ws.Case, data: dict[str, Any]) -> ws.Calibration[ws.Case]:
     return rig.calibrate(data, **ERRORS)
 
 
-def test_friction_is_found_again(found: ws.Calibration) -> None:
+def test_friction_is_found_again(found: ws.Calibration[ws.Case]) -> None:
     assert [of.parameter for of in found.estimates] == ["friction_cased", "friction_open"]
     # The soft string of the plan is that of the fit, but between nodes of its friction.
     assert found.friction_cased == pytest.approx(0.2, abs=2e-3)
@@ -59,7 +59,7 @@ def test_friction_is_found_again(found: ws.Calibration) -> None:
     assert found.block_weight_N is None or found.block_weight_N == BLOCK_N
 
 
-def test_its_tables(found: ws.Calibration) -> None:
+def test_its_tables(found: ws.Calibration[ws.Case]) -> None:
     assert len(found.residuals) == 4 * len(DEPTHS)
     assert np.nanmax(np.abs(found.residuals["standardised"])) < 1.0
     assert set(found.posterior["parameter"]) == {"friction_cased", "friction_open"}
@@ -73,7 +73,9 @@ def test_its_tables(found: ws.Calibration) -> None:
     assert covariance[0, 0] == pytest.approx(error**2)
 
 
-def test_the_case_has_what_was_found(found: ws.Calibration, rig: ws.Case, tmp_path: Path) -> None:
+def test_the_case_has_what_was_found(
+    found: ws.Calibration[ws.Case], rig: ws.Case, tmp_path: Path
+) -> None:
     cased, open_hole = (of["friction"]["kinetic"] for of in found.case.settings["well"]["hole"])
     assert cased == round(found.friction_cased or 0.0, 4)
     assert open_hole == round(found.friction_open or 0.0, 4)
@@ -82,13 +84,13 @@ def test_the_case_has_what_was_found(found: ws.Calibration, rig: ws.Case, tmp_pa
     loaded = ws.load(found.save(tmp_path / "saved"))
     assert isinstance(loaded, ws.Calibration)
     with pytest.raises(ValueError, match="applied_to"):
-        _ = loaded.case
+        _ = cast("ws.Calibration[ws.Case]", loaded).case
     assert loaded.applied_to(rig) == found.case
     assert loaded.changes == found.changes
 
 
 def test_whatever_the_readings_come_in(
-    rig: ws.Case, data: dict[str, Any], found: ws.Calibration, tmp_path: Path
+    rig: ws.Case, data: dict[str, Any], found: ws.Calibration[ws.Case], tmp_path: Path
 ) -> None:
     frame = polars.DataFrame(data)
     frame.write_csv(tmp_path / "read.csv")

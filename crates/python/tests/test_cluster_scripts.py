@@ -1,4 +1,4 @@
-"""What ships for clusters: scripts, rendered and checked but not run on one, and a notebook."""
+"""What ships for clusters: scripts, rendered and checked but not run on one."""
 
 from __future__ import annotations
 
@@ -60,18 +60,3 @@ def test_dask_jobqueue_renders_the_job(tmp_path: Path) -> None:
         "--tls-key",
     ):
         assert wanted in script, script
-
-
-def test_the_notebook_of_an_ensemble_runs() -> None:
-    nbformat = pytest.importorskip("nbformat")
-    client = pytest.importorskip("nbclient")
-    pytest.importorskip("distributed")
-    pytest.importorskip("matplotlib")
-    path = Path(__file__).parents[1] / "notebooks" / "ensemble-on-dask.ipynb"
-    notebook = nbformat.read(path, as_version=4)
-    assert not any(cell.get("outputs") for cell in notebook.cells), "outputs are stripped"
-    client.NotebookClient(notebook, timeout=120).execute()
-    said = "".join(
-        output.get("text", "") for cell in notebook.cells for output in cell.get("outputs", [])
-    )
-    assert "90 % of the draws hang on less than" in said

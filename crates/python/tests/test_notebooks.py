@@ -12,6 +12,9 @@ import wholestring as ws
 FOLDER = Path(__file__).parents[1] / "notebooks"
 NOTEBOOKS = sorted(FOLDER.glob("*.ipynb"))
 
+# What they say in the end.
+SAID = {"ensemble-on-dask": "90 % of the draws hang on less than"}
+
 
 def read(path: Path) -> Any:
     return nbformat.read(path, as_version=4)  # type: ignore[no-untyped-call]
@@ -52,3 +55,5 @@ def test_it_runs(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     drawn = [of for of in shown if "image/png" in of.get("data", {})]
     asked = [cell for cell in notebook.cells if "ws.plot." in cell.source]
     assert len(drawn) >= sum(cell.cell_type == "code" for cell in asked)
+    said = "".join(of.text for of in shown if of.output_type == "stream")
+    assert SAID.get(path.stem, "") in said

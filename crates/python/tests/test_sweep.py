@@ -501,7 +501,7 @@ def test_bad_input_gets_an_answer(soft: ws.Case, tmp_path: Path) -> None:
         ({"tries": 0}, ValueError, "at least 1"),
         ({"checkpoint_every": "3 m"}, ValueError, "a time was expected"),
         ({"bundle": "1 m"}, ValueError, "a time was expected"),
-        ({"checkpoint_every": -1.0}, ValueError, "time between checkpoints"),
+        ({"checkpoint_every": -1.0}, ws.InputError, "`checkpoint_every`: -1 s: expected 0.01 s"),
         ({"jobs": -1}, ValueError, "at least 1"),
     ]:
         given: Any = keywords

@@ -1,5 +1,5 @@
-//! What pictures that are drawn elsewhere share with those drawn here: colours, strokes, and what is
-//! drawn of a run.
+//! What pictures that are drawn elsewhere share with those drawn here: colours, strokes, and what
+//! is drawn of a run.
 
 use std::collections::BTreeMap;
 
@@ -88,7 +88,8 @@ impl Conventions {
 mod tests {
     use super::*;
 
-    /// Curves by their places can be told apart by stroke alone, and every colour of theirs is there.
+    /// Curves by their places can be told apart by stroke alone, and every colour of theirs is
+    /// there.
     #[test]
     fn strokes_and_colours_of_curves_are_all_there() {
         let of = Conventions::of_the_house();

@@ -10,8 +10,8 @@ use wholestring::dynamics::{BitLaw, BitRockLaw, CustomLaw, SteadyCut};
 use wholestring_case::{Case, Override, load};
 use wholestring_runner::{CancellationToken, Silent, run};
 
-/// Depth of cut and torque in proportion to the weight; the torque is larger by a part `rise` at rest,
-/// of which half is left at a speed.
+/// Depth of cut and torque in proportion to the weight; the torque is larger by a part `rise` at
+/// rest, of which half is left at a speed.
 #[derive(Debug, Clone, Copy)]
 pub struct FallingTorque {
     /// Depth of cut per revolution and weight, m/N.

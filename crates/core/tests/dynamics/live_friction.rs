@@ -25,14 +25,14 @@ fn pulled(mu: f64) -> Case {
     case
 }
 
-/// Coulomb's friction of a pipe that slides along a straight hole is `μ N`, `N` its weight across the
-/// hole; the hook carries it besides the weight along the hole, also while `μ` is on its way.
+/// Coulomb's friction of a pipe that slides along a straight hole is `μ N`, `N` its weight across
+/// the hole; the hook carries it besides the weight along the hole, also while `μ` is on its way.
 ///
 /// Friction over side force is the coefficient to 1e-9 where it rests: sums of the same numbers. On
 /// its way it is found every 16 steps, and a sample averages: it is late by no more than both. The
 /// hook load, once the waves of the change have died, is that of a run without the change and the
-/// difference of both frictions, to 1e-6 of 7 kN: found is 2e-9. The side force changes by 5e-4 with
-/// the tension, where the pipe leaves the hole's axis at its ends.
+/// difference of both frictions, to 1e-6 of 7 kN: found is 2e-9. The side force changes by 5e-4
+/// with the tension, where the pipe leaves the hole's axis at its ends.
 #[test]
 fn friction_on_its_way_is_coulombs() {
     let mut simulation = pulled(0.2).start();
@@ -63,11 +63,11 @@ fn friction_on_its_way_is_coulombs() {
     assert_close("side force", across[0], across[1], 1e-3);
 }
 
-/// A run whose friction has changed comes to what a run has whose friction was so from the start, in
-/// a well with a build and a turn, cased and open hole of their own.
+/// A run whose friction has changed comes to what a run has whose friction was so from the start,
+/// in a well with a build and a turn, cased and open hole of their own.
 ///
-/// The change rings along the string, and dies with the mass damping of 0.1 1/s. Means over 30 s are
-/// held to 2e-4 of the hook load and 4e-4 of the axial friction: found is 8e-5 and 1.3e-4.
+/// The change rings along the string, and dies with the mass damping of 0.1 1/s. Means over 30 s
+/// are held to 2e-4 of the hook load and 4e-4 of the axial friction: found is 8e-5 and 1.3e-4.
 #[test]
 fn changed_friction_is_that_of_a_hole_that_has_it() {
     let mut changed = moderate(OperationKind::TripOut, 0.2);
@@ -90,8 +90,8 @@ fn changed_friction_is_that_of_a_hole_that_has_it() {
     assert_close("axial friction", found[0].axial_friction_N, found[1].axial_friction_N, 4e-4);
 }
 
-/// Written to a checkpoint in the middle of a change and after it, a run continues to the same bits,
-/// in either precision, and nodes that slide on take up the changed friction.
+/// Written to a checkpoint in the middle of a change and after it, a run continues to the same
+/// bits, in either precision, and nodes that slide on take up the changed friction.
 #[test]
 fn changed_friction_is_taken_up_where_it_was_left() {
     for precision in [Precision::Double, Precision::Single] {

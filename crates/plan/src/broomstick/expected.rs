@@ -21,8 +21,9 @@ pub struct ExpectedLoads {
 }
 
 impl Broomstick {
-    /// What operations with the friction that is expected come to by a model with their bit at a depth, m;
-    /// the same as of their [points](Self::solve), in less time. What has no answer says why.
+    /// What operations with the friction that is expected come to by a model with their bit at a
+    /// depth, m; the same as of their [points](Self::solve), in less time. What has no answer says
+    /// why.
     pub fn expected_loads(
         &self,
         by: Statics,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from os import PathLike
 
 from . import _core, _values
+from ._checked import Checked
 from ._commands import carry_out, common
 from ._folder import Place
 from ._planning import Units, Values
@@ -12,11 +13,10 @@ from ._values import Scalar
 from .assembly import Bha, BitTest, Modes
 
 
-class Assemblies:
+class Assemblies(Checked):
     """The verbs that look at the assembly, at small motions and at the bit."""
 
     __slots__ = ()
-    _held: _core.Case
 
     def bha(
         self,

@@ -5,9 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, cast
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, cast
 
 from . import _core, _values
+from ._checked import Checked
 from ._columns import content
 from ._commands import carry_out, common, count
 from ._folder import Place
@@ -21,7 +22,7 @@ from .table import Table
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from .case import Case
+C = TypeVar("C", bound=Checked)
 
 Values: TypeAlias = "Scalar | NDArray[Any] | Sequence[Scalar]"
 """One value, several, or a text with several: ``"500m..1200m/100m"``."""
@@ -29,11 +30,10 @@ Values: TypeAlias = "Scalar | NDArray[Any] | Sequence[Scalar]"
 Units = Literal["si", "metric", "field"]
 
 
-class Planning:
+class Planning(Checked):
     """The verbs that look at every depth."""
 
     __slots__ = ()
-    _held: _core.Case
 
     def broomstick(
         self,
@@ -211,11 +211,11 @@ class Planning:
         )
 
     def calibrate(
-        self,
+        self: C,
         data: str | PathLike[str] | Mapping[str, Any] | object,
         folder: str | PathLike[str] | None = None,
         *,
-        others: Sequence[Case] = (),
+        others: Sequence[C] = (),
         one_factor: bool = False,
         friction_around: bool = False,
         block_weight: bool = False,
@@ -233,7 +233,7 @@ class Planning:
         png: bool = False,
         jobs: int | None = None,
         progress: bool = False,
-    ) -> Calibration:
+    ) -> Calibration[C]:
         """Find friction from what was read at the surface.
 
         Parameters
@@ -315,12 +315,12 @@ class Planning:
         }
         cases = [(_stem(of), of) for of in (self._held, *(other._held for other in others))]
         found = carry_out(
-            Calibration,
+            Calibration[C],
             place,
             progress,
             lambda listener: _core.calibrate_by(cases, asked, options, listener),
         )
-        found._calibrated = found.applied_to(cast("Case", self))
+        found._calibrated = found.applied_to(self)
         return found
 
 

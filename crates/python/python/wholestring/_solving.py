@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from os import PathLike
 
-from . import _core
+from ._checked import Checked
 from ._commands import count, finished
 from ._folder import Place
 from ._listener import Listener
@@ -16,11 +16,10 @@ from .results import Results
 from .simulation import Simulation
 
 
-class Solving:
+class Solving(Checked):
     """The verbs that solve a case's operations by its models."""
 
     __slots__ = ()
-    _held: _core.Case
 
     def soft(self, operation: str | None = None) -> Results:
         """Solve with the soft string: milliseconds.

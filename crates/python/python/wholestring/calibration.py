@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
 
 from . import _core
 from ._base import BaseResults, Finding
+from ._checked import Checked
 from ._folder import Place
 from .table import Table
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from .case import Case
+C = TypeVar("C", bound=Checked)
+D = TypeVar("D", bound=Checked)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -66,7 +68,7 @@ def _estimate(of: dict[str, Any]) -> Estimate:
     return Estimate(**of, interval=(lower, upper))
 
 
-class Calibration(BaseResults):
+class Calibration(BaseResults, Generic[C]):
     """Friction factors, block weight and bit torque from readings at the surface.
 
     :meth:`Case.calibrate` makes one.
@@ -94,7 +96,7 @@ class Calibration(BaseResults):
 
     def __init__(self, core: _core.Answers, place: Place | None = None) -> None:
         super().__init__(core, place)
-        self._calibrated: Case | None = None
+        self._calibrated: C | None = None
 
     @property
     def estimates(self) -> tuple[Estimate, ...]:
@@ -179,7 +181,7 @@ class Calibration(BaseResults):
         return {} if folder is None else dict(_core.calibrated(folder))
 
     @property
-    def case(self) -> Case:
+    def case(self) -> C:
         """The case with the friction that was found.
 
         Raises
@@ -197,7 +199,7 @@ class Calibration(BaseResults):
         """The case file with the friction that was found."""
         return self.case.to_toml()
 
-    def applied_to(self, case: Case) -> Case:
+    def applied_to(self, case: D) -> D:
         """Give a case with the friction that was found.
 
         Parameters

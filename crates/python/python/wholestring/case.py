@@ -46,8 +46,7 @@ class Case(Solving, Planning, Assemblies):
     1000.0
     """
 
-    __slots__ = ("_held",)
-    _held: _core.Case
+    __slots__ = ()
 
     def __init__(
         self,
@@ -57,12 +56,6 @@ class Case(Solving, Planning, Assemblies):
         files: Mapping[str, bytes] | None = None,
     ) -> None:
         self._held = _core.Case.parse(text, name, dict(files or {}))
-
-    @classmethod
-    def _of(cls, core: _core.Case) -> Case:
-        case = cls.__new__(cls)
-        case._held = core
-        return case
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> Case:
@@ -143,9 +136,6 @@ class Case(Solving, Planning, Assemblies):
         """
         return self._changed(list(_values.changes(changes or {}, keys)))
 
-    def _changed(self, changes: list[tuple[str, str]]) -> Case:
-        return Case._of(self._held.changed(changes))
-
     @property
     def name(self) -> str:
         """What the case is called."""
@@ -175,10 +165,6 @@ class Case(Solving, Planning, Assemblies):
     def files(self) -> Mapping[str, bytes]:
         """The files that the case names, as they were read."""
         return self._held.files()
-
-    def to_toml(self) -> str:
-        """Give the case as the text of a case file, with its comments and its changes."""
-        return self._held.to_toml()
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle as text."""

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from .sweep import Sweep
+from typing import Any
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -119,4 +116,4 @@ class Interrupted(KeyboardInterrupt):
     """
 
     results: Any = None
-    sweep: Sweep | None = None
+    sweep: Any = None

@@ -107,7 +107,8 @@ impl<'a> WellBore<'a> {
     }
 }
 
-/// The path of a case from the surface to the bit, by its settings; no rows where they do not hold it.
+/// The path of a case from the surface to the bit, by its settings; no rows where they do not hold
+/// it.
 pub fn well_path(settings: &Json) -> WellPath {
     WellBore::of(settings).columns()
 }

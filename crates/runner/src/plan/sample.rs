@@ -64,8 +64,8 @@ impl<'a> Asked<'a> {
         sampled
     }
 
-    /// Hook load and torque of each operation at every depth; after them the least reserve of each kind of
-    /// limit in each operation.
+    /// Hook load and torque of each operation at every depth; after them the least reserve of each
+    /// kind of limit in each operation.
     fn loads(&self, of: &Broomstick, operations: &[Operation]) -> Sampled {
         let by = self.sampler.uncertain.model;
         let mut reserves = vec![[None::<f64>; LimitKind::ALL.len()]; operations.len()];

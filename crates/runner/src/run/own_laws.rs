@@ -9,8 +9,8 @@ use wholestring::{
 };
 
 use super::{
-    asked::{Asked, BitAnswer, BitReading, ShakeReading},
-    held::{HeldLaw, HeldShake},
+    sampled_law::{BitAnswer, BitReading, SampledLaw, ShakeReading},
+    zero_order_hold::{HeldLaw, HeldShake},
 };
 use crate::{cancellation::CancellationToken, error::Error};
 
@@ -18,9 +18,9 @@ use crate::{cancellation::CancellationToken, error::Error};
 #[derive(Debug, Clone, Default)]
 pub struct OwnLaws {
     /// The law of the bit.
-    pub bit_law: Option<Asked<BitReading, BitAnswer>>,
+    pub bit_law: Option<SampledLaw<BitReading, BitAnswer>>,
     /// What shakes the bit.
-    pub excitation: Option<Asked<ShakeReading, Shake>>,
+    pub excitation: Option<SampledLaw<ShakeReading, Shake>>,
 }
 
 /// What a checkpoint tells of them: their names, and what they answered before the first step.
@@ -43,10 +43,10 @@ impl StoredLaws {
     /// Whether these are the laws that it tells of.
     pub(super) fn is_of(&self, laws: &OwnLaws) -> bool {
         let named = |name: Option<&String>, title: Option<String>| name == title.as_ref();
-        named(self.bit_law.as_ref().map(|of| &of.0), laws.bit_law.as_ref().map(Asked::title))
+        named(self.bit_law.as_ref().map(|of| &of.0), laws.bit_law.as_ref().map(SampledLaw::title))
             && named(
                 self.excitation.as_ref().map(|of| &of.0),
-                laws.excitation.as_ref().map(Asked::title),
+                laws.excitation.as_ref().map(SampledLaw::title),
             )
     }
 }

@@ -206,8 +206,8 @@ impl InHand {
         file.map_or(Vec::new(), |bytes| vec![(FILE.to_owned(), bytes)])
     }
 
-    /// Puts the files of a case that was solved elsewhere into its folder, in place of all that lies
-    /// there; its summary last, for that tells that the others are whole.
+    /// Puts the files of a case that was solved elsewhere into its folder, in place of all that
+    /// lies there; its summary last, for that tells that the others are whole.
     ///
     /// # Errors
     /// Files that cannot be written.

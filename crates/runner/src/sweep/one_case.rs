@@ -35,7 +35,8 @@ pub(crate) struct OneCase<'a> {
 }
 
 impl OneCase<'_> {
-    /// Solves it into the folder, or takes what an earlier sweep left there, where that is asked for.
+    /// Solves it into the folder, or takes what an earlier sweep left there, where that is asked
+    /// for.
     pub(crate) fn solve(&self, folder: &ResultsFolder) -> Result<Ending, Stop> {
         let (case, keep) = (self.case, self.keep);
         let mut begun = None;

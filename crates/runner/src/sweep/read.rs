@@ -31,9 +31,9 @@ const NUMBERS: [(&str, &str, &str); 7] = [
     ("warnings", "", "Findings that are warnings."),
 ];
 
-/// Reads the `sweep.csv` of a folder, and says how many of its columns, from the first, were varied:
-/// what was varied in SI where all its values are numbers of the
-/// key's dimension, and as written otherwise; every other column with its unit and meaning.
+/// Reads the `sweep.csv` of a folder, and says how many of its columns, from the first, were
+/// varied: what was varied in SI where all its values are numbers of the key's dimension, and as
+/// written otherwise; every other column with its unit and meaning.
 ///
 /// # Errors
 /// A file that is not there, or is none of a sweep.

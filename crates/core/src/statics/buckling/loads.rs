@@ -43,9 +43,9 @@ impl CriticalLoads {
 pub struct BucklingLoads(pub(super) [CriticalLoads; 2]);
 
 impl BucklingLoads {
-    /// Those that a compression, N, is compared with: of a pipe that is beyond one the greatest that
-    /// it has passed, else the next that it would pass; never less than in a vertical hole. None
-    /// where there is no clearance.
+    /// Those that a compression, N, is compared with: of a pipe that is beyond one the greatest
+    /// that it has passed, else the next that it would pass; never less than in a vertical hole.
+    /// None where there is no clearance.
     pub fn compared_with_N(&self, compression_N: f64) -> Option<[f64; 2]> {
         let loads_N = self.0.map(|of| of.compared_with_N(compression_N));
         loads_N[0].is_finite().then_some(loads_N)

@@ -11,14 +11,15 @@ use super::{
 };
 use crate::{model::Model, operation::Operation};
 
-/// A soft string with its bit at one depth, ready for any number of operations: it holds what none of
-/// them changes, the hole step by step and the buckling loads there, which are most of the work of
-/// one.
+/// A soft string with its bit at one depth, ready for any number of operations: it holds what none
+/// of them changes, the hole step by step and the buckling loads there, which are most of the work
+/// of one.
 ///
 /// ```
 /// use wholestring::{prelude::*, statics::soft::{SoftSettings, SoftString, solve}};
 ///
-/// # let stations = [Station::from_degrees(0.0, 0.0, 0.0), Station::from_degrees(900.0, 40.0, 0.0)];
+/// # let top = Station::from_degrees(0.0, 0.0, 0.0);
+/// # let stations = [top, Station::from_degrees(900.0, 40.0, 0.0)];
 /// # let path = Path::minimum_curvature(&stations)?;
 /// # let hole = Hole::new(vec![HoleSection::open(0.0..900.0, 0.2159, 0.3)])?;
 /// # let string = StringSpec::from_bit(ComponentSpec::bit(0.2159, 0.3))

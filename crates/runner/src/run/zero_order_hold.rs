@@ -1,10 +1,11 @@
-//! What a law that is asked at a rate answered, held until it is asked again.
+//! Laws that are sampled at a rate, between two samples: a law of the bit by a zero-order hold of
+//! what it gave per weight, an excitation by a first-order hold.
 
 use std::f64::consts::TAU;
 
 use wholestring::dynamics::{BitExcitation, BitRockLaw, BitRockStep, Shake, SteadyCut};
 
-use super::asked::{Asked, BitAnswer, BitReading, ShakeReading};
+use super::sampled_law::{BitAnswer, BitReading, SampledLaw, ShakeReading};
 use crate::cancellation::CancellationToken;
 
 /// Parts of a period by which a moment may be early and is taken for its end.
@@ -15,7 +16,7 @@ const EARLY: f64 = 1e-6;
 #[derive(Debug)]
 pub(super) struct HeldLaw {
     pub(super) title: String,
-    pub(super) asked: Asked<BitReading, BitAnswer>,
+    pub(super) asked: SampledLaw<BitReading, BitAnswer>,
     /// Depth of cut, m/N, and torque, m, per weight at the start.
     pub(super) first: [f64; 2],
     pub(super) failed: CancellationToken,
@@ -80,7 +81,7 @@ impl BitRockLaw for HeldLaw {
 #[derive(Debug)]
 pub(super) struct HeldShake {
     pub(super) title: String,
-    pub(super) asked: Asked<ShakeReading, Shake>,
+    pub(super) asked: SampledLaw<ShakeReading, Shake>,
     /// Front, m, and torque at the start and after the first period.
     pub(super) first: [f64; 4],
     pub(super) failed: CancellationToken,

@@ -1,4 +1,5 @@
-//! Laws of the bit that a front asks at a rate, in whatever language they are written.
+//! Laws of the bit that are sampled at a rate: a front gives them, in whatever language they are
+//! written.
 
 use std::{fmt, sync::Arc};
 
@@ -40,8 +41,8 @@ pub struct ShakeReading {
 /// What answers: nothing where it cannot.
 pub type Answering<I, O> = dyn Fn(&I) -> Option<O> + Send + Sync;
 
-/// A law that is asked at a rate. It answers nothing where it cannot: the run then stops.
-pub struct Asked<I, O> {
+/// A law that is sampled at a rate. It answers nothing where it cannot: the run then stops.
+pub struct SampledLaw<I, O> {
     /// Its name, by which a checkpoint knows it again.
     pub name: String,
     /// How often it is asked, Hz; once a step at most.
@@ -50,19 +51,19 @@ pub struct Asked<I, O> {
     pub ask: Arc<Answering<I, O>>,
 }
 
-impl<I, O> Clone for Asked<I, O> {
+impl<I, O> Clone for SampledLaw<I, O> {
     fn clone(&self) -> Self {
         Self { name: self.name.clone(), rate_Hz: self.rate_Hz, ask: Arc::clone(&self.ask) }
     }
 }
 
-impl<I, O> fmt::Debug for Asked<I, O> {
+impl<I, O> fmt::Debug for SampledLaw<I, O> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.title())
     }
 }
 
-impl<I, O> Asked<I, O> {
+impl<I, O> SampledLaw<I, O> {
     /// Name and rate.
     pub(super) fn title(&self) -> String {
         format!("{} at {} Hz", self.name, self.rate_Hz)

@@ -1,0 +1,65 @@
+//! Options of commands, and why their values cannot be.
+
+use std::time::Duration;
+
+use pyo3::prelude::*;
+use wholestring::operation::OperationKind;
+use wholestring_runner::{Error, Keep};
+
+use crate::error;
+
+/// Why an option's value cannot be.
+pub(super) fn bad(option: &str, reason: impl std::fmt::Display) -> Error {
+    Error::BadInput(format!("`{option}`: {reason}"))
+}
+
+/// Time on the clock between checkpoints.
+pub(crate) fn checkpoint_every(
+    option: &str,
+    seconds: Option<f64>,
+) -> Result<Option<Duration>, Error> {
+    match seconds {
+        Some(seconds) if !(0.01..=86_400.0).contains(&seconds) => {
+            Err(bad(option, format!("{seconds} s: expected 0.01 s to 86400 s")))
+        }
+        seconds => Ok(seconds.map(Duration::from_secs_f64)),
+    }
+}
+
+/// What is kept of each case of a batch.
+pub(crate) fn keep(word: Option<&str>) -> Result<Option<Keep>, Error> {
+    Ok(Some(match word {
+        None => return Ok(None),
+        Some("summary") => Keep::Summary,
+        Some("tables") => Keep::Tables,
+        Some("all") => Keep::All,
+        Some(other) => {
+            return Err(bad("keep", format!("`{other}` is none of summary, tables, all")));
+        }
+    }))
+}
+
+pub(super) fn operation(name: &str) -> Result<OperationKind, Error> {
+    OperationKind::from_name(name).ok_or_else(|| {
+        let names = OperationKind::ALL.map(OperationKind::name).join(", ");
+        bad("operation", format!("`{name}` is no operation: expected one of {names}"))
+    })
+}
+
+pub(super) fn no_statics(name: &str) -> Error {
+    bad("model", format!("`{name}` is none of soft, stiff"))
+}
+
+/// The values of an option: a list or a range of quantities of a dimension, SI.
+#[pyfunction]
+pub(crate) fn values(
+    py: Python<'_>,
+    option: &str,
+    text: &str,
+    dimension: &str,
+) -> PyResult<Vec<f64>> {
+    let found = wholestring_units::Dimension::ALL.iter().find(|of| of.name() == dimension);
+    let found = found.ok_or_else(|| error::of_panic(py))?;
+    let values = wholestring_case::read_values(option, text, *found);
+    values.map_err(|report| error::of_report(py, &report))
+}
