@@ -1,11 +1,21 @@
 """What several tests need."""
 
+import signal
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 import wholestring as ws
 
 CASES = Path(__file__).parents[3] / "cases"
+
+
+@pytest.fixture(autouse=True)
+def _interrupts() -> Iterator[None]:
+    """dask_jobqueue takes over the interrupt when it is imported; the next test wants its own."""
+    handler = signal.getsignal(signal.SIGINT)
+    yield
+    signal.signal(signal.SIGINT, handler)
 
 
 @pytest.fixture(scope="session")

@@ -34,7 +34,8 @@ pub(crate) fn keep(word: Option<&str>) -> Result<Option<Keep>, Error> {
         Some("tables") => Keep::Tables,
         Some("all") => Keep::All,
         Some(other) => {
-            return Err(bad("keep", format!("`{other}` is none of summary, tables, all")));
+            let expected = r#"expected "summary", "tables" or "all""#;
+            return Err(bad("keep", format!("`{other}`: {expected}")));
         }
     }))
 }
