@@ -1,7 +1,7 @@
 //! Files that a case names, which stand beside it.
 
 use wholestring_config::prelude::*;
-use wholestring_survey::SurveyError;
+use wholestring_tabular::TableError;
 
 /// What the file contains. `noun` says what it is; one that cannot be read is a mistake of the case.
 pub(crate) fn read_beside(
@@ -27,7 +27,7 @@ pub(crate) fn read_beside(
 
 /// What is wrong with a table in a file, underlined in it where it is a text. `noun` says what the table is.
 pub(crate) fn unfit(
-    error: &SurveyError,
+    error: &TableError,
     file: &Spanned<String>,
     noun: &str,
     reader: &mut Reader,

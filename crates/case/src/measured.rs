@@ -3,7 +3,7 @@
 use wholestring::operation::{Operation, OperationKind};
 use wholestring_config::prelude::*;
 use wholestring_plan::Setup;
-use wholestring_survey::{ImportedReading, read_readings};
+use wholestring_tabular::{ImportedReading, read_readings};
 
 use crate::beside::{read_beside, unfit};
 

@@ -3,7 +3,7 @@
 use serde_json::json;
 use wholestring::well::{Station, TieIn};
 use wholestring_config::prelude::*;
-use wholestring_survey::{Said, read_as};
+use wholestring_tabular::{Said, read_as};
 use wholestring_units::Unit;
 
 use crate::beside::{read_beside, unfit};

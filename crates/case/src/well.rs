@@ -2,7 +2,7 @@
 
 use wholestring::well::{Hole, Interpolation, Path, PathError, TieIn};
 use wholestring_config::prelude::*;
-use wholestring_survey::{Said, under_origin};
+use wholestring_tabular::{Said, under_origin};
 use wholestring_units::{Unit, UnitSet};
 
 use crate::{

@@ -4,8 +4,8 @@ use std::{io, path::Path};
 
 use wholestring::well::{Interpolation, Path as WellPath, PathError, PathPoint};
 use wholestring_case::{Diagnostic, Label, Report, Severity, Source, Span, read_file};
-pub use wholestring_survey::{ImportedSurvey, Said};
-use wholestring_survey::{SurveyError, read_as};
+pub use wholestring_tabular::{ImportedSurvey, Said};
+use wholestring_tabular::{TableError, read_as};
 
 use crate::Error;
 
@@ -43,7 +43,7 @@ pub(crate) fn bytes(file: &Path, noun: &str) -> Result<Vec<u8>, Error> {
 }
 
 /// A mistake in a table, underlined where that is possible.
-pub(crate) fn explained(error: &SurveyError) -> Error {
+pub(crate) fn explained(error: &TableError) -> Error {
     match report(error) {
         Some(report) => report.into(),
         None => Error::BadInput(error.to_string()),
@@ -51,7 +51,7 @@ pub(crate) fn explained(error: &SurveyError) -> Error {
 }
 
 /// The mistake underlined in the survey, where it is a text.
-fn report(error: &SurveyError) -> Option<Report> {
+fn report(error: &TableError) -> Option<Report> {
     let (text, span) = error.text().zip(error.span())?;
     let sentence = error.kind().to_string();
     let (message, expected) = sentence.split_once("; ").unwrap_or((&sentence, ""));

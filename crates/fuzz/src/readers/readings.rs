@@ -1,6 +1,6 @@
 //! Weights and torques read at the surface.
 
-use wholestring_survey::read_readings;
+use wholestring_tabular::read_readings;
 
 use super::reader::{New, Reader};
 

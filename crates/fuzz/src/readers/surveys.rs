@@ -1,6 +1,6 @@
 //! Surveys in every format.
 
-#[path = "../../../survey/tests/old_excel/mod.rs"]
+#[path = "../../../tabular/tests/old_excel/mod.rs"]
 mod old_excel;
 
 use std::{
@@ -9,7 +9,7 @@ use std::{
 };
 
 use fastrand::Rng;
-use wholestring_survey::{ImportedSurvey, Said, SurveyError, read_as};
+use wholestring_tabular::{ImportedSurvey, Said, TableError, read_as};
 use wholestring_units::Dimension;
 use zip::{CompressionMethod, ZipWriter, write::SimpleFileOptions};
 
@@ -33,7 +33,7 @@ const WORDS: &[&str] = &[
 ];
 
 /// What holds of any survey that is read, and of any error.
-fn valid(read: Result<ImportedSurvey, SurveyError>) -> bool {
+fn valid(read: Result<ImportedSurvey, TableError>) -> bool {
     match read {
         Ok(survey) => {
             assert!(survey.stations.len() >= 2);
@@ -242,7 +242,7 @@ fn xls() -> Reader {
 mod tests {
     use std::iter::repeat_with;
 
-    use wholestring_survey::{read, read_csv, read_excel};
+    use wholestring_tabular::{read, read_csv, read_excel};
 
     use super::*;
     use crate::worker;

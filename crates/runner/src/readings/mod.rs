@@ -8,7 +8,7 @@ use std::{borrow::Cow, path::Path};
 
 use wholestring_case::Override;
 use wholestring_plan::calibration::{Assembly, Channel, Reading};
-use wholestring_survey::{ImportedReading, ImportedReadings, read_readings};
+use wholestring_tabular::{ImportedReading, ImportedReadings, read_readings};
 
 use crate::{error::Error, survey};
 

@@ -1,11 +1,11 @@
 //! The header: the row, or the rows, that name the columns.
 
-use crate::column::Column;
-use crate::error::{SurveyError, SurveyErrorKind};
-use crate::heading::{self, Heading};
-use crate::number;
-use crate::sort::Sort;
-use crate::table::{Position, Table};
+use crate::cells::number;
+use crate::cells::table::{Position, Table};
+use crate::columns::column::Column;
+use crate::columns::heading::{self, Heading};
+use crate::columns::sort::Sort;
+use crate::error::{TableError, TableErrorKind};
 
 /// A header stands within this many rows.
 const HEADER_ROWS: usize = 200;
@@ -43,7 +43,7 @@ pub(crate) struct Partial {
     pub(crate) count: usize,
     row: usize,
     texts: Vec<String>,
-    kind: SurveyErrorKind,
+    kind: TableErrorKind,
 }
 
 impl Partial {
@@ -52,7 +52,7 @@ impl Partial {
         self.count >= 2 || (self.count == 1 && self.texts.len() >= FEWEST_HEADINGS)
     }
 
-    pub(crate) fn error(self, table: &Table) -> SurveyError {
+    pub(crate) fn error(self, table: &Table) -> TableError {
         let at = table.rows[self.row]
             .cells
             .iter()
@@ -127,7 +127,7 @@ fn named(table: &Table, top: usize, row: usize, sort: &Sort) -> Result<Header, P
             }
             [] => {}
             [first, second, ..] if first.1.rank == second.1.rank => {
-                fault.get_or_insert(SurveyErrorKind::DuplicateColumn {
+                fault.get_or_insert(TableErrorKind::DuplicateColumn {
                     column,
                     first: texts[first.0].clone(),
                     second: texts[second.0].clone(),
@@ -159,7 +159,7 @@ fn named(table: &Table, top: usize, row: usize, sort: &Sort) -> Result<Header, P
     }
 }
 
-fn missing(column: Column, texts: &[String], sort: &Sort) -> SurveyErrorKind {
+fn missing(column: Column, texts: &[String], sort: &Sort) -> TableErrorKind {
     let headers: Vec<String> = texts.iter().filter(|text| !text.is_empty()).cloned().collect();
     let nearest = headers
         .iter()
@@ -168,5 +168,31 @@ fn missing(column: Column, texts: &[String], sort: &Sort) -> SurveyErrorKind {
         .filter(|(nearness, _)| *nearness >= NEAR)
         .max_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, text)| text.clone());
-    SurveyErrorKind::MissingColumn { column, headers, nearest }
+    TableErrorKind::MissingColumn { column, headers, nearest }
+}
+
+/// A header among tables.
+pub(crate) enum Headed<'a> {
+    Found(&'a Table<'a>, Header),
+    /// The one that comes nearest.
+    Nearest(Partial, &'a Table<'a>),
+    None,
+}
+
+/// The first of the tables with a header that names the needed columns.
+pub(crate) fn headed<'a>(tables: &'a [Table<'a>], sort: &Sort) -> Headed<'a> {
+    let mut nearest: Option<(Partial, &Table)> = None;
+    for table in tables {
+        match find(table, sort) {
+            Ok(header) => return Headed::Found(table, header),
+            Err(Some(partial)) => {
+                let nearer = nearest.as_ref().is_none_or(|(best, _)| partial.count > best.count);
+                if nearer {
+                    nearest = Some((partial, table));
+                }
+            }
+            Err(None) => {}
+        }
+    }
+    nearest.map_or(Headed::None, |(partial, table)| Headed::Nearest(partial, table))
 }

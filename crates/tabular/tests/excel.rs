@@ -4,7 +4,7 @@ mod old_excel;
 
 use old_excel::Value;
 use rust_xlsxwriter::{ExcelDateTime, Format, Workbook, Worksheet};
-use wholestring_survey::{ImportedSurvey, Place, Said, SurveyErrorKind, read, read_as, read_excel};
+use wholestring_tabular::{ImportedSurvey, Place, Said, TableErrorKind, read, read_as, read_excel};
 
 /// Fills a sheet.
 type Fill<'a> = &'a dyn Fn(&mut Worksheet);
@@ -86,7 +86,7 @@ fn three_bare_columns_are_read_in_the_unit_that_is_said() {
     let bytes =
         workbook(&[("S", &|sheet| write(sheet, 0, 0, &[&["0", "0", "0"], &["9", "1", "2"]]))]);
     let error = read(&bytes, "a.xlsx").unwrap_err();
-    assert_eq!(error.kind(), &SurveyErrorKind::NoUnits);
+    assert_eq!(error.kind(), &TableErrorKind::NoUnits);
     let said = Said { length_unit: wholestring_units::Dimension::Length.find_unit("m") };
     let survey = read_as(&bytes, "a.xlsx", &said).unwrap();
     assert_eq!(survey.stations[1].md_m, 9.0);
@@ -134,7 +134,7 @@ fn workbooks_without_a_survey_list_their_sheets() {
     ]);
     let error = read(&bytes, "a.xlsx").unwrap_err();
     let sheets = vec!["Costs".to_owned(), "Empty".to_owned()];
-    assert_eq!(error.kind(), &SurveyErrorKind::NoSurveySheet { sheets });
+    assert_eq!(error.kind(), &TableErrorKind::NoSurveySheet { sheets });
     assert!(error.to_string().ends_with("the sheets are: 'Costs', 'Empty'"), "{error}");
 }
 
@@ -143,12 +143,12 @@ fn damaged_workbooks_are_refused() {
     let whole = workbook(&[("S", &|sheet| write(sheet, 0, 0, &[&["MD (m)", "Inc", "Azi"]]))]);
     for bytes in [&whole[..whole.len() / 2], &whole[..4], b"PK\x03\x04", b"PK"] {
         let error = read_excel(bytes, "a.xlsx").unwrap_err();
-        assert!(matches!(error.kind(), SurveyErrorKind::NotAWorkbook { .. }), "{error}");
+        assert!(matches!(error.kind(), TableErrorKind::NotAWorkbook { .. }), "{error}");
     }
     let compound = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1 and no more";
     let error = read(compound, "a.xls").unwrap_err();
-    assert!(matches!(error.kind(), SurveyErrorKind::NotAWorkbook { .. }), "{error}");
-    assert_eq!(read_excel(b"", "a.xlsx").unwrap_err().kind(), &SurveyErrorKind::Empty);
+    assert!(matches!(error.kind(), TableErrorKind::NotAWorkbook { .. }), "{error}");
+    assert_eq!(read_excel(b"", "a.xlsx").unwrap_err().kind(), &TableErrorKind::Empty);
 }
 
 /// A cell in the sheet's far corner makes the range of its cells hundreds of gigabytes.
@@ -197,7 +197,7 @@ fn old_workbooks_that_claim_more_than_the_format_has_are_refused() {
         let mut bytes = whole.clone();
         bytes[at..at + damage.len()].copy_from_slice(damage);
         let error = read(&bytes, "a.xls").unwrap_err();
-        assert!(matches!(error.kind(), SurveyErrorKind::NotAWorkbook { .. }), "{error}");
+        assert!(matches!(error.kind(), TableErrorKind::NotAWorkbook { .. }), "{error}");
     }
 }
 
@@ -205,7 +205,7 @@ fn old_workbooks_that_claim_more_than_the_format_has_are_refused() {
 #[track_caller]
 fn refused(bytes: &[u8], name: &str) -> String {
     let error = read(bytes, name).unwrap_err();
-    assert!(matches!(error.kind(), SurveyErrorKind::TooMuch { .. }), "{error}");
+    assert!(matches!(error.kind(), TableErrorKind::TooMuch { .. }), "{error}");
     error.to_string()
 }
 
@@ -299,7 +299,7 @@ fn old_workbooks_with_far_cells_are_refused() {
     let near = [(0, 0, Value::Number(1.0)), (4_999, 9, Value::Number(1.0))];
     assert!(matches!(
         read(&old_excel::workbook_of(&near, 1), "a.xls").unwrap_err().kind(),
-        SurveyErrorKind::NoSurveySheet { .. }
+        TableErrorKind::NoSurveySheet { .. }
     ));
     refused(&old_excel::workbook_of(&near, 40), "a.xls");
     assert_eq!(

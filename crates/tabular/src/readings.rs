@@ -1,13 +1,13 @@
 //! From rows of numbers to readings at the surface.
 
 use crate::{
-    column::Column,
-    error::{SurveyError, SurveyErrorKind},
-    layout::Layout,
-    number::Style,
-    sort::READINGS,
-    stations::{Reader, data_rows, style, whole},
-    table::{Row, Table},
+    cells::number::Style,
+    cells::table::{Row, Table},
+    columns::column::Column,
+    columns::layout::Layout,
+    columns::sort::READINGS,
+    error::{TableError, TableErrorKind},
+    survey::stations::{Reader, data_rows, style, whole},
 };
 
 /// No hole is deeper along its axis, m.
@@ -50,9 +50,9 @@ pub struct ImportedReadings {
 }
 
 /// Reads the rows below the header.
-pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, SurveyError> {
+pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, TableError> {
     let mut notes = layout.notes.clone();
-    let none = |found| SurveyErrorKind::NoReadings { found };
+    let none = |found| TableErrorKind::NoReadings { found };
     let measured = [
         Column::PickUp,
         Column::SlackOff,
@@ -77,7 +77,7 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Su
     for &row in &rows {
         let row = &table.rows[row];
         if let Some(expected) = table.counted.filter(|&count| row.cells.len() < count) {
-            let kind = SurveyErrorKind::ShortRow { found: row.cells.len(), expected };
+            let kind = TableErrorKind::ShortRow { found: row.cells.len(), expected };
             return Err(table.source.error(kind, Some(whole(row))));
         }
         let maybe = |column: Column| match layout.column(column) {
@@ -101,7 +101,7 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Su
                 "yes" => false,
                 "no" => true,
                 _ => {
-                    let kind = SurveyErrorKind::NotYesNo { found: word.to_owned() };
+                    let kind = TableErrorKind::NotYesNo { found: word.to_owned() };
                     let at =
                         layout.column(Column::Use).and_then(|found| row.cells.get(found.index));
                     return Err(table.source.error(kind, at.map(|cell| cell.at)));

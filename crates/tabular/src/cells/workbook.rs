@@ -6,10 +6,10 @@ use std::io::Cursor;
 use calamine::{Data, DataRef, Reader, SheetType, Xls, Xlsx};
 use wholestring_contain::contain;
 
-use crate::error::SurveyErrorKind;
-use crate::limits::{self, Budget, too_much};
-use crate::table::{Cell, Position, Row};
-use crate::{archive, compound, records};
+use crate::cells::limits::{self, Budget, too_much};
+use crate::cells::table::{Cell, Position, Row};
+use crate::error::TableErrorKind;
+use crate::{cells::archive, cells::compound, cells::records};
 
 /// A sheet with its rows, empty ones above the last included.
 #[derive(Debug)]
@@ -24,20 +24,20 @@ pub(crate) fn is_workbook(bytes: &[u8]) -> bool {
 }
 
 /// The workbook's sheets.
-pub(crate) fn sheets(bytes: &[u8]) -> Result<Vec<Sheet>, SurveyErrorKind> {
+pub(crate) fn sheets(bytes: &[u8]) -> Result<Vec<Sheet>, TableErrorKind> {
     if bytes.is_empty() {
-        return Err(SurveyErrorKind::Empty);
+        return Err(TableErrorKind::Empty);
     }
     // The reader of workbooks is not ours, and a damaged file may make it panic.
     let sheets = contain(|| if bytes.starts_with(b"PK") { xlsx(bytes) } else { xls(bytes) });
     sheets.unwrap_or_else(|_| Err(unreadable("it is damaged")))
 }
 
-fn unreadable(reason: impl ToString) -> SurveyErrorKind {
-    SurveyErrorKind::NotAWorkbook { reason: reason.to_string() }
+fn unreadable(reason: impl ToString) -> TableErrorKind {
+    TableErrorKind::NotAWorkbook { reason: reason.to_string() }
 }
 
-fn xlsx(bytes: &[u8]) -> Result<Vec<Sheet>, SurveyErrorKind> {
+fn xlsx(bytes: &[u8]) -> Result<Vec<Sheet>, TableErrorKind> {
     archive::check(bytes)?;
     let mut workbook = Xlsx::new(Cursor::new(bytes)).map_err(unreadable)?;
     let mut sheets = Vec::new();
@@ -63,7 +63,7 @@ fn xlsx(bytes: &[u8]) -> Result<Vec<Sheet>, SurveyErrorKind> {
     Ok(sheets)
 }
 
-fn xls(bytes: &[u8]) -> Result<Vec<Sheet>, SurveyErrorKind> {
+fn xls(bytes: &[u8]) -> Result<Vec<Sheet>, TableErrorKind> {
     let mut stream = compound::workbook_stream(bytes)?;
     records::check(&mut stream)?;
     let file = compound::file_of(&stream);
@@ -88,7 +88,7 @@ fn xls(bytes: &[u8]) -> Result<Vec<Sheet>, SurveyErrorKind> {
 }
 
 /// The names of the sheets that hold cells and not a chart.
-fn worksheets(sheets: &[calamine::Sheet]) -> Result<Vec<String>, SurveyErrorKind> {
+fn worksheets(sheets: &[calamine::Sheet]) -> Result<Vec<String>, TableErrorKind> {
     if sheets.len() > limits::SHEETS {
         return Err(too_much(sheets.len(), "sheets", limits::SHEETS));
     }
@@ -122,7 +122,7 @@ fn cell(data: &Data, row: u32, column: u32) -> Option<Cell> {
 fn rows(
     cells: BTreeMap<(u32, u32), Cell>,
     budget: &mut Budget,
-) -> Result<Vec<Row>, SurveyErrorKind> {
+) -> Result<Vec<Row>, TableErrorKind> {
     let mut rows: Vec<Row> = Vec::new();
     for ((row, column), cell) in cells {
         let (row, column) = (row as usize, column as usize);

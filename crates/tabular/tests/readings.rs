@@ -1,7 +1,7 @@
 //! Weights and torques from CSV and Excel.
 
 use rust_xlsxwriter::Workbook;
-use wholestring_survey::read_readings;
+use wholestring_tabular::read_readings;
 
 #[test]
 fn weights_and_torques_are_read_in_their_units() {

@@ -1,6 +1,6 @@
 //! The words of headings.
 
-use crate::column::Column;
+use crate::columns::column::Column;
 
 /// Names of columns, in small letters without blanks, with their rank.
 pub(crate) const NAMES: &[(Column, u8, &str)] = &[

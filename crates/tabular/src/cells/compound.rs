@@ -8,8 +8,8 @@
 
 use std::collections::HashSet;
 
-use crate::error::SurveyErrorKind;
-use crate::limits::{self, too_much};
+use crate::cells::limits::{self, too_much};
+use crate::error::TableErrorKind;
 
 /// Streams below this size stand in the mini stream, in sectors of [`MINI_SECTOR`] bytes.
 const MINI_STREAM: usize = 4096;
@@ -27,7 +27,7 @@ const FREE: u32 = 0xffff_ffff;
 pub(crate) const MARK: &[u8; 8] = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1";
 
 /// The stream in a compound file that holds the workbook.
-pub(crate) fn workbook_stream(bytes: &[u8]) -> Result<Vec<u8>, SurveyErrorKind> {
+pub(crate) fn workbook_stream(bytes: &[u8]) -> Result<Vec<u8>, TableErrorKind> {
     let file = File::open(bytes).ok_or_else(|| damaged("it is no compound file"))?;
     let directory = file.chain(u32_at(bytes, 48), &file.table)?;
     let entries: Vec<&[u8]> = directory.chunks_exact(128).collect();
@@ -61,8 +61,8 @@ pub(crate) fn workbook_stream(bytes: &[u8]) -> Result<Vec<u8>, SurveyErrorKind> 
     Ok(stream)
 }
 
-fn damaged(reason: &str) -> SurveyErrorKind {
-    SurveyErrorKind::NotAWorkbook { reason: reason.to_owned() }
+fn damaged(reason: &str) -> TableErrorKind {
+    TableErrorKind::NotAWorkbook { reason: reason.to_owned() }
 }
 
 /// A compound file and its table of sectors: which one follows each.
@@ -116,7 +116,7 @@ impl<'a> File<'a> {
         self.bytes.get(start..end)
     }
 
-    fn chain(&self, start: Option<u32>, table: &[u32]) -> Result<Vec<u8>, SurveyErrorKind> {
+    fn chain(&self, start: Option<u32>, table: &[u32]) -> Result<Vec<u8>, TableErrorKind> {
         chain(start, table, |id| self.sector(id))
     }
 }
@@ -126,7 +126,7 @@ fn chain<'a>(
     start: Option<u32>,
     table: &[u32],
     sector: impl Fn(u32) -> Option<&'a [u8]>,
-) -> Result<Vec<u8>, SurveyErrorKind> {
+) -> Result<Vec<u8>, TableErrorKind> {
     let mut bytes = Vec::new();
     let mut id = start.unwrap_or(END);
     let mut met = 0;

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use crate::column::Column;
+use crate::columns::column::Column;
 use wholestring_units::Dimension;
 
 /// Where in a file.
@@ -15,7 +15,7 @@ pub enum Place {
         line: usize,
         /// Character within the line, from 1.
         column: usize,
-        /// Bytes of [`SurveyError::text`], on character boundaries.
+        /// Bytes of [`TableError::text`], on character boundaries.
         span: Range<usize>,
     },
     /// In a workbook.
@@ -59,7 +59,7 @@ const SAY: &str = "`survey_unit = \"m\"` under [well], `--unit m` for `wholestri
 ///
 /// Its `Display` is one sentence: what was found and what was expected.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum SurveyErrorKind {
+pub enum TableErrorKind {
     /// Nothing but blanks.
     #[error(
         "the file is empty; a survey with measured depth, inclination and azimuth was expected"
@@ -298,24 +298,24 @@ fn units(dimension: Dimension) -> String {
 /// [`text`](Self::text) and the span of [`place`](Self::place), and [`kind`](Self::kind) for the
 /// sentence alone.
 #[derive(Debug, Clone, PartialEq)]
-pub struct SurveyError(Box<Detail>);
+pub struct TableError(Box<Detail>);
 
 #[derive(Debug, Clone, PartialEq)]
 struct Detail {
     file: String,
-    kind: SurveyErrorKind,
+    kind: TableErrorKind,
     place: Option<Place>,
     text: Option<String>,
 }
 
-impl SurveyError {
+impl TableError {
     pub(crate) fn new(
         file: &str,
-        kind: SurveyErrorKind,
+        kind: TableErrorKind,
         place: Option<Place>,
         text: Option<&str>,
     ) -> Self {
-        SurveyError(Box::new(Detail {
+        TableError(Box::new(Detail {
             file: file.to_owned(),
             kind,
             place,
@@ -326,11 +326,11 @@ impl SurveyError {
     /// The same of a file that should hold readings.
     pub(crate) fn of_readings(self) -> Self {
         let found = match self.kind() {
-            SurveyErrorKind::Empty => "the file is empty",
-            SurveyErrorKind::NotText => "the file is not text",
+            TableErrorKind::Empty => "the file is empty",
+            TableErrorKind::NotText => "the file is not text",
             _ => return self,
         };
-        Self::new(self.file(), SurveyErrorKind::NoReadings { found }, None, None)
+        Self::new(self.file(), TableErrorKind::NoReadings { found }, None, None)
     }
 
     /// The file's name as given to the reader.
@@ -339,7 +339,7 @@ impl SurveyError {
     }
 
     /// What is wrong.
-    pub fn kind(&self) -> &SurveyErrorKind {
+    pub fn kind(&self) -> &TableErrorKind {
         &self.0.kind
     }
 
@@ -365,9 +365,9 @@ impl SurveyError {
     }
 }
 
-impl std::error::Error for SurveyError {}
+impl std::error::Error for TableError {}
 
-impl fmt::Display for SurveyError {
+impl fmt::Display for TableError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.place() {
             Some(place) => write!(f, "{}, {place}: {}", self.file(), self.kind()),

@@ -1,6 +1,6 @@
 //! Surveys as text, in the ways people keep them.
 
-use wholestring_survey::{Column, ImportedSurvey, Said, SurveyErrorKind, read, read_as, read_csv};
+use wholestring_tabular::{Column, ImportedSurvey, Said, TableErrorKind, read, read_as, read_csv};
 use wholestring_units::Dimension;
 
 #[track_caller]
@@ -95,7 +95,7 @@ fn lengths_without_a_unit_are_refused_until_it_is_said() {
         "# x\n0\t0\t0\n30\t1.5\t45",
     ] {
         let error = read_csv(text.as_bytes(), "a.csv").unwrap_err();
-        assert_eq!(error.kind(), &SurveyErrorKind::NoUnits, "{text}");
+        assert_eq!(error.kind(), &TableErrorKind::NoUnits, "{text}");
         let headless = read_as(text.as_bytes(), "a.csv", &said("ft")).unwrap();
         assert_stations(&headless, &in_feet);
         noted(&headless, "no header");
@@ -103,7 +103,7 @@ fn lengths_without_a_unit_are_refused_until_it_is_said() {
     }
     let text = b"md,inc,azi\n0,0,0\n30,1.5,45\n";
     let error = read_csv(text, "a.csv").unwrap_err();
-    assert!(matches!(error.kind(), SurveyErrorKind::MissingUnit { .. }), "{error}");
+    assert!(matches!(error.kind(), TableErrorKind::MissingUnit { .. }), "{error}");
     let bare = read_as(text, "a.csv", &said("ft")).unwrap();
     assert_stations(&bare, &in_feet);
     noted(&bare, "no unit for measured depth: read in ft as was said");
@@ -254,7 +254,7 @@ fn a_table_continued_on_another_page() {
 
 /// The sentence, and the text that is underlined.
 #[track_caller]
-fn refused(text: &str, underlined: &str, message: &str) -> SurveyErrorKind {
+fn refused(text: &str, underlined: &str, message: &str) -> TableErrorKind {
     let error = read_csv(text.as_bytes(), "a.csv").unwrap_err();
     let span = error.span().unwrap_or(0..0);
     assert_eq!(error.text().map(|text| &text[span]), Some(underlined), "{error}");
@@ -270,7 +270,7 @@ fn faults_in_the_header_are_underlined() {
         "a.csv, line 1, column 1: no column of inclination (is it 'Inclnation (deg)'?); \
          the header has: 'MD (m)', 'Inclnation (deg)', 'Azi (deg)'",
     );
-    assert!(matches!(kind, SurveyErrorKind::MissingColumn { column: Column::Inclination, .. }));
+    assert!(matches!(kind, TableErrorKind::MissingColumn { column: Column::Inclination, .. }));
     refused(
         "Title\nMD;Inc;Azi\n0;0;0\n30;1;1\n",
         "MD",

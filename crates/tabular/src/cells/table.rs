@@ -1,6 +1,6 @@
 //! A file as rows of cells, each of which knows where it stands.
 
-use crate::error::{Place, SurveyError, SurveyErrorKind};
+use crate::error::{Place, TableError, TableErrorKind};
 
 /// Where a cell stands in its file: from and to which byte of a text, or in which row and column
 /// of a sheet, from 0. Its [`Source`] knows which of the two it is.
@@ -90,11 +90,11 @@ pub(crate) enum Source<'a> {
 
 impl Source<'_> {
     /// The error of this kind at a position.
-    pub(crate) fn error(&self, kind: SurveyErrorKind, at: Option<Position>) -> SurveyError {
+    pub(crate) fn error(&self, kind: TableErrorKind, at: Option<Position>) -> TableError {
         let place = at.map(|at| self.place(at));
         match *self {
-            Source::Text { file, text } => SurveyError::new(file, kind, place, Some(text)),
-            Source::Sheet { file, .. } => SurveyError::new(file, kind, place, None),
+            Source::Text { file, text } => TableError::new(file, kind, place, Some(text)),
+            Source::Sheet { file, .. } => TableError::new(file, kind, place, None),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Cutting a text at a sign: comma, semicolon, tab.
 
-use crate::table::{Cell, Position, Row, Source, Table};
+use crate::cells::table::{Cell, Position, Row, Source, Table};
 
 /// A quoted cell ends within this many bytes, or its quote is an inch sign.
 const LONGEST_QUOTE: usize = 4096;

@@ -9,9 +9,9 @@
 
 use std::collections::HashSet;
 
-use crate::compound::{u16_at, u32_at};
-use crate::error::SurveyErrorKind;
-use crate::limits::{self, Budget, too_much};
+use crate::cells::compound::{u16_at, u32_at};
+use crate::cells::limits::{self, Budget, too_much};
+use crate::error::TableErrorKind;
 
 /// Kinds of records.
 const FORMULA: u16 = 0x0006;
@@ -37,7 +37,7 @@ const COLUMNS: u16 = 256;
 
 /// Refuses a workbook whose cells are more than are read or beyond the limits of the format, and
 /// takes out of its records what would make room for more than there is.
-pub(crate) fn check(stream: &mut [u8]) -> Result<(), SurveyErrorKind> {
+pub(crate) fn check(stream: &mut [u8]) -> Result<(), TableErrorKind> {
     let all: Vec<Record> = records(stream, 0).collect();
     let head = all.iter().position(|record| record.kind == END);
     let head = &all[..head.unwrap_or(all.len())];
@@ -83,7 +83,7 @@ fn count(
     start: usize,
     strings: &[usize],
     budget: &mut Budget,
-) -> Result<(), SurveyErrorKind> {
+) -> Result<(), TableErrorKind> {
     let (mut cells, mut formulas) = (Extent::default(), Extent::default());
     // Where a formula's text goes, which stands in a record of its own.
     let mut at = (0, 0);
@@ -277,6 +277,6 @@ fn records(stream: &[u8], from: usize) -> impl Iterator<Item = Record> + '_ {
     })
 }
 
-fn damaged(reason: &str) -> SurveyErrorKind {
-    SurveyErrorKind::NotAWorkbook { reason: reason.to_owned() }
+fn damaged(reason: &str) -> TableErrorKind {
+    TableErrorKind::NotAWorkbook { reason: reason.to_owned() }
 }

@@ -12,44 +12,30 @@
 //!
 //! ```
 //! let text = "MD (ft),Inc,Azi\n0,0,0\n1000,0,0\n1100,3,45\n";
-//! let survey = wholestring_survey::read(text.as_bytes(), "a.csv")?;
+//! let survey = wholestring_tabular::read(text.as_bytes(), "a.csv")?;
 //! assert_eq!(survey.stations[1].md_m, 304.8);
 //!
-//! let error = wholestring_survey::read(b"MD (ft),Inc,Azi\n0,0,0\nx,0,0\n", "a.csv");
+//! let error = wholestring_tabular::read(b"MD (ft),Inc,Azi\n0,0,0\nx,0,0\n", "a.csv");
 //! assert_eq!(
 //!     error.unwrap_err().to_string(),
 //!     "a.csv, line 3, column 1: 'x' is not a number; the measured depth was expected"
 //! );
-//! # Ok::<(), wholestring_survey::SurveyError>(())
+//! # Ok::<(), wholestring_tabular::TableError>(())
 //! ```
 #![warn(missing_docs)]
 
-mod archive;
-mod blanks;
-mod column;
-mod compound;
-mod decode;
-mod delimited;
+mod cells;
+mod columns;
 mod error;
-mod header;
-mod heading;
-mod imported;
-mod layout;
-mod limits;
-mod names;
-mod number;
 mod read;
 mod readings;
-mod records;
-mod said;
-mod sort;
-mod stations;
-mod table;
-mod workbook;
+mod survey;
 
-pub use column::Column;
-pub use error::{Place, SurveyError, SurveyErrorKind};
-pub use imported::{ImportedSurvey, under_origin};
+pub use columns::column::Column;
+pub use error::{Place, TableError, TableErrorKind};
 pub use read::{read, read_as, read_csv, read_excel, read_readings};
 pub use readings::{ImportedReading, ImportedReadings};
-pub use said::Said;
+pub use survey::{
+    imported::{ImportedSurvey, under_origin},
+    said::Said,
+};

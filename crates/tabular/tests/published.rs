@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 
-use wholestring_survey::{ImportedSurvey, read};
+use wholestring_tabular::{ImportedSurvey, read};
 
 /// The file's text, or `None` with a word about it.
 fn published(name: &str) -> Option<String> {

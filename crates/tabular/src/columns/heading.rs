@@ -2,9 +2,9 @@
 
 use wholestring_units::{Dimension, Unit};
 
-use crate::column::Column;
-use crate::names::{BESIDE, NAMES, SUBSEA, is_of};
-use crate::sort::Sort;
+use crate::columns::column::Column;
+use crate::columns::names::{BESIDE, NAMES, SUBSEA, is_of};
+use crate::columns::sort::Sort;
 
 /// A heading that names a column.
 #[derive(Debug, Clone, PartialEq)]
@@ -176,7 +176,7 @@ fn lower(word: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::{Column, HeadingUnit, recognise};
-    use crate::sort::SURVEY;
+    use crate::columns::sort::SURVEY;
 
     #[test]
     fn common_headings_are_recognised() {

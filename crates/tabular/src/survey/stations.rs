@@ -4,14 +4,14 @@ use wholestring::well::{Station, TieIn};
 
 use wholestring_units::number_text;
 
-use crate::error::{SurveyError, SurveyErrorKind};
-use crate::layout::{Found, Layout};
-use crate::number::{self, Fault, Style};
-use crate::table::{Position, Row, Table};
+use crate::cells::number::{self, Fault, Style};
+use crate::cells::table::{Position, Row, Table};
+use crate::columns::layout::{Found, Layout};
+use crate::error::{TableError, TableErrorKind};
 use crate::{
-    column::Column,
-    imported::ImportedSurvey,
-    sort::{SURVEY, Sort},
+    columns::column::Column,
+    columns::sort::{SURVEY, Sort},
+    survey::imported::ImportedSurvey,
 };
 
 /// No hole is deeper along its axis, m.
@@ -21,7 +21,7 @@ const DEEPEST_M: f64 = 1e5;
 const NOTED_ROWS: usize = 5;
 
 /// Reads the rows below the header.
-pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, SurveyError> {
+pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, TableError> {
     let mut notes = layout.notes.clone();
     let rows = data_rows(table, &layout, &SURVEY, &mut notes);
     let reader = Reader { table, style: style(table, &layout, &rows)? };
@@ -31,14 +31,14 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, Surv
 
     let needed = Column::NEEDED.map(|column| layout.column(column));
     let [Some(depth), Some(inclination), Some(azimuth)] = needed else {
-        return Err(table.source.error(SurveyErrorKind::NoHeader, None));
+        return Err(table.source.error(TableErrorKind::NoHeader, None));
     };
     let mut stations: Vec<Station> = Vec::with_capacity(rows.len());
     let mut previous = String::new();
     for &row in &rows {
         let row = &table.rows[row];
         if let Some(expected) = table.counted.filter(|&count| row.cells.len() < count) {
-            let kind = SurveyErrorKind::ShortRow { found: row.cells.len(), expected };
+            let kind = TableErrorKind::ShortRow { found: row.cells.len(), expected };
             return Err(table.source.error(kind, Some(whole(row))));
         }
         let md_m = reader.value(row, depth)?;
@@ -50,7 +50,7 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, Surv
         if stations.last().is_some_and(|last| md_m <= last.md_m) {
             let repeats = stations.last().is_some_and(|last| md_m == last.md_m);
             let found = if repeats { previous.clone() } else { written };
-            let kind = SurveyErrorKind::DepthNotIncreasing { found, previous };
+            let kind = TableErrorKind::DepthNotIncreasing { found, previous };
             return Err(table.source.error(kind, Some(at)));
         }
         previous = written;
@@ -66,7 +66,7 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, Surv
         stations.push(Station { md_m, inclination_rad, azimuth_rad });
     }
     if stations.len() < 2 {
-        let kind = SurveyErrorKind::TooFewStations { found: stations.len() };
+        let kind = TableErrorKind::TooFewStations { found: stations.len() };
         let last = rows.last().map_or(layout.data.saturating_sub(1), |&row| row);
         let at = table.rows.get(last).map(whole);
         return Err(table.source.error(kind, at));
@@ -133,7 +133,7 @@ pub(crate) fn data_rows(
 }
 
 /// The style of the table's numbers.
-pub(crate) fn style(table: &Table, layout: &Layout, rows: &[usize]) -> Result<Style, SurveyError> {
+pub(crate) fn style(table: &Table, layout: &Layout, rows: &[usize]) -> Result<Style, TableError> {
     let cells = || {
         rows.iter().flat_map(|&row| {
             let numbers = layout.columns.iter().filter(|found| !found.column.is_words());
@@ -143,7 +143,7 @@ pub(crate) fn style(table: &Table, layout: &Layout, rows: &[usize]) -> Result<St
     let written = cells().filter(|cell| cell.number.is_none());
     number::style(written.map(|cell| cell.text.as_str())).map_err(|found| {
         let at = cells().find(|cell| cell.text == found).map(|cell| cell.at);
-        table.source.error(SurveyErrorKind::AmbiguousComma { found: found.to_owned() }, at)
+        table.source.error(TableErrorKind::AmbiguousComma { found: found.to_owned() }, at)
     })
 }
 
@@ -155,11 +155,11 @@ pub(crate) struct Reader<'a> {
 
 impl Reader<'_> {
     /// The cell of a column in SI.
-    pub(crate) fn value(&self, row: &Row, found: &Found) -> Result<f64, SurveyError> {
+    pub(crate) fn value(&self, row: &Row, found: &Found) -> Result<f64, TableError> {
         let column = found.column;
         let error = |kind, at| Err(self.table.source.error(kind, Some(at)));
         let Some(cell) = row.cells.get(found.index).filter(|cell| !cell.is_empty()) else {
-            return error(SurveyErrorKind::EmptyCell { column }, position(row, found));
+            return error(TableErrorKind::EmptyCell { column }, position(row, found));
         };
         let number = match cell.number {
             Some(number) => Ok(number),
@@ -169,10 +169,10 @@ impl Reader<'_> {
         match number.map(|number| found.unit.to_si(number)) {
             Ok(si) if si.is_finite() => Ok(si),
             Ok(_) | Err(Fault::NotFinite) => {
-                error(SurveyErrorKind::NotFinite { column, found: text }, cell.at)
+                error(TableErrorKind::NotFinite { column, found: text }, cell.at)
             }
             Err(Fault::NotANumber) => {
-                error(SurveyErrorKind::NotANumber { column, found: text }, cell.at)
+                error(TableErrorKind::NotANumber { column, found: text }, cell.at)
             }
         }
     }
@@ -182,9 +182,9 @@ impl Reader<'_> {
         row: &Row,
         found: &Found,
         expected: &'static str,
-    ) -> SurveyError {
+    ) -> TableError {
         let written = format!("{} {}", row.text(found.index), found.unit.symbol);
-        let kind = SurveyErrorKind::OutOfRange { column: found.column, found: written, expected };
+        let kind = TableErrorKind::OutOfRange { column: found.column, found: written, expected };
         self.table.source.error(kind, Some(position(row, found)))
     }
 
@@ -195,7 +195,7 @@ impl Reader<'_> {
         row: &Row,
         md_m: f64,
         notes: &mut Vec<String>,
-    ) -> Result<Option<TieIn>, SurveyError> {
+    ) -> Result<Option<TieIn>, TableError> {
         let first = |column| match layout.column(column) {
             Some(found) if !row.text(found.index).is_empty() => self.value(row, found).map(Some),
             _ => Ok(None),

@@ -2,12 +2,12 @@
 
 use wholestring_units::Unit;
 
-use crate::error::{SurveyError, SurveyErrorKind};
-use crate::header::Header;
-use crate::heading::{self, HeadingUnit};
-use crate::number;
-use crate::table::{Position, Table};
-use crate::{column::Column, said::Said};
+use crate::cells::number;
+use crate::cells::table::{Position, Table};
+use crate::columns::header::Header;
+use crate::columns::heading::{self, HeadingUnit};
+use crate::error::{TableError, TableErrorKind};
+use crate::{columns::column::Column, survey::said::Said};
 
 /// One column of the survey in the table.
 #[derive(Debug, Clone)]
@@ -36,7 +36,7 @@ impl Layout {
 }
 
 /// The layout below a header: its units, and where the numbers begin.
-pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout, SurveyError> {
+pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout, TableError> {
     let row = table.source.row_name(table.rows[header.row].end);
     let mut notes = vec![table.note(&format!("header in {row}"))];
     for text in &header.passed_over {
@@ -56,11 +56,11 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
         };
         let unit = match (&heading.unit, in_row) {
             (HeadingUnit::Wrong { found, is }, _) => {
-                let kind = SurveyErrorKind::WrongUnit { column, found: found.clone(), is: *is };
+                let kind = TableErrorKind::WrongUnit { column, found: found.clone(), is: *is };
                 return Err(table.source.error(kind, Some(header_at)));
             }
             (HeadingUnit::Unit(in_header), Some((in_row, at))) if *in_header != in_row => {
-                let kind = SurveyErrorKind::UnitConflict {
+                let kind = TableErrorKind::UnitConflict {
                     column,
                     header: in_header.symbol,
                     row: in_row.symbol,
@@ -72,7 +72,7 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
             (HeadingUnit::None, None) => match column {
                 of if of.is_words() => named_unit(column, ""),
                 of if of.is_read() => {
-                    let kind = SurveyErrorKind::MissingReadingUnit { column, header: text.clone() };
+                    let kind = TableErrorKind::MissingReadingUnit { column, header: text.clone() };
                     return Err(table.source.error(kind, Some(header_at)));
                 }
                 Column::Inclination | Column::Azimuth => {
@@ -85,7 +85,7 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
                         unit
                     }
                     None => {
-                        let kind = SurveyErrorKind::MissingUnit { column, header: text.clone() };
+                        let kind = TableErrorKind::MissingUnit { column, header: text.clone() };
                         return Err(table.source.error(kind, Some(header_at)));
                     }
                 },
@@ -95,7 +95,7 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
             && column == Column::MeasuredDepth
             && said != unit
         {
-            let kind = SurveyErrorKind::OtherUnit { column, file: unit.symbol, said: said.symbol };
+            let kind = TableErrorKind::OtherUnit { column, file: unit.symbol, said: said.symbol };
             return Err(table.source.error(kind, Some(header_at)));
         }
         notes.push(match column.is_words() {
@@ -120,7 +120,7 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
 /// Three columns of numbers without a header, from the first row that is such; none if the
 /// numbers stand in more columns, or under a header that names none of them. It is an error where
 /// the unit of the depths was not said.
-pub(crate) fn without_header(table: &Table, said: &Said) -> Option<Result<Layout, SurveyError>> {
+pub(crate) fn without_header(table: &Table, said: &Said) -> Option<Result<Layout, TableError>> {
     let first = table.rows.iter().position(|row| {
         !row.is_empty() && row.texts().count() > 1 && row.texts().all(number::is_number)
     })?;
@@ -135,7 +135,7 @@ pub(crate) fn without_header(table: &Table, said: &Said) -> Option<Result<Layout
     let Some(length_unit) = said.length_unit else {
         let at = cells.iter().find(|cell| !cell.is_empty());
         let at = at.map_or(row.end, |cell| cell.at);
-        return Some(Err(table.source.error(SurveyErrorKind::NoUnits, Some(at))));
+        return Some(Err(table.source.error(TableErrorKind::NoUnits, Some(at))));
     };
     let filled = cells.iter().enumerate().filter(|(_, cell)| !cell.is_empty());
     let columns = filled
@@ -190,7 +190,7 @@ fn unit_in_row(
     row: usize,
     index: usize,
     column: Column,
-) -> Result<Option<(&'static Unit, Position)>, SurveyError> {
+) -> Result<Option<(&'static Unit, Position)>, TableError> {
     let Some(cell) = table.rows[row].cells.get(index) else {
         return Ok(None);
     };
@@ -202,7 +202,7 @@ fn unit_in_row(
         Some(unit) => Ok(Some((unit, cell.at))),
         None => {
             let is = heading::dimension_of(text);
-            let kind = SurveyErrorKind::WrongUnit { column, found: text.to_owned(), is };
+            let kind = TableErrorKind::WrongUnit { column, found: text.to_owned(), is };
             Err(table.source.error(kind, Some(cell.at)))
         }
     }

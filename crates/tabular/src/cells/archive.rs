@@ -8,8 +8,8 @@ use std::io::{Cursor, Read};
 
 use zip::ZipArchive;
 
-use crate::error::SurveyErrorKind;
-use crate::limits::{self, too_much};
+use crate::cells::limits::{self, too_much};
+use crate::error::TableErrorKind;
 
 /// What every entry of an archive's directory begins with.
 const ENTRY: &[u8] = b"PK\x01\x02";
@@ -19,7 +19,7 @@ const SHORTEST_STRING: u64 = 5;
 
 /// Refuses a workbook that unpacks, or claims, to more than is read. One that is no archive at all
 /// is left to the reader, which says why.
-pub(crate) fn check(bytes: &[u8]) -> Result<(), SurveyErrorKind> {
+pub(crate) fn check(bytes: &[u8]) -> Result<(), TableErrorKind> {
     let entries = bytes.windows(ENTRY.len()).filter(|four| *four == ENTRY);
     let parts = entries.count();
     if parts > limits::PARTS {

@@ -1,6 +1,6 @@
 //! The sorts of tables that are read.
 
-use crate::column::Column;
+use crate::columns::column::Column;
 
 /// A sort of table: which columns are looked for.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use crate::number;
-use crate::table::{Cell, Position, Row, Source, Table, line_starts};
+use crate::cells::number;
+use crate::cells::table::{Cell, Position, Row, Source, Table, line_starts};
 
 /// Lines above the numbers that may hold headings.
 const HEADING_LINES: usize = 8;

@@ -4,7 +4,7 @@
 //! counted and refused before room is made for it. With these limits no survey takes more than a
 //! gigabyte.
 
-use crate::error::SurveyErrorKind;
+use crate::error::TableErrorKind;
 
 /// Rows of a table. No survey has so many stations.
 pub(crate) const ROWS: usize = 200_000;
@@ -34,8 +34,8 @@ pub(crate) const STREAM_BYTES: usize = 32 << 20;
 pub(crate) const SHEETS: usize = 100;
 
 /// The refusal of a file that holds more of something than is read.
-pub(crate) fn too_much(found: impl ToString, what: &str, most: impl ToString) -> SurveyErrorKind {
-    SurveyErrorKind::TooMuch {
+pub(crate) fn too_much(found: impl ToString, what: &str, most: impl ToString) -> TableErrorKind {
+    TableErrorKind::TooMuch {
         found: format!("{} {what}", found.to_string()),
         most: most.to_string(),
     }
@@ -50,7 +50,7 @@ pub(crate) struct Budget {
 
 impl Budget {
     /// Takes up so many more cells.
-    pub(crate) fn cells(&mut self, more: usize) -> Result<(), SurveyErrorKind> {
+    pub(crate) fn cells(&mut self, more: usize) -> Result<(), TableErrorKind> {
         self.cells = self.cells.saturating_add(more);
         if self.cells > CELLS {
             return Err(too_much(format!("more than {CELLS}"), "cells", CELLS));
@@ -59,7 +59,7 @@ impl Budget {
     }
 
     /// Takes up so many more bytes of text.
-    pub(crate) fn text(&mut self, more: usize) -> Result<(), SurveyErrorKind> {
+    pub(crate) fn text(&mut self, more: usize) -> Result<(), TableErrorKind> {
         self.text_bytes = self.text_bytes.saturating_add(more);
         if self.text_bytes > TEXT_BYTES {
             let most = format!("{} MB", TEXT_BYTES >> 20);

@@ -1,0 +1,86 @@
+//! From the bytes of a file to its tables.
+
+use super::{
+    blanks, decode, delimited, limits,
+    table::{Source, Table},
+    workbook,
+};
+use crate::error::{TableError, TableErrorKind};
+
+/// The signs that part cells, in the order in which they are tried.
+const SIGNS: [(u8, &str); 3] = [(b'\t', "tabs"), (b';', "semicolons"), (b',', "commas")];
+
+/// A text under the name .xls is common; a workbook by its content is one under any name.
+pub(crate) fn is_workbook(bytes: &[u8], name: &str) -> bool {
+    let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
+    let named_so = ["xlsx", "xlsm", "xlsb", "ods"]
+        .iter()
+        .any(|workbook| extension.eq_ignore_ascii_case(workbook));
+    workbook::is_workbook(bytes) || (named_so && !bytes.is_empty())
+}
+
+/// What is made of the tables of a text, cut at each sign that may part its cells.
+pub(crate) fn of_text<R>(
+    bytes: &[u8],
+    name: &str,
+    of: impl FnOnce(&[Table], Source) -> R,
+) -> Result<R, TableError> {
+    let Some(text) = decode::text(bytes) else {
+        return Err(TableError::new(name, TableErrorKind::NotText, None, None));
+    };
+    let source = Source::Text { file: name, text: &text };
+    if text.trim().is_empty() {
+        return Err(source.error(TableErrorKind::Empty, None));
+    }
+
+    fits(&text).map_err(|kind| TableError::new(name, kind, None, None))?;
+    let mut tables: Vec<Table> = SIGNS
+        .iter()
+        .filter(|(sign, _)| text.as_bytes().contains(sign))
+        .map(|&(sign, parted_by)| delimited::cut(source, &text, sign, parted_by))
+        .collect();
+    tables.push(blanks::cut(source, &text));
+    Ok(of(&tables, source))
+}
+
+/// Whether a text has no more rows and cells than are read, by whatever sign it is cut.
+fn fits(text: &str) -> Result<(), TableErrorKind> {
+    let count = |of: &dyn Fn(u8) -> bool| text.bytes().filter(|byte| of(*byte)).count();
+    let rows = count(&|byte| matches!(byte, b'\n' | b'\r')) + 1;
+    // Lines that end with two signs count twice.
+    let rows = rows - text.matches("\r\n").count();
+    if rows > limits::ROWS {
+        return Err(limits::too_much(rows, "lines", limits::ROWS));
+    }
+    let blanks = text.split_whitespace().count();
+    let cells =
+        SIGNS.map(|(sign, _)| count(&|byte| byte == sign)).into_iter().fold(blanks, usize::max)
+            + rows;
+    if cells > limits::CELLS {
+        return Err(limits::too_much(cells, "cells", limits::CELLS));
+    }
+    Ok(())
+}
+
+/// What is made of the sheets of a workbook, and their names.
+pub(crate) fn of_workbook<R>(
+    bytes: &[u8],
+    name: &str,
+    of: impl FnOnce(&[Table], &[String]) -> R,
+) -> Result<R, TableError> {
+    let sheets = workbook::sheets(bytes).map_err(|kind| TableError::new(name, kind, None, None))?;
+    let (names, rows): (Vec<String>, Vec<_>) =
+        sheets.into_iter().map(|sheet| (sheet.name, sheet.rows)).unzip();
+    let tables: Vec<Table> = names
+        .iter()
+        .zip(rows)
+        .map(|(sheet, rows)| Table {
+            source: Source::Sheet { file: name, sheet },
+            rows,
+            parted_by: None,
+            counted: None,
+            notes: Vec::new(),
+        })
+        .collect();
+    Ok(of(&tables, &names))
+}
