@@ -1,1 +1,40 @@
+//! Cases from the files of other programs: surveys and tallies in text and Excel, WITSML, Landmark
+//! EDM, LAS and the logs of a rig.
+//!
+//! Each file gives a [`Fragment`]: parts of a case whose every value knows where it was found and as
+//! what. [`import`] joins the fragments of several files and writes one commented case. Nothing is
+//! guessed in silence: a unit that a file does not tell is an error that names the [`Choices`]; what
+//! is assumed and what is left out stands in the case as a sentence.
+//!
+//! ```
+//! use wholestring_import::{Choices, Input, import};
+//!
+//! let survey = b"MD (ft),Inc,Azi\n0,0,0\n1000,0,0\n1100,3,45\n";
+//! let files = vec![Input::of_bytes("survey.csv", survey)];
+//! let imported = import(files, &Choices::default())?;
+//! assert!(imported.text.contains("[335.28, 3, 45]"));
+//! // No string, no hole and no mud: the case says what it still needs.
+//! assert_eq!(imported.missing.len(), 3);
+//! # Ok::<(), wholestring_import::ImportError>(())
+//! ```
+#![warn(missing_docs)]
 
+mod case_text;
+mod choices;
+mod error;
+mod format;
+mod fragment;
+mod import;
+mod input;
+mod log;
+mod merge;
+mod tables;
+mod xml;
+
+pub use choices::Choices;
+pub use error::{ImportError, ImportErrorKind};
+pub use format::Format;
+pub use fragment::{Block, Contents, Entry, Fragment, Note, Origin, Part, Survey, Value};
+pub use import::{Beside, Imported, contents, import};
+pub use input::Input;
+pub use log::Record;

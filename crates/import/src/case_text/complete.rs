@@ -1,0 +1,137 @@
+//! What a case needs beyond its files: assumed where that may be, missing otherwise.
+
+use wholestring_case::MAX_FRICTION;
+
+use crate::{
+    fragment::{Block, Entry, Note, Origin, Part, Value},
+    merge::{Draft, Of},
+};
+
+/// Friction of steel on steel and on rock where nothing tells it: what torque and drag is usually
+/// planned with in water-based mud, before anything has been measured.
+const CASED: f64 = 0.2;
+const OPEN: f64 = 0.3;
+
+/// What a string does at a depth, where nothing tells what it does.
+const OPERATIONS: [&str; 3] = ["trip_out", "trip_in", "rotate_off_bottom"];
+
+/// A part that a case cannot do without.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Missing {
+    pub(crate) part: Part,
+    /// For people.
+    pub(crate) sentence: &'static str,
+    /// How it is written in the case, each line to be uncommented.
+    pub(crate) example: &'static str,
+}
+
+const NEEDED: [Missing; 4] = [
+    Missing {
+        part: Part::Survey,
+        sentence: "the path of the well: give a survey too, or `survey` or `stations` in the case",
+        example: "survey = \"survey.csv\"               # measured depth, inclination, azimuth",
+    },
+    Missing {
+        part: Part::Hole,
+        sentence: "the sections of the hole: write them in the case ([[well.hole]])",
+        example: "[[well.hole]]\nkind = \"casing\"\nto = \"900 m\"\ncasing = \"9-5/8 in 40 \
+                  lb/ft\"\nfriction = 0.2\n[[well.hole]]\nkind = \"open\"\nto = \"1800 \
+                  m\"\ndiameter = \"8-1/2 in\"\nfriction = 0.3",
+    },
+    Missing {
+        part: Part::Mud,
+        sentence: "the density of the mud: write it in the case ([mud])",
+        example: "[mud]\ndensity = \"1.2 sg\"",
+    },
+    Missing {
+        part: Part::String,
+        sentence: "the string: give a tally too, or write it in the case ([[string]], from the \
+                   bit up)",
+        example: "[[string]]\ncomponent = \"bit\"\nod = \"8-1/2 in\"\nlength = \"0.3 \
+                  m\"\n[[string]]\ncomponent = \"drill pipe\"\ncatalogue = \"5 in 19.50 lb/ft \
+                  S-135\"\nlength = \"to surface\"",
+    },
+];
+
+/// Fills in what may be assumed, and returns what is missing.
+pub(crate) fn complete(draft: &mut Draft) -> Vec<Missing> {
+    friction(draft);
+    top_component(draft);
+    if !draft.operation.iter().any(|entry| entry.of.key == "kind") {
+        let words = OPERATIONS.map(str::to_owned).to_vec();
+        let because = "no file says what the string does".to_owned();
+        let entry =
+            Entry { key: "kind", value: Value::Words(words), origin: Origin::Assumed { because } };
+        draft.operation.insert(0, Of { file: 0, of: entry });
+    }
+    bit_depth(draft);
+    let lacks = |part: Part| match part {
+        Part::Survey => draft.survey.is_none(),
+        Part::Hole => draft.hole.is_none(),
+        Part::String => draft.string.is_none(),
+        Part::Mud => !draft.mud.iter().any(|entry| entry.of.key == "density"),
+        Part::Rig | Part::Operation => false,
+    };
+    NEEDED.into_iter().filter(|needed| lacks(needed.part)).collect()
+}
+
+/// Gives sections without friction the usual one.
+fn friction(draft: &mut Draft) {
+    let Some(Of { file, of: sections }) = &mut draft.hole else { return };
+    let mut assumed = 0;
+    for section in sections.iter_mut().filter(|section| section.get("friction").is_none()) {
+        let cased = section.get("kind") == Some(&Value::text("casing"));
+        let value = if cased { CASED } else { OPEN };
+        debug_assert!(value < MAX_FRICTION);
+        let because = format!("usual in {}; calibrate it", if cased { "casing" } else { "rock" });
+        section.push("friction", Value::Number(value), Origin::Assumed { because });
+        assumed += 1;
+    }
+    if assumed > 0 {
+        let text = format!(
+            "no file tells the friction of {assumed} of {} hole sections: {CASED} in casing, \
+             {OPEN} in rock",
+            sections.len()
+        );
+        draft.notes.push((Some(*file), Note::Assumed(text)));
+    }
+}
+
+/// The topmost component fills the string whatever the depth of the bit, if it is pipe.
+fn top_component(draft: &mut Draft) {
+    let Some(Of { file, of: components }) = &mut draft.string else { return };
+    let Some(top) = components.last_mut() else { return };
+    let Some(Entry { value, origin, .. }) =
+        top.entries.iter_mut().find(|entry| entry.key == "length")
+    else {
+        return;
+    };
+    if let Value::Quantity { number, unit } = value {
+        let found = format!("{number} {}", unit.symbol);
+        *origin = Origin::Assumed {
+            because: format!("found {found}; it fills the string at every depth of the bit"),
+        };
+        *value = Value::text("to surface");
+        let text = format!(
+            "the topmost component, found with a length of {found}, is taken to reach to the \
+             surface whatever the depth of the bit"
+        );
+        draft.notes.push((Some(*file), Note::Assumed(text)));
+    }
+}
+
+/// The bit is where the hole ends, if the survey goes deeper.
+fn bit_depth(draft: &mut Draft) {
+    if draft.operation.iter().any(|entry| entry.of.key == "bit_depth") {
+        return;
+    }
+    let (Some(survey), Some(hole)) = (&draft.survey, &draft.hole) else { return };
+    let end = hole.of.last().and_then(|section: &Block| section.get("to")).cloned();
+    let (Some(last), Some(end)) = (survey.of.stations.last(), end) else { return };
+    if end.si().is_some_and(|end_m| end_m < last.md_m) {
+        let because = "the hole ends there, above the last station".to_owned();
+        let entry =
+            Entry { key: "bit_depth", value: end, origin: Origin::Derived { from: because } };
+        draft.operation.push(Of { file: hole.file, of: entry });
+    }
+}

@@ -1,0 +1,182 @@
+//! The lines of a case file.
+
+use std::fmt::Write;
+
+use wholestring_units::{Dimension, UnitSet};
+
+use super::complete::Missing;
+use crate::{
+    fragment::{Block, Entry, Note, Origin, Part, Survey, Value},
+    merge::{Draft, Of},
+};
+
+/// Column in which comments begin.
+const COMMENTS: usize = 40;
+
+/// The whole text.
+pub(crate) fn text(draft: &Draft, missing: &[Missing]) -> String {
+    let mut text = head(draft, missing);
+    let lacks = |part: Part| missing.iter().find(|missing| missing.part == part);
+    match &draft.name {
+        Some(name) => entry(&mut text, draft, name.file, &name.of),
+        None => line(&mut text, "name", "\"Imported well\"", "no file names the well"),
+    }
+    line(&mut text, "model", "\"soft\"", "or \"stiff\", \"dynamic\", or a list of them");
+    let units = format!("\"{}\"", shown_units(draft).name());
+    line(&mut text, "units", &units, "what you are shown: \"si\", \"metric\" or \"field\"");
+
+    text.push_str("\n[well]\n");
+    match (&draft.survey, lacks(Part::Survey)) {
+        (Some(Of { file, of }), _) => survey(&mut text, *file, of),
+        (None, lacking) => example(&mut text, lacking),
+    }
+    match &draft.hole {
+        Some(of) => blocks(&mut text, draft, "well.hole", of),
+        None => example(&mut text, lacks(Part::Hole)),
+    }
+    table(&mut text, draft, "mud", &draft.mud);
+    example(&mut text, lacks(Part::Mud));
+    match &draft.string {
+        Some(of) => blocks(&mut text, draft, "string", of),
+        None => example(&mut text, lacks(Part::String)),
+    }
+    table(&mut text, draft, "bit", &draft.bit);
+    table(&mut text, draft, "rig", &draft.rig);
+    table(&mut text, draft, "operation", &draft.operation);
+    text
+}
+
+/// What it was made of, what was assumed and what was left out.
+fn head(draft: &Draft, missing: &[Missing]) -> String {
+    let mut text = String::from("# Imported from\n");
+    for (index, (name, what)) in draft.files.iter().enumerate() {
+        let _ = writeln!(text, "#   [{}] {}: {what}", index + 1, plain(name));
+    }
+    text.push_str(
+        "# Values stand as they were found, in their units; behind each is the file and the place.\n",
+    );
+    for kind in ["assumed", "left out", "checked", "read"] {
+        let of_kind: Vec<&(Option<usize>, Note)> =
+            draft.notes.iter().filter(|(_, note)| note.kind() == kind).collect();
+        if of_kind.is_empty() {
+            continue;
+        }
+        let _ = writeln!(text, "#\n# {}{}:", kind[..1].to_uppercase(), &kind[1..]);
+        for (file, note) in of_kind {
+            let file = file.map_or(String::new(), |file| format!("[{}] ", file + 1));
+            let _ = writeln!(text, "#   {file}{}", plain(note.text()));
+        }
+    }
+    if !missing.is_empty() {
+        text.push_str("#\n# Missing, and to be filled in below:\n");
+        for missing in missing {
+            let _ = writeln!(text, "#   {}", missing.sentence);
+        }
+    }
+    text.push('\n');
+    text
+}
+
+/// The units of the files: feet mean the field's.
+fn shown_units(draft: &Draft) -> UnitSet {
+    let survey = draft.survey.iter().map(|survey| survey.of.units.as_str());
+    let blocks = [&draft.hole, &draft.string].into_iter().flatten();
+    let values = blocks.flat_map(|of| &of.of).flat_map(|block| &block.entries);
+    let in_feet = values.filter(|entry| {
+        let feet = Dimension::Length.unit_in(UnitSet::Field);
+        matches!(&entry.value, Value::Quantity { unit, .. } if unit.symbol == feet.symbol)
+    });
+    let feet = in_feet.count() > 0 || survey.into_iter().any(|units| units.contains("ft"));
+    if feet { UnitSet::Field } else { UnitSet::Si }
+}
+
+/// The stations, m and degrees.
+fn survey(text: &mut String, file: usize, survey: &Survey) {
+    let place = match survey.place.is_empty() {
+        true => String::new(),
+        false => format!(", {}", plain(&survey.place)),
+    };
+    let units = match survey.units.is_empty() {
+        true => String::new(),
+        false => format!("; found in {}", plain(&survey.units)),
+    };
+    let _ = writeln!(text, "# measured depth in m, inclination and azimuth in deg{units}");
+    let _ = writeln!(text, "stations = [{:>1$}", format!("# [{}]{place}", file + 1), 0);
+    for station in &survey.stations {
+        let [md, inc, azi] =
+            [station.md_m, station.inclination_rad.to_degrees(), station.azimuth_rad.to_degrees()]
+                .map(rounded);
+        let _ = writeln!(text, "    [{md}, {inc}, {azi}],");
+    }
+    text.push_str("]\n");
+    if let Some(tie_in) = &survey.tie_in {
+        text.push_str("\n[well.tie_in]\n");
+        let values = [("north", tie_in.north_m), ("east", tie_in.east_m), ("tvd", tie_in.tvd_m)];
+        for (key, value_m) in values {
+            line(text, key, &format!("\"{} m\"", rounded(value_m)), &format!("[{}]", file + 1));
+        }
+    }
+}
+
+/// Twelve significant digits: beyond what any survey has, and without the last bits of a factor.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
+}
+
+/// A list of tables.
+fn blocks(text: &mut String, draft: &Draft, name: &str, Of { file, of }: &Of<Vec<Block>>) {
+    for block in of {
+        let _ = writeln!(text, "\n[[{name}]]");
+        if let Some(remark) = &block.remark {
+            let _ = writeln!(text, "# {}", plain(remark));
+        }
+        for one in &block.entries {
+            entry(text, draft, *file, one);
+        }
+    }
+}
+
+/// A table of keys, if there are any.
+fn table(text: &mut String, draft: &Draft, name: &str, entries: &[Of<Entry>]) {
+    if entries.is_empty() {
+        return;
+    }
+    let _ = writeln!(text, "\n[{name}]");
+    for one in entries {
+        entry(text, draft, one.file, &one.of);
+    }
+}
+
+/// A key, its value, and where it comes from.
+fn entry(text: &mut String, draft: &Draft, file: usize, entry: &Entry) {
+    let mark = match draft.files.len() {
+        1 => String::new(),
+        _ => format!("[{}] ", file + 1),
+    };
+    let comment = match &entry.origin {
+        Origin::Found { place, written: None } => format!("{mark}{place}"),
+        Origin::Found { place, written: Some(written) } => format!("{mark}{place}: '{written}'"),
+        Origin::Derived { from } => format!("{mark}{from}"),
+        Origin::Assumed { because } => format!("assumed: {because}"),
+    };
+    line(text, entry.key, &entry.value.toml(), &comment);
+}
+
+fn line(text: &mut String, key: &str, value: &str, comment: &str) {
+    let pair = format!("{key} = {value}");
+    let _ = writeln!(text, "{pair:<COMMENTS$} # {}", plain(comment));
+}
+
+/// What is missing, as comments to fill in.
+fn example(text: &mut String, missing: Option<&Missing>) {
+    let Some(missing) = missing else { return };
+    let _ = writeln!(text, "\n# Missing: {}", missing.sentence);
+    for line in missing.example.lines() {
+        let _ = writeln!(text, "# {line}");
+    }
+}
+
+/// A text that cannot end its comment.
+fn plain(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}

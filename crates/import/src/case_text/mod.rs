@@ -1,0 +1,21 @@
+//! A case file with comments: every value with where it comes from.
+
+mod complete;
+mod lines;
+
+use crate::{import::Imported, merge::Draft};
+
+/// Writes a draft: what it lacks is assumed where that may be, or stands in it as a comment.
+pub(crate) fn write(mut draft: Draft) -> Imported {
+    let missing = complete::complete(&mut draft);
+    let text = lines::text(&draft, &missing);
+    let names: Vec<String> = draft.files.iter().map(|(name, _)| name.clone()).collect();
+    let of_file = |file: Option<usize>| file.and_then(|file| names.get(file).cloned());
+    Imported {
+        text,
+        beside: Vec::new(),
+        notes: draft.notes.into_iter().map(|(file, note)| (of_file(file), note)).collect(),
+        files: draft.files,
+        missing: missing.iter().map(|part| part.sentence.to_owned()).collect(),
+    }
+}

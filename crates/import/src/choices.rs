@@ -1,0 +1,78 @@
+//! What is said of files that they do not tell themselves.
+
+use std::{
+    cell::RefCell,
+    collections::{BTreeMap, BTreeSet},
+};
+
+use wholestring_units::{Dimension, Unit};
+
+use crate::error::ImportErrorKind;
+
+/// Units that files do not tell, and which of several things is meant.
+///
+/// On the command line they are `--unit NAME=UNIT` and `--pick WHAT=NAME`.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Choices {
+    units: BTreeMap<String, String>,
+    picks: BTreeMap<String, String>,
+    /// The names of those that a file asked for.
+    used: RefCell<BTreeSet<String>>,
+}
+
+impl Choices {
+    /// Says a unit: `md` is in `ft`.
+    pub fn unit(mut self, name: impl Into<String>, unit: impl Into<String>) -> Self {
+        self.units.insert(name.into(), unit.into());
+        self
+    }
+
+    /// Chooses one of several: the `tubular` called `BHA 7`.
+    pub fn pick(mut self, what: impl Into<String>, name: impl Into<String>) -> Self {
+        self.picks.insert(what.into(), name.into());
+        self
+    }
+
+    /// The unit that is said of a quantity, by the first of its names that is said.
+    ///
+    /// # Errors
+    /// What is said is no unit of the dimension.
+    pub(crate) fn unit_of(
+        &self,
+        names: &[&str],
+        dimension: Dimension,
+    ) -> Result<Option<&'static Unit>, ImportErrorKind> {
+        let Some((name, symbol)) = names.iter().find_map(|name| self.said(name)) else {
+            return Ok(None);
+        };
+        let unit = dimension.find_unit(symbol);
+        let wrong = || ImportErrorKind::SaidUnit {
+            name: name.to_owned(),
+            said: symbol.to_owned(),
+            dimension,
+        };
+        unit.map(Some).ok_or_else(wrong)
+    }
+
+    /// What `--unit NAME=` says of a name, as it is written.
+    pub(crate) fn said(&self, name: &str) -> Option<(&str, &str)> {
+        let (name, said) = self.units.get_key_value(name)?;
+        self.used.borrow_mut().insert(format!("--unit {name}"));
+        Some((name, said))
+    }
+
+    /// The name that is picked of several.
+    pub(crate) fn picked(&self, what: &str) -> Option<&str> {
+        let name = self.picks.get(what)?;
+        self.used.borrow_mut().insert(format!("--pick {what}"));
+        Some(name)
+    }
+
+    /// Those that no file asked for, as options.
+    pub(crate) fn unused(&self) -> Vec<String> {
+        let units = self.units.keys().map(|name| format!("--unit {name}"));
+        let all = units.chain(self.picks.keys().map(|what| format!("--pick {what}")));
+        let used = self.used.borrow();
+        all.filter(|option| !used.contains(option)).collect()
+    }
+}

@@ -1,0 +1,46 @@
+//! The formats that are read, and how one is recognised by its content.
+
+use crate::{
+    choices::Choices,
+    error::{ImportError, ImportErrorKind},
+    fragment::{Contents, Fragment},
+    input::Input,
+    tables, xml,
+};
+
+/// A format that is read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// Rows of cells: text or a workbook.
+    Table,
+}
+
+impl Format {
+    /// The format of a file, by its first bytes; its name does not count.
+    ///
+    /// # Errors
+    /// It cannot be read, or is none of the formats.
+    pub fn of(input: &mut Input) -> Result<Self, ImportError> {
+        let name = input.name().to_owned();
+        let head = input.head()?;
+        if let Some(root) = xml::root(head) {
+            let found = format!("it is XML with the root element <{}>", root.name);
+            return Err(ImportError::new(&name, None, ImportErrorKind::NotRecognised { found }));
+        }
+        Ok(Format::Table)
+    }
+
+    /// Reads a file of this format.
+    pub(crate) fn read(self, input: Input, choices: &Choices) -> Result<Fragment, ImportError> {
+        match self {
+            Format::Table => tables::read(input, choices),
+        }
+    }
+
+    /// What a file of this format is, and what it holds.
+    pub(crate) fn contents(self, input: Input) -> Result<Contents, ImportError> {
+        match self {
+            Format::Table => tables::contents(input),
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! What a file gives to a case.
+
+mod block;
+mod contents;
+mod note;
+mod origin;
+mod survey;
+mod value;
+
+pub use block::{Block, Entry};
+pub use contents::Contents;
+pub use note::Note;
+pub use origin::Origin;
+pub use survey::Survey;
+pub use value::Value;
+
+use wholestring_tabular::ImportedReading;
+
+/// A part of a case that one file gives whole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Part {
+    /// The path of the well.
+    Survey,
+    /// The sections of the hole.
+    Hole,
+    /// The string.
+    String,
+    /// The mud.
+    Mud,
+    /// The rig.
+    Rig,
+    /// Set points of the operations, and the bit's torque.
+    Operation,
+}
+
+impl Part {
+    /// Every part, in the order of a case.
+    pub const ALL: [Part; 6] =
+        [Part::Survey, Part::Hole, Part::Mud, Part::String, Part::Rig, Part::Operation];
+
+    /// Its name, as `--pick` takes it: `--pick survey=FILE`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Part::Survey => "survey",
+            Part::Hole => "hole",
+            Part::String => "string",
+            Part::Mud => "mud",
+            Part::Rig => "rig",
+            Part::Operation => "operation",
+        }
+    }
+}
+
+/// Parts of a case, from one file.
+///
+/// Keys of entries are those of the case file. A part that the file does not hold is empty.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Fragment {
+    /// What the file is, for people: `a tally of 7 components`.
+    pub what: String,
+    /// Name of the well, for `name`.
+    pub name: Option<Entry>,
+    /// Path of the well.
+    pub survey: Option<Survey>,
+    /// Sections of the hole, from the surface down: the keys of `[[well.hole]]`.
+    pub hole: Vec<Block>,
+    /// Components of the string, from the bit up: the keys of `[[string]]`.
+    pub string: Vec<Block>,
+    /// The keys of `[mud]`.
+    pub mud: Block,
+    /// The keys of `[rig]`.
+    pub rig: Block,
+    /// The keys of `[operation]`.
+    pub operation: Block,
+    /// The keys of `[bit]`.
+    pub bit: Block,
+    /// Weights and torques at the surface that were measured, or picked from a log.
+    pub measured: Vec<ImportedReading>,
+    /// Weights and torques at the surface that another program computed, to be laid over a plan.
+    pub overlay: Vec<ImportedReading>,
+    /// What was assumed, left out, checked.
+    pub notes: Vec<Note>,
+}
+
+impl Fragment {
+    /// The parts that it holds.
+    pub fn parts(&self) -> Vec<Part> {
+        Part::ALL.into_iter().filter(|part| self.has(*part)).collect()
+    }
+
+    fn has(&self, part: Part) -> bool {
+        match part {
+            Part::Survey => self.survey.is_some(),
+            Part::Hole => !self.hole.is_empty(),
+            Part::String => !self.string.is_empty(),
+            Part::Mud => !self.mud.entries.is_empty(),
+            Part::Rig => !self.rig.entries.is_empty(),
+            Part::Operation => !self.operation.entries.is_empty() || !self.bit.entries.is_empty(),
+        }
+    }
+
+    /// Leaves a part out.
+    pub(crate) fn drop_part(&mut self, part: Part) {
+        match part {
+            Part::Survey => self.survey = None,
+            Part::Hole => self.hole.clear(),
+            Part::String => self.string.clear(),
+            Part::Mud => self.mud = Block::default(),
+            Part::Rig => self.rig = Block::default(),
+            Part::Operation => {
+                self.operation = Block::default();
+                self.bit = Block::default();
+            }
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! A value of a case, in the unit of its file.
+
+use wholestring_units::{Unit, number_text};
+
+/// A value as a case file has it, in the unit that it was found in.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// A number with its unit.
+    Quantity {
+        /// The number, in the unit.
+        number: f64,
+        /// The unit.
+        unit: &'static Unit,
+    },
+    /// A number without a unit: a friction factor, rev/min.
+    Number(f64),
+    /// Words.
+    Text(String),
+    /// A list of words.
+    Words(Vec<String>),
+}
+
+impl Value {
+    /// A quantity.
+    pub fn quantity(number: f64, unit: &'static Unit) -> Self {
+        Value::Quantity { number, unit }
+    }
+
+    /// A text.
+    pub fn text(text: impl Into<String>) -> Self {
+        Value::Text(text.into())
+    }
+
+    /// The number in SI; none of words.
+    pub fn si(&self) -> Option<f64> {
+        match self {
+            Value::Quantity { number, unit } => Some(unit.to_si(*number)),
+            Value::Number(number) => Some(*number),
+            Value::Text(_) | Value::Words(_) => None,
+        }
+    }
+
+    /// As TOML.
+    pub(crate) fn toml(&self) -> String {
+        match self {
+            Value::Quantity { number, unit } => {
+                quoted(&format!("{} {}", number_text(*number), unit.symbol))
+            }
+            Value::Number(number) => number_text(*number),
+            Value::Text(text) => quoted(text),
+            Value::Words(words) => {
+                let words: Vec<String> = words.iter().map(|word| quoted(word)).collect();
+                format!("[{}]", words.join(", "))
+            }
+        }
+    }
+}
+
+/// A basic string of TOML.
+pub(crate) fn quoted(text: &str) -> String {
+    let mut quoted = String::with_capacity(text.len() + 2);
+    quoted.push('"');
+    for character in text.chars() {
+        match character {
+            '"' => quoted.push_str("\\\""),
+            '\\' => quoted.push_str("\\\\"),
+            // Nothing that a name needs.
+            other if other.is_control() => quoted.push(' '),
+            other => quoted.push(other),
+        }
+    }
+    quoted.push('"');
+    quoted
+}

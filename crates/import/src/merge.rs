@@ -1,0 +1,103 @@
+//! One case of the fragments of several files.
+
+use crate::{
+    choices::Choices,
+    error::{ImportError, ImportErrorKind},
+    fragment::{Block, Entry, Fragment, Note, Part, Survey},
+};
+
+/// A file and what it gives.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Source {
+    pub(crate) name: String,
+    pub(crate) fragment: Fragment,
+}
+
+/// Something, and the file that it comes from, by its place among them.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Of<T> {
+    pub(crate) file: usize,
+    pub(crate) of: T,
+}
+
+/// A case before it is written: every part from one file, every key from one.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Draft {
+    /// Names of the files, and what they are.
+    pub(crate) files: Vec<(String, String)>,
+    pub(crate) name: Option<Of<Entry>>,
+    pub(crate) survey: Option<Of<Survey>>,
+    pub(crate) hole: Option<Of<Vec<Block>>>,
+    pub(crate) string: Option<Of<Vec<Block>>>,
+    pub(crate) mud: Vec<Of<Entry>>,
+    pub(crate) rig: Vec<Of<Entry>>,
+    pub(crate) operation: Vec<Of<Entry>>,
+    pub(crate) bit: Vec<Of<Entry>>,
+    /// By file; none of what is said of the whole.
+    pub(crate) notes: Vec<(Option<usize>, Note)>,
+}
+
+/// Joins fragments: a part that two files hold is an error unless one is picked.
+pub(crate) fn merge(mut sources: Vec<Source>, choices: &Choices) -> Result<Draft, ImportError> {
+    let mut draft = Draft::default();
+    for part in Part::ALL {
+        pick(part, &mut sources, choices, &mut draft.notes)?;
+    }
+    for (file, Source { name, fragment }) in sources.into_iter().enumerate() {
+        if draft.name.is_none() {
+            draft.name = fragment.name.map(|of| Of { file, of });
+        }
+        draft.survey = draft.survey.or(fragment.survey.map(|of| Of { file, of }));
+        let blocks = |own: Vec<Block>| (!own.is_empty()).then_some(Of { file, of: own });
+        draft.hole = draft.hole.or(blocks(fragment.hole));
+        draft.string = draft.string.or(blocks(fragment.string));
+        for (all, own) in [
+            (&mut draft.mud, fragment.mud),
+            (&mut draft.rig, fragment.rig),
+            (&mut draft.operation, fragment.operation),
+            (&mut draft.bit, fragment.bit),
+        ] {
+            all.extend(own.entries.into_iter().map(|of| Of { file, of }));
+        }
+        draft.notes.extend(fragment.notes.into_iter().map(|note| (Some(file), note)));
+        draft.files.push((name, fragment.what));
+    }
+    Ok(draft)
+}
+
+/// Leaves a part in one of the files that hold it: the one that is picked.
+fn pick(
+    part: Part,
+    sources: &mut [Source],
+    choices: &Choices,
+    notes: &mut Vec<(Option<usize>, Note)>,
+) -> Result<(), ImportError> {
+    let holders: Vec<usize> =
+        (0..sources.len()).filter(|&file| sources[file].fragment.parts().contains(&part)).collect();
+    let [first, second, ..] = holders[..] else { return Ok(()) };
+    let names: Vec<String> = holders.iter().map(|&file| sources[file].name.clone()).collect();
+    let Some(picked) = choices.picked(part.name()) else {
+        let kind = ImportErrorKind::InTwoFiles {
+            what: format!("the {}", part.name()).replace("the ", ""),
+            first: sources[first].name.clone(),
+        };
+        return Err(ImportError::new(&sources[second].name, None, kind));
+    };
+    let is_picked = |name: &str| name == picked || name.rsplit(['/', '\\']).next() == Some(picked);
+    if !names.iter().any(|name| is_picked(name)) {
+        let kind = ImportErrorKind::NoSuch {
+            what: part.name().to_owned(),
+            name: picked.to_owned(),
+            names: names.clone(),
+        };
+        return Err(ImportError::new(&names.join(", "), None, kind));
+    }
+    for (&file, name) in holders.iter().zip(&names) {
+        if !is_picked(name) {
+            sources[file].fragment.drop_part(part);
+            let text = format!("the {}, for that of {picked} was picked", part.name());
+            notes.push((Some(file), Note::LeftOut(text)));
+        }
+    }
+    Ok(())
+}
