@@ -269,7 +269,7 @@ fn stations_are_ordered_by_depth_and_stand_once() {
     assert!(told.contains("two stations at 1000 m differ"), "{told}");
     let same = station("1000", "3", "45");
     let text = text_of(&trajectory(&(station("0", "0", "0") + &same + &same)));
-    assert!(text.contains("1 station that repeat others"), "{text}");
+    assert!(text.contains("1 station of a depth that another has, alike"), "{text}");
 }
 
 #[test]
@@ -277,7 +277,7 @@ fn what_is_no_station_is_left_out_or_refused() {
     let good = station("0", "0", "0") + &station("1000", "3", "45");
     let marker = "<trajectoryStation><md uom='m'>500</md></trajectoryStation>";
     let text = text_of(&trajectory(&(good.clone() + marker)));
-    assert!(text.contains("1 station without inclination and azimuth: no station of a survey"));
+    assert!(text.contains("1 station without inclination and azimuth, of no survey"));
     let vertical = station("0", "0", "").replace("<azi uom='dega'></azi>", "");
     let text = text_of(&trajectory(&(vertical + &station("1000", "3", "45"))));
     assert!(text.contains("the station at 0 m is vertical and has no azi: 0"), "{text}");
@@ -312,10 +312,7 @@ fn the_first_station_says_where_it_lies() {
     // What stations say is held against the path.
     let deep = station("1000", "0", "0").replace("<incl", "<tvd uom='m'>900</tvd><incl");
     let text = text_of(&trajectory(&(station("0", "0", "0") + &deep)));
-    assert!(
-        text.contains("differ from the path by minimum curvature, by 100 m at 1000 m"),
-        "{text}"
-    );
+    assert!(text.contains("off the path by minimum curvature: by 100 m at 1000 m"), "{text}");
 }
 
 #[test]
@@ -371,7 +368,8 @@ fn components_have_the_fields_names() {
         ("heavy weight drill pipe LH", "heavy-weight drill pipe"),
         ("MWD pulser", "MWD pulser"),
         ("rotary steering tool", "rotary steerable"),
-        ("stabilizer near bit", "stabilizer near bit"),
+        ("stabilizer near bit", "near bit stabilizer"),
+        ("motor steerable", "steerable motor"),
     ] {
         let text = text_of(&tubular(&component(kind, "", "")));
         assert_eq!(values(&text, "component"), [format!("\"{name}\"")], "{kind}");
@@ -430,6 +428,15 @@ fn parts_of_a_component_become_its_keys_where_they_can() {
     assert!(
         slick.contains("its body touches the wall") && slick.contains("no grade of the catalogue")
     );
+
+    // Nominal weights leave out the tool joints.
+    let nominal = of("drill pipe", "<wtPerLen uom='lbm/ft'>19.5</wtPerLen>");
+    assert!(
+        nominal.contains("is the nominal weight of such pipe: with its tool joints"),
+        "{nominal}"
+    );
+    let adjusted = of("drill pipe", "<wtPerLen uom='lbm/ft'>22.1</wtPerLen>");
+    assert!(!adjusted.contains("nominal"));
 
     let bit = "<bitRecord><diaBit uom='in'>8.5</diaBit></bitRecord>";
     let text = of("bit", bit);

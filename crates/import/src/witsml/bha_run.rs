@@ -4,7 +4,7 @@ use wholestring_tabular::ImportedReading;
 use wholestring_units::Dimension;
 
 use super::{
-    measure::{Measure, Source, metres, short},
+    measure::{Measure, Source, short},
     object::Object,
     tree::Node,
 };
@@ -32,7 +32,9 @@ pub(crate) fn read(
     fragment: &mut Fragment,
 ) -> Result<(), ImportError> {
     let notes = &mut fragment.notes;
-    if let Some(tubular) = object.node.text_of("tubular") {
+    let tubular = object.node.child("tubular");
+    let title = tubular.and_then(|tubular| tubular.text_of("Title"));
+    if let Some(tubular) = object.node.text_of("tubular").or(title) {
         let text = format!("{} ran with the tubular '{}'", object.label(), short(tubular));
         notes.push(Note::Read(text));
     }
@@ -69,7 +71,8 @@ pub(crate) fn read(
         let mut kinds = vec!["trip_out", "trip_in", "rotate_off_bottom"];
         kinds.extend(drills.then_some("drill"));
         let kinds = kinds.into_iter().map(str::to_owned).collect();
-        let from = "what a run does whose speed and weight are told".to_owned();
+        let told = if drills { "speed, weight and rate are" } else { "rotary speed is" };
+        let from = format!("what a string does of which the {told} told");
         let kind = Value::Words(kinds);
         fragment.operation.push("kind", kind, Origin::Derived { from });
         fragment.operation.entries.rotate_right(1);
@@ -83,8 +86,8 @@ pub(crate) fn read(
     let torques: Vec<&str> = torques.collect();
     if drills && !torques.is_empty() {
         fragment.notes.push(Note::LeftOut(format!(
-            "the bit's torque: {} of the run hold the friction of the string too, or of what is \
-             below their sensor; write `torque` under [bit]",
+            "{}, for the bit's torque: there is the string's friction in it, of all of it or of \
+             what is below a sensor; write `torque` under [bit]",
             torques.join(" and ")
         )));
     }
@@ -160,7 +163,7 @@ fn measured(
     notes.push(Note::Assumed(format!(
         "the hook loads and torques of the run were read with the bit at its mdHoleStop, {}, and \
          hold the weight of the block",
-        metres(reading.bit_depth_m)
+        stop.map_or("", |stop| &stop.written)
     )));
     fragment.measured.push(reading);
     Ok(())

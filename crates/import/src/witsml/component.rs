@@ -15,8 +15,19 @@ use crate::{
 /// A blade's middle this far from its component's is where the case has it, m.
 const SAME_PLACE_M: f64 = 0.1;
 
+/// Outside diameters this close are those of one pipe, m; weights, lb/ft.
+const SAME_OD_M: f64 = 2e-4;
+const SAME_LB_PER_FT: f64 = 0.06;
+
+/// Density of the steel of drill pipe, kg/m³.
+const STEEL_KG_PER_M3: f64 = 7850.0;
+
 /// Words of what measures the direction of the hole, in `typeMeasurement` or `comments`.
 const DIRECTIONAL: &[&str] = &["deviation", "azimuth", "inclination", "direction", "survey", "d&i"];
+
+/// WITSML puts the noun first.
+const TURNED: &[(&str, &str)] =
+    &[("sub-", "sub"), ("stabilizer ", "stabilizer"), ("motor ", "motor"), ("mill ", "mill")];
 
 /// A component as it stands in its tubular.
 pub(crate) struct Component<'a> {
@@ -77,10 +88,12 @@ impl<'a> Component<'a> {
                 Some(description) => short(description),
                 None => "component".to_owned(),
             },
-            _ => match kind.strip_prefix("sub-") {
-                Some(rest) => format!("{rest} sub"),
-                None => kind.replace("mwd", "MWD"),
-            },
+            _ => {
+                let turned = TURNED.iter().find_map(|(first, noun)| {
+                    Some(format!("{} {noun}", kind.strip_prefix(first)?))
+                });
+                turned.unwrap_or_else(|| kind.replace("mwd", "MWD"))
+            }
         }
     }
 
@@ -136,6 +149,7 @@ impl<'a> Component<'a> {
         let weight = (&label[..], &mut *notes);
         let mass = source.positive(self.node, "wtPerLen", Dimension::MassPerLength, weight)?;
         push(&mut block, "mass_per_length", mass.as_ref());
+        self.weight(od.as_ref(), mass.as_ref(), notes);
         self.strength(&mut block, notes);
         self.bend(&mut block, length.as_ref(), source, notes)?;
         self.sensor(&mut block, length.as_ref(), source, notes)?;
@@ -194,6 +208,31 @@ impl<'a> Component<'a> {
                 Ok(Some(Measure { origin: Origin::Assumed { because }, ..hole.clone() }))
             }
             (gauge, own) => Ok(gauge.or(own)),
+        }
+    }
+
+    /// Whether the weight of drill pipe is the nominal one, which leaves tool joints out.
+    fn weight(&self, od: Option<&Measure>, mass: Option<&Measure>, notes: &mut Vec<Note>) {
+        let (true, Some(od), Some(mass)) = (self.is_drill_pipe(), od, mass) else { return };
+        let Some(pounds) = Dimension::MassPerLength.find_unit("lb/ft") else { return };
+        let nominal = |designation: &str| -> Option<f64> {
+            designation.split_once(" lb/ft")?.0.rsplit_once(' ')?.1.parse().ok()
+        };
+        let entries = catalogue::entries();
+        let mut pipes = entries.iter().filter(|entry| entry.kind == TubularKind::DrillPipe);
+        let found = pipes.find(|entry| {
+            let off = |nominal: f64| (nominal - pounds.from_si(mass.si())).abs();
+            (entry.od_m - od.si()).abs() < SAME_OD_M
+                && nominal(&entry.designation).is_some_and(|nominal| off(nominal) < SAME_LB_PER_FT)
+        });
+        if let Some(entry) = found {
+            let with_joints = pounds.from_si(entry.mass_per_length_kg_per_m(STEEL_KG_PER_M3));
+            notes.push(Note::Checked(format!(
+                "the wtPerLen of {}, {}, is the nominal weight of such pipe: with its tool joints \
+                 it weighs some {with_joints:.1} lb/ft, which is what `mass_per_length` means",
+                self.label(),
+                mass.written
+            )));
         }
     }
 

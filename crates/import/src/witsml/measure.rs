@@ -66,16 +66,19 @@ impl Source<'_> {
         beside: Option<&str>,
         dimension: Dimension,
     ) -> Result<Option<Measure>, ImportError> {
+        let outer = node;
         let within = node.children().iter().find(|child| child.attribute("uom").is_some());
         let node = if node.text.is_empty() { within.unwrap_or(node) } else { node };
         let Some(number) = self.number_of(node, name)? else { return Ok(None) };
-        let place = format!("line {}, {name}", node.line);
+        let place = format!("line {}, {}", node.line, outer.name);
         let (unit, origin, written) = match node.attribute("uom").or(beside) {
             Some(uom) => {
                 let wrong = || ImportErrorKind::WrongUnit { found: short(uom), dimension };
                 let unit = dimension.find_unit(uom);
                 let unit = unit.ok_or_else(|| self.error(node.line, wrong()))?;
-                let written = format!("{} {}", node.text, short(uom));
+                // `27 x 1000 lbf.ft`: two numbers side by side are read as one.
+                let times = if uom.starts_with(|c: char| c.is_ascii_digit()) { "x " } else { "" };
+                let written = format!("{} {times}{}", node.text, short(uom));
                 let shown = unit.symbol == uom;
                 let origin =
                     if shown { Origin::at(place) } else { Origin::written(place, &written) };

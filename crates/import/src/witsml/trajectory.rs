@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use wholestring::well::{Interpolation, Path, Station, TieIn};
-use wholestring_units::{Dimension, number_text};
+use wholestring_units::Dimension;
 
 use super::{
     depths::datum,
@@ -51,8 +51,8 @@ pub(crate) fn read(
         }
     }
     for (count, why) in [
-        (rejected, "whose statusTrajStation is 'rejected'"),
-        (without, "without inclination and azimuth: no station of a survey"),
+        (rejected, "with the statusTrajStation 'rejected'"),
+        (without, "without inclination and azimuth, of no survey"),
     ] {
         if count > 0 {
             notes.push(Note::LeftOut(format!("{} {why}", stations_of(count))));
@@ -192,7 +192,10 @@ fn once<'a>(
         }
     }
     if alike > 0 {
-        notes.push(Note::LeftOut(format!("{} that repeat others", stations_of(alike))));
+        notes.push(Note::LeftOut(format!(
+            "{} of a depth that another has, alike",
+            stations_of(alike)
+        )));
     }
     Ok(kept)
 }
@@ -249,13 +252,13 @@ fn check_depths(
     let Some((off_m, found)) = worst else { return Ok(()) };
     notes.push(Note::Checked(if off_m <= SAME_TVD_M {
         format!(
-            "the tvd of {} agree with the path by minimum curvature to {}",
+            "the tvd of {}, within {} of the path by minimum curvature",
             stations_of(count),
             metres(SAME_TVD_M)
         )
     } else {
         format!(
-            "the tvd of {} differ from the path by minimum curvature, by {} at {} (line {})",
+            "the tvd of {}, off the path by minimum curvature: by {} at {} (line {})",
             stations_of(count),
             metres(off_m),
             found.md.written,
@@ -273,17 +276,13 @@ fn says_how(object: &Object, stations: &[Found], notes: &mut Vec<Note>) {
         notes.push(Note::Read(format!("azimuths are from {}, as they stand", short(north))));
     }
     for (kind, said) in
-        [("interpolated", "are interpolated"), ("extrapolated", "are extrapolated, not surveyed")]
+        [("interpolated", "interpolated"), ("extrapolated", "extrapolated, not surveyed")]
     {
         let is = |found: &&Found| found.node.text_of("typeTrajStation") == Some(kind);
         let count = stations.iter().filter(is).count();
         if count > 0 {
             notes.push(Note::Read(format!("{} {said}", stations_of(count))));
         }
-    }
-    let first = stations[0].station.md_m;
-    if first > 0.0 {
-        notes.push(Note::Read(format!("the first station is at {} m", number_text(first))));
     }
 }
 

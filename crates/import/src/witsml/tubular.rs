@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use wholestring_units::Dimension;
+use wholestring_units::{Dimension, number_text};
 
 use super::{
     component::Component,
-    measure::{Source, metres, short},
+    measure::{Source, short},
     object::Object,
 };
 use crate::{
@@ -45,18 +45,20 @@ pub(crate) fn read(
     order(&mut components, object, source, notes)?;
     let hole = source.measure(&object.node, "diaHoleAssy", Dimension::Diameter)?;
     let hole = hole.filter(|hole| hole.number > 0.0);
-    let mut length_m = 0.0;
+    let (mut length_m, mut unit) = (0.0, None);
     for component in &components {
-        length_m += component.length(source)?.map_or(0.0, |length| length.si());
+        if let Some(length) = component.length(source)? {
+            length_m += length.si();
+            unit = unit.or(Some(length.unit));
+        }
         fragment.string.push(component.block(hole.as_ref(), source, notes)?);
     }
     sensors(&mut fragment.string, notes);
-    notes.push(Note::Read(format!(
-        "{}: {}, {} long",
-        object.label(),
-        object.counted(),
-        metres(length_m)
-    )));
+    let long = unit.map_or(String::new(), |unit| {
+        let tenths = (unit.from_si(length_m) * 10.0).round() / 10.0;
+        format!(", {} {} long", number_text(tenths), unit.symbol)
+    });
+    notes.push(Note::Read(format!("{}: {}{long}", object.label(), object.counted())));
     if let Some(top) = components.last().filter(|top| !top.is_pipe()) {
         notes.push(Note::Checked(format!(
             "the topmost component is {}, which is no pipe: is the rest of the string in the file?",
