@@ -50,7 +50,7 @@ pub(crate) fn text(draft: &Draft, missing: &[Missing]) -> String {
 fn head(draft: &Draft, missing: &[Missing]) -> String {
     let mut text = String::from("# Imported from\n");
     for (index, (name, what)) in draft.files.iter().enumerate() {
-        let _ = writeln!(text, "#   [{}] {}: {what}", index + 1, plain(name));
+        let _ = writeln!(text, "#   [{}] {}: {}", index + 1, plain(name), plain(what));
     }
     text.push_str(
         "# Values stand as they were found, in their units; behind each is the file and the place.\n",

@@ -22,8 +22,12 @@ const SAME_PLACE_M: f64 = 0.1;
 const SAME_OD_M: f64 = 2e-4;
 const SAME_LB_PER_FT: f64 = 0.06;
 
-/// Words of what measures the direction of the hole, in `typeMeasurement` or `comments`.
-const DIRECTIONAL: &[&str] = &["deviation", "azimuth", "inclination", "direction", "survey", "d&i"];
+/// What a sensor of the hole's direction measures, as `typeMeasurement` has it.
+const DIRECTIONS: &[&str] = &["deviation", "azimuth", "inclination", "direction"];
+
+/// Words that tell it in `typeMeasurement` or `comments`. Others measure around the hole, too:
+/// an azimuthal gamma ray.
+const DIRECTIONAL: &[&str] = &["directional", "d&i"];
 
 /// WITSML puts the noun first.
 const TURNED: &[(&str, &str)] =
@@ -405,10 +409,12 @@ impl<'a> Component<'a> {
     ) -> Result<(), ImportError> {
         let tools = self.node.all("mwdTool|rotarySteerableTool|motor");
         for sensor in tools.flat_map(|tool| tool.all("sensor")) {
-            let words = ["typeMeasurement", "comments"].map(|name| sensor.text_of(name));
-            let words = words.into_iter().flatten().map(str::to_lowercase);
-            let is = |text: String| DIRECTIONAL.iter().any(|word| text.contains(word));
-            if !words.into_iter().any(is) {
+            let of = |name| sensor.text_of(name).unwrap_or_default().to_lowercase();
+            let (measures, comments) = (of("typeMeasurement"), of("comments"));
+            let told = |word: &&str| measures.contains(*word) || comments.contains(*word);
+            if !DIRECTIONS.contains(&measures.as_str())
+                && !DIRECTIONAL.iter().any(|word| told(&word))
+            {
                 continue;
             }
             let Some(offset) = source.measure(sensor, "offsetBot", Dimension::Length)? else {

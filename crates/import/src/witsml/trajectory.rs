@@ -39,13 +39,13 @@ pub(crate) fn read(
     let notes = &mut fragment.notes;
     let mut units = Units::default();
     let mut stations = Vec::new();
-    let (mut rejected, mut without) = (0, 0);
+    let (mut rejected, mut without, mut vertical) = (0, 0, 0);
     for node in object.node.all("trajectoryStation") {
         if node.text_of("statusTrajStation") == Some("rejected") {
             rejected += 1;
             continue;
         }
-        match station(node, source, &mut units, notes)? {
+        match station(node, source, &mut units, &mut vertical)? {
             Some(found) => stations.push(found),
             None => without += 1,
         }
@@ -57,6 +57,10 @@ pub(crate) fn read(
         if count > 0 {
             notes.push(Note::LeftOut(format!("{} {why}", stations_of(count))));
         }
+    }
+    if vertical > 0 {
+        let text = format!("the azi of {}, vertical and without one: 0", stations_of(vertical));
+        notes.push(Note::Assumed(text));
     }
     stations.sort_by(|a, b| a.station.md_m.total_cmp(&b.station.md_m));
     let stations = once(stations, source, notes)?;
@@ -107,7 +111,7 @@ fn station<'a>(
     node: &'a Node,
     source: &Source,
     units: &mut Units,
-    notes: &mut Vec<Note>,
+    vertical: &mut usize,
 ) -> Result<Option<Found<'a>>, ImportError> {
     let inclination = source.measure(node, "incl", Dimension::Angle)?;
     let azimuth = source.measure(node, "azi", Dimension::Angle)?;
@@ -139,8 +143,7 @@ fn station<'a>(
         }
         // A vertical hole has none.
         None if inclination_rad == 0.0 => {
-            let text = format!("the station at {} is vertical and has no azi: 0", md.written);
-            notes.push(Note::Assumed(text));
+            *vertical += 1;
             0.0
         }
         None => return Err(missing("azi")),
