@@ -6,7 +6,7 @@ use super::tree::Node;
 use crate::{
     choices::Choices,
     error::{ImportError, ImportErrorKind},
-    fragment::{Note, Origin, Value},
+    fragment::{Block, Note, Origin, Value},
 };
 
 /// Characters of foreign text in a sentence: a name, or a remark of a line.
@@ -186,4 +186,11 @@ pub(crate) fn short(text: &str) -> String {
 /// A length in a sentence, m.
 pub(crate) fn metres(length_m: f64) -> String {
     format!("{} m", number_text((length_m * 1e3).round() / 1e3))
+}
+
+/// Adds a key where there is a value.
+pub(crate) fn push(block: &mut Block, key: &'static str, measure: Option<&Measure>) {
+    if let Some(measure) = measure {
+        block.push(key, measure.value(), measure.origin.clone());
+    }
 }

@@ -2,13 +2,16 @@
 //! wellbore and mud reports.
 
 mod bha_run;
+mod body;
 mod component;
 mod depths;
+mod fittings;
 mod geometry;
 mod kind;
 mod measure;
 mod mud_report;
 mod object;
+mod pipe;
 mod sections;
 mod trajectory;
 mod tree;
