@@ -13,6 +13,7 @@ mod conclusion;
 mod convergence;
 mod failure;
 mod findings;
+mod import;
 mod input;
 mod interrupt;
 mod modes;
@@ -44,6 +45,7 @@ use terminal::{print_stderr, print_stdout};
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Check(args) => check::check(&args),
+        Command::Import(args) => import::import(&args),
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
         Command::BitTest(args) => bit_test::bit_test(&args),

@@ -115,10 +115,10 @@ pub enum ImportErrorKind {
         names: Vec<String>,
     },
     /// Two files hold the same part of a case.
-    #[error("{what} is in {first} too; pick one: --pick {what}={first}")]
+    #[error("it holds the {what}, and so does {first}; pick one: --pick {what}={first}")]
     InTwoFiles {
         /// The part.
-        what: String,
+        what: &'static str,
         /// The other file.
         first: String,
     },

@@ -5,10 +5,13 @@ use crate::{
     choices::Choices,
     error::{ImportError, ImportErrorKind},
     format::Format,
-    fragment::{Contents, Note},
+    fragment::{Contents, Note, quoted},
     input::Input,
     merge::{self, Source},
 };
+
+/// What the file of measured weights has after the case's name.
+pub(crate) const MEASURED: &str = "-measured.csv";
 
 /// A file beside the case.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,6 +35,22 @@ pub struct Imported {
     pub notes: Vec<(Option<String>, Note)>,
     /// What the case still needs before it can be solved, in sentences.
     pub missing: Vec<String>,
+}
+
+impl Imported {
+    /// The case file under a name, such as `well` for `well.toml`: [`text`](Self::text), and the
+    /// keys that name the files beside it.
+    pub fn text_as(&self, stem: &str) -> String {
+        let mut text = self.text.clone();
+        if self.beside.iter().any(|file| file.ending == MEASURED) {
+            let file = quoted(&format!("{stem}{MEASURED}"));
+            text += &format!(
+                "\n[plan]\nmeasured = {file}  # drawn over the plan; `wholestring calibrate` finds \
+                 friction from it\n"
+            );
+        }
+        text
+    }
 }
 
 /// Makes one case of some files.

@@ -17,6 +17,7 @@
 //! | [`modes`] | natural frequencies, critical speeds and the answer to a force that turns |
 //! | [`plan`] | torque and drag at every depth of the bit, with low, expected and high friction |
 //! | [`reach`] | how far a well can go, and what stops it |
+//! | [`import`] | a case from the files of other programs |
 //! | [`mod@bench`] | the measurement of a machine's speed at all this |
 //!
 //! [`Comparison`] has the answers of a run side by side, [`survey`] the positions along a survey,
@@ -61,6 +62,7 @@ mod cores;
 mod error;
 pub mod findings;
 mod folder_name;
+pub mod import;
 mod keep;
 pub mod modes;
 mod observer;

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use wholestring_tabular::under_origin;
 use wholestring_units::{Dimension, UnitSet};
 
 use super::complete::Missing;
@@ -101,7 +102,7 @@ fn survey(text: &mut String, file: usize, survey: &Survey) {
         false => format!("; found in {}", plain(&survey.units)),
     };
     let _ = writeln!(text, "# measured depth in m, inclination and azimuth in deg{units}");
-    let _ = writeln!(text, "stations = [{:>1$}", format!("# [{}]{place}", file + 1), 0);
+    let _ = writeln!(text, "{:<COMMENTS$} # [{}]{place}", "stations = [", file + 1);
     for station in &survey.stations {
         let [md, inc, azi] =
             [station.md_m, station.inclination_rad.to_degrees(), station.azimuth_rad.to_degrees()]
@@ -109,7 +110,9 @@ fn survey(text: &mut String, file: usize, survey: &Survey) {
         let _ = writeln!(text, "    [{md}, {inc}, {azi}],");
     }
     text.push_str("]\n");
-    if let Some(tie_in) = &survey.tie_in {
+    // Without it, the first station lies vertically under the origin.
+    let tie_in = survey.tie_in.filter(|tie_in| *tie_in != under_origin(&survey.stations));
+    if let Some(tie_in) = tie_in {
         text.push_str("\n[well.tie_in]\n");
         let values = [("north", tie_in.north_m), ("east", tie_in.east_m), ("tvd", tie_in.tvd_m)];
         for (key, value_m) in values {
