@@ -11,6 +11,7 @@ mod conventions;
 mod error;
 mod existing;
 mod folder;
+mod import;
 mod law;
 mod measure;
 mod simulation;
@@ -44,6 +45,9 @@ mod _core {
     };
     #[pymodule_export]
     use crate::{sweep::Sweep, variations::Variations};
+
+    #[pymodule_export]
+    use crate::import::{Imported, contents, import_files};
 
     #[pymodule_export]
     use crate::measure::{advance_alone, solve_alone};
