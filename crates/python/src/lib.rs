@@ -9,6 +9,7 @@ mod column;
 mod commands;
 mod conventions;
 mod error;
+mod event_buffer;
 mod existing;
 mod folder;
 mod import;
@@ -17,7 +18,6 @@ mod measure;
 mod simulation;
 mod sweep;
 mod table;
-mod told;
 mod variations;
 
 use pyo3::prelude::*;
