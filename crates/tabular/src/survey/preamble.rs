@@ -92,7 +92,9 @@ fn pairs<'a>(parts: &[&'a str], are_cells: bool) -> Vec<(About, &'a str)> {
         };
         let next = parts.get(at + 1).copied().filter(|next| !next.contains(':'));
         let value = if value.trim().is_empty() { next.unwrap_or("") } else { value };
-        let value = value.trim().trim_matches('"').trim();
+        let value = value.trim();
+        let bare = value.strip_prefix('"').and_then(|value| value.strip_suffix('"'));
+        let value = bare.unwrap_or(value).trim();
         if let Some(about) = label_of(label).filter(|_| !value.is_empty() && value.len() <= LONGEST)
         {
             pairs.push((about, value));
