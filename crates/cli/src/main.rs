@@ -11,6 +11,7 @@ mod color;
 mod comparison;
 mod conclusion;
 mod convergence;
+mod export;
 mod failure;
 mod findings;
 mod import;
@@ -57,6 +58,7 @@ fn main() -> ExitCode {
         Command::Study(args) => study::study(&args),
         Command::Report(args) => report::report(&args),
         Command::Plot(args) => plot::plot(&args),
+        Command::Export(args) => export::export(&args),
         Command::Survey(args) => survey::survey(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Catalogue(args) => catalogue::catalogue(&args),

@@ -18,6 +18,7 @@
 //! | [`plan`] | torque and drag at every depth of the bit, with low, expected and high friction |
 //! | [`reach`] | how far a well can go, and what stops it |
 //! | [`import`] | a case from the files of other programs |
+//! | [`mod@export`] | results, surveys and strings in the formats of other programs |
 //! | [`mod@bench`] | the measurement of a machine's speed at all this |
 //!
 //! [`Comparison`] has the answers of a run side by side, [`survey`] the positions along a survey,
@@ -60,6 +61,7 @@ mod comparison;
 mod copy;
 mod cores;
 mod error;
+pub mod export;
 pub mod findings;
 mod folder_name;
 pub mod import;
@@ -80,6 +82,7 @@ mod results_kind;
 mod results_kinds;
 pub mod run;
 mod shard;
+mod sheet;
 pub mod study;
 pub mod survey;
 pub mod sweep;
