@@ -5,7 +5,7 @@ use crate::{
     error::{ImportError, ImportErrorKind},
     fragment::{Contents, Fragment},
     input::Input,
-    tables, xml,
+    tables, witsml, xml,
 };
 
 /// A format that is read.
@@ -13,6 +13,8 @@ use crate::{
 pub enum Format {
     /// Rows of cells: text or a workbook.
     Table,
+    /// WITSML but for logs: trajectories, tubulars, runs, geometries, mud reports.
+    Witsml,
 }
 
 impl Format {
@@ -23,7 +25,11 @@ impl Format {
     pub fn of(input: &mut Input) -> Result<Self, ImportError> {
         let name = input.name().to_owned();
         let head = input.head()?;
+        xml::check(&name, head)?;
         if let Some(root) = xml::root(head) {
+            if witsml::is_witsml(&root) {
+                return Ok(Format::Witsml);
+            }
             let found = format!("it is XML with the root element <{}>", root.name);
             return Err(ImportError::new(&name, None, ImportErrorKind::NotRecognised { found }));
         }
@@ -34,6 +40,7 @@ impl Format {
     pub(crate) fn read(self, input: Input, choices: &Choices) -> Result<Fragment, ImportError> {
         match self {
             Format::Table => tables::read(input, choices),
+            Format::Witsml => witsml::read(input, choices),
         }
     }
 
@@ -41,6 +48,7 @@ impl Format {
     pub(crate) fn contents(self, input: Input) -> Result<Contents, ImportError> {
         match self {
             Format::Table => tables::contents(input),
+            Format::Witsml => witsml::contents(input),
         }
     }
 }

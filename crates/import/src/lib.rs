@@ -29,6 +29,7 @@ mod input;
 mod log;
 mod merge;
 mod tables;
+mod witsml;
 mod xml;
 
 pub use choices::Choices;
