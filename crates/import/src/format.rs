@@ -2,6 +2,7 @@
 
 use crate::{
     choices::Choices,
+    edm,
     error::{ImportError, ImportErrorKind},
     fragment::{Contents, Fragment},
     input::Input,
@@ -13,6 +14,8 @@ use crate::{
 pub enum Format {
     /// Rows of cells: text or a workbook.
     Table,
+    /// An export of Landmark's Engineer's Data Model.
+    Edm,
 }
 
 impl Format {
@@ -24,6 +27,9 @@ impl Format {
         let name = input.name().to_owned();
         let head = input.head()?;
         if let Some(root) = xml::root(head) {
+            if root.name.eq_ignore_ascii_case(edm::ROOT) {
+                return Ok(Format::Edm);
+            }
             let found = format!("it is XML with the root element <{}>", root.name);
             return Err(ImportError::new(&name, None, ImportErrorKind::NotRecognised { found }));
         }
@@ -34,6 +40,7 @@ impl Format {
     pub(crate) fn read(self, input: Input, choices: &Choices) -> Result<Fragment, ImportError> {
         match self {
             Format::Table => tables::read(input, choices),
+            Format::Edm => edm::read(input, choices),
         }
     }
 
@@ -41,6 +48,7 @@ impl Format {
     pub(crate) fn contents(self, input: Input) -> Result<Contents, ImportError> {
         match self {
             Format::Table => tables::contents(input),
+            Format::Edm => edm::contents(input),
         }
     }
 }

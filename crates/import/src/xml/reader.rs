@@ -62,6 +62,8 @@ pub(crate) struct Xml<'a> {
     depth: usize,
     /// The element that ends without having had content.
     empty: bool,
+    /// Whose attributes are read.
+    wanted: fn(&str) -> bool,
 }
 
 impl<'a> Xml<'a> {
@@ -71,7 +73,13 @@ impl<'a> Xml<'a> {
         let (capped, taken) = Capped::new(Box::new(bytes) as Box<dyn BufRead>, LONGEST_TOKEN);
         let mut reader = Reader::from_reader(capped);
         reader.config_mut().check_end_names = true;
-        Self { reader, file, taken, buffer: Vec::new(), depth: 0, empty: false }
+        Self { reader, file, taken, buffer: Vec::new(), depth: 0, empty: false, wanted: |_| true }
+    }
+
+    /// Reads the attributes of some elements only, by their names; others come without. Of a file
+    /// of which little is needed this takes a part of the time.
+    pub(crate) fn only(&mut self, wanted: fn(&str) -> bool) {
+        self.wanted = wanted;
     }
 
     /// The file's name.
@@ -166,6 +174,9 @@ impl<'a> Xml<'a> {
         }
         let name = start.local_name().as_ref().to_owned();
         let mut attributes = Vec::new();
+        if !(self.wanted)(&name) {
+            return Ok(Event::Start(Element { name, attributes, line }));
+        }
         for attribute in start.attributes() {
             let attribute = attribute.map_err(|error| {
                 self.error(ImportErrorKind::NotXml { reason: error.to_string() })
