@@ -2,6 +2,7 @@
 
 use crate::{
     choices::Choices,
+    edm,
     error::{ImportError, ImportErrorKind},
     fragment::{Contents, Fragment},
     input::Input,
@@ -15,6 +16,8 @@ pub enum Format {
     Table,
     /// WITSML but for logs: trajectories, tubulars, runs, geometries, mud reports.
     Witsml,
+    /// An export of Landmark's Engineer's Data Model.
+    Edm,
 }
 
 impl Format {
@@ -30,6 +33,9 @@ impl Format {
             if witsml::is_witsml(&root) {
                 return Ok(Format::Witsml);
             }
+            if root.name.eq_ignore_ascii_case(edm::ROOT) {
+                return Ok(Format::Edm);
+            }
             let found = format!("it is XML with the root element <{}>", root.name);
             return Err(ImportError::new(&name, None, ImportErrorKind::NotRecognised { found }));
         }
@@ -41,6 +47,7 @@ impl Format {
         match self {
             Format::Table => tables::read(input, choices),
             Format::Witsml => witsml::read(input, choices),
+            Format::Edm => edm::read(input, choices),
         }
     }
 
@@ -49,6 +56,7 @@ impl Format {
         match self {
             Format::Table => tables::contents(input),
             Format::Witsml => witsml::contents(input),
+            Format::Edm => edm::contents(input),
         }
     }
 }

@@ -21,6 +21,7 @@
 
 mod case_text;
 mod choices;
+mod edm;
 mod error;
 mod format;
 mod fragment;
