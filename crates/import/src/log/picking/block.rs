@@ -3,7 +3,11 @@
 use wholestring_units::{Dimension, Unit, number_text};
 
 use super::beginning::Beginning;
-use crate::{choices::Choices, error::ImportErrorKind, fragment::{Note, Value}};
+use crate::{
+    choices::Choices,
+    error::ImportErrorKind,
+    fragment::{Note, Value},
+};
 
 /// The weight of block and top drive, and whether the logged hook loads hold it.
 #[derive(Debug, Clone, PartialEq)]

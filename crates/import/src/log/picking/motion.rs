@@ -124,7 +124,11 @@ fn smooth(rows: &[Row], of: impl Fn(&Row) -> f64) -> Vec<f64> {
         }
         let [a, b, c] = [values[at - 1], values[at], values[at + 1]];
         // A row that is missing between two that agree is theirs.
-        if b.is_nan() { 0.5 * (a + c) } else if (a + c).is_nan() { b } else {
+        if b.is_nan() {
+            0.5 * (a + c)
+        } else if (a + c).is_nan() {
+            b
+        } else {
             a.max(b).min(a.min(b).max(c))
         }
     };

@@ -61,12 +61,8 @@ impl<'a> Picker<'a> {
         block: &BlockWeight,
         hook_from_N: f64,
     ) -> Self {
-        let judge = Judge {
-            limits,
-            log,
-            on_sensor_N: block.on_sensor_N(),
-            added_N: block.added_N(),
-        };
+        let judge =
+            Judge { limits, log, on_sensor_N: block.on_sensor_N(), added_N: block.added_N() };
         Self {
             limits,
             log,

@@ -98,7 +98,8 @@ impl Picks {
 
     fn said_of_log(&self) -> Note {
         let Counts { stands, drilled, connections, connections_s, slips_alone, .. } = self.counts;
-        let mut text = format!("{stands} stands, {drilled} of them drilled; {connections} connections");
+        let mut text =
+            format!("{stands} stands, {drilled} of them drilled; {connections} connections");
         if connections > 0 {
             let mean = connections_s / connections as f64 / 60.0;
             text += &format!(" of {mean:.1} min in the mean");
@@ -115,13 +116,17 @@ impl Picks {
         let trips = &self.counts.trips;
         let told = trips.iter().take(TOLD).map(|trip| {
             let way = if trip.out { "out" } else { "in" };
-            format!("{way} from {:.0} m to {:.0} m in {} stands", trip.from_m, trip.to_m, trip.stands)
+            format!(
+                "{way} from {:.0} m to {:.0} m in {} stands",
+                trip.from_m, trip.to_m, trip.stands
+            )
         });
         let mut told: Vec<String> = told.collect();
         if trips.len() > TOLD {
             told.push(format!("and {} more", trips.len() - TOLD));
         }
-        (!told.is_empty()).then(|| Note::Read(format!("{} trips: {}", trips.len(), told.join("; "))))
+        (!told.is_empty())
+            .then(|| Note::Read(format!("{} trips: {}", trips.len(), told.join("; "))))
     }
 
     fn said_of_windows(&self) -> Vec<Note> {

@@ -84,10 +84,7 @@ impl Judge<'_> {
                 let way = |at: &usize| (moving.height[*at] - moving.height[first]).abs();
                 let moved = (first..end).find(|at| way(at) >= limits.settle_m)?;
                 let after = [begin_s + limits.settle_s, rows[moved].time_s, rows[steady].time_s];
-                (
-                    after.into_iter().fold(begin_s + blurred_s, f64::max),
-                    rows[steady_end - 1].time_s,
-                )
+                (after.into_iter().fold(begin_s + blurred_s, f64::max), rows[steady_end - 1].time_s)
             }
             Kind::Rotating => (begin_s + limits.settle_turning_s, rows[end - 1].time_s),
             Kind::Drilling => (begin_s + limits.settle_drilling_s, rows[end - 1].time_s),
