@@ -7,6 +7,7 @@ use crate::{
     format::Format,
     fragment::{Contents, Note, quoted},
     input::Input,
+    log::picking::Picks,
     merge::{self, Source},
 };
 
@@ -27,6 +28,8 @@ pub struct Beside {
 pub struct Imported {
     /// The case file: TOML with comments.
     pub text: String,
+    /// How weights were picked from a log, to be drawn.
+    pub picks: Vec<Picks>,
     /// Files that stand beside it.
     pub beside: Vec<Beside>,
     /// What each file is: its name and a few words.
@@ -65,6 +68,8 @@ pub fn import(inputs: Vec<Input>, choices: &Choices) -> Result<Imported, ImportE
         let format = Format::of(&mut input)?;
         sources.push(Source { name, fragment: format.read(input, choices)? });
     }
+    let picks = sources.iter_mut().filter_map(|source| source.fragment.picks.take());
+    let picks: Vec<Picks> = picks.map(|picks| *picks).collect();
     let draft = merge::merge(sources, choices)?;
     let unused = choices.unused();
     if !unused.is_empty() {
@@ -72,7 +77,7 @@ pub fn import(inputs: Vec<Input>, choices: &Choices) -> Result<Imported, ImportE
         let names: Vec<&str> = draft.files.iter().map(|(name, _)| name.as_str()).collect();
         return Err(ImportError::new(&names.join(", "), None, kind));
     }
-    Ok(case_text::write(draft))
+    Ok(Imported { picks, ..case_text::write(draft) })
 }
 
 /// What a file is, and what it holds.

@@ -33,6 +33,14 @@ mod tables;
 mod witsml;
 mod xml;
 
+/// Weights and torques picked from a log against time.
+pub mod picking {
+    pub use crate::log::picking::{
+        BlockWeight, Channel, Counts, Detail, Estimate, Kind, Motion, Picks, Refusal, Refused,
+        Thresholds, Trace, Trip, Window, Work, pick,
+    };
+}
+
 pub use choices::Choices;
 pub use error::{ImportError, ImportErrorKind};
 pub use format::Format;
