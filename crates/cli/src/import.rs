@@ -28,6 +28,10 @@ pub(crate) struct ImportArgs {
     #[arg(long = "unit", value_name = "NAME=UNIT", value_parser = pair)]
     pub(crate) units: Vec<(String, String)>,
 
+    /// Value that no file tells and that is asked for, such as block-weight="25 tf" of a log
+    #[arg(long = "value", value_name = "NAME=VALUE", value_parser = pair)]
+    pub(crate) values: Vec<(String, String)>,
+
     /// Which of several is meant, such as tubular="BHA 7"; or the file that a part of the case is
     /// taken from, such as survey=survey.csv
     #[arg(long = "pick", value_name = "WHAT=NAME", value_parser = pair)]
@@ -37,7 +41,8 @@ pub(crate) struct ImportArgs {
 impl ImportArgs {
     fn choices(&self) -> Result<Choices, Failure> {
         let mut choices = Choices::default();
-        for (option, said) in [("--unit", &self.units), ("--pick", &self.picks)] {
+        let said = [("--unit", &self.units), ("--value", &self.values), ("--pick", &self.picks)];
+        for (option, said) in said {
             for (index, (name, value)) in said.iter().enumerate() {
                 if said[..index].iter().any(|(other, _)| other == name) {
                     let text = format!("error: {option} {name}= is given twice");
@@ -45,6 +50,7 @@ impl ImportArgs {
                 }
                 choices = match option {
                     "--unit" => choices.unit(name, value),
+                    "--value" => choices.value(name, value),
                     _ => choices.pick(name, value),
                 };
             }

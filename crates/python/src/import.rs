@@ -32,10 +32,12 @@ pub(crate) fn import_files(
     files: Vec<PathBuf>,
     name: &str,
     units: BTreeMap<String, String>,
+    values: BTreeMap<String, String>,
     picks: BTreeMap<String, String>,
 ) -> PyResult<Imported> {
     let choices =
         units.into_iter().fold(Choices::default(), |all, (name, unit)| all.unit(name, unit));
+    let choices = values.into_iter().fold(choices, |all, (name, value)| all.value(name, value));
     let choices = picks.into_iter().fold(choices, |all, (what, name)| all.pick(what, name));
     // Choices are noted as they are used, by one thread.
     let imported = import::read(&files, &choices);

@@ -20,6 +20,7 @@ def import_files(
     files: Sequence[str | PathLike[str]],
     name: str,
     units: dict[str, str],
+    values: dict[str, str],
     picks: dict[str, str],
 ) -> Imported: ...
 def contents(file: str | PathLike[str]) -> tuple[str, list[str]]: ...

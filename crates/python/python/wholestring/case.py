@@ -79,6 +79,7 @@ class Case(Solving, Planning, Assemblies):
         cls,
         *files: str | PathLike[str],
         units: Mapping[str, str] | None = None,
+        values: Mapping[str, str] | None = None,
         picks: Mapping[str, str] | None = None,
         changes: Mapping[str, Value] | None = None,
     ) -> Case:
@@ -90,6 +91,8 @@ class Case(Solving, Planning, Assemblies):
             Surveys, tallies, WITSML, Landmark EDM, logs. Several files make one case.
         units
             Units that the files do not tell: ``{"md": "ft"}``.
+        values
+            Values that no file tells and that are asked for: ``{"block-weight": "25 tf"}``.
         picks
             Which of several is meant: ``{"tubular": "BHA 7"}``.
         changes
@@ -102,7 +105,7 @@ class Case(Solving, Planning, Assemblies):
         CaseError
             If the files lack something that a case needs.
         """
-        return import_files(*files, units=units, picks=picks).case(changes)
+        return import_files(*files, units=units, values=values, picks=picks).case(changes)
 
     @classmethod
     def from_dict(

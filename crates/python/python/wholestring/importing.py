@@ -120,6 +120,7 @@ class Contents:
 def import_files(
     *files: str | PathLike[str],
     units: Mapping[str, str] | None = None,
+    values: Mapping[str, str] | None = None,
     picks: Mapping[str, str] | None = None,
 ) -> Imported:
     r"""Make one case of the files of other programs.
@@ -132,6 +133,8 @@ def import_files(
     units
         Units that the files do not tell: ``{"md": "ft"}``. Nothing is guessed: a unit that is
         needed and not told is an error that names it.
+    values
+        Values that no file tells and that are asked for: ``{"block-weight": "25 tf"}``.
     picks
         Which of several is meant: ``{"tubular": "BHA 7"}``; or which file a part of the case is
         taken from: ``{"survey": "survey.csv"}``.
@@ -152,7 +155,9 @@ def import_files(
     InputError
         If a file is not one that is known, or does not tell what is needed of it.
     """
-    found = _core.import_files(files, _NAME, dict(units or {}), dict(picks or {}))
+    found = _core.import_files(
+        files, _NAME, dict(units or {}), dict(values or {}), dict(picks or {})
+    )
     notes = tuple(ImportNote(*note) for note in found.notes)
     return Imported(found.text, dict(found.files), notes, tuple(found.missing), found.beside)
 

@@ -247,7 +247,9 @@ def sweep(
                     version=_core.__version__,
                 )
                 dispatcher = Dispatcher(core, job, listener)
-                interrupted = dispatcher.run(pool, in_flight=in_flight, bundle_s=bundle_s, tries=tries)
+                interrupted = dispatcher.run(
+                    pool, in_flight=in_flight, bundle_s=bundle_s, tries=tries
+                )
         finally:
             core.close()
     swept = Sweep(into)
