@@ -78,15 +78,17 @@ pub(crate) fn import(args: &ImportArgs) -> Result<(), Failure> {
 fn said(imported: &Imported) -> String {
     let mut text = String::new();
     let alone = imported.files.len() == 1;
-    for (name, what) in &imported.files {
-        text += &format!("{name}: {what}\n");
+    for (index, (name, what)) in imported.files.iter().enumerate() {
+        let mark = if alone { String::new() } else { format!("[{}] ", index + 1) };
+        text += &format!("{mark}{name}: {what}\n");
     }
     for (file, note) in &imported.notes {
-        let of = match file {
-            Some(file) if !alone => format!("{file}: "),
+        let index = imported.files.iter().position(|(name, _)| Some(name) == file.as_ref());
+        let mark = match index {
+            Some(index) if !alone => format!("[{}] ", index + 1),
             _ => String::new(),
         };
-        text += &format!("  {}: {of}{}\n", note.kind(), note.text());
+        text += &format!("  {mark}{}: {}\n", note.kind(), note.text());
     }
     text
 }

@@ -12,7 +12,7 @@
 //! let survey = b"MD (ft),Inc,Azi\n0,0,0\n1000,0,0\n1100,3,45\n";
 //! let files = vec![Input::of_bytes("survey.csv", survey)];
 //! let imported = import(files, &Choices::default())?;
-//! assert!(imported.text.contains("[335.28, 3, 45]"));
+//! assert!(imported.text.contains("[\"1100 ft\", 3, 45]"));
 //! // No string, no hole and no mud: the case says what it still needs.
 //! assert_eq!(imported.missing.len(), 3);
 //! # Ok::<(), wholestring_import::ImportError>(())
