@@ -15,6 +15,7 @@ mod endings;
 mod findings;
 mod folders;
 mod frames;
+mod import;
 mod modes;
 mod new_case;
 mod plan;
