@@ -1,6 +1,9 @@
 //! A component of a tubular: the keys of `[[string]]`.
 
-use wholestring::string::catalogue::{self, TubularKind};
+use wholestring::string::{
+    Material,
+    catalogue::{self, TubularKind},
+};
 use wholestring_units::Dimension;
 
 use super::{
@@ -18,9 +21,6 @@ const SAME_PLACE_M: f64 = 0.1;
 /// Outside diameters this close are those of one pipe, m; weights, lb/ft.
 const SAME_OD_M: f64 = 2e-4;
 const SAME_LB_PER_FT: f64 = 0.06;
-
-/// Density of the steel of drill pipe, kg/m³.
-const STEEL_KG_PER_M3: f64 = 7850.0;
 
 /// Words of what measures the direction of the hole, in `typeMeasurement` or `comments`.
 const DIRECTIONAL: &[&str] = &["deviation", "azimuth", "inclination", "direction", "survey", "d&i"];
@@ -226,7 +226,8 @@ impl<'a> Component<'a> {
                 && nominal(&entry.designation).is_some_and(|nominal| off(nominal) < SAME_LB_PER_FT)
         });
         if let Some(entry) = found {
-            let with_joints = pounds.from_si(entry.mass_per_length_kg_per_m(STEEL_KG_PER_M3));
+            let with_joints =
+                pounds.from_si(entry.mass_per_length_kg_per_m(Material::STEEL.density_kg_per_m3));
             notes.push(Note::Checked(format!(
                 "the wtPerLen of {}, {}, is the nominal weight of such pipe: with its tool joints \
                  it weighs some {with_joints:.1} lb/ft, which is what `mass_per_length` means",
