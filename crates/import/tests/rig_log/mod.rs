@@ -5,12 +5,13 @@ use std::f64::consts::TAU;
 use wholestring_import::{ImportError, Record};
 
 /// What the string truly weighs, by the depth of the bit: the block apart, N and N·m.
-pub struct Truth {
-    pub pick_up_N: fn(f64) -> f64,
-    pub slack_off_N: fn(f64) -> f64,
-    pub rotating_N: fn(f64) -> f64,
-    pub torque_N_m: fn(f64) -> f64,
-    pub torque_on_bottom_N_m: fn(f64) -> f64,
+#[derive(Debug, Clone, Copy)]
+pub struct Truth<Of = fn(f64) -> f64> {
+    pub pick_up_N: Of,
+    pub slack_off_N: Of,
+    pub rotating_N: Of,
+    pub torque_N_m: Of,
+    pub torque_on_bottom_N_m: Of,
 }
 
 /// A string of 250 N/m in a well of friction that takes and gives a fifth of it.
@@ -59,9 +60,9 @@ impl Default for Manner {
 }
 
 /// A rig that writes its log.
-pub struct Rig {
+pub struct Rig<Of = fn(f64) -> f64> {
     pub manner: Manner,
-    pub truth: Truth,
+    pub truth: Truth<Of>,
     pub records: Vec<Record>,
     /// From when to when the string hung in slips, s.
     pub slips: Vec<(f64, f64)>,
@@ -77,8 +78,8 @@ pub struct Rig {
 /// Height of a stand, m.
 pub const STAND_M: f64 = 27.0;
 
-impl Rig {
-    pub fn new(manner: Manner, truth: Truth, bit_m: f64, hole_m: f64) -> Self {
+impl<Of: Fn(f64) -> f64> Rig<Of> {
+    pub fn new(manner: Manner, truth: Truth<Of>, bit_m: f64, hole_m: f64) -> Self {
         let random = manner.seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
         let (records, slips) = (Vec::new(), Vec::new());
         Self {
@@ -196,7 +197,7 @@ impl Rig {
             let way = ramp(at_s) + speed_m_per_s * (full_s + slows_s) - ramp(slows_s);
             self.block_m = from_block_m + way * way_m.signum();
             self.bit_m = from_bit_m - way * way_m.signum();
-            let weight = if way_m > 0.0 { self.truth.pick_up_N } else { self.truth.slack_off_N };
+            let weight = if way_m > 0.0 { &self.truth.pick_up_N } else { &self.truth.slack_off_N };
             let (moving_N, still_N) = (weight(self.bit_m), (self.truth.rotating_N)(self.bit_m));
             // The string stretches over the first half metre, static friction breaks in the next.
             let stretched = (way / 0.5).min(1.0);

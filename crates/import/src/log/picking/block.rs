@@ -72,7 +72,7 @@ impl BlockWeight {
     }
 
     /// What is added to a hook load of the log so that it is what a weight indicator shows, N.
-    pub(super) fn added_N(&self) -> f64 {
+    pub fn added_N(&self) -> f64 {
         if self.in_log { 0.0 } else { self.weight_N }
     }
 

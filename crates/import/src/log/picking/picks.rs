@@ -77,11 +77,7 @@ impl Picks {
         let mut rig = Block::default();
         let because = "--value block-weight".to_owned();
         rig.push("block_weight", self.block.said.clone(), Origin::at(because));
-        let mut notes = vec![self.said_of_log()];
-        notes.extend(self.said_of_trips());
-        notes.push(self.block.note(self.unit));
-        notes.extend(self.said_of_windows());
-        notes.extend(self.notes.iter().cloned());
+        let notes = self.notes();
         Fragment {
             what: format!("a log of {} rows, one every {} s", self.counts.rows, self.step()),
             rig,
@@ -90,6 +86,16 @@ impl Picks {
             picks: Some(Box::new(self)),
             ..Fragment::default()
         }
+    }
+
+    /// How the log was understood, what was assumed and left out.
+    pub fn notes(&self) -> Vec<Note> {
+        let mut notes = vec![self.said_of_log()];
+        notes.extend(self.said_of_trips());
+        notes.push(self.block.note(self.unit));
+        notes.extend(self.said_of_windows());
+        notes.extend(self.notes.iter().cloned());
+        notes
     }
 
     fn step(&self) -> String {
