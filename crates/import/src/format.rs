@@ -5,7 +5,7 @@ use crate::{
     error::{ImportError, ImportErrorKind},
     fragment::{Contents, Fragment},
     input::Input,
-    tables, xml,
+    log, tables, xml,
 };
 
 /// A format that is read.
@@ -13,6 +13,8 @@ use crate::{
 pub enum Format {
     /// Rows of cells: text or a workbook.
     Table,
+    /// What the sensors of a rig said.
+    Log(log::Kind),
 }
 
 impl Format {
@@ -23,6 +25,9 @@ impl Format {
     pub fn of(input: &mut Input) -> Result<Self, ImportError> {
         let name = input.name().to_owned();
         let head = input.head()?;
+        if let Some(kind) = log::Kind::of(head) {
+            return Ok(Format::Log(kind));
+        }
         if let Some(root) = xml::root(head) {
             let found = format!("it is XML with the root element <{}>", root.name);
             return Err(ImportError::new(&name, None, ImportErrorKind::NotRecognised { found }));
@@ -34,6 +39,7 @@ impl Format {
     pub(crate) fn read(self, input: Input, choices: &Choices) -> Result<Fragment, ImportError> {
         match self {
             Format::Table => tables::read(input, choices),
+            Format::Log(kind) => log::read(input, kind, choices),
         }
     }
 
@@ -41,6 +47,7 @@ impl Format {
     pub(crate) fn contents(self, input: Input) -> Result<Contents, ImportError> {
         match self {
             Format::Table => tables::contents(input),
+            Format::Log(kind) => log::contents(input, kind),
         }
     }
 }

@@ -3,6 +3,5 @@
 mod capped;
 mod reader;
 
-#[expect(unused_imports, reason = "for the readers of WITSML and EDM")]
 pub(crate) use reader::{Element, Event, Xml};
 pub(crate) use reader::root;
