@@ -98,8 +98,7 @@ fn numbered(columns: &[Column]) -> Vec<Channel> {
         let Column { mnemonic, unit, description, .. } = column;
         let count = seen.entry(mnemonic.clone()).or_default();
         *count += 1;
-        let mnemonic =
-            if *count == 1 { mnemonic.clone() } else { format!("{mnemonic}:{count}") };
+        let mnemonic = if *count == 1 { mnemonic.clone() } else { format!("{mnemonic}:{count}") };
         Channel { mnemonic, unit: unit.clone(), quantity: None, description: description.clone() }
     };
     columns.iter().map(of).collect()
@@ -127,7 +126,7 @@ fn one(
         let by_name = mnemonics::quantity(mnemonic)
             .or_else(|| alias.as_deref().and_then(mnemonics::quantity));
         let rank = match (index, by_name) {
-            (Some(index), _) if *index == quantity => Rank::Average,
+            (Some(index), _) if *index == quantity => Rank::Index,
             (_, Some((of, rank))) if of == quantity => rank,
             _ => continue,
         };
@@ -137,7 +136,8 @@ fn one(
             let (words, measures) = (quantity.words(), dimension.name());
             chosen.notes.push(Note::LeftOut(format!(
                 "{name} is not taken for the {words}, for its unit '{written}' is none of \
-                 {measures} (--pick {0}={name} --unit {0}=UNIT takes it)",
+                 {measures} ({} --unit {}=UNIT takes it)",
+                pick(quantity, name),
                 quantity.name()
             )));
             continue;
@@ -148,9 +148,8 @@ fn one(
     candidates.sort_by_key(|candidate| (candidate.rank, candidate.unit.is_none()));
     let Some(best) = candidates.first() else { return Ok(()) };
     let name = |candidate: &Candidate| chosen.channels[candidate.column].mnemonic.clone();
-    let alike = |other: &&Candidate| {
-        other.rank == best.rank && other.unit.is_none() == best.unit.is_none()
-    };
+    let alike =
+        |other: &&Candidate| other.rank == best.rank && other.unit.is_none() == best.unit.is_none();
     if candidates.iter().filter(alike).count() > 1 {
         let names = candidates.iter().map(name).collect();
         return Err(ImportErrorKind::Ambiguous { what: quantity.name().to_owned(), names });
@@ -158,13 +157,12 @@ fn one(
     if candidates.len() > 1 {
         let others: Vec<String> = candidates[1..].iter().map(name).collect();
         let note = format!(
-            "{} is {} and taken for the {}; not taken: {} (--pick {}={} takes that)",
+            "{} is {} and taken for the {}; not taken: {} ({} takes that)",
             name(best),
             best.rank.words(),
             quantity.words(),
             others.join(", "),
-            quantity.name(),
-            others[0],
+            pick(quantity, &others[0]),
         );
         chosen.notes.push(Note::Read(note));
     }
@@ -178,6 +176,17 @@ fn one(
         )));
     }
     take(quantity, column, unit, choices, chosen)
+}
+
+/// The option that picks a channel, as a shell takes it.
+fn pick(quantity: Quantity, name: &str) -> String {
+    let option = format!("{}={name}", quantity.name());
+    let plain = |c: char| c.is_alphanumeric() || "=-_.:".contains(c);
+    if option.chars().all(plain) {
+        format!("--pick {option}")
+    } else {
+        format!("--pick '{option}'")
+    }
 }
 
 /// The column that `--pick` names.
@@ -263,9 +272,10 @@ fn time(columns: &[Column], choices: &Choices, chosen: &mut Chosen) -> Result<()
     {
         let name = |at: usize| &chosen.channels[at].mnemonic;
         chosen.notes.push(Note::Read(format!(
-            "{} is taken for the time, not {1} (--pick time={1} takes that)",
+            "{} is taken for the time, not {} ({} takes that)",
             name(taken),
             name(other),
+            pick(Quantity::Time, name(other)),
         )));
     }
     if chosen.time.is_none() {
@@ -285,7 +295,7 @@ fn may_be_of_time(written: &str) -> bool {
 /// A pattern of dates and times: `hh:mm:ss`, `YYYY-MM-DD`, `ISO8601`, `datetime`.
 pub(crate) fn is_pattern(written: &str) -> bool {
     let lower = written.to_ascii_lowercase();
-    ["hh", "yy", "iso", "date", "utc", "timestamp", "dd-", "dd/", "excel", "clock"]
+    ["hh", "yy", "iso", "date", "utc", "timestamp", "dd-", "dd/", "excel", "time"]
         .iter()
         .any(|part| lower.contains(part))
 }

@@ -4,8 +4,8 @@ use wholestring_units::Dimension;
 
 use super::{
     channel::{Chosen, is_no_unit, is_pattern, unit},
-    moment::{Moment, Order, moment, of_excel, packed_time, time_of_day},
-    number::{is_nothing, number},
+    moment::{Moment, Order, has_zone, moment, of_excel, packed_time, time_of_day},
+    number::{Marks, is_nothing, marked, number},
     quantity::Quantity,
     row::Row,
 };
@@ -30,6 +30,7 @@ pub(crate) struct Clock {
     column: usize,
     date: Option<usize>,
     form: Form,
+    marks: Marks,
     order: Order,
     /// The date that was read last, as it is written, and its day: the next row mostly has it too.
     last_date: (Vec<u8>, i64),
@@ -37,6 +38,8 @@ pub(crate) struct Clock {
     midnights: i64,
     last_of_day: f64,
     first: Option<Moment>,
+    /// Whether times are written with a zone.
+    zone: &'static str,
 }
 
 impl Clock {
@@ -44,6 +47,7 @@ impl Clock {
     pub(crate) fn of(
         chosen: &mut Chosen,
         rows: &[Row],
+        marks: Marks,
         choices: &Choices,
     ) -> Result<Option<Self>, ImportErrorKind> {
         let Some(column) = chosen.time else { return Ok(None) };
@@ -54,9 +58,10 @@ impl Clock {
         let said = choices.unit_of(&[Quantity::Time.name(), &name], Dimension::Time)?;
         let of_file = unit(Dimension::Time, &written);
         let mut order = Order::DayFirst;
+        let zone = if has_zone(cell) { " UTC" } else { "" };
         let mut assume = |text: String| chosen.notes.push(Note::Assumed(text));
-        let form = match number(cell) {
-            _ if moment(cell, order).is_some() && number(cell).is_none() => Form::Moment,
+        let form = match marked(cell, marks) {
+            None if moment(cell, order).is_some() => Form::Moment,
             None if time_of_day(cell).is_some() => Form::OfDay { packed: false },
             None => {
                 return Err(ImportErrorKind::Refused(format!(
@@ -77,7 +82,7 @@ impl Clock {
                         assume(format!("{name} is taken to be the time of the day as HHMMSS"));
                     }
                     Form::OfDay { packed: true }
-                } else if (20_000.0..80_000.0).contains(&value) && cell.contains(&b'.') {
+                } else if (20_000.0..80_000.0).contains(&value) && value.fract() != 0.0 {
                     assume(format!("{name} is taken to be days as Excel counts them"));
                     Form::Excel
                 } else if (5e8..5e9).contains(&value) {
@@ -107,6 +112,9 @@ impl Clock {
             Form::OfDay { .. } => chosen.date,
             _ => None,
         };
+        if let Some(date) = date {
+            chosen.channels[date].quantity = Some(Quantity::Time);
+        }
         let dates: Vec<&[u8]> = match (form, date) {
             (Form::Moment, _) => cells().collect(),
             (_, Some(date)) => rows.iter().map(|row| row.cell(date)).collect(),
@@ -119,7 +127,18 @@ impl Clock {
             ));
         }
         let (last_date, midnights, last_of_day) = ((Vec::new(), 0), 0, f64::NEG_INFINITY);
-        Ok(Some(Self { column, date, form, order, last_date, midnights, last_of_day, first: None }))
+        Ok(Some(Self {
+            column,
+            date,
+            form,
+            marks,
+            order,
+            last_date,
+            midnights,
+            last_of_day,
+            first: None,
+            zone,
+        }))
     }
 
     /// The time of a row in seconds since the first that had one; none where it has none.
@@ -130,7 +149,7 @@ impl Clock {
         let cell = row.cell(self.column);
         // The nulls of a column of numbers are far below any time.
         let is_null = |value: f64| value < -800.0;
-        if is_nothing(cell) || number(cell).is_some_and(is_null) {
+        if is_nothing(cell) || marked(cell, self.marks).is_some_and(is_null) {
             return Ok(None);
         }
         let Some(moment) = self.moment(cell, row) else {
@@ -147,9 +166,9 @@ impl Clock {
     fn moment(&mut self, cell: &[u8], row: &Row) -> Option<Moment> {
         match self.form {
             Form::Number { seconds } => {
-                number(cell).map(|value| Moment { day: 0, second: value * seconds })
+                marked(cell, self.marks).map(|value| Moment { day: 0, second: value * seconds })
             }
-            Form::Excel => number(cell).filter(|days| days.abs() < 1e6).map(of_excel),
+            Form::Excel => marked(cell, self.marks).filter(|days| days.abs() < 1e6).map(of_excel),
             Form::Moment => moment(cell, self.order).map(|(moment, _)| moment),
             Form::OfDay { packed } => {
                 let second = if packed { packed_time(cell)? } else { time_of_day(cell)? };
@@ -179,9 +198,13 @@ impl Clock {
     pub(crate) fn start(&self) -> Option<String> {
         let first = self.first?;
         match (self.form, self.date) {
-            (Form::Moment | Form::Excel, _) | (Form::OfDay { .. }, Some(_)) => Some(first.text()),
+            (Form::Moment | Form::Excel, _) | (Form::OfDay { .. }, Some(_)) => {
+                Some(format!("{}{}", first.text(), self.zone))
+            }
             // Seconds since 1970.
-            (Form::Number { .. }, _) if (5e8..5e9).contains(&first.second) => Some(first.text()),
+            (Form::Number { .. }, _) if (5e8..5e9).contains(&first.second) => {
+                Some(format!("{} UTC", first.text()))
+            }
             _ => None,
         }
     }

@@ -3,7 +3,7 @@
 use super::{
     channel::{Channel, Column, Wanted, choose},
     clock::Clock,
-    number::{Marks, is_nothing, marked},
+    number::{self, Marks, is_nothing, marked},
     quantity::Quantity,
     record::Record,
     row::{Row, Rows},
@@ -53,8 +53,9 @@ pub struct Log<'a> {
     pub(crate) asked: Vec<ImportErrorKind>,
     file: String,
     rows: Box<dyn Rows + 'a>,
-    /// Rows that were read ahead, the next one last.
+    /// Rows that were read ahead, the next one last, and whether more follow.
     ahead: Vec<Row>,
+    more: bool,
     row: Row,
     wanted: Vec<(Wanted, Vec<f64>)>,
     clock: Option<Clock>,
@@ -91,14 +92,23 @@ impl<'a> Log<'a> {
             opened;
         let mut chosen = choose(&columns, choices);
         let mut ahead = Vec::new();
-        for _ in 0..AHEAD {
+        let mut more = true;
+        while more && ahead.len() < AHEAD {
             let mut row = Row::default();
-            if !rows.next(&mut row, &mut notes)? {
-                break;
+            more = rows.next(&mut row, &mut notes)?;
+            if more {
+                ahead.push(row);
             }
-            ahead.push(row);
         }
-        let clock = match Clock::of(&mut chosen, &ahead, choices) {
+        if marks == Marks::Comma {
+            marks = number::marks(ahead.iter().flat_map(|row| {
+                chosen.wanted.iter().map(|of| row.cell(of.column)).filter(|cell| !cell.is_empty())
+            }));
+            if marks == Marks::Comma {
+                notes.push(Note::Read("numbers have a comma before their decimals".to_owned()));
+            }
+        }
+        let clock = match Clock::of(&mut chosen, &ahead, marks, choices) {
             Ok(clock) => clock,
             Err(kind) => {
                 chosen.asked.push(kind);
@@ -114,14 +124,6 @@ impl<'a> Log<'a> {
                 (of, nulls)
             })
             .collect();
-        // A comma-separated file has points; in others one number with a comma tells.
-        let comma = |row: &Row| wanted.iter().any(|(of, _)| has_comma(row.cell(of.column)));
-        if marks == Marks::Comma && !ahead.iter().any(comma) {
-            marks = Marks::Point;
-        }
-        if marks == Marks::Comma {
-            notes.push(Note::Read("numbers have a comma before their decimals".to_owned()));
-        }
         notes.extend(chosen.notes);
         ahead.reverse();
         let mut log = Self {
@@ -134,6 +136,7 @@ impl<'a> Log<'a> {
             file,
             rows,
             ahead,
+            more,
             row: Row::default(),
             wanted,
             clock,
@@ -175,10 +178,8 @@ impl<'a> Log<'a> {
                     self.row = row;
                     true
                 }
-                None => {
-                    self.row.clear();
-                    self.rows.next(&mut self.row, &mut self.notes)?
-                }
+                None if self.more => self.rows.next(&mut self.row, &mut self.notes)?,
+                None => false,
             };
             if !more {
                 return self.finish().map(|()| None);
@@ -295,8 +296,8 @@ impl<'a> Log<'a> {
         }
         if usual_nulls.0 > 0 {
             notes.push(Note::Assumed(format!(
-                "{} such as {} (first in line {}) stand for nothing, as in many logs, though the \
-                 head does not say so",
+                "taken for nothing, as in many logs, though the head does not say so: {} such as {}, \
+                 the first in line {}",
                 values(usual_nulls.0),
                 usual_nulls.1,
                 usual_nulls.2

@@ -8,6 +8,8 @@ use super::quantity::Quantity::{self, *};
 /// How well a name fits: of two channels for one quantity the lower is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Rank {
+    /// Not by its name, but by its place.
+    Index,
     Average,
     Plain,
     /// A name that may mean something else where a better one is there: `DEPT`.
@@ -20,6 +22,7 @@ impl Rank {
     /// In a sentence, behind the channel's name.
     pub(crate) fn words(self) -> &'static str {
         match self {
+            Rank::Index => "the index",
             Rank::Average => "the average",
             Rank::Plain => "the value",
             Rank::Loose => "a depth",
@@ -110,7 +113,8 @@ const NAMES: &[(Quantity, Rank, &str)] = &[
 ];
 
 /// Columns of a date beside one of the time of the day.
-const DATES: &str = "date yyyymmdd ddmmyyyy mmddyyyy yymmdd ddmmyy mmddyy 0105 logdate dateutc rigdate";
+const DATES: &str =
+    "date yyyymmdd ddmmyyyy mmddyyyy yymmdd ddmmyy mmddyy 0105 logdate dateutc rigdate";
 
 /// Headings of a table of readings, which is no log.
 const READINGS: &str = "pickup pickupweight puw pu pickuphookload slackoff slackoffweight sow so \

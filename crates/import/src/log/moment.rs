@@ -19,7 +19,8 @@ impl Moment {
         let (year, month, day) = civil(self.day + shift as i64);
         let second = self.second - shift * 86_400.0;
         let whole = second as u32;
-        let (hour, minute, rest) = (whole / 3600, whole / 60 % 60, second - f64::from(whole / 60 * 60));
+        let (hour, minute, rest) =
+            (whole / 3600, whole / 60 % 60, second - f64::from(whole / 60 * 60));
         let rest = if rest.fract() == 0.0 { format!("{rest:02}") } else { format!("{rest:06.3}") };
         format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02}:{rest}")
     }
@@ -153,6 +154,12 @@ pub(crate) fn moment(text: &[u8], order: Order) -> Option<(Moment, bool)> {
     Some((Moment { day, second }, both))
 }
 
+/// Whether a text of a moment tells its zone, so that it is read as UTC.
+pub(crate) fn has_zone(text: &[u8]) -> bool {
+    let time = text.iter().position(|b| *b == b':').map_or(&[][..], |at| &text[at..]);
+    time.iter().any(|b| matches!(b, b'Z' | b'z' | b'+' | b'-' | b'C' | b'c'))
+}
+
 /// The moment that Excel counts so many days.
 pub(crate) fn of_excel(days: f64) -> Moment {
     // Day 25569 of its calendar is 1970-01-01.
@@ -178,7 +185,8 @@ fn digits(text: &[u8]) -> Option<i64> {
 
 fn month(text: &[u8]) -> Option<i64> {
     const MONTHS: [&[u8]; 12] = [
-        b"jan", b"feb", b"mar", b"apr", b"may", b"jun", b"jul", b"aug", b"sep", b"oct", b"nov", b"dec",
+        b"jan", b"feb", b"mar", b"apr", b"may", b"jun", b"jul", b"aug", b"sep", b"oct", b"nov",
+        b"dec",
     ];
     let short = text.get(..3)?;
     let found = MONTHS.iter().position(|month| short.eq_ignore_ascii_case(month))?;
@@ -199,7 +207,8 @@ fn day_of(year: i64, month: i64, day: i64) -> Option<i64> {
     }
     // Years from March on, so that the day of a leap year is the last.
     let (years, months) = if month > 2 { (year, month - 3) } else { (year - 1, month + 9) };
-    let days = 365 * years + years / 4 - years / 100 + years / 400 + (153 * months + 2) / 5 + day - 1;
+    let days =
+        365 * years + years / 4 - years / 100 + years / 400 + (153 * months + 2) / 5 + day - 1;
     Some(days - 719_468)
 }
 

@@ -72,6 +72,30 @@ pub(crate) fn marked(text: &[u8], marks: Marks) -> Option<f64> {
     }
 }
 
+/// What marks mean in numbers of a file whose columns are not parted by commas: one that can mean
+/// only one thing tells it for all.
+pub(crate) fn marks<'a>(numbers: impl Iterator<Item = &'a [u8]>) -> Marks {
+    let mut unsure_comma = false;
+    let mut point = false;
+    for text in numbers {
+        let last = text.iter().rposition(|b| matches!(b, b',' | b'.'));
+        let Some(last) = last else { continue };
+        if !text.iter().all(|b| b.is_ascii_digit() || b",.-+".contains(b)) {
+            continue;
+        }
+        // "12,030" may be either.
+        let marks = text.iter().filter(|b| matches!(b, b',' | b'.'));
+        let sure = text.len() - last != 4 || marks.clone().any(|mark| *mark != text[last]);
+        match (text[last], sure) {
+            (b',', true) => return Marks::Comma,
+            (b',', false) => unsure_comma = true,
+            (_, true) => point = true,
+            (_, false) => {}
+        }
+    }
+    if unsure_comma && !point { Marks::Comma } else { Marks::Point }
+}
+
 /// A number with its thousands parted in threes.
 fn grouped(text: &[u8], decimal: u8, group: u8) -> Option<f64> {
     let mut whole = text.split(|b| *b == decimal);
@@ -100,8 +124,8 @@ fn plain(text: &[u8], decimal: u8, group: u8) -> Option<f64> {
 /// Whether a text says that there is nothing.
 pub(crate) fn is_nothing(text: &[u8]) -> bool {
     let words: &[&[u8]] = &[
-        b"", b"nan", b"null", b"n/a", b"#n/a", b"na", b"nil", b"none", b"-", b"--", b"---", b"no data",
-        b"absent", b"1.#qnan", b"-1.#ind", b"nodata", b"bad", b"*", b"****",
+        b"", b"nan", b"null", b"n/a", b"#n/a", b"na", b"nil", b"none", b"-", b"--", b"---",
+        b"no data", b"absent", b"1.#qnan", b"-1.#ind", b"nodata", b"bad", b"*", b"****",
     ];
     text.len() <= 8 && words.iter().any(|word| text.eq_ignore_ascii_case(word))
 }
@@ -113,15 +137,41 @@ mod tests {
     #[test]
     fn numbers_are_those_of_the_standard_library() {
         for text in [
-            "0", "-0.0", "1", "-999.25", "12030.125", "+7", "1e3", "-1.5E-3", "0.1", "123456.789",
-            "9007199254740993", "0.30000000000000004", "179769313486231570000", "5.", ".5",
-            "123456789012345678901234567890", "0.00000000000000000000000000001",
+            "0",
+            "-0.0",
+            "1",
+            "-999.25",
+            "12030.125",
+            "+7",
+            "1e3",
+            "-1.5E-3",
+            "0.1",
+            "123456.789",
+            "9007199254740993",
+            "0.30000000000000004",
+            "179769313486231570000",
+            "5.",
+            ".5",
+            "123456789012345678901234567890",
+            "0.00000000000000000000000000001",
         ] {
             assert_eq!(number(text.as_bytes()), Some(text.parse().unwrap()), "{text}");
         }
-        for text in ["", "-", ".", "1.2.3", "7.020101130.188", "inf", "NaN", "1,5", "0x1", "1e999"] {
+        for text in ["", "-", ".", "1.2.3", "7.020101130.188", "inf", "NaN", "1,5", "0x1", "1e999"]
+        {
             assert_eq!(number(text.as_bytes()), None, "{text}");
         }
+    }
+
+    #[test]
+    fn a_number_that_is_sure_tells_the_marks() {
+        let of = |texts: &[&str]| super::marks(texts.iter().map(|text| text.as_bytes()));
+        assert_eq!(of(&["12", "12,030", "62,1"]), Marks::Comma);
+        assert_eq!(of(&["12.030,5"]), Marks::Comma);
+        assert_eq!(of(&["12,030", "62.1"]), Marks::Point);
+        assert_eq!(of(&["12,030.5"]), Marks::Point);
+        assert_eq!(of(&["12,030"]), Marks::Comma);
+        assert_eq!(of(&["12.030", "a,b"]), Marks::Point);
     }
 
     #[test]

@@ -77,21 +77,29 @@ pub(crate) fn read(input: Input, kind: Kind, choices: &Choices) -> Result<Fragme
         let left_out: Vec<&str> = log
             .notes
             .iter()
-            .filter(|note| matches!(note, Note::LeftOut(text) if text.contains("is not taken")))
             .map(Note::text)
+            .filter(|text| {
+                let not = |quantity: &Quantity| {
+                    text.contains(&format!("is not taken for the {}", quantity.words()))
+                };
+                measured.iter().any(not)
+            })
             .collect();
         let left_out =
             if left_out.is_empty() { String::new() } else { format!("; {}", left_out.join("; ")) };
         let sentence = format!(
-            "{} has no hook load and no torque at the surface: it holds {}{more} (say which it is: \
-             --pick hookload=CHANNEL){left_out}",
-            log.what,
+            "no hook load and no torque at the surface is in it; its channels are {}{more} (say which \
+             it is: --pick hookload=CHANNEL){left_out}",
             channels.join(", "),
         );
         return Err(ImportError::new(&name, None, ImportErrorKind::Refused(sentence)));
     }
     for record in log.by_ref() {
         record?;
+    }
+    if log.rows() == 0 {
+        let what = "a row of data".to_owned();
+        return Err(ImportError::new(&name, None, ImportErrorKind::Missing { what }));
     }
     let taken = log.channels.iter().filter_map(|channel| {
         let quantity = channel.quantity?;

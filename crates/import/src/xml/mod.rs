@@ -3,5 +3,5 @@
 mod capped;
 mod reader;
 
-pub(crate) use reader::{Element, Event, Xml};
 pub(crate) use reader::root;
+pub(crate) use reader::{Element, Event, Xml};

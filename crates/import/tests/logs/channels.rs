@@ -39,7 +39,7 @@ fn a_unit_of_another_dimension_is_not_that_channel() {
     assert_eq!(
         notes(&log),
         "left out: Hook Load is not taken for the hook load, for its unit 'm' is none of force \
-         (--pick hookload=Hook Load --unit hookload=UNIT takes it)\n\
+         (--pick 'hookload=Hook Load' --unit hookload=UNIT takes it)\n\
          left out: Torque is not taken for the torque, for its unit 'furlong' is none of torque \
          (--pick torque=Torque --unit torque=UNIT takes it)\n"
     );
@@ -85,7 +85,8 @@ fn the_bit_of_a_motor_is_not_the_string() {
 
 #[test]
 fn item_numbers_of_wits_are_names() {
-    let text = "0105,0106,0108,0112,0114\ndate,time,m,m,t\n210324,235958,10,1,5\n210325,000003,11,2,6\n";
+    let text =
+        "0105,0106,0108,0112,0114\ndate,time,m,m,t\n210324,235958,10,1,5\n210325,000003,11,2,6\n";
     let (rows, log) = read(text);
     assert_eq!(rows[1].time_s, 5.0);
     assert_eq!(rows[1].bit_depth_m, 11.0);

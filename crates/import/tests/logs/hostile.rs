@@ -47,12 +47,14 @@ const CSV: &[u8] = b"Time (s),Hook load (kN),Bit depth (m)\n";
 
 #[test]
 fn lines_without_an_end_are_refused() {
-    for head in [LAS, WRAPPED, CSV, &b"~V\n"[..], b"~C\n"] {
-        let error = endless(head, b"1234567 ");
-        assert!(error.contains("a line of more than 1 MB"), "{error}");
+    let heads = [LAS, WRAPPED, CSV, b"~V\n", b"~C\n"];
+    for (head, body) in
+        heads.into_iter().flat_map(|head| [(head, &b"1234567 "[..]), (head, b"1,2,\"")])
+    {
+        let error = endless(head, body);
+        let wide = error.contains("a line of more than 1 MB") || error.contains("4096 columns");
+        assert!(wide, "{error}");
     }
-    let error = endless(CSV, b"1,2,\"\n");
-    assert!(error.contains("cells") || error.contains("quotation"), "{error}");
 }
 
 #[test]
@@ -72,7 +74,9 @@ fn a_million_columns_are_refused() {
     let wide = format!("Time (s),{names}\n");
     assert!(contents(Input::of_bytes("wide.csv", wide.as_bytes())).is_err());
     let rows = format!("{}0 {}\n", String::from_utf8_lossy(LAS), "1 ".repeat(100_000));
-    assert!(import(vec![Input::of_bytes("wide.las", rows.as_bytes())], &Choices::default()).is_err());
+    assert!(
+        import(vec![Input::of_bytes("wide.las", rows.as_bytes())], &Choices::default()).is_err()
+    );
 }
 
 const SAMPLES: [&[u8]; 5] = [
@@ -87,6 +91,9 @@ const SAMPLES: [&[u8]; 5] = [
       </ChannelSet></Log>",
 ];
 
+/// What parts and quotes.
+const MARKS: &[u8] = b"\n~.:,;\"\t-0[]<>&";
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -100,7 +107,7 @@ proptest! {
             let at = at.index(bytes.len().max(1)).min(bytes.len().saturating_sub(1));
             match how {
                 0 => bytes[at] = byte,
-                1 => bytes.insert(at, b"\n~.:,;\"\t-0[]<>&"[byte as usize % 16]),
+                1 => bytes.insert(at, MARKS[usize::from(byte) % MARKS.len()]),
                 2 => { bytes.remove(at); }
                 _ => bytes.truncate(at.max(1)),
             }

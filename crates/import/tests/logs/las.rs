@@ -29,8 +29,8 @@ fn usual_nulls_are_said_where_the_head_has_another() {
     assert!(rows[0].hook_load_N.is_nan() && rows[2].bit_depth_m.is_nan());
     assert_eq!(
         notes(&log),
-        "assumed: 2 values such as -9999 (first in line 11) stand for nothing, as in many logs, \
-         though the head does not say so\n"
+        "assumed: taken for nothing, as in many logs, though the head does not say so: 2 values such \
+         as -9999, the first in line 11\n"
     );
 }
 
@@ -66,8 +66,8 @@ fn wrapped_rows_end_with_their_last_line() {
     let uneven = las("0\n 1.5 2.5\n1\n 2.5\n2\n 3.5 4.5\n").replace("WRAP. NO", "WRAP. YES");
     assert_eq!(
         refused(&uneven),
-        "a log, line 13: the row has 4 values; 3 were expected; a wrapped row ends with its last line"
-            .replace("has 4", "has 4")
+        "a log, line 16: this wrapped row does not begin as the first did, with its index alone in a \
+         line or not; a value may be missing above"
     );
 }
 
@@ -169,7 +169,7 @@ fn las_3_has_definitions_and_data() {
     assert_eq!(log.channels[2].description, "Hook load");
     let notes = notes(&log);
     assert!(notes.contains("the sections ~Core_Data, which are no log"), "{notes}");
-    assert!(notes.contains("what follows from line 20: ~Tops_Data"), "{notes}");
+    assert!(notes.contains("what follows from line 22: ~Tops_Data"), "{notes}");
 }
 
 #[test]
@@ -196,7 +196,10 @@ fn channels_of_text_do_no_harm() {
 fn a_curve_without_a_point_has_no_unit() {
     let text = "~V\nVERS. 2.0:\n~C\nTIME.s:\nHKLD kN: hook load\n~A\n0 1\n";
     let error = refused(text);
-    assert!(error.starts_with("a log: the hook load HKLD has no unit; say it: --unit hookload="), "{error}");
+    assert!(
+        error.starts_with("a log: the hook load HKLD has no unit; say it: --unit hookload="),
+        "{error}"
+    );
     let (rows, log) =
         rows("a.las", text.as_bytes(), &Choices::default().unit("hookload", "kN")).unwrap();
     assert_eq!(rows[0].hook_load_N, 1000.0);
@@ -206,7 +209,8 @@ fn a_curve_without_a_point_has_no_unit() {
 #[test]
 fn units_of_recorders_are_known() {
     let force = |unit: &str, expected: f64| {
-        let text = format!("~V\nVERS. 2.0:\n~C\nTIME.s:\nHKLD.{unit} : hook load: average\n~A\n0 1\n");
+        let text =
+            format!("~V\nVERS. 2.0:\n~C\nTIME.s:\nHKLD.{unit} : hook load: average\n~A\n0 1\n");
         let load = read(&text).0[0].hook_load_N;
         assert!((load - expected).abs() < 1e-6 * expected, "{unit}: {load}");
     };

@@ -37,7 +37,10 @@ fn units_may_stand_in_the_second_row() {
 #[test]
 fn marks_that_may_mean_either_are_refused() {
     let error = refused("Time;Bit depth;Hook load\ns;m;t\n0;10,5;1\n5;10.5;2\n");
-    assert_eq!(error, "a log, line 4: '10.5' is not a number; the bit depth Bit depth was expected");
+    assert_eq!(
+        error,
+        "a log, line 4: '10.5' is not a number; the bit depth Bit depth was expected"
+    );
     let error = refused("Time (s),Bit depth (m),Hook load (t)\n0,\"12,030\",1\n");
     assert!(error.contains("'12,030' is not a number"), "{error}");
     let error = refused("Time (s),Bit depth (m),Hook load (t)\n0,12,030,1\n");
@@ -59,14 +62,10 @@ fn short_rows_and_cells_without_a_number_hold_nothing() {
 
 #[test]
 fn a_line_between_headings_and_rows_is_said() {
-    let (rows, log) = read(
-        "Time (s),Bit depth (m),Hook load (t)\nRig clock,Driller,Sensor 2\n0,1,2\n1,2,3\n",
-    );
+    let (rows, log) =
+        read("Time (s),Bit depth (m),Hook load (t)\nRig clock,Driller,Sensor 2\n0,1,2\n1,2,3\n");
     assert_eq!(rows.len(), 2);
-    assert_eq!(
-        notes(&log),
-        "left out: line 2, which is no row: 'Rig clock,Driller,Sensor 2'\n"
-    );
+    assert_eq!(notes(&log), "left out: line 2, which is no row: 'Rig clock,Driller,Sensor 2'\n");
 }
 
 #[test]

@@ -20,8 +20,7 @@ fn logs(logs: &[String]) -> String {
     format!("<logs version=\"1.4.1.1\">{}</logs>", logs.concat())
 }
 
-const TWO_ROWS: &str =
-    "<data>2021-03-24T10:00:00Z,5</data>\n<data>2021-03-24T10:00:02Z,6</data>";
+const TWO_ROWS: &str = "<data>2021-03-24T10:00:00Z,5</data>\n<data>2021-03-24T10:00:02Z,6</data>";
 
 #[test]
 fn rows_of_series_1_are_read() {
@@ -29,7 +28,7 @@ fn rows_of_series_1_are_read() {
     let (rows, log) = read(&text);
     assert_eq!((rows[1].time_s, rows[1].hook_load_N), (2.0, 6000.0));
     assert_eq!(log.what, "WITSML 1.4.1.1, log 'surface'");
-    assert_eq!(log.start.as_deref(), Some("2021-03-24 10:00:00"));
+    assert_eq!(log.start.as_deref(), Some("2021-03-24 10:00:00 UTC"));
 }
 
 #[test]
@@ -46,7 +45,11 @@ fn each_curve_has_its_own_null() {
 
 #[test]
 fn one_of_several_logs_is_picked() {
-    let text = logs(&[log1("one", TWO_ROWS), log1("two", "<data>2021-03-24T10:00:00Z,7</data>"), log1("three", "")]);
+    let text = logs(&[
+        log1("one", TWO_ROWS),
+        log1("two", "<data>2021-03-24T10:00:00Z,7</data>"),
+        log1("three", ""),
+    ]);
     assert_eq!(
         refused(&text),
         "a log: it holds 3 of the kind 'log': 'one', 'two', 'three'; pick one: --pick log=NAME"
@@ -60,8 +63,12 @@ fn one_of_several_logs_is_picked() {
             "left out: the logs before 'two': one\nleft out: the logs behind 'two': three\n"
         );
     }
-    let error = rows("a.xml", text.as_bytes(), &Choices::default().pick("log", "four")).unwrap_err();
-    assert_eq!(error.to_string().split("there").nth(1), Some(" is no log 'four'; it holds: 'one', 'two', 'three'"));
+    let error =
+        rows("a.xml", text.as_bytes(), &Choices::default().pick("log", "four")).unwrap_err();
+    assert_eq!(
+        error.to_string().split("there").nth(1),
+        Some(" is no log 'four'; it holds: 'one', 'two', 'three'")
+    );
 }
 
 #[test]
@@ -69,7 +76,9 @@ fn the_unit_list_comes_before_the_curve() {
     let text = logs(&[log1("surface", TWO_ROWS)]).replace("<unitList>s,kN", "<unitList>s,t");
     let (rows, log) = read(&text);
     assert_eq!(rows[0].hook_load_N, 5.0 * 9806.65);
-    assert!(notes(&log).contains("CH7 has the unit 'kN' in its logCurveInfo and 't' in the unitList"));
+    assert!(
+        notes(&log).contains("CH7 has the unit 'kN' in its logCurveInfo and 't' in the unitList")
+    );
 }
 
 #[test]

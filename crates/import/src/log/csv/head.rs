@@ -33,8 +33,7 @@ pub(super) struct Found {
 }
 
 /// The first lines.
-pub(super) fn ahead(lines: &mut Lines) -> Result<Vec<Vec<u8>>, ImportError> {
-    let mut ahead = Vec::new();
+pub(super) fn ahead(lines: &mut Lines, ahead: &mut Vec<Vec<u8>>) -> Result<(), ImportError> {
     while ahead.len() < AHEAD {
         let mut line = Vec::new();
         if !lines.next(&mut line)? {
@@ -47,7 +46,7 @@ pub(super) fn ahead(lines: &mut Lines) -> Result<Vec<Vec<u8>>, ImportError> {
         }
         ahead.push(line);
     }
-    Ok(ahead)
+    Ok(())
 }
 
 /// Finds the headings: the line and the sign with which most cells name a quantity.

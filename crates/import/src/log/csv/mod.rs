@@ -16,14 +16,17 @@ use crate::{
 /// what a rig measures, or depths with hook load and block position.
 pub(crate) fn is_log(head: &[u8]) -> bool {
     let Ok(mut lines) = Lines::new(Input::of_bytes("", head)) else { return false };
-    let Ok(ahead) = head::ahead(&mut lines) else { return false };
+    let mut ahead = Vec::new();
+    // What is too long is refused when it is read.
+    let _ = head::ahead(&mut lines, &mut ahead);
     head::find(&ahead).is_some_and(|found| found.is_log())
 }
 
 /// Reads the head.
 pub(super) fn open(input: Input) -> Result<Opened, ImportError> {
     let mut lines = Lines::new(input)?;
-    let ahead = head::ahead(&mut lines)?;
+    let mut ahead = Vec::new();
+    head::ahead(&mut lines, &mut ahead)?;
     let Some(found) = head::find(&ahead) else {
         let sentence = "no line of headings names a time, a depth, a hook load".to_owned();
         return Err(ImportError::new(lines.file(), None, ImportErrorKind::Refused(sentence)));

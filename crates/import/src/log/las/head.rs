@@ -7,7 +7,7 @@ use super::{
         channel::{Column, is_no_unit, unit},
         lines::{Lines, text},
         mnemonics,
-        moment::{Order, moment},
+        moment::{Order, has_zone, moment},
         number::{Marks, marked},
         quantity::Quantity,
         row::COLUMNS,
@@ -100,9 +100,10 @@ pub(super) fn read(lines: &mut Lines) -> Result<Head, ImportError> {
         }
     }
     if head.columns.is_empty() {
-        let sentence = "no section ~Curve stands before the data, and the line ~A names no curves; \
+        let sentence =
+            "no section ~Curve stands before the data, and the line ~A names no curves; \
                         expected one of them"
-            .to_owned();
+                .to_owned();
         return Err(lines.error(ImportErrorKind::Refused(sentence)));
     }
     if !passed_over.is_empty() {
@@ -181,8 +182,10 @@ impl Head {
                 // A day alone is that of the logging, not the first row's.
                 let is_time = date.contains(':');
                 let read = moment(date.as_bytes(), Order::DayFirst);
-                self.start =
-                    read.filter(|(_, either)| is_time && !either).map(|(moment, _)| moment.text());
+                let zone = if has_zone(date.as_bytes()) { " UTC" } else { "" };
+                self.start = read
+                    .filter(|(_, either)| is_time && !either)
+                    .map(|(moment, _)| format!("{}{zone}", moment.text()));
             }
             _ => {}
         }

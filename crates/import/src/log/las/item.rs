@@ -18,7 +18,8 @@ pub(super) fn item(line: &str, is_curve: bool) -> Item {
     let colon = line.find(':').unwrap_or(line.len());
     let Some(point) = line.find('.').filter(|&point| point < colon) else {
         let (head, description) = line.split_at(colon);
-        let (mnemonic, data) = head.trim().split_once(char::is_whitespace).unwrap_or((head.trim(), ""));
+        let (mnemonic, data) =
+            head.trim().split_once(char::is_whitespace).unwrap_or((head.trim(), ""));
         let description = description.trim_start_matches(':').trim().to_owned();
         let (mnemonic, data) = (mnemonic.to_owned(), data.trim().to_owned());
         return Item { mnemonic, unit: String::new(), data, description, without_point: true };
@@ -68,9 +69,7 @@ fn unit_and_rest(rest: &str) -> (&str, &str) {
 /// The last colon that no digits enclose, else the last.
 fn lonely_colon(text: &str) -> Option<usize> {
     let bytes = text.as_bytes();
-    let digit = |at: Option<usize>| {
-        at.and_then(|at| bytes.get(at)).is_some_and(u8::is_ascii_digit)
-    };
+    let digit = |at: Option<usize>| at.and_then(|at| bytes.get(at)).is_some_and(u8::is_ascii_digit);
     let lonely = |&at: &usize| !(digit(at.checked_sub(1)) && digit(Some(at + 1)));
     let colons: Vec<usize> = text.match_indices(':').map(|(at, _)| at).collect();
     // Blanks before it tell it from one within the description.

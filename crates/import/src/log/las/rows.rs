@@ -4,7 +4,7 @@ use super::{
     super::{
         lines::{LONGEST_LINE, Lines},
         log::{Opened, short},
-        moment::{date, moment, time_of_day, Order},
+        moment::{Order, date, moment, time_of_day},
         number::Marks,
         row::{Row, Rows},
     },
@@ -23,6 +23,8 @@ struct LasRows<'a> {
     parted: Parted,
     wrapped: bool,
     columns: usize,
+    /// Whether the index of a wrapped row stands alone in its first line, as the standard has it.
+    alone: Option<bool>,
     /// A date whose time stands behind a blank.
     joined: Option<usize>,
     ended: bool,
@@ -39,6 +41,7 @@ pub(super) fn open<'a>(mut lines: Lines<'a>, head: Head) -> Result<Opened<'a>, I
         parted: parted.unwrap_or(Parted::Blanks),
         wrapped,
         columns: columns.len(),
+        alone: None,
         joined: None,
         ended,
     };
@@ -92,21 +95,21 @@ fn data_line(
 impl LasRows<'_> {
     /// Finds by the first row what parts cells, where the head does not tell or does not hold.
     fn look(&mut self, mut line: Row, told: Option<Parted>, notes: &mut Vec<Note>) {
-        let mut cells = |parted: Parted| {
-            line.cells.clear();
-            match parted {
-                Parted::Blanks => line.part_at_blanks(0),
-                Parted::By(sign) => {
-                    line.part_at(sign, 0);
-                }
+        match self.parted {
+            Parted::Blanks => line.part_at_blanks(0),
+            Parted::By(sign) => {
+                line.part_at(sign, 0);
             }
-            line.cells.len()
-        };
-        if cells(self.parted) == self.columns {
+        }
+        let count = line.cells.len();
+        // "0, 1, 2" has three words, but not three numbers.
+        let commas =
+            self.parted == Parted::Blanks && (0..count).any(|at| line.cell(at).ends_with(b","));
+        if count == self.columns && !commas {
             return;
         }
         // "2021-03-24 12:34:56" is one value.
-        if self.parted == Parted::Blanks && cells(Parted::Blanks) == self.columns + 1 {
+        if self.parted == Parted::Blanks && count == self.columns + 1 && !commas {
             let is_pair = |&at: &usize| {
                 date(line.cell(at), Order::DayFirst).is_some()
                     && line.cell(at).len() >= 6
@@ -121,12 +124,14 @@ impl LasRows<'_> {
         let mut cells = |sign: u8| {
             line.cells.clear();
             line.part_at(sign, 0);
+            if line.cells.last().is_some_and(|(from, to)| from == to) {
+                line.cells.pop();
+            }
             line.cells.len()
         };
-        if let Some((sign, name)) =
-            [(b',', "commas"), (b'\t', "tabs"), (b';', "semicolons")]
-                .into_iter()
-                .find(|(sign, _)| cells(*sign) == self.columns)
+        if let Some((sign, name)) = [(b',', "commas"), (b'\t', "tabs"), (b';', "semicolons")]
+            .into_iter()
+            .find(|(sign, _)| cells(*sign) == self.columns)
         {
             self.parted = Parted::By(sign);
             let but = if told.is_some() { "; the head says otherwise" } else { "" };
@@ -178,6 +183,14 @@ impl Rows for LasRows<'_> {
         }
         row.line = self.lines.line();
         self.part(row, 0);
+        let alone = row.cells.len() == 1;
+        if self.wrapped && alone != *self.alone.get_or_insert(alone) {
+            let sentence =
+                "this wrapped row does not begin as the first did, with its index alone in \
+                            a line or not; a value may be missing above"
+                    .to_owned();
+            return Err(self.lines.error(ImportErrorKind::Refused(sentence)));
+        }
         while self.wrapped && row.cells.len() < self.columns {
             row.bytes.push(b' ');
             let from = row.bytes.len();

@@ -90,11 +90,9 @@ pub(super) fn open<'a>(
         return Ok(opened(xml, head, first, passed, picked.is_some(), &version));
     }
     match picked {
-        Some(name) if !passed.is_empty() => Err(xml.error(ImportErrorKind::NoSuch {
-            what: "log".to_owned(),
-            name,
-            names: passed,
-        })),
+        Some(name) if !passed.is_empty() => {
+            Err(xml.error(ImportErrorKind::NoSuch { what: "log".to_owned(), name, names: passed }))
+        }
         _ => Err(missing(&xml, "a log with curves (logCurveInfo)")),
     }
 }
@@ -131,7 +129,8 @@ fn read(
             "logCurveInfo" => {
                 let curve = curve(xml)?;
                 if head.curves.len() == COLUMNS {
-                    let (found, most) = (format!("more than {COLUMNS} curves"), COLUMNS.to_string());
+                    let (found, most) =
+                        (format!("more than {COLUMNS} curves"), COLUMNS.to_string());
                     return Err(xml.error(ImportErrorKind::TooMuch { found, most }));
                 }
                 head.curves.push(curve);

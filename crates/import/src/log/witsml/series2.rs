@@ -97,7 +97,8 @@ pub(super) fn open<'a>(
             ImportError::new(xml.file(), None, kind)
         })?,
     };
-    let others: Vec<String> = titles().into_iter().filter(|title| *title != sets[at].title).collect();
+    let others: Vec<String> =
+        titles().into_iter().filter(|title| *title != sets[at].title).collect();
     let set = sets.swap_remove(at);
     let mut notes = Vec::new();
     if !others.is_empty() {
