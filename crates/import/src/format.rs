@@ -6,7 +6,7 @@ use crate::{
     error::{ImportError, ImportErrorKind},
     fragment::{Contents, Fragment},
     input::Input,
-    tables, witsml, xml,
+    log, tables, witsml, xml,
 };
 
 /// A format that is read.
@@ -18,6 +18,8 @@ pub enum Format {
     Witsml,
     /// An export of Landmark's Engineer's Data Model.
     Edm,
+    /// What the sensors of a rig said.
+    Log(log::Kind),
 }
 
 impl Format {
@@ -29,6 +31,9 @@ impl Format {
         let name = input.name().to_owned();
         let head = input.head()?;
         xml::check(&name, head)?;
+        if let Some(kind) = log::Kind::of(head) {
+            return Ok(Format::Log(kind));
+        }
         if let Some(root) = xml::root(head) {
             if witsml::is_witsml(&root) {
                 return Ok(Format::Witsml);
@@ -48,6 +53,7 @@ impl Format {
             Format::Table => tables::read(input, choices),
             Format::Witsml => witsml::read(input, choices),
             Format::Edm => edm::read(input, choices),
+            Format::Log(kind) => log::read(input, kind, choices),
         }
     }
 
@@ -57,6 +63,7 @@ impl Format {
             Format::Table => tables::contents(input),
             Format::Witsml => witsml::contents(input),
             Format::Edm => edm::contents(input),
+            Format::Log(kind) => log::contents(input, kind),
         }
     }
 }

@@ -47,4 +47,4 @@ pub use format::Format;
 pub use fragment::{Block, Contents, Entry, Fragment, Note, Origin, Part, Survey, Value};
 pub use import::{Beside, Imported, contents, import};
 pub use input::Input;
-pub use log::Record;
+pub use log::{Channel, Log, Quantity, Record, log};

@@ -119,6 +119,11 @@ impl<'a> Xml<'a> {
         &self.file
     }
 
+    /// The line that is read, from 1.
+    pub(crate) fn line(&self) -> u64 {
+        self.taken.line()
+    }
+
     /// An error in the line that is read.
     pub(crate) fn error(&self, kind: ImportErrorKind) -> ImportError {
         ImportError::new(&self.file, Some(format!("line {}", self.taken.line())), kind)
