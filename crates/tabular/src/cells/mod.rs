@@ -5,6 +5,7 @@ pub(crate) mod blanks;
 pub(crate) mod compound;
 pub(crate) mod decode;
 pub(crate) mod delimited;
+pub(crate) mod fixed;
 pub(crate) mod limits;
 pub(crate) mod number;
 mod open;
