@@ -18,7 +18,7 @@ pub struct Log {
 pub struct Curve {
     /// Its short name: `HKLD`.
     pub mnemonic: &'static str,
-    /// Its class in WITSML 1.4.1.1: `hookload (avg)`.
+    /// Its class in WITSML 1.4.1.1: `hookload (average)`.
     pub class: &'static str,
     /// What it is, in a sentence.
     pub meaning: &'static str,

@@ -113,14 +113,14 @@ fn logs_against_depth() {
         curves: vec![
             Curve {
                 mnemonic: "HKLD",
-                class: "hookload",
+                class: "hookload (average)",
                 meaning: "Hook load",
                 dimension: Dimension::Force,
                 values: vec![Some(4.448_221_615_260_5e5), None, Some(1.0 / 3.0)],
             },
             Curve {
                 mnemonic: "TORQUE",
-                class: "surface torque",
+                class: "torque (average)",
                 meaning: "Torque",
                 dimension: Dimension::Torque,
                 values: vec![Some(0.0), Some(-0.0), Some(f64::NAN)],

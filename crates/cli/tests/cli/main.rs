@@ -12,6 +12,7 @@ mod damage;
 mod desk;
 mod documentation;
 mod endings;
+mod export;
 mod findings;
 mod folders;
 mod frames;

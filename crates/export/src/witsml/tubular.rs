@@ -19,12 +19,11 @@ const TYPES: &[(&str, &str)] = &[
     ("stabiliser", "stabilizer"),
     ("stabilizer", "stabilizer"),
     ("reamer", "reamer"),
-    ("mwd", "MWD"),
-    ("lwd", "LWD"),
+    ("lwd", "logging while drilling tool"),
     ("jar", "jar"),
-    ("heavy-weight", "heavy-weight drill pipe"),
-    ("heavyweight", "heavy-weight drill pipe"),
-    ("hwdp", "heavy-weight drill pipe"),
+    ("heavy-weight", "heavy weight drill pipe"),
+    ("heavyweight", "heavy weight drill pipe"),
+    ("hwdp", "heavy weight drill pipe"),
     ("collar", "drill collar"),
     ("collars", "drill collar"),
     ("casing", "casing"),
@@ -132,7 +131,7 @@ fn kind(name: &str) -> &'static str {
     let of = |word: &str| TYPES.iter().find(|(of, _)| *of == word).map(|(_, kind)| *kind);
     let heavy = name.contains("heavy");
     match words.into_iter().find_map(of) {
-        Some("drill pipe") if heavy => "heavy-weight drill pipe",
+        Some("drill pipe") if heavy => "heavy weight drill pipe",
         Some(kind) => kind,
         None => "unknown",
     }

@@ -71,19 +71,19 @@ fn log(name: String, mut points: Vec<Point>) -> Log {
         curves: vec![
             curve(
                 "HKLD",
-                "hookload",
+                "hookload (average)",
                 "Tension at the top of the string; block and top drive excluded",
                 Dimension::Force,
                 |point| point.hook_load_N,
             ),
             curve(
                 "TORQUE",
-                "surface torque",
+                "torque (average)",
                 "Torque at the top of the string",
                 Dimension::Torque,
                 |point| point.torque_N_m,
             ),
-            curve("WOB", "weight on bit", "Weight on bit", Dimension::Force, |point| {
+            curve("WOB", "weight on bit (average)", "Weight on bit", Dimension::Force, |point| {
                 point.weight_on_bit_N
             }),
         ],

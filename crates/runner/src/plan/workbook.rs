@@ -11,7 +11,7 @@ use super::{
 use crate::{page::PROGRAM, sheet::sheet};
 
 /// The workbook of a plan in these units.
-pub(crate) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) -> Workbook {
+pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) -> Workbook {
     let scattered = summary.uncertain.as_ref().map(|of| (of.table(), of.indices_table()));
     let measured = summary.measured_table();
     let peaks = plan_peaks_table(&summary.peaks);
