@@ -50,7 +50,18 @@ pub(crate) const FORCE: &[Unit] = &[
     unit(
         "t",
         TONNE_FORCE,
-        &["tf", "tonnef", "tonne-force", "tonne", "tonnes", "Mgf", "metric ton", "metric tons"],
+        &[
+            "tf",
+            "tonnef",
+            "tonne-force",
+            "tonne",
+            "tonnes",
+            "Mgf",
+            "metric ton",
+            "metric tons",
+            "kkgf",
+            "1000 kgf",
+        ],
     ),
     unit(
         "klbf",
@@ -104,8 +115,8 @@ pub(crate) const TORQUE: &[Unit] = &[
 
 pub(crate) const PRESSURE: &[Unit] = &[
     unit("MPa", 1e6, &["N/mm2", "MJ/m3"]),
-    unit("bar", 1e5, &["bars"]),
-    unit("psi", PSI, &["lbf/in2"]),
+    unit("bar", 1e5, &["bars", "barg"]),
+    unit("psi", PSI, &["lbf/in2", "psig"]),
     unit("Pa", 1.0, &["N/m2", "J/m3"]),
     unit("kPa", 1e3, &["kN/m2"]),
     unit("GPa", 1e9, &["kN/mm2"]),
@@ -237,7 +248,7 @@ pub(crate) const FLOW_RATE: &[Unit] = &[
     unit(
         "gpm",
         US_GALLON / MINUTE,
-        &["gal/min", "galUS/min", "gal[US]/min", "USgpm", "US gal/min"],
+        &["gal/min", "galUS/min", "gal[US]/min", "USgpm", "US gal/min", "USgal/min"],
     ),
     unit("m3/s", 1.0, &[]),
     unit("m3/min", 1.0 / MINUTE, &[]),
