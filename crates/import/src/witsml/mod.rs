@@ -3,6 +3,7 @@
 
 mod bha_run;
 mod body;
+mod columns;
 mod component;
 mod depths;
 mod fittings;

@@ -1,11 +1,10 @@
 //! `trajectory`: the path of the well.
 
-use std::collections::BTreeMap;
-
 use wholestring::well::{Interpolation, Path, Station, TieIn};
 use wholestring_units::Dimension;
 
 use super::{
+    columns::Units,
     depths::datum,
     measure::{Measure, Source, metres, short},
     object::Object,
@@ -70,6 +69,7 @@ pub(crate) fn read(
     if stations.len() < 2 {
         return Err(too_few(object, source, 1));
     }
+    notes.extend(units.note());
     let tie_in = tie_in(first, source, notes)?;
     check_depths(&stations, tie_in, source, notes)?;
     says_how(object, &stations, notes);
@@ -85,25 +85,6 @@ pub(crate) fn read(
         stations: stations.iter().map(|found| found.station).collect(),
     });
     Ok(())
-}
-
-/// The units that stations are written in, and how often each.
-#[derive(Default)]
-struct Units(BTreeMap<(usize, &'static str), usize>);
-
-impl Units {
-    fn add(&mut self, column: usize, measure: &Measure) {
-        *self.0.entry((column, measure.unit.symbol)).or_default() += 1;
-    }
-
-    /// `ft, deg, deg`; `ft and m, deg, deg`.
-    fn said(&self) -> String {
-        let column = |index: usize| {
-            let of_column = self.0.keys().filter(|(column, _)| *column == index);
-            of_column.map(|(_, symbol)| *symbol).collect::<Vec<_>>().join(" and ")
-        };
-        [0, 1, 2].map(column).join(", ")
-    }
 }
 
 /// A station; none where it has neither inclination nor azimuth.
