@@ -115,7 +115,7 @@ fn one_of_several() {
     assert!(said("refers to the fluid 'FL7'"), "{:?}", found.notes);
     // Its depths are from the sea: the path begins at minus the elevation of the datum.
     assert!(said("the path begins at -82 ft"), "{:?}", found.notes);
-    assert!(found.text.contains("    [0, 0, 0],"), "{}", found.text);
+    assert!(found.text.contains("    [\"0 ft\", 0, 0],"), "{}", found.text);
 }
 
 /// Ids are those of their well: rows of another well with the same ids stay out.
