@@ -76,7 +76,7 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
         Column::Number,
         0,
         "no nr num number item itemno itemnumber pos position order seq sequence index elementno \
-         componentno jointno jtno jointnumber",
+         componentno jointno jtno jointnumber joint jt",
     ),
     (
         Column::Component,
@@ -109,7 +109,7 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
     (
         Column::Joints,
         0,
-        "jts joints jt jnts joint noofjoints nojoints numberofjoints numjoints jointcount count qty \
+        "jts joints jnts noofjoints nojoints numberofjoints numjoints jointcount count qty \
          quantity nojts noofjts noofitems pcs",
     ),
     (

@@ -103,7 +103,9 @@ fn joints(cell: &Cell, style: Style) -> Result<Option<Holds>, TableErrorKind> {
     let is_word = rest.chars().all(|c| c.is_alphabetic() || ". ".contains(c));
     let number = cell.number.or_else(|| number::read(digits, style).ok());
     match number {
-        Some(number) if is_word && number >= 0.0 => Ok((number > 0.0).then_some(Holds::Count(number))),
+        Some(number) if is_word && number >= 0.0 => {
+            Ok((number > 0.0).then_some(Holds::Count(number)))
+        }
         _ => Err(TableErrorKind::NotANumber { column, found: cell.text.clone() }),
     }
 }
@@ -158,7 +160,8 @@ mod tests {
 
     #[test]
     fn dates_are_told_from_fractions_and_from_units() {
-        for date in ["a date", "8-Jan", "08-Jan", "Jan-08", "1/8/2026", "2026-01-08", "8 January 2026"]
+        for date in
+            ["a date", "8-Jan", "08-Jan", "Jan-08", "1/8/2026", "2026-01-08", "8 January 2026"]
         {
             assert!(is_date(date), "{date}");
         }

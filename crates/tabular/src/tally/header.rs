@@ -56,7 +56,12 @@ pub(crate) struct Header {
 pub(crate) enum Found {
     Header(Header),
     /// Some of the headings, in a row: how many, which column is missing, and all of them.
-    Nearest { count: usize, row: usize, missing: Column, texts: Vec<String> },
+    Nearest {
+        count: usize,
+        row: usize,
+        missing: Column,
+        texts: Vec<String>,
+    },
     Nothing,
 }
 

@@ -83,10 +83,12 @@ fn below(table: &Table, header: &Header, layout: &Layout) -> Result<ImportedTall
         }
         if kind == Kind::Total {
             let length = |cell: &&TallyCell| cell.si().is_some();
-            totals.extend(cells.iter().find(length).map(|length| TallyTotal {
-                rows_above: rows.len(),
-                length: length.clone(),
-            }));
+            totals.extend(
+                cells
+                    .iter()
+                    .find(length)
+                    .map(|length| TallyTotal { rows_above: rows.len(), length: length.clone() }),
+            );
             continue;
         }
         if rows.len() == MOST_ROWS {
@@ -138,8 +140,9 @@ fn kind(row: &Row, header: &Header, layout: &Layout) -> Kind {
     let measures: Vec<&str> =
         layout.columns.iter().filter(says).map(|laid| row.text(laid.index)).collect();
     let alone = row.texts().nth(1).is_none();
-    let says_nothing =
-        !measures.iter().any(|text| has_digit(text) || cell::is_to_surface(text) || *text == "a date");
+    let says_nothing = !measures
+        .iter()
+        .any(|text| has_digit(text) || cell::is_to_surface(text) || *text == "a date");
     if says_nothing || (alone && row.texts().any(|text| text.contains(' '))) {
         return Kind::Remark;
     }

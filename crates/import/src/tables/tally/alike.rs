@@ -26,8 +26,7 @@ pub(crate) fn join<'a>(parts: Vec<Part<'a>>, notes: &mut Vec<Note>) -> Vec<Part<
             continue;
         }
         let count = run.len();
-        let from =
-            format!("{count} joints, {} to {}", first.row().place, last.row().place);
+        let from = format!("{count} joints, {} to {}", first.row().place, last.row().place);
         notes.push(Note::Read(format!("'{}': {from}, are one component", first.name)));
         // Twelve digits: without the last bits of a sum.
         let number = format!("{:.11e}", unit.from_si(length_m)).parse().unwrap_or_default();

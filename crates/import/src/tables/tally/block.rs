@@ -77,12 +77,13 @@ pub(crate) fn of(
     let row = part.row();
     let is_bit = is_lowest && order::is_bit(&part.name);
     let mut block = Block::default();
-    let name_place = row.get(Column::Component).map_or(row.place.clone(), |cell| cell.place.clone());
+    let name_place =
+        row.get(Column::Component).map_or(row.place.clone(), |cell| cell.place.clone());
     if is_bit && !order::ends_with_bit(&part.name) {
         let name = format!("{} (bit)", part.name);
-        block.push("component", Value::text(name), Origin::written(name_place, &part.name));
+        block.push("component", Value::text(name), Origin::written(&name_place, &part.name));
     } else {
-        block.push("component", Value::text(&part.name), Origin::at(name_place));
+        block.push("component", Value::text(&part.name), Origin::at(&name_place));
     }
     let od = diameter(part, Column::OutsideDiameter)?;
     let id = inside(part)?;
@@ -124,7 +125,7 @@ pub(crate) fn of(
             block.push(
                 "catalogue",
                 Value::text(&entry.designation),
-                Origin::Derived { from: "so the description calls it".to_owned() },
+                Origin::Derived { from: format!("called so in {name_place}") },
             );
         }
         None => {
@@ -161,7 +162,8 @@ pub(crate) fn of(
         block.push("blade_od", quantity(blades), origin(blades));
         said.bladed.push(part.name.clone());
     }
-    let joints_m = joints(part, od_m, joint_od, blades.is_some(), entry.as_ref(), &mut block, notes);
+    let joints_m =
+        joints(part, od_m, joint_od, blades.is_some(), entry.as_ref(), &mut block, notes);
     let body = Body {
         od_m: entry.as_ref().map_or(od_m, |entry| entry.od_m),
         id_m: entry.as_ref().map_or(id_m.unwrap_or(0.0), |entry| entry.id_m),
@@ -170,7 +172,8 @@ pub(crate) fn of(
         is_listed: entry.is_some(),
     };
     // A bit is no ring of steel: its mass is whatever it is.
-    let bit_mass = is_bit.then(|| row.get(Column::Mass).is_none() && row.get(Column::TotalMass).is_none());
+    let bit_mass =
+        is_bit.then(|| row.get(Column::Mass).is_none() && row.get(Column::TotalMass).is_none());
     if bit_mass != Some(true)
         && let Some((value, origin)) = mass::of(part, &body, said, notes)?
     {
@@ -252,9 +255,8 @@ fn listed(
         Holds::Quantity { unit, .. } => unit,
         _ => unit(Dimension::Diameter, "mm"),
     };
-    let said = |m: f64| {
-        format!("{} {}", number_text((of.from_si(m) * 1e3).round() / 1e3), of.symbol)
-    };
+    let said =
+        |m: f64| format!("{} {}", number_text((of.from_si(m) * 1e3).round() / 1e3), of.symbol);
     notes.push(Note::Checked(format!(
         "'{}' is called like the catalogue's '{}', but its {which} is {} and not {}: the tally's \
          diameters are taken",
@@ -335,7 +337,8 @@ fn spacing(part: &Part) -> Option<(Value, Origin)> {
     }
     let Length::Of { number, unit, joints: Some(joints), .. } = &part.length else { return None };
     let each = format!("{:.5e}", number / joints).parse::<f64>().ok()?;
-    let from = format!("{} {} over {} joints", number_text(*number), unit.symbol, number_text(*joints));
+    let from =
+        format!("{} {} over {} joints", number_text(*number), unit.symbol, number_text(*joints));
     (*joints >= 2.0 && usual(unit.to_si(each)))
         .then(|| (Value::quantity(each, unit), Origin::Derived { from }))
 }

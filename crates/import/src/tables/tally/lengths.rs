@@ -4,7 +4,11 @@ use wholestring_tabular::{Column, Holds, TallyCell, TallyRow};
 use wholestring_units::{Unit, number_text};
 
 use super::{Refusal, sums};
-use crate::{choices::Choices, error::ImportErrorKind, fragment::{Note, Origin}};
+use crate::{
+    choices::Choices,
+    error::ImportErrorKind,
+    fragment::{Note, Origin},
+};
 
 /// A joint of pipe or collar is as long, m: range 1 begins at 5.5 m (18 ft), range 3 ends at
 /// 14.6 m (48 ft) (API Spec 5DP), and pup joints and casing lie a little beyond.
@@ -78,12 +82,14 @@ fn meaning(
         }
         None => {}
     }
-    let as_meant = |meaning| -> Result<usize, Refusal> {
+    // What cannot be read is refused later, as it is meant.
+    let as_meant = |meaning| {
         let lengths = rows.iter().zip(names).map(|(row, name)| length(row, name, meaning));
-        let steps = sums::steps(rows, &lengths.collect::<Result<Vec<_>, _>>()?);
-        Ok(steps.grow.max(steps.fall))
+        let lengths: Result<Vec<Length>, Refusal> = lengths.collect();
+        let steps = lengths.map(|lengths| sums::steps(rows, &lengths));
+        steps.map_or(0, |steps| steps.grow.max(steps.fall))
     };
-    let (total, each) = (as_meant(Meaning::Total)?, as_meant(Meaning::Each)?);
+    let (total, each) = (as_meant(Meaning::Total), as_meant(Meaning::Each));
     let column = counted_heading(rows);
     let say = |of: &str, why: &str| format!("{column} is that of {of}: {why}");
     if total > each {
@@ -125,12 +131,9 @@ fn length(row: &TallyRow, name: &str, meaning: Meaning) -> Result<Length, Refusa
     }
     let joints = row.get(Column::Joints).and_then(TallyCell::count);
     let found = |cell: &TallyCell, joints| match cell.holds {
-        Holds::Quantity { number, unit, .. } => Some(Length::Of {
-            number,
-            unit,
-            origin: super::block::origin(cell),
-            joints,
-        }),
+        Holds::Quantity { number, unit, .. } => {
+            Some(Length::Of { number, unit, origin: super::block::origin(cell), joints })
+        }
         _ => None,
     };
     let times = |cell: &TallyCell, joints: f64| match cell.holds {
@@ -165,7 +168,12 @@ fn length(row: &TallyRow, name: &str, meaning: Meaning) -> Result<Length, Refusa
     if !(LENGTHS_M[0]..=LENGTHS_M[1]).contains(&length_m) {
         let kind = ImportErrorKind::OutOfRange {
             what: format!("length of '{name}'"),
-            found: format!("{} m", number_text(length_m)),
+            found: match &length {
+                Length::Of { number, unit, .. } => {
+                    format!("{} {}", number_text(*number), unit.symbol)
+                }
+                Length::ToSurface => String::new(),
+            },
             expected: "0.01 to 20000 m".to_owned(),
         };
         return Err((Some(row.place.clone()), kind));

@@ -81,13 +81,18 @@ pub(crate) fn of(
         }
     };
     let mass = value.si().unwrap_or_default();
-    let ring = |od_m: f64, id_m: f64| {
-        STEEL_DENSITY_KG_PER_M3 * FRAC_PI_4 * (od_m.powi(2) - id_m.powi(2))
-    };
+    let ring =
+        |od_m: f64, id_m: f64| STEEL_DENSITY_KG_PER_M3 * FRAC_PI_4 * (od_m.powi(2) - id_m.powi(2));
     let steel = ring(body.od_m, body.id_m);
     let solid = ring(body.joint_od_m.unwrap_or(body.od_m), 0.0);
     let found = format!("{} of '{}'", super::shown(&value), part.name);
-    let kg = |mass: f64| number_text((mass * 10.0).round() / 10.0);
+    let of = match &value {
+        Value::Quantity { unit, .. } => unit,
+        _ => unit(Dimension::MassPerLength, "kg/m"),
+    };
+    let kg = |mass: f64| {
+        format!("{} {}", number_text((of.from_si(mass) * 10.0).round() / 10.0), of.symbol)
+    };
     let refused = |expected: String| {
         let what = "weight per length".to_owned();
         let kind = ImportErrorKind::OutOfRange { what, found: found.clone(), expected };
@@ -97,21 +102,21 @@ pub(crate) fn of(
     if mass > solid * 1.001 {
         let blades = if body.has_blades { ", its blades not counted" } else { "" };
         return refused(format!(
-            "at most the {} kg/m of a solid bar of {} mm{blades}",
+            "at most the {} of a solid bar of {} mm{blades}",
             kg(solid),
             number_text((body.joint_od_m.unwrap_or(body.od_m) * 1e4).round() / 10.0)
         ));
     }
     if mass < LEAST * steel {
         return refused(format!(
-            "about the {} kg/m of its body or more (is the column the weight per length, and in \
+            "about the {} of its body or more (is the column the weight per length, and in \
              the right unit?)",
             kg(steel)
         ));
     }
     if mass < LIGHTEST * steel {
         notes.push(Note::Checked(format!(
-            "{found} is less than its body of steel weighs, {} kg/m: if its metal is lighter, give \
+            "{found} is less than its body of steel weighs, {}: if its metal is lighter, give \
              its density too",
             kg(steel)
         )));

@@ -9,7 +9,7 @@ mod mass;
 mod order;
 mod sums;
 
-use wholestring_tabular::{Column, ImportedTally, TallyRow, TableErrorKind, read_tally};
+use wholestring_tabular::{Column, ImportedTally, TableErrorKind, TallyRow, read_tally};
 use wholestring_units::{Dimension, Unit};
 
 use super::shown;
@@ -19,6 +19,10 @@ use crate::{
     fragment::{Block, Fragment, Note},
 };
 use lengths::Length;
+
+/// No string has so many components, joints that are alike counted as one; each is looked for in
+/// the catalogue, which takes milliseconds.
+const MOST_COMPONENTS: usize = 500;
 
 /// A component: a row, or several alike, one joint each.
 #[derive(Debug, Clone)]
@@ -86,6 +90,13 @@ fn blocks(
         parts.reverse();
     }
     let parts = alike::join(parts, notes);
+    if parts.len() > MOST_COMPONENTS {
+        let kind = ImportErrorKind::TooMuch {
+            found: format!("{} components", parts.len()),
+            most: MOST_COMPONENTS.to_string(),
+        };
+        return Err((None, kind));
+    }
     let top = parts.len() - 1;
     let below_top = parts[..top].iter().find(|part| part.length == Length::ToSurface);
     if let Some(part) = below_top {
@@ -95,6 +106,13 @@ fn blocks(
         );
         return Err((Some(part.row().place.clone()), ImportErrorKind::Refused(sentence)));
     }
+    if parts[top].length != Length::ToSurface && !is_pipe(&parts[top].name) {
+        notes.push(Note::Read(format!(
+            "the topmost component, '{}', is called no pipe: if the tally is of the assembly \
+             alone, write the pipe above it as the last [[string]]",
+            parts[top].name
+        )));
+    }
     let mut blocks = Vec::with_capacity(parts.len());
     let mut said = block::Said::default();
     for (index, part) in parts.iter().enumerate() {
@@ -102,6 +120,13 @@ fn blocks(
     }
     said.tell(notes);
     Ok(blocks)
+}
+
+/// Whether a name is that of pipe.
+fn is_pipe(name: &str) -> bool {
+    let lower = name.to_lowercase();
+    let word = |word: &str| matches!(word, "dp" | "hwdp" | "pipe" | "drillpipe" | "tubing" | "ct");
+    lower.split(|c: char| !c.is_alphanumeric()).any(word)
 }
 
 /// What the components are called.
@@ -150,10 +175,7 @@ fn unit_names(column: Column) -> &'static [&'static str] {
     }
 }
 
-fn unit_said(
-    column: Column,
-    choices: &Choices,
-) -> Result<Option<&'static Unit>, ImportErrorKind> {
+fn unit_said(column: Column, choices: &Choices) -> Result<Option<&'static Unit>, ImportErrorKind> {
     choices.unit_of(unit_names(column), column.dimension())
 }
 

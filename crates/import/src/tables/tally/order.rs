@@ -86,7 +86,9 @@ pub(crate) fn find(
     }
     let numbers: Vec<f64> = rows
         .iter()
-        .filter_map(|row| row.get(Column::Number)?.written.trim_matches(['#', '.', ' ']).parse().ok())
+        .filter_map(|row| {
+            row.get(Column::Number)?.written.trim_matches(['#', '.', ' ']).parse().ok()
+        })
         .collect();
     if numbers.len() == rows.len() {
         let by = "the numbers count from the bit";
@@ -108,8 +110,18 @@ pub(crate) fn find(
 
 /// Words behind `bit` of what is none.
 const NO_BITS: [&str; 12] = [
-    "sub", "subs", "stab", "stabiliser", "stabilizer", "breaker", "box", "float", "reamer", "saver",
-    "connection", "crossover",
+    "sub",
+    "subs",
+    "stab",
+    "stabiliser",
+    "stabilizer",
+    "breaker",
+    "box",
+    "float",
+    "reamer",
+    "saver",
+    "connection",
+    "crossover",
 ];
 
 /// Whether a name is that of a bit: `8 1/2 PDC Bit`, `Bit - 8 1/2`; neither a bit sub nor a
@@ -141,7 +153,8 @@ mod tests {
         for name in ["8 1/2\" PDC Bit", "Bit - PDC M516", "BIT", "Tricone 12 1/4", "PDC M323"] {
             assert!(is_bit(name), "{name}");
         }
-        for name in ["Bit sub", "Near-bit stabiliser", "NB stab", "Orbit RSS", "Bit saver sub", ""] {
+        for name in ["Bit sub", "Near-bit stabiliser", "NB stab", "Orbit RSS", "Bit saver sub", ""]
+        {
             assert!(!is_bit(name), "{name}");
         }
     }
