@@ -687,6 +687,46 @@ fn an_old_workbook_is_read() {
 }
 
 #[test]
+fn names_with_their_units_as_programs_write_them() {
+    let imported = imported(
+        "component,od_m,id_m,length_m,weight_kg_per_m,joint_od_m,joint_spacing_m,blade_od_m,\
+         yield_strength_Pa,cumulative_length_m\nbit,0.2159,0.05,0.3,250,,,,,0.3\nstabiliser,0.1714,\
+         0.07,2,150,,,0.2127,758000000,2.3\ndrill pipe,0.127,0.1086,2000,32.8,0.1683,9.6,,\
+         930792228,2002.3\n",
+    );
+    assert_snapshot!(string(&imported), @r#"
+    [[string]]
+    component = "bit"
+    od = "0.2159 m"
+    id = "0.05 m"
+    length = "0.3 m"
+    mass_per_length = "250 kg/m"
+
+    [[string]]
+    component = "stabiliser"
+    od = "0.1714 m"
+    id = "0.07 m"
+    length = "2 m"
+    blade_od = "0.2127 m"
+    mass_per_length = "150 kg/m"
+    yield_strength = "758000000 Pa"
+
+    [[string]]
+    component = "drill pipe"
+    od = "0.127 m"
+    id = "0.1086 m"
+    length = "to surface"
+    joint_od = "0.1683 m"
+    joint_spacing = "9.6 m"
+    mass_per_length = "32.8 kg/m"
+    yield_strength = "930792200 Pa"
+    "#);
+    let components = components(&imported);
+    assert_eq!(components[2].yield_strength_Pa, Some(930_792_200.0));
+    assert_eq!(components[2].joints.map(|joints| joints.spacing_m), Some(9.6));
+}
+
+#[test]
 fn a_table_that_is_two_things_is_asked_about() {
     let text = "MD (m),Inc (deg),Azi (deg),Component,OD (in),ID (in),Length (m)\n0,0,0,Bit,8,2,1\n\
                 9,0,0,DC,6,2,9\n";

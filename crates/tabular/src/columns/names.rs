@@ -123,7 +123,7 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
         0,
         "jointlength lengthperjoint lengthjoint lengthjt lengthperjt avglength averagelength \
          jtlength avgjointlength averagejointlength avgjtlength lengtheach lengthperitem unitlength \
-         singlelength",
+         singlelength jointspacing",
     ),
     (
         Column::CumulativeLength,
@@ -175,6 +175,7 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
          boxpin connectionup connectiondown",
     ),
     (Column::Grade, 0, "grade steelgrade materialgrade pipegrade"),
+    (Column::YieldStrength, 0, "yieldstrength minyield minimumyield minyieldstrength smys"),
 ];
 
 /// Words that a heading may have beside its name.

@@ -69,6 +69,7 @@ fn is_alike(one: &Part, other: &Part) -> bool {
             Column::NominalMass,
             Column::JointOutsideDiameter,
             Column::JointInsideDiameter,
+            Column::YieldStrength,
         ]
         .into_iter()
         .all(same)

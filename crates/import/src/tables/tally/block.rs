@@ -15,6 +15,9 @@ use crate::{
     fragment::{Block, Note, Origin, Value},
 };
 
+/// Yield strengths that a case accepts, Pa.
+const YIELDS_PA: [f64; 2] = [1e7, 1e10];
+
 /// Diameters that a case accepts, m.
 const DIAMETERS_M: [f64; 2] = [0.005, 2.0];
 
@@ -181,9 +184,24 @@ pub(crate) fn of(
     } else if bit_mass == Some(true) {
         said.unweighed.push(part.name.clone());
     }
-    if entry.is_none() {
-        strength(part, &mut block, notes);
-    } else if let Some(entry) = &entry {
+    let yields = row.get(Column::YieldStrength).filter(|cell| cell.si() > Some(0.0));
+    match (yields, &entry) {
+        (Some(cell), _) => {
+            let yields_Pa = cell.si().unwrap_or_default();
+            if !(YIELDS_PA[0]..=YIELDS_PA[1]).contains(&yields_Pa) {
+                let kind = ImportErrorKind::OutOfRange {
+                    what: format!("yield strength of '{}'", part.name),
+                    found: written(cell),
+                    expected: "10 to 10000 MPa".to_owned(),
+                };
+                return Err((Some(cell.place.clone()), kind));
+            }
+            block.push("yield_strength", quantity(cell), origin(cell));
+        }
+        (None, None) => strength(part, &mut block, notes),
+        (None, Some(_)) => {}
+    }
+    if let Some(entry) = &entry {
         connection(part, entry, notes);
     }
     Ok(block)

@@ -171,6 +171,7 @@ fn unit_names(column: Column) -> &'static [&'static str] {
         Column::Mass => &["weight"],
         Column::NominalMass => &["nominal-weight", "weight"],
         Column::TotalMass => &["total-weight"],
+        Column::YieldStrength => &["yield-strength"],
         _ => &["length"],
     }
 }
