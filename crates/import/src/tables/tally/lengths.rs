@@ -1,9 +1,9 @@
 //! How long the components of a tally are.
 
 use wholestring_tabular::{Column, Holds, TallyCell, TallyRow};
-use wholestring_units::{Unit, number_text};
+use wholestring_units::number_text;
 
-use super::{Refusal, sums};
+use super::{length::Length, part::Refusal, quote::origin, sums};
 use crate::{
     choices::Choices,
     error::ImportErrorKind,
@@ -16,24 +16,6 @@ const JOINT_M: [f64; 2] = [5.0, 16.0];
 
 /// Lengths of a component, m, that a case accepts.
 const LENGTHS_M: [f64; 2] = [0.01, 20_000.0];
-
-/// Length of a component.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Length {
-    /// It fills the rest of the string.
-    ToSurface,
-    /// So long.
-    Of { number: f64, unit: &'static Unit, origin: Origin, joints: Option<f64> },
-}
-
-impl Length {
-    pub(crate) fn si_m(&self) -> Option<f64> {
-        match self {
-            Length::ToSurface => None,
-            Length::Of { number, unit, .. } => Some(unit.to_si(*number)),
-        }
-    }
-}
 
 /// What the column of lengths means where there are several joints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -132,7 +114,7 @@ fn length(row: &TallyRow, name: &str, meaning: Meaning) -> Result<Length, Refusa
     let joints = row.get(Column::Joints).and_then(TallyCell::count);
     let found = |cell: &TallyCell, joints| match cell.holds {
         Holds::Quantity { number, unit, .. } => {
-            Some(Length::Of { number, unit, origin: super::block::origin(cell), joints })
+            Some(Length::Of { number, unit, origin: origin(cell), joints })
         }
         _ => None,
     };

@@ -6,7 +6,11 @@ use wholestring_case::STEEL_DENSITY_KG_PER_M3;
 use wholestring_tabular::{Column, Holds, TallyCell};
 use wholestring_units::{Dimension, number_text};
 
-use super::{Part, Refusal, block::Said, block::origin, unit};
+use super::{
+    part::{Part, Refusal},
+    quote::{origin, shown, unit},
+    said::Said,
+};
 use crate::{
     error::ImportErrorKind,
     fragment::{Note, Origin, Value},
@@ -58,7 +62,7 @@ pub(crate) fn of(
                     "THE WEIGHTS of '{}' DIFFER: {} per length against {} kg/m by its total \
                      weight; the first is taken",
                     part.name,
-                    super::shown(&value),
+                    shown(&value),
                     number_text((other * 100.0).round() / 100.0)
                 )));
             }
@@ -85,7 +89,7 @@ pub(crate) fn of(
         |od_m: f64, id_m: f64| STEEL_DENSITY_KG_PER_M3 * FRAC_PI_4 * (od_m.powi(2) - id_m.powi(2));
     let steel = ring(body.od_m, body.id_m);
     let solid = ring(body.joint_od_m.unwrap_or(body.od_m), 0.0);
-    let found = format!("{} of '{}'", super::shown(&value), part.name);
+    let found = format!("{} of '{}'", shown(&value), part.name);
     let of = match &value {
         Value::Quantity { unit, .. } => unit,
         _ => unit(Dimension::MassPerLength, "kg/m"),

@@ -4,40 +4,32 @@ mod alike;
 mod block;
 mod designation;
 mod grade;
+mod joints;
+mod length;
 mod lengths;
 mod mass;
 mod order;
+mod part;
+mod quote;
+mod said;
 mod sums;
 
 use wholestring_tabular::{Column, ImportedTally, TableErrorKind, TallyRow, read_tally};
-use wholestring_units::{Dimension, Unit};
+use wholestring_units::Unit;
 
-use super::shown;
 use crate::{
     choices::Choices,
     error::{ImportError, ImportErrorKind},
     fragment::{Block, Fragment, Note},
 };
-use lengths::Length;
+use length::Length;
+use part::{Part, Refusal};
+use quote::shown;
+use said::Said;
 
 /// No string has so many components, joints that are alike counted as one; each is looked for in
 /// the catalogue, which takes milliseconds.
 const MOST_COMPONENTS: usize = 500;
-
-/// A component: a row, or several alike, one joint each.
-#[derive(Debug, Clone)]
-pub(crate) struct Part<'a> {
-    pub(crate) rows: Vec<&'a TallyRow>,
-    pub(crate) name: String,
-    pub(crate) length: Length,
-}
-
-impl<'a> Part<'a> {
-    /// The first of its rows, which says what all of them are.
-    pub(crate) fn row(&self) -> &'a TallyRow {
-        self.rows[0]
-    }
-}
 
 /// The tally of a file, or of a sheet.
 pub(crate) fn read(
@@ -69,9 +61,6 @@ pub(crate) fn read(
     let what = format!("a tally of {count} component{}{of}", if count == 1 { "" } else { "s" });
     Ok(Fragment { what, string, notes, ..Fragment::default() })
 }
-
-/// Why a tally cannot be made a string, and where.
-pub(crate) type Refusal = (Option<String>, ImportErrorKind);
 
 fn blocks(
     tally: &ImportedTally,
@@ -114,7 +103,7 @@ fn blocks(
         )));
     }
     let mut blocks = Vec::with_capacity(parts.len());
-    let mut said = block::Said::default();
+    let mut said = Said::default();
     for (index, part) in parts.iter().enumerate() {
         blocks.push(block::of(part, index == 0, parts.len() > 1, &mut said, notes)?);
     }
@@ -190,11 +179,6 @@ fn asking(error: ImportError) -> ImportError {
         dimension: column.dimension(),
     };
     ImportError::new(error.file(), error.place().map(str::to_owned), kind)
-}
-
-/// A unit by its symbol.
-pub(crate) fn unit(dimension: Dimension, symbol: &str) -> &'static Unit {
-    dimension.find_unit(symbol).unwrap_or(&dimension.units()[0])
 }
 
 /// A component in a line.

@@ -3,8 +3,8 @@
 use wholestring_tabular::{Column, Holds, ImportedTally, TallyCell, TallyRow};
 use wholestring_units::number_text;
 
-use super::lengths::Length;
-use crate::fragment::Note;
+use super::length::Length;
+use crate::fragment::{Note, Origin};
 
 /// Decimals of a length that are counted: finer ones are of a computer's rounding.
 const MOST_DECIMALS: i32 = 3;
@@ -134,11 +134,7 @@ pub(crate) fn check(
 /// Roundings in a sum of lengths: one for each joint whose length was multiplied.
 fn joints_up_to(lengths: &[Length], rows: &[usize]) -> f64 {
     let roundings = rows.iter().map(|&row| match &lengths[row] {
-        Length::Of { joints: Some(joints), origin, .. }
-            if matches!(origin, crate::fragment::Origin::Derived { .. }) =>
-        {
-            joints.max(1.0)
-        }
+        Length::Of { joints: Some(joints), origin: Origin::Derived { .. }, .. } => joints.max(1.0),
         _ => 1.0,
     });
     roundings.sum()
