@@ -277,6 +277,13 @@ pub enum TableErrorKind {
         /// The range.
         expected: &'static str,
     },
+    /// Several surveys of which one is meant.
+    #[error("the file holds {} surveys, one below the other: {}; leave one of them", surveys.len(),
+        quoted(surveys))]
+    SeveralSurveys {
+        /// What they are called.
+        surveys: Vec<String>,
+    },
     /// Too few rows.
     #[error("{}; a survey needs at least two stations", match found {
         0 => "no station follows the header".to_owned(),

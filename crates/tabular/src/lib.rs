@@ -36,10 +36,11 @@ mod tally;
 pub use columns::column::Column;
 pub use error::{Place, TableError, TableErrorKind};
 pub use held::{Held, held, read_tally};
-pub use read::{read, read_as, read_csv, read_excel, read_readings};
+pub use read::{read, read_all, read_as, read_csv, read_excel, read_readings};
 pub use readings::{ImportedReading, ImportedReadings};
 pub use survey::{
-    imported::{ImportedSurvey, under_origin},
+    imported::{ImportedSurvey, StatedPosition, SurveyTable, under_origin},
+    preamble::{About, Stated},
     said::Said,
 };
 pub use tally::{Holds, ImportedTally, TallyCell, TallyRow, TallyTotal};

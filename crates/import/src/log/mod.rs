@@ -1,5 +1,37 @@
 //! Logs of a rig: what was measured at the surface against time or depth.
+//!
+//! LAS, the text of electronic drilling recorders and WITSML each give columns and [rows](row::Rows)
+//! of cells; what follows is the same for all of them: [channels](channel) are chosen by name and
+//! unit, the [clock] reads the time, and a [`Log`] gives one [`Record`] after the other without ever
+//! holding more than a few rows.
 
+mod channel;
+mod clock;
+mod contents;
+pub(crate) mod csv;
+mod kind;
+mod las;
+mod lines;
+// The noun of this folder.
+#[expect(clippy::module_inception)]
+mod log;
+mod mnemonics;
+mod moment;
+mod number;
+pub(crate) mod picking;
+mod quantity;
+mod read;
 mod record;
+mod row;
+mod witsml;
 
+pub use channel::Channel;
+pub(crate) use contents::contents;
+pub use kind::Kind;
+pub use log::Log;
+pub use quantity::Quantity;
+pub use read::log;
+#[expect(unused_imports, reason = "for the picking of weights")]
+pub(crate) use read::open;
+pub(crate) use read::read;
 pub use record::Record;

@@ -13,4 +13,4 @@ pub(crate) mod records;
 pub(crate) mod table;
 pub(crate) mod workbook;
 
-pub(crate) use open::{is_workbook, of_text, of_workbook};
+pub(crate) use open::{above, below, is_workbook, of_text, of_workbook};

@@ -52,7 +52,7 @@ pub(crate) fn style<'a>(numbers: impl Iterator<Item = &'a str>) -> Result<Style,
 
 /// Reads a number in a style.
 pub(crate) fn read(text: &str, style: Style) -> Result<f64, Fault> {
-    let text = text.trim().replace('−', "-");
+    let text = without_marks(text).replace('−', "-");
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(&text);
     if ["nan", "inf", "infinity"].iter().any(|name| unsigned.eq_ignore_ascii_case(name)) {
         return Err(Fault::NotFinite);
@@ -82,6 +82,26 @@ pub(crate) fn read(text: &str, style: Style) -> Result<f64, Fault> {
         Ok(_) => Err(Fault::NotFinite),
         Err(_) => Err(Fault::NotANumber),
     }
+}
+
+/// Signs that reports put behind a number to point to a remark.
+const MARKS: [char; 5] = ['*', '!', '#', '†', '‡'];
+
+/// A cell's text without the marks behind its number.
+pub(crate) fn without_marks(text: &str) -> &str {
+    text.trim().trim_end_matches(MARKS).trim_end()
+}
+
+/// A distance with the side to which it goes, `12.5 N`, `3 W`: its number, and whether that is
+/// the other side of north or east.
+pub(crate) fn sided(text: &str) -> Option<(&str, bool)> {
+    let text = without_marks(text);
+    let is_other = match text.chars().next_back()? {
+        'N' | 'E' => false,
+        'S' | 'W' => true,
+        _ => return None,
+    };
+    Some((text[..text.len() - 1].trim_end(), is_other))
 }
 
 /// Reads a number in a style, or a proper fraction with a whole number before it or without:

@@ -119,6 +119,8 @@ pub(crate) fn of(
     if let Some(blades) = blades {
         block.push("blade_od", quantity(blades), origin(blades));
         said.bladed.push(part.name.clone());
+    } else if has_blades_by_name(&part.name) && entry.is_none() {
+        said.bladeless.push(part.name.clone());
     }
     let joints_m =
         joints::of(part, od_m, joint_od, blades.is_some(), entry.as_ref(), &mut block, notes);
@@ -160,6 +162,13 @@ pub(crate) fn of(
         connection(part, entry, notes);
     }
     Ok(block)
+}
+
+/// Whether a name is that of a component with blades.
+fn has_blades_by_name(name: &str) -> bool {
+    let lower = name.to_lowercase();
+    let mut words = lower.split(|c: char| !c.is_alphanumeric());
+    words.any(|word| word == "stab" || word.starts_with("stabili") || word.ends_with("reamer"))
 }
 
 /// The cell of a diameter, if it is more than nothing.

@@ -7,6 +7,7 @@ use wholestring_tabular::{Column, Holds, TallyCell};
 use wholestring_units::{Dimension, number_text};
 
 use super::{
+    designation,
     part::{Part, Refusal},
     quote::{origin, shown, unit},
     said::Said,
@@ -78,7 +79,9 @@ pub(crate) fn of(
             (value, from, cell.place.clone())
         }
         (None, None, _) => {
-            if !body.is_listed {
+            if !body.is_listed && designation::is_pipe(&part.name) {
+                said.unweighed_pipe.push(part.name.clone());
+            } else if !body.is_listed {
                 said.unweighed.push(part.name.clone());
             }
             return Ok(None);

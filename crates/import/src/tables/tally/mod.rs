@@ -95,7 +95,7 @@ fn blocks(
         );
         return Err((Some(part.row().place.clone()), ImportErrorKind::Refused(sentence)));
     }
-    if parts[top].length != Length::ToSurface && !is_pipe(&parts[top].name) {
+    if parts[top].length != Length::ToSurface && !designation::is_pipe(&parts[top].name) {
         notes.push(Note::Read(format!(
             "the topmost component, '{}', is called no pipe: if the tally is of the assembly \
              alone, write the pipe above it as the last [[string]]",
@@ -109,13 +109,6 @@ fn blocks(
     }
     said.tell(notes);
     Ok(blocks)
-}
-
-/// Whether a name is that of pipe.
-fn is_pipe(name: &str) -> bool {
-    let lower = name.to_lowercase();
-    let word = |word: &str| matches!(word, "dp" | "hwdp" | "pipe" | "drillpipe" | "tubing" | "ct");
-    lower.split(|c: char| !c.is_alphanumeric()).any(word)
 }
 
 /// What the components are called.

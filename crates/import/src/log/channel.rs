@@ -1,0 +1,301 @@
+//! The channels of a log, and which of them give a record.
+
+use wholestring_units::{Dimension, Unit};
+
+use super::{
+    mnemonics::{self, Rank},
+    quantity::Quantity,
+};
+use crate::{choices::Choices, error::ImportErrorKind, fragment::Note};
+
+/// A channel of a log.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Channel {
+    /// Its name, with `:2` behind the second of the same name.
+    pub mnemonic: String,
+    /// Its unit as it is written; empty where none is.
+    pub unit: String,
+    /// Which field of a [`Record`](super::Record) it gives.
+    pub quantity: Option<Quantity>,
+    /// What the file says of it.
+    pub description: String,
+}
+
+/// A column as a format declares it.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Column {
+    pub(crate) mnemonic: String,
+    /// Another name for the same.
+    pub(crate) alias: Option<String>,
+    pub(crate) unit: String,
+    pub(crate) description: String,
+    /// What stands for nothing in this column only.
+    pub(crate) null: Option<f64>,
+    /// What it is by its place: the index of the log.
+    pub(crate) index: Option<Quantity>,
+}
+
+/// A column that gives a field of a record.
+#[derive(Debug, Clone)]
+pub(crate) struct Wanted {
+    pub(crate) column: usize,
+    pub(crate) quantity: Quantity,
+    pub(crate) unit: &'static Unit,
+}
+
+/// Which columns give what.
+#[derive(Debug, Default)]
+pub(crate) struct Chosen {
+    pub(crate) channels: Vec<Channel>,
+    pub(crate) wanted: Vec<Wanted>,
+    pub(crate) time: Option<usize>,
+    pub(crate) date: Option<usize>,
+    pub(crate) notes: Vec<Note>,
+    /// What must be said before the log can be read.
+    pub(crate) asked: Vec<ImportErrorKind>,
+}
+
+/// A column that may give a quantity.
+struct Candidate {
+    column: usize,
+    rank: Rank,
+    unit: Option<&'static Unit>,
+}
+
+/// Chooses the columns of a log.
+pub(crate) fn choose(columns: &[Column], choices: &Choices) -> Chosen {
+    let mut chosen = Chosen { channels: numbered(columns), ..Chosen::default() };
+    for quantity in Quantity::ALL {
+        let found = match quantity {
+            Quantity::Time => time(columns, choices, &mut chosen),
+            _ => one(quantity, columns, choices, &mut chosen),
+        };
+        if let Err(kind) = found {
+            chosen.asked.push(kind);
+        }
+    }
+    chosen
+}
+
+/// The unit of a quantity under the spellings of recorders: `ft_lbs`, `gal_per_min`.
+pub(crate) fn unit(dimension: Dimension, written: &str) -> Option<&'static Unit> {
+    dimension.find_unit(written).or_else(|| {
+        let tidy = written.to_ascii_lowercase().replace("_per_", "/").replace('_', ".");
+        dimension.find_unit(&tidy)
+    })
+}
+
+/// Whether a unit says that there is none.
+pub(crate) fn is_no_unit(written: &str) -> bool {
+    let words = ["", "-", "--", "none", "unitless", "n/a", "na", "unknown", "nil", "null"];
+    words.contains(&written.to_ascii_lowercase().as_str())
+}
+
+/// Channels of the columns, the second of a name with `:2` behind it.
+fn numbered(columns: &[Column]) -> Vec<Channel> {
+    let mut seen = std::collections::BTreeMap::<String, usize>::new();
+    let of = |column: &Column| {
+        let Column { mnemonic, unit, description, .. } = column;
+        let count = seen.entry(mnemonic.clone()).or_default();
+        *count += 1;
+        let mnemonic = if *count == 1 { mnemonic.clone() } else { format!("{mnemonic}:{count}") };
+        Channel { mnemonic, unit: unit.clone(), quantity: None, description: description.clone() }
+    };
+    columns.iter().map(of).collect()
+}
+
+fn one(
+    quantity: Quantity,
+    columns: &[Column],
+    choices: &Choices,
+    chosen: &mut Chosen,
+) -> Result<(), ImportErrorKind> {
+    let dimension = quantity.dimension();
+    if let Some(column) = picked(quantity, choices, &chosen.channels)? {
+        let written = &chosen.channels[column].unit;
+        let found = unit(dimension, written);
+        if found.is_none() && !is_no_unit(written) {
+            let kind = ImportErrorKind::WrongUnit { found: written.clone(), dimension };
+            said(quantity, column, choices, chosen)?.ok_or(kind)?;
+        }
+        return take(quantity, column, found, choices, chosen);
+    }
+    let mut candidates = Vec::new();
+    for (column, Column { mnemonic, alias, unit: written, index, .. }) in columns.iter().enumerate()
+    {
+        let by_name = mnemonics::quantity(mnemonic)
+            .or_else(|| alias.as_deref().and_then(mnemonics::quantity));
+        let rank = match (index, by_name) {
+            (Some(index), _) if *index == quantity => Rank::Index,
+            (_, Some((of, rank))) if of == quantity => rank,
+            _ => continue,
+        };
+        let found = unit(dimension, written);
+        if found.is_none() && !is_no_unit(written) {
+            let name = &chosen.channels[column].mnemonic;
+            let (words, measures) = (quantity.words(), dimension.name());
+            chosen.notes.push(Note::LeftOut(format!(
+                "{name} is not taken for the {words}, for its unit '{written}' is none of \
+                 {measures} ({} --unit {}=UNIT takes it)",
+                pick(quantity, name),
+                quantity.name()
+            )));
+            continue;
+        }
+        candidates.push(Candidate { column, rank, unit: found });
+    }
+    // Of two that fit alike the one whose unit is known.
+    candidates.sort_by_key(|candidate| (candidate.rank, candidate.unit.is_none()));
+    let Some(best) = candidates.first() else { return Ok(()) };
+    let name = |candidate: &Candidate| chosen.channels[candidate.column].mnemonic.clone();
+    let alike =
+        |other: &&Candidate| other.rank == best.rank && other.unit.is_none() == best.unit.is_none();
+    if candidates.iter().filter(alike).count() > 1 {
+        let names = candidates.iter().map(name).collect();
+        return Err(ImportErrorKind::Ambiguous { what: quantity.name().to_owned(), names });
+    }
+    if candidates.len() > 1 {
+        let others: Vec<String> = candidates[1..].iter().map(name).collect();
+        let note = format!(
+            "{} is {} and taken for the {}; not taken: {} ({} takes that)",
+            name(best),
+            best.rank.words(),
+            quantity.words(),
+            others.join(", "),
+            pick(quantity, &others[0]),
+        );
+        chosen.notes.push(Note::Read(note));
+    }
+    let (column, unit) = (best.column, best.unit);
+    if best.rank == Rank::Greatest || best.rank == Rank::Least {
+        chosen.notes.push(Note::Assumed(format!(
+            "{} is taken for the {}, though it is {} between two rows; there is no average",
+            chosen.channels[column].mnemonic,
+            quantity.words(),
+            best.rank.words(),
+        )));
+    }
+    take(quantity, column, unit, choices, chosen)
+}
+
+/// The option that picks a channel, as a shell takes it.
+fn pick(quantity: Quantity, name: &str) -> String {
+    let option = format!("{}={name}", quantity.name());
+    let plain = |c: char| c.is_alphanumeric() || "=-_.:".contains(c);
+    if option.chars().all(plain) {
+        format!("--pick {option}")
+    } else {
+        format!("--pick '{option}'")
+    }
+}
+
+/// The column that `--pick` names.
+fn picked(
+    quantity: Quantity,
+    choices: &Choices,
+    channels: &[Channel],
+) -> Result<Option<usize>, ImportErrorKind> {
+    let Some(name) = choices.picked(quantity.name()) else { return Ok(None) };
+    let found = channels.iter().position(|channel| channel.mnemonic.eq_ignore_ascii_case(name));
+    found.map(Some).ok_or_else(|| ImportErrorKind::NoSuch {
+        what: quantity.name().to_owned(),
+        name: name.to_owned(),
+        names: channels.iter().map(|channel| channel.mnemonic.clone()).collect(),
+    })
+}
+
+/// The unit that is said of a column.
+fn said(
+    quantity: Quantity,
+    column: usize,
+    choices: &Choices,
+    chosen: &Chosen,
+) -> Result<Option<&'static Unit>, ImportErrorKind> {
+    let mnemonic = chosen.channels[column].mnemonic.as_str();
+    choices.unit_of(&[quantity.name(), mnemonic], quantity.dimension())
+}
+
+/// Takes a column for a quantity, in the unit that is said, or else in that of the file.
+fn take(
+    quantity: Quantity,
+    column: usize,
+    of_file: Option<&'static Unit>,
+    choices: &Choices,
+    chosen: &mut Chosen,
+) -> Result<(), ImportErrorKind> {
+    chosen.channels[column].quantity = Some(quantity);
+    let said = said(quantity, column, choices, chosen)?;
+    let channel = &chosen.channels[column];
+    let (name, written) = (&channel.mnemonic, &channel.unit);
+    if let Some(said) = said
+        && !is_no_unit(written)
+        && of_file.is_none_or(|unit| unit.symbol != said.symbol)
+    {
+        let note = format!("{name} is in {}, as was said; the file has '{written}'", said.symbol);
+        chosen.notes.push(Note::Checked(note));
+    }
+    let unit = match said.or(of_file) {
+        Some(unit) => unit,
+        None if quantity == Quantity::RotarySpeed => {
+            let note = format!("{name} has no unit and is taken to be in rpm");
+            chosen.notes.push(Note::Assumed(note));
+            quantity.dimension().units().iter().find(|unit| unit.symbol == "rpm").ok_or_else(
+                || ImportErrorKind::Missing { what: "the unit of the rotary speed".to_owned() },
+            )?
+        }
+        None => {
+            return Err(ImportErrorKind::MissingUnit {
+                what: format!("{} {name}", quantity.words()),
+                name: quantity.name().to_owned(),
+                dimension: quantity.dimension(),
+            });
+        }
+    };
+    chosen.wanted.push(Wanted { column, quantity, unit });
+    Ok(())
+}
+
+/// Finds the columns of time and date; what they hold is seen in the rows.
+fn time(columns: &[Column], choices: &Choices, chosen: &mut Chosen) -> Result<(), ImportErrorKind> {
+    let is_time = |column: &Column| {
+        matches!(mnemonics::quantity(&column.mnemonic), Some((Quantity::Time, _)))
+            && (is_no_unit(&column.unit) || may_be_of_time(&column.unit))
+    };
+    let picked = picked(Quantity::Time, choices, &chosen.channels)?;
+    let index = || columns.iter().position(|column| column.index == Some(Quantity::Time));
+    let named: Vec<usize> = (0..columns.len()).filter(|&at| is_time(&columns[at])).collect();
+    chosen.date = columns.iter().position(|column| mnemonics::is_date(&column.mnemonic));
+    chosen.time = picked.or_else(index).or(named.first().copied());
+    if picked.is_none()
+        && let Some(taken) = chosen.time
+        && let Some(&other) = named.iter().find(|&&at| at != taken)
+    {
+        let name = |at: usize| &chosen.channels[at].mnemonic;
+        chosen.notes.push(Note::Read(format!(
+            "{} is taken for the time, not {} ({} takes that)",
+            name(taken),
+            name(other),
+            pick(Quantity::Time, name(other)),
+        )));
+    }
+    if chosen.time.is_none() {
+        chosen.time = chosen.date.take();
+    }
+    if let Some(column) = chosen.time {
+        chosen.channels[column].quantity = Some(Quantity::Time);
+    }
+    Ok(())
+}
+
+/// Whether a unit may be that of a column of times: `s`, or the way in which they are written.
+fn may_be_of_time(written: &str) -> bool {
+    unit(Dimension::Time, written).is_some() || is_pattern(written)
+}
+
+/// A pattern of dates and times: `hh:mm:ss`, `YYYY-MM-DD`, `ISO8601`, `datetime`.
+pub(crate) fn is_pattern(written: &str) -> bool {
+    let lower = written.to_ascii_lowercase();
+    ["hh", "yy", "iso", "date", "utc", "timestamp", "dd-", "dd/", "excel", "time"]
+        .iter()
+        .any(|part| lower.contains(part))
+}

@@ -1,0 +1,254 @@
+//! The time of a row.
+
+use wholestring_units::Dimension;
+
+use super::{
+    channel::{Chosen, is_no_unit, is_pattern, unit},
+    moment::{Moment, Order, has_zone, moment, of_excel, packed_time, time_of_day},
+    number::{Marks, is_nothing, marked, number},
+    quantity::Quantity,
+    row::Row,
+};
+use crate::{choices::Choices, error::ImportErrorKind, fragment::Note};
+
+/// How times are written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Form {
+    /// A number, so many seconds each.
+    Number { seconds: f64 },
+    /// Days as Excel counts them.
+    Excel,
+    /// Date and time of the day in one text.
+    Moment,
+    /// A time of the day, the date elsewhere or nowhere.
+    OfDay { packed: bool },
+}
+
+/// Reads the time of rows.
+#[derive(Debug, Clone)]
+pub(crate) struct Clock {
+    column: usize,
+    date: Option<usize>,
+    form: Form,
+    marks: Marks,
+    order: Order,
+    /// The date that was read last, as it is written, and its day: the next row mostly has it too.
+    last_date: (Vec<u8>, i64),
+    /// Midnights that were passed.
+    midnights: i64,
+    last_of_day: f64,
+    first: Option<Moment>,
+    /// Whether times are written with a zone.
+    zone: &'static str,
+}
+
+impl Clock {
+    /// Sees how times are written in the first rows; none where the log has no time.
+    pub(crate) fn of(
+        chosen: &mut Chosen,
+        rows: &[Row],
+        marks: Marks,
+        choices: &Choices,
+    ) -> Result<Option<Self>, ImportErrorKind> {
+        let Some(column) = chosen.time else { return Ok(None) };
+        let cells = || rows.iter().map(|row| row.cell(column)).filter(|cell| !is_nothing(cell));
+        let Some(cell) = cells().next() else { return Ok(None) };
+        let channel = &chosen.channels[column];
+        let (name, written) = (channel.mnemonic.clone(), channel.unit.clone());
+        let said = choices.unit_of(&[Quantity::Time.name(), &name], Dimension::Time)?;
+        let of_file = unit(Dimension::Time, &written);
+        let mut order = Order::DayFirst;
+        let zone = if has_zone(cell) { " UTC" } else { "" };
+        let mut assume = |text: String| chosen.notes.push(Note::Assumed(text));
+        let form = match marked(cell, marks) {
+            None if moment(cell, order).is_some() => Form::Moment,
+            None if time_of_day(cell).is_some() => Form::OfDay { packed: false },
+            None => {
+                return Err(ImportErrorKind::Refused(format!(
+                    "'{}' in the column {name} is no time; expected seconds, or a date and time \
+                     such as 2021-03-24T12:34:56Z",
+                    String::from_utf8_lossy(cell)
+                )));
+            }
+            Some(_) if said.is_some() => Form::Number { seconds: said.map_or(1.0, |s| s.factor) },
+            Some(_) if of_file.is_some() => {
+                Form::Number { seconds: of_file.map_or(1.0, |unit| unit.factor) }
+            }
+            Some(value) if is_no_unit(&written) || is_pattern(&written) => {
+                let packed = cells().all(|cell| packed_time(cell).is_some());
+                let hours = written.to_ascii_lowercase().starts_with("hh");
+                if packed && (hours || chosen.date.is_some()) {
+                    if !hours {
+                        assume(format!("{name} is taken to be the time of the day as HHMMSS"));
+                    }
+                    Form::OfDay { packed: true }
+                } else if (20_000.0..80_000.0).contains(&value) && value.fract() != 0.0 {
+                    assume(format!("{name} is taken to be days as Excel counts them"));
+                    Form::Excel
+                } else if (5e8..5e9).contains(&value) {
+                    assume(format!("{name} is taken to be seconds since 1970"));
+                    Form::Number { seconds: 1.0 }
+                } else if (5e11..5e12).contains(&value) {
+                    assume(format!("{name} is taken to be milliseconds since 1970"));
+                    Form::Number { seconds: 1e-3 }
+                } else if name.eq_ignore_ascii_case("seconds") {
+                    Form::Number { seconds: 1.0 }
+                } else {
+                    return Err(ImportErrorKind::MissingUnit {
+                        what: format!("time {name}"),
+                        name: Quantity::Time.name().to_owned(),
+                        dimension: Dimension::Time,
+                    });
+                }
+            }
+            Some(_) => {
+                return Err(ImportErrorKind::WrongUnit {
+                    found: written,
+                    dimension: Dimension::Time,
+                });
+            }
+        };
+        let date = match form {
+            Form::OfDay { .. } => chosen.date,
+            _ => None,
+        };
+        if let Some(date) = date {
+            chosen.channels[date].quantity = Some(Quantity::Time);
+        }
+        let dates: Vec<&[u8]> = match (form, date) {
+            (Form::Moment, _) => cells().collect(),
+            (_, Some(date)) => rows.iter().map(|row| row.cell(date)).collect(),
+            _ => Vec::new(),
+        };
+        order = day_or_month(&dates, choices)?;
+        if date.is_none() && matches!(form, Form::OfDay { .. }) {
+            assume(format!(
+                "{name} has no date: where it goes back by more than twelve hours a day has passed"
+            ));
+        }
+        let (last_date, midnights, last_of_day) = ((Vec::new(), 0), 0, f64::NEG_INFINITY);
+        Ok(Some(Self {
+            column,
+            date,
+            form,
+            marks,
+            order,
+            last_date,
+            midnights,
+            last_of_day,
+            first: None,
+            zone,
+        }))
+    }
+
+    /// The time of a row in seconds since the first that had one; none where it has none.
+    ///
+    /// # Errors
+    /// What stands there as it is written.
+    pub(crate) fn time_s(&mut self, row: &Row) -> Result<Option<f64>, String> {
+        let cell = row.cell(self.column);
+        // The nulls of a column of numbers are far below any time.
+        let is_null = |value: f64| value < -800.0;
+        if is_nothing(cell) || marked(cell, self.marks).is_some_and(is_null) {
+            return Ok(None);
+        }
+        let Some(moment) = self.moment(cell, row) else {
+            let mut text = String::from_utf8_lossy(cell).into_owned();
+            if let Some(date) = self.date {
+                text = format!("{} {text}", String::from_utf8_lossy(row.cell(date)));
+            }
+            return Err(text);
+        };
+        let first = *self.first.get_or_insert(moment);
+        Ok(Some(moment.since(first)))
+    }
+
+    fn moment(&mut self, cell: &[u8], row: &Row) -> Option<Moment> {
+        match self.form {
+            Form::Number { seconds } => {
+                marked(cell, self.marks).map(|value| Moment { day: 0, second: value * seconds })
+            }
+            Form::Excel => marked(cell, self.marks).filter(|days| days.abs() < 1e6).map(of_excel),
+            Form::Moment => moment(cell, self.order).map(|(moment, _)| moment),
+            Form::OfDay { packed } => {
+                let second = if packed { packed_time(cell)? } else { time_of_day(cell)? };
+                let day = match self.date {
+                    Some(date) => {
+                        let written = row.cell(date);
+                        if self.last_date.0 != written {
+                            let (moment, _) = moment(written, self.order)?;
+                            self.last_date = (written.to_vec(), moment.day);
+                        }
+                        self.last_date.1
+                    }
+                    None => {
+                        if second < self.last_of_day - 43_200.0 {
+                            self.midnights += 1;
+                        }
+                        self.last_of_day = second;
+                        self.midnights
+                    }
+                };
+                Some(Moment { day, second })
+            }
+        }
+    }
+
+    /// The time of the first row, where it is a date.
+    pub(crate) fn start(&self) -> Option<String> {
+        let first = self.first?;
+        match (self.form, self.date) {
+            (Form::Moment | Form::Excel, _) | (Form::OfDay { .. }, Some(_)) => {
+                Some(format!("{}{}", first.text(), self.zone))
+            }
+            // Seconds since 1970.
+            (Form::Number { .. }, _) if (5e8..5e9).contains(&first.second) => {
+                Some(format!("{} UTC", first.text()))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Which way round dates are: by one that can only be so, or as is said.
+fn day_or_month(dates: &[&[u8]], choices: &Choices) -> Result<Order, ImportErrorKind> {
+    let mut unsure = None;
+    for date in dates {
+        match moment(date, Order::DayFirst) {
+            Some((_, true)) => unsure = unsure.or(Some(*date)),
+            // `13/04/2021` and `04/13/2021` are read the same either way; they tell the rest.
+            Some((_, false)) if date.iter().filter(|b| **b == b'/').count() == 2 => {
+                let first: Vec<u8> = date.iter().copied().take_while(u8::is_ascii_digit).collect();
+                let first = number(&first).unwrap_or(0.0);
+                if first > 12.0 && first < 32.0 {
+                    return Ok(Order::DayFirst);
+                }
+                if first <= 12.0 && !is_twice(date) {
+                    return Ok(Order::MonthFirst);
+                }
+            }
+            _ => {}
+        }
+    }
+    let Some(date) = unsure else { return Ok(Order::DayFirst) };
+    match choices.picked("date") {
+        Some("dmy") => Ok(Order::DayFirst),
+        Some("mdy") => Ok(Order::MonthFirst),
+        Some(other) => Err(ImportErrorKind::NoSuch {
+            what: "date".to_owned(),
+            name: other.to_owned(),
+            names: vec!["dmy".to_owned(), "mdy".to_owned()],
+        }),
+        None => Err(ImportErrorKind::Refused(format!(
+            "the date '{}' may begin with the day or with the month; say which: --pick date=dmy or \
+             --pick date=mdy",
+            String::from_utf8_lossy(date)
+        ))),
+    }
+}
+
+/// Whether day and month of a date are the same number: `04/04/2021`.
+fn is_twice(date: &[u8]) -> bool {
+    let mut parts = date.split(|b| *b == b'/').map(|part| number(part).unwrap_or(0.0));
+    parts.next() == parts.next()
+}

@@ -1,0 +1,141 @@
+//! The rows of a log in text.
+
+use std::collections::VecDeque;
+
+use super::{
+    super::{
+        lines::{LONGEST_LINE, Lines, text},
+        log::{Opened, short},
+        number::Marks,
+        row::{Row, Rows},
+    },
+    head::Found,
+};
+use crate::{
+    error::{ImportError, ImportErrorKind},
+    fragment::Note,
+};
+
+/// Lines of a remark in quotation marks.
+const QUOTED_LINES: usize = 100;
+
+struct CsvRows<'a> {
+    lines: Lines<'a>,
+    /// Lines that were read to find the headings, and the number of the next.
+    ahead: VecDeque<Vec<u8>>,
+    line: u64,
+    sign: u8,
+    columns: usize,
+}
+
+/// The log below its headings.
+pub(super) fn open<'a>(
+    lines: Lines<'a>,
+    ahead: Vec<Vec<u8>>,
+    found: Found,
+) -> Result<Opened<'a>, ImportError> {
+    let Found { sign, headings, data, columns, passed_over, .. } = found;
+    let name = match sign {
+        b',' => "commas",
+        b';' => "semicolons",
+        b'\t' => "tabs",
+        _ => "bars",
+    };
+    let mut notes = Vec::new();
+    if headings > 0 {
+        notes.push(Note::Read(format!("the headings stand in line {}", headings + 1)));
+    }
+    for at in passed_over {
+        let line = short(text(&ahead[at]).trim().as_bytes());
+        notes.push(Note::LeftOut(format!("line {}, which is no row: '{line}'", at + 1)));
+    }
+    let columns_of_head = columns.len();
+    let rows = CsvRows {
+        ahead: ahead.into_iter().skip(data).collect(),
+        line: data as u64,
+        sign,
+        columns: columns_of_head,
+        lines,
+    };
+    Ok(Opened {
+        file: rows.lines.file().to_owned(),
+        what: format!("a log of a rig as text, parted by {name}"),
+        well: None,
+        columns,
+        null: None,
+        marks: if sign == b',' { Marks::Point } else { Marks::Comma },
+        start: None,
+        notes,
+        rows: Box::new(rows),
+    })
+}
+
+impl CsvRows<'_> {
+    fn line(&mut self, into: &mut Vec<u8>) -> Result<bool, ImportError> {
+        self.line += 1;
+        match self.ahead.pop_front() {
+            Some(line) => {
+                into.extend_from_slice(&line);
+                Ok(true)
+            }
+            None => self.lines.next(into),
+        }
+    }
+}
+
+impl Rows for CsvRows<'_> {
+    fn next(&mut self, row: &mut Row, notes: &mut Vec<Note>) -> Result<bool, ImportError> {
+        loop {
+            row.clear();
+            if !self.line(&mut row.bytes)? {
+                return Ok(false);
+            }
+            row.line = self.line;
+            // Remarks in quotation marks may have line ends.
+            let mut lines = 1;
+            while !row.part_at(self.sign, 0) {
+                row.bytes.push(b'\n');
+                row.cells.clear();
+                lines += 1;
+                let too_long = lines > QUOTED_LINES || row.bytes.len() > 2 * LONGEST_LINE;
+                if too_long || !self.line(&mut row.bytes)? {
+                    let sentence = format!(
+                        "a quotation mark opens and is not closed within {QUOTED_LINES} lines"
+                    );
+                    let place = Some(format!("line {}", row.line));
+                    let kind = ImportErrorKind::Refused(sentence);
+                    return Err(ImportError::new(self.lines.file(), place, kind));
+                }
+            }
+            let filled = row.cells.iter().any(|(from, to)| to > from);
+            let first = row.bytes.first();
+            if !filled || first == Some(&b'#') {
+                continue;
+            }
+            break;
+        }
+        while row.cells.len() > self.columns && row.cell(row.cells.len() - 1).is_empty() {
+            row.cells.pop();
+        }
+        if row.cells.len() > self.columns {
+            let (found, expected) = (row.cells.len(), self.columns);
+            let mut sentence = format!("the row has {found} cells; {expected} were expected");
+            if self.sign == b',' {
+                sentence.push_str(" (are there commas within numbers?)");
+            }
+            let place = Some(format!("line {}", row.line));
+            let kind = ImportErrorKind::Refused(sentence);
+            return Err(ImportError::new(self.lines.file(), place, kind));
+        }
+        // A file that was copied while it grew ends within a row.
+        let is_last = self.ahead.is_empty() && self.lines.cut();
+        if is_last && row.cells.len() < self.columns {
+            notes.push(Note::LeftOut(format!(
+                "the last row, line {}: the file ends within it",
+                row.line
+            )));
+            return Ok(false);
+        }
+        Ok(true)
+    }
+}

@@ -1,0 +1,28 @@
+//! The kinds of logs.
+
+use super::{csv, las, witsml};
+use crate::xml;
+
+/// How a log is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Log ASCII Standard.
+    Las,
+    /// Text with a sign between its columns.
+    Csv,
+    /// WITSML, of either generation.
+    Witsml,
+}
+
+impl Kind {
+    /// The kind of a file that begins so; none where it is no log.
+    pub(crate) fn of(head: &[u8]) -> Option<Self> {
+        if let Some(root) = xml::root(head) {
+            return witsml::is_log(&root.name).then_some(Kind::Witsml);
+        }
+        if las::is_las(head) {
+            return Some(Kind::Las);
+        }
+        csv::is_log(head).then_some(Kind::Csv)
+    }
+}

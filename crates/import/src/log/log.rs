@@ -1,0 +1,369 @@
+//! A log, row by row.
+
+use wholestring_units::Unit;
+
+use super::{
+    channel::{Channel, Column, Wanted, choose},
+    clock::Clock,
+    number::{self, Marks, is_nothing, marked},
+    quantity::Quantity,
+    record::Record,
+    row::{Row, Rows},
+};
+use crate::{
+    choices::Choices,
+    error::{ImportError, ImportErrorKind},
+    fragment::Note,
+};
+
+/// Rows that are read before the first is given, to see how numbers and times are written.
+const AHEAD: usize = 64;
+
+/// What stands for nothing in many logs, whatever their heads say. Nothing on a rig measures them.
+const USUAL_NULLS: [f64; 7] = [-999.25, -9999.25, -999.0, -9999.0, -8888.0, -99_999.0, -999.99];
+
+/// A log whose head has been read.
+pub(crate) struct Opened<'a> {
+    pub(crate) file: String,
+    /// What it is: `LAS 2.0`.
+    pub(crate) what: String,
+    pub(crate) well: Option<String>,
+    pub(crate) columns: Vec<Column>,
+    pub(crate) null: Option<f64>,
+    pub(crate) marks: Marks,
+    /// The beginning of a log whose times are counted from it.
+    pub(crate) start: Option<String>,
+    pub(crate) notes: Vec<Note>,
+    pub(crate) rows: Box<dyn Rows + 'a>,
+}
+
+/// A log whose channels are known and whose rows are read as they are asked for.
+///
+/// It ends after its first error.
+pub struct Log<'a> {
+    /// What it is: `LAS 2.0`.
+    pub what: String,
+    /// Name of the well, if the file says it.
+    pub well: Option<String>,
+    /// Its channels, in their order.
+    pub channels: Vec<Channel>,
+    /// How it is read; what is to be said of the rows follows when the last has been given.
+    pub notes: Vec<Note>,
+    /// Date and time of the first row, if the file says it.
+    pub start: Option<String>,
+    /// What must be said before rows can be read.
+    pub(crate) asked: Vec<ImportErrorKind>,
+    file: String,
+    rows: Box<dyn Rows + 'a>,
+    /// Rows that were read ahead, the next one last, and whether more follow.
+    ahead: Vec<Row>,
+    more: bool,
+    row: Row,
+    wanted: Vec<(Wanted, Vec<f64>)>,
+    clock: Option<Clock>,
+    marks: Marks,
+    watch: Watch,
+    ended: bool,
+}
+
+impl std::fmt::Debug for Log<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Log").field("what", &self.what).field("channels", &self.channels).finish()
+    }
+}
+
+/// What is seen while rows go by.
+#[derive(Debug, Default)]
+struct Watch {
+    given: u64,
+    last_time_s: Option<f64>,
+    same_time: u64,
+    /// Rows of a time before that of the row above, and the line of the first.
+    back: (u64, u64),
+    without_time: (u64, u64),
+    /// Values that stand for nothing though the head does not say so.
+    usual_nulls: (u64, f64, u64),
+    /// Numbers with a comma for a point.
+    commas: (u64, u64),
+}
+
+impl<'a> Log<'a> {
+    /// Chooses the channels and looks at the first rows.
+    pub(crate) fn of(opened: Opened<'a>, choices: &Choices) -> Result<Self, ImportError> {
+        let Opened { file, what, well, columns, null, mut marks, start, mut notes, mut rows } =
+            opened;
+        let mut chosen = choose(&columns, choices);
+        let mut ahead = Vec::new();
+        let mut more = true;
+        while more && ahead.len() < AHEAD {
+            let mut row = Row::default();
+            more = rows.next(&mut row, &mut notes)?;
+            if more {
+                ahead.push(row);
+            }
+        }
+        if marks == Marks::Comma {
+            marks = number::marks(ahead.iter().flat_map(|row| {
+                chosen.wanted.iter().map(|of| row.cell(of.column)).filter(|cell| !cell.is_empty())
+            }));
+            if marks == Marks::Comma {
+                notes.push(Note::Read("numbers have a comma before their decimals".to_owned()));
+            }
+        }
+        let clock = match Clock::of(&mut chosen, &ahead, marks, choices) {
+            Ok(clock) => clock,
+            Err(kind) => {
+                chosen.asked.push(kind);
+                None
+            }
+        };
+        let nulls = |of: &Wanted| null.into_iter().chain(columns[of.column].null).collect();
+        let wanted: Vec<(Wanted, Vec<f64>)> = chosen
+            .wanted
+            .into_iter()
+            .map(|of| {
+                let nulls = nulls(&of);
+                (of, nulls)
+            })
+            .collect();
+        notes.extend(chosen.notes);
+        ahead.reverse();
+        let mut log = Self {
+            what,
+            well,
+            channels: chosen.channels,
+            notes,
+            start,
+            asked: chosen.asked,
+            file,
+            rows,
+            ahead,
+            more,
+            row: Row::default(),
+            wanted,
+            clock,
+            marks,
+            watch: Watch::default(),
+            ended: false,
+        };
+        if let Some(mut clock) = log.clock.clone() {
+            let mut times = log.ahead.iter().rev().map(|row| clock.time_s(row));
+            let _ = times.find(|time| matches!(time, Ok(Some(_))));
+            drop(times);
+            log.start = clock.start().or(log.start);
+        }
+        Ok(log)
+    }
+
+    /// The unit in which a quantity is logged.
+    pub(crate) fn unit(&self, quantity: Quantity) -> Option<&'static Unit> {
+        let wanted = self.wanted.iter().find(|(wanted, _)| wanted.quantity == quantity);
+        wanted.map(|(wanted, _)| wanted.unit)
+    }
+
+    /// Whether a channel gives a quantity.
+    pub fn has(&self, quantity: Quantity) -> bool {
+        self.channels.iter().any(|channel| channel.quantity == Some(quantity))
+    }
+
+    /// The first of what must be said before rows can be read.
+    pub(crate) fn ask(&mut self) -> Result<(), ImportError> {
+        if self.asked.is_empty() {
+            return Ok(());
+        }
+        Err(ImportError::new(&self.file, None, self.asked.swap_remove(0)))
+    }
+
+    /// Rows that were given so far.
+    pub fn rows(&self) -> u64 {
+        self.watch.given
+    }
+
+    fn next_record(&mut self) -> Result<Option<Record>, ImportError> {
+        loop {
+            let more = match self.ahead.pop() {
+                Some(row) => {
+                    self.row = row;
+                    true
+                }
+                None if self.more => self.rows.next(&mut self.row, &mut self.notes)?,
+                None => false,
+            };
+            if !more {
+                return self.finish().map(|()| None);
+            }
+            let mut record = Record::NONE;
+            if self.clock.is_some() {
+                let Some(time_s) = self.time_s()? else { continue };
+                record.time_s = time_s;
+            }
+            for (wanted, nulls) in &self.wanted {
+                let cell = self.row.cell(wanted.column);
+                if cell.is_empty() {
+                    continue;
+                }
+                let Some(value) = marked(cell, self.marks) else {
+                    if is_nothing(cell) {
+                        continue;
+                    }
+                    let kind = ImportErrorKind::NotANumber {
+                        what: format!(
+                            "{} {}",
+                            wanted.quantity.words(),
+                            self.channels[wanted.column].mnemonic
+                        ),
+                        found: short(cell),
+                    };
+                    return Err(self.error(kind));
+                };
+                if nulls.contains(&value) {
+                    continue;
+                }
+                if value < -800.0 && USUAL_NULLS.contains(&value) {
+                    let (count, first, line) = &mut self.watch.usual_nulls;
+                    if *count == 0 {
+                        (*first, *line) = (value, self.row.line);
+                    }
+                    *count += 1;
+                    continue;
+                }
+                if self.marks == Marks::Either && has_comma(cell) {
+                    let (count, line) = &mut self.watch.commas;
+                    if *count == 0 {
+                        *line = self.row.line;
+                    }
+                    *count += 1;
+                }
+                *wanted.quantity.field(&mut record) = wanted.unit.to_si(value);
+            }
+            self.watch.given += 1;
+            return Ok(Some(record));
+        }
+    }
+
+    /// The time of the row; none of a row that has none or goes back.
+    fn time_s(&mut self) -> Result<Option<f64>, ImportError> {
+        let Some(clock) = &mut self.clock else { return Ok(None) };
+        let line = self.row.line;
+        let time_s = match clock.time_s(&self.row) {
+            Ok(time_s) => time_s,
+            Err(found) => {
+                let sentence = format!("'{found}' is not a time as the rows above have it");
+                return Err(self.error(ImportErrorKind::Refused(sentence)));
+            }
+        };
+        let watch = &mut self.watch;
+        let Some(time_s) = time_s else {
+            count(&mut watch.without_time, line);
+            return Ok(None);
+        };
+        match watch.last_time_s {
+            Some(last) if time_s < last => {
+                count(&mut watch.back, line);
+                return Ok(None);
+            }
+            Some(last) if time_s == last => watch.same_time += 1,
+            _ => {}
+        }
+        watch.last_time_s = Some(time_s);
+        Ok(Some(time_s))
+    }
+
+    /// Says what was seen.
+    fn finish(&mut self) -> Result<(), ImportError> {
+        self.ended = true;
+        let Watch { given, same_time, back, without_time, usual_nulls, commas, .. } = self.watch;
+        if back.0 > given {
+            let sentence = format!(
+                "the time goes back in {} of {} rows, first in line {}; expected rows in the order \
+                 of time",
+                back.0,
+                back.0 + given,
+                back.1
+            );
+            return Err(ImportError::new(&self.file, None, ImportErrorKind::Refused(sentence)));
+        }
+        let notes = &mut self.notes;
+        if back.0 > 0 {
+            notes.push(Note::LeftOut(format!(
+                "{}, the first in line {}: earlier than one above (a clock that was set back, or \
+                 parts of a log that overlap)",
+                rows(back.0),
+                back.1
+            )));
+        }
+        if without_time.0 > 0 {
+            notes.push(Note::LeftOut(format!(
+                "{} without a time, the first in line {}",
+                rows(without_time.0),
+                without_time.1
+            )));
+        }
+        if same_time > 0 {
+            notes.push(Note::Read(format!("{} with the time of the row above", rows(same_time))));
+        }
+        if usual_nulls.0 > 0 {
+            notes.push(Note::Assumed(format!(
+                "taken for nothing, as in many logs, though the head does not say so: {} such as {}, \
+                 the first in line {}",
+                values(usual_nulls.0),
+                usual_nulls.1,
+                usual_nulls.2
+            )));
+        }
+        if commas.0 > 0 {
+            notes.push(Note::Assumed(format!(
+                "a comma within a number stands before its decimals: {}, the first in line {}",
+                values(commas.0),
+                commas.1
+            )));
+        }
+        Ok(())
+    }
+
+    fn error(&self, kind: ImportErrorKind) -> ImportError {
+        ImportError::new(&self.file, Some(format!("line {}", self.row.line)), kind)
+    }
+}
+
+impl Iterator for Log<'_> {
+    type Item = Result<Record, ImportError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.ended {
+            return None;
+        }
+        let next = self.next_record().transpose();
+        self.ended |= matches!(next, Some(Err(_)));
+        next
+    }
+}
+
+fn has_comma(cell: &[u8]) -> bool {
+    cell.contains(&b',') && cell.iter().all(|b| b.is_ascii_digit() || b",.-+".contains(b))
+}
+
+fn count((count, first): &mut (u64, u64), line: u64) {
+    if *count == 0 {
+        *first = line;
+    }
+    *count += 1;
+}
+
+fn rows(count: u64) -> String {
+    if count == 1 { "1 row".to_owned() } else { format!("{count} rows") }
+}
+
+fn values(count: u64) -> String {
+    if count == 1 { "1 value".to_owned() } else { format!("{count} values") }
+}
+
+/// The beginning of a cell, for a sentence.
+pub(crate) fn short(cell: &[u8]) -> String {
+    let text = super::lines::text(&cell[..cell.len().min(160)]);
+    let mut short: String = text.chars().take(40).collect();
+    if text.chars().count() > 40 || cell.len() > 160 {
+        short.push('…');
+    }
+    short
+}

@@ -1,0 +1,118 @@
+//! Opening a log.
+
+use wholestring_units::{Dimension, UnitSet};
+
+use super::{
+    kind::Kind,
+    log::{Log, Opened},
+    picking::{self, Thresholds},
+    quantity::Quantity,
+    {csv, las, witsml},
+};
+use crate::{
+    choices::Choices,
+    error::{ImportError, ImportErrorKind},
+    format::Format,
+    fragment::{Fragment, Note},
+    input::Input,
+};
+
+/// A log of a rig, whose rows are read as they are asked for.
+///
+/// ```
+/// use wholestring_import::{Choices, Input, log};
+///
+/// let text = b"Time (s),Bit Depth (m),Hook Load (kN)\n0,3000,1200\n5,3001.5,1310\n";
+/// let log = log(Input::of_bytes("trip.csv", text), &Choices::default())?;
+/// let loads: Result<Vec<f64>, _> = log.map(|row| row.map(|row| row.hook_load_N)).collect();
+/// assert_eq!(loads?, [1_200_000.0, 1_310_000.0]);
+/// # Ok::<(), wholestring_import::ImportError>(())
+/// ```
+///
+/// # Errors
+/// It is no log, its head is damaged, a unit is missing or several channels may be meant.
+pub fn log<'a>(mut input: Input<'a>, choices: &Choices) -> Result<Log<'a>, ImportError> {
+    match Format::of(&mut input)? {
+        Format::Log(kind) => open(input, kind, choices),
+        _ => {
+            let found = "it is no log".to_owned();
+            let kind = ImportErrorKind::NotRecognised { found };
+            Err(ImportError::new(input.name(), None, kind))
+        }
+    }
+}
+
+/// Opens a log of a kind.
+pub(crate) fn open<'a>(
+    input: Input<'a>,
+    kind: Kind,
+    choices: &Choices,
+) -> Result<Log<'a>, ImportError> {
+    let mut log = unasked(input, kind, choices)?;
+    log.ask()?;
+    Ok(log)
+}
+
+/// Opens a log without asking for what is missing.
+pub(super) fn unasked<'a>(
+    input: Input<'a>,
+    kind: Kind,
+    choices: &Choices,
+) -> Result<Log<'a>, ImportError> {
+    let opened: Opened<'a> = match kind {
+        Kind::Las => las::open(input)?,
+        Kind::Csv => csv::open(input)?,
+        Kind::Witsml => witsml::open(input, choices)?,
+    };
+    Log::of(opened, choices)
+}
+
+/// Picks weights and torques of a log.
+pub(crate) fn read(input: Input, kind: Kind, choices: &Choices) -> Result<Fragment, ImportError> {
+    let name = input.name().to_owned();
+    let mut log = open(input, kind, choices)?;
+    let measured = [Quantity::HookLoad, Quantity::Torque];
+    if !measured.iter().any(|quantity| log.has(*quantity)) {
+        let channels: Vec<&str> =
+            log.channels.iter().take(20).map(|channel| channel.mnemonic.as_str()).collect();
+        let more = log.channels.len().saturating_sub(20);
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        let left_out: Vec<&str> = log
+            .notes
+            .iter()
+            .map(Note::text)
+            .filter(|text| {
+                let not = |quantity: &Quantity| {
+                    text.contains(&format!("is not taken for the {}", quantity.words()))
+                };
+                measured.iter().any(not)
+            })
+            .collect();
+        let left_out =
+            if left_out.is_empty() { String::new() } else { format!("; {}", left_out.join("; ")) };
+        let sentence = format!(
+            "no hook load and no torque at the surface is in it; its channels are {}{more} (say which \
+             it is: --pick hookload=CHANNEL){left_out}",
+            channels.join(", "),
+        );
+        return Err(ImportError::new(&name, None, ImportErrorKind::Refused(sentence)));
+    }
+    let unit = log.unit(Quantity::HookLoad).unwrap_or(Dimension::Force.unit_in(UnitSet::Si));
+    let picks = picking::pick(log.by_ref(), &name, unit, &Thresholds::default(), choices)?;
+    let mut fragment = picks.fragment();
+    fragment.what = format!("{}, {}", log.what, fragment.what);
+    let mut notes = vec![Note::Read(format!("channels: {}", taken(&log)))];
+    notes.append(&mut log.notes);
+    notes.append(&mut fragment.notes);
+    Ok(Fragment { notes, ..fragment })
+}
+
+/// What each channel that is used was taken for.
+fn taken(log: &Log) -> String {
+    let taken = log.channels.iter().filter_map(|channel| {
+        let quantity = channel.quantity?;
+        let unit = if channel.unit.is_empty() { "no unit" } else { channel.unit.as_str() };
+        Some(format!("{} from {} ({unit})", quantity.words(), channel.mnemonic))
+    });
+    taken.collect::<Vec<_>>().join(", ")
+}
