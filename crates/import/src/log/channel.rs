@@ -21,6 +21,18 @@ pub struct Channel {
     pub description: String,
 }
 
+impl Channel {
+    /// Its name with its unit.
+    pub(crate) fn named(&self) -> String {
+        let Channel { mnemonic, unit, quantity, .. } = self;
+        match (unit.as_str(), quantity) {
+            ("", Some(Quantity::Time) | None) => mnemonic.clone(),
+            ("", Some(_)) => format!("{mnemonic} (no unit)"),
+            _ => format!("{mnemonic} ({unit})"),
+        }
+    }
+}
+
 /// A column as a format declares it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Column {
