@@ -81,7 +81,7 @@ impl WellTable {
         match (survey, listed) {
             (Some(file), None) => {
                 let length_unit = self.survey_unit.optional()?.map(|at| at.value);
-                stations::from_file(file, &Said { length_unit }, files, reader)
+                stations::from_file(file, &Said { length_unit, ..Said::default() }, files, reader)
             }
             (None, Some(listed)) => {
                 if let Some(unit) = self.survey_unit.optional()? {

@@ -5,9 +5,9 @@ use clap_complete::Shell;
 
 use crate::{
     bench::BenchArgs, bha::BhaArgs, bit_test::BitTestArgs, calibrate::CalibrateArgs,
-    catalogue::CatalogueArgs, check::CheckArgs, modes::ModesArgs, new_case::NewArgs,
-    plan::PlanArgs, plot::PlotArgs, reach::ReachArgs, report::ReportArgs, run::RunArgs,
-    study::StudyArgs, survey::SurveyArgs, sweep::SweepArgs,
+    catalogue::CatalogueArgs, check::CheckArgs, export::ExportArgs, import::ImportArgs,
+    modes::ModesArgs, new_case::NewArgs, plan::PlanArgs, plot::PlotArgs, reach::ReachArgs,
+    report::ReportArgs, run::RunArgs, study::StudyArgs, survey::SurveyArgs, sweep::SweepArgs,
 };
 
 /// Torque, drag and dynamics of a whole drill string in a deviated well.
@@ -28,7 +28,9 @@ pub(crate) enum Command {
     // To begin with.
     /// Write a commented case to begin with
     New(NewArgs),
-    /// Is the case sound? One line, or diagnostics
+    /// Make a commented case of surveys, tallies, WITSML, EDM and logs
+    Import(ImportArgs),
+    /// Is the case sound? One line, or diagnostics. Of a file of another program: what it holds
     Check(CheckArgs),
 
     // The whole string.
@@ -60,6 +62,8 @@ pub(crate) enum Command {
     Report(ReportArgs),
     /// Draw what results hold as SVG files; a second run on the same axes
     Plot(PlotArgs),
+    /// Write results, or the survey or string of a case, as CSV, Excel, text or WITSML
+    Export(ExportArgs),
 
     // To look things up.
     /// Position and dogleg severity along a survey

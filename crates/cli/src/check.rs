@@ -1,6 +1,6 @@
 //! `wholestring check`: is the case sound?
 
-use std::f64::consts::TAU;
+use std::{f64::consts::TAU, path::Path};
 
 use clap::Args;
 use wholestring::{
@@ -11,6 +11,7 @@ use wholestring::{
     sizing::SizeReason,
 };
 use wholestring_case::{BitTest, Case};
+use wholestring_runner::import;
 use wholestring_units::Dimension;
 
 use crate::{failure::Failure, input::load, shared_args::CaseArgs, terminal::print_stdout};
@@ -22,6 +23,11 @@ pub(crate) struct CheckArgs {
 }
 
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
+    let file = &args.case.case;
+    let is_case = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    if !is_case && file.exists() && args.case.overrides.is_empty() {
+        return contents(file);
+    }
     let case = load(&args.case, false)?;
     print_stdout(&format!(
         "{} is sound: {}\n{}{}{}{}",
@@ -34,8 +40,15 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     ))
 }
 
+/// What the file of another program is, and what it holds.
+fn contents(file: &Path) -> Result<(), Failure> {
+    let contents = import::contents(file)?;
+    let lines: String = contents.lines.iter().map(|line| format!("  {line}\n")).collect();
+    print_stdout(&format!("{}: {}\n{lines}", file.display(), contents.what))
+}
+
 /// What a run of the case would solve, in a line.
-fn outline(case: &Case) -> String {
+pub(crate) fn outline(case: &Case) -> String {
     let models = case.models.iter().copied().map(ModelKind::name);
     let operations = case.operations.iter().map(|operation| operation.kind.name());
     let depth = case.operations.first().map_or(0.0, |operation| operation.bit_depth_m);

@@ -11,8 +11,10 @@ mod color;
 mod comparison;
 mod conclusion;
 mod convergence;
+mod export;
 mod failure;
 mod findings;
+mod import;
 mod input;
 mod interrupt;
 mod modes;
@@ -44,6 +46,7 @@ use terminal::{print_stderr, print_stdout};
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
         Command::Check(args) => check::check(&args),
+        Command::Import(args) => import::import(&args),
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::sweep(&args),
         Command::BitTest(args) => bit_test::bit_test(&args),
@@ -55,6 +58,7 @@ fn main() -> ExitCode {
         Command::Study(args) => study::study(&args),
         Command::Report(args) => report::report(&args),
         Command::Plot(args) => plot::plot(&args),
+        Command::Export(args) => export::export(&args),
         Command::Survey(args) => survey::survey(&args),
         Command::Bench(args) => bench::bench(&args),
         Command::Catalogue(args) => catalogue::catalogue(&args),

@@ -8,7 +8,10 @@ use std::{
 
 use clap::Args;
 
-use crate::{failure::Failure, terminal::print_stdout};
+use crate::{
+    failure::Failure,
+    terminal::{in_shell, print_stdout},
+};
 
 /// The case. Its name is filled in.
 const TEMPLATE: &str = include_str!("new_case.toml");
@@ -71,9 +74,4 @@ fn file(name: &std::path::Path) -> PathBuf {
 fn quoted(text: &str) -> String {
     let text = text.replace('\\', "\\\\").replace('"', "\\\"");
     format!("\"{text}\"")
-}
-
-/// A path as an argument.
-fn in_shell(path: &str) -> String {
-    if path.contains(char::is_whitespace) { format!("\"{path}\"") } else { path.to_owned() }
 }

@@ -57,7 +57,7 @@ impl From<PathKind> for Interpolation {
 }
 
 pub(crate) fn survey(args: &SurveyArgs) -> Result<(), Failure> {
-    let survey = survey::read(&args.survey, &Said { length_unit: args.unit })?;
+    let survey = survey::read(&args.survey, &Said { length_unit: args.unit, ..Said::default() })?;
     for note in &survey.notes {
         print_stderr(&format!("note: {note}\n"));
     }

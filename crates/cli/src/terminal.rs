@@ -19,3 +19,8 @@ pub(crate) fn print_stdout(text: &str) -> Result<(), Failure> {
         _ => Ok(()),
     }
 }
+
+/// A path as an argument.
+pub(crate) fn in_shell(path: &str) -> String {
+    if path.contains(char::is_whitespace) { format!("\"{path}\"") } else { path.to_owned() }
+}

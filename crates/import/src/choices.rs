@@ -7,14 +7,15 @@ use std::{
 
 use wholestring_units::{Dimension, Unit};
 
-use crate::error::ImportErrorKind;
+use crate::{error::ImportErrorKind, fragment::Value};
 
-/// Units that files do not tell, and which of several things is meant.
+/// Units and values that files do not tell, and which of several things is meant.
 ///
-/// On the command line they are `--unit NAME=UNIT` and `--pick WHAT=NAME`.
+/// On the command line they are `--unit NAME=UNIT`, `--value NAME=QUANTITY` and `--pick WHAT=NAME`.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Choices {
     units: BTreeMap<String, String>,
+    values: BTreeMap<String, String>,
     picks: BTreeMap<String, String>,
     /// The names of those that a file asked for.
     used: RefCell<BTreeSet<String>>,
@@ -24,6 +25,12 @@ impl Choices {
     /// Says a unit: `md` is in `ft`.
     pub fn unit(mut self, name: impl Into<String>, unit: impl Into<String>) -> Self {
         self.units.insert(name.into(), unit.into());
+        self
+    }
+
+    /// Says a value: `block-weight` is `25 tf`.
+    pub fn value(mut self, name: impl Into<String>, quantity: impl Into<String>) -> Self {
+        self.values.insert(name.into(), quantity.into());
         self
     }
 
@@ -61,6 +68,27 @@ impl Choices {
         Some((name, said))
     }
 
+    /// The value that is said of a name, in the unit that it is said in.
+    ///
+    /// # Errors
+    /// What is said is no quantity of the dimension.
+    pub(crate) fn quantity(
+        &self,
+        name: &str,
+        dimension: Dimension,
+    ) -> Result<Option<Value>, ImportErrorKind> {
+        let Some(said) = self.values.get(name) else { return Ok(None) };
+        self.used.borrow_mut().insert(format!("--value {name}"));
+        match dimension.read(said) {
+            Ok(written) => Ok(Some(Value::quantity(written.number, written.unit))),
+            Err(error) => Err(ImportErrorKind::SaidValue {
+                name: name.to_owned(),
+                said: said.clone(),
+                reason: error.to_string(),
+            }),
+        }
+    }
+
     /// The name that is picked of several.
     pub(crate) fn picked(&self, what: &str) -> Option<&str> {
         let name = self.picks.get(what)?;
@@ -71,7 +99,8 @@ impl Choices {
     /// Those that no file asked for, as options.
     pub(crate) fn unused(&self) -> Vec<String> {
         let units = self.units.keys().map(|name| format!("--unit {name}"));
-        let all = units.chain(self.picks.keys().map(|what| format!("--pick {what}")));
+        let values = self.values.keys().map(|name| format!("--value {name}"));
+        let all = units.chain(values).chain(self.picks.keys().map(|what| format!("--pick {what}")));
         let used = self.used.borrow();
         all.filter(|option| !used.contains(option)).collect()
     }

@@ -72,6 +72,28 @@ pub enum ImportErrorKind {
         /// What is measured.
         dimension: Dimension,
     },
+    /// A quantity that no file tells.
+    #[error("the {what} is not told; say it: --value {name}=\"{example}\"{hint}")]
+    MissingValue {
+        /// The quantity in words.
+        what: String,
+        /// Its name in `--value`.
+        name: String,
+        /// One as it may be said.
+        example: String,
+        /// What it probably is, and why; empty, or a sentence that begins with `; `.
+        hint: String,
+    },
+    /// What is said with `--value` is no such quantity.
+    #[error("--value {name}=\"{said}\": {reason}")]
+    SaidValue {
+        /// The name in `--value`.
+        name: String,
+        /// The quantity as it is said.
+        said: String,
+        /// What is wrong with it.
+        reason: String,
+    },
     /// A number was expected.
     #[error("'{found}' is not a number; the {what} was expected")]
     NotANumber {
@@ -115,10 +137,10 @@ pub enum ImportErrorKind {
         names: Vec<String>,
     },
     /// Two files hold the same part of a case.
-    #[error("{what} is in {first} too; pick one: --pick {what}={first}")]
+    #[error("it holds the {what}, and so does {first}; pick one: --pick {what}={first}")]
     InTwoFiles {
         /// The part.
-        what: String,
+        what: &'static str,
         /// The other file.
         first: String,
     },

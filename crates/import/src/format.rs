@@ -2,10 +2,11 @@
 
 use crate::{
     choices::Choices,
+    edm,
     error::{ImportError, ImportErrorKind},
     fragment::{Contents, Fragment},
     input::Input,
-    log, tables, xml,
+    log, tables, witsml, xml,
 };
 
 /// A format that is read.
@@ -13,6 +14,10 @@ use crate::{
 pub enum Format {
     /// Rows of cells: text or a workbook.
     Table,
+    /// WITSML but for logs: trajectories, tubulars, runs, geometries, mud reports.
+    Witsml,
+    /// An export of Landmark's Engineer's Data Model.
+    Edm,
     /// What the sensors of a rig said.
     Log(log::Kind),
 }
@@ -25,10 +30,17 @@ impl Format {
     pub fn of(input: &mut Input) -> Result<Self, ImportError> {
         let name = input.name().to_owned();
         let head = input.head()?;
+        xml::check(&name, head)?;
         if let Some(kind) = log::Kind::of(head) {
             return Ok(Format::Log(kind));
         }
         if let Some(root) = xml::root(head) {
+            if witsml::is_witsml(&root) {
+                return Ok(Format::Witsml);
+            }
+            if root.name.eq_ignore_ascii_case(edm::ROOT) {
+                return Ok(Format::Edm);
+            }
             let found = format!("it is XML with the root element <{}>", root.name);
             return Err(ImportError::new(&name, None, ImportErrorKind::NotRecognised { found }));
         }
@@ -39,6 +51,8 @@ impl Format {
     pub(crate) fn read(self, input: Input, choices: &Choices) -> Result<Fragment, ImportError> {
         match self {
             Format::Table => tables::read(input, choices),
+            Format::Witsml => witsml::read(input, choices),
+            Format::Edm => edm::read(input, choices),
             Format::Log(kind) => log::read(input, kind, choices),
         }
     }
@@ -47,6 +61,8 @@ impl Format {
     pub(crate) fn contents(self, input: Input) -> Result<Contents, ImportError> {
         match self {
             Format::Table => tables::contents(input),
+            Format::Witsml => witsml::contents(input),
+            Format::Edm => edm::contents(input),
             Format::Log(kind) => log::contents(input, kind),
         }
     }

@@ -5,10 +5,14 @@ use crate::{
     choices::Choices,
     error::{ImportError, ImportErrorKind},
     format::Format,
-    fragment::{Contents, Note},
+    fragment::{Contents, Note, quoted},
     input::Input,
+    log::picking::Picks,
     merge::{self, Source},
 };
+
+/// What the file of measured weights has after the case's name.
+pub(crate) const MEASURED: &str = "-measured.csv";
 
 /// A file beside the case.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,6 +28,8 @@ pub struct Beside {
 pub struct Imported {
     /// The case file: TOML with comments.
     pub text: String,
+    /// How weights were picked from a log, to be drawn.
+    pub picks: Vec<Picks>,
     /// Files that stand beside it.
     pub beside: Vec<Beside>,
     /// What each file is: its name and a few words.
@@ -32,6 +38,22 @@ pub struct Imported {
     pub notes: Vec<(Option<String>, Note)>,
     /// What the case still needs before it can be solved, in sentences.
     pub missing: Vec<String>,
+}
+
+impl Imported {
+    /// The case file under a name, such as `well` for `well.toml`: [`text`](Self::text), and the
+    /// keys that name the files beside it.
+    pub fn text_as(&self, stem: &str) -> String {
+        let mut text = self.text.clone();
+        if self.beside.iter().any(|file| file.ending == MEASURED) {
+            let file = quoted(&format!("{stem}{MEASURED}"));
+            text += &format!(
+                "\n[plan]\nmeasured = {file}  # drawn over the plan; `wholestring calibrate` finds \
+                 friction from it\n"
+            );
+        }
+        text
+    }
 }
 
 /// Makes one case of some files.
@@ -46,6 +68,8 @@ pub fn import(inputs: Vec<Input>, choices: &Choices) -> Result<Imported, ImportE
         let format = Format::of(&mut input)?;
         sources.push(Source { name, fragment: format.read(input, choices)? });
     }
+    let picks = sources.iter_mut().filter_map(|source| source.fragment.picks.take());
+    let picks: Vec<Picks> = picks.map(|picks| *picks).collect();
     let draft = merge::merge(sources, choices)?;
     let unused = choices.unused();
     if !unused.is_empty() {
@@ -53,7 +77,7 @@ pub fn import(inputs: Vec<Input>, choices: &Choices) -> Result<Imported, ImportE
         let names: Vec<&str> = draft.files.iter().map(|(name, _)| name.as_str()).collect();
         return Err(ImportError::new(&names.join(", "), None, kind));
     }
-    Ok(case_text::write(draft))
+    Ok(Imported { picks, ..case_text::write(draft) })
 }
 
 /// What a file is, and what it holds.

@@ -12,7 +12,7 @@
 //! let survey = b"MD (ft),Inc,Azi\n0,0,0\n1000,0,0\n1100,3,45\n";
 //! let files = vec![Input::of_bytes("survey.csv", survey)];
 //! let imported = import(files, &Choices::default())?;
-//! assert!(imported.text.contains("[335.28, 3, 45]"));
+//! assert!(imported.text.contains("[\"1100 ft\", 3, 45]"));
 //! // No string, no hole and no mud: the case says what it still needs.
 //! assert_eq!(imported.missing.len(), 3);
 //! # Ok::<(), wholestring_import::ImportError>(())
@@ -21,6 +21,7 @@
 
 mod case_text;
 mod choices;
+mod edm;
 mod error;
 mod format;
 mod fragment;
@@ -29,7 +30,16 @@ mod input;
 mod log;
 mod merge;
 mod tables;
+mod witsml;
 mod xml;
+
+/// Weights and torques picked from a log against time.
+pub mod picking {
+    pub use crate::log::picking::{
+        BlockWeight, Channel, Counts, Detail, Estimate, Kind, Motion, Picks, Refusal, Refused,
+        Thresholds, Trace, Trip, Window, Work, pick,
+    };
+}
 
 pub use choices::Choices;
 pub use error::{ImportError, ImportErrorKind};

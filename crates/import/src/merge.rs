@@ -77,10 +77,8 @@ fn pick(
     let [first, second, ..] = holders[..] else { return Ok(()) };
     let names: Vec<String> = holders.iter().map(|&file| sources[file].name.clone()).collect();
     let Some(picked) = choices.picked(part.name()) else {
-        let kind = ImportErrorKind::InTwoFiles {
-            what: format!("the {}", part.name()).replace("the ", ""),
-            first: sources[first].name.clone(),
-        };
+        let kind =
+            ImportErrorKind::InTwoFiles { what: part.name(), first: sources[first].name.clone() };
         return Err(ImportError::new(&sources[second].name, None, kind));
     };
     let is_picked = |name: &str| name == picked || name.rsplit(['/', '\\']).next() == Some(picked);

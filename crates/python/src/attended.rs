@@ -1,5 +1,5 @@
 //! Long work with Python free beside it: other Python threads run, an interrupt ends it within a
-//! tenth of a second, and its progress is told.
+//! tenth of a second, and hears of its progress.
 
 use std::{
     sync::{
@@ -13,7 +13,7 @@ use std::{
 use pyo3::prelude::*;
 use wholestring_runner::{CancellationToken, Observer, Progress, Task};
 
-use crate::{error, told::Told};
+use crate::{error, event_buffer::EventBuffer};
 
 /// How often Python is asked for an interrupt and told of the progress.
 const LOOK: Duration = Duration::from_millis(50);
@@ -29,7 +29,7 @@ pub(crate) struct Attended<T> {
 }
 
 /// Does the work on a thread of its own, and looks after Python on this one. The listener is told
-/// what [`Told`] tells.
+/// what [`EventBuffer`] tells.
 ///
 /// # Errors
 /// Work that panicked.
@@ -39,7 +39,7 @@ pub(crate) fn attended<T: Send>(
     work: impl FnOnce(&dyn Observer, &CancellationToken) -> T + Send,
 ) -> PyResult<Attended<T>> {
     let cancellation = CancellationToken::new();
-    let told = Told::default();
+    let events = EventBuffer::default();
     let free = listener.clone().unbind();
     let (result, raised) = py.detach(|| {
         thread::scope(|scope| {
@@ -47,9 +47,9 @@ pub(crate) fn attended<T: Send>(
             let worker = scope.spawn(|| {
                 // Dropped when the work is done, however it ends.
                 let _ended = ended;
-                work(&told, &cancellation)
+                work(&events, &cancellation)
             });
-            let (_, raised) = look_after(&end, &cancellation, &told, &free, Duration::MAX);
+            let (_, raised) = look_after(&end, &cancellation, &events, &free, Duration::MAX);
             (worker.join(), raised)
         })
     });
@@ -57,7 +57,7 @@ pub(crate) fn attended<T: Send>(
         return Err(raised.unwrap_or_else(|| error::of_panic(py)));
     };
     // What was said last.
-    let raised = raised.or(told.tell(listener).err());
+    let raised = raised.or(events.tell(listener).err());
     Ok(Attended { result, raised })
 }
 
@@ -72,19 +72,19 @@ pub(crate) fn attended_or_left<T: Send + 'static>(
     work: impl FnOnce(&dyn Observer, &CancellationToken) -> T + Send + 'static,
 ) -> PyResult<Attended<Option<T>>> {
     let cancellation = CancellationToken::new();
-    let told = Arc::new(Told::default());
+    let events = Arc::new(EventBuffer::default());
     let free = listener.clone().unbind();
     let (worker, raised) = py.detach(|| {
         let (ended, end) = channel::<()>();
-        let (its_told, its_cancellation) = (told.clone(), cancellation.clone());
+        let (its_events, its_cancellation) = (events.clone(), cancellation.clone());
         let worker = thread::spawn(move || {
             let _ended = ended;
-            work(&*its_told, &its_cancellation)
+            work(&*its_events, &its_cancellation)
         });
-        let (has_ended, raised) = look_after(&end, &cancellation, &told, &free, PATIENCE);
+        let (has_ended, raised) = look_after(&end, &cancellation, &events, &free, PATIENCE);
         (has_ended.then(|| worker.join()), raised)
     });
-    let raised = raised.or(told.tell(listener).err());
+    let raised = raised.or(events.tell(listener).err());
     match worker.transpose() {
         Ok(result) => Ok(Attended { result, raised }),
         Err(_) => Err(raised.unwrap_or_else(|| error::of_panic(py))),
@@ -96,7 +96,7 @@ pub(crate) fn attended_or_left<T: Send + 'static>(
 fn look_after(
     end: &Receiver<()>,
     cancellation: &CancellationToken,
-    told: &Told,
+    events: &EventBuffer,
     listener: &Py<PyAny>,
     patience: Duration,
 ) -> (bool, Option<PyErr>) {
@@ -110,7 +110,7 @@ fn look_after(
             None => {
                 let look = Python::attach(|py| {
                     py.check_signals()?;
-                    told.tell(listener.bind(py))
+                    events.tell(listener.bind(py))
                 });
                 if let Err(error) = look {
                     cancellation.cancel();
@@ -134,7 +134,7 @@ pub(crate) fn attended_here<T: Send>(
 ) -> Attended<T> {
     let cancellation = CancellationToken::new();
     let looking = Looking {
-        told: Told::default(),
+        events: EventBuffer::default(),
         listener: listener.clone().unbind(),
         cancellation: cancellation.clone(),
         at: Mutex::new((Instant::now(), None)),
@@ -142,13 +142,13 @@ pub(crate) fn attended_here<T: Send>(
     let result = py.detach(|| work(&looking, &cancellation));
     let (_, raised) = looking.at.into_inner().unwrap_or_else(PoisonError::into_inner);
     // What was said last.
-    let raised = raised.or(looking.told.tell(listener).err());
+    let raised = raised.or(looking.events.tell(listener).err());
     Attended { result, raised }
 }
 
 /// Hears what work says, and looks after Python now and then.
 struct Looking {
-    told: Told,
+    events: EventBuffer,
     listener: Py<PyAny>,
     cancellation: CancellationToken,
     /// When it looked last, and what was raised then.
@@ -157,22 +157,22 @@ struct Looking {
 
 impl Observer for Looking {
     fn note(&self, text: &str) {
-        self.told.note(text);
+        self.events.note(text);
     }
 
     fn warning(&self, text: &str) {
-        self.told.warning(text);
+        self.events.warning(text);
     }
 
     fn reached(&self, task: &Task<'_>, progress: &Progress) {
-        self.told.reached(task, progress);
+        self.events.reached(task, progress);
         let mut at = self.at.lock().unwrap_or_else(PoisonError::into_inner);
         if at.0.elapsed() < LOOK || at.1.is_some() {
             return;
         }
         let looked = Python::attach(|py| {
             py.check_signals()?;
-            self.told.tell(self.listener.bind(py))
+            self.events.tell(self.listener.bind(py))
         });
         if let Err(error) = looked {
             self.cancellation.cancel();

@@ -9,14 +9,15 @@ mod column;
 mod commands;
 mod conventions;
 mod error;
+mod event_buffer;
 mod existing;
 mod folder;
+mod import;
 mod law;
 mod measure;
 mod simulation;
 mod sweep;
 mod table;
-mod told;
 mod variations;
 
 use pyo3::prelude::*;
@@ -44,6 +45,9 @@ mod _core {
     };
     #[pymodule_export]
     use crate::{sweep::Sweep, variations::Variations};
+
+    #[pymodule_export]
+    use crate::import::{Imported, contents, import_files};
 
     #[pymodule_export]
     use crate::measure::{advance_alone, solve_alone};

@@ -10,7 +10,7 @@ use pyo3::{exceptions::PyValueError, prelude::*, types::PyBytes};
 use wholestring_case::{Override, Variation};
 use wholestring_runner::{
     BatchOptions, BatchOutcome, CancellationToken, Output,
-    sweep::{self, Ended, InHand, Request},
+    sweep::{self, Ended, PreparedSweep, Request},
 };
 
 use crate::{
@@ -31,7 +31,7 @@ enum Values {
 
 /// A sweep that is checked, holds its folder, and waits for its cases to be solved.
 #[pyclass(frozen, module = "wholestring._core")]
-pub(crate) struct Sweep(Mutex<Option<InHand>>);
+pub(crate) struct Sweep(Mutex<Option<PreparedSweep>>);
 
 /// Failed cases, each with its reason, and whether the sweep was interrupted.
 type Outcome = (Vec<(String, String)>, bool);
@@ -60,13 +60,13 @@ impl Sweep {
     fn with<T: Send>(
         &self,
         py: Python<'_>,
-        work: impl FnOnce(&mut InHand) -> T + Send,
+        work: impl FnOnce(&mut PreparedSweep) -> T + Send,
     ) -> PyResult<T> {
         let done = py.detach(|| self.held().as_mut().map(work));
         done.ok_or_else(ended)
     }
 
-    fn held(&self) -> MutexGuard<'_, Option<InHand>> {
+    fn held(&self) -> MutexGuard<'_, Option<PreparedSweep>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
@@ -111,7 +111,7 @@ impl Sweep {
             },
         };
         let work = attended(py, listener, |observer, cancellation| {
-            InHand::begin(&request, observer, cancellation)
+            PreparedSweep::begin(&request, observer, cancellation)
         })?;
         match (work.raised, work.result) {
             (Some(raised), _) => Err(raised),
@@ -147,7 +147,7 @@ impl Sweep {
 
     /// The cases that are to be solved, the longest first.
     fn left(&self, py: Python<'_>) -> PyResult<Vec<usize>> {
-        self.with(py, InHand::left)
+        self.with(py, PreparedSweep::left)
     }
 
     /// What is changed in a case.

@@ -10,7 +10,7 @@ use std::{
 
 use pyo3::{exceptions::PyKeyboardInterrupt, prelude::*, types::PyBytes};
 use wholestring_case::{Override, Template};
-use wholestring_runner::{CancellationToken, sweep::Apart};
+use wholestring_runner::{CancellationToken, sweep::RemoteCase};
 
 use crate::{
     attended::attended,
@@ -64,7 +64,7 @@ impl Variations {
                     let changes: Vec<Override> =
                         changes.iter().map(|(key, value)| change(key, value)).collect();
                     let (template, changes) = (&self.0, &changes[..]);
-                    let case = Apart { template, changes, name, keep, csv, checkpoint_every };
+                    let case = RemoteCase { template, changes, name, keep, csv, checkpoint_every };
                     let ended = case.solve(folder, observer, cancellation);
                     all.push(serde_json::to_vec(&ended)?);
                 }

@@ -15,6 +15,7 @@ mod modes;
 mod operation_words;
 mod packed;
 mod page;
+mod picks;
 mod plan;
 mod plots;
 mod reach;
@@ -44,6 +45,10 @@ pub use modes::{
 pub use operation_words::{colour as operation_colour, operation_name};
 pub use packed::Packed;
 pub use page::{bha_html, bit_test_html, report_html, sweep_html};
+pub use picks::{
+    PickedKind, PickedLog, PickedStand, PickedTrace, PickedValue, PickedWindow,
+    picked_depth_figure, picked_log_figure, picked_stand_figure, picks_html,
+};
 pub use plan::{
     BucklingCurve, FRICTION_STROKES, PLAN_PICTURES, Plan, PlanCurve, PlanEvent, PlanFatigueHourRow,
     PlanFatigueRow, PlanLevel, PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanPeakRow,

@@ -31,7 +31,7 @@ pub enum StudyPart {
         caption: String,
         /// The picture; none where no case has answered yet.
         figure: Option<Box<Figure>>,
-        /// Its files beside the page, without their endings.
+        /// Its files beside the page, without their endings; empty where there are none.
         files: String,
         /// Whether it was painted as PNG too.
         painted: bool,
@@ -179,7 +179,8 @@ fn part(index: usize, prefix: &str, part: &StudyPart) -> String {
                 None => "<p class=\"note\">No case has answered yet.</p>".to_owned(),
             };
             let endings = ["svg", "png", "csv"];
-            let endings = endings.into_iter().filter(|of| *of != "png" || *painted);
+            let endings =
+                endings.into_iter().filter(|of| !files.is_empty() && (*of != "png" || *painted));
             (title, caption, body, files, endings.collect::<Vec<_>>())
         }
         StudyPart::Table { title, caption, grid, files, endings } => (

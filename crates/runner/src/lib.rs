@@ -17,6 +17,8 @@
 //! | [`modes`] | natural frequencies, critical speeds and the answer to a force that turns |
 //! | [`plan`] | torque and drag at every depth of the bit, with low, expected and high friction |
 //! | [`reach`] | how far a well can go, and what stops it |
+//! | [`import`] | a case from the files of other programs |
+//! | [`mod@export`] | results, surveys and strings in the formats of other programs |
 //! | [`mod@bench`] | the measurement of a machine's speed at all this |
 //!
 //! [`Comparison`] has the answers of a run side by side, [`survey`] the positions along a survey,
@@ -59,14 +61,17 @@ mod comparison;
 mod copy;
 mod cores;
 mod error;
+pub mod export;
 pub mod findings;
 mod folder_name;
+pub mod import;
 mod keep;
 pub mod modes;
 mod observer;
 mod output;
 mod page;
 mod parallel;
+mod picks;
 mod pictures;
 mod pieces;
 pub mod plan;
@@ -78,6 +83,7 @@ mod results_kind;
 mod results_kinds;
 pub mod run;
 mod shard;
+mod sheet;
 pub mod study;
 pub mod survey;
 pub mod sweep;
@@ -94,6 +100,7 @@ pub use keep::Keep;
 pub use observer::{BatchSize, CaseEnded, Observer, Progress, Silent, Task, Trial};
 pub use output::{Existing, Output};
 pub use page::{display_units, well_path, write_picture};
+pub use picks::{picked_log, picks_html};
 pub use pictures::{pictures, pictures_folder};
 pub use reports::write_report;
 pub use results_kinds::results_kind;

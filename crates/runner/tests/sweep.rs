@@ -6,7 +6,7 @@ use wholestring_case::{Override, Template, Variation};
 use wholestring_results::Data;
 use wholestring_runner::{
     BatchOptions, BatchOutcome, CancellationToken, Error, Existing, Output, Silent,
-    sweep::{self, Apart, InHand, Request},
+    sweep::{self, PreparedSweep, RemoteCase, Request},
 };
 
 /// Sweeps the straight slant of the command line's tests with these values.
@@ -43,14 +43,14 @@ impl Swept {
         }
     }
 
-    fn begin(&self, folder: &Path, existing: Existing) -> Result<InHand, Error> {
+    fn begin(&self, folder: &Path, existing: Existing) -> Result<PreparedSweep, Error> {
         let request = self.request(folder, existing);
-        InHand::begin(&request, &Silent, &CancellationToken::new())
+        PreparedSweep::begin(&request, &Silent, &CancellationToken::new())
     }
 
     /// Solves one of its cases into a folder, as a worker would.
-    fn solve(&self, hand: &InHand, case: usize, folder: &Path) -> sweep::Ended {
-        let apart = Apart {
+    fn solve(&self, hand: &PreparedSweep, case: usize, folder: &Path) -> sweep::Ended {
+        let apart = RemoteCase {
             template: &self.template,
             changes: hand.changes(case),
             name: hand.name(case),

@@ -220,6 +220,24 @@ pub enum TableErrorKind {
         /// The cell's text.
         found: String,
     },
+    /// A date where a number should stand.
+    #[error(
+        "the {column} is a date: a spreadsheet made one of a fraction such as 8-1/2, and what was \
+         typed is lost; format the cell as a number and type it again as a decimal, such as 8.5"
+    )]
+    DateCell {
+        /// The column.
+        column: Column,
+    },
+    /// A file that holds no tally.
+    #[error(
+        "{found}; the components of a string were expected, under a header such as 'Component, OD \
+         (in), ID (in), Length (ft), Weight (lb/ft)'"
+    )]
+    NoTally {
+        /// What it holds instead.
+        found: &'static str,
+    },
     /// A cell of the column `use` that is neither word.
     #[error("`use` is '{found}', expected \"yes\" or \"no\"")]
     NotYesNo {
@@ -258,6 +276,13 @@ pub enum TableErrorKind {
         found: String,
         /// The range.
         expected: &'static str,
+    },
+    /// Several surveys of which one is meant.
+    #[error("the file holds {} surveys, one below the other: {}; leave one of them", surveys.len(),
+        quoted(surveys))]
+    SeveralSurveys {
+        /// What they are called.
+        surveys: Vec<String>,
     },
     /// Too few rows.
     #[error("{}; a survey needs at least two stations", match found {

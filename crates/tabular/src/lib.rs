@@ -1,4 +1,4 @@
-//! Surveys, and readings at the surface, from CSV, text reports and Excel.
+//! Surveys, tallies, and readings at the surface, from CSV, text reports and Excel.
 //!
 //! Columns are found by their headings, in any order and under the spellings that are common:
 //! `MD (m)`, `Measured Depth ( ft )`, `md_m`, `INCL`, `Azimuth Grid [deg]`. Units stand in the
@@ -27,15 +27,20 @@
 mod cells;
 mod columns;
 mod error;
+mod held;
 mod read;
 mod readings;
 mod survey;
+mod tally;
 
 pub use columns::column::Column;
 pub use error::{Place, TableError, TableErrorKind};
-pub use read::{read, read_as, read_csv, read_excel, read_readings};
+pub use held::{Held, held, read_tally};
+pub use read::{read, read_all, read_as, read_csv, read_excel, read_readings};
 pub use readings::{ImportedReading, ImportedReadings};
 pub use survey::{
-    imported::{ImportedSurvey, under_origin},
+    imported::{ImportedSurvey, StatedPosition, SurveyTable, under_origin},
+    preamble::{About, Stated},
     said::Said,
 };
+pub use tally::{Holds, ImportedTally, TallyCell, TallyRow, TallyTotal};

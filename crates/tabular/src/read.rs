@@ -3,13 +3,18 @@
 use crate::{
     cells::{self, table::Table},
     columns::{
-        header::{Headed, headed},
+        header::{self, Headed, headed},
         layout,
         sort::{READINGS, SURVEY},
     },
     error::{TableError, TableErrorKind},
     readings::{self, ImportedReadings},
-    survey::{imported::ImportedSurvey, said::Said, stations},
+    survey::{
+        imported::{ImportedSurvey, SurveyTable},
+        said::Said,
+        stations,
+        tables::{each, told_apart},
+    },
 };
 
 /// Reads a survey: a workbook if its content or its name says so, text otherwise.
@@ -27,7 +32,8 @@ pub fn read(bytes: &[u8], name: &str) -> Result<ImportedSurvey, TableError> {
 ///
 /// let bare = b"0 0 0\n1000 0 0\n";
 /// assert!(read(bare, "a.txt").is_err());
-/// let said = Said { length_unit: wholestring_units::Dimension::Length.find_unit("ft") };
+/// let foot = wholestring_units::Dimension::Length.find_unit("ft");
+/// let said = Said { length_unit: foot, ..Said::default() };
 /// assert_eq!(read_as(bare, "a.txt", &said)?.stations[1].md_m, 304.8);
 /// # Ok::<(), wholestring_tabular::TableError>(())
 /// ```
@@ -35,10 +41,35 @@ pub fn read(bytes: &[u8], name: &str) -> Result<ImportedSurvey, TableError> {
 /// # Errors
 /// As [`read`].
 pub fn read_as(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, TableError> {
+    first(read_all(bytes, name, said)?, name)
+}
+
+/// Reads every survey of a file: on each sheet of a workbook, and one below the other.
+///
+/// # Errors
+/// A file without any, or that cannot be read at all; why a table with the columns of a survey
+/// is none stands in it.
+pub fn read_all(bytes: &[u8], name: &str, said: &Said) -> Result<Vec<SurveyTable>, TableError> {
     match cells::is_workbook(bytes, name) {
         true => excel(bytes, name, said),
         false => csv(bytes, name, said),
     }
+}
+
+/// The survey of the first sheet that has one, or of a text. Of two of them one below the other
+/// nobody can say which is meant.
+fn first(mut tables: Vec<SurveyTable>, name: &str) -> Result<ImportedSurvey, TableError> {
+    let sheet = tables.first().and_then(|table| table.sheet.clone());
+    let (same, others): (Vec<_>, Vec<_>) = tables.drain(..).partition(|of| of.sheet == sheet);
+    if same.len() > 1 {
+        let surveys = same.into_iter().map(|table| table.name).collect();
+        return Err(TableError::new(name, TableErrorKind::SeveralSurveys { surveys }, None, None));
+    }
+    let nothing = || Err(TableError::new(name, TableErrorKind::NoHeader, None, None));
+    let mut survey = same.into_iter().next().map_or_else(nothing, |table| table.survey)?;
+    let others = others.into_iter().filter_map(|other| other.survey.ok());
+    survey.notes.extend(others.map(|other| format!("a survey in {} is not read", other.place)));
+    Ok(survey)
 }
 
 /// Reads weights and torques at the surface against the depth of the bit, from whatever a survey is
@@ -82,13 +113,15 @@ fn read_readings_of(tables: &[Table]) -> Option<Result<ImportedReadings, TableEr
 /// # Errors
 /// Everything that [`TableErrorKind`] lists but what concerns workbooks, with its place.
 pub fn read_csv(bytes: &[u8], name: &str) -> Result<ImportedSurvey, TableError> {
-    csv(bytes, name, &Said::default())
+    first(csv(bytes, name, &Said::default())?, name)
 }
 
-fn csv(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, TableError> {
+fn csv(bytes: &[u8], name: &str, said: &Said) -> Result<Vec<SurveyTable>, TableError> {
     cells::of_text(bytes, name, |tables, source| {
-        read_first(tables, said)
-            .unwrap_or_else(|| Err(source.error(TableErrorKind::NoHeader, None)))
+        // They are cut from one text: the first with a header is the one.
+        let headed = tables.iter().position(|table| header::find(table, &SURVEY).is_ok());
+        let tables = headed.map_or(tables, |at| &tables[at..=at]);
+        surveys(tables, said).unwrap_or_else(|| Err(source.error(TableErrorKind::NoHeader, None)))
     })?
 }
 
@@ -99,37 +132,59 @@ fn csv(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, TableErr
 /// # Errors
 /// Everything that [`TableErrorKind`] lists but what concerns text, with its place.
 pub fn read_excel(bytes: &[u8], name: &str) -> Result<ImportedSurvey, TableError> {
-    excel(bytes, name, &Said::default())
+    first(excel(bytes, name, &Said::default())?, name)
 }
 
-fn excel(bytes: &[u8], name: &str, said: &Said) -> Result<ImportedSurvey, TableError> {
+fn excel(bytes: &[u8], name: &str, said: &Said) -> Result<Vec<SurveyTable>, TableError> {
     cells::of_workbook(bytes, name, |tables, names| {
-        read_first(tables, said).unwrap_or_else(|| {
+        surveys(tables, said).unwrap_or_else(|| {
             let kind = TableErrorKind::NoSurveySheet { sheets: names.to_vec() };
             Err(TableError::new(name, kind, None, None))
         })
     })?
 }
 
-/// The first of the tables with a header that names the needed columns; or else the first of three
-/// bare columns; or else the error of the header that comes nearest. `None` if none comes near.
-fn read_first(tables: &[Table], said: &Said) -> Option<Result<ImportedSurvey, TableError>> {
-    let nearest = match headed(tables, &SURVEY) {
-        Headed::Found(table, header) => {
-            let layout = layout::below(table, header, said);
-            return Some(layout.and_then(|layout| stations::read(table, layout)));
+/// The tables with a header that names the needed columns; or else the first of three bare columns;
+/// or else the error of the header that comes nearest. `None` if none comes near.
+fn surveys(tables: &[Table], said: &Said) -> Option<Result<Vec<SurveyTable>, TableError>> {
+    let mut found = Vec::new();
+    for table in tables {
+        if let Ok(header) = header::find(table, &SURVEY) {
+            found.extend(each(table, header, said));
         }
+    }
+    if !found.is_empty() {
+        // A form that nobody filled in.
+        let is_empty = |table: &SurveyTable| {
+            let kind = table.survey.as_ref().err().map(TableError::kind);
+            matches!(kind, Some(TableErrorKind::TooFewStations { found: 0 }))
+        };
+        if !found.iter().all(is_empty) {
+            found.retain(|table| !is_empty(table));
+        }
+        return Some(Ok(told_apart(found)));
+    }
+    let nearest = match headed(tables, &SURVEY) {
         Headed::Nearest(partial, table) => Some((partial, table)),
-        Headed::None => None,
+        Headed::Found(..) | Headed::None => None,
     };
     // Two columns named are a header; one may be a title's word.
     if nearest.as_ref().is_none_or(|(partial, _)| partial.count < 2) {
         let bare =
             tables.iter().find_map(|table| Some((table, layout::without_header(table, said)?)));
         if let Some((table, layout)) = bare {
-            return Some(layout.and_then(|layout| stations::read(table, layout)));
+            let survey = layout.map_err(stations::Broken::from);
+            let survey = survey.and_then(|layout| stations::read(table, &layout));
+            return Some(
+                survey.map_err(|broken| broken.error).map(|survey| vec![bare_table(survey)]),
+            );
         }
     }
     let (partial, table) = nearest.filter(|(partial, _)| partial.is_header())?;
     Some(Err(partial.error(table)))
+}
+
+/// Three columns without a name.
+fn bare_table(survey: ImportedSurvey) -> SurveyTable {
+    SurveyTable { name: survey.place.clone(), sheet: None, survey: Ok(survey) }
 }

@@ -87,7 +87,10 @@ fn three_bare_columns_are_read_in_the_unit_that_is_said() {
         workbook(&[("S", &|sheet| write(sheet, 0, 0, &[&["0", "0", "0"], &["9", "1", "2"]]))]);
     let error = read(&bytes, "a.xlsx").unwrap_err();
     assert_eq!(error.kind(), &TableErrorKind::NoUnits);
-    let said = Said { length_unit: wholestring_units::Dimension::Length.find_unit("m") };
+    let said = Said {
+        length_unit: wholestring_units::Dimension::Length.find_unit("m"),
+        ..Said::default()
+    };
     let survey = read_as(&bytes, "a.xlsx", &said).unwrap();
     assert_eq!(survey.stations[1].md_m, 9.0);
 }

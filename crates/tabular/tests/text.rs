@@ -80,7 +80,7 @@ fn tabs_titles_comments_quotes_and_empty_rows() {
 
 /// What is said of a file that does not tell its unit.
 fn said(unit: &str) -> Said {
-    Said { length_unit: Some(Dimension::Length.find_unit(unit).unwrap()) }
+    Said { length_unit: Dimension::Length.find_unit(unit), ..Said::default() }
 }
 
 /// Metres for feet would go unseen: a well a third as deep is a well too.

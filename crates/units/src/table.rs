@@ -101,6 +101,7 @@ pub(crate) const TORQUE: &[Unit] = &[
             "kip.ft",
             "kips.ft",
             "1000 ft-lbf",
+            "1000 lbf.ft",
             "1000 ft-lb",
             "1000 ft-lbs",
         ],
@@ -117,7 +118,7 @@ pub(crate) const PRESSURE: &[Unit] = &[
     unit("bar", 1e5, &["bars", "barg"]),
     unit("psi", PSI, &["lbf/in2", "psig"]),
     unit("Pa", 1.0, &["N/m2", "J/m3"]),
-    unit("kPa", 1e3, &[]),
+    unit("kPa", 1e3, &["kN/m2"]),
     unit("GPa", 1e9, &["kN/mm2"]),
     unit("ksi", 1e3 * PSI, &["kpsi", "klbf/in2"]),
     unit("Mpsi", 1e6 * PSI, &["Msi"]),
@@ -125,14 +126,14 @@ pub(crate) const PRESSURE: &[Unit] = &[
 ];
 
 pub(crate) const DENSITY: &[Unit] = &[
-    unit("kg/m3", 1.0, &["g/l", "g/L"]),
+    unit("kg/m3", 1.0, &["g/l", "g/L", "g/dm3"]),
     unit("sg", 1e3, &["SG", "specific gravity"]),
     unit(
         "ppg",
         POUND / US_GALLON,
         &["lb/gal", "lbs/gal", "lbm/gal", "lbm/galUS", "lbm/gal[US]", "lb/USgal", "lbs/USgal"],
     ),
-    unit("g/cm3", 1e3, &["g/cc", "kg/l", "kg/L", "kg/dm3", "t/m3", "g/ml", "g/mL"]),
+    unit("g/cm3", 1e3, &["g/cc", "kg/l", "kg/L", "kg/dm3", "t/m3", "Mg/m3", "g/ml", "g/mL"]),
     unit("lb/ft3", POUND / (FOOT * FOOT * FOOT), &["lbm/ft3", "lbs/ft3", "pcf", "lb/cu ft"]),
     unit("psi/ft", PSI / FOOT / GRAVITY, &[]),
     unit("kPa/m", 1e3 / GRAVITY, &[]),
@@ -158,7 +159,7 @@ pub(crate) const FORCE_PER_LENGTH: &[Unit] = &[
 pub(crate) const ROTARY_SPEED: &[Unit] = &[
     unit("rpm", TURN / MINUTE, &["rev/min", "revs/min", "r/min", "1/min", "c/min"]),
     unit("rad/s", 1.0, &[]),
-    unit("rev/s", TURN, &["Hz", "rps", "r/s"]),
+    unit("rev/s", TURN, &["Hz", "rps", "r/s", "c/s"]),
     unit("deg/s", DEGREE, &["dega/s"]),
 ];
 
@@ -208,7 +209,7 @@ pub(crate) const DAMPING: &[Unit] = &[
 pub(crate) const VISCOSITY: &[Unit] = &[
     unit("mPa.s", 1e-3, &[]),
     unit("cP", 1e-3, &["cp", "cps", "centipoise"]),
-    unit("Pa.s", 1.0, &[]),
+    unit("Pa.s", 1.0, &["N.s/m2"]),
 ];
 
 const PER_HUNDRED_SQUARE_FEET: f64 = POUND_FORCE / (100.0 * FOOT * FOOT);
@@ -229,7 +230,15 @@ pub(crate) const SHEAR_STRESS: &[Unit] = &[
     unit(
         "lbf/100ft2",
         PER_HUNDRED_SQUARE_FEET,
-        &["lb/100ft2", "lbs/100ft2", "#/100ft2", "lbf/100sqft", "lb/100sqft", "lbs/100sqft"],
+        &[
+            "lb/100ft2",
+            "lbs/100ft2",
+            "#/100ft2",
+            "lbf/100sqft",
+            "lb/100sqft",
+            "lbs/100sqft",
+            "0.01 lbf/ft2",
+        ],
     ),
     unit("dyn/cm2", 0.1, &["dyne/cm2"]),
 ];
@@ -244,7 +253,7 @@ pub(crate) const FLOW_RATE: &[Unit] = &[
     unit("m3/s", 1.0, &[]),
     unit("m3/min", 1.0 / MINUTE, &[]),
     unit("m3/h", 1.0 / HOUR, &["m3/hr"]),
-    unit("L/s", 1e-3, &["l/s", "l/sec"]),
+    unit("L/s", 1e-3, &["l/s", "l/sec", "dm3/s"]),
     unit("bbl/min", 42.0 * US_GALLON / MINUTE, &["bpm"]),
 ];
 

@@ -58,7 +58,7 @@ fn valid(read: Result<ImportedSurvey, TableError>) -> bool {
 
 /// Reads under a name, with a unit that is said or without.
 fn reads(name: &'static str) -> impl FnMut(&[u8]) -> bool {
-    let said = Said { length_unit: Dimension::Length.find_unit("ft") };
+    let said = Said { length_unit: Dimension::Length.find_unit("ft"), ..Said::default() };
     move |input| {
         let plain = valid(read_as(input, name, &Said::default()));
         plain | valid(read_as(input, name, &said))

@@ -15,6 +15,9 @@ const OPEN: f64 = 0.3;
 /// What a string does at a depth, where nothing tells what it does.
 const OPERATIONS: [&str; 3] = ["trip_out", "trip_in", "rotate_off_bottom"];
 
+/// Of a string that rotates off bottom, where nothing tells how fast.
+const ROTARY_SPEED_REV_PER_MIN: f64 = 60.0;
+
 /// A part that a case cannot do without.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Missing {
@@ -57,13 +60,7 @@ const NEEDED: [Missing; 4] = [
 pub(crate) fn complete(draft: &mut Draft) -> Vec<Missing> {
     friction(draft);
     top_component(draft);
-    if !draft.operation.iter().any(|entry| entry.of.key == "kind") {
-        let words = OPERATIONS.map(str::to_owned).to_vec();
-        let because = "no file says what the string does".to_owned();
-        let entry =
-            Entry { key: "kind", value: Value::Words(words), origin: Origin::Assumed { because } };
-        draft.operation.insert(0, Of { file: 0, of: entry });
-    }
+    operations(draft);
     bit_depth(draft);
     let lacks = |part: Part| match part {
         Part::Survey => draft.survey.is_none(),
@@ -73,6 +70,25 @@ pub(crate) fn complete(draft: &mut Draft) -> Vec<Missing> {
         Part::Rig | Part::Operation => false,
     };
     NEEDED.into_iter().filter(|needed| lacks(needed.part)).collect()
+}
+
+/// What the string does, and how fast it turns.
+fn operations(draft: &mut Draft) {
+    let words = OPERATIONS.map(str::to_owned).to_vec();
+    let assumed = [
+        ("kind", Value::Words(words), "no file says what the string does"),
+        (
+            "rpm",
+            Value::Number(ROTARY_SPEED_REV_PER_MIN),
+            "no file says it; weights and torque at rest do not depend on it",
+        ),
+    ];
+    for (at, (key, value, because)) in assumed.into_iter().enumerate() {
+        if !draft.operation.iter().any(|entry| entry.of.key == key) {
+            let origin = Origin::Assumed { because: because.to_owned() };
+            draft.operation.insert(at, Of { file: 0, of: Entry { key, value, origin } });
+        }
+    }
 }
 
 /// Gives sections without friction the usual one.

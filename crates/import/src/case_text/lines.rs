@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use wholestring_tabular::under_origin;
 use wholestring_units::{Dimension, UnitSet};
 
 use super::complete::Missing;
@@ -22,12 +23,13 @@ pub(crate) fn text(draft: &Draft, missing: &[Missing]) -> String {
         None => line(&mut text, "name", "\"Imported well\"", "no file names the well"),
     }
     line(&mut text, "model", "\"soft\"", "or \"stiff\", \"dynamic\", or a list of them");
-    let units = format!("\"{}\"", shown_units(draft).name());
+    let set = shown_units(draft);
+    let units = format!("\"{}\"", set.name());
     line(&mut text, "units", &units, "what you are shown: \"si\", \"metric\" or \"field\"");
 
     text.push_str("\n[well]\n");
     match (&draft.survey, lacks(Part::Survey)) {
-        (Some(Of { file, of }), _) => survey(&mut text, *file, of),
+        (Some(Of { file, of }), _) => survey(&mut text, *file, of, set),
         (None, lacking) => example(&mut text, lacking),
     }
     match &draft.hole {
@@ -90,26 +92,29 @@ fn shown_units(draft: &Draft) -> UnitSet {
     if feet { UnitSet::Field } else { UnitSet::Si }
 }
 
-/// The stations, m and degrees.
-fn survey(text: &mut String, file: usize, survey: &Survey) {
+/// The stations: depths in the unit that they were found in, angles in degrees.
+fn survey(text: &mut String, file: usize, survey: &Survey, set: UnitSet) {
     let place = match survey.place.is_empty() {
         true => String::new(),
         false => format!(", {}", plain(&survey.place)),
     };
-    let units = match survey.units.is_empty() {
-        true => String::new(),
-        false => format!("; found in {}", plain(&survey.units)),
-    };
-    let _ = writeln!(text, "# measured depth in m, inclination and azimuth in deg{units}");
-    let _ = writeln!(text, "stations = [{:>1$}", format!("# [{}]{place}", file + 1), 0);
+    let found = survey.units.split(',').next().and_then(|unit| Dimension::Length.find_unit(unit));
+    let unit = found.unwrap_or(Dimension::Length.unit_in(set));
+    // A bare number is in metres, and is warned of where other units are shown.
+    let is_bare = set == UnitSet::Si && unit.factor == 1.0;
+    let _ = writeln!(text, "# measured depth, inclination and azimuth; angles in deg");
+    let _ = writeln!(text, "{:<COMMENTS$} # [{}]{place}", "stations = [", file + 1);
     for station in &survey.stations {
-        let [md, inc, azi] =
-            [station.md_m, station.inclination_rad.to_degrees(), station.azimuth_rad.to_degrees()]
-                .map(rounded);
+        let md = rounded(unit.from_si(station.md_m));
+        let md = if is_bare { md.to_string() } else { format!("\"{md} {}\"", unit.symbol) };
+        let angles = [station.inclination_rad, station.azimuth_rad];
+        let [inc, azi] = angles.map(|angle| rounded(angle.to_degrees()));
         let _ = writeln!(text, "    [{md}, {inc}, {azi}],");
     }
     text.push_str("]\n");
-    if let Some(tie_in) = &survey.tie_in {
+    // Without it, the first station lies vertically under the origin.
+    let tie_in = survey.tie_in.filter(|tie_in| *tie_in != under_origin(&survey.stations));
+    if let Some(tie_in) = tie_in {
         text.push_str("\n[well.tie_in]\n");
         let values = [("north", tie_in.north_m), ("east", tie_in.east_m), ("tvd", tie_in.tvd_m)];
         for (key, value_m) in values {

@@ -13,6 +13,7 @@ pub(crate) fn write(mut draft: Draft) -> Imported {
     let of_file = |file: Option<usize>| file.and_then(|file| names.get(file).cloned());
     Imported {
         text,
+        picks: Vec::new(),
         beside: Vec::new(),
         notes: draft.notes.into_iter().map(|(file, note)| (of_file(file), note)).collect(),
         files: draft.files,

@@ -13,8 +13,11 @@ pub use note::Note;
 pub use origin::Origin;
 pub use survey::Survey;
 pub use value::Value;
+pub(crate) use value::quoted;
 
 use wholestring_tabular::ImportedReading;
+
+use crate::log::picking::Picks;
 
 /// A part of a case that one file gives whole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -78,6 +81,8 @@ pub struct Fragment {
     pub measured: Vec<ImportedReading>,
     /// Weights and torques at the surface that another program computed, to be laid over a plan.
     pub overlay: Vec<ImportedReading>,
+    /// How those were picked that were picked from a log.
+    pub picks: Option<Box<Picks>>,
     /// What was assumed, left out, checked.
     pub notes: Vec<Note>,
 }

@@ -1,5 +1,7 @@
 //! A log, row by row.
 
+use wholestring_units::Unit;
+
 use super::{
     channel::{Channel, Column, Wanted, choose},
     clock::Clock,
@@ -151,6 +153,12 @@ impl<'a> Log<'a> {
             log.start = clock.start().or(log.start);
         }
         Ok(log)
+    }
+
+    /// The unit in which a quantity is logged.
+    pub(crate) fn unit(&self, quantity: Quantity) -> Option<&'static Unit> {
+        let wanted = self.wanted.iter().find(|(wanted, _)| wanted.quantity == quantity);
+        wanted.map(|(wanted, _)| wanted.unit)
     }
 
     /// Whether a channel gives a quantity.

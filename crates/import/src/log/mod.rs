@@ -18,6 +18,7 @@ mod log;
 mod mnemonics;
 mod moment;
 mod number;
+pub(crate) mod picking;
 mod quantity;
 mod read;
 mod record;

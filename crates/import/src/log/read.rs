@@ -1,8 +1,11 @@
 //! Opening a log.
 
+use wholestring_units::{Dimension, UnitSet};
+
 use super::{
     kind::Kind,
     log::{Log, Opened},
+    picking::{self, Thresholds},
     quantity::Quantity,
     {csv, las, witsml},
 };
@@ -60,7 +63,7 @@ pub(super) fn unasked<'a>(
     Log::of(opened, choices)
 }
 
-/// Reads a log to its end.
+/// Picks weights and torques of a log.
 pub(crate) fn read(input: Input, kind: Kind, choices: &Choices) -> Result<Fragment, ImportError> {
     let name = input.name().to_owned();
     let mut log = open(input, kind, choices)?;
@@ -90,19 +93,20 @@ pub(crate) fn read(input: Input, kind: Kind, choices: &Choices) -> Result<Fragme
         );
         return Err(ImportError::new(&name, None, ImportErrorKind::Refused(sentence)));
     }
-    for record in log.by_ref() {
-        record?;
-    }
-    if log.rows() == 0 {
-        let what = "a row of data".to_owned();
-        return Err(ImportError::new(&name, None, ImportErrorKind::Missing { what }));
-    }
+    let unit = log.unit(Quantity::HookLoad).unwrap_or(Dimension::Force.unit_in(UnitSet::Si));
+    let picks = picking::pick(log.by_ref(), &name, unit, &Thresholds::default(), choices)?;
+    let mut fragment = picks.fragment();
+    fragment.what = format!("{}, {}", log.what, fragment.what);
+    let mut notes = vec![Note::Read(format!("channels: {}", taken(&log)))];
+    notes.append(&mut log.notes);
+    notes.append(&mut fragment.notes);
+    Ok(Fragment { notes, ..fragment })
+}
+
+/// What each channel that is used was taken for.
+fn taken(log: &Log) -> String {
     let taken = log.channels.iter().filter_map(|channel| {
         Some(format!("{} from {}", channel.quantity?.words(), channel.named()))
     });
-    let taken: Vec<String> = taken.collect();
-    let mut notes = vec![Note::Read(format!("channels: {}", taken.join(", ")))];
-    let what = format!("{}, {} rows", log.what, log.rows());
-    notes.append(&mut log.notes);
-    Ok(Fragment { what, notes, ..Fragment::default() })
+    taken.collect::<Vec<_>>().join(", ")
 }

@@ -1,27 +1,191 @@
-//! Tables in text and workbooks: surveys and tallies.
+//! Tables in text and workbooks: surveys, tallies, and weights read at the surface.
 
 mod survey;
+mod tally;
+
+use wholestring_tabular::{Held, TableErrorKind, held, read_readings};
 
 use crate::{
     choices::Choices,
-    error::ImportError,
-    fragment::{Contents, Fragment},
+    error::{ImportError, ImportErrorKind},
+    fragment::{Contents, Fragment, Note, Value},
     input::Input,
 };
 
 /// No table of a well is larger.
 const LARGEST_BYTES: usize = 64 << 20;
 
-/// Reads the table of a file.
+/// What a table may be, as `--pick table=` calls it.
+const SURVEY: &str = "survey";
+const TALLY: &str = "tally";
+const READINGS: &str = "readings";
+
+/// Reads the tables of a file.
 pub(crate) fn read(input: Input, choices: &Choices) -> Result<Fragment, ImportError> {
     let name = input.name().to_owned();
     let bytes = input.bytes(LARGEST_BYTES)?;
-    survey::read(&bytes, &name, choices)
+    let held = held(&bytes, &name)?;
+    let sorts = sorts(&held, &name, choices)?;
+    if sorts.is_empty() {
+        // A table without a heading may be a survey still.
+        return survey::read(&bytes, &name, choices).map_err(|error| unheaded(error, held, &name));
+    }
+    let mut whole = Fragment::default();
+    for sort in sorts {
+        let fragment = match sort {
+            SURVEY => survey::read(&bytes, &name, choices)?,
+            TALLY => tally::read(&bytes, &name, sheet(&held.tallies, &name, choices)?, choices)?,
+            _ => readings(&bytes, &name)?,
+        };
+        join(&mut whole, fragment);
+    }
+    Ok(whole)
 }
 
 /// What a table is, and what it holds.
 pub(crate) fn contents(input: Input) -> Result<Contents, ImportError> {
-    let fragment = read(input, &Choices::default())?;
-    let lines = fragment.notes.iter().map(|note| note.text().to_owned()).collect();
-    Ok(Contents { what: fragment.what, lines })
+    let name = input.name().to_owned();
+    let bytes = input.bytes(LARGEST_BYTES)?;
+    let again = Input::of_bytes(name.clone(), &bytes);
+    match read(again, &Choices::default()) {
+        Ok(fragment) => {
+            let mut lines: Vec<String> = fragment.string.iter().map(tally::line).collect();
+            lines.extend(fragment.notes.iter().map(|note| note.text().to_owned()));
+            Ok(Contents { what: fragment.what, lines })
+        }
+        // It is known what it is, and what is to be said for its import.
+        Err(error) if is_asked(error.kind()) => {
+            let held = held(&bytes, &name)?;
+            let what = match (held.tallies.is_empty(), held.surveys.is_empty()) {
+                (false, true) => "a tally",
+                (true, false) => "a survey",
+                _ => "a table",
+            };
+            let place = error.place().map_or(String::new(), |place| format!("{place}: "));
+            let line = format!("to import it: {place}{}", error.kind());
+            Ok(Contents { what: what.to_owned(), lines: vec![line] })
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// Whether an option answers it.
+fn is_asked(kind: &ImportErrorKind) -> bool {
+    matches!(kind, ImportErrorKind::MissingUnit { .. } | ImportErrorKind::Ambiguous { .. })
+}
+
+/// What the tables of a file are: what is picked, or all that its sheets hold, each of them one.
+fn sorts(held: &Held, name: &str, choices: &Choices) -> Result<Vec<&'static str>, ImportError> {
+    let all: Vec<(&'static str, &Vec<String>)> =
+        [(SURVEY, &held.surveys), (TALLY, &held.tallies), (READINGS, &held.readings)]
+            .into_iter()
+            .filter(|(_, sheets)| !sheets.is_empty())
+            .collect();
+    let names = || all.iter().map(|(sort, _)| (*sort).to_owned()).collect();
+    let two_fit = all.iter().enumerate().any(|(i, (_, sheets))| {
+        all[i + 1..].iter().any(|(_, others)| sheets.iter().any(|sheet| others.contains(sheet)))
+    });
+    if all.len() > 1
+        && let Some(picked) = choices.picked("table")
+    {
+        return match all.iter().find(|(sort, _)| *sort == picked) {
+            Some((sort, _)) => Ok(vec![sort]),
+            None => {
+                let kind = ImportErrorKind::NoSuch {
+                    what: "table".to_owned(),
+                    name: picked.to_owned(),
+                    names: names(),
+                };
+                Err(ImportError::new(name, None, kind))
+            }
+        };
+    }
+    if two_fit {
+        let kind = ImportErrorKind::Ambiguous { what: "table".to_owned(), names: names() };
+        return Err(ImportError::new(name, None, kind));
+    }
+    Ok(all.into_iter().map(|(sort, _)| sort).collect())
+}
+
+/// The sheet of the tally: the only one, or the one that is picked.
+fn sheet<'a>(
+    sheets: &'a [String],
+    name: &str,
+    choices: &Choices,
+) -> Result<Option<&'a str>, ImportError> {
+    let [_, _, ..] = sheets else { return Ok(sheets.first().map(String::as_str)) };
+    let kind = match choices.picked("tally") {
+        None => ImportErrorKind::Ambiguous { what: "tally".to_owned(), names: sheets.to_vec() },
+        Some(picked) => match sheets.iter().find(|sheet| *sheet == picked) {
+            Some(sheet) => return Ok(Some(sheet)),
+            None => ImportErrorKind::NoSuch {
+                what: "tally".to_owned(),
+                name: picked.to_owned(),
+                names: sheets.to_vec(),
+            },
+        },
+    };
+    Err(ImportError::new(name, None, kind))
+}
+
+/// Weights and torques at the surface.
+fn readings(bytes: &[u8], name: &str) -> Result<Fragment, ImportError> {
+    let read = read_readings(bytes, name)?;
+    Ok(Fragment {
+        what: format!("weights and torques at {} depths of the bit", read.readings.len()),
+        measured: read.readings,
+        notes: read.notes.into_iter().map(Note::Read).collect(),
+        ..Fragment::default()
+    })
+}
+
+/// Adds what another sheet of the same file holds.
+fn join(whole: &mut Fragment, part: Fragment) {
+    let what = match whole.what.is_empty() {
+        true => part.what,
+        false => format!("{}, and {}", whole.what, part.what),
+    };
+    whole.what = what;
+    whole.name = whole.name.take().or(part.name);
+    whole.survey = whole.survey.take().or(part.survey);
+    whole.hole.extend(part.hole);
+    whole.string.extend(part.string);
+    for (all, own) in [
+        (&mut whole.mud, part.mud),
+        (&mut whole.rig, part.rig),
+        (&mut whole.operation, part.operation),
+        (&mut whole.bit, part.bit),
+    ] {
+        all.entries.extend(own.entries);
+    }
+    whole.measured.extend(part.measured);
+    whole.overlay.extend(part.overlay);
+    whole.notes.extend(part.notes);
+}
+
+/// The error of a file none of whose rows is a header.
+fn unheaded(error: ImportError, held: Held, name: &str) -> ImportError {
+    if let Some(nearly) = held.nearly_tally {
+        return nearly.into();
+    }
+    let ImportErrorKind::Table(table) = error.kind() else { return error };
+    if !matches!(table.kind(), TableErrorKind::NoHeader | TableErrorKind::NoSurveySheet { .. }) {
+        return error;
+    }
+    let sentence = "no row names the columns; write headings above the numbers, such as 'MD (m), \
+                    Inc (deg), Azi (deg)' for a survey or 'Component, OD (in), ID (in), Length \
+                    (ft), Weight (lb/ft)' for a tally";
+    ImportError::new(name, None, ImportErrorKind::Refused(sentence.to_owned()))
+}
+
+/// A value as people read it.
+fn shown(value: &Value) -> String {
+    match value {
+        Value::Quantity { number, unit } => {
+            format!("{} {}", wholestring_units::number_text(*number), unit.symbol)
+        }
+        Value::Number(number) => wholestring_units::number_text(*number),
+        Value::Text(text) => text.clone(),
+        Value::Words(words) => words.join(", "),
+    }
 }

@@ -1,7 +1,9 @@
 //! XML, read event by event and kept within limits.
 
 mod capped;
+mod decode;
 mod reader;
+#[cfg(test)]
+mod tests;
 
-pub(crate) use reader::root;
-pub(crate) use reader::{Element, Event, Xml};
+pub(crate) use reader::{Element, Event, Xml, check, root};

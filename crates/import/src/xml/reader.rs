@@ -7,10 +7,13 @@ use quick_xml::{
     events::{BytesStart, Event as XmlEvent},
 };
 
-use super::capped::{Capped, Taken};
+use super::{
+    capped::{Capped, Taken},
+    decode,
+};
 use crate::{
     error::{ImportError, ImportErrorKind},
-    input::Input,
+    input::{Input, unreadable},
 };
 
 /// Elements within elements.
@@ -19,8 +22,11 @@ const DEEPEST: usize = 64;
 /// Attributes of an element. EDM has rows of a few hundred.
 const ATTRIBUTES: usize = 2000;
 
-/// Bytes of one tag or text.
-const LONGEST_TOKEN: u64 = 64 << 20;
+/// Bytes of one tag, and of the text of one element. Tests need not wait for as many.
+const LONGEST_TOKEN: u64 = if cfg!(test) { 1 << 20 } else { 64 << 20 };
+
+/// Bytes of what a parser says that are passed on: it may name what it found, however long that is.
+const LONGEST_REASON: usize = 200;
 
 /// The beginning of an element.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,16 +68,50 @@ pub(crate) struct Xml<'a> {
     depth: usize,
     /// The element that ends without having had content.
     empty: bool,
+    /// The first element of the file has begun.
+    rooted: bool,
+    /// Why nothing of the file can be read.
+    unreadable: Option<ImportError>,
+    /// Whose attributes are read.
+    wanted: fn(&str) -> bool,
 }
 
 impl<'a> Xml<'a> {
     /// Reads a file from its beginning.
     pub(crate) fn new(input: Input<'a>) -> Self {
         let (file, bytes) = input.into_parts();
-        let (capped, taken) = Capped::new(Box::new(bytes) as Box<dyn BufRead>, LONGEST_TOKEN);
+        let (bytes, unreadable) = match decode::utf8(Box::new(bytes)) {
+            Ok(Ok(bytes)) => (bytes, None),
+            Ok(Err(encoding)) => {
+                let encoding: String = encoding.chars().take(40).collect();
+                let kind = ImportErrorKind::Refused(format!(
+                    "its encoding is '{encoding}'; expected UTF-8, UTF-16, ISO-8859-1 or \
+                     windows-1252: save it as UTF-8"
+                ));
+                (nothing(), Some(ImportError::new(&file, None, kind)))
+            }
+            Err(error) => (nothing(), Some(unreadable(&file, &error))),
+        };
+        let (capped, taken) = Capped::new(bytes, LONGEST_TOKEN);
         let mut reader = Reader::from_reader(capped);
         reader.config_mut().check_end_names = true;
-        Self { reader, file, taken, buffer: Vec::new(), depth: 0, empty: false }
+        Self {
+            reader,
+            file,
+            taken,
+            buffer: Vec::new(),
+            depth: 0,
+            empty: false,
+            rooted: false,
+            unreadable,
+            wanted: |_| true,
+        }
+    }
+
+    /// Reads the attributes of some elements only, by their names; others come without. Of a file
+    /// of which little is needed this takes a part of the time.
+    pub(crate) fn only(&mut self, wanted: fn(&str) -> bool) {
+        self.wanted = wanted;
     }
 
     /// The file's name.
@@ -91,6 +131,9 @@ impl<'a> Xml<'a> {
 
     /// The next event.
     pub(crate) fn next(&mut self) -> Result<Event, ImportError> {
+        if let Some(error) = &self.unreadable {
+            return Err(error.clone());
+        }
         if std::mem::take(&mut self.empty) {
             self.depth -= 1;
             return Ok(Event::End);
@@ -112,6 +155,12 @@ impl<'a> Xml<'a> {
                     self.depth = self.depth.saturating_sub(1);
                     Ok(Some(Event::End))
                 }
+                Ok(XmlEvent::Text(text)) if self.depth == 0 => {
+                    match text.xml10_content().trim().is_empty() {
+                        true => Ok(None),
+                        false => Err(self.ill_formed("text stands outside its elements")),
+                    }
+                }
                 Ok(XmlEvent::Text(text)) => {
                     Ok(Some(Event::Text(text.xml10_content().into_owned())))
                 }
@@ -120,15 +169,13 @@ impl<'a> Xml<'a> {
                 }
                 Ok(XmlEvent::GeneralRef(of)) => match reference(&of) {
                     Some(text) => Ok(Some(Event::Text(text))),
-                    None => Err(self.error(ImportErrorKind::NotXml {
-                        reason: "it uses an entity that XML does not have".to_owned(),
-                    })),
+                    None => Err(self.ill_formed("it uses an entity that XML does not have")),
                 },
                 Ok(XmlEvent::DocType(_)) => Err(self.error(ImportErrorKind::DocumentType)),
                 Ok(XmlEvent::Comment(_) | XmlEvent::Decl(_) | XmlEvent::PI(_)) => Ok(None),
-                Ok(XmlEvent::Eof) if self.depth > 0 => Err(self.error(ImportErrorKind::NotXml {
-                    reason: "it ends before its elements do".to_owned(),
-                })),
+                Ok(XmlEvent::Eof) if self.depth > 0 => {
+                    Err(self.ill_formed("it ends before its elements do"))
+                }
                 Ok(XmlEvent::Eof) => Ok(Some(Event::Eof)),
             };
             self.buffer = buffer;
@@ -140,21 +187,27 @@ impl<'a> Xml<'a> {
 
     /// Passes over the rest of the element that began last.
     pub(crate) fn skip(&mut self) -> Result<(), ImportError> {
-        let outside = self.depth - 1;
+        let outside = self.depth.saturating_sub(1);
         while self.depth > outside {
             self.next()?;
         }
         Ok(())
     }
 
+    #[allow(dead_code, reason = "for readers of logs")]
     /// The text of the element that began last, trimmed, and passes over what else it holds.
     pub(crate) fn text(&mut self) -> Result<String, ImportError> {
-        let outside = self.depth - 1;
+        let outside = self.depth.saturating_sub(1);
         let mut text = String::new();
         while self.depth > outside {
             if let Event::Text(more) = self.next()?
                 && self.depth == outside + 1
             {
+                if text.len() + more.len() > LONGEST_TOKEN as usize {
+                    let most = format!("{} MB", LONGEST_TOKEN >> 20);
+                    let found = format!("an element whose text has more than {most}");
+                    return Err(self.error(ImportErrorKind::TooMuch { found, most }));
+                }
                 text.push_str(&more);
             }
         }
@@ -162,6 +215,9 @@ impl<'a> Xml<'a> {
     }
 
     fn element(&mut self, start: &BytesStart, line: u64) -> Result<Event, ImportError> {
+        if self.depth == 0 && std::mem::replace(&mut self.rooted, true) {
+            return Err(self.ill_formed("a second root element follows the first"));
+        }
         self.depth += 1;
         if self.depth > DEEPEST {
             return Err(self.error(ImportErrorKind::TooMuch {
@@ -171,6 +227,9 @@ impl<'a> Xml<'a> {
         }
         let name = start.local_name().as_ref().to_owned();
         let mut attributes = Vec::new();
+        if !(self.wanted)(&name) {
+            return Ok(Event::Start(Element { name, attributes, line }));
+        }
         for attribute in start.attributes() {
             let attribute = attribute.map_err(|error| {
                 self.error(ImportErrorKind::NotXml { reason: error.to_string() })
@@ -189,21 +248,36 @@ impl<'a> Xml<'a> {
         Ok(Event::Start(Element { name, attributes, line }))
     }
 
+    fn ill_formed(&self, reason: &str) -> ImportError {
+        self.error(ImportErrorKind::NotXml { reason: reason.to_owned() })
+    }
+
     fn not_xml(&self, error: &quick_xml::Error) -> ImportError {
-        let kind = match error {
-            quick_xml::Error::Io(error) if error.kind() == std::io::ErrorKind::FileTooLarge => {
-                ImportErrorKind::TooMuch {
-                    found: error.to_string(),
-                    most: format!("{} MB", LONGEST_TOKEN >> 20),
-                }
+        let io = match error {
+            quick_xml::Error::Io(error) => error,
+            quick_xml::Error::Encoding(_) => {
+                return self.ill_formed("its text is not the UTF-8 that it says, or is cut off");
             }
-            quick_xml::Error::Io(error) => {
-                ImportErrorKind::Unreadable { reason: error.to_string() }
+            error => {
+                let reason: String = error.to_string().chars().take(LONGEST_REASON).collect();
+                return self.ill_formed(&reason);
             }
-            error => ImportErrorKind::NotXml { reason: error.to_string() },
+        };
+        let kind = match io.kind() {
+            std::io::ErrorKind::FileTooLarge => ImportErrorKind::TooMuch {
+                found: io.to_string(),
+                most: format!("{} MB", LONGEST_TOKEN >> 20),
+            },
+            std::io::ErrorKind::InvalidData => ImportErrorKind::NotXml { reason: io.to_string() },
+            _ => ImportErrorKind::Unreadable { reason: io.to_string() },
         };
         self.error(kind)
     }
+}
+
+/// What reads a file of which nothing can be read.
+fn nothing<'a>() -> Box<dyn BufRead + 'a> {
+    Box::new(std::io::empty())
 }
 
 /// What a reference stands for: a character by its number, or one of the five of XML.
@@ -214,28 +288,46 @@ fn reference(of: &quick_xml::events::BytesRef) -> Option<String> {
     quick_xml::escape::resolve_xml_entity(&of.xml10_content()).map(str::to_owned)
 }
 
+/// Whether a file begins as XML does, in any encoding.
+fn begins_as_xml(head: &[u8]) -> bool {
+    let text = match head {
+        [0xef, 0xbb, 0xbf, rest @ ..] => rest,
+        [0xff, 0xfe, b'<', 0, ..] | [0xfe, 0xff, 0, b'<', ..] => return true,
+        [b'<', 0, ..] | [0, b'<', ..] => return true,
+        head => head,
+    };
+    let mut text = text.iter().skip_while(|byte| byte.is_ascii_whitespace());
+    text.next() == Some(&b'<')
+        && text.next().is_some_and(|byte| byte.is_ascii_alphabetic() || b"?!_".contains(byte))
+}
+
 /// The first element of what begins as XML does; none of what does not.
 pub(crate) fn root(head: &[u8]) -> Option<Element> {
-    let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
-    let first = text.iter().position(|byte| !byte.is_ascii_whitespace())?;
-    if text[first] != b'<' {
+    first(head)?.ok()
+}
+
+/// Refuses what begins as XML but is none up to its first element, with the line.
+pub(crate) fn check(name: &str, head: &[u8]) -> Result<(), ImportError> {
+    match first(head) {
+        Some(Err(error)) => {
+            let place = error.place().map(str::to_owned);
+            Err(ImportError::new(name, place, error.kind().clone()))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn first(head: &[u8]) -> Option<Result<Element, ImportError>> {
+    if !begins_as_xml(head) {
         return None;
     }
     let mut xml = Xml::new(Input::of_bytes("", head));
     loop {
         match xml.next() {
-            Ok(Event::Start(element)) => return Some(element),
-            Ok(Event::Eof) => return None,
+            Ok(Event::Start(element)) => return Some(Ok(element)),
+            Ok(Event::Eof) => return Some(Err(xml.ill_formed("it has no element"))),
             Ok(_) => {}
-            // A document type, which the reader refuses with its line.
-            Err(error) => {
-                let is_xml = matches!(error.kind(), ImportErrorKind::DocumentType);
-                return is_xml.then(|| Element {
-                    name: "!DOCTYPE".to_owned(),
-                    attributes: Vec::new(),
-                    line: 1,
-                });
-            }
+            Err(error) => return Some(Err(error)),
         }
     }
 }

@@ -7,6 +7,7 @@ findings, and a :class:`Table` that polars, pandas, DuckDB and NumPy take withou
 :meth:`Case.broomstick`, :meth:`Case.plan`, :meth:`Case.reach`, :meth:`Case.calibrate`,
 :meth:`Case.bha`, :meth:`Case.modes`, :meth:`Case.bit_test` and :func:`study` do what the command
 line's commands do; :func:`load` reads what any of them left in a folder.
+:func:`import_files` makes a case of the files of other programs.
 
 Numbers are SI. Where a number goes in, a text with a unit does as well (``"45 klbf"``), and so does
 anything with ``.to(unit).magnitude``, such as a quantity of pint.
@@ -30,6 +31,7 @@ from .errors import (
     NoAnswerError,
     ResultsError,
 )
+from .importing import Contents, Imported, ImportNote, contents, import_files
 from .laws import BitLaw, BitReading, Excitation, ShakeReading
 from .loading import load
 from .planning import Limit, Plan, Reach, Stop
@@ -48,6 +50,7 @@ __all__ = [
     "Calibration",
     "Case",
     "CaseError",
+    "Contents",
     "Diagnostic",
     "Error",
     "Estimate",
@@ -55,6 +58,8 @@ __all__ = [
     "Finding",
     "FindingsError",
     "FolderError",
+    "ImportNote",
+    "Imported",
     "InputError",
     "Interrupted",
     "Limit",
@@ -74,6 +79,8 @@ __all__ = [
     "Table",
     "Value",
     "__version__",
+    "contents",
+    "import_files",
     "load",
     "plot",
     "study",

@@ -16,6 +16,7 @@ from ._planning import Planning
 from ._solving import Solving
 from ._values import Value
 from .errors import Diagnostic
+from .importing import import_files
 
 # What a survey is called that was given as a table.
 _SURVEY = "survey.csv"
@@ -72,6 +73,39 @@ class Case(Solving, Planning, Assemblies):
             With all mistakes of the case, each with its place.
         """
         return cls._of(_core.Case.load(path))
+
+    @classmethod
+    def from_files(
+        cls,
+        *files: str | PathLike[str],
+        units: Mapping[str, str] | None = None,
+        values: Mapping[str, str] | None = None,
+        picks: Mapping[str, str] | None = None,
+        changes: Mapping[str, Value] | None = None,
+    ) -> Case:
+        """Make a case of the files of other programs: :func:`import_files`, and what they lack.
+
+        Parameters
+        ----------
+        *files
+            Surveys, tallies, WITSML, Landmark EDM, logs. Several files make one case.
+        units
+            Units that the files do not tell: ``{"md": "ft"}``.
+        values
+            Values that no file tells and that are asked for: ``{"block-weight": "25 tf"}``.
+        picks
+            Which of several is meant: ``{"tubular": "BHA 7"}``.
+        changes
+            Dotted keys of the case and their values, as :meth:`with_` takes them.
+
+        Raises
+        ------
+        InputError
+            If a file is not one that is known, or does not tell what is needed of it.
+        CaseError
+            If the files lack something that a case needs.
+        """
+        return import_files(*files, units=units, values=values, picks=picks).case(changes)
 
     @classmethod
     def from_dict(

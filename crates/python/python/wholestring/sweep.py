@@ -12,7 +12,7 @@ from typing import Literal, cast
 import numpy as np
 
 from . import _core, _values
-from ._handing import Handing, running_file
+from ._dispatch import Dispatcher, running_file
 from ._listener import Listener
 from ._pool import HasExecutor, Pool
 from ._task import Job
@@ -246,8 +246,10 @@ def sweep(
                     shared=shared_folder,
                     version=_core.__version__,
                 )
-                handing = Handing(core, job, listener)
-                interrupted = handing.run(pool, in_flight=in_flight, bundle_s=bundle_s, tries=tries)
+                dispatcher = Dispatcher(core, job, listener)
+                interrupted = dispatcher.run(
+                    pool, in_flight=in_flight, bundle_s=bundle_s, tries=tries
+                )
         finally:
             core.close()
     swept = Sweep(into)

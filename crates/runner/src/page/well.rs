@@ -20,7 +20,7 @@ pub(crate) struct WellBore<'a> {
 impl<'a> WellBore<'a> {
     pub(crate) fn of(settings: &'a Json) -> Self {
         Self {
-            path: path(&settings["well"]),
+            path: path_of(&settings["well"]),
             bit_md_m: number(&settings["operation"]["bit_depth_m"]),
             settings,
         }
@@ -114,7 +114,7 @@ pub fn well_path(settings: &Json) -> WellPath {
 }
 
 /// The path that a run was solved on; none where the settings do not hold it.
-fn path(well: &Json) -> Option<Path> {
+pub(crate) fn path_of(well: &Json) -> Option<Path> {
     let column = |name: &str| well["stations"][name].as_array();
     let (md, inclination, azimuth) =
         (column("md_m")?, column("inclination_rad")?, column("azimuth_rad")?);

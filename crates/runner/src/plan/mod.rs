@@ -10,7 +10,7 @@ mod levels;
 mod measured;
 mod mud;
 mod outcome;
-mod page;
+pub(crate) mod page;
 mod peaks;
 mod request;
 mod rows;

@@ -48,11 +48,25 @@ pub(super) fn write_again(
     let plan = of_summary(&summary, &peaks_time, units);
     let units = plan.head.units.parse().unwrap_or_default();
     plan.write(folder, false)?;
-    let [limits, fatigue, wear] = [LIMITS, FATIGUE, WEAR].map(|name| table(folder.path(), name));
-    let samples = summary.uncertain.as_ref().map(|_| table(folder.path(), Names::PLAN.samples));
+    write_workbook(folder, &summary, &tables(folder.path(), &summary, peaks_time)?, units)
+}
+
+/// The workbook of the plan in a folder.
+pub(crate) fn workbook_of(
+    folder: &Path,
+    units: UnitSet,
+) -> Result<wholestring_report::Workbook, ResultsError> {
+    let summary = PlanSummary::read(&folder.join("summary.json"))?;
+    let tables = tables(folder, &summary, table(folder, PEAKS_TIME)?)?;
+    Ok(workbook(&summary, &tables, units))
+}
+
+/// The tables of a plan that its summary does not hold.
+fn tables(folder: &Path, summary: &PlanSummary, peaks_time: Table) -> Result<Tables, ResultsError> {
+    let [limits, fatigue, wear] = [LIMITS, FATIGUE, WEAR].map(|name| table(folder, name));
+    let samples = summary.uncertain.as_ref().map(|_| table(folder, Names::PLAN.samples));
     let samples = samples.transpose()?;
-    let tables = Tables { limits: limits?, fatigue: fatigue?, wear: wear?, samples, peaks_time };
-    write_workbook(folder, &summary, &tables, units)
+    Ok(Tables { limits: limits?, fatigue: fatigue?, wear: wear?, samples, peaks_time })
 }
 
 /// Everything that is reported of a plan.

@@ -29,7 +29,7 @@ impl Ending {
     }
 }
 
-/// How a case ended that was [solved apart](super::Apart), as it goes from one process to another.
+/// How a case ended that was [solved by itself](super::RemoteCase), as it goes from one process to another.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct Ended {
     solved: Vec<OperationSummary>,

@@ -16,7 +16,12 @@ const FEWEST: usize = 3;
 /// The first line of numbers shows how many columns there are and where they stand; the headings
 /// above go to the column under which they stand.
 pub(crate) fn cut<'a>(source: Source<'a>, text: &'a str) -> Table<'a> {
-    let starts: Vec<usize> = line_starts(text).collect();
+    cut_from(source, text, 0)
+}
+
+/// The same of what stands behind a byte of the text, at which a line ends.
+pub(crate) fn cut_from<'a>(source: Source<'a>, text: &'a str, from: usize) -> Table<'a> {
+    let starts: Vec<usize> = line_starts(text).filter(|start| *start >= from).collect();
     let lines: Vec<Range<usize>> = starts
         .iter()
         .enumerate()
@@ -26,22 +31,26 @@ pub(crate) fn cut<'a>(source: Source<'a>, text: &'a str) -> Table<'a> {
         })
         .collect();
 
-    let first = lines.iter().position(|line| numbers(text, line).is_some());
+    // A remark may stand behind the numbers of every line.
+    let all = |line: &Range<usize>| numbers(text, line).filter(|(_, rest)| !rest);
+    let any = |line: &Range<usize>| numbers(text, line);
+    let first = lines.iter().position(|line| all(line).is_some());
+    let first = first.or_else(|| lines.iter().position(|line| any(line).is_some()));
     let columns: Vec<Range<usize>> = match first {
         Some(i) => {
-            let numbers = numbers(text, &lines[i]).unwrap_or_default();
+            let (numbers, _) = numbers(text, &lines[i]).unwrap_or_default();
             numbers.iter().map(|word| in_characters(text, &lines[i], word)).collect()
         }
         None => Vec::new(),
     };
 
-    let mut marks: Vec<(usize, &str)> = Vec::new();
+    let mut marks: Vec<(Position, &str)> = Vec::new();
     let mut rows = Vec::new();
     for (i, line) in lines.iter().enumerate() {
         let spans = match first {
             Some(first) if i >= first => {
                 let (words, mark) = data(text, line, columns.len());
-                marks.extend(mark.map(|mark| (i + 1, mark)));
+                marks.extend(mark.map(|mark| (Position(line.start, line.end), mark)));
                 words
             }
             Some(first) if i + HEADING_LINES >= first => headings(text, line, &columns),
@@ -57,9 +66,12 @@ pub(crate) fn cut<'a>(source: Source<'a>, text: &'a str) -> Table<'a> {
             .collect();
         rows.push(Row { cells, end: Position(line.end, line.end) });
     }
-    let note = marks.first().map(|(line, mark)| match marks.len() - 1 {
-        0 => format!("the mark '{mark}' in line {line} is passed over"),
-        more => format!("the mark '{mark}' in line {line} is passed over, and {more} more below"),
+    let note = marks.first().map(|(at, mark)| {
+        let line = source.row_name(*at);
+        match marks.len() - 1 {
+            0 => format!("the mark '{mark}' in {line} is passed over"),
+            more => format!("the mark '{mark}' in {line} is passed over, and {more} more below"),
+        }
     });
     let notes = note.into_iter().collect();
     let counted = first.is_some().then_some(columns.len());
@@ -107,14 +119,50 @@ fn phrases(text: &str, line: &Range<usize>) -> Vec<Range<usize>> {
     phrases
 }
 
-/// The numbers of a line that holds three or more and nothing else, a mark before them aside.
-fn numbers(text: &str, line: &Range<usize>) -> Option<Vec<Range<usize>>> {
-    let mut words = words(text, line);
+/// The numbers with which a line begins, a mark before them aside, where they are three or more;
+/// and whether anything stands behind them.
+fn numbers(text: &str, line: &Range<usize>) -> Option<(Vec<Range<usize>>, bool)> {
+    let mut words = sides_joined(text, words(text, line));
     if words.first().is_some_and(|word| is_mark(&text[word.clone()])) {
         words.remove(0);
     }
-    let numeric = |word: &Range<usize>| number::is_number(&text[word.clone()]);
-    (words.len() >= FEWEST && words.iter().all(numeric)).then_some(words)
+    let count = words.iter().take_while(|word| is_numeric(&text[(*word).clone()])).count();
+    let rest = words.len() > count;
+    words.truncate(count);
+    (count >= FEWEST).then_some((words, rest))
+}
+
+/// A number, or a distance with its side.
+fn is_numeric(word: &str) -> bool {
+    number::is_number(word) || number::sided(word).is_some_and(|(of, _)| number::is_number(of))
+}
+
+/// Words with the side of a distance joined to its number: `12.5 N`. What makes a station stands
+/// before them.
+fn sides_joined(text: &str, words: Vec<Range<usize>>) -> Vec<Range<usize>> {
+    let mut joined: Vec<Range<usize>> = Vec::with_capacity(words.len());
+    for word in words {
+        let is_side = matches!(&text[word.clone()], "N" | "S" | "E" | "W");
+        let behind = joined.len() > FEWEST;
+        match joined.last_mut() {
+            Some(last) if is_side && behind && number::is_number(&text[last.clone()]) => {
+                last.end = word.end;
+            }
+            _ => joined.push(word),
+        }
+    }
+    joined
+}
+
+/// Words of the foot or the head of a page.
+fn is_of_page(word: &str) -> bool {
+    let plain = word.trim_matches(|c: char| !c.is_alphanumeric()).to_lowercase();
+    let is_clock = || {
+        let mut parts = word.split(':');
+        parts.clone().count() > 1
+            && parts.all(|part| part.starts_with(|c: char| c.is_ascii_digit()))
+    };
+    matches!(plain.as_str(), "page" | "seite" | "pagina" | "compass" | "build") || is_clock()
 }
 
 /// A sign before a row, such as `!` or `*`, that is not part of its numbers.
@@ -130,9 +178,21 @@ fn data<'a>(
     line: &Range<usize>,
     columns: usize,
 ) -> (Vec<Range<usize>>, Option<&'a str>) {
-    let mut words = words(text, line);
-    let numeric = |word: &Range<usize>| number::is_number(&text[word.clone()]);
-    if !words.iter().any(numeric) && words.len() != columns {
+    let mut words = sides_joined(text, words(text, line));
+    let numeric = |word: &Range<usize>| is_numeric(&text[word.clone()]);
+    let begins = words.len().min(columns);
+    let numbers = words[..begins].iter().filter(|word| numeric(word)).count();
+    let is_remark = match words.first() {
+        _ if numbers == 0 => words.len() != columns,
+        // Numbers within a sentence; and a date, a page.
+        Some(first) => {
+            let of_page = || words.iter().any(|word| is_of_page(&text[word.clone()]));
+            let begins_so = numeric(first) || is_mark(&text[first.clone()]);
+            2 * numbers <= begins && !begins_so || numbers < begins && of_page()
+        }
+        None => true,
+    };
+    if is_remark {
         let whole = words.first().map(|word| word.start..line.end);
         return (whole.into_iter().collect(), None);
     }

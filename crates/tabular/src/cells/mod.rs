@@ -5,6 +5,7 @@ pub(crate) mod blanks;
 pub(crate) mod compound;
 pub(crate) mod decode;
 pub(crate) mod delimited;
+pub(crate) mod fixed;
 pub(crate) mod limits;
 pub(crate) mod number;
 mod open;
@@ -12,4 +13,4 @@ pub(crate) mod records;
 pub(crate) mod table;
 pub(crate) mod workbook;
 
-pub(crate) use open::{is_workbook, of_text, of_workbook};
+pub(crate) use open::{above, below, is_workbook, of_text, of_workbook};

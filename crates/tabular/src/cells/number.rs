@@ -52,7 +52,7 @@ pub(crate) fn style<'a>(numbers: impl Iterator<Item = &'a str>) -> Result<Style,
 
 /// Reads a number in a style.
 pub(crate) fn read(text: &str, style: Style) -> Result<f64, Fault> {
-    let text = text.trim().replace('−', "-");
+    let text = without_marks(text).replace('−', "-");
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(&text);
     if ["nan", "inf", "infinity"].iter().any(|name| unsigned.eq_ignore_ascii_case(name)) {
         return Err(Fault::NotFinite);
@@ -84,6 +84,47 @@ pub(crate) fn read(text: &str, style: Style) -> Result<f64, Fault> {
     }
 }
 
+/// Signs that reports put behind a number to point to a remark.
+const MARKS: [char; 5] = ['*', '!', '#', '†', '‡'];
+
+/// A cell's text without the marks behind its number.
+pub(crate) fn without_marks(text: &str) -> &str {
+    text.trim().trim_end_matches(MARKS).trim_end()
+}
+
+/// A distance with the side to which it goes, `12.5 N`, `3 W`: its number, and whether that is
+/// the other side of north or east.
+pub(crate) fn sided(text: &str) -> Option<(&str, bool)> {
+    let text = without_marks(text);
+    let is_other = match text.chars().next_back()? {
+        'N' | 'E' => false,
+        'S' | 'W' => true,
+        _ => return None,
+    };
+    Some((text[..text.len() - 1].trim_end(), is_other))
+}
+
+/// Reads a number in a style, or a proper fraction with a whole number before it or without:
+/// `8 1/2`, `8-1/2`, `8½`, `5/8`.
+pub(crate) fn read_or_fraction(text: &str, style: Style) -> Result<f64, Fault> {
+    let fault = match read(text, style) {
+        Ok(number) => return Ok(number),
+        Err(fault) => fault,
+    };
+    let is_fraction = text.contains(['/', '⅛', '¼', '⅜', '½', '⅝', '¾', '⅞']);
+    // `8/1` is what is left of a date.
+    let improper = text.split_once('/').is_some_and(|(top, bottom)| {
+        let parsed = (top.trim().parse::<u32>(), bottom.trim().parse::<u32>());
+        matches!(parsed, (Ok(top), Ok(bottom)) if top >= bottom)
+    });
+    if !is_fraction || improper {
+        return Err(fault);
+    }
+    // Fractions are known where quantities are read.
+    let read = wholestring_units::Dimension::Length.read(&format!("{text} m"));
+    read.map(|written| written.number).map_err(|_| fault)
+}
+
 /// It is a number in one style or the other.
 pub(crate) fn is_number(text: &str) -> bool {
     read(text, Style::Point).is_ok() || read(text, Style::Comma).is_ok()
@@ -109,7 +150,20 @@ fn without_groups(whole: &str, separators: &[char]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Fault, Style, read, style};
+    use super::{Fault, Style, read, read_or_fraction, style};
+
+    #[test]
+    fn fractions_are_read_and_what_is_left_of_dates_is_not() {
+        let fraction = |text| read_or_fraction(text, Style::Point);
+        for text in ["8 1/2", "8-1/2", "8½", "8 ½", "8.5", "8–1/2"] {
+            assert_eq!(fraction(text), Ok(8.5), "{text}");
+        }
+        assert_eq!(fraction("5/8"), Ok(0.625));
+        assert_eq!(read_or_fraction("8,5", Style::Comma), Ok(8.5));
+        for text in ["8/1", "8/8", "1/2/2026", "8-Jan", "8 1/0", "", "/", "½½", "8 1/2 x 2"] {
+            assert_eq!(fraction(text), Err(Fault::NotANumber), "{text}");
+        }
+    }
 
     #[test]
     fn numbers_are_read_in_their_style() {

@@ -2,7 +2,7 @@
 
 use super::{
     blanks, decode, delimited, limits,
-    table::{Source, Table},
+    table::{Row, Source, Table},
     workbook,
 };
 use crate::error::{TableError, TableErrorKind};
@@ -83,4 +83,25 @@ pub(crate) fn of_workbook<R>(
         })
         .collect();
     Ok(of(&tables, &names))
+}
+
+/// The part of a table above a row.
+pub(crate) fn above<'a>(table: &Table<'a>, row: usize) -> Table<'a> {
+    with_rows(table, &table.rows[..row.min(table.rows.len())])
+}
+
+/// The part of a table in a row and below it. Columns of blanks may stand elsewhere there, and are
+/// cut anew.
+pub(crate) fn below<'a>(table: &Table<'a>, row: usize) -> Table<'a> {
+    match (table.source, row.checked_sub(1).and_then(|above| table.rows.get(above))) {
+        (Source::Text { text, .. }, Some(above)) if table.counted.is_some() => {
+            blanks::cut_from(table.source, text, above.end.0)
+        }
+        _ => with_rows(table, &table.rows[row.min(table.rows.len())..]),
+    }
+}
+
+fn with_rows<'a>(table: &Table<'a>, rows: &[Row]) -> Table<'a> {
+    let Table { source, parted_by, counted, ref notes, .. } = *table;
+    Table { source, rows: rows.to_vec(), parted_by, counted, notes: notes.clone() }
 }

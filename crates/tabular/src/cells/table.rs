@@ -119,6 +119,19 @@ impl Source<'_> {
         }
     }
 
+    /// The rows from one position to another, in words.
+    pub(crate) fn rows_name(&self, first: Position, last: Position) -> String {
+        match (self.place(first), self.place(last)) {
+            (Place::Text { line: first, .. }, Place::Text { line: last, .. }) => {
+                format!("lines {first} to {last}")
+            }
+            (Place::Cell { row: first, sheet, .. }, Place::Cell { row: last, .. }) => {
+                format!("rows {first} to {last} of sheet '{sheet}'")
+            }
+            _ => self.row_name(first),
+        }
+    }
+
     /// The row of a position, in words.
     pub(crate) fn row_name(&self, at: Position) -> String {
         match self.place(at) {

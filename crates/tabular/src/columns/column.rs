@@ -1,10 +1,10 @@
-//! The columns of surveys and of readings.
+//! The columns of surveys, of readings and of tallies.
 
 use std::fmt;
 
 use wholestring_units::Dimension;
 
-/// What a column of a survey, or of readings at the surface, holds.
+/// What a column of a survey, of readings at the surface, or of a tally, holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Column {
     /// Measured depth along the hole.
@@ -37,6 +37,38 @@ pub enum Column {
     Case,
     /// Whether something is to be found from it.
     Use,
+    /// Its number in the tally, or its position.
+    Number,
+    /// What a component is.
+    Component,
+    /// Outside diameter of the body.
+    OutsideDiameter,
+    /// Inside diameter of the body.
+    InsideDiameter,
+    /// Diameter of the bit, or over the blades of a stabiliser.
+    Gauge,
+    /// How many joints.
+    Joints,
+    /// Length of all of them.
+    Length,
+    /// Length of one joint.
+    JointLength,
+    /// Length from the first row on.
+    CumulativeLength,
+    /// Mass per length, tool joints included.
+    Mass,
+    /// Nominal weight of a pipe: what it is called by, without tool joints.
+    NominalMass,
+    /// Mass of the whole component.
+    TotalMass,
+    /// Outside diameter of the tool joints.
+    JointOutsideDiameter,
+    /// Inside diameter of the tool joints.
+    JointInsideDiameter,
+    /// What the connections are called.
+    Connection,
+    /// Grade of the steel.
+    Grade,
 }
 
 impl Column {
@@ -66,9 +98,38 @@ impl Column {
         Column::Use,
     ];
 
-    /// Whether it holds words and no numbers.
+    /// Every column of a tally.
+    pub const TALLY: [Column; 16] = [
+        Column::Component,
+        Column::OutsideDiameter,
+        Column::Length,
+        Column::JointLength,
+        Column::InsideDiameter,
+        Column::Gauge,
+        Column::Joints,
+        Column::CumulativeLength,
+        Column::Mass,
+        Column::NominalMass,
+        Column::TotalMass,
+        Column::JointOutsideDiameter,
+        Column::JointInsideDiameter,
+        Column::Connection,
+        Column::Grade,
+        Column::Number,
+    ];
+
+    /// Whether it holds words, or counts: nothing that has a unit.
     pub fn is_words(self) -> bool {
-        matches!(self, Column::Case | Column::Use)
+        matches!(
+            self,
+            Column::Case
+                | Column::Use
+                | Column::Number
+                | Column::Component
+                | Column::Joints
+                | Column::Connection
+                | Column::Grade
+        )
     }
 
     /// Whether it is of readings.
@@ -83,6 +144,13 @@ impl Column {
             Column::PickUp | Column::SlackOff | Column::Rotating => Dimension::Force,
             Column::Torque | Column::TorqueOnBottom => Dimension::Torque,
             Column::MudDensity => Dimension::Density,
+            Column::OutsideDiameter
+            | Column::InsideDiameter
+            | Column::Gauge
+            | Column::JointOutsideDiameter
+            | Column::JointInsideDiameter => Dimension::Diameter,
+            Column::Mass | Column::NominalMass => Dimension::MassPerLength,
+            Column::TotalMass => Dimension::Mass,
             _ => Dimension::Length,
         }
     }
@@ -105,6 +173,22 @@ impl Column {
             Column::MudDensity => "Mud (sg)",
             Column::Case => "Case",
             Column::Use => "Use",
+            Column::Number => "No.",
+            Column::Component => "Component",
+            Column::OutsideDiameter => "OD (in)",
+            Column::InsideDiameter => "ID (in)",
+            Column::Gauge => "Gauge OD (in)",
+            Column::Joints => "Joints",
+            Column::Length => "Length (ft)",
+            Column::JointLength => "Joint length (ft)",
+            Column::CumulativeLength => "Cum. length (ft)",
+            Column::Mass => "Weight (lb/ft)",
+            Column::NominalMass => "Nominal weight (lb/ft)",
+            Column::TotalMass => "Total weight (lb)",
+            Column::JointOutsideDiameter => "Tool joint OD (in)",
+            Column::JointInsideDiameter => "Tool joint ID (in)",
+            Column::Connection => "Connection",
+            Column::Grade => "Grade",
         }
     }
 }
@@ -127,6 +211,22 @@ impl fmt::Display for Column {
             Column::MudDensity => "mud density",
             Column::Case => "case",
             Column::Use => "use",
+            Column::Number => "number",
+            Column::Component => "component",
+            Column::OutsideDiameter => "outside diameter",
+            Column::InsideDiameter => "inside diameter",
+            Column::Gauge => "gauge",
+            Column::Joints => "number of joints",
+            Column::Length => "length",
+            Column::JointLength => "length of a joint",
+            Column::CumulativeLength => "cumulative length",
+            Column::Mass => "weight per length",
+            Column::NominalMass => "nominal weight",
+            Column::TotalMass => "total weight",
+            Column::JointOutsideDiameter => "outside diameter of the tool joints",
+            Column::JointInsideDiameter => "inside diameter of the tool joints",
+            Column::Connection => "connection",
+            Column::Grade => "grade",
         })
     }
 }

@@ -130,7 +130,7 @@ fn unit_in(column: Column, brackets: &[String], sort: &Sort) -> HeadingUnit {
 }
 
 /// A heading without its bracketed parts, and these.
-fn part_brackets(text: &str) -> (String, Vec<String>) {
+pub(crate) fn part_brackets(text: &str) -> (String, Vec<String>) {
     let mut name = String::new();
     let mut brackets = Vec::new();
     let mut inside: Option<String> = None;

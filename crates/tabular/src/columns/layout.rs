@@ -79,9 +79,9 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
                     in_degrees.push(column.to_string());
                     named_unit(column, "deg")
                 }
-                _ => match said.length_unit {
+                _ => match said.length_unit_of(column) {
                     Some(unit) => {
-                        as_said.push(column.to_string());
+                        as_said.push((column.to_string(), unit));
                         unit
                     }
                     None => {
@@ -104,12 +104,10 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
         });
         columns.push(Found { column, index: *index, unit });
     }
-    if let Some(unit) = said.length_unit.filter(|_| !as_said.is_empty()) {
-        notes.push(format!(
-            "no unit for {}: read in {} as was said",
-            as_said.join(" and "),
-            unit.symbol
-        ));
+    for units in as_said.chunk_by(|one, next| one.1 == next.1) {
+        let columns: Vec<&str> = units.iter().map(|(column, _)| column.as_str()).collect();
+        let unit = units[0].1.symbol;
+        notes.push(format!("no unit for {}: read in {unit} as was said", columns.join(" and ")));
     }
     if !in_degrees.is_empty() {
         notes.push(format!("no unit for {}: read in degrees", in_degrees.join(" and ")));

@@ -72,6 +72,109 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
     (Column::MudDensity, 0, "mud muddensity mudweight mudwt mw mudin densityofmud"),
     (Column::Case, 0, "case"),
     (Column::Use, 0, "use"),
+    (
+        Column::Number,
+        0,
+        "no nr num number item itemno itemnumber pos position order seq sequence index elementno \
+         componentno jointno jtno jointnumber",
+    ),
+    (
+        Column::Component,
+        0,
+        "component components description desc descr element elements itemdescription \
+         componentdescription tool tooldescription toolname bhacomponent bhaelement componentname \
+         elementname componenttype elementtype elementdescription name",
+    ),
+    (Column::Component, 1, "type designation tubular pipe"),
+    (
+        Column::OutsideDiameter,
+        0,
+        "od outsidediameter outerdiameter outsidedia outerdia outsidediam outerdiam bodyod pipeod \
+         tubeod odbody nomod nominalod bodyoutsidediameter",
+    ),
+    (Column::OutsideDiameter, 1, "diameter dia diam size"),
+    (
+        Column::InsideDiameter,
+        0,
+        "id insidediameter innerdiameter insidedia innerdia insidediam innerdiam bodyid pipeid \
+         tubeid idbody nomid nominalid bore bodyinsidediameter",
+    ),
+    (
+        Column::Gauge,
+        0,
+        "gauge gaugeod gage gageod gaugediameter gaugedia gaugesize odgauge bladeod bladesod \
+         bladediameter bladedia odblade odblades overblades stabod stabgauge stabiliserod \
+         stabilizerod stabilisergauge stabilizergauge bitsize bladegauge",
+    ),
+    (
+        Column::Joints,
+        0,
+        "jts joints jt jnts joint noofjoints nojoints numberofjoints numjoints jointcount count qty \
+         quantity nojts noofjts noofitems pcs",
+    ),
+    (
+        Column::Length,
+        0,
+        "length len lengths lgth itemlength componentlength elementlength toollength sectionlength",
+    ),
+    (Column::Length, 1, "totallength lengthtotal"),
+    (
+        Column::JointLength,
+        0,
+        "jointlength lengthperjoint lengthjoint lengthjt lengthperjt avglength averagelength \
+         jtlength avgjointlength averagejointlength avgjtlength lengtheach lengthperitem unitlength \
+         singlelength",
+    ),
+    (
+        Column::CumulativeLength,
+        0,
+        "cumulative cum cumul cumlength cumlen cumulativelength cumullength lengthcum \
+         lengthcumulative runningtotal runninglength accumulated accumlength accumulatedlength \
+         accumulativelength acclength accumulative distancefrombit distfrombit distancetobit",
+    ),
+    (
+        Column::Mass,
+        0,
+        "adjweight adjwt adjustedweight approxweight approxwt approximateweight avgweight \
+         averageweight actualweight weightperlength wtperlength massperlength linearweight \
+         linearmass linweight unitweight unitmass weightperfoot wtperft airweight",
+    ),
+    (Column::Mass, 1, "weight wt wgt mass weightinair"),
+    (
+        Column::NominalMass,
+        0,
+        "nominalweight nomweight nomwt nominalwt nominalmass weightnominal wtnom",
+    ),
+    (
+        Column::TotalMass,
+        0,
+        "totalweight totalmass totalwt totwt weighttotal itemweight componentweight",
+    ),
+    (
+        Column::JointOutsideDiameter,
+        0,
+        "jointod tooljointod tjod odjoint odtooljoint odtj tooljointoutsidediameter \
+         tooljointouterdiameter tooljointdiameter",
+    ),
+    (
+        Column::JointInsideDiameter,
+        0,
+        "jointid tooljointid tjid idjoint idtooljoint idtj tooljointinsidediameter \
+         tooljointinnerdiameter",
+    ),
+    (
+        Column::Connection,
+        0,
+        "connection connections conn connectiontype conntype thread threads tooljoint \
+         tooljointtype tooljointconnection",
+    ),
+    (
+        Column::Connection,
+        1,
+        "topconnection topconn bottomconnection bottomconn upperconnection lowerconnection pinbox \
+         boxpin connectionup connectiondown",
+    ),
+    (Column::Grade, 0, "grade steelgrade materialgrade pipegrade"),
 ];
 
 /// Words that a heading may have beside its name.

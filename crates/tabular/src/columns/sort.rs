@@ -16,3 +16,9 @@ pub(crate) const SURVEY: Sort = Sort { columns: &Column::ALL, needed: &Column::N
 
 /// Weights and torques that were read at the surface.
 pub(crate) const READINGS: Sort = Sort { columns: &Column::READINGS, needed: &[Column::BitDepth] };
+
+/// The components of a string.
+pub(crate) const TALLY: Sort = Sort {
+    columns: &Column::TALLY,
+    needed: &[Column::Component, Column::OutsideDiameter, Column::Length],
+};

@@ -1,5 +1,8 @@
 //! Stations of a path.
 
 pub(crate) mod imported;
+pub(crate) mod preamble;
 pub(crate) mod said;
+pub(crate) mod stated;
 pub(crate) mod stations;
+pub(crate) mod tables;

@@ -2,9 +2,22 @@
 
 use wholestring_units::Unit;
 
+use crate::columns::column::Column;
+
 /// What is said of a survey beside its file.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Said {
     /// Unit of the lengths whose unit the file does not tell.
     pub length_unit: Option<&'static Unit>,
+    /// Unit of true vertical depth, north and east without one, where it is not that of the lengths.
+    pub position_unit: Option<&'static Unit>,
+}
+
+impl Said {
+    /// The unit of a length that has none in the file.
+    pub(crate) fn length_unit_of(&self, column: Column) -> Option<&'static Unit> {
+        let is_position =
+            matches!(column, Column::TrueVerticalDepth | Column::North | Column::East);
+        self.position_unit.filter(|_| is_position).or(self.length_unit)
+    }
 }

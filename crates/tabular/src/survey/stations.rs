@@ -1,17 +1,24 @@
 //! From rows of numbers to stations.
 
+use std::collections::HashSet;
+
 use wholestring::well::{Station, TieIn};
 
-use wholestring_units::number_text;
+use wholestring_units::{Unit, number_text};
 
 use crate::cells::number::{self, Fault, Style};
-use crate::cells::table::{Position, Row, Table};
+use crate::cells::table::{Cell, Position, Row, Table};
 use crate::columns::layout::{Found, Layout};
 use crate::error::{TableError, TableErrorKind};
 use crate::{
     columns::column::Column,
+    columns::heading,
     columns::sort::{SURVEY, Sort},
-    survey::imported::ImportedSurvey,
+    survey::{
+        imported::ImportedSurvey,
+        preamble,
+        stated::{self, Dogleg},
+    },
 };
 
 /// No hole is deeper along its axis, m.
@@ -20,74 +27,152 @@ const DEEPEST_M: f64 = 1e5;
 /// Notes about rows that were passed over, before they are only counted.
 const NOTED_ROWS: usize = 5;
 
+/// Why the rows of a table are no survey.
+pub(crate) struct Broken {
+    pub(crate) error: TableError,
+    /// The row behind the last sound station, where something stands between it and what is wrong:
+    /// another table may begin there.
+    pub(crate) behind: Option<usize>,
+}
+
+impl From<TableError> for Broken {
+    fn from(error: TableError) -> Self {
+        Self { error, behind: None }
+    }
+}
+
 /// Reads the rows below the header.
-pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedSurvey, TableError> {
+pub(crate) fn read(table: &Table, layout: &Layout) -> Result<ImportedSurvey, Broken> {
     let mut notes = layout.notes.clone();
-    let rows = data_rows(table, &layout, &SURVEY, &mut notes);
-    let reader = Reader { table, style: style(table, &layout, &rows)? };
+    let rows = data_rows(table, layout, &SURVEY, &mut notes);
+    let reader = Reader { table, style: style(table, layout, &rows)? };
     if reader.style == Style::Comma {
         notes.push("a comma is read as the decimal sign".to_owned());
     }
+    notes.extend(marks(table, layout, &rows));
+    let mut stations = Vec::with_capacity(rows.len());
+    for (place, &row) in rows.iter().enumerate() {
+        let station = station(
+            &reader,
+            layout,
+            &table.rows[row],
+            &stations,
+            place.checked_sub(1).map(|above| &table.rows[rows[above]]),
+        );
+        stations.push(station.map_err(|error| {
+            // A station that starts anew, or words where it should stand.
+            let behind = place.checked_sub(1).map(|above| rows[above] + 1);
+            let words = !table.rows[row].texts().any(number::is_number);
+            Broken { error, behind: behind.filter(|&behind| behind < row || words) }
+        })?);
+    }
+    finish(&reader, layout, &rows, stations, notes).map_err(Broken::from)
+}
 
+/// The station of a row, below those above it.
+fn station(
+    reader: &Reader,
+    layout: &Layout,
+    row: &Row,
+    above: &[Station],
+    row_above: Option<&Row>,
+) -> Result<Station, TableError> {
+    let source = reader.table.source;
     let needed = Column::NEEDED.map(|column| layout.column(column));
     let [Some(depth), Some(inclination), Some(azimuth)] = needed else {
-        return Err(table.source.error(TableErrorKind::NoHeader, None));
+        return Err(source.error(TableErrorKind::NoHeader, None));
     };
-    let mut stations: Vec<Station> = Vec::with_capacity(rows.len());
-    let mut previous = String::new();
-    for &row in &rows {
-        let row = &table.rows[row];
-        if let Some(expected) = table.counted.filter(|&count| row.cells.len() < count) {
-            let kind = TableErrorKind::ShortRow { found: row.cells.len(), expected };
-            return Err(table.source.error(kind, Some(whole(row))));
-        }
-        let md_m = reader.value(row, depth)?;
-        let written = format!("{} {}", row.text(depth.index), depth.unit.symbol);
-        let at = position(row, depth);
-        if !(0.0..=DEEPEST_M).contains(&md_m) {
-            return Err(reader.out_of_range(row, depth, "0 to 100 km"));
-        }
-        if stations.last().is_some_and(|last| md_m <= last.md_m) {
-            let repeats = stations.last().is_some_and(|last| md_m == last.md_m);
-            let found = if repeats { previous.clone() } else { written };
-            let kind = TableErrorKind::DepthNotIncreasing { found, previous };
-            return Err(table.source.error(kind, Some(at)));
-        }
-        previous = written;
-        let inclination_rad = reader.value(row, inclination)?;
-        if !(0.0..=std::f64::consts::PI).contains(&inclination_rad) {
-            return Err(reader.out_of_range(row, inclination, "0 to 180 deg"));
-        }
-        let azimuth_rad = reader.value(row, azimuth)?;
-        let turn = std::f64::consts::TAU;
-        if !(-turn..=2.0 * turn).contains(&azimuth_rad) {
-            return Err(reader.out_of_range(row, azimuth, "-360 to 720 deg"));
-        }
-        stations.push(Station { md_m, inclination_rad, azimuth_rad });
+    if let Some(expected) = reader.table.counted.filter(|&count| row.cells.len() < count) {
+        let kind = TableErrorKind::ShortRow { found: row.cells.len(), expected };
+        return Err(source.error(kind, Some(whole(row))));
     }
-    if stations.len() < 2 {
+    let md_m = reader.value(row, depth)?;
+    if !(0.0..=DEEPEST_M).contains(&md_m) {
+        return Err(reader.out_of_range(row, depth, "0 to 100 km"));
+    }
+    if let Some(last) = above.last().filter(|last| md_m <= last.md_m) {
+        let written = |row: &Row| format!("{} {}", row.text(depth.index), depth.unit.symbol);
+        let previous = row_above.map_or_else(String::new, written);
+        let found = if md_m == last.md_m { previous.clone() } else { written(row) };
+        let kind = TableErrorKind::DepthNotIncreasing { found, previous };
+        return Err(source.error(kind, Some(position(row, depth))));
+    }
+    let inclination_rad = reader.value(row, inclination)?;
+    if !(0.0..=std::f64::consts::PI).contains(&inclination_rad) {
+        return Err(reader.out_of_range(row, inclination, "0 to 180 deg"));
+    }
+    let azimuth_rad = reader.value(row, azimuth)?;
+    let turn = std::f64::consts::TAU;
+    if !(-turn..=2.0 * turn).contains(&azimuth_rad) {
+        return Err(reader.out_of_range(row, azimuth, "-360 to 720 deg"));
+    }
+    Ok(Station { md_m, inclination_rad, azimuth_rad })
+}
+
+/// What else is to be known of stations that were read.
+fn finish(
+    reader: &Reader,
+    layout: &Layout,
+    rows: &[usize],
+    stations: Vec<Station>,
+    mut notes: Vec<String>,
+) -> Result<ImportedSurvey, TableError> {
+    let table = reader.table;
+    let (Some(&first), Some(&last), true) = (rows.first(), rows.last(), stations.len() > 1) else {
         let kind = TableErrorKind::TooFewStations { found: stations.len() };
         let last = rows.last().map_or(layout.data.saturating_sub(1), |&row| row);
         let at = table.rows.get(last).map(whole);
         return Err(table.source.error(kind, at));
-    }
-    let tie_in = match rows.first() {
-        Some(&first) => reader.tie_in(&layout, &table.rows[first], stations[0].md_m, &mut notes)?,
-        None => None,
     };
-    if let (None, Some(first)) = (tie_in, stations.first())
-        && first.md_m != 0.0
-    {
+    let tie_in = reader.tie_in(layout, &table.rows[first], stations[0].md_m, &mut notes)?;
+    if tie_in.is_none() && stations[0].md_m != 0.0 {
         notes.push(format!(
             "the first station is at {} m and the file does not say where it lies: taken to be as \
              deep, \
              vertically under the origin",
-            number_text(first.md_m)
+            number_text(stations[0].md_m)
         ));
     }
     notes.extend(table.notes.iter().cloned());
     notes.push(format!("{} stations", stations.len()));
-    Ok(ImportedSurvey { stations, tie_in, notes })
+    let dogleg = Dogleg::of(table, layout);
+    let of_row = |&row: &usize| stated::position(reader, layout, dogleg.as_ref(), &table.rows[row]);
+    let symbol = |column| layout.column(column).map_or("", |found: &Found| found.unit.symbol);
+    let is_read = |index: usize| layout.columns.iter().any(|found| found.index == index);
+    let unread = layout.header.iter().enumerate();
+    let unread = unread.filter(|(index, text)| !text.is_empty() && !is_read(*index));
+    Ok(ImportedSurvey {
+        stations,
+        tie_in,
+        place: table.source.rows_name(whole(&table.rows[first]), whole(&table.rows[last])),
+        units: Column::NEEDED.map(symbol),
+        stated: rows.iter().map(of_row).collect(),
+        unread: unread.map(|(_, text)| text.clone()).collect(),
+        preamble: preamble::above(table, layout.data),
+        notes,
+    })
+}
+
+/// A note on marks behind numbers, if there are any.
+fn marks(table: &Table, layout: &Layout, rows: &[usize]) -> Option<String> {
+    let cells = rows.iter().flat_map(|&row| {
+        let found = layout.columns.iter();
+        found.filter_map(move |found| table.rows[row].cells.get(found.index))
+    });
+    let mut marked = cells.filter(|cell| {
+        let text = cell.text.trim();
+        number::without_marks(text).len() < text.len() && number::is_number(text)
+    });
+    let first = marked.next()?;
+    let mark = &first.text.trim()[number::without_marks(&first.text).len()..];
+    let row = table.source.row_name(first.at);
+    Some(match marked.count() {
+        0 => format!("the mark '{}' behind a number in {row} is passed over", mark.trim()),
+        more => {
+            let mark = mark.trim();
+            format!("the mark '{mark}' behind a number in {row} is passed over, and {more} more")
+        }
+    })
 }
 
 /// The rows that hold data: not empty, no comment, rule, remark or repeated header.
@@ -99,6 +184,13 @@ pub(crate) fn data_rows(
 ) -> Vec<usize> {
     let mut rows = Vec::new();
     let mut passed_over = 0;
+    let words: HashSet<&str> =
+        layout.header.iter().flat_map(|heading| heading.split_whitespace()).collect();
+    // A line of a header of several, or of its units, on another page.
+    let of_header = |text: &str| {
+        text.split_whitespace().all(|word| words.contains(word))
+            || heading::dimension_of(heading::bare_unit(text)).is_some()
+    };
     for (index, row) in table.rows.iter().enumerate().skip(layout.data) {
         if row.is_empty() || row.is_rule() {
             continue;
@@ -114,7 +206,8 @@ pub(crate) fn data_rows(
             && !row.texts().any(number::is_number);
         let header = !layout.header.is_empty()
             && row.texts().count() > 1
-            && row.texts().all(|text| layout.header.iter().any(|heading| heading == text));
+            && !row.texts().any(number::is_number)
+            && row.texts().all(of_header);
         if remark || header || row.is_comment() {
             passed_over += 1;
             if passed_over <= NOTED_ROWS {
@@ -161,12 +254,8 @@ impl Reader<'_> {
         let Some(cell) = row.cells.get(found.index).filter(|cell| !cell.is_empty()) else {
             return error(TableErrorKind::EmptyCell { column }, position(row, found));
         };
-        let number = match cell.number {
-            Some(number) => Ok(number),
-            None => number::read(&cell.text, self.style),
-        };
         let text = cell.text.clone();
-        match number.map(|number| found.unit.to_si(number)) {
+        match self.read(cell, column).map(|number| found.unit.to_si(number)) {
             Ok(si) if si.is_finite() => Ok(si),
             Ok(_) | Err(Fault::NotFinite) => {
                 error(TableErrorKind::NotFinite { column, found: text }, cell.at)
@@ -175,6 +264,25 @@ impl Reader<'_> {
                 error(TableErrorKind::NotANumber { column, found: text }, cell.at)
             }
         }
+    }
+
+    fn read(&self, cell: &Cell, column: Column) -> Result<f64, Fault> {
+        if let Some(number) = cell.number {
+            return Ok(number);
+        }
+        match number::sided(&cell.text) {
+            Some((text, is_other)) if matches!(column, Column::North | Column::East) => {
+                let number = number::read(text, self.style)?;
+                Ok(if is_other { -number } else { number })
+            }
+            _ => number::read(&cell.text, self.style),
+        }
+    }
+
+    /// The number of a cell in SI, if it is one.
+    pub(crate) fn number(&self, cell: &Cell, column: Column, unit: &Unit) -> Option<f64> {
+        let number = self.read(cell, column).ok()?;
+        Some(unit.to_si(number)).filter(|si| si.is_finite())
     }
 
     pub(crate) fn out_of_range(

@@ -20,7 +20,7 @@ use crate::{
 
 /// A case of a sweep that is solved apart from the others.
 #[derive(Debug, Clone, Copy)]
-pub struct Apart<'a> {
+pub struct RemoteCase<'a> {
     /// The case file.
     pub template: &'a Template,
     /// What is changed in it.
@@ -35,7 +35,7 @@ pub struct Apart<'a> {
     pub checkpoint_every: Option<Duration>,
 }
 
-impl Apart<'_> {
+impl RemoteCase<'_> {
     /// Solves it into the folder; what is finished there is left alone, and what was begun is
     /// continued.
     pub fn solve(

@@ -27,7 +27,7 @@ def running_file(folder: Path) -> str:
     return str((folder / f"{RUNNING}{secrets.token_hex(8)}").absolute())
 
 
-class Handing:
+class Dispatcher:
     """A sweep's cases on their way to workers and back."""
 
     def __init__(self, core: _core.Sweep, job: Job, listener: Listener) -> None:

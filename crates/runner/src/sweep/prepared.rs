@@ -44,15 +44,15 @@ pub fn run(
     observer: &dyn Observer,
     cancellation: &CancellationToken,
 ) -> Result<BatchOutcome, Error> {
-    InHand::begin(request, observer, cancellation)?.solve(observer, cancellation)
+    PreparedSweep::begin(request, observer, cancellation)?.solve(observer, cancellation)
 }
 
 /// A sweep that is checked, holds its folder, and waits for its cases to be solved.
 ///
 /// Either [`Self::solve`] does that here, on all cores, or a front hands the cases out: each of
-/// [`Self::left`] is [made ready](Self::make_ready), solved [apart](super::Apart) wherever that may
+/// [`Self::left`] is [made ready](Self::make_ready), solved [by itself](super::RemoteCase) wherever that may
 /// be, and [taken](Self::take) back; [`Self::end`] writes table and page.
-pub struct InHand {
+pub struct PreparedSweep {
     cases: Cases,
     options: BatchOptions,
     claimed: Claimed,
@@ -61,7 +61,7 @@ pub struct InHand {
     start: Instant,
 }
 
-impl InHand {
+impl PreparedSweep {
     /// Reads and checks every case, and claims the folder.
     ///
     /// # Errors

@@ -11,7 +11,7 @@ use wholestring_runner::{BatchSize, CaseEnded, Observer, Progress, Task};
 
 /// What work has said and Python has not heard yet.
 #[derive(Default)]
-pub(crate) struct Told(Mutex<State>);
+pub(crate) struct EventBuffer(Mutex<State>);
 
 #[derive(Default)]
 struct State {
@@ -37,7 +37,7 @@ struct Batch {
 /// What a case counts beside its simulated time, s.
 const CASE_S: f64 = 1e-3;
 
-impl Told {
+impl EventBuffer {
     fn state(&self) -> MutexGuard<'_, State> {
         // Whoever panicked with it left whole sentences all the same.
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
@@ -78,7 +78,7 @@ impl Told {
     }
 }
 
-impl Observer for Told {
+impl Observer for EventBuffer {
     fn diagnostics(&self, report: &Report) {
         self.say(true, report.render(false).trim_end());
     }

@@ -1,0 +1,89 @@
+//! `wholestring export`: results, the survey and the string of a case in the formats of other programs.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use wholestring_runner::export::{self, Format, Request, What};
+use wholestring_units::UnitSet;
+
+use crate::{
+    failure::Failure,
+    terminal::{print_stderr, print_stdout},
+};
+
+#[derive(Debug, Args)]
+pub(crate) struct ExportArgs {
+    /// Folder of results, or a case file
+    #[arg(value_name = "DIR|CASE.toml")]
+    pub(crate) from: PathBuf,
+
+    /// Format
+    #[arg(long = "to", value_enum, value_name = "FORMAT")]
+    pub(crate) format: FormatArg,
+
+    /// What is written; a case file has no results [default: results]
+    #[arg(long, value_enum, value_name = "WHAT")]
+    pub(crate) what: Option<WhatArg>,
+
+    // Not a doc comment, which would read `<what>` as HTML.
+    #[arg(
+        short,
+        long,
+        value_name = "FILE",
+        help = "File, or folder for the tables of results as CSV [default: in DIR, or beside the case]"
+    )]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Units [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FormatArg {
+    /// Text with commas; of results a file for each table
+    Csv,
+    /// An Excel workbook
+    Xlsx,
+    /// A report in columns of one width, of a survey
+    Text,
+    /// WITSML 1.4.1.1: logs against the depth of the bit, trajectory, tubular
+    Witsml,
+    /// WITSML 2.0
+    Witsml2,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum WhatArg {
+    /// The tables of a folder
+    Results,
+    /// The stations of the well
+    Survey,
+    /// The components of the string, from the bit up
+    Tally,
+}
+
+pub(crate) fn export(args: &ExportArgs) -> Result<(), Failure> {
+    let exported = export::export(&Request {
+        from: args.from.clone(),
+        what: args.what.map(|what| match what {
+            WhatArg::Results => What::Results,
+            WhatArg::Survey => What::Survey,
+            WhatArg::Tally => What::Tally,
+        }),
+        format: match args.format {
+            FormatArg::Csv => Format::Csv,
+            FormatArg::Xlsx => Format::Xlsx,
+            FormatArg::Text => Format::Text,
+            FormatArg::Witsml => Format::Witsml1411,
+            FormatArg::Witsml2 => Format::Witsml20,
+        },
+        output: args.output.clone(),
+        units: args.units,
+    })?;
+    for note in &exported.notes {
+        print_stderr(&format!("note: {note}\n"));
+    }
+    let files = exported.files.iter();
+    print_stdout(&files.map(|file| format!("{}\n", file.display())).collect::<String>())
+}

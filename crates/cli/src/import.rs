@@ -1,0 +1,125 @@
+//! `wholestring import`: a case from the files of other programs.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use wholestring_case::Template;
+use wholestring_runner::import::{self, Choices, Imported};
+
+use crate::{
+    check,
+    color::color,
+    failure::Failure,
+    terminal::{in_shell, print_stderr, print_stdout},
+};
+
+#[derive(Debug, Args)]
+pub(crate) struct ImportArgs {
+    /// Survey, tally, WITSML, Landmark EDM, LAS or log: what it is, its content tells; several
+    /// files make one case
+    #[arg(value_name = "FILE", required = true)]
+    pub(crate) files: Vec<PathBuf>,
+
+    /// The case that is written; one that is there is not written over [default: the screen]
+    #[arg(short, long, value_name = "CASE.toml")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Unit of a quantity that its file does not tell, such as md=ft
+    #[arg(long = "unit", value_name = "NAME=UNIT", value_parser = pair)]
+    pub(crate) units: Vec<(String, String)>,
+
+    /// Value that no file tells and that is asked for, such as block-weight="25 tf" of a log
+    #[arg(long = "value", value_name = "NAME=VALUE", value_parser = pair)]
+    pub(crate) values: Vec<(String, String)>,
+
+    /// Which of several is meant, such as tubular="BHA 7"; or the file that a part of the case is
+    /// taken from, such as survey=survey.csv
+    #[arg(long = "pick", value_name = "WHAT=NAME", value_parser = pair)]
+    pub(crate) picks: Vec<(String, String)>,
+}
+
+impl ImportArgs {
+    fn choices(&self) -> Result<Choices, Failure> {
+        let mut choices = Choices::default();
+        let said = [("--unit", &self.units), ("--value", &self.values), ("--pick", &self.picks)];
+        for (option, said) in said {
+            for (index, (name, value)) in said.iter().enumerate() {
+                if said[..index].iter().any(|(other, _)| other == name) {
+                    let text = format!("error: {option} {name}= is given twice");
+                    return Err(Failure::BadInput(text));
+                }
+                choices = match option {
+                    "--unit" => choices.unit(name, value),
+                    "--value" => choices.value(name, value),
+                    _ => choices.pick(name, value),
+                };
+            }
+        }
+        Ok(choices)
+    }
+}
+
+pub(crate) fn import(args: &ImportArgs) -> Result<(), Failure> {
+    let imported = import::read(&args.files, &args.choices()?)?;
+    let Some(output) = &args.output else {
+        print_stderr(&said(&imported));
+        return print_stdout(&imported.text);
+    };
+    let written = import::write(&imported, output)?;
+    let mut text = said(&imported);
+    for path in &written {
+        text += &format!("wrote {}\n", path.display());
+    }
+    print_stdout(&text)?;
+    conclusion(&imported, output)
+}
+
+/// What each file is, and what is to be said of it.
+fn said(imported: &Imported) -> String {
+    let mut text = String::new();
+    let alone = imported.files.len() == 1;
+    for (index, (name, what)) in imported.files.iter().enumerate() {
+        let mark = if alone { String::new() } else { format!("[{}] ", index + 1) };
+        text += &format!("{mark}{name}: {what}\n");
+    }
+    for (file, note) in &imported.notes {
+        let index = imported.files.iter().position(|(name, _)| Some(name) == file.as_ref());
+        let mark = match index {
+            Some(index) if !alone => format!("[{}] ", index + 1),
+            _ => String::new(),
+        };
+        text += &format!("  {mark}{}: {}\n", note.kind(), note.text());
+    }
+    text
+}
+
+/// Whether the case that was written can be solved, and what comes next.
+fn conclusion(imported: &Imported, output: &Path) -> Result<(), Failure> {
+    let shown = in_shell(&output.display().to_string());
+    if !imported.missing.is_empty() {
+        let mut text = format!("{} still needs\n", output.display());
+        for missing in &imported.missing {
+            text += &format!("  {missing}\n");
+        }
+        return print_stdout(&format!("{text}then: wholestring check {shown}\n"));
+    }
+    let case = Template::read(output)?.case(&[])?;
+    if !case.warnings.is_empty() {
+        print_stderr(&case.warnings.render(color()));
+    }
+    print_stdout(&format!(
+        "{} is sound: {}\nnext: wholestring plan {shown}\n",
+        output.display(),
+        check::outline(&case)
+    ))
+}
+
+/// `name=value`, neither of them empty.
+fn pair(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=').map(|(name, value)| (name.trim(), value.trim())) {
+        Some((name, value)) if !name.is_empty() && !value.is_empty() => {
+            Ok((name.to_owned(), value.to_owned()))
+        }
+        _ => Err("expected a name, `=` and a value".to_owned()),
+    }
+}

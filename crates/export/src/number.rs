@@ -1,0 +1,20 @@
+//! Numbers as texts.
+
+/// Significant digits of the numbers in WITSML: a tenth of a millimetre in 10 km.
+pub const DIGITS: usize = 8;
+
+/// A number to [`DIGITS`], without zeros behind and without a power of ten; nothing of one that is not
+/// finite.
+///
+/// ```
+/// use wholestring_export::number;
+///
+/// assert_eq!(number(1.0 / 3.0).as_deref(), Some("0.33333333"));
+/// assert_eq!(number(-0.0).as_deref(), Some("0"));
+/// assert_eq!(number(f64::NAN), None);
+/// ```
+pub fn number(value: f64) -> Option<String> {
+    let rounded: f64 = format!("{value:.*e}", DIGITS - 1).parse().ok()?;
+    // Without the sign of a zero.
+    rounded.is_finite().then(|| (rounded + 0.0).to_string())
+}

@@ -1,0 +1,24 @@
+//! A component of a string as a tally lists it.
+
+/// A component, from the bit up.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Component {
+    /// What it is called.
+    pub name: String,
+    /// Length, m.
+    pub length_m: f64,
+    /// Outside diameter of the body, m.
+    pub od_m: f64,
+    /// Inside diameter of the body, m.
+    pub id_m: f64,
+    /// Mass per length in air, kg/m, tool joints included.
+    pub mass_per_length_kg_per_m: f64,
+    /// Outside diameter of the tool joints, m, if it has any.
+    pub joint_od_m: Option<f64>,
+    /// Distance between tool joints, m, if it has any.
+    pub joint_spacing_m: Option<f64>,
+    /// Diameter over the blades, m, if it has any.
+    pub blade_od_m: Option<f64>,
+    /// Minimum yield strength, Pa, where known.
+    pub yield_strength_Pa: Option<f64>,
+}

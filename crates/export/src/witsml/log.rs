@@ -1,0 +1,164 @@
+//! Results against the depth of the bit as WITSML logs.
+
+use std::io;
+
+use wholestring_units::Dimension;
+
+use super::{
+    Version,
+    xml::{Xml, uid, uuid},
+};
+use crate::{
+    log::Log,
+    look::{Look, Uom},
+    number::number,
+};
+
+/// The curve of the index: the measured depth of the bit.
+const INDEX: &str = "DBTM";
+const INDEX_MEANING: &str = "Measured depth of the bit";
+
+/// What stands where there is no number.
+const NULL: &str = "-999.25";
+
+/// Logs, one or several in a file: in 1.4.1.1 each by itself, in 2.0 each as a set of channels.
+///
+/// # Errors
+/// None that logs give.
+pub fn logs(look: &Look, logs: &[Log], version: Version) -> io::Result<String> {
+    match version {
+        Version::V1411 => v1411(look, logs),
+        Version::V20 => v20(look, logs),
+    }
+}
+
+/// First and last depth.
+fn ends(log: &Log) -> Option<[f64; 2]> {
+    Some([*log.bit_depths_m.first()?, *log.bit_depths_m.last()?])
+}
+
+fn v1411(look: &Look, logs: &[Log]) -> io::Result<String> {
+    let well = uid(&look.name);
+    let length = look.uom(Dimension::Length);
+    let mut xml = Xml::new()?;
+    xml.open_series_1("logs")?;
+    for (place, log) in logs.iter().enumerate() {
+        let uid = (place + 1).to_string();
+        xml.open("log", &[("uidWell", &well), ("uidWellbore", &well), ("uid", &uid)])?;
+        xml.leaf("nameWell", &[], &look.name)?;
+        xml.leaf("nameWellbore", &[], &look.name)?;
+        xml.leaf("name", &[], &log.name)?;
+        xml.leaf("serviceCompany", &[], &look.program)?;
+        xml.leaf("creationDate", &[], &look.created)?;
+        xml.leaf("description", &[], "Computed, with the bit at each depth")?;
+        xml.leaf("indexType", &[], "measured depth")?;
+        if let Some([first_m, last_m]) = ends(log) {
+            xml.quantity("startIndex", length, first_m)?;
+            xml.quantity("endIndex", length, last_m)?;
+        }
+        xml.leaf("direction", &[], "increasing")?;
+        xml.leaf("indexCurve", &[], INDEX)?;
+        xml.leaf("nullValue", &[], NULL)?;
+        let index = (INDEX, "measured depth of bit", INDEX_MEANING, length);
+        let curves = log
+            .curves
+            .iter()
+            .map(|curve| (curve.mnemonic, curve.class, curve.meaning, look.uom(curve.dimension)));
+        let curves: Vec<_> = [index].into_iter().chain(curves).collect();
+        for (mnemonic, class, meaning, uom) in &curves {
+            xml.open("logCurveInfo", &[("uid", mnemonic)])?;
+            xml.leaf("mnemonic", &[], mnemonic)?;
+            xml.leaf("classWitsml", &[], class)?;
+            xml.leaf("unit", &[], uom.symbol)?;
+            if let Some([first_m, last_m]) = ends(log) {
+                xml.quantity("minIndex", length, first_m)?;
+                xml.quantity("maxIndex", length, last_m)?;
+            }
+            xml.leaf("curveDescription", &[], meaning)?;
+            xml.leaf("typeLogData", &[], "double")?;
+            xml.close("logCurveInfo")?;
+        }
+        xml.open("logData", &[])?;
+        let listed = |texts: Vec<&str>| texts.join(",");
+        xml.leaf("mnemonicList", &[], &listed(curves.iter().map(|of| of.0).collect()))?;
+        xml.leaf("unitList", &[], &listed(curves.iter().map(|of| of.3.symbol).collect()))?;
+        for (row, &depth_m) in log.bit_depths_m.iter().enumerate() {
+            let values = log.curves.iter().map(|curve| {
+                shown(look.uom(curve.dimension), curve.values.get(row).copied().flatten())
+                    .unwrap_or_else(|| NULL.to_owned())
+            });
+            let depth = shown(length, Some(depth_m)).unwrap_or_else(|| NULL.to_owned());
+            let cells: Vec<String> = [depth].into_iter().chain(values).collect();
+            xml.leaf("data", &[], &cells.join(","))?;
+        }
+        xml.close("logData")?;
+        xml.close("log")?;
+    }
+    xml.close("logs")?;
+    xml.finish()
+}
+
+fn v20(look: &Look, logs: &[Log]) -> io::Result<String> {
+    let length = look.uom(Dimension::Length);
+    let title = "Results against the depth of the bit";
+    let mut xml = Xml::new()?;
+    xml.open_series_2("Log", look, title)?;
+    xml.leaf("TimeDepth", &[], "measured depth")?;
+    xml.wellbore(look)?;
+    for log in logs {
+        let about = |of: &str| uuid(&format!("{of} {} {} {}", log.name, look.name, look.created));
+        let set = [("schemaVersion", "2.0"), ("uuid", &about("ChannelSet"))];
+        xml.open("ChannelSet", &set)?;
+        xml.citation(look, &log.name)?;
+        index(&mut xml, length)?;
+        for curve in &log.curves {
+            let channel = [("schemaVersion", "2.0"), ("uuid", &about(curve.mnemonic))];
+            xml.open("Channel", &channel)?;
+            xml.citation(look, curve.meaning)?;
+            xml.leaf("Mnemonic", &[], curve.mnemonic)?;
+            xml.leaf("DataType", &[], "double")?;
+            xml.leaf("Uom", &[], look.uom(curve.dimension).symbol)?;
+            xml.leaf("GrowingStatus", &[], "closed")?;
+            xml.leaf("TimeDepth", &[], "measured depth")?;
+            if let Some(ends) = ends(log) {
+                for (name, depth_m) in ["StartIndex", "EndIndex"].into_iter().zip(ends) {
+                    xml.open(name, &[("xsi:type", "DepthIndexValue")])?;
+                    let depth = shown(length, Some(depth_m)).unwrap_or_default();
+                    xml.leaf("Depth", &[], &depth)?;
+                    xml.close(name)?;
+                }
+            }
+            index(&mut xml, length)?;
+            xml.close("Channel")?;
+        }
+        xml.open("Data", &[])?;
+        let rows = log.bit_depths_m.iter().enumerate().map(|(row, &depth_m)| {
+            let values = log.curves.iter().map(|curve| {
+                shown(look.uom(curve.dimension), curve.values.get(row).copied().flatten())
+                    .unwrap_or_else(|| "null".to_owned())
+            });
+            let values: Vec<String> = values.collect();
+            let depth = shown(length, Some(depth_m)).unwrap_or_else(|| "null".to_owned());
+            format!("[[{depth}],[{}]]", values.join(","))
+        });
+        xml.leaf("Data", &[], &format!("[{}]", rows.collect::<Vec<_>>().join(",")))?;
+        xml.close("Data")?;
+        xml.close("ChannelSet")?;
+    }
+    xml.close("Log")?;
+    xml.finish()
+}
+
+/// What a set of channels is counted by.
+fn index(xml: &mut Xml, length: Uom) -> io::Result<()> {
+    xml.open("Index", &[])?;
+    xml.leaf("IndexType", &[], "measured depth")?;
+    xml.leaf("Uom", &[], length.symbol)?;
+    xml.leaf("Direction", &[], "increasing")?;
+    xml.leaf("Mnemonic", &[], INDEX)?;
+    xml.close("Index")
+}
+
+fn shown(uom: Uom, si: Option<f64>) -> Option<String> {
+    number(uom.of(si?))
+}

@@ -1,0 +1,103 @@
+//! What Landmark computed of torque and drag: a curve to lay over our plan.
+
+use wholestring_tabular::ImportedReading;
+
+use super::{
+    Reader,
+    chooser::Chosen,
+    datum::Depths,
+    keys::children,
+    table::Table,
+    unit_set::{Found, Measure},
+};
+use crate::error::ImportError;
+
+const KEYS: [&str; 4] = ["well_id", "wellbore_id", "scenario_id", "case_id"];
+
+/// The rows of the drag chart of the chosen case, by depth.
+pub(super) fn read(
+    reader: &mut Reader,
+    chosen: &Chosen,
+    depths: Depths,
+) -> Result<Vec<ImportedReading>, ImportError> {
+    let Some(case) = chosen.case else { return Ok(Vec::new()) };
+    let rows = children(reader.rows, Table::DragChart, case, &KEYS)?;
+    let units = reader.units.clone();
+    let mut readings = Vec::with_capacity(rows.len());
+    let mut without = 0;
+    for row in rows {
+        let depth = units.quantity(row, "run_depth", Measure::Length)?;
+        let depth_m = depth.map_or(0.0, |depth| depth.si() + depths.shift_m);
+        let load = |column| units.quantity(row, column, Measure::Force);
+        let torque = |column| units.quantity(row, column, Measure::ChartTorque);
+        let si = |found: Option<Found>| found.map(Found::si);
+        let reading = ImportedReading {
+            place: format!("line {}, WP_TDA_DRAGCHART", row.line()),
+            bit_depth_m: depth_m,
+            pick_up_N: si(load("to_hookload")?),
+            slack_off_N: si(load("ti_hookload")?),
+            rotating_N: si(load("ob_hookload")?),
+            torque_N_m: si(torque("ob_torque")?),
+            torque_on_bottom_N_m: si(torque("rd_torque")?),
+            mud_density_kg_per_m3: None,
+            case: None,
+            held_out: false,
+            keys: Vec::new(),
+        };
+        // A string that is not in the hole yet has no weight and no torque.
+        match depth_m > 0.0 {
+            true => readings.push(reading),
+            false => without += 1,
+        }
+    }
+    readings.sort_by(|a, b| a.bit_depth_m.total_cmp(&b.bit_depth_m));
+    if without > 0 {
+        reader.left_out(format!("{without} rows of the drag chart without a depth of the bit"));
+    }
+    if !readings.is_empty() {
+        reader.read(format!(
+            "the drag chart has {} depths: its trip out is our pick-up, its trip in our slack-off, \
+             and its ob_hookload and ob_torque are taken as rotating off bottom, its rd_torque as \
+             the torque on bottom",
+            readings.len()
+        ));
+        for options in children(reader.rows, Table::DragOptions, case, &KEYS)? {
+            let column = "hoist_equip_weight";
+            if let Some(weight) = units.positive(options, column, Measure::Force)? {
+                reader.read(format!(
+                    "line {} gives the hoisting equipment a weight of {}: hook loads of the drag \
+                     chart stand as they were found; if they hold that weight, subtract it before \
+                     you compare them, for ours never do",
+                    options.line(),
+                    weight.text()
+                ));
+            }
+        }
+    }
+    parameters(reader, chosen)?;
+    Ok(readings)
+}
+
+/// Friction of the analysis beside that of the hole sections.
+fn parameters(reader: &mut Reader, chosen: &Chosen) -> Result<(), ImportError> {
+    let Some(case) = chosen.case else { return Ok(()) };
+    for row in children(reader.rows, Table::DragParameters, case, &KEYS)? {
+        let columns =
+            ["cof_casing_trip_out", "cof_oh_trip_out", "cof_casing_trip_in", "cof_oh_trip_in"];
+        let mut said = Vec::new();
+        for column in columns {
+            if let Some(number) = row.number(column)?.filter(|number| *number > 0.0) {
+                said.push(format!("{column} {number}"));
+            }
+        }
+        if !said.is_empty() {
+            reader.left_out(format!(
+                "the friction factors of single operations in line {} ({}): those of the hole \
+                 sections are taken",
+                row.line(),
+                said.join(", ")
+            ));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,79 @@
+//! Which row belongs to which: ids are unique below their well only.
+
+use super::{
+    row::{Row, Rows},
+    table::Table,
+};
+use crate::error::{ImportError, ImportErrorKind};
+
+/// Whether two rows agree in keys: the last one, which both must have, and those before it where
+/// both have them.
+pub(super) fn agree(a: Row, b: Row, keys: &[&str]) -> bool {
+    let Some((own, above)) = keys.split_last() else { return false };
+    a.get(own).is_some()
+        && a.get(own) == b.get(own)
+        && above.iter().all(|key| match (a.get(key), b.get(key)) {
+            (Some(a), Some(b)) => a == b,
+            _ => true,
+        })
+}
+
+/// The row of a table that another refers to; none where it is not there.
+pub(super) fn parent<'a>(
+    rows: &'a Rows,
+    table: Table,
+    child: Row<'a>,
+    keys: &[&str],
+) -> Result<Option<Row<'a>>, ImportError> {
+    let mut found: Option<Row> = None;
+    for row in rows.of(table).filter(|row| agree(*row, child, keys)) {
+        match found {
+            Some(first) if !first.same(row) => {
+                let own = keys.last().copied().unwrap_or_default();
+                return Err(child.error(own, two(table, own, child, first, row)));
+            }
+            Some(_) => {}
+            None => found = Some(row),
+        }
+    }
+    Ok(found)
+}
+
+/// The rows of a table that belong to another row.
+///
+/// # Errors
+/// One of them may belong to another row as well, for it does not say the well.
+pub(super) fn children<'a>(
+    rows: &'a Rows,
+    table: Table,
+    of: Row<'a>,
+    keys: &[&str],
+) -> Result<Vec<Row<'a>>, ImportError> {
+    let mut found: Vec<Row> = Vec::new();
+    found.extend(rows.of(table).filter(|row| agree(*row, of, keys)));
+    // The same row twice says nothing new.
+    let mut seen = std::collections::HashSet::new();
+    found.retain(|row| seen.insert(row.text()));
+    let lacking = found
+        .iter()
+        .find(|row| keys.iter().any(|key| row.get(key).is_none() && of.get(key).is_some()));
+    if let Some(child) = lacking {
+        let differs = |other: &Row| keys.iter().any(|key| other.get(key) != of.get(key));
+        let other = rows.of(of.table).find(|other| agree(*child, *other, keys) && differs(other));
+        if let (Some(other), Some(own)) = (other, keys.last()) {
+            return Err(child.error(own, two(of.table, own, *child, of, other)));
+        }
+    }
+    Ok(found)
+}
+
+fn two(table: Table, own: &str, child: Row, first: Row, second: Row) -> ImportErrorKind {
+    ImportErrorKind::Refused(format!(
+        "it belongs to {own} '{}', of which {} has two (lines {} and {}), and does not say of \
+         which well",
+        child.get(own).unwrap_or_default(),
+        table.declared().name,
+        first.line(),
+        second.line()
+    ))
+}

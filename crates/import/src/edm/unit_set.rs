@@ -1,0 +1,207 @@
+//! The units of an export, which it does not tell.
+
+use std::ops::RangeInclusive;
+
+use wholestring_units::{Dimension, Unit, number_text};
+
+use super::row::{Row, Rows};
+use crate::{
+    choices::Choices,
+    error::{ImportError, ImportErrorKind},
+    fragment::Value,
+    fragment::{Block, Origin},
+};
+
+/// What a column measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Measure {
+    Length,
+    Diameter,
+    LinearWeight,
+    Density,
+    Force,
+    Torque,
+    ChartTorque,
+    Stress,
+    Viscosity,
+    ShearStress,
+}
+
+/// A measure: its name in `--unit`, its units in both sets, and what is plausible in SI.
+struct Declared {
+    name: &'static str,
+    dimension: Dimension,
+    api: &'static str,
+    si: &'static str,
+    range: RangeInclusive<f64>,
+}
+
+const fn declared(
+    name: &'static str,
+    dimension: Dimension,
+    [api, si]: [&'static str; 2],
+    range: RangeInclusive<f64>,
+) -> Declared {
+    Declared { name, dimension, api, si, range }
+}
+
+/// In the order of [`Measure`]. The ranges catch a set that is not the file's: feet for metres are
+/// a factor of three, inches for millimetres one of 25.
+const MEASURES: [Declared; 10] = [
+    declared("length", Dimension::Length, ["ft", "m"], -1e3..=2e4),
+    declared("diameter", Dimension::Diameter, ["in", "mm"], 0.0..=2.0),
+    declared("linear_weight", Dimension::MassPerLength, ["lb/ft", "kg/m"], 0.0..=3e3),
+    declared("density", Dimension::Density, ["ppg", "kg/m3"], 0.0..=3e3),
+    declared("force", Dimension::Force, ["klbf", "kN"], -2e7..=2e7),
+    declared("torque", Dimension::Torque, ["ft-lbf", "kN.m"], 0.0..=1e6),
+    declared("chart_torque", Dimension::Torque, ["kft-lbf", "kN.m"], -1e6..=1e6),
+    declared("stress", Dimension::Pressure, ["psi", "kPa"], 5e7..=3e9),
+    declared("viscosity", Dimension::Viscosity, ["cP", "mPa.s"], 0.0..=1e1),
+    declared("shear_stress", Dimension::ShearStress, ["lbf/100ft2", "Pa"], 0.0..=1e3),
+];
+
+/// A number with its unit, as it stands in a row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Found {
+    pub(super) number: f64,
+    pub(super) unit: &'static Unit,
+}
+
+impl Found {
+    pub(super) fn si(self) -> f64 {
+        self.unit.to_si(self.number)
+    }
+
+    pub(super) fn value(self) -> Value {
+        Value::quantity(self.number, self.unit)
+    }
+
+    /// For people: `9.625 in`.
+    pub(super) fn text(self) -> String {
+        format!("{} {}", number_text(self.number), self.unit.symbol)
+    }
+}
+
+/// The unit of each measure.
+#[derive(Debug, Clone)]
+pub(super) struct Units(Vec<&'static Unit>);
+
+impl Units {
+    /// What is said with `--unit edm=SET`, and of single measures.
+    pub(super) fn said(rows: &Rows, choices: &Choices) -> Result<Self, ImportError> {
+        let mut units = Vec::new();
+        let set = choices.said("edm").map(|(_, set)| set);
+        if let Some(set) = set.filter(|set| !["api", "si"].contains(set)) {
+            let text = format!("--unit edm={set}: expected edm=api or edm=si; {}", sets());
+            return Err(rows.error(ImportErrorKind::Refused(text)));
+        }
+        for measure in MEASURES {
+            let single = choices.unit_of(&[measure.name], measure.dimension);
+            let symbol = match (single.map_err(|kind| rows.error(kind))?, set) {
+                (Some(unit), _) => unit.symbol,
+                (None, Some("si")) => measure.si,
+                (None, Some(_)) => measure.api,
+                (None, None) => return Err(rows.error(unsaid(rows))),
+            };
+            match measure.dimension.find_unit(symbol) {
+                Some(unit) => units.push(unit),
+                None => return Err(rows.error(unsaid(rows))),
+            }
+        }
+        Ok(Self(units))
+    }
+
+    pub(super) fn of(&self, measure: Measure) -> &'static Unit {
+        self.0[measure as usize]
+    }
+
+    /// The quantity in a column, which is in the range of what there is.
+    pub(super) fn quantity(
+        &self,
+        row: Row,
+        column: &str,
+        measure: Measure,
+    ) -> Result<Option<Found>, ImportError> {
+        let Some(number) = row.number(column)? else { return Ok(None) };
+        let found = Found { number, unit: self.of(measure) };
+        let declared = &MEASURES[measure as usize];
+        // A zero stands for what was not entered.
+        if number != 0.0 && !declared.range.contains(&found.si()) {
+            let [from, to] = [declared.range.start(), declared.range.end()]
+                .map(|si| number_text(found.unit.from_si(*si)));
+            let kind = ImportErrorKind::OutOfRange {
+                what: column.to_owned(),
+                found: found.text(),
+                expected: format!(
+                    "{from} to {to} {}, or another unit: --unit {}=UNIT",
+                    found.unit.symbol, declared.name
+                ),
+            };
+            return Err(row.error(column, kind));
+        }
+        Ok(Some(found))
+    }
+
+    /// The quantity in a column where it is more than nothing.
+    pub(super) fn positive(
+        &self,
+        row: Row,
+        column: &str,
+        measure: Measure,
+    ) -> Result<Option<Found>, ImportError> {
+        Ok(self.quantity(row, column, measure)?.filter(|found| found.number > 0.0))
+    }
+
+    /// Writes a key where its column has more than nothing.
+    pub(super) fn push(
+        &self,
+        block: &mut Block,
+        key: &'static str,
+        row: Row,
+        column: &str,
+        measure: Measure,
+    ) -> Result<Option<Found>, ImportError> {
+        let found = self.positive(row, column, measure)?;
+        if let Some(found) = found {
+            block.push(key, found.value(), Origin::at(row.place(column)));
+        }
+        Ok(found)
+    }
+}
+
+/// Both sets, for people.
+fn sets() -> String {
+    let list = |of: fn(&Declared) -> &'static str| {
+        let mut units: Vec<&str> = MEASURES.iter().map(of).collect();
+        units.dedup();
+        units.join(", ")
+    };
+    format!("api is {}; si is {}", list(|own| own.api), list(|own| own.si))
+}
+
+/// Why nothing can be read without a set, and what the file looks like.
+fn unsaid(rows: &Rows) -> ImportErrorKind {
+    use super::table::Table::{Component, SurveyStation};
+    let largest = |table, column: &'static str| {
+        let numbers = rows.of(table).filter_map(move |row| row.number(column).ok().flatten());
+        let most = numbers.fold(f64::NEG_INFINITY, f64::max);
+        let name = super::table::Table::declared(table).name;
+        most.is_finite().then(|| format!("the largest {column} of {name} is {}", number_text(most)))
+    };
+    let seen: Vec<String> = [largest(SurveyStation, "md"), largest(Component, "od_body")]
+        .into_iter()
+        .flatten()
+        .collect();
+    let seen = match seen.is_empty() {
+        true => String::new(),
+        false => format!(" ({})", seen.join("; ")),
+    };
+    let names: Vec<&str> = MEASURES.iter().map(|own| own.name).collect();
+    ImportErrorKind::Refused(format!(
+        "an EDM export does not tell its units{seen}; say the set: --unit edm=api, as Landmark \
+         stores numbers as a rule, or --unit edm=si ({}); single ones are said beside it, as \
+         --unit length=m, of {}",
+        sets(),
+        names.join(", ")
+    ))
+}

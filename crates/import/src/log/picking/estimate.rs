@@ -1,0 +1,137 @@
+//! A value of a window, and how well the window tells it.
+
+/// A value that was picked of a window.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// The value, SI.
+    pub value: f64,
+    /// How far single rows lie off it: 1.4826 times the median distance, which is the standard
+    /// deviation of normal noise.
+    pub spread: f64,
+    /// Its standard error, by spread and the number of rows that count as independent.
+    pub standard_error: f64,
+    /// Rows that it is of.
+    pub rows: usize,
+}
+
+/// Standard deviation of normal noise over its median distance from the middle.
+const OF_MEDIAN_DISTANCE: f64 = 1.4826;
+
+/// Standard error of a median over that of a mean, of normal noise: √(π/2).
+const OF_MEDIAN: f64 = 1.2533;
+
+impl Estimate {
+    /// The median: single spikes and what was not cut off of a transient leave it where it is.
+    pub(super) fn by_median(values: &[f64]) -> Option<Self> {
+        let value = median(&mut values.to_vec())?;
+        let spread = spread(values, value);
+        let count = independent(values, value);
+        let standard_error = OF_MEDIAN * spread / count.sqrt();
+        Some(Self { value, spread, standard_error, rows: values.len() })
+    }
+
+    /// The mean of what lies within three spreads of the median: the swings of a string that sticks
+    /// and slips are longer on one side of it than on the other, and friction works by their mean.
+    pub(super) fn by_mean(values: &[f64]) -> Option<Self> {
+        let middle = median(&mut values.to_vec())?;
+        let reach = 3.0 * spread(values, middle);
+        let kept: Vec<f64> =
+            values.iter().copied().filter(|value| (value - middle).abs() <= reach).collect();
+        let rows = kept.len() as f64;
+        let value = kept.iter().sum::<f64>() / rows;
+        let squares = kept.iter().map(|kept| (kept - value).powi(2)).sum::<f64>();
+        let spread = (squares / rows).sqrt();
+        let standard_error = spread / independent(&kept, value).sqrt();
+        Some(Self { value, spread, standard_error, rows: kept.len() })
+    }
+}
+
+/// The middle value of those that are there; puts them in order.
+pub(super) fn median(values: &mut Vec<f64>) -> Option<f64> {
+    values.retain(|value| value.is_finite());
+    let middle = values.len() / 2;
+    if values.is_empty() {
+        return None;
+    }
+    let even = values.len().is_multiple_of(2);
+    let (below, at, _) = values.select_nth_unstable_by(middle, f64::total_cmp);
+    let at = *at;
+    if !even {
+        return Some(at);
+    }
+    let below = below.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    Some(0.5 * (below + at))
+}
+
+/// The value below which this part of them lies.
+pub(super) fn quantile(values: &mut Vec<f64>, part: f64) -> Option<f64> {
+    values.retain(|value| value.is_finite());
+    let last = values.len().checked_sub(1)?;
+    let place = (part * last as f64).round() as usize;
+    Some(*values.select_nth_unstable_by(place.min(last), f64::total_cmp).1)
+}
+
+/// How far values lie off their middle, as the standard deviation of normal noise.
+pub(super) fn spread(values: &[f64], middle: f64) -> f64 {
+    let mut distances: Vec<f64> = values.iter().map(|value| (value - middle).abs()).collect();
+    OF_MEDIAN_DISTANCE * median(&mut distances).unwrap_or(0.0)
+}
+
+/// The noise from row to row, whatever trend lies below it.
+pub(super) fn noise(values: &[f64]) -> f64 {
+    let steps: Vec<f64> = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    spread(&steps, 0.0) / std::f64::consts::SQRT_2
+}
+
+/// How many of the rows count as independent, by the correlation of neighbours (a first-order
+/// autoregression).
+fn independent(values: &[f64], middle: f64) -> f64 {
+    let rows = values.len() as f64;
+    // A spike is no part of what correlates.
+    let reach = 3.0 * spread(values, middle);
+    let off = |value: &f64| (value - middle).clamp(-reach, reach);
+    let squares: f64 = values.iter().map(|value| off(value).powi(2)).sum();
+    if squares == 0.0 {
+        return rows;
+    }
+    let products: f64 = values.windows(2).map(|pair| off(&pair[0]) * off(&pair[1])).sum();
+    let correlation = (products / squares).clamp(0.0, 0.99);
+    (rows * (1.0 - correlation) / (1.0 + correlation)).max(1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_is_the_middle_whatever_the_order() {
+        assert_eq!(median(&mut vec![3.0, 1.0, 2.0]), Some(2.0));
+        assert_eq!(median(&mut vec![4.0, 1.0, f64::NAN, 3.0, 2.0]), Some(2.5));
+        assert_eq!(median(&mut vec![f64::NAN]), None);
+        assert_eq!(quantile(&mut (0..=100).map(f64::from).collect(), 0.95), Some(95.0));
+    }
+
+    /// A sine about a middle and spikes: the mean of whole swings is the middle, the spikes are out.
+    #[test]
+    fn the_mean_holds_whole_swings_and_no_spike() {
+        let swing = |row: i32| 10.0 + 3.0 * (f64::from(row) * std::f64::consts::TAU / 20.0).sin();
+        let mut values: Vec<f64> = (0..400).map(swing).collect();
+        values[7] = 500.0;
+        values[90] = -80.0;
+        let found = Estimate::by_mean(&values).unwrap();
+        // Two rows of 400 are missing in it, each at most 3 off the middle.
+        assert!((found.value - 10.0).abs() <= 2.0 * 3.0 / 398.0, "{found:?}");
+        assert!((found.spread - 3.0 / 2f64.sqrt()).abs() < 0.02, "{found:?}");
+        assert_eq!(found.rows, 398);
+    }
+
+    /// Alike rows tell as one where each repeats its neighbour.
+    #[test]
+    fn rows_that_repeat_count_less() {
+        let wave = |row: u32| if row % 40 < 20 { 1.0 } else { -1.0 };
+        let slow: Vec<f64> = (0..400).map(wave).collect();
+        let fast: Vec<f64> = (0..400).map(|row| if row % 2 == 0 { 1.0 } else { -1.0 }).collect();
+        assert!(independent(&slow, 0.0) < 30.0);
+        assert_eq!(independent(&fast, 0.0), 400.0);
+    }
+}

@@ -1,0 +1,176 @@
+//! What the string does, row by row.
+
+use super::{beginning::Beginning, row::Row, thresholds::Thresholds};
+
+/// What the string does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Motion {
+    /// Up, off bottom, without rotation.
+    PickUp,
+    /// Down, off bottom, without rotation.
+    SlackOff,
+    /// It turns off bottom and does not move along.
+    Rotating,
+    /// It turns on bottom.
+    Drilling,
+    /// It is on bottom and does not turn.
+    OnBottom,
+    /// It turns off bottom and moves.
+    Reaming,
+    /// It stands still off bottom.
+    Still,
+    /// It changes from one to the other, or sensors do not tell.
+    Between,
+}
+
+impl Motion {
+    /// Every one, in the order of a table.
+    pub const ALL: [Motion; 8] = [
+        Motion::PickUp,
+        Motion::SlackOff,
+        Motion::Rotating,
+        Motion::Drilling,
+        Motion::OnBottom,
+        Motion::Reaming,
+        Motion::Still,
+        Motion::Between,
+    ];
+
+    /// In words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Motion::PickUp => "up without rotation",
+            Motion::SlackOff => "down without rotation",
+            Motion::Rotating => "rotating off bottom",
+            Motion::Drilling => "rotating on bottom",
+            Motion::OnBottom => "on bottom without rotation",
+            Motion::Reaming => "moving with rotation",
+            Motion::Still => "still off bottom",
+            Motion::Between => "changing, or not told",
+        }
+    }
+}
+
+/// The rows of a stand, with single spikes of positions out of them, their speeds and motions.
+pub(super) struct Moving<'a> {
+    pub(super) rows: &'a [Row],
+    /// Speed of the block, positive upwards, m/s.
+    pub(super) speed: Vec<f64>,
+    pub(super) motion: Vec<Motion>,
+    /// Height of the block, or the way of the bit where no sensor tells that, m.
+    pub(super) height: Vec<f64>,
+}
+
+/// Half the span over which a speed is taken, s.
+const HALF_SPAN_S: f64 = 2.0;
+
+/// Rows on either side over which a speed is taken.
+pub(super) fn half_span(step_s: f64) -> usize {
+    (HALF_SPAN_S / step_s).round().clamp(1.0, 100.0) as usize
+}
+
+impl<'a> Moving<'a> {
+    pub(super) fn of(rows: &'a [Row], log: &Beginning, limits: &Thresholds) -> Self {
+        let height = smooth(rows, |row| if log.has.block { row.block_m } else { -row.bit_depth_m });
+        let above = smooth(rows, Row::height_m);
+        let turning = smooth(rows, |row| row.rotary_rad_per_s.abs());
+        let torque = if log.has.rotary { Vec::new() } else { smooth(rows, |row| row.torque_N_m) };
+        let speed = speeds(rows, &height, log.step_s);
+        let motion = (0..rows.len()).map(|at| {
+            let turns = match (log.has.rotary, log.idle_torque_N_m) {
+                (true, _) if turning[at] >= limits.turns_rad_per_s => Some(true),
+                (true, _) if turning[at] <= limits.still_rad_per_s => Some(false),
+                (false, Some(idle)) if torque[at].is_finite() => Some(torque[at] > idle),
+                _ => None,
+            };
+            let moves = speed[at].abs() >= limits.moves_m_per_s;
+            let stands = speed[at].abs() <= limits.stands_m_per_s;
+            let off = above[at] > limits.off_bottom_m;
+            let on = above[at] < limits.on_bottom_m;
+            match turns {
+                Some(false) if off && moves && speed[at] > 0.0 => Motion::PickUp,
+                Some(false) if off && moves => Motion::SlackOff,
+                Some(false) if off && stands => Motion::Still,
+                Some(true) if off && moves => Motion::Reaming,
+                Some(true) if off && stands => Motion::Rotating,
+                Some(true) if on => Motion::Drilling,
+                Some(false) if on => Motion::OnBottom,
+                _ => Motion::Between,
+            }
+        });
+        let mut motion: Vec<Motion> = motion.collect();
+        bridge(&mut motion, (3.0 / log.step_s).round().max(1.0) as usize);
+        Self { rows, speed, motion, height }
+    }
+
+    /// Stretches of one motion: what it is, first row, and the row after the last.
+    pub(super) fn runs(&self) -> Vec<(Motion, usize, usize)> {
+        let mut runs = Vec::new();
+        let mut first = 0;
+        for chunk in self.motion.chunk_by(|a, b| a == b) {
+            runs.push((chunk[0], first, first + chunk.len()));
+            first += chunk.len();
+        }
+        runs
+    }
+}
+
+/// The middle of each three: a single spike is out, what grows or falls stays as it is.
+fn smooth(rows: &[Row], of: impl Fn(&Row) -> f64) -> Vec<f64> {
+    let values: Vec<f64> = rows.iter().map(of).collect();
+    let middle = |at: usize| {
+        if at == 0 || at + 1 >= values.len() {
+            return values[at];
+        }
+        let [a, b, c] = [values[at - 1], values[at], values[at + 1]];
+        // A row that is missing between two that agree is theirs.
+        if b.is_nan() {
+            0.5 * (a + c)
+        } else if (a + c).is_nan() {
+            b
+        } else {
+            a.max(b).min(a.min(b).max(c))
+        }
+    };
+    (0..values.len()).map(middle).collect()
+}
+
+/// Speeds over a few seconds; none over a gap.
+fn speeds(rows: &[Row], height: &[f64], step_s: f64) -> Vec<f64> {
+    let half = half_span(step_s);
+    let last = rows.len().saturating_sub(1);
+    let speed = |at: usize| {
+        let (from, to) = (at.saturating_sub(half), (at + half).min(last));
+        let span_s = rows[to].time_s - rows[from].time_s;
+        let is_gap = span_s > 2.0 * (2 * half) as f64 * step_s;
+        if is_gap || from == to { f64::NAN } else { (height[to] - height[from]) / span_s }
+    };
+    (0..rows.len()).map(speed).collect()
+}
+
+/// Gives a few odd rows between two alike the motion of those.
+fn bridge(motion: &mut [Motion], most: usize) {
+    let mut at = 0;
+    while at < motion.len() {
+        let end = at + motion[at..].iter().take_while(|of| **of == motion[at]).count();
+        let before = at.checked_sub(1).map(|before| motion[before]);
+        if end - at <= most && before.is_some() && before == motion.get(end).copied() {
+            let of = motion[end];
+            motion[at..end].fill(of);
+        }
+        at = end;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_few_odd_rows_are_bridged_and_no_more() {
+        use Motion::{Between as B, PickUp as P, Still as S};
+        let mut motion = [P, P, B, P, P, S, S, S, P, B];
+        bridge(&mut motion, 2);
+        assert_eq!(motion, [P, P, P, P, P, S, S, S, P, B]);
+    }
+}

@@ -1,0 +1,192 @@
+//! What was picked of a log.
+
+use wholestring_tabular::ImportedReading;
+use wholestring_units::{Unit, number_text};
+
+use super::{
+    block::{BlockWeight, shown},
+    counts::{Counts, Work},
+    estimate::median,
+    trace::Trace,
+    window::{Kind, Refused, Window},
+};
+use crate::fragment::{Block, Fragment, Note, Origin};
+
+/// What was picked of a log, and what shows that it was picked well.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picks {
+    /// Name of the log's file.
+    pub file: String,
+    /// The block's weight, and whether it is in the logged hook loads. In those of the windows it
+    /// always is.
+    pub block: BlockWeight,
+    /// Time between two rows, s.
+    pub step_s: f64,
+    /// The best window of each kind of each stand, in the order of the log.
+    pub windows: Vec<Window>,
+    /// What the log holds, counted.
+    pub counts: Counts,
+    /// All of the log.
+    pub overview: Trace,
+    /// Some stands, evenly over the log.
+    pub details: Vec<Detail>,
+    /// Depths within which picks of a stand share a row, m.
+    pub(super) same_depth_m: f64,
+    /// Unit of the log's hook loads.
+    pub(super) unit: &'static Unit,
+    pub(super) notes: Vec<Note>,
+}
+
+/// A stand from slips to slips.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Detail {
+    /// Counted from 1 as the log goes on.
+    pub stand: usize,
+    /// What was done with it.
+    pub work: Work,
+    /// Its log.
+    pub trace: Trace,
+    /// What was picked of it.
+    pub windows: Vec<Window>,
+    /// What was not, and why.
+    pub refused: Vec<Refused>,
+}
+
+impl Picks {
+    /// Weights and torques by the depth of the bit, as `calibrate` takes them: weights with the
+    /// block.
+    pub fn readings(&self) -> Vec<ImportedReading> {
+        let mut readings = Vec::new();
+        for stand in self.windows.chunk_by(|a, b| a.stand == b.stand) {
+            let mut windows: Vec<&Window> = stand.iter().collect();
+            windows.sort_by(|a, b| a.bit_depth_m.total_cmp(&b.bit_depth_m));
+            let mut rest = windows.as_slice();
+            while let [first, ..] = rest {
+                let near = |of: &&&Window| of.bit_depth_m - first.bit_depth_m <= self.same_depth_m;
+                let count = rest.iter().take_while(near).count().max(1);
+                let (own, others) = rest.split_at(count);
+                rest = others;
+                readings.extend(reading(own));
+            }
+        }
+        readings
+    }
+
+    /// What they give to a case.
+    pub fn fragment(self) -> Fragment {
+        let mut rig = Block::default();
+        let because = "--value block-weight".to_owned();
+        rig.push("block_weight", self.block.said.clone(), Origin::at(because));
+        let notes = self.notes();
+        Fragment {
+            what: format!("a log of {} rows, one every {} s", self.counts.rows, self.step()),
+            rig,
+            measured: self.readings(),
+            notes,
+            picks: Some(Box::new(self)),
+            ..Fragment::default()
+        }
+    }
+
+    /// How the log was understood, what was assumed and left out.
+    pub fn notes(&self) -> Vec<Note> {
+        let mut notes = vec![self.said_of_log()];
+        notes.extend(self.said_of_trips());
+        notes.push(self.block.note(self.unit));
+        notes.extend(self.said_of_windows());
+        notes.extend(self.notes.iter().cloned());
+        notes
+    }
+
+    fn step(&self) -> String {
+        number_text((100.0 * self.step_s).round() / 100.0)
+    }
+
+    fn said_of_log(&self) -> Note {
+        let Counts { stands, drilled, connections, connections_s, slips_alone, .. } = self.counts;
+        let mut text =
+            format!("{stands} stands, {drilled} of them drilled; {connections} connections");
+        if connections > 0 {
+            let mean = connections_s / connections as f64 / 60.0;
+            text += &format!(" of {mean:.1} min in the mean");
+        }
+        if slips_alone > 0 {
+            text += &format!(", and {slips_alone} times in slips without one");
+        }
+        Note::Read(text)
+    }
+
+    fn said_of_trips(&self) -> Option<Note> {
+        /// More are not told one by one.
+        const TOLD: usize = 8;
+        let trips = &self.counts.trips;
+        let told = trips.iter().take(TOLD).map(|trip| {
+            let way = if trip.out { "out" } else { "in" };
+            format!(
+                "{way} from {:.0} m to {:.0} m in {} stands",
+                trip.from_m, trip.to_m, trip.stands
+            )
+        });
+        let mut told: Vec<String> = told.collect();
+        if trips.len() > TOLD {
+            told.push(format!("and {} more", trips.len() - TOLD));
+        }
+        (!told.is_empty())
+            .then(|| Note::Read(format!("{} trips: {}", trips.len(), told.join("; "))))
+    }
+
+    fn said_of_windows(&self) -> Vec<Note> {
+        let picked = Kind::ALL.map(|kind| {
+            let count = self.windows.iter().filter(|of| of.kind == kind).count();
+            format!("{count} of {}", kind.words())
+        });
+        let mut text = format!("windows picked, the best of each stand: {}", picked.join(", "));
+        let errors = |of: fn(&Window) -> Option<super::Estimate>| {
+            let errors = self.windows.iter().filter_map(of).map(|of| of.standard_error);
+            median(&mut errors.collect())
+        };
+        let weight = errors(|of| of.weight_N).map(|error| shown(error, self.unit));
+        let torque = errors(|of| of.torque_N_m).map(|error| format!("{:.3} kN.m", 1e-3 * error));
+        let known: Vec<String> = [("weight", weight), ("torque", torque)]
+            .into_iter()
+            .filter_map(|(what, error)| Some(format!("{} of a {what}", error?)))
+            .collect();
+        if !known.is_empty() {
+            text += &format!("; median standard error {}", known.join(", "));
+        }
+        let mut notes = vec![Note::Read(text)];
+        if !self.counts.refused.is_empty() {
+            let refused = self.counts.refused.iter().map(|((kind, why), count)| {
+                format!("{count} of {}: {}", kind.words(), why.words())
+            });
+            let refused: Vec<String> = refused.collect();
+            notes.push(Note::LeftOut(format!("windows refused: {}", refused.join("; "))));
+        }
+        notes
+    }
+}
+
+/// A row of windows at about one depth; none where they tell nothing.
+fn reading(windows: &[&Window]) -> Option<ImportedReading> {
+    let of = |kind: Kind| windows.iter().find(|of| of.kind == kind);
+    let weight = |kind| Some(of(kind)?.weight_N?.value);
+    let torque = |kind| Some(of(kind)?.torque_N_m?.value);
+    let depth_m = windows.iter().map(|of| of.bit_depth_m).sum::<f64>() / windows.len() as f64;
+    let from_s = windows.iter().map(|of| of.from_s).fold(f64::INFINITY, f64::min);
+    let to_s = windows.iter().map(|of| of.to_s).fold(f64::NEG_INFINITY, f64::max);
+    let [from, to] = [from_s, to_s].map(|at_s| at_s / 3600.0);
+    let place = format!("stand {}, {from:.3} h to {to:.3} h", windows.first()?.stand);
+    (depth_m > 0.0).then_some(ImportedReading {
+        place,
+        bit_depth_m: depth_m,
+        pick_up_N: weight(Kind::PickUp),
+        slack_off_N: weight(Kind::SlackOff),
+        rotating_N: weight(Kind::Rotating),
+        torque_N_m: torque(Kind::Rotating),
+        torque_on_bottom_N_m: torque(Kind::Drilling),
+        mud_density_kg_per_m3: None,
+        case: None,
+        held_out: false,
+        keys: Vec::new(),
+    })
+}

@@ -1,0 +1,399 @@
+//! A component as the keys of `[[string]]`.
+
+use wholestring::string::catalogue::CatalogueEntry;
+use wholestring_tabular::{Column, Holds, TallyCell};
+use wholestring_units::{Dimension, number_text};
+
+use super::{
+    Part, Refusal, designation, grade,
+    lengths::Length,
+    mass::{self, Body},
+    order, unit,
+};
+use crate::{
+    error::ImportErrorKind,
+    fragment::{Block, Note, Origin, Value},
+};
+
+/// Diameters that a case accepts, m.
+const DIAMETERS_M: [f64; 2] = [0.005, 2.0];
+
+/// Distances between tool joints that are usual, m: singles, and doubles of short ones.
+const SPACINGS_M: [f64; 2] = [4.0, 16.0];
+
+/// Distance between the joints of range 2 pipe (API Spec 5DP: 8.84 to 9.75 m), m.
+const RANGE_2_M: f64 = 9.6;
+
+/// What is said once for several components.
+#[derive(Debug, Default)]
+pub(crate) struct Said {
+    /// Blades without a length.
+    pub(crate) bladed: Vec<String>,
+    /// Without a weight.
+    pub(crate) unweighed: Vec<String>,
+    /// With a nominal weight alone.
+    pub(crate) nominal: Vec<String>,
+}
+
+impl Said {
+    pub(crate) fn tell(self, notes: &mut Vec<Note>) {
+        let mut tell = |names: Vec<String>, text: &str| {
+            if names.is_empty() {
+                return;
+            }
+            let names: Vec<String> = names.iter().map(|name| format!("'{name}'")).collect();
+            notes.push(Note::Assumed(format!("{}: {text}", names.join(", "))));
+        };
+        tell(
+            self.bladed,
+            "the gauge is that of blades all along the component; give blade_length where they are \
+             shorter",
+        );
+        tell(self.unweighed, "no weight; computed from the diameters as steel");
+        tell(self.nominal, "the nominal weight is taken for the weight, without tool joints");
+    }
+}
+
+/// Where a cell's value comes from, with what is written there if the value does not show it.
+pub(crate) fn origin(cell: &TallyCell) -> Origin {
+    let shows = match cell.holds {
+        Holds::Quantity { number, .. } | Holds::Count(number) => {
+            number_text(number) == cell.written
+        }
+        Holds::Words => true,
+        Holds::ToSurface => false,
+    };
+    if shows { Origin::at(&cell.place) } else { Origin::written(&cell.place, &cell.written) }
+}
+
+/// The keys of a component. `is_lowest`: it may be the bit.
+pub(crate) fn of(
+    part: &Part,
+    is_lowest: bool,
+    is_one_of_several: bool,
+    said: &mut Said,
+    notes: &mut Vec<Note>,
+) -> Result<Block, Refusal> {
+    let row = part.row();
+    let is_bit = is_lowest && order::is_bit(&part.name);
+    let mut block = Block::default();
+    let name_place =
+        row.get(Column::Component).map_or(row.place.clone(), |cell| cell.place.clone());
+    if is_bit && !order::ends_with_bit(&part.name) {
+        let name = format!("{} (bit)", part.name);
+        block.push("component", Value::text(name), Origin::written(name_place, &part.name));
+    } else {
+        block.push("component", Value::text(&part.name), Origin::at(name_place));
+    }
+    let od = diameter(part, Column::OutsideDiameter)?;
+    let id = inside(part)?;
+    let gauge = diameter(part, Column::Gauge)?;
+    let joint_od = diameter(part, Column::JointOutsideDiameter)?;
+    // The body of a bit is its shank.
+    let (od, gauge) = match (is_bit, od, gauge) {
+        (true, shank, Some(gauge)) => {
+            if let Some(shank) = shank.filter(|shank| shank.si() != gauge.si()) {
+                notes.push(Note::LeftOut(format!(
+                    "the outside diameter of the bit, {} ({}): its od is its gauge",
+                    written(shank),
+                    shank.place
+                )));
+            }
+            (Some(gauge), None)
+        }
+        (_, od, gauge) => (od, gauge),
+    };
+    let lacks = |what: &str| {
+        let what = format!("the {what} of '{}'", part.name);
+        Err((Some(row.place.clone()), ImportErrorKind::Missing { what }))
+    };
+    let Some((od, od_m)) = od.and_then(|od| Some((od, od.si()?))) else {
+        return lacks("outside diameter");
+    };
+    let id_m = id.and_then(TallyCell::si);
+    let blades = gauge.filter(|gauge| gauge.si() > Some(od_m));
+    if let Some(gauge) = gauge.filter(|gauge| gauge.si() < Some(od_m)) {
+        return Err(narrower(part, gauge, od));
+    }
+    let entry = match is_bit || blades.is_some() {
+        true => None,
+        false => listed(part, od, od_m, id_m, notes),
+    };
+    let mut is_solid = false;
+    match &entry {
+        Some(entry) => {
+            block.push(
+                "catalogue",
+                Value::text(&entry.designation),
+                Origin::Derived { from: "so the description calls it".to_owned() },
+            );
+        }
+        None => {
+            block.push("od", quantity(od), origin(od));
+            match id {
+                Some(id) => block.push("id", quantity(id), origin(id)),
+                None if is_lowest && is_one_of_several => is_solid = true,
+                None => return lacks("inside diameter"),
+            }
+        }
+    }
+    if let Some(id) = id.filter(|id| id.si() >= Some(od_m)) {
+        let kind = ImportErrorKind::OutOfRange {
+            what: format!("inside diameter of '{}'", part.name),
+            found: written(id),
+            expected: format!("less than its outside diameter, {}", written(od)),
+        };
+        return Err((Some(id.place.clone()), kind));
+    }
+    if is_solid && is_bit {
+        notes.push(Note::Assumed("the bit has no inside diameter: solid".to_owned()));
+    }
+    match &part.length {
+        Length::ToSurface => {
+            let open = row.cells.iter().find(|cell| cell.holds == Holds::ToSurface);
+            let from = open.map_or(Origin::at(&row.place), origin);
+            block.push("length", Value::text("to surface"), from);
+        }
+        Length::Of { number, unit, origin, .. } => {
+            block.push("length", Value::quantity(*number, unit), origin.clone());
+        }
+    }
+    if let Some(blades) = blades {
+        block.push("blade_od", quantity(blades), origin(blades));
+        said.bladed.push(part.name.clone());
+    }
+    let joints_m =
+        joints(part, od_m, joint_od, blades.is_some(), entry.as_ref(), &mut block, notes);
+    let body = Body {
+        od_m: entry.as_ref().map_or(od_m, |entry| entry.od_m),
+        id_m: entry.as_ref().map_or(id_m.unwrap_or(0.0), |entry| entry.id_m),
+        joint_od_m: joints_m,
+        has_blades: blades.is_some(),
+        is_listed: entry.is_some(),
+    };
+    // A bit is no ring of steel: its mass is whatever it is.
+    let bit_mass =
+        is_bit.then(|| row.get(Column::Mass).is_none() && row.get(Column::TotalMass).is_none());
+    if bit_mass != Some(true)
+        && let Some((value, origin)) = mass::of(part, &body, said, notes)?
+    {
+        block.push("mass_per_length", value, origin);
+    } else if bit_mass == Some(true) {
+        said.unweighed.push(part.name.clone());
+    }
+    if entry.is_none() {
+        strength(part, &mut block, notes);
+    } else if let Some(entry) = &entry {
+        connection(part, entry, notes);
+    }
+    Ok(block)
+}
+
+/// The cell of a diameter, if it is more than nothing.
+fn diameter<'a>(part: &Part<'a>, column: Column) -> Result<Option<&'a TallyCell>, Refusal> {
+    let Some(cell) = part.row().get(column) else { return Ok(None) };
+    let Some(si_m) = cell.si().filter(|&si_m| si_m != 0.0) else { return Ok(None) };
+    if (DIAMETERS_M[0]..=DIAMETERS_M[1]).contains(&si_m) {
+        return Ok(Some(cell));
+    }
+    let kind = ImportErrorKind::OutOfRange {
+        what: format!("{column} of '{}'", part.name),
+        found: written(cell),
+        expected: "5 mm to 2 m (0.2 to 78 in)".to_owned(),
+    };
+    Err((Some(cell.place.clone()), kind))
+}
+
+/// The cell of the inside diameter: a solid bar has 0.
+fn inside<'a>(part: &Part<'a>) -> Result<Option<&'a TallyCell>, Refusal> {
+    match part.row().get(Column::InsideDiameter) {
+        Some(cell) if cell.si() == Some(0.0) => Ok(Some(cell)),
+        _ => diameter(part, Column::InsideDiameter),
+    }
+}
+
+fn narrower(part: &Part, gauge: &TallyCell, od: &TallyCell) -> Refusal {
+    let kind = ImportErrorKind::OutOfRange {
+        what: format!("gauge of '{}'", part.name),
+        found: written(gauge),
+        expected: format!("its outside diameter, {}, or more", written(od)),
+    };
+    (Some(gauge.place.clone()), kind)
+}
+
+/// The entry of the catalogue that the row designates, if its diameters agree.
+fn listed(
+    part: &Part,
+    od: &TallyCell,
+    od_m: f64,
+    id_m: Option<f64>,
+    notes: &mut Vec<Note>,
+) -> Option<CatalogueEntry> {
+    let row = part.row();
+    let words = |column| row.get(column).map(|cell: &TallyCell| cell.written.as_str());
+    let entry = designation::designated(&part.name, words(Column::Connection)).or_else(|| {
+        // `Drill pipe`, 5 in, 19.5 lb/ft, S-135, each in a column of its own.
+        let (nominal, grade) = (row.get(Column::NominalMass)?, words(Column::Grade)?);
+        let lower = part.name.to_lowercase();
+        let is_pipe = lower.split(|c: char| !c.is_alphanumeric()).any(|word| word == "dp");
+        if !is_pipe && !lower.contains("drill pipe") {
+            return None;
+        }
+        let inches = Dimension::Diameter.find_unit("in")?.from_si(od_m);
+        let pounds = Dimension::MassPerLength.find_unit("lb/ft")?.from_si(nominal.si()?);
+        let (inches, pounds) = (number_text(inches), number_text(pounds));
+        designation::designated(&format!("{inches} in {pounds} lb/ft {grade}"), None)
+    })?;
+    let Some((which, own_m, here_m)) = designation::differs(&entry, od_m, id_m) else {
+        notes.push(Note::Read(format!(
+            "'{}' is the catalogue's '{}': od and id agree, and the case leaves them to it",
+            part.name, entry.designation
+        )));
+        return Some(entry);
+    };
+    let of = match od.holds {
+        Holds::Quantity { unit, .. } => unit,
+        _ => unit(Dimension::Diameter, "mm"),
+    };
+    let said =
+        |m: f64| format!("{} {}", number_text((of.from_si(m) * 1e3).round() / 1e3), of.symbol);
+    notes.push(Note::Checked(format!(
+        "'{}' is called like the catalogue's '{}', but its {which} is {} and not {}: the tally's \
+         diameters are taken",
+        part.name,
+        entry.designation,
+        said(here_m),
+        said(own_m)
+    )));
+    None
+}
+
+/// Tool joints; gives the diameter of those that the component then has.
+fn joints(
+    part: &Part,
+    od_m: f64,
+    joint_od: Option<&TallyCell>,
+    has_blades: bool,
+    entry: Option<&CatalogueEntry>,
+    block: &mut Block,
+    notes: &mut Vec<Note>,
+) -> Option<f64> {
+    let listed = entry.and_then(|entry| entry.joints.as_ref());
+    let joint_od_m = joint_od.and_then(TallyCell::si);
+    let mut left_out = |cell: &TallyCell, why: &str| {
+        let text = format!("tool joints of {} ({}): {why}", written(cell), cell.place);
+        notes.push(Note::LeftOut(text));
+    };
+    if let Some(cell) = joint_od {
+        if has_blades {
+            left_out(cell, "its blades touch the wall");
+            return None;
+        }
+        if joint_od_m < Some(od_m) {
+            left_out(cell, "they are thinner than the body");
+            return listed.map(|joints| joints.od_m);
+        }
+        // A collar's connection is as thick as its body.
+        if listed.is_none() && joint_od_m == Some(od_m) {
+            return None;
+        }
+    }
+    let own = joint_od.filter(|_| {
+        let near = |od_m: f64| joint_od_m.is_some_and(|own_m| (own_m - od_m).abs() < 3e-4);
+        !listed.is_some_and(|joints| near(joints.od_m))
+    });
+    if let Some(cell) = own {
+        block.push("joint_od", quantity(cell), origin(cell));
+    }
+    if own.is_none() && listed.is_none() {
+        return None;
+    }
+    if let Some((value, origin)) = spacing(part) {
+        block.push("joint_spacing", value, origin);
+    } else if listed.is_none() {
+        let metres = unit(Dimension::Length, "m");
+        let because = "no number of joints or length of a joint; range 2".to_owned();
+        block.push(
+            "joint_spacing",
+            Value::quantity(RANGE_2_M, metres),
+            Origin::Assumed { because },
+        );
+        notes.push(Note::Assumed(format!(
+            "'{}': a tool joint every {RANGE_2_M} m, as in range 2",
+            part.name
+        )));
+    }
+    own.and(joint_od_m).or(listed.map(|joints| joints.od_m))
+}
+
+/// Distance between tool joints: the average length of a joint.
+fn spacing(part: &Part) -> Option<(Value, Origin)> {
+    let usual = |m: f64| (SPACINGS_M[0]..=SPACINGS_M[1]).contains(&m);
+    if part.rows.len() == 1
+        && let Some(cell) = part.row().get(Column::JointLength)
+        && usual(cell.si()?)
+    {
+        return Some((quantity(cell), origin(cell)));
+    }
+    let Length::Of { number, unit, joints: Some(joints), .. } = &part.length else { return None };
+    let each = format!("{:.5e}", number / joints).parse::<f64>().ok()?;
+    let from =
+        format!("{} {} over {} joints", number_text(*number), unit.symbol, number_text(*joints));
+    (*joints >= 2.0 && usual(unit.to_si(each)))
+        .then(|| (Value::quantity(each, unit), Origin::Derived { from }))
+}
+
+/// Yield strength by the grade.
+fn strength(part: &Part, block: &mut Block, notes: &mut Vec<Note>) {
+    let cell = part.row().get(Column::Grade);
+    let of_name = grade::in_name(&part.name);
+    let Some((grade, place)) = cell
+        .map(|cell| (cell.written.as_str(), cell.place.clone()))
+        .or(of_name.map(|grade| (grade, part.row().place.clone())))
+    else {
+        return;
+    };
+    match grade::yield_psi(grade) {
+        Some(psi) => block.push(
+            "yield_strength",
+            Value::quantity(psi, unit(Dimension::Pressure, "psi")),
+            Origin::Derived { from: format!("grade {grade} ({place})") },
+        ),
+        None => notes.push(Note::LeftOut(format!(
+            "the grade '{grade}' of '{}' ({place}): its yield strength is not known; give \
+             yield_strength",
+            part.name
+        ))),
+    }
+}
+
+/// Says where the catalogue's connection is another than the row's.
+fn connection(part: &Part, entry: &CatalogueEntry, notes: &mut Vec<Note>) {
+    let Some(listed) = &entry.connection else { return };
+    let plain = |text: &str| -> String {
+        text.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_uppercase).collect()
+    };
+    let stated = part.row().get(Column::Connection).map(|cell| cell.written.clone());
+    let stated = stated.or_else(|| designation::connection_of(&part.name).map(str::to_owned));
+    let Some(stated) = stated.filter(|stated| !plain(stated).contains(&plain(&listed.name))) else {
+        return;
+    };
+    notes.push(Note::LeftOut(format!(
+        "the connection {stated} of '{}': the case has the catalogue's {}; where tool joints or \
+         their torques matter, give joint_od and make_up_torque",
+        part.name, listed.name
+    )));
+}
+
+fn quantity(cell: &TallyCell) -> Value {
+    match cell.holds {
+        Holds::Quantity { number, unit, .. } => Value::quantity(number, unit),
+        Holds::Count(number) => Value::Number(number),
+        Holds::Words | Holds::ToSurface => Value::text(&cell.written),
+    }
+}
+
+/// A cell with its unit, for people.
+fn written(cell: &TallyCell) -> String {
+    super::shown(&quantity(cell))
+}

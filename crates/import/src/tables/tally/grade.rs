@@ -1,0 +1,39 @@
+//! Grades of steel.
+
+/// Grades and their minimum yield strength, psi: API Spec 5DP, and two that makers agree on (Z, V).
+const GRADES: [(&str, f64); 6] = [
+    ("E75", 75_000.0),
+    ("X95", 95_000.0),
+    ("G105", 105_000.0),
+    ("S135", 135_000.0),
+    ("Z140", 140_000.0),
+    ("V150", 150_000.0),
+];
+
+/// Minimum yield strength of a grade, psi: `S-135`, `G105`, `s 135`.
+pub(crate) fn yield_psi(grade: &str) -> Option<f64> {
+    let plain: String =
+        grade.chars().filter(|c| c.is_alphanumeric()).take(8).collect::<String>().to_uppercase();
+    GRADES.iter().find(|(name, _)| *name == plain).map(|(_, psi)| *psi)
+}
+
+/// The grade that a name of a pipe holds as a word: `DP 5 in S-135`.
+pub(crate) fn in_name(name: &str) -> Option<&str> {
+    let words = name.split([' ', ',', '(', ')', '/', ';']);
+    words.into_iter().find(|word| word.len() > 2 && yield_psi(word).is_some())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{in_name, yield_psi};
+
+    #[test]
+    fn grades_are_known_however_they_are_written() {
+        for grade in ["S-135", "S135", "s 135", "(S-135)"] {
+            assert_eq!(yield_psi(grade), Some(135_000.0), "{grade}");
+        }
+        assert_eq!(yield_psi("4145H"), None);
+        assert_eq!(in_name("DP 5 1/2in 21.90# S-135 HT55"), Some("S-135"));
+        assert_eq!(in_name("Jar 6 1/2"), None);
+    }
+}

@@ -1,0 +1,175 @@
+//! How long the components of a tally are.
+
+use wholestring_tabular::{Column, Holds, TallyCell, TallyRow};
+use wholestring_units::{Unit, number_text};
+
+use super::{Refusal, sums};
+use crate::{
+    choices::Choices,
+    error::ImportErrorKind,
+    fragment::{Note, Origin},
+};
+
+/// A joint of pipe or collar is as long, m: range 1 begins at 5.5 m (18 ft), range 3 ends at
+/// 14.6 m (48 ft) (API Spec 5DP), and pup joints and casing lie a little beyond.
+const JOINT_M: [f64; 2] = [5.0, 16.0];
+
+/// Lengths of a component, m, that a case accepts.
+const LENGTHS_M: [f64; 2] = [0.01, 20_000.0];
+
+/// Length of a component.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Length {
+    /// It fills the rest of the string.
+    ToSurface,
+    /// So long.
+    Of { number: f64, unit: &'static Unit, origin: Origin, joints: Option<f64> },
+}
+
+impl Length {
+    pub(crate) fn si_m(&self) -> Option<f64> {
+        match self {
+            Length::ToSurface => None,
+            Length::Of { number, unit, .. } => Some(unit.to_si(*number)),
+        }
+    }
+}
+
+/// What the column of lengths means where there are several joints.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Meaning {
+    Total,
+    Each,
+}
+
+/// The lengths of all rows.
+pub(crate) fn of(
+    rows: &[TallyRow],
+    names: &[String],
+    choices: &Choices,
+    notes: &mut Vec<Note>,
+) -> Result<Vec<Length>, Refusal> {
+    let several = rows.iter().any(|row| counted(row).is_some());
+    let meaning = if several { meaning(rows, names, choices, notes)? } else { Meaning::Total };
+    rows.iter().zip(names).map(|(row, name)| length(row, name, meaning)).collect()
+}
+
+/// Joints and length of a row of several whose length may be that of each.
+fn counted(row: &TallyRow) -> Option<(f64, &TallyCell)> {
+    let joints = row.get(Column::Joints)?.count().filter(|&joints| joints > 1.0)?;
+    let length = row.get(Column::Length)?;
+    (row.get(Column::JointLength).is_none() && length.si().is_some()).then_some((joints, length))
+}
+
+/// Whether lengths are those of all joints or of each: by what is picked, the cumulative length, or
+/// what joints are like.
+fn meaning(
+    rows: &[TallyRow],
+    names: &[String],
+    choices: &Choices,
+    notes: &mut Vec<Note>,
+) -> Result<Meaning, Refusal> {
+    match choices.picked("length") {
+        Some("total") => return Ok(Meaning::Total),
+        Some("each") => return Ok(Meaning::Each),
+        Some(other) => {
+            let kind = ImportErrorKind::NoSuch {
+                what: "length".to_owned(),
+                name: other.to_owned(),
+                names: ["total", "each"].map(str::to_owned).to_vec(),
+            };
+            return Err((None, kind));
+        }
+        None => {}
+    }
+    let as_meant = |meaning| -> Result<usize, Refusal> {
+        let lengths = rows.iter().zip(names).map(|(row, name)| length(row, name, meaning));
+        let steps = sums::steps(rows, &lengths.collect::<Result<Vec<_>, _>>()?);
+        Ok(steps.grow.max(steps.fall))
+    };
+    let (total, each) = (as_meant(Meaning::Total)?, as_meant(Meaning::Each)?);
+    let column = counted_heading(rows);
+    let say = |of: &str, why: &str| format!("{column} is that of {of}: {why}");
+    if total > each {
+        notes.push(Note::Checked(say("all joints", "the cumulative lengths add up so")));
+        return Ok(Meaning::Total);
+    }
+    if each > total {
+        notes.push(Note::Checked(say("each joint", "the cumulative lengths add up so")));
+        return Ok(Meaning::Each);
+    }
+    let is_joint = |length_m: f64| (JOINT_M[0]..=JOINT_M[1]).contains(&length_m);
+    for (row, (joints, length)) in rows.iter().filter_map(|row| Some((row, counted(row)?))) {
+        let length_m = length.si().unwrap_or_default();
+        if !is_joint(length_m / joints) && is_joint(length_m) {
+            let sentence = format!(
+                "the length '{}' of {} joints may be that of all or of each, and no cumulative \
+                 length tells; say it: --pick length=total, or --pick length=each",
+                length.written,
+                number_text(joints)
+            );
+            return Err((Some(row.place.clone()), ImportErrorKind::Refused(sentence)));
+        }
+    }
+    notes.push(Note::Assumed(say("all joints", "divided by their number it is a joint's")));
+    Ok(Meaning::Total)
+}
+
+fn counted_heading(rows: &[TallyRow]) -> String {
+    let cell = rows.iter().find_map(counted).map(|(_, cell)| cell.place.as_str());
+    cell.map_or_else(|| "the length".to_owned(), |place| format!("the length ({place})"))
+}
+
+/// The length of a row.
+fn length(row: &TallyRow, name: &str, meaning: Meaning) -> Result<Length, Refusal> {
+    let is_open = row.cells.iter().any(|cell| cell.holds == Holds::ToSurface);
+    let lower = name.to_lowercase();
+    if is_open || lower.ends_with("to surface") {
+        return Ok(Length::ToSurface);
+    }
+    let joints = row.get(Column::Joints).and_then(TallyCell::count);
+    let found = |cell: &TallyCell, joints| match cell.holds {
+        Holds::Quantity { number, unit, .. } => {
+            Some(Length::Of { number, unit, origin: super::block::origin(cell), joints })
+        }
+        _ => None,
+    };
+    let times = |cell: &TallyCell, joints: f64| match cell.holds {
+        Holds::Quantity { number, unit, .. } => Some(Length::Of {
+            number: number * joints,
+            unit,
+            origin: Origin::Derived {
+                from: format!(
+                    "{} joints of {} {} ({})",
+                    number_text(joints),
+                    number_text(number),
+                    unit.symbol,
+                    cell.place
+                ),
+            },
+            joints: Some(joints),
+        }),
+        _ => None,
+    };
+    let whole = row.get(Column::Length).and_then(|cell| match (meaning, joints) {
+        (Meaning::Each, Some(joints)) if joints > 1.0 && counted(row).is_some() => {
+            times(cell, joints)
+        }
+        _ => found(cell, joints),
+    });
+    let each = || row.get(Column::JointLength).and_then(|cell| times(cell, joints.unwrap_or(1.0)));
+    let Some(length) = whole.or_else(each) else {
+        let what = format!("the length of '{name}' (a number, or TO SURFACE for the topmost)");
+        return Err((Some(row.place.clone()), ImportErrorKind::Missing { what }));
+    };
+    let length_m = length.si_m().unwrap_or(LENGTHS_M[0]);
+    if !(LENGTHS_M[0]..=LENGTHS_M[1]).contains(&length_m) {
+        let kind = ImportErrorKind::OutOfRange {
+            what: format!("length of '{name}'"),
+            found: format!("{} m", number_text(length_m)),
+            expected: "0.01 to 20000 m".to_owned(),
+        };
+        return Err((Some(row.place.clone()), kind));
+    }
+    Ok(length)
+}

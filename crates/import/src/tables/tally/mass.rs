@@ -1,0 +1,160 @@
+//! What a component of a tally weighs.
+
+use std::f64::consts::FRAC_PI_4;
+
+use wholestring_case::STEEL_DENSITY_KG_PER_M3;
+use wholestring_tabular::{Column, Holds, TallyCell};
+use wholestring_units::{Dimension, number_text};
+
+use super::{Part, Refusal, block::Said, block::origin, unit};
+use crate::{
+    error::ImportErrorKind,
+    fragment::{Note, Origin, Value},
+};
+
+/// Standard gravity, m/s²: a weight as a force stands for a mass.
+const GRAVITY_M_PER_S2: f64 = 9.80665;
+
+/// A component lighter than so much of its body is not one of steel.
+const LIGHTEST: f64 = 0.9;
+
+/// Below so much of its body something else was meant.
+const LEAST: f64 = 0.4;
+
+/// Two weights of one component that differ by less agree.
+const AGREES: f64 = 0.02;
+
+/// The diameters that a mass is held against, m.
+pub(crate) struct Body {
+    pub(crate) od_m: f64,
+    pub(crate) id_m: f64,
+    /// Of the tool joints, if it has any.
+    pub(crate) joint_od_m: Option<f64>,
+    /// Over the blades.
+    pub(crate) has_blades: bool,
+    /// An entry of the catalogue knows its mass.
+    pub(crate) is_listed: bool,
+}
+
+/// The mass per length of a component and where it comes from; none where the table has none.
+pub(crate) fn of(
+    part: &Part,
+    body: &Body,
+    said: &mut Said,
+    notes: &mut Vec<Note>,
+) -> Result<Option<(Value, Origin)>, Refusal> {
+    let row = part.row();
+    let per_length = row.get(Column::Mass).filter(|cell| cell.si() != Some(0.0));
+    let whole = whole(part);
+    let nominal = row.get(Column::NominalMass).filter(|cell| cell.si() != Some(0.0));
+    let (value, from, place) = match (per_length, whole, nominal) {
+        (Some(cell), whole, _) => {
+            let (value, from) = per_metre(cell);
+            if let (Some((_, whole)), Some(own)) = (whole, value.si())
+                && let Some(other) = whole.si()
+                && (own - other).abs() > AGREES * own
+            {
+                notes.push(Note::Checked(format!(
+                    "THE WEIGHTS of '{}' DIFFER: {} per length against {} kg/m by its total \
+                     weight; the first is taken",
+                    part.name,
+                    super::shown(&value),
+                    number_text((other * 100.0).round() / 100.0)
+                )));
+            }
+            (value, from, cell.place.clone())
+        }
+        (None, Some((place, value)), _) => {
+            let from = format!("its total weight ({place}) over its length");
+            (value, Origin::Derived { from }, place)
+        }
+        (None, None, Some(cell)) if !body.is_listed => {
+            said.nominal.push(part.name.clone());
+            let (value, from) = per_metre(cell);
+            (value, from, cell.place.clone())
+        }
+        (None, None, _) => {
+            if !body.is_listed {
+                said.unweighed.push(part.name.clone());
+            }
+            return Ok(None);
+        }
+    };
+    let mass = value.si().unwrap_or_default();
+    let ring =
+        |od_m: f64, id_m: f64| STEEL_DENSITY_KG_PER_M3 * FRAC_PI_4 * (od_m.powi(2) - id_m.powi(2));
+    let steel = ring(body.od_m, body.id_m);
+    let solid = ring(body.joint_od_m.unwrap_or(body.od_m), 0.0);
+    let found = format!("{} of '{}'", super::shown(&value), part.name);
+    let kg = |mass: f64| number_text((mass * 10.0).round() / 10.0);
+    let refused = |expected: String| {
+        let what = "weight per length".to_owned();
+        let kind = ImportErrorKind::OutOfRange { what, found: found.clone(), expected };
+        Err((Some(place.clone()), kind))
+    };
+    // The case holds a component to this too.
+    if mass > solid * 1.001 {
+        let blades = if body.has_blades { ", its blades not counted" } else { "" };
+        return refused(format!(
+            "at most the {} kg/m of a solid bar of {} mm{blades}",
+            kg(solid),
+            number_text((body.joint_od_m.unwrap_or(body.od_m) * 1e4).round() / 10.0)
+        ));
+    }
+    if mass < LEAST * steel {
+        return refused(format!(
+            "about the {} kg/m of its body or more (is the column the weight per length, and in \
+             the right unit?)",
+            kg(steel)
+        ));
+    }
+    if mass < LIGHTEST * steel {
+        notes.push(Note::Checked(format!(
+            "{found} is less than its body of steel weighs, {} kg/m: if its metal is lighter, give \
+             its density too",
+            kg(steel)
+        )));
+    }
+    Ok(Some((value, from)))
+}
+
+/// The mass per length of a cell, in its unit; of a force, in kg/m.
+fn per_metre(cell: &TallyCell) -> (Value, Origin) {
+    match cell.holds {
+        Holds::Quantity { number, unit, dimension: Dimension::MassPerLength } => {
+            (Value::quantity(number, unit), origin(cell))
+        }
+        Holds::Quantity { number, unit: force, .. } => {
+            let mass = force.to_si(number) / GRAVITY_M_PER_S2;
+            let from = format!(
+                "{} {} ({}) under standard gravity",
+                number_text(number),
+                force.symbol,
+                cell.place
+            );
+            (kg_per_m(mass), Origin::Derived { from })
+        }
+        _ => (Value::Number(0.0), origin(cell)),
+    }
+}
+
+fn kg_per_m(mass: f64) -> Value {
+    Value::quantity(mass, unit(Dimension::MassPerLength, "kg/m"))
+}
+
+/// The mass per length by the total weight of its rows, with the place of the first.
+fn whole(part: &Part) -> Option<(String, Value)> {
+    let length_m = part.length.si_m()?;
+    let cells: Option<Vec<&TallyCell>> =
+        part.rows.iter().map(|row| row.get(Column::TotalMass)).collect();
+    let cells = cells?;
+    let masses = cells.iter().filter_map(|cell| match cell.holds {
+        Holds::Quantity { number, unit, dimension: Dimension::Force } => {
+            Some(unit.to_si(number) / GRAVITY_M_PER_S2)
+        }
+        Holds::Quantity { number, unit, .. } => Some(unit.to_si(number)),
+        _ => None,
+    });
+    let mass: f64 = masses.sum();
+    (mass > 0.0).then(|| (cells[0].place.clone(), kg_per_m(mass / length_m)))
+}

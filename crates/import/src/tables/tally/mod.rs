@@ -1,0 +1,187 @@
+//! A tally in a table: the components of a string.
+
+mod alike;
+mod block;
+mod designation;
+mod grade;
+mod lengths;
+mod mass;
+mod order;
+mod sums;
+
+use wholestring_tabular::{Column, ImportedTally, TableErrorKind, TallyRow, read_tally};
+use wholestring_units::{Dimension, Unit};
+
+use super::shown;
+use crate::{
+    choices::Choices,
+    error::{ImportError, ImportErrorKind},
+    fragment::{Block, Fragment, Note},
+};
+use lengths::Length;
+
+/// A component: a row, or several alike, one joint each.
+#[derive(Debug, Clone)]
+pub(crate) struct Part<'a> {
+    pub(crate) rows: Vec<&'a TallyRow>,
+    pub(crate) name: String,
+    pub(crate) length: Length,
+}
+
+impl<'a> Part<'a> {
+    /// The first of its rows, which says what all of them are.
+    pub(crate) fn row(&self) -> &'a TallyRow {
+        self.rows[0]
+    }
+}
+
+/// The tally of a file, or of a sheet.
+pub(crate) fn read(
+    bytes: &[u8],
+    name: &str,
+    sheet: Option<&str>,
+    choices: &Choices,
+) -> Result<Fragment, ImportError> {
+    let mut wrong = None;
+    let mut said = |column: Column| match unit_said(column, choices) {
+        Ok(unit) => unit,
+        Err(error) => {
+            wrong.get_or_insert(error);
+            None
+        }
+    };
+    let tally = read_tally(bytes, name, sheet, &mut said);
+    if let Some(kind) = wrong {
+        return Err(ImportError::new(name, None, kind));
+    }
+    let tally = tally.map_err(|error| asking(error.into()))?;
+    let mut notes: Vec<Note> = Vec::new();
+    let string = blocks(&tally, choices, &mut notes)
+        .map_err(|(place, kind)| ImportError::new(name, place, kind))?;
+    let count = string.len();
+    let of = tally.sheet.map_or(String::new(), |sheet| format!(" in sheet '{sheet}'"));
+    notes.extend(tally.notes.into_iter().map(Note::Read));
+    notes.extend(tally.left_out.into_iter().map(Note::LeftOut));
+    let what = format!("a tally of {count} component{}{of}", if count == 1 { "" } else { "s" });
+    Ok(Fragment { what, string, notes, ..Fragment::default() })
+}
+
+/// Why a tally cannot be made a string, and where.
+pub(crate) type Refusal = (Option<String>, ImportErrorKind);
+
+fn blocks(
+    tally: &ImportedTally,
+    choices: &Choices,
+    notes: &mut Vec<Note>,
+) -> Result<Vec<Block>, Refusal> {
+    let names = names(&tally.rows, notes)?;
+    let lengths = lengths::of(&tally.rows, &names, choices, notes)?;
+    let steps = sums::steps(&tally.rows, &lengths);
+    let order = order::find(&tally.rows, &names, &steps, choices, notes)?;
+    sums::check(tally, &lengths, &steps, notes);
+    let parts = tally.rows.iter().zip(names).zip(lengths);
+    let mut parts: Vec<Part> =
+        parts.map(|((row, name), length)| Part { rows: vec![row], name, length }).collect();
+    if order == order::Order::BitLast {
+        parts.reverse();
+    }
+    let parts = alike::join(parts, notes);
+    let top = parts.len() - 1;
+    let below_top = parts[..top].iter().find(|part| part.length == Length::ToSurface);
+    if let Some(part) = below_top {
+        let sentence = format!(
+            "'{}' reaches to the surface, and '{}' stands above it; only the topmost component can",
+            part.name, parts[top].name
+        );
+        return Err((Some(part.row().place.clone()), ImportErrorKind::Refused(sentence)));
+    }
+    let mut blocks = Vec::with_capacity(parts.len());
+    let mut said = block::Said::default();
+    for (index, part) in parts.iter().enumerate() {
+        blocks.push(block::of(part, index == 0, parts.len() > 1, &mut said, notes)?);
+    }
+    said.tell(notes);
+    Ok(blocks)
+}
+
+/// What the components are called.
+fn names(rows: &[TallyRow], notes: &mut Vec<Note>) -> Result<Vec<String>, Refusal> {
+    let mut names: Vec<String> = Vec::with_capacity(rows.len());
+    let mut unnamed = Vec::new();
+    for row in rows {
+        match (row.get(Column::Component), names.last()) {
+            (Some(cell), _) => names.push(cell.written.clone()),
+            (None, Some(above)) => {
+                unnamed.push(row.place.clone());
+                names.push(above.clone());
+            }
+            (None, None) => {
+                let what = "the name of the component".to_owned();
+                return Err((Some(row.place.clone()), ImportErrorKind::Missing { what }));
+            }
+        }
+    }
+    if let Some(first) = unnamed.first() {
+        let others = match unnamed.len() {
+            1 => String::new(),
+            count => format!(" and {} more rows", count - 1),
+        };
+        notes.push(Note::Assumed(format!(
+            "{first}{others} without a name: more of the component above"
+        )));
+    }
+    Ok(names)
+}
+
+/// The name of a column in `--unit`, and another that it goes by.
+fn unit_names(column: Column) -> &'static [&'static str] {
+    match column {
+        Column::OutsideDiameter => &["od", "diameter"],
+        Column::InsideDiameter => &["id", "diameter"],
+        Column::Gauge => &["gauge", "diameter"],
+        Column::JointOutsideDiameter => &["joint-od", "diameter"],
+        Column::JointInsideDiameter => &["joint-id", "diameter"],
+        Column::JointLength => &["joint-length", "length"],
+        Column::CumulativeLength => &["cumulative", "length"],
+        Column::Mass => &["weight"],
+        Column::NominalMass => &["nominal-weight", "weight"],
+        Column::TotalMass => &["total-weight"],
+        _ => &["length"],
+    }
+}
+
+fn unit_said(column: Column, choices: &Choices) -> Result<Option<&'static Unit>, ImportErrorKind> {
+    choices.unit_of(unit_names(column), column.dimension())
+}
+
+/// A missing unit as an error that names the option.
+fn asking(error: ImportError) -> ImportError {
+    let ImportErrorKind::Table(table) = error.kind() else { return error };
+    let TableErrorKind::MissingReadingUnit { column, header } = table.kind() else { return error };
+    let kind = ImportErrorKind::MissingUnit {
+        what: format!("{column} under '{header}'"),
+        name: unit_names(*column)[0].to_owned(),
+        dimension: column.dimension(),
+    };
+    ImportError::new(error.file(), error.place().map(str::to_owned), kind)
+}
+
+/// A unit by its symbol.
+pub(crate) fn unit(dimension: Dimension, symbol: &str) -> &'static Unit {
+    dimension.find_unit(symbol).unwrap_or(&dimension.units()[0])
+}
+
+/// A component in a line.
+pub(crate) fn line(block: &Block) -> String {
+    let of = |key: &str| block.get(key).map(shown);
+    let mut text = of("component").unwrap_or_default();
+    for key in ["catalogue", "od", "id", "blade_od", "mass_per_length", "length"] {
+        if let Some(value) = of(key) {
+            text += &match key {
+                "catalogue" => format!(", {value}"),
+                key => format!(", {} {value}", key.replace('_', " ")),
+            };
+        }
+    }
+    text
+}

@@ -1,0 +1,161 @@
+//! Which end of a tally is the bit's.
+
+use wholestring_tabular::{Column, TallyRow};
+
+use super::{Refusal, sums::Steps};
+use crate::{choices::Choices, error::ImportErrorKind, fragment::Note};
+
+/// The order of a tally's rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Order {
+    /// From the bit up.
+    BitFirst,
+    /// From the surface down.
+    BitLast,
+}
+
+const NAMES: [(&str, Order); 2] = [("bit-first", Order::BitFirst), ("bit-last", Order::BitLast)];
+
+/// Finds the order: by what is picked, the row of the bit, the cumulative length, the numbers.
+pub(crate) fn find(
+    rows: &[TallyRow],
+    names: &[String],
+    steps: &Steps,
+    choices: &Choices,
+    notes: &mut Vec<Note>,
+) -> Result<Order, Refusal> {
+    if rows.len() == 1 {
+        return Ok(Order::BitFirst);
+    }
+    let say = |order: Order, why: &str| {
+        let how = match order {
+            Order::BitFirst => "read as listed, from the bit up",
+            Order::BitLast => "listed from the surface down, and turned over",
+        };
+        format!("the tally is {how}: {why}")
+    };
+    if let Some(picked) = choices.picked("order") {
+        let Some((_, order)) = NAMES.iter().find(|(name, _)| *name == picked) else {
+            let kind = ImportErrorKind::NoSuch {
+                what: "order".to_owned(),
+                name: picked.to_owned(),
+                names: NAMES.map(|(name, _)| name.to_owned()).to_vec(),
+            };
+            return Err((None, kind));
+        };
+        notes.push(Note::Read(say(*order, "as was said")));
+        return Ok(*order);
+    }
+    let bits: Vec<usize> = (0..rows.len()).filter(|&row| is_bit(&names[row])).collect();
+    let last = rows.len() - 1;
+    let at_end = match bits[..] {
+        [0] => Some(Order::BitFirst),
+        [bit] if bit == last => Some(Order::BitLast),
+        _ => None,
+    };
+    if let Some(order) = at_end {
+        let row = if order == Order::BitFirst { 0 } else { last };
+        let why = format!("the bit, '{}', is in {}", names[row], rows[row].place);
+        notes.push(Note::Read(say(order, &why)));
+        return Ok(order);
+    }
+    if let [bit, ..] = bits[..]
+        && bit != 0
+        && !bits.contains(&last)
+    {
+        let sentence = format!(
+            "the bit, '{}', stands neither first nor last; expected the components of one string, \
+             from the bit up or from the surface down (--pick order=bit-first or bit-last if it \
+             is no bit)",
+            names[bit]
+        );
+        return Err((Some(rows[bit].place.clone()), ImportErrorKind::Refused(sentence)));
+    }
+    match (steps.grow, steps.fall) {
+        (grow, fall) if grow > fall && grow >= 2 => {
+            let why = "the cumulative length grows down the table, and counts from the bit";
+            notes.push(Note::Assumed(say(Order::BitFirst, why)));
+            return Ok(Order::BitFirst);
+        }
+        (grow, fall) if fall > grow && fall >= 2 => {
+            let why = "the cumulative length falls down the table, and counts from the bit";
+            notes.push(Note::Assumed(say(Order::BitLast, why)));
+            return Ok(Order::BitLast);
+        }
+        _ => {}
+    }
+    let numbers: Vec<f64> = rows
+        .iter()
+        .filter_map(|row| {
+            row.get(Column::Number)?.written.trim_matches(['#', '.', ' ']).parse().ok()
+        })
+        .collect();
+    if numbers.len() == rows.len() {
+        let by = "the numbers count from the bit";
+        let order = match () {
+            () if numbers.windows(2).all(|two| two[1] > two[0]) => Some(Order::BitFirst),
+            () if numbers.windows(2).all(|two| two[1] < two[0]) => Some(Order::BitLast),
+            () => None,
+        };
+        if let Some(order) = order {
+            notes.push(Note::Assumed(say(order, by)));
+            return Ok(order);
+        }
+    }
+    let sentence = "nothing tells which end of the tally is the bit's: no row is a bit, and neither \
+                    a cumulative length nor numbers count from it; say it: --pick order=bit-first, \
+                    or --pick order=bit-last";
+    Err((None, ImportErrorKind::Refused(sentence.to_owned())))
+}
+
+/// Words behind `bit` of what is none.
+const NO_BITS: [&str; 12] = [
+    "sub",
+    "subs",
+    "stab",
+    "stabiliser",
+    "stabilizer",
+    "breaker",
+    "box",
+    "float",
+    "reamer",
+    "saver",
+    "connection",
+    "crossover",
+];
+
+/// Whether a name is that of a bit: `8 1/2 PDC Bit`, `Bit - 8 1/2`; neither a bit sub nor a
+/// near-bit stabiliser.
+pub(crate) fn is_bit(name: &str) -> bool {
+    let lower = name.to_lowercase();
+    let words: Vec<&str> =
+        lower.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
+    let Some(at) = words.iter().position(|word| *word == "bit") else {
+        return words.iter().any(|word| *word == "pdc" || *word == "tricone")
+            && !words.iter().any(|word| NO_BITS.contains(word));
+    };
+    let is_near = at > 0 && words[at - 1] == "near";
+    !is_near && !words.iter().any(|word| NO_BITS.contains(word))
+}
+
+/// Whether the case knows a name as that of a bit: its last word says so.
+pub(crate) fn ends_with_bit(name: &str) -> bool {
+    let last = name.split(|c: char| !c.is_alphanumeric()).rfind(|word| !word.is_empty());
+    last.is_some_and(|word| word.eq_ignore_ascii_case("bit"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_bit;
+
+    #[test]
+    fn a_bit_is_told_from_what_stands_near_it() {
+        for name in ["8 1/2\" PDC Bit", "Bit - PDC M516", "BIT", "Tricone 12 1/4", "PDC M323"] {
+            assert!(is_bit(name), "{name}");
+        }
+        for name in ["Bit sub", "Near-bit stabiliser", "NB stab", "Orbit RSS", "Bit saver sub", ""]
+        {
+            assert!(!is_bit(name), "{name}");
+        }
+    }
+}

@@ -1,0 +1,184 @@
+//! A number with its unit.
+
+use wholestring_units::{Dimension, Unit, number_text};
+
+use super::tree::Node;
+use crate::{
+    choices::Choices,
+    error::{ImportError, ImportErrorKind},
+    fragment::{Note, Origin, Value},
+};
+
+/// A number with its unit, and where it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Measure {
+    pub(crate) number: f64,
+    pub(crate) unit: &'static Unit,
+    pub(crate) origin: Origin,
+    /// As it is written: `25 lbm/ft`.
+    pub(crate) written: String,
+    pub(crate) line: u64,
+}
+
+impl Measure {
+    pub(crate) fn si(&self) -> f64 {
+        self.unit.to_si(self.number)
+    }
+
+    pub(crate) fn value(&self) -> Value {
+        Value::quantity(self.number, self.unit)
+    }
+}
+
+/// The file that is read, and what is said of it beside it.
+pub(crate) struct Source<'a> {
+    pub(crate) file: &'a str,
+    pub(crate) choices: &'a Choices,
+}
+
+impl Source<'_> {
+    /// An error in a line.
+    pub(crate) fn error(&self, line: u64, kind: ImportErrorKind) -> ImportError {
+        ImportError::new(self.file, Some(format!("line {line}")), kind)
+    }
+
+    /// A quantity that an element holds; none where it is left out or empty.
+    ///
+    /// The first of the names is that in messages and in `--unit`.
+    pub(crate) fn measure(
+        &self,
+        node: &Node,
+        names: &str,
+        dimension: Dimension,
+    ) -> Result<Option<Measure>, ImportError> {
+        match node.child(names) {
+            Some(child) => self.measure_of(child, name_of(names), None, dimension),
+            None => Ok(None),
+        }
+    }
+
+    /// The quantity of an element, or of the one within it that has a unit, as depths have it in
+    /// 2.1; its unit may stand beside it.
+    pub(crate) fn measure_of(
+        &self,
+        node: &Node,
+        name: &str,
+        beside: Option<&str>,
+        dimension: Dimension,
+    ) -> Result<Option<Measure>, ImportError> {
+        let outer = node;
+        let within = node.children().iter().find(|child| child.attribute("uom").is_some());
+        let node = if node.text.is_empty() { within.unwrap_or(node) } else { node };
+        let Some(number) = self.number_of(node, name)? else { return Ok(None) };
+        let place = format!("line {}, {}", node.line, outer.name);
+        let (unit, origin, written) = match node.attribute("uom").or(beside) {
+            Some(uom) => {
+                let wrong = || ImportErrorKind::WrongUnit { found: short(uom), dimension };
+                let unit = dimension.find_unit(uom);
+                let unit = unit.ok_or_else(|| self.error(node.line, wrong()))?;
+                // `27 x 1000 lbf.ft`: two numbers side by side are read as one.
+                let times = if uom.starts_with(|c: char| c.is_ascii_digit()) { "x " } else { "" };
+                let written = format!("{} {times}{}", node.text, short(uom));
+                let shown = unit.symbol == uom;
+                let origin =
+                    if shown { Origin::at(place) } else { Origin::written(place, &written) };
+                (unit, origin, written)
+            }
+            None => {
+                let missing = || ImportErrorKind::MissingUnit {
+                    what: name.to_owned(),
+                    name: name.to_owned(),
+                    dimension,
+                };
+                let said = self.choices.unit_of(&[name], dimension);
+                let unit = said.and_then(|unit| unit.ok_or_else(missing));
+                let unit = unit.map_err(|kind| self.error(node.line, kind))?;
+                (unit, Origin::written(place, &node.text), node.text.clone())
+            }
+        };
+        Ok(Some(Measure { number, unit, origin, written, line: node.line }))
+    }
+
+    /// A number without a unit.
+    pub(crate) fn number_of(&self, node: &Node, name: &str) -> Result<Option<f64>, ImportError> {
+        if node.text.is_empty() {
+            return Ok(None);
+        }
+        match node.text.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(Some(number)),
+            _ => {
+                let found = short(&node.text);
+                let kind = ImportErrorKind::NotANumber { what: name.to_owned(), found };
+                Err(self.error(node.line, kind))
+            }
+        }
+    }
+
+    /// A quantity above zero. Zero stands for one that is not known, and is said.
+    pub(crate) fn positive(
+        &self,
+        node: &Node,
+        names: &str,
+        dimension: Dimension,
+        (label, notes): (&str, &mut Vec<Note>),
+    ) -> Result<Option<Measure>, ImportError> {
+        let Some(measure) = self.measure(node, names, dimension)? else { return Ok(None) };
+        if measure.number < 0.0 {
+            return Err(self.out_of_range(&measure, name_of(names), "more than 0"));
+        }
+        if measure.number == 0.0 {
+            let name = name_of(names);
+            notes.push(Note::LeftOut(format!("the {name} of {label}, which is 0: not known")));
+            return Ok(None);
+        }
+        Ok(Some(measure))
+    }
+
+    /// A quantity that a case can do without: one that cannot be read is left out and said.
+    pub(crate) fn optional(
+        &self,
+        node: &Node,
+        names: &str,
+        dimension: Dimension,
+        notes: &mut Vec<Note>,
+    ) -> Result<Option<Measure>, ImportError> {
+        match self.measure(node, names, dimension) {
+            Err(error)
+                if matches!(
+                    error.kind(),
+                    ImportErrorKind::WrongUnit { .. } | ImportErrorKind::NotANumber { .. }
+                ) =>
+            {
+                let place = error.place().unwrap_or_default();
+                let name = name_of(names);
+                notes.push(Note::LeftOut(format!("{name} in {place}: {}", error.kind())));
+                Ok(None)
+            }
+            measure => measure,
+        }
+    }
+
+    pub(crate) fn out_of_range(&self, found: &Measure, name: &str, expected: &str) -> ImportError {
+        let kind = ImportErrorKind::OutOfRange {
+            what: name.to_owned(),
+            found: found.written.clone(),
+            expected: expected.to_owned(),
+        };
+        self.error(found.line, kind)
+    }
+}
+
+/// The first of several names.
+pub(crate) fn name_of(names: &str) -> &str {
+    names.split('|').next().unwrap_or(names)
+}
+
+/// Foreign text in a sentence.
+pub(crate) fn short(text: &str) -> String {
+    text.chars().take(60).collect()
+}
+
+/// A length in a sentence, m.
+pub(crate) fn metres(length_m: f64) -> String {
+    format!("{} m", number_text((length_m * 1e3).round() / 1e3))
+}

@@ -1,0 +1,117 @@
+//! The objects of a file.
+
+use std::collections::BTreeMap;
+
+use super::{
+    kind::Kind,
+    tree::{Budget, Node},
+};
+use crate::{
+    error::{ImportError, ImportErrorKind},
+    xml::{Element, Event, Xml},
+};
+
+/// Objects of a file. Each has hundreds of lines; a store gives some tens at a time.
+const MOST: usize = 1000;
+
+/// An object that is read.
+#[derive(Debug)]
+pub(crate) struct Object {
+    pub(crate) kind: Kind,
+    pub(crate) node: Node,
+}
+
+impl Object {
+    /// Its name: `name` before 2.0, the title of its citation since; its uid where it has none.
+    pub(crate) fn name(&self) -> String {
+        let title = || self.node.child("Citation").and_then(|citation| citation.text_of("Title"));
+        let name = self.node.text_of("name").or_else(title);
+        name.or_else(|| self.uid()).unwrap_or("without a name").to_owned()
+    }
+
+    /// What tells it from others of its name.
+    pub(crate) fn uid(&self) -> Option<&str> {
+        self.node.attribute("uid").or_else(|| self.node.attribute("uuid"))
+    }
+
+    /// The well that it is of, or since 2.0 the wellbore.
+    pub(crate) fn well(&self) -> Option<&Node> {
+        let well = self.node.child("nameWell").filter(|well| !well.text.is_empty());
+        well.or_else(|| self.node.child("Wellbore")?.child("Title"))
+    }
+
+    /// In messages: `trajectory 'Plan #2'`.
+    pub(crate) fn label(&self) -> String {
+        format!("{} '{}'", self.kind.name(), self.name())
+    }
+
+    /// How many of its parts it has, in words.
+    pub(crate) fn counted(&self) -> String {
+        let (names, noun) = self.kind.parts();
+        match self.node.all(names).count() {
+            1 => format!("1 {noun}"),
+            count if noun.starts_with("set") => format!("{count} {}", noun.replace("set", "sets")),
+            count => format!("{count} {noun}s"),
+        }
+    }
+}
+
+/// What a file holds.
+#[derive(Debug)]
+pub(crate) struct Objects {
+    /// The version that it says it has, as messages call it.
+    pub(crate) version: String,
+    /// Those that are read.
+    pub(crate) read: Vec<Object>,
+    /// How many there are of those that are not.
+    pub(crate) others: BTreeMap<String, usize>,
+}
+
+impl Objects {
+    /// Reads a file to its end.
+    pub(crate) fn read(xml: &mut Xml) -> Result<Self, ImportError> {
+        let mut budget = Budget::default();
+        let mut objects =
+            Self { version: String::new(), read: Vec::new(), others: BTreeMap::new() };
+        let mut rooted = false;
+        loop {
+            let element = match xml.next()? {
+                Event::Start(element) => element,
+                Event::Eof => return Ok(objects),
+                Event::Text(_) | Event::End => continue,
+            };
+            let root = !std::mem::replace(&mut rooted, true);
+            if root {
+                objects.version = version(&element);
+            }
+            if let Some(kind) = Kind::of(&element.name) {
+                if objects.read.len() == MOST {
+                    let found = format!("more than {MOST} objects");
+                    let kind = ImportErrorKind::TooMuch { found, most: MOST.to_string() };
+                    return Err(xml.error(kind));
+                }
+                let node = Node::read(element, xml, &mut budget)?;
+                objects.read.push(Object { kind, node });
+            } else if !root || element.attribute("schemaVersion").is_some() {
+                // What only says of itself who wrote it is no object.
+                if element.name != "documentInfo" && objects.others.len() < MOST {
+                    *objects.others.entry(element.name).or_default() += 1;
+                }
+                xml.skip()?;
+            }
+        }
+    }
+}
+
+/// `1.4.1.1`: as the root says it, or by its namespace.
+fn version(root: &Element) -> String {
+    let said = root.attribute("version").or(root.attribute("schemaVersion"));
+    let space = |part: &str| root.attributes.iter().any(|(_, value)| value.contains(part));
+    match said.filter(|said| !said.is_empty()) {
+        Some(said) => said.chars().take(20).collect(),
+        None if space("schemas/131") => "1.3.1.1".to_owned(),
+        None if space("schemas/1series") => "1.4.1.1".to_owned(),
+        None if space("witsmlv2") => "2".to_owned(),
+        None => "of no version".to_owned(),
+    }
+}

@@ -1,0 +1,300 @@
+//! `trajectory`: the path of the well.
+
+use std::collections::BTreeMap;
+
+use wholestring::well::{Interpolation, Path, Station, TieIn};
+use wholestring_units::Dimension;
+
+use super::{
+    depths::datum,
+    measure::{Measure, Source, metres, short},
+    object::Object,
+    tree::Node,
+};
+use crate::{
+    error::{ImportError, ImportErrorKind},
+    fragment::{Fragment, Note, Survey},
+};
+
+/// No hole is deeper along its axis, m.
+const DEEPEST_M: f64 = 1e5;
+
+/// True vertical depths that differ by less agree: they are written to the centimetre at best, and
+/// summed up over the stations, m.
+const SAME_TVD_M: f64 = 0.1;
+
+/// A station, and the element that it was found in.
+struct Found<'a> {
+    station: Station,
+    md: Measure,
+    node: &'a Node,
+}
+
+/// The stations of a trajectory, down the hole.
+pub(crate) fn read(
+    object: &Object,
+    source: &Source,
+    fragment: &mut Fragment,
+) -> Result<(), ImportError> {
+    let notes = &mut fragment.notes;
+    let mut units = Units::default();
+    let mut stations = Vec::new();
+    let (mut rejected, mut without) = (0, 0);
+    for node in object.node.all("trajectoryStation") {
+        if node.text_of("statusTrajStation") == Some("rejected") {
+            rejected += 1;
+            continue;
+        }
+        match station(node, source, &mut units, notes)? {
+            Some(found) => stations.push(found),
+            None => without += 1,
+        }
+    }
+    for (count, why) in [
+        (rejected, "with the statusTrajStation 'rejected'"),
+        (without, "without inclination and azimuth, of no survey"),
+    ] {
+        if count > 0 {
+            notes.push(Note::LeftOut(format!("{} {why}", stations_of(count))));
+        }
+    }
+    stations.sort_by(|a, b| a.station.md_m.total_cmp(&b.station.md_m));
+    let stations = once(stations, source, notes)?;
+    let (Some(first), Some(last)) = (stations.first(), stations.last()) else {
+        return Err(too_few(object, source, 0));
+    };
+    if stations.len() < 2 {
+        return Err(too_few(object, source, 1));
+    }
+    let tie_in = tie_in(first, source, notes)?;
+    check_depths(&stations, tie_in, source, notes)?;
+    says_how(object, &stations, notes);
+    fragment.survey = Some(Survey {
+        place: format!(
+            "{}, lines {} to {}",
+            object.label(),
+            stations.iter().map(|found| found.node.line).min().unwrap_or(first.node.line),
+            stations.iter().map(|found| found.node.line).max().unwrap_or(last.node.line)
+        ),
+        units: units.said(),
+        tie_in,
+        stations: stations.iter().map(|found| found.station).collect(),
+    });
+    Ok(())
+}
+
+/// The units that stations are written in, and how often each.
+#[derive(Default)]
+struct Units(BTreeMap<(usize, &'static str), usize>);
+
+impl Units {
+    fn add(&mut self, column: usize, measure: &Measure) {
+        *self.0.entry((column, measure.unit.symbol)).or_default() += 1;
+    }
+
+    /// `ft, deg, deg`; `ft and m, deg, deg`.
+    fn said(&self) -> String {
+        let column = |index: usize| {
+            let of_column = self.0.keys().filter(|(column, _)| *column == index);
+            of_column.map(|(_, symbol)| *symbol).collect::<Vec<_>>().join(" and ")
+        };
+        [0, 1, 2].map(column).join(", ")
+    }
+}
+
+/// A station; none where it has neither inclination nor azimuth.
+fn station<'a>(
+    node: &'a Node,
+    source: &Source,
+    units: &mut Units,
+    notes: &mut Vec<Note>,
+) -> Result<Option<Found<'a>>, ImportError> {
+    let inclination = source.measure(node, "incl", Dimension::Angle)?;
+    let azimuth = source.measure(node, "azi", Dimension::Angle)?;
+    if inclination.is_none() && azimuth.is_none() {
+        return Ok(None);
+    }
+    let missing = |what: &str| {
+        let what = format!("the {what} of this station");
+        source.error(node.line, ImportErrorKind::Missing { what })
+    };
+    let md = source.measure(node, "md", Dimension::Length)?.ok_or_else(|| missing("md"))?;
+    let md_m = md.si();
+    if !(0.0..=DEEPEST_M).contains(&md_m) {
+        return Err(source.out_of_range(&md, "md", "0 to 100 km"));
+    }
+    let inclination = inclination.ok_or_else(|| missing("incl"))?;
+    let inclination_rad = inclination.si();
+    if !(0.0..=std::f64::consts::PI).contains(&inclination_rad) {
+        return Err(source.out_of_range(&inclination, "incl", "0 to 180 deg"));
+    }
+    let azimuth_rad = match &azimuth {
+        Some(azimuth) => {
+            let turn = std::f64::consts::TAU;
+            if !(-turn..=2.0 * turn).contains(&azimuth.si()) {
+                return Err(source.out_of_range(azimuth, "azi", "-360 to 720 deg"));
+            }
+            units.add(2, azimuth);
+            azimuth.si()
+        }
+        // A vertical hole has none.
+        None if inclination_rad == 0.0 => {
+            let text = format!("the station at {} is vertical and has no azi: 0", md.written);
+            notes.push(Note::Assumed(text));
+            0.0
+        }
+        None => return Err(missing("azi")),
+    };
+    units.add(0, &md);
+    units.add(1, &inclination);
+    Ok(Some(Found { station: Station { md_m, inclination_rad, azimuth_rad }, md, node }))
+}
+
+/// Each depth once: of those alike the first, of others the one that is in use or was measured last.
+fn once<'a>(
+    stations: Vec<Found<'a>>,
+    source: &Source,
+    notes: &mut Vec<Note>,
+) -> Result<Vec<Found<'a>>, ImportError> {
+    let mut kept: Vec<Found> = Vec::with_capacity(stations.len());
+    let mut alike = 0;
+    for found in stations {
+        let Some(last) = kept.last_mut().filter(|last| last.station.md_m == found.station.md_m)
+        else {
+            kept.push(found);
+            continue;
+        };
+        if last.station == found.station {
+            alike += 1;
+            continue;
+        }
+        let rank = |of: &Found<'a>| {
+            let in_use = of.node.text_of("statusTrajStation") == Some("position");
+            (in_use, of.node.text_of("dTimStn"))
+        };
+        let (old, new) = (rank(last), rank(&found));
+        if old == new {
+            let kind = ImportErrorKind::Refused(format!(
+                "two stations at {} differ, and neither statusTrajStation nor dTimStn tells which \
+                 holds (the other is in line {}); take one out",
+                found.md.written, last.node.line
+            ));
+            return Err(source.error(found.node.line, kind));
+        }
+        let why = if old.0 == new.0 { "is the later one" } else { "is in use ('position')" };
+        let (stays, goes) = if new > old { (&found, &*last) } else { (&*last, &found) };
+        notes.push(Note::LeftOut(format!(
+            "of two stations at {} that in line {}: the other, in line {}, {why}",
+            found.md.written, goes.node.line, stays.node.line
+        )));
+        if new > old {
+            *last = found;
+        }
+    }
+    if alike > 0 {
+        notes.push(Note::LeftOut(format!(
+            "{} of a depth that another has, alike",
+            stations_of(alike)
+        )));
+    }
+    Ok(kept)
+}
+
+/// Where the first station lies, as it says.
+fn tie_in(
+    first: &Found,
+    source: &Source,
+    notes: &mut Vec<Note>,
+) -> Result<Option<TieIn>, ImportError> {
+    let length = |name| -> Result<Option<f64>, ImportError> {
+        Ok(source.measure(first.node, name, Dimension::Length)?.map(|measure| measure.si()))
+    };
+    let (tvd_m, north_m, east_m) = (length("tvd")?, length("dispNs")?, length("dispEw")?);
+    let md_m = first.station.md_m;
+    let Some(tvd_m) = tvd_m.or((md_m == 0.0).then_some(0.0)) else {
+        notes.push(Note::Assumed(format!(
+            "the first station, at {}, does not say its tvd: as deep, vertically under the origin",
+            first.md.written
+        )));
+        return Ok(None);
+    };
+    let tie_in = TieIn { north_m: north_m.unwrap_or(0.0), east_m: east_m.unwrap_or(0.0), tvd_m };
+    // The case begins there anyway.
+    Ok((tie_in != TieIn::default() || md_m != 0.0).then_some(tie_in))
+}
+
+/// Holds the depths that stations say against those of the path through them.
+fn check_depths(
+    stations: &[Found],
+    tie_in: Option<TieIn>,
+    source: &Source,
+    notes: &mut Vec<Note>,
+) -> Result<(), ImportError> {
+    let path: Vec<Station> = stations.iter().map(|found| found.station).collect();
+    let start = tie_in.unwrap_or(TieIn { tvd_m: path[0].md_m, ..TieIn::default() });
+    let path = Path::new(&path, Interpolation::MinimumCurvature, start).map_err(|error| {
+        let kind = ImportErrorKind::Refused(format!("its stations make no path: {error}"));
+        source.error(stations[0].node.line, kind)
+    })?;
+    let mut worst: Option<(f64, &Found)> = None;
+    let mut count = 0;
+    for found in &stations[1..] {
+        let Some(tvd) = source.optional(found.node, "tvd", Dimension::Length, &mut Vec::new())?
+        else {
+            continue;
+        };
+        count += 1;
+        let off_m = (path.at(found.station.md_m).position_m.z - tvd.si()).abs();
+        if worst.is_none_or(|(so_far_m, _)| off_m > so_far_m) {
+            worst = Some((off_m, found));
+        }
+    }
+    let Some((off_m, found)) = worst else { return Ok(()) };
+    notes.push(Note::Checked(if off_m <= SAME_TVD_M {
+        format!(
+            "the tvd of {}, within {} of the path by minimum curvature",
+            stations_of(count),
+            metres(SAME_TVD_M)
+        )
+    } else {
+        format!(
+            "the tvd of {}, off the path by minimum curvature: by {} at {} (line {})",
+            stations_of(count),
+            metres(off_m),
+            found.md.written,
+            found.node.line
+        )
+    }));
+    Ok(())
+}
+
+/// What the trajectory says of itself that an engineer asks.
+fn says_how(object: &Object, stations: &[Found], notes: &mut Vec<Note>) {
+    let node = &object.node;
+    notes.extend(datum(stations[0].node.child("md")));
+    if let Some(north) = node.text_of("aziRef") {
+        notes.push(Note::Read(format!("azimuths are from {}, as they stand", short(north))));
+    }
+    for (kind, said) in
+        [("interpolated", "interpolated"), ("extrapolated", "extrapolated, not surveyed")]
+    {
+        let is = |found: &&Found| found.node.text_of("typeTrajStation") == Some(kind);
+        let count = stations.iter().filter(is).count();
+        if count > 0 {
+            notes.push(Note::Read(format!("{} {said}", stations_of(count))));
+        }
+    }
+}
+
+fn stations_of(count: usize) -> String {
+    if count == 1 { "1 station".to_owned() } else { format!("{count} stations") }
+}
+
+fn too_few(object: &Object, source: &Source, found: usize) -> ImportError {
+    let kind = ImportErrorKind::Refused(format!(
+        "{} has {} with inclination and azimuth; a path needs two or more",
+        object.label(),
+        if found == 0 { "no station".to_owned() } else { stations_of(found) }
+    ));
+    source.error(object.node.line, kind)
+}

@@ -1,0 +1,159 @@
+//! Bytes of any of the encodings that XML files come in, as UTF-8.
+
+use std::io::{self, BufRead, BufReader, Read};
+
+/// How the bytes of a file make text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Encoding {
+    /// As it is read: UTF-8, of which ASCII is a part.
+    Utf8,
+    Utf16 {
+        little: bool,
+    },
+    /// Windows-1252. What is declared as ISO-8859-1 is read as this, as browsers do: they differ
+    /// where ISO-8859-1 has controls only.
+    Western,
+}
+
+/// Names of encodings that are read, in small letters.
+const NAMES: &[(&str, Encoding)] = &[
+    ("utf-8", Encoding::Utf8),
+    ("utf8", Encoding::Utf8),
+    ("us-ascii", Encoding::Utf8),
+    ("ascii", Encoding::Utf8),
+    ("iso-8859-1", Encoding::Western),
+    ("iso8859-1", Encoding::Western),
+    ("iso_8859-1", Encoding::Western),
+    ("latin1", Encoding::Western),
+    ("latin-1", Encoding::Western),
+    ("windows-1252", Encoding::Western),
+    ("cp1252", Encoding::Western),
+];
+
+/// The declaration of XML stands within so many bytes.
+const DECLARATION: usize = 256;
+
+/// A file's bytes as UTF-8.
+///
+/// # Errors
+/// It cannot be read, or is in an encoding that is not: its name.
+pub(crate) fn utf8<'a>(
+    mut bytes: Box<dyn BufRead + 'a>,
+) -> io::Result<Result<Box<dyn BufRead + 'a>, String>> {
+    let head = bytes.fill_buf()?;
+    let encoding = match head {
+        [0xff, 0xfe, ..] | [b'<', 0, ..] => Encoding::Utf16 { little: true },
+        [0xfe, 0xff, ..] | [0, b'<', ..] => Encoding::Utf16 { little: false },
+        [0xef, 0xbb, 0xbf, ..] => Encoding::Utf8,
+        _ => match declared(head) {
+            None => Encoding::Utf8,
+            Some(name) => {
+                let small = name.to_ascii_lowercase();
+                let Some((_, known)) = NAMES.iter().find(|(own, _)| *own == small) else {
+                    return Ok(Err(name));
+                };
+                *known
+            }
+        },
+    };
+    if encoding == Encoding::Utf8 {
+        return Ok(Ok(bytes));
+    }
+    let decoded = Decoded { inner: bytes, encoding, pending: Vec::new(), given: 0 };
+    Ok(Ok(Box::new(BufReader::with_capacity(1 << 16, decoded))))
+}
+
+/// The encoding in `<?xml version="1.0" encoding="ISO-8859-1"?>`.
+fn declared(head: &[u8]) -> Option<String> {
+    let head = &head[..head.len().min(DECLARATION)];
+    let text: String = head.iter().map(|&byte| char::from(byte)).collect();
+    let declaration = text.strip_prefix("<?xml")?;
+    let declaration = &declaration[..declaration.find("?>")?];
+    let (_, value) = declaration.split_once("encoding")?;
+    let value = value.trim_start().strip_prefix('=')?.trim_start();
+    let quote = value.chars().next().filter(|c| "\"'".contains(*c))?;
+    let (name, _) = value[1..].split_once(quote)?;
+    Some(name.to_owned())
+}
+
+/// Text that is written in UTF-8 as it is read.
+struct Decoded<'a> {
+    inner: Box<dyn BufRead + 'a>,
+    encoding: Encoding,
+    /// UTF-8 that is still to be given.
+    pending: Vec<u8>,
+    /// How much of it was given.
+    given: usize,
+}
+
+/// Characters that are decoded at once.
+const AT_ONCE: usize = 8192;
+
+impl Read for Decoded<'_> {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        if self.given == self.pending.len() {
+            self.given = 0;
+            self.pending.clear();
+            self.decode()?;
+        }
+        let from = &self.pending[self.given..];
+        let count = from.len().min(into.len());
+        into[..count].copy_from_slice(&from[..count]);
+        self.given += count;
+        Ok(count)
+    }
+}
+
+impl Decoded<'_> {
+    fn decode(&mut self) -> io::Result<()> {
+        let mut text = String::new();
+        for _ in 0..AT_ONCE {
+            let Some(byte) = self.byte()? else { break };
+            let character = match self.encoding {
+                Encoding::Utf8 | Encoding::Western => Some(western(byte)),
+                Encoding::Utf16 { little } => self.utf16(byte, little)?,
+            };
+            let no_text = || io::Error::new(io::ErrorKind::InvalidData, "it is not UTF-16");
+            text.push(character.ok_or_else(no_text)?);
+        }
+        // The mark of the byte order is no part of the text.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+        self.pending.extend_from_slice(text.as_bytes());
+        Ok(())
+    }
+
+    fn byte(&mut self) -> io::Result<Option<u8>> {
+        let byte = self.inner.fill_buf()?.first().copied();
+        self.inner.consume(usize::from(byte.is_some()));
+        Ok(byte)
+    }
+
+    /// The character that begins with a byte; none where there is half of one.
+    fn utf16(&mut self, first: u8, little: bool) -> io::Result<Option<char>> {
+        let Some(one) = self.unit(first, little)? else { return Ok(None) };
+        if !(0xd800..0xdc00).contains(&one) {
+            return Ok(char::from_u32(u32::from(one)));
+        }
+        let Some(first) = self.byte()? else { return Ok(None) };
+        let Some(two) = self.unit(first, little)? else { return Ok(None) };
+        Ok(char::decode_utf16([one, two]).next().and_then(Result::ok))
+    }
+
+    fn unit(&mut self, first: u8, little: bool) -> io::Result<Option<u16>> {
+        let of = if little { u16::from_le_bytes } else { u16::from_be_bytes };
+        Ok(self.byte()?.map(|second| of([first, second])))
+    }
+}
+
+/// The characters of Windows-1252 from 0x80 to 0x9f; five of them are unused.
+const WESTERN: [char; 32] = [
+    '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}',
+    '\u{90}', '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
+];
+
+fn western(byte: u8) -> char {
+    match byte {
+        0x80..=0x9f => WESTERN[usize::from(byte - 0x80)],
+        _ => char::from(byte),
+    }
+}

@@ -1,0 +1,227 @@
+//! Landmark EDM exports.
+
+use std::collections::BTreeMap;
+
+use wholestring_import::{Choices, ImportError, Imported, Input, contents, import};
+
+const MINI: &str = include_str!("samples/own/edm-mini-td.xml");
+const WELL: &str = include_str!("samples/own/edm-well.xml");
+const WELLENG: &str = include_str!("samples/edm/welleng-edm_geopressure_mini.xml");
+
+fn api() -> Choices {
+    Choices::default().unit("edm", "api")
+}
+
+fn imported(text: &str, choices: &Choices) -> Result<Imported, ImportError> {
+    import(vec![Input::of_bytes("edm.xml", text.as_bytes())], choices)
+}
+
+fn refusal(text: &str, choices: &Choices) -> String {
+    imported(text, choices).expect_err("refused").to_string()
+}
+
+/// The case text and what is said of it.
+fn whole(imported: &Imported) -> String {
+    let mut text = imported.text.clone();
+    text.push_str("--- notes\n");
+    for (_, note) in &imported.notes {
+        text.push_str(&format!("{}: {}\n", note.kind(), note.text()));
+    }
+    text.push_str("--- missing\n");
+    for missing in &imported.missing {
+        text.push_str(&format!("{missing}\n"));
+    }
+    text
+}
+
+#[test]
+fn a_small_export() {
+    let found = imported(MINI, &api()).expect("imported");
+    insta::assert_snapshot!(whole(&found));
+    assert_eq!(found.missing.len(), 1, "{:?}", found.missing);
+}
+
+#[test]
+fn a_published_export_without_a_path() {
+    let found = imported(WELLENG, &api()).expect("imported");
+    insta::assert_snapshot!(whole(&found));
+}
+
+fn well() -> Choices {
+    api().pick("wellbore", "WS-1").pick("case", "8 1/2 in drilling")
+}
+
+#[test]
+fn a_whole_well() {
+    let found = imported(WELL, &well()).expect("imported");
+    insta::assert_snapshot!(whole(&found));
+    assert_eq!(found.missing, Vec::<String>::new());
+    let mut text = found.text.clone();
+    if !text.contains("rpm = ") {
+        text.push_str("rpm = 60\n");
+    }
+    let template = wholestring_case::Template::in_memory("edm.toml", &text, BTreeMap::new());
+    let case = template.case(&[]).unwrap_or_else(|report| panic!("{report:?}"));
+    assert!(case.name.starts_with("WS-1"), "{}", case.name);
+}
+
+/// The same numbers in metres and kilograms make the same case in SI.
+#[test]
+fn sets_of_units() {
+    let refused = refusal(MINI, &Choices::default());
+    assert!(refused.contains("--unit edm=api"), "{refused}");
+    assert!(
+        refused.contains("the largest md of CD_DEFINITIVE_SURVEY_STATION is 1700"),
+        "{refused}"
+    );
+    assert!(refused.contains("the largest od_body of CD_ASSEMBLY_COMP is 8.5"), "{refused}");
+    let refused = refusal(MINI, &Choices::default().unit("edm", "metric"));
+    assert!(refused.contains("expected edm=api or edm=si"), "{refused}");
+    // Single units override: metres for feet, here.
+    let found = imported(MINI, &api().unit("length", "m")).expect("imported");
+    assert!(found.text.contains("to = \"1000 m\""), "{}", found.text);
+    assert!(found.text.contains("[1700, 6, 0.5]"), "{}", found.text);
+    assert!(refusal(MINI, &api().unit("length", "psi")).contains("expected a unit of length"));
+    assert!(refusal(MINI, &api().unit("lenght", "m")).contains("says nothing"));
+}
+
+/// A set that is not the file's gives what cannot be: inches taken for millimetres do not stay.
+#[test]
+fn an_implausible_set() {
+    let steel =
+        MINI.replace("od_connection=\"7\"", "od_connection=\"7\" min_yield_stress=\"930.8\"");
+    let refused = refusal(&steel, &api());
+    assert!(refused.contains("min_yield_stress 930.8 psi is out of range"), "{refused}");
+    assert!(refused.contains("--unit stress=UNIT"), "{refused}");
+    let found = imported(&steel, &api().unit("stress", "MPa")).expect("imported");
+    assert!(found.text.contains("yield_strength = \"930.8 MPa\""), "{}", found.text);
+}
+
+#[test]
+fn one_of_several() {
+    let refused = refusal(WELL, &api());
+    assert!(refused.contains("'WS-1', 'WS-2'; pick one: --pick well=NAME"), "{refused}");
+    let refused = refusal(WELL, &api().pick("well", "WS-1"));
+    assert!(refused.contains("'WS-1', 'WS-1 T2'; pick one: --pick wellbore=NAME"), "{refused}");
+    let refused = refusal(WELL, &api().pick("wellbore", "WS-1"));
+    assert!(refused.contains("--pick case=NAME"), "{refused}");
+    let refused = refusal(WELL, &api().pick("well", "WS-9"));
+    assert!(refused.contains("there is no well 'WS-9'; it holds: 'WS-1', 'WS-2'"), "{refused}");
+    // One case alone is in its wellbore: it needs no more.
+    let found = imported(WELL, &api().pick("wellbore", "WS-1 T2")).expect("imported");
+    let said = |text: &str| found.notes.iter().any(|(_, note)| note.text().contains(text));
+    assert!(said("case '6 in drilling'"), "{:?}", found.notes);
+    assert!(said("refers to the hole sections 'HG9'"), "{:?}", found.notes);
+    assert!(said("refers to the fluid 'FL7'"), "{:?}", found.notes);
+    // Its depths are from the sea: the path begins at minus the elevation of the datum.
+    assert!(said("the path begins at -82 ft"), "{:?}", found.notes);
+    assert!(found.text.contains("    [0, 0, 0],"), "{}", found.text);
+}
+
+/// Ids are those of their well: rows of another well with the same ids stay out.
+#[test]
+fn ids_repeat_from_well_to_well() {
+    let found = imported(WELL, &well()).expect("imported");
+    assert!(!found.text.contains("999"), "{}", found.text);
+    assert!(found.text.contains("od = \"8.5 in\""), "{}", found.text);
+    // A row that does not say its well, where two may own it.
+    let lost = WELL.replace(
+        "<CD_HOLE_SECT well_id=\"WSWELL0001\" wellbore_id=\"WSWB000001\" hole_sect_group_id=\"HG2\" hole_sect_id=\"HS3\"",
+        "<CD_HOLE_SECT hole_sect_group_id=\"HG2\" hole_sect_id=\"HS3\"",
+    );
+    assert_ne!(lost, WELL);
+    let refused = refusal(&lost, &well());
+    assert!(refused.contains("does not say of which well"), "{refused}");
+}
+
+/// Where rows stand does not matter.
+#[test]
+fn rows_in_any_order() {
+    let first = imported(MINI, &api()).expect("imported");
+    let mut lines: Vec<&str> =
+        MINI.lines().filter(|line| line.starts_with("<CD_") || line.starts_with("<WP_")).collect();
+    lines.reverse();
+    let turned = format!("<export><TOPLEVEL>{}</TOPLEVEL></export>", lines.join("\n"));
+    let second = imported(&turned, &api()).expect("imported");
+    let keys = |text: &str| -> Vec<String> {
+        let lines = text.lines().filter(|line| !line.starts_with('#'));
+        lines.map(|line| line.split(" # ").next().unwrap_or("").trim().to_owned()).collect()
+    };
+    let numbers = |text: &str| {
+        keys(text).into_iter().filter(|line| !line.starts_with("stations")).collect::<Vec<_>>()
+    };
+    assert_eq!(numbers(&first.text), numbers(&second.text));
+}
+
+/// Casing strings that hang from the surface one within the other: the string sees the innermost.
+#[test]
+fn nested_casings() {
+    let found = imported(WELL, &well()).expect("imported");
+    let sections = found.text.matches("[[well.hole]]").count();
+    assert_eq!(sections, 2, "{}", found.text);
+    assert!(found.text.contains("to = \"6200 ft\""));
+    assert!(!found.text.contains("diameter = \"12.415 in\""));
+    let liner = WELL.replace("length=\"6200\"", "length=\"4000\"");
+    let found = imported(&liner, &well()).expect("imported");
+    assert!(found.text.contains("to = \"2200 ft\""), "{}", found.text);
+    assert_eq!(found.text.matches("[[well.hole]]").count(), 3);
+}
+
+#[test]
+fn rows_that_cannot_be() {
+    let change = |from: &str, to: &str| {
+        let text = MINI.replace(from, to);
+        assert_ne!(text, MINI, "{from}");
+        refusal(&text, &api())
+    };
+    assert!(change("md=\"1500\"", "md=\"1,500\"").contains("'1,500' is not a number"));
+    assert!(change("md=\"1500\"", "md=\"inf\"").contains("'inf' is not a number"));
+    assert!(change("inclination=\"6\"", "inclination=\"600\"").contains("out of range"));
+    assert!(change("cof=\"0.2\"", "cof=\"20\"").contains("friction factor 20 is out of range"));
+    assert!(
+        change("hole_size=\"8.5\" length=\"700\"", "hole_size=\"\" length=\"700\"")
+            .contains("diameter of the hole section is missing")
+    );
+    assert!(change("md=\"1700\"", "md=\"1500\"").contains("two stations stand at 1500 ft"));
+    assert!(change("id_body=\"4.778\"", "id_body=\"5.778\"").contains("less than the outside one"));
+    let refused = change("<export>", "<!DOCTYPE a><export>");
+    assert!(refused.contains("DOCTYPE") || refused.contains("DTD"), "{refused}");
+    let none = "<export><TOPLEVEL a=\"1\"/></export>";
+    assert!(refusal(none, &api()).contains("none of which is a row of Landmark's tables"));
+}
+
+/// What is not there is said, and leaves the rest.
+#[test]
+fn rows_that_are_not_there() {
+    let change = |from: &str, to: &str| {
+        let text = MINI.replace(from, to);
+        assert_ne!(text, MINI, "{from}");
+        let found = imported(&text, &api()).expect("imported");
+        let notes: Vec<String> =
+            found.notes.iter().map(|(_, note)| note.text().to_owned()).collect();
+        (found, notes.join("\n"))
+    };
+    let (found, notes) =
+        change("assembly_id=\"A1\" hole_sect_group_id", "assembly_id=\"A9\" hole_sect_group_id");
+    assert!(notes.contains("refers to the assembly 'A9'"), "{notes}");
+    assert!(found.missing.iter().any(|missing| missing.contains("the string")));
+    let (_, notes) = change(
+        "name=\"As drilled\" def_survey_header_id=\"DH1\"",
+        "name=\"As drilled\" def_survey_header_id=\"DH9\"",
+    );
+    assert!(notes.contains("which the file does not have"), "{notes}");
+    assert!(notes.contains("the only one of its wellbore"), "{notes}");
+    let (found, notes) = change("od_body=\"8.5\" id_body=\"0\"", "od_body=\"\" id_body=\"\"");
+    assert!(found.text.contains("od = \"8.5 in\""), "{}", found.text);
+    assert!(found.text.contains("for the bit has no od_body"), "{notes}");
+    let (found, _) = change("od_body=\"5.5\"", "od_body=\"5.25\"");
+    assert!(!found.text.contains("catalogue ="), "{}", found.text);
+    let (_, notes) = change("sect_type_code=\"DP\"", "sect_type_code=\"QQ\"");
+    assert!(notes.contains("the code 'QQ'"), "{notes}");
+}
+
+#[test]
+fn what_a_file_holds() {
+    let found = contents(Input::of_bytes("edm.xml", WELL.as_bytes())).expect("contents");
+    insta::assert_snapshot!(format!("{}\n{}", found.what, found.lines.join("\n")));
+}

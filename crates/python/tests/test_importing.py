@@ -1,0 +1,64 @@
+"""Cases from the files of other programs."""
+
+from pathlib import Path
+
+import pytest
+import wholestring as ws
+
+SURVEY = "MD,Inc,Azi\n0,0,0\n1000,0,0\n1100,3,45\n4000,30,45\n"
+
+REST = """
+[mud]
+density = "1.2 sg"
+[[well.hole]]
+kind = "open"
+to = "4000 ft"
+diameter = "8-1/2 in"
+friction = 0.3
+[[string]]
+component = "bit"
+od = "8-1/2 in"
+length = "0.3 m"
+[[string]]
+component = "drill pipe"
+catalogue = "5 in 19.50 lb/ft S-135"
+length = "to surface"
+"""
+
+
+@pytest.fixture
+def survey(tmp_path: Path) -> Path:
+    file = tmp_path / "survey.csv"
+    file.write_text(SURVEY)
+    return file
+
+
+def test_a_survey_is_part_of_a_case(survey: Path, tmp_path: Path) -> None:
+    imported = ws.import_files(survey, units={"md": "ft"})
+    assert imported.files == {str(survey): "a survey of 4 stations"}
+    assert len(imported.missing) == 3
+    assert any(note.kind == "read" for note in imported.notes)
+    with pytest.raises(ws.CaseError, match="hole"):
+        imported.case()
+    whole = ws.Case(imported.text + REST)
+    assert whole.soft()["trip_out"].bit_depth_m == pytest.approx(1219.2)
+    saved = imported.save(tmp_path / "well.toml")
+    assert saved.read_text() == imported.text
+    with pytest.raises(FileExistsError, match=r"well\.toml"):
+        imported.save(saved)
+
+
+def test_what_is_not_told_is_asked_for(survey: Path, tmp_path: Path) -> None:
+    with pytest.raises(ws.InputError, match="has no unit"):
+        ws.import_files(survey)
+    with pytest.raises(ws.InputError, match="--pick tubular"):
+        ws.import_files(survey, units={"md": "ft"}, picks={"tubular": "BHA 7"})
+    with pytest.raises(ws.InputError, match="no such file"):
+        ws.Case.from_files(tmp_path / "none.csv")
+
+
+def test_a_file_tells_what_it_is(survey: Path) -> None:
+    survey.write_text(SURVEY.replace("MD", "MD (ft)"))
+    found = ws.contents(survey)
+    assert found.what == "a survey of 4 stations"
+    assert "measured depth" in " ".join(found.lines)

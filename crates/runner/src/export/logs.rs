@@ -1,0 +1,161 @@
+//! Hook load and torque against the depth of the bit.
+
+use std::path::Path;
+
+use wholestring::outcome::ModelKind;
+use wholestring_export::{Curve, Log};
+use wholestring_report::operation_name;
+use wholestring_results::{Data, PlanSummary, Summary, Table};
+use wholestring_units::Dimension;
+
+use crate::{error::Error, results_kinds::kind_of, sweep};
+
+/// With the bit at a depth.
+#[derive(Debug, Clone, Copy)]
+struct Point {
+    bit_depth_m: f64,
+    hook_load_N: Option<f64>,
+    torque_N_m: Option<f64>,
+    weight_on_bit_N: Option<f64>,
+}
+
+/// The logs of a folder: one for each model, operation and whatever else differs.
+pub(super) fn of_folder(folder: &Path, notes: &mut Vec<String>) -> Result<Vec<Log>, Error> {
+    let kind = kind_of(folder)?;
+    let points = match kind.noun {
+        "a plan" => plan(folder)?,
+        "a run" => run(folder)?,
+        "a sweep" => swept(folder)?,
+        noun => {
+            return Err(Error::bad_input(format!(
+                "{} holds {noun}, which has no hook load and torque against the depth of the bit; a \
+                 plan, a run or a sweep has",
+                folder.display()
+            )));
+        }
+    };
+    let mut grouped: Vec<(String, Vec<Point>)> = Vec::new();
+    for (name, point) in points {
+        match grouped.iter_mut().find(|(of, _)| *of == name) {
+            Some((_, points)) => points.push(point),
+            None => grouped.push((name, vec![point])),
+        }
+    }
+    if grouped.is_empty() {
+        return Err(Error::bad_input(format!("nothing was solved in {}", folder.display())));
+    }
+    if grouped.iter().all(|(_, points)| points.len() == 1) {
+        let noun = kind.noun;
+        notes.push(format!(
+            "each log has one row, for {noun} has one depth of the bit; a plan has many"
+        ));
+    }
+    let count = grouped.len();
+    notes.push(format!("{count} {}", if count == 1 { "log" } else { "logs" }));
+    notes.push("the block's weight is not in the hook load".to_owned());
+    Ok(grouped.into_iter().map(|(name, points)| log(name, points)).collect())
+}
+
+fn log(name: String, mut points: Vec<Point>) -> Log {
+    points.sort_by(|a, b| a.bit_depth_m.total_cmp(&b.bit_depth_m));
+    let curve = |mnemonic, class, meaning, dimension, of: fn(&Point) -> Option<f64>| Curve {
+        mnemonic,
+        class,
+        meaning,
+        dimension,
+        values: points.iter().map(of).collect(),
+    };
+    Log {
+        name,
+        bit_depths_m: points.iter().map(|point| point.bit_depth_m).collect(),
+        curves: vec![
+            curve(
+                "HKLD",
+                "hookload (average)",
+                "Tension at the top of the string; block and top drive excluded",
+                Dimension::Force,
+                |point| point.hook_load_N,
+            ),
+            curve(
+                "TORQUE",
+                "torque (average)",
+                "Torque at the top of the string",
+                Dimension::Torque,
+                |point| point.torque_N_m,
+            ),
+            curve("WOB", "weight on bit (average)", "Weight on bit", Dimension::Force, |point| {
+                point.weight_on_bit_N
+            }),
+        ],
+    }
+}
+
+fn model(model: &str) -> String {
+    match ModelKind::named(model) {
+        Some(kind) if kind.method().in_time => format!("{model} model"),
+        _ => format!("{model} string"),
+    }
+}
+
+fn plan(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
+    let summary = PlanSummary::read(&folder.join("summary.json")).map_err(Error::bad_input)?;
+    let points = summary.points.iter().map(|of| {
+        let name = format!(
+            "{}, {}, {} friction",
+            operation_name(&of.operation),
+            model(&of.model),
+            of.friction
+        );
+        let scalars = of.scalars.as_ref();
+        let point = Point {
+            bit_depth_m: of.bit_depth_m,
+            hook_load_N: scalars.map(|of| of.hook_load_N),
+            torque_N_m: scalars.map(|of| of.surface_torque_N_m),
+            weight_on_bit_N: scalars.map(|of| of.weight_on_bit_N),
+        };
+        (name, point)
+    });
+    Ok(points.collect())
+}
+
+fn run(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
+    let summary = Summary::read(&folder.join("summary.json")).map_err(Error::bad_input)?;
+    let points = summary.operations.iter().map(|of| {
+        let name = format!("{}, {}", operation_name(&of.operation), model(of.model.name()));
+        let point = Point {
+            bit_depth_m: of.bit_depth_m,
+            hook_load_N: Some(of.scalars.hook_load_N),
+            torque_N_m: Some(of.scalars.surface_torque_N_m),
+            weight_on_bit_N: Some(of.scalars.weight_on_bit_N),
+        };
+        (name, point)
+    });
+    Ok(points.collect())
+}
+
+/// The cases of a sweep; those that differ in the depth of the bit alone are one log.
+fn swept(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
+    let (varied, table) = sweep::read(folder).map_err(Error::bad_input)?;
+    let number = |name: &str, row: usize| table.numbers(name).and_then(|of| of[row]);
+    let word = |name: &str, row: usize| table.words(name).map_or("", |of| of[row].as_str());
+    let rows = (0..table.rows()).filter_map(|row| {
+        let keys = table.columns()[..varied].iter();
+        let keys = keys.filter(|column| !column.name.ends_with("bit_depth")).map(|column| {
+            let value = match &column.data {
+                Data::Number(values) => values[row].map_or(String::new(), |of| of.to_string()),
+                Data::Text(words) => words[row].clone(),
+            };
+            format!("{} {value} {}", column.name, column.unit).trim_end().to_owned()
+        });
+        let whose = [operation_name(word("operation", row)).to_owned(), model(word("model", row))];
+        let name = whose.into_iter().chain(keys).collect::<Vec<_>>().join(", ");
+        let point = Point {
+            bit_depth_m: number("bit_depth_m", row)?,
+            hook_load_N: number("hook_load_N", row),
+            torque_N_m: number("surface_torque_N_m", row),
+            weight_on_bit_N: number("weight_on_bit_N", row),
+        };
+        Some((name, point))
+    });
+    Ok(rows.collect())
+}

@@ -1,0 +1,113 @@
+//! The string of a case as a tally.
+
+use serde_json::Value as Json;
+use wholestring_export::{Component, Look, Version, tubular};
+use wholestring_results::{Column, Data, Table};
+
+use super::request::{Format, Made, Source, one_table};
+use crate::error::Error;
+
+/// What a component may have that a tally has no column for.
+const NO_PLACE: [(&str, &str); 4] = [
+    ("bend_rad", "bends"),
+    ("lateral_force_N", "lateral forces"),
+    ("eccentricity_m", "eccentricities"),
+    ("survey_sensor_m", "survey sensors"),
+];
+
+/// The tally as it is requested.
+pub(super) fn export(
+    source: &Source,
+    look: &Look,
+    format: Format,
+    notes: &mut Vec<String>,
+) -> Result<Made, Error> {
+    let listed = source.settings["string"].as_array();
+    let listed = listed.filter(|listed| !listed.is_empty());
+    let Some(listed) = listed else {
+        return Err(Error::bad_input("the settings of these results hold no string"));
+    };
+    let components: Vec<Component> = listed.iter().map(component).collect();
+    let length_m: f64 = components.iter().map(|of| of.length_m).sum();
+    notes.push(format!(
+        "{} components from the bit up; the topmost as long as it is with the bit at {}",
+        components.len(),
+        wholestring_units::Dimension::Length.format(length_m, look.units)
+    ));
+    for (key, what) in NO_PLACE {
+        if listed.iter().any(|component| !component[key].is_null()) {
+            notes.push(format!("{what} are left out: a tally has no place for them"));
+        }
+    }
+    let xml = |version| {
+        let text = tubular(look, &components, version).map_err(Error::failed)?;
+        Ok(Made::File(text.into_bytes()))
+    };
+    match format {
+        Format::Csv | Format::Xlsx => {
+            let about = "The components of the string, from the bit up";
+            one_table(&table(&components), "Tally", about, look, format)
+        }
+        Format::Witsml1411 => xml(Version::V1411),
+        Format::Witsml20 => xml(Version::V20),
+        Format::Text => Err(Error::bad_input(
+            "a string is not exported as a text report: expected csv, xlsx, witsml or witsml2",
+        )),
+    }
+}
+
+fn component(of: &Json) -> Component {
+    let number = |key: &str| of[key].as_f64();
+    let needed = |key: &str| number(key).unwrap_or(f64::NAN);
+    Component {
+        name: of["component"].as_str().unwrap_or_default().to_owned(),
+        length_m: needed("length_m"),
+        od_m: needed("od_m"),
+        id_m: needed("id_m"),
+        mass_per_length_kg_per_m: needed("mass_per_length_kg_per_m"),
+        joint_od_m: number("joint_od_m"),
+        joint_spacing_m: number("joint_spacing_m"),
+        blade_od_m: number("blade_od_m"),
+        yield_strength_Pa: number("yield_strength_Pa"),
+    }
+}
+
+/// A row for each component.
+fn table(components: &[Component]) -> Table {
+    type Of = fn(&Component) -> Option<f64>;
+    let columns: [(&str, &str, &str, Of); 8] = [
+        ("od_m", "m", "Outside diameter of the body", |of| Some(of.od_m)),
+        ("id_m", "m", "Inside diameter of the body", |of| Some(of.id_m)),
+        ("length_m", "m", "Length", |of| Some(of.length_m)),
+        ("weight_kg_per_m", "kg/m", "Mass per length in air, joints included", |of| {
+            Some(of.mass_per_length_kg_per_m)
+        }),
+        ("joint_od_m", "m", "Outside diameter of the tool joints", |of| of.joint_od_m),
+        ("joint_spacing_m", "m", "Distance between tool joints", |of| of.joint_spacing_m),
+        ("blade_od_m", "m", "Diameter over the blades", |of| of.blade_od_m),
+        ("yield_strength_Pa", "Pa", "Minimum yield strength", |of| of.yield_strength_Pa),
+    ];
+    let names = components.iter().map(|of| of.name.clone()).collect();
+    let mut all = vec![Column {
+        meaning: "What it is called".to_owned(),
+        ..Column::words("component", names)
+    }];
+    all.extend(columns.into_iter().map(|(name, unit, meaning, of)| Column {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+        meaning: meaning.to_owned(),
+        data: Data::Number(components.iter().map(of).collect()),
+    }));
+    let mut sum_m = 0.0;
+    let below = components.iter().map(|of| {
+        sum_m += of.length_m;
+        Some(sum_m)
+    });
+    all.push(Column {
+        name: "cumulative_length_m".to_owned(),
+        unit: "m".to_owned(),
+        meaning: "Length from the bit to its upper end".to_owned(),
+        data: Data::Number(below.collect()),
+    });
+    Table::new(all)
+}

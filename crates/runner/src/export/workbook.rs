@@ -1,0 +1,86 @@
+//! The tables of a folder of results, in the units of people.
+
+use std::path::Path;
+
+use wholestring::outcome;
+use wholestring_report::Workbook;
+use wholestring_results::{Column, Data, Summary, TABLES, Table};
+use wholestring_units::UnitSet;
+
+use crate::{
+    error::Error,
+    page::{PROGRAM, table},
+    plan::page::workbook_of,
+    results_kinds::kind_of,
+    sheet::sheet,
+    sweep,
+};
+
+/// Tables of a run that no sheet is large enough for: where the string was, sample by sample.
+const LEFT_OUT: &str = "frames";
+
+/// Every table of the folder as a sheet.
+pub(super) fn of_folder(
+    folder: &Path,
+    units: UnitSet,
+    notes: &mut Vec<String>,
+) -> Result<Workbook, Error> {
+    let kind = kind_of(folder)?;
+    let mut sheets = Vec::new();
+    match kind.noun {
+        "a plan" => return workbook_of(folder, units).map_err(Error::bad_input),
+        "a sweep" => {
+            let (_, table) = sweep::read(folder).map_err(Error::bad_input)?;
+            let about = "A row for each case, model and operation";
+            sheets.push(sheet("Sweep", &table, about, units));
+        }
+        "a run" => {
+            let summary = Summary::read(&folder.join("summary.json")).map_err(Error::bad_input)?;
+            let about = "A row for each model and operation";
+            sheets.push(sheet("Operations", &operations(&summary), about, units));
+        }
+        _ => {}
+    }
+    for (name, _) in TABLES.iter().filter(|(name, _)| *name != LEFT_OUT) {
+        let table = table(folder, name).map_err(Error::bad_input)?;
+        if table.rows() > 0 {
+            let about = "As the results have it";
+            sheets.push(sheet(name, &table, about, units));
+        }
+    }
+    if folder.join(format!("{LEFT_OUT}.parquet")).is_file() {
+        notes.push(format!("{LEFT_OUT}.parquet is left out: no sheet is large enough for it"));
+    }
+    if sheets.is_empty() {
+        return Err(Error::bad_input(format!("nothing was solved in {}", folder.display())));
+    }
+    Ok(Workbook {
+        title: kind.noun.to_owned(),
+        about: vec![format!("Made by {PROGRAM}. Units are those of the headings.")],
+        charts: Vec::new(),
+        sheets,
+    })
+}
+
+/// The scalars of a run.
+fn operations(summary: &Summary) -> Table {
+    let all = &summary.operations;
+    let words = |name: &str, of: Vec<String>| Column::words(name, of);
+    let mut columns = vec![
+        words("model", all.iter().map(|of| of.model.name().to_owned()).collect()),
+        words("operation", all.iter().map(|of| of.operation.clone()).collect()),
+        Column {
+            name: "bit_depth_m".to_owned(),
+            unit: "m".to_owned(),
+            meaning: "Measured depth of the bit".to_owned(),
+            data: Data::Number(all.iter().map(|of| Some(of.bit_depth_m)).collect()),
+        },
+    ];
+    columns.extend(outcome::scalars_by_row().into_iter().map(|scalar| Column {
+        name: scalar.quantity.name.to_owned(),
+        unit: scalar.quantity.unit.to_owned(),
+        meaning: scalar.quantity.meaning.to_owned(),
+        data: Data::Number(all.iter().map(|of| (scalar.of)(&of.scalars)).collect()),
+    }));
+    Table::new(columns)
+}

@@ -1,0 +1,91 @@
+//! Cases from the files of other programs.
+
+use std::{
+    fs::{File, OpenOptions},
+    io::{self, Write},
+    path::{Path, PathBuf},
+};
+
+pub use wholestring_import::{Choices, Contents, Imported, Note};
+use wholestring_import::{ImportError, ImportErrorKind, Input};
+
+use crate::{error::Error, survey::explained};
+
+/// Makes one case of some files.
+///
+/// # Errors
+/// A file cannot be read, is none that is known, or does not tell what a case needs of it.
+pub fn read(files: &[PathBuf], choices: &Choices) -> Result<Imported, Error> {
+    let inputs = files.iter().map(|file| open(file)).collect::<Result<Vec<Input>, Error>>()?;
+    wholestring_import::import(inputs, choices).map_err(refusal)
+}
+
+/// What a file is, and what it holds.
+///
+/// # Errors
+/// As [`read`].
+pub fn contents(file: &Path) -> Result<Contents, Error> {
+    wholestring_import::contents(open(file)?).map_err(refusal)
+}
+
+/// Writes a case, and what stands beside it. Nothing that is there is written over.
+///
+/// # Errors
+/// A file is there already, or cannot be written.
+pub fn write(imported: &Imported, case: &Path) -> Result<Vec<PathBuf>, Error> {
+    let beside = imported.beside.iter().map(|file| (sibling(case, file.ending), &file.text));
+    let stem = case.file_stem().unwrap_or_default().to_string_lossy();
+    let text = imported.text_as(&stem);
+    let all: Vec<(PathBuf, &String)> =
+        std::iter::once((case.to_owned(), &text)).chain(beside).collect();
+    if let Some((there, _)) = all.iter().find(|(path, _)| path.exists()) {
+        return Err(Error::BadInput(format!("{} is there already", there.display())));
+    }
+    for (path, text) in &all {
+        let file = OpenOptions::new().write(true).create_new(true).open(path);
+        let written = file.and_then(|mut file| file.write_all(text.as_bytes()));
+        written.map_err(|error| not_written(path, &error))?;
+    }
+    Ok(all.into_iter().map(|(path, _)| path).collect())
+}
+
+/// `well-measured.csv` beside `well.toml`.
+fn sibling(case: &Path, ending: &str) -> PathBuf {
+    let mut name = case.file_stem().unwrap_or_default().to_owned();
+    name.push(ending);
+    case.with_file_name(name)
+}
+
+fn open(file: &Path) -> Result<Input<'static>, Error> {
+    let opened = File::open(file).and_then(|opened| match opened.metadata()?.is_dir() {
+        true => Err(io::Error::other("it is a folder")),
+        false => Ok(opened),
+    });
+    let opened = opened.map_err(|error| {
+        let reason = match error.kind() {
+            io::ErrorKind::NotFound => "there is no such file".to_owned(),
+            _ => error.to_string(),
+        };
+        Error::BadInput(format!("{} cannot be read: {reason}", file.display()))
+    })?;
+    Ok(Input::new(file.display().to_string(), opened))
+}
+
+/// A refusal, underlined where that is possible.
+fn refusal(error: ImportError) -> Error {
+    match error.kind() {
+        ImportErrorKind::Table(table) => explained(table),
+        _ => Error::BadInput(error.to_string()),
+    }
+}
+
+fn not_written(path: &Path, error: &io::Error) -> Error {
+    let shown = path.display();
+    match error.kind() {
+        io::ErrorKind::AlreadyExists => Error::BadInput(format!("{shown} is there already")),
+        io::ErrorKind::NotFound => {
+            Error::BadInput(format!("cannot write {shown}: there is no such folder"))
+        }
+        _ => Error::Failed(format!("cannot write {shown}: {error}")),
+    }
+}

@@ -1,0 +1,144 @@
+//! What the tables of a file are: surveys, tallies, readings.
+
+use wholestring_units::Unit;
+
+use crate::{
+    cells::{
+        self, fixed,
+        table::{Source, Table},
+    },
+    columns::{
+        column::Column,
+        header::{self, headed},
+        sort::{READINGS, SURVEY},
+    },
+    error::{TableError, TableErrorKind},
+    tally::{self, ImportedTally},
+};
+
+/// What a file holds, by its headings.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Held {
+    /// Sheets with the columns of a survey; one empty name for a text.
+    pub surveys: Vec<String>,
+    /// Sheets with the columns of a tally.
+    pub tallies: Vec<String>,
+    /// Sheets with weights or torques against the depth of the bit.
+    pub readings: Vec<String>,
+    /// Where none has: what comes nearest to a tally, and nearer than to a survey.
+    pub nearly_tally: Option<TableError>,
+}
+
+/// Says what a file holds, by its headings alone.
+///
+/// # Errors
+/// It is neither a text nor a workbook, or holds more than is read.
+pub fn held(bytes: &[u8], name: &str) -> Result<Held, TableError> {
+    of_tables(bytes, name, |tables| {
+        let mut held = Held::default();
+        for table in tables {
+            let name = match table.source {
+                Source::Sheet { sheet, .. } => sheet.to_owned(),
+                Source::Text { .. } => String::new(),
+            };
+            let push = |sheets: &mut Vec<String>| {
+                if !sheets.contains(&name) {
+                    sheets.push(name.clone());
+                }
+            };
+            if header::find(table, &SURVEY).is_ok() {
+                push(&mut held.surveys);
+            }
+            if matches!(tally::find(table), tally::Found::Header(_)) {
+                push(&mut held.tallies);
+            }
+            if has_readings(table) {
+                push(&mut held.readings);
+            }
+        }
+        if held.surveys.is_empty() && held.tallies.is_empty() && held.readings.is_empty() {
+            held.nearly_tally = nearly_tally(tables);
+        }
+        held
+    })
+}
+
+/// Reads a tally: of the sheet that is named, or of the first table that is one.
+///
+/// `said` gives the unit that is said of a column that the tally has.
+///
+/// # Errors
+/// It is no tally, or something in it cannot be read; with its place.
+pub fn read_tally(
+    bytes: &[u8],
+    name: &str,
+    sheet: Option<&str>,
+    said: &mut dyn FnMut(Column) -> Option<&'static Unit>,
+) -> Result<ImportedTally, TableError> {
+    of_tables(bytes, name, |tables| {
+        let is_it = |table: &&Table| match (table.source, sheet) {
+            (Source::Sheet { sheet, .. }, Some(wanted)) => sheet == wanted,
+            _ => true,
+        };
+        tables.iter().filter(is_it).find_map(|table| tally::read(table, said)).unwrap_or_else(
+            || {
+                Err(nearly_tally(tables).unwrap_or_else(|| {
+                    let found = "no row names the columns of a tally";
+                    TableError::new(name, TableErrorKind::NoTally { found }, None, None)
+                }))
+            },
+        )
+    })?
+}
+
+/// What is made of the tables of a file: a text is also cut in columns that stand one below the
+/// other.
+fn of_tables<R>(bytes: &[u8], name: &str, of: impl FnOnce(&[Table]) -> R) -> Result<R, TableError> {
+    if cells::is_workbook(bytes, name) {
+        return cells::of_workbook(bytes, name, |tables, _| of(tables));
+    }
+    cells::of_text(bytes, name, |tables, source| {
+        let mut tables = tables.to_vec();
+        if let Source::Text { text, .. } = source {
+            tables.push(fixed::cut(source, text));
+        }
+        of(&tables)
+    })
+}
+
+/// A depth of the bit, and a weight or a torque.
+fn has_readings(table: &Table) -> bool {
+    let Ok(header) = header::find(table, &READINGS) else { return false };
+    let is_measured = |column: &Column| {
+        matches!(
+            column,
+            Column::PickUp
+                | Column::SlackOff
+                | Column::Rotating
+                | Column::Torque
+                | Column::TorqueOnBottom
+        )
+    };
+    header.headings.iter().any(|(_, _, heading)| is_measured(&heading.column))
+}
+
+/// The error of the header that comes nearest to a tally's.
+fn nearly_tally(tables: &[Table]) -> Option<TableError> {
+    let as_survey = match headed(tables, &SURVEY) {
+        header::Headed::Nearest(partial, _) => partial.count,
+        _ => 0,
+    };
+    let nearest = tables.iter().filter_map(|table| match tally::find(table) {
+        tally::Found::Nearest { count, row, missing, texts } => {
+            Some((count, table, row, missing, texts))
+        }
+        _ => None,
+    });
+    let (count, table, row, missing, texts) = nearest.max_by_key(|(count, ..)| *count)?;
+    if count <= as_survey.max(1) {
+        return None;
+    }
+    let texts: Vec<String> = texts.into_iter().filter(|text| !text.is_empty()).collect();
+    let kind = TableErrorKind::MissingColumn { column: missing, headers: texts, nearest: None };
+    Some(table.source.error(kind, table.rows.get(row).map(crate::survey::stations::whole)))
+}

@@ -1,0 +1,56 @@
+//! What a file says of its stations beside what makes them: columns that a reading is checked with.
+
+use wholestring_units::{Dimension, Unit};
+
+use super::{imported::StatedPosition, stations::Reader};
+use crate::{
+    cells::table::{Row, Table},
+    columns::{column::Column, heading, layout::Layout},
+};
+
+/// Where dogleg severities stand, and in which unit.
+pub(crate) struct Dogleg {
+    index: usize,
+    unit: &'static Unit,
+}
+
+impl Dogleg {
+    /// The column, if there is one whose unit is told.
+    pub(crate) fn of(table: &Table, layout: &Layout) -> Option<Self> {
+        let is_dogleg = |text: &String| {
+            let plain: String = text.chars().filter(|c| c.is_alphabetic()).collect();
+            let plain = plain.to_lowercase();
+            plain.starts_with("dls") || plain.starts_with("dogleg") || plain.starts_with("dlsev")
+        };
+        let index = layout.header.iter().position(is_dogleg)?;
+        let find = |text: &str| Dimension::DoglegSeverity.find_unit(text);
+        let (_, brackets) = heading::part_brackets(&layout.header[index]);
+        let in_row = || {
+            let row = table.rows.get(layout.data.checked_sub(1)?)?;
+            find(heading::bare_unit(row.text(index)))
+        };
+        let unit = brackets.iter().find_map(|bracket| find(bracket)).or_else(in_row)?;
+        Some(Self { index, unit })
+    }
+}
+
+/// What a row says of its station; none of what is no number.
+pub(crate) fn position(
+    reader: &Reader,
+    layout: &Layout,
+    dogleg: Option<&Dogleg>,
+    row: &Row,
+) -> StatedPosition {
+    let length_m = |column: Column| {
+        let found = layout.column(column)?;
+        reader.number(row.cells.get(found.index)?, column, found.unit)
+    };
+    let dogleg_severity_rad_per_m =
+        dogleg.and_then(|of| reader.number(row.cells.get(of.index)?, Column::Inclination, of.unit));
+    StatedPosition {
+        tvd_m: length_m(Column::TrueVerticalDepth),
+        north_m: length_m(Column::North),
+        east_m: length_m(Column::East),
+        dogleg_severity_rad_per_m,
+    }
+}

@@ -1,0 +1,109 @@
+//! The units of a tally's columns: in the headings, in a row below them, or said.
+
+use wholestring_units::Unit;
+
+use super::header::{Headed, Header, OfUnit, unit_of};
+use crate::{
+    cells::{
+        number,
+        table::{Position, Row, Table},
+    },
+    columns::{column::Column, heading},
+    error::{TableError, TableErrorKind},
+};
+
+/// A column with its unit, if anything tells it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Laid {
+    pub(crate) column: Column,
+    pub(crate) index: usize,
+    pub(crate) heading: String,
+    pub(crate) unit: Option<OfUnit>,
+}
+
+/// Where everything is.
+pub(crate) struct Layout {
+    pub(crate) columns: Vec<Laid>,
+    /// The first row below the header and the units.
+    pub(crate) data: usize,
+    pub(crate) notes: Vec<String>,
+}
+
+/// The layout below a header. `said` gives the unit that is said of a column.
+pub(crate) fn below(
+    table: &Table,
+    header: &Header,
+    said: &mut dyn FnMut(Column) -> Option<&'static Unit>,
+) -> Result<Layout, TableError> {
+    let place = table.source.row_name(table.rows[header.row].end);
+    let mut notes = vec![table.note(&format!("header in {place}"))];
+    let next = (header.row + 1..table.rows.len())
+        .find(|&row| !table.rows[row].is_empty() && !table.rows[row].is_rule());
+    let units = next.filter(|&row| is_units(&table.rows[row], &header.columns));
+    let mut columns = Vec::new();
+    for headed in &header.columns {
+        let at = table.rows[header.row].cells.get(headed.index).map(|cell| cell.at);
+        let error = |kind, at: Option<Position>| Err(table.source.error(kind, at));
+        let mut column = headed.column;
+        if let Some(found) = &headed.wrong {
+            let is = heading::dimension_of(found);
+            let kind = TableErrorKind::WrongUnit { column, found: found.clone(), is };
+            return error(kind, at);
+        }
+        let mut unit = headed.unit;
+        if let Some(row) = units
+            && !column.is_words()
+            && let Some(cell) = table.rows[row].cells.get(headed.index)
+        {
+            let text = heading::bare_unit(&cell.text);
+            let is_drawn = text.chars().all(|c| "-=_–".contains(c));
+            match unit_of(column, text) {
+                Some((of, in_row)) => {
+                    if let Some((in_header, _)) = unit.filter(|unit| *unit != in_row) {
+                        let (header, row) = (in_header.symbol, in_row.0.symbol);
+                        let kind = TableErrorKind::UnitConflict { column, header, row };
+                        return error(kind, Some(cell.at));
+                    }
+                    (column, unit) = (of, Some(in_row));
+                }
+                None if is_drawn => {}
+                None => {
+                    let is = heading::dimension_of(text);
+                    let kind = TableErrorKind::WrongUnit { column, found: text.to_owned(), is };
+                    return error(kind, Some(cell.at));
+                }
+            }
+        }
+        if !column.is_words()
+            && let Some(said) = said(column)
+        {
+            match unit {
+                Some((file, _)) if file != said => {
+                    let kind =
+                        TableErrorKind::OtherUnit { column, file: file.symbol, said: said.symbol };
+                    return error(kind, at);
+                }
+                _ => unit = Some((said, column.dimension())),
+            }
+        }
+        let heading = headed.text.clone();
+        notes.push(match (column.is_words(), unit) {
+            (true, _) => format!("{column} from '{heading}'"),
+            (false, Some((unit, _))) => format!("{column} from '{heading}' in {}", unit.symbol),
+            (false, None) => format!("{column} from '{heading}', the unit in each cell"),
+        });
+        columns.push(Laid { column, index: headed.index, heading, unit });
+    }
+    let data = units.map_or(header.row, |row| row) + 1;
+    Ok(Layout { columns, data, notes })
+}
+
+/// A row of units: one at least, and no number.
+pub(crate) fn is_units(row: &Row, columns: &[Headed]) -> bool {
+    let cells = || {
+        let numbers = columns.iter().filter(|headed| !headed.column.is_words());
+        numbers.map(|headed| (headed.column, heading::bare_unit(row.text(headed.index))))
+    };
+    cells().any(|(column, text)| !text.is_empty() && unit_of(column, text).is_some())
+        && !row.texts().any(|text| number::is_number(text) || text.len() > 20)
+}
