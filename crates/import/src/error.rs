@@ -210,6 +210,7 @@ impl ImportError {
 impl From<TableError> for ImportError {
     fn from(error: TableError) -> Self {
         let place = error.place().map(ToString::to_string);
-        Self::new(&error.file().to_owned(), place, ImportErrorKind::Table(error))
+        let file = error.file().to_owned();
+        Self { file, place, kind: Box::new(ImportErrorKind::Table(error)) }
     }
 }

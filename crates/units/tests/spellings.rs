@@ -219,3 +219,15 @@ fn unit_sets_have_three_names() {
         "'imperial' is not a unit set; expected \"si\", \"metric\" or \"field\""
     );
 }
+
+#[test]
+fn the_spellings_of_rig_recorders_are_read() {
+    use Dimension as D;
+    close(D::Force, "3 kkgf", 3.0 * 9806.65);
+    close(D::Force, "3 1000 kgf", 3.0 * 9806.65);
+    close(D::Force, "3 kDaN", 3e4);
+    close(D::Pressure, "3 psig", 3.0 * 0.45359237 * 9.80665 / (0.0254 * 0.0254));
+    close(D::Pressure, "3 barg", 3e5);
+    close(D::FlowRate, "3 USgal/min", 3.0 * 231.0 * 0.0254f64.powi(3) / 60.0);
+    close(D::FlowRate, "3 galUS/min", 3.0 * 231.0 * 0.0254f64.powi(3) / 60.0);
+}

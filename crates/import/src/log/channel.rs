@@ -21,6 +21,18 @@ pub struct Channel {
     pub description: String,
 }
 
+impl Channel {
+    /// Its name with its unit.
+    pub(crate) fn named(&self) -> String {
+        let Channel { mnemonic, unit, quantity, .. } = self;
+        match (unit.as_str(), quantity) {
+            ("", Some(Quantity::Time) | None) => mnemonic.clone(),
+            ("", Some(_)) => format!("{mnemonic} (no unit)"),
+            _ => format!("{mnemonic} ({unit})"),
+        }
+    }
+}
+
 /// A column as a format declares it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Column {
@@ -130,6 +142,10 @@ fn one(
             (_, Some((of, rank))) if of == quantity => rank,
             _ => continue,
         };
+        // `--pick bit-depth=DEPT` has taken it.
+        if chosen.channels[column].quantity.is_some_and(|other| other != Quantity::Time) {
+            continue;
+        }
         let found = unit(dimension, written);
         if found.is_none() && !is_no_unit(written) {
             let name = &chosen.channels[column].mnemonic;
@@ -167,6 +183,13 @@ fn one(
         chosen.notes.push(Note::Read(note));
     }
     let (column, unit) = (best.column, best.unit);
+    if best.rank == Rank::Loose {
+        let name = &chosen.channels[column].mnemonic;
+        chosen.notes.push(Note::Assumed(format!(
+            "{name} is taken for the depth of the hole, not of the bit ({} takes it for that)",
+            pick(Quantity::BitDepth, name)
+        )));
+    }
     if best.rank == Rank::Greatest || best.rank == Rank::Least {
         chosen.notes.push(Note::Assumed(format!(
             "{} is taken for the {}, though it is {} between two rows; there is no average",

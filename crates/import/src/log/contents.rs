@@ -1,6 +1,6 @@
 //! What a log holds, for people.
 
-use super::{kind::Kind, quantity::Quantity, read::unasked};
+use super::{channel::Channel, kind::Kind, quantity::Quantity, read::unasked};
 use crate::{choices::Choices, error::ImportError, fragment::Contents, input::Input};
 
 /// Channels that are not used and still named.
@@ -14,23 +14,16 @@ pub(crate) fn contents(input: Input, kind: Kind) -> Result<Contents, ImportError
     lines.extend(log.well.iter().map(|well| format!("well: {well}")));
     for channel in &log.channels {
         let Some(quantity) = channel.quantity else { continue };
-        let unit = if channel.unit.is_empty() { "no unit" } else { channel.unit.as_str() };
         let (name, words) = (&channel.mnemonic, quantity.words());
         let said = if channel.description.is_empty() || channel.description == *name {
             String::new()
         } else {
             format!(": {}", channel.description)
         };
-        lines.push(format!("{words}: {name} ({unit}){said}"));
+        lines.push(format!("{words}: {}{said}", channel.named()));
     }
     let unused = || log.channels.iter().filter(|channel| channel.quantity.is_none());
-    let names: Vec<String> = unused()
-        .take(NAMED)
-        .map(|channel| match channel.unit.as_str() {
-            "" => channel.mnemonic.clone(),
-            unit => format!("{} ({unit})", channel.mnemonic),
-        })
-        .collect();
+    let names: Vec<String> = unused().take(NAMED).map(Channel::named).collect();
     if !names.is_empty() {
         let more = unused().count() - names.len();
         let more = if more > 0 { format!(" and {more} more") } else { String::new() };

@@ -273,10 +273,11 @@ impl<'a> Log<'a> {
     fn finish(&mut self) -> Result<(), ImportError> {
         self.ended = true;
         let Watch { given, same_time, back, without_time, usual_nulls, commas, .. } = self.watch;
-        if back.0 > given {
+        if back.0 * 10 > given {
             let sentence = format!(
-                "the time goes back in {} of {} rows, first in line {}; expected rows in the order \
-                 of time",
+                "the time goes back: {} of {} rows are earlier than one above, the first in line {}; \
+                 expected rows in the order of time (cut the file there and read its parts one by one, \
+                 or say another column: --pick time=CHANNEL)",
                 back.0,
                 back.0 + given,
                 back.1

@@ -12,7 +12,6 @@ use super::{
 use crate::{
     choices::Choices,
     error::{ImportError, ImportErrorKind},
-    format::Format,
     fragment::{Fragment, Note},
     input::Input,
 };
@@ -32,14 +31,11 @@ use crate::{
 /// # Errors
 /// It is no log, its head is damaged, a unit is missing or several channels may be meant.
 pub fn log<'a>(mut input: Input<'a>, choices: &Choices) -> Result<Log<'a>, ImportError> {
-    match Format::of(&mut input)? {
-        Format::Log(kind) => open(input, kind, choices),
-        _ => {
-            let found = "it is no log".to_owned();
-            let kind = ImportErrorKind::NotRecognised { found };
-            Err(ImportError::new(input.name(), None, kind))
-        }
-    }
+    let Some(kind) = Kind::of(input.head()?) else {
+        let kind = ImportErrorKind::NotRecognised { found: "it is no log".to_owned() };
+        return Err(ImportError::new(input.name(), None, kind));
+    };
+    open(input, kind, choices)
 }
 
 /// Opens a log of a kind.
@@ -110,9 +106,7 @@ pub(crate) fn read(input: Input, kind: Kind, choices: &Choices) -> Result<Fragme
 /// What each channel that is used was taken for.
 fn taken(log: &Log) -> String {
     let taken = log.channels.iter().filter_map(|channel| {
-        let quantity = channel.quantity?;
-        let unit = if channel.unit.is_empty() { "no unit" } else { channel.unit.as_str() };
-        Some(format!("{} from {} ({unit})", quantity.words(), channel.mnemonic))
+        Some(format!("{} from {}", channel.quantity?.words(), channel.named()))
     });
     taken.collect::<Vec<_>>().join(", ")
 }

@@ -92,3 +92,19 @@ fn item_numbers_of_wits_are_names() {
     assert_eq!(rows[1].bit_depth_m, 11.0);
     assert_eq!(log.start.as_deref(), Some("2021-03-24 23:59:58"));
 }
+
+#[test]
+fn a_depth_is_the_holes_unless_it_is_said() {
+    let text = "Time (s),DEPT (m),HKLD (kN),BPOS (m)\n0,100,1,2\n";
+    let (found, log) = read(text);
+    assert_eq!(found[0].hole_depth_m, 100.0);
+    assert_eq!(
+        notes(&log),
+        "assumed: DEPT is taken for the depth of the hole, not of the bit (--pick bit-depth=DEPT \
+         takes it for that)\n"
+    );
+    let choices = Choices::default().pick("bit-depth", "DEPT");
+    let (found, log) = rows("a.csv", text.as_bytes(), &choices).unwrap();
+    assert!(found[0].bit_depth_m == 100.0 && found[0].hole_depth_m.is_nan());
+    assert_eq!(notes(&log), "");
+}

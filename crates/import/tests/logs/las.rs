@@ -225,7 +225,7 @@ fn units_of_recorders_are_known() {
     assert!((rows[0].torque_N_m - 1.3558179483314).abs() < 1e-12);
     assert!((rows[0].flow_rate_m3_per_s - 6.30901964e-5).abs() < 1e-15);
     assert!((rows[0].standpipe_pressure_Pa - 6894.757293168).abs() < 1e-8);
-    assert!((rows[0].rotary_speed_rad_per_s - 6.283185307179586).abs() < 1e-14);
+    assert!((rows[0].rotary_speed_rad_per_s - std::f64::consts::TAU).abs() < 1e-14);
     assert!(notes(&log).contains("RPMA has no unit and is taken to be in rpm"));
 }
 

@@ -89,9 +89,12 @@ fn day_or_month_is_seen_or_asked_for() {
 
 #[test]
 fn rows_that_go_back_are_left_out_and_said() {
-    let text = csv("Time (s)", &["0", "10", "5", "10", "20", "", "30"]);
+    let more: Vec<String> = (3..12).map(|ten| format!("{ten}0")).collect();
+    let mut times = vec!["0", "10", "5", "10", "20", ""];
+    times.extend(more.iter().map(String::as_str));
+    let text = csv("Time (s)", &times);
     let (rows, log) = read(&text);
-    let times: Vec<f64> = rows.iter().map(|row| row.time_s).collect();
+    let times: Vec<f64> = rows.iter().map(|row| row.time_s).take(5).collect();
     assert_eq!(times, [0.0, 10.0, 10.0, 20.0, 30.0]);
     assert_eq!(
         notes(&log),
@@ -107,8 +110,9 @@ fn a_log_against_time_backwards_is_refused() {
     let text = csv("Time (s)", &["30", "20", "10", "0"]);
     assert_eq!(
         refused(&text),
-        "a log: the time goes back in 3 of 4 rows, first in line 3; expected rows in the order of \
-         time"
+        "a log: the time goes back: 3 of 4 rows are earlier than one above, the first in line 3; \
+         expected rows in the order of time (cut the file there and read its parts one by one, or say \
+         another column: --pick time=CHANNEL)"
     );
 }
 

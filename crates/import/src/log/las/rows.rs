@@ -201,7 +201,7 @@ impl Rows for LasRows<'_> {
             }
             self.part(row, from);
             if row.bytes.len() > 2 * LONGEST_LINE {
-                let most = format!("{} MB", 2 * LONGEST_LINE >> 20);
+                let most = format!("{} MB", (2 * LONGEST_LINE) >> 20);
                 let found = format!("a wrapped row of more than {most}");
                 return Err(self.lines.error(ImportErrorKind::TooMuch { found, most }));
             }
