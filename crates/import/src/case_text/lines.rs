@@ -80,7 +80,7 @@ fn head(draft: &Draft, missing: &[Missing]) -> String {
 }
 
 /// The units of the files: feet mean the field's.
-fn shown_units(draft: &Draft) -> UnitSet {
+pub(super) fn shown_units(draft: &Draft) -> UnitSet {
     let survey = draft.survey.iter().map(|survey| survey.of.units.as_str());
     let blocks = [&draft.hole, &draft.string].into_iter().flatten();
     let values = blocks.flat_map(|of| &of.of).flat_map(|block| &block.entries);
