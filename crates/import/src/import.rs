@@ -1,60 +1,16 @@
-//! From files to a case.
+//! From files to a case, and to what they hold.
 
 use crate::{
     case_text,
     choices::Choices,
     error::{ImportError, ImportErrorKind},
     format::Format,
-    fragment::{Contents, Note, quoted},
+    fragment::Contents,
+    imported::Imported,
     input::Input,
     log::picking::Picks,
     merge::{self, Source},
 };
-
-/// What the file of measured weights has after the case's name.
-pub(crate) const MEASURED: &str = "-measured.csv";
-
-/// A file beside the case.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Beside {
-    /// What its name has after the case's: `-measured.csv`.
-    pub ending: &'static str,
-    /// What it holds.
-    pub text: String,
-}
-
-/// A case that was made of files.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Imported {
-    /// The case file: TOML with comments.
-    pub text: String,
-    /// How weights were picked from a log, to be drawn.
-    pub picks: Vec<Picks>,
-    /// Files that stand beside it.
-    pub beside: Vec<Beside>,
-    /// What each file is: its name and a few words.
-    pub files: Vec<(String, String)>,
-    /// What is to be said, with the file that it is said of; none where it is said of all.
-    pub notes: Vec<(Option<String>, Note)>,
-    /// What the case still needs before it can be solved, in sentences.
-    pub missing: Vec<String>,
-}
-
-impl Imported {
-    /// The case file under a name, such as `well` for `well.toml`: [`text`](Self::text), and the
-    /// keys that name the files beside it.
-    pub fn text_as(&self, stem: &str) -> String {
-        let mut text = self.text.clone();
-        if self.beside.iter().any(|file| file.ending == MEASURED) {
-            let file = quoted(&format!("{stem}{MEASURED}"));
-            text += &format!(
-                "\n[plan]\nmeasured = {file}  # drawn over the plan; `wholestring calibrate` finds \
-                 friction from it\n"
-            );
-        }
-        text
-    }
-}
 
 /// Makes one case of some files.
 ///

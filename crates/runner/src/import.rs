@@ -9,7 +9,7 @@ use std::{
 pub use wholestring_import::{Choices, Contents, Imported, Note};
 use wholestring_import::{ImportError, ImportErrorKind, Input};
 
-use crate::{error::Error, survey::explained};
+use crate::{error::Error, picks::picks_html, survey::explained};
 
 /// Makes one case of some files.
 ///
@@ -36,8 +36,10 @@ pub fn write(imported: &Imported, case: &Path) -> Result<Vec<PathBuf>, Error> {
     let beside = imported.beside.iter().map(|file| (sibling(case, file.ending), &file.text));
     let stem = case.file_stem().unwrap_or_default().to_string_lossy();
     let text = imported.text_as(&stem);
-    let all: Vec<(PathBuf, &String)> =
-        std::iter::once((case.to_owned(), &text)).chain(beside).collect();
+    let pages: Vec<(PathBuf, String)> = pages(imported, case);
+    let pages = pages.iter().map(|(path, page)| (path.clone(), page));
+    let case = std::iter::once((case.to_owned(), &text));
+    let all: Vec<(PathBuf, &String)> = case.chain(beside).chain(pages).collect();
     if let Some((there, _)) = all.iter().find(|(path, _)| path.exists()) {
         return Err(Error::BadInput(format!("{} is there already", there.display())));
     }
@@ -47,6 +49,18 @@ pub fn write(imported: &Imported, case: &Path) -> Result<Vec<PathBuf>, Error> {
         written.map_err(|error| not_written(path, &error))?;
     }
     Ok(all.into_iter().map(|(path, _)| path).collect())
+}
+
+/// A page of each log that weights were picked from, on which the windows are seen.
+fn pages(imported: &Imported, case: &Path) -> Vec<(PathBuf, String)> {
+    let page = |(index, picks)| {
+        let ending = match index {
+            0 => "-picks.html".to_owned(),
+            index => format!("-picks-{}.html", index + 1),
+        };
+        (sibling(case, &ending), picks_html(picks, imported.units))
+    };
+    imported.picks.iter().enumerate().map(page).collect()
 }
 
 /// `well-measured.csv` beside `well.toml`.

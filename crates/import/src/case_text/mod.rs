@@ -4,14 +4,10 @@ mod complete;
 mod lines;
 
 use crate::{
-    import::{Beside, Imported},
+    imported::{Beside, Imported, MEASURED, OVERLAY},
     merge::Draft,
     readings_csv::readings_csv,
 };
-
-/// What the names of files of readings have after the case's.
-const MEASURED: &str = "-measured.csv";
-const OVERLAY: &str = "-overlay.csv";
 
 /// Writes a draft: what it lacks is assumed where that may be, or stands in it as a comment.
 pub(crate) fn write(mut draft: Draft) -> Imported {
@@ -27,6 +23,7 @@ pub(crate) fn write(mut draft: Draft) -> Imported {
     let of_file = |file: Option<usize>| file.and_then(|file| names.get(file).cloned());
     Imported {
         text,
+        units,
         picks: Vec::new(),
         beside,
         notes: draft.notes.into_iter().map(|(file, note)| (of_file(file), note)).collect(),

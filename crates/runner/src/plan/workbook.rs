@@ -1,7 +1,7 @@
 //! `plan.xlsx`: every table as a sheet, and the broomsticks as charts.
 
 use wholestring_report::{Sheet, Workbook};
-use wholestring_results::{PlanSummary, plan_peaks_table};
+use wholestring_results::{PlanSummary, Table, plan_peaks_table};
 use wholestring_units::UnitSet;
 
 use super::{
