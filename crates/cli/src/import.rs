@@ -71,7 +71,7 @@ pub(crate) fn import(args: &ImportArgs) -> Result<(), Failure> {
         text += &format!("wrote {}\n", path.display());
     }
     print_stdout(&text)?;
-    conclusion(&imported, output)
+    conclusion(&imported, output, &written)
 }
 
 /// What each file is, and what is to be said of it.
@@ -94,7 +94,7 @@ fn said(imported: &Imported) -> String {
 }
 
 /// Whether the case that was written can be solved, and what comes next.
-fn conclusion(imported: &Imported, output: &Path) -> Result<(), Failure> {
+fn conclusion(imported: &Imported, output: &Path, written: &[PathBuf]) -> Result<(), Failure> {
     let shown = in_shell(&output.display().to_string());
     if !imported.missing.is_empty() {
         let mut text = format!("{} still needs\n", output.display());
@@ -107,8 +107,11 @@ fn conclusion(imported: &Imported, output: &Path) -> Result<(), Failure> {
     if !case.warnings.is_empty() {
         print_stderr(&case.warnings.render(color()));
     }
+    let overlay = written.iter().map(|path| path.display().to_string());
+    let overlay = overlay.filter(|path| path.ends_with("-overlay.csv"));
+    let overlay: String = overlay.map(|path| format!(" --overlay {}", in_shell(&path))).collect();
     print_stdout(&format!(
-        "{} is sound: {}\nnext: wholestring plan {shown}\n",
+        "{} is sound: {}\nnext: wholestring plan {shown}{overlay}\n",
         output.display(),
         check::outline(&case)
     ))

@@ -19,16 +19,62 @@ pub(super) const READERS: &[(&str, New)] = &[
 
 /// What stands in files of XML.
 const XML: &[&str] = &[
-    "<", ">", "/>", "</", "&lt;", "&#0;", "&#x10ffff;", "&x;", "<![CDATA[", "]]>", "<!--", "-->",
-    "<!DOCTYPE x [<!ENTITY a \"b\">]>", "<?xml version=\"1.0\" encoding=\"UTF-16\"?>", "uom=\"ft\"",
-    "uom=\"\"", "uid=\"a\"", "ft", "m", "klbf", "dega", "sequence", "NaN", "1e999", "-1",
+    "<",
+    ">",
+    "/>",
+    "</",
+    "&lt;",
+    "&#0;",
+    "&#x10ffff;",
+    "&x;",
+    "<![CDATA[",
+    "]]>",
+    "<!--",
+    "-->",
+    "<!DOCTYPE x [<!ENTITY a \"b\">]>",
+    "<?xml version=\"1.0\" encoding=\"UTF-16\"?>",
+    "uom=\"ft\"",
+    "uom=\"\"",
+    "uid=\"a\"",
+    "ft",
+    "m",
+    "klbf",
+    "dega",
+    "sequence",
+    "NaN",
+    "1e999",
+    "-1",
 ];
 
 /// What stands in logs.
 const LOG: &[&str] = &[
-    "~V", "~W", "~C", "~A", "~P", "\n", "\r\n", ":", ".", ".ft", ".klbs", "WRAP. YES :", "NULL. -9 :",
-    "DLM. COMMA :", "#", "-999.25", "1,5", "1.2.3", "2026-11-21T06:00:00Z", "\t", "\u{feff}", "TIME",
-    "DBTM", "HKLA", "TQA", "RPMA", "BPOS",
+    "~V",
+    "~W",
+    "~C",
+    "~A",
+    "~P",
+    "\n",
+    "\r\n",
+    ":",
+    ".",
+    ".ft",
+    ".klbs",
+    "WRAP. YES :",
+    "NULL. -9 :",
+    "DLM. COMMA :",
+    "#",
+    "-999.25",
+    "1,5",
+    "1.2.3",
+    "2026-11-21T06:00:00Z",
+    "\t",
+    "\u{feff}",
+    "TIME",
+    "DBTM",
+    "HKLA",
+    "TQA",
+    "RPMA",
+    "BPOS",
 ];
 
 /// What holds of any file: it is read or refused with a sentence, with or without choices, and a case
@@ -56,4 +102,99 @@ fn reads(choices: Choices) -> impl FnMut(&[u8]) -> bool {
             }
         }
     }
+}
+
+/// What its units are.
+fn units(said: &[(&str, &str)]) -> Choices {
+    said.iter().fold(Choices::default(), |all, (name, unit)| all.unit(*name, *unit))
+}
+
+/// Components of a string.
+fn tally() -> Reader {
+    let seeds: [&[u8]; 3] = [
+        include_bytes!("../../../import/tests/samples/own/tally.csv"),
+        b"Component\tOD (in)\tID (in)\tLength (ft)\tWeight (lb/ft)\nBit\t8 1/2\t2\t1\t90\n\
+          DC\t6 3/4\t2 13/16\t300\t99\nDP\t5\t4,276\tto surface\t22\n",
+        b"No;Item;OD;ID;Length;Cum Length\n;;mm;mm;m;m\n1;Bit;215,9;50;0,3;0,3\n2;HWDP;127;76,2;100;100,3\n\
+          3;Drill pipe;127;108,6;2000;2100,3\n",
+    ];
+    let words = &[
+        ",",
+        ";",
+        "\t",
+        "\n",
+        "\"",
+        "OD",
+        "ID",
+        "Length",
+        "in",
+        "ft",
+        "mm",
+        "8 1/2",
+        "8½",
+        "1/0",
+        "8-Jan",
+        "TOTAL",
+        "TO SURFACE",
+        "Cum. Length",
+        "Jts",
+        "#",
+        "(lb/ft)",
+        "5\"",
+        "-",
+        "1.500,5",
+        "DP",
+        "Bit",
+    ];
+    Reader::text("import-tally", seeds, words, reads(Choices::default()))
+}
+
+/// Objects of WITSML.
+fn witsml() -> Reader {
+    let seeds: [&[u8]; 5] = [
+        include_bytes!("../../../import/tests/samples/own/witsml-trajectory.xml"),
+        include_bytes!("../../../import/tests/samples/own/witsml-tubular.xml"),
+        include_bytes!("../../../import/tests/samples/own/witsml-wbgeometry.xml"),
+        include_bytes!("../../../import/tests/samples/own/witsml-bharun.xml"),
+        include_bytes!("../../../import/tests/samples/own/witsml21-tubular.xml"),
+    ];
+    Reader::text("import-witsml", seeds, XML, reads(Choices::default()))
+}
+
+/// Exports of Landmark EDM.
+fn edm() -> Reader {
+    let seeds: [&[u8]; 1] = [include_bytes!("../../../import/tests/samples/own/edm-mini-td.xml")];
+    Reader::text("import-edm", seeds, XML, reads(units(&[("edm", "api")])))
+}
+
+/// Logs in LAS.
+fn las() -> Reader {
+    let seeds: [&[u8]; 1] = [include_bytes!("../../../import/tests/samples/own/surface-log.las")];
+    Reader::text("import-las", seeds, LOG, reads(block()))
+}
+
+/// Logs of recorders, as text.
+fn log_csv() -> Reader {
+    let seeds: [&[u8]; 2] = [
+        b"Time (s),Bit Depth (m),Hole Depth (m),Block Position (m),Hook Load (kN),Torque (kN.m),RPM\n\
+          0,2990,3000,10,600,0,0\n5,2985,3000,15,900,0,0\n10,2980,3000,20,905,0,0\n15,2980,3000,20,200,0,0\n\
+          20,2985,3000,15,700,0,0\n25,2990,3000,10,702,0,0\n30,2990,3000,10,201,0,0\n",
+        b"DATE;TIME;DBTM;DMEA;BPOS;HKLA\ndd;hh;ft;ft;ft;klbf\n2026-11-21;06:00:00;9990;10000;60;150,5\n\
+          2026-11-21;06:00:05;9985;10000;65;200,1\n2026-11-21;06:00:10;9985;10000;65;50,1\n",
+    ];
+    Reader::text("import-log-csv", seeds, LOG, reads(block()))
+}
+
+/// Logs in WITSML.
+fn log_witsml() -> Reader {
+    let seeds: [&[u8]; 2] = [
+        include_bytes!("../../../import/tests/samples/witsml-1.4.1.1/welleng-time_log.xml"),
+        include_bytes!("../../../import/tests/samples/witsml-1.4.1.1/hashmap-log_with_data.xml"),
+    ];
+    Reader::text("import-log-witsml", seeds, XML, reads(block()))
+}
+
+/// What a log's weights are picked with.
+fn block() -> Choices {
+    Choices::default().value("block-weight", "20 tf")
 }

@@ -2,6 +2,7 @@
 //! with an input.
 
 mod cases;
+mod imports;
 mod reader;
 mod readings;
 mod results;
@@ -13,8 +14,14 @@ pub(crate) use reader::Reader;
 
 /// All readers.
 fn all() -> impl Iterator<Item = (&'static str, New)> {
-    let lists =
-        [cases::READERS, surveys::READERS, readings::READERS, results::READERS, stored::READERS];
+    let lists = [
+        cases::READERS,
+        surveys::READERS,
+        readings::READERS,
+        imports::READERS,
+        results::READERS,
+        stored::READERS,
+    ];
     lists.into_iter().flatten().copied()
 }
 
