@@ -10,6 +10,7 @@ mod block;
 mod counts;
 mod estimate;
 mod motion;
+mod part;
 mod picker;
 mod picks;
 mod rig;
