@@ -259,6 +259,9 @@ fn a_log_that_tells_too_little_is_refused() {
         without(|of| of.bit_depth_m = f64::NAN),
         without(|of| of.hole_depth_m = -999.25),
         without(|of| of.hook_load_N = of.hook_load_N.min(250e3)),
+        pick([Ok(rig.records[0])], "rig.csv", kN(), &Thresholds::default(), &said("1 kN"))
+            .unwrap_err()
+            .to_string(),
         pick([], "rig.csv", kN(), &Thresholds::default(), &said("1 kN")).unwrap_err().to_string(),
     ];
     insta::assert_snapshot!(errors.join("\n"));

@@ -110,7 +110,7 @@ fn lowest_peak(rows: &[Row]) -> Option<Level> {
     let mut loads: Vec<f64> = rows.iter().map(|row| row.hook_load_N).collect();
     let low_N = quantile(&mut loads, 0.001)?;
     let high_N = quantile(&mut loads, 0.999)?;
-    if !(high_N > low_N) {
+    if high_N <= low_N {
         return None;
     }
     let bin_of = |load: f64| ((load - low_N) / (high_N - low_N) * BINS as f64) as usize;

@@ -24,7 +24,7 @@ impl Estimate {
     /// The median: single spikes and what was not cut off of a transient leave it where it is.
     pub(super) fn by_median(values: &[f64]) -> Option<Self> {
         let value = median(&mut values.to_vec())?;
-        let spread = spread(values, value);
+        let spread = spread(values, value).max(rounding(values));
         let count = independent(values, value);
         let standard_error = OF_MEDIAN * spread / count.sqrt();
         Some(Self { value, spread, standard_error, rows: values.len() })
@@ -40,7 +40,7 @@ impl Estimate {
         let rows = kept.len() as f64;
         let value = kept.iter().sum::<f64>() / rows;
         let squares = kept.iter().map(|kept| (kept - value).powi(2)).sum::<f64>();
-        let spread = (squares / rows).sqrt();
+        let spread = (squares / rows).sqrt().max(rounding(values));
         let standard_error = spread / independent(&kept, value).sqrt();
         Some(Self { value, spread, standard_error, rows: kept.len() })
     }
@@ -75,6 +75,15 @@ pub(super) fn quantile(values: &mut Vec<f64>, part: f64) -> Option<f64> {
 pub(super) fn spread(values: &[f64], middle: f64) -> f64 {
     let mut distances: Vec<f64> = values.iter().map(|value| (value - middle).abs()).collect();
     OF_MEDIAN_DISTANCE * median(&mut distances).unwrap_or(0.0)
+}
+
+/// What is unknown of values that are written in steps: the standard deviation within a step.
+fn rounding(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let steps = sorted.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > 0.0);
+    let step = steps.fold(f64::INFINITY, f64::min);
+    if step.is_finite() { step / 12f64.sqrt() } else { 0.0 }
 }
 
 /// The noise from row to row, whatever trend lies below it.
@@ -123,6 +132,15 @@ mod tests {
         assert!((found.value - 10.0).abs() <= 2.0 * 3.0 / 398.0, "{found:?}");
         assert!((found.spread - 3.0 / 2f64.sqrt()).abs() < 0.02, "{found:?}");
         assert_eq!(found.rows, 398);
+    }
+
+    /// A sensor that is written in steps does not tell more than they do.
+    #[test]
+    fn steps_of_a_sensor_are_in_the_error() {
+        let values: Vec<f64> = (0..90).map(|row| if row % 9 == 0 { 20.0 } else { 10.0 }).collect();
+        let found = Estimate::by_median(&values).unwrap();
+        assert_eq!((found.value, found.spread), (10.0, 10.0 / 12f64.sqrt()));
+        assert!(found.standard_error > 0.3, "{found:?}");
     }
 
     /// Alike rows tell as one where each repeats its neighbour.

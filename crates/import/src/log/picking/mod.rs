@@ -10,6 +10,7 @@ mod block;
 mod counts;
 mod estimate;
 mod motion;
+mod part;
 mod picker;
 mod picks;
 mod rig;
@@ -81,7 +82,7 @@ pub fn pick(
     let spread_N = log.slips.map_or(0.0, |level| level.spread_N);
     let over_N = (part * (log.heavy_N - on_sensor_N)).max(spreads * spread_N).max(least_N);
     let hook_from_N = on_sensor_N + over_N;
-    if !(log.heavy_N > hook_from_N) {
+    if log.heavy_N <= hook_from_N {
         let kind = ImportErrorKind::Refused(format!(
             "the hook load shows no string: nineteen rows in twenty stay below {}, where {} hang on \
              the sensor without one",
@@ -156,7 +157,10 @@ fn check(log: &Beginning, limits: &Thresholds) -> Result<(), ImportErrorKind> {
     if let Some((_, what)) = needed.into_iter().find(|(has, _)| !has) {
         return Err(ImportErrorKind::Missing { what: what.to_owned() });
     }
-    if !(log.step_s <= limits.slowest_s) {
+    if log.step_s.is_nan() {
+        return Err(ImportErrorKind::Missing { what: "a second row with a time".to_owned() });
+    }
+    if log.step_s > limits.slowest_s {
         return Err(ImportErrorKind::Refused(format!(
             "it has a row every {:.0} s; steady motion is seen in rows no more than {} s apart",
             log.step_s, limits.slowest_s

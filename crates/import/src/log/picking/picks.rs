@@ -6,11 +6,11 @@ use wholestring_units::{Unit, number_text};
 use super::{
     block::{BlockWeight, shown},
     counts::{Counts, Work},
-    estimate::median,
+    estimate::{Estimate, median},
     trace::Trace,
     window::{Kind, Refused, Window},
 };
-use crate::fragment::{Block, Fragment, Note, Origin};
+use crate::fragment::Note;
 
 /// What was picked of a log, and what shows that it was picked well.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,22 +72,6 @@ impl Picks {
         readings
     }
 
-    /// What they give to a case.
-    pub fn fragment(self) -> Fragment {
-        let mut rig = Block::default();
-        let because = "--value block-weight".to_owned();
-        rig.push("block_weight", self.block.said.clone(), Origin::at(because));
-        let notes = self.notes();
-        Fragment {
-            what: format!("a log of {} rows, one every {} s", self.counts.rows, self.step()),
-            rig,
-            measured: self.readings(),
-            notes,
-            picks: Some(Box::new(self)),
-            ..Fragment::default()
-        }
-    }
-
     /// How the log was understood, what was assumed and left out.
     pub fn notes(&self) -> Vec<Note> {
         let mut notes = vec![self.said_of_log()];
@@ -98,7 +82,7 @@ impl Picks {
         notes
     }
 
-    fn step(&self) -> String {
+    pub(super) fn step(&self) -> String {
         number_text((100.0 * self.step_s).round() / 100.0)
     }
 
@@ -141,7 +125,7 @@ impl Picks {
             format!("{count} of {}", kind.words())
         });
         let mut text = format!("windows picked, the best of each stand: {}", picked.join(", "));
-        let errors = |of: fn(&Window) -> Option<super::Estimate>| {
+        let errors = |of: fn(&Window) -> Option<Estimate>| {
             let errors = self.windows.iter().filter_map(of).map(|of| of.standard_error);
             median(&mut errors.collect())
         };
