@@ -29,6 +29,7 @@ mod import;
 mod input;
 mod log;
 mod merge;
+mod readings_csv;
 mod tables;
 mod witsml;
 mod xml;

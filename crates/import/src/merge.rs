@@ -1,5 +1,7 @@
 //! One case of the fragments of several files.
 
+use wholestring_tabular::ImportedReading;
+
 use crate::{
     choices::Choices,
     error::{ImportError, ImportErrorKind},
@@ -33,6 +35,10 @@ pub(crate) struct Draft {
     pub(crate) rig: Vec<Of<Entry>>,
     pub(crate) operation: Vec<Of<Entry>>,
     pub(crate) bit: Vec<Of<Entry>>,
+    /// Weights and torques that were measured, of all files.
+    pub(crate) measured: Vec<ImportedReading>,
+    /// Those of another program.
+    pub(crate) overlay: Vec<ImportedReading>,
     /// By file; none of what is said of the whole.
     pub(crate) notes: Vec<(Option<usize>, Note)>,
 }
@@ -59,6 +65,8 @@ pub(crate) fn merge(mut sources: Vec<Source>, choices: &Choices) -> Result<Draft
         ] {
             all.extend(own.entries.into_iter().map(|of| Of { file, of }));
         }
+        draft.measured.extend(fragment.measured);
+        draft.overlay.extend(fragment.overlay);
         draft.notes.extend(fragment.notes.into_iter().map(|note| (Some(file), note)));
         draft.files.push((name, fragment.what));
     }

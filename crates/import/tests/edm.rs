@@ -115,7 +115,7 @@ fn one_of_several() {
     assert!(said("refers to the fluid 'FL7'"), "{:?}", found.notes);
     // Its depths are from the sea: the path begins at minus the elevation of the datum.
     assert!(said("the path begins at -82 ft"), "{:?}", found.notes);
-    assert!(found.text.contains("    [0, 0, 0],"), "{}", found.text);
+    assert!(found.text.contains("    [\"0 ft\", 0, 0],"), "{}", found.text);
 }
 
 /// Ids are those of their well: rows of another well with the same ids stay out.
@@ -224,4 +224,64 @@ fn rows_that_are_not_there() {
 fn what_a_file_holds() {
     let found = contents(Input::of_bytes("edm.xml", WELL.as_bytes())).expect("contents");
     insta::assert_snapshot!(format!("{}\n{}", found.what, found.lines.join("\n")));
+}
+
+/// Its drag chart becomes a file that a plan lays over its own curves; that of another case stays out.
+#[test]
+fn the_drag_chart() {
+    let found = imported(WELL, &well()).expect("imported");
+    let [beside] = &found.beside[..] else { panic!("{:?}", found.beside) };
+    assert_eq!(beside.ending, "-overlay.csv");
+    insta::assert_snapshot!(beside.text);
+    let read = wholestring_tabular::read_readings(beside.text.as_bytes(), "overlay.csv");
+    let readings = read.expect("readings").readings;
+    assert!(readings.is_sorted_by(|a, b| a.bit_depth_m < b.bit_depth_m));
+    let mini = imported(MINI, &api()).expect("imported");
+    let first = mini.beside[0].text.lines().nth(1).expect("a row");
+    assert_eq!(first, "500,60.2,59.6,59.9,100,2300");
+}
+
+/// An export in metres and kilograms reads as such, and its drag chart in kN.
+#[test]
+fn the_si_set() {
+    let found = imported(MINI, &Choices::default().unit("edm", "si")).expect("imported");
+    assert!(found.text.contains("length = \"0.85 m\""), "{}", found.text);
+    assert!(found.text.contains("mass_per_length = \"24.4 kg/m\""), "{}", found.text);
+    let first = found.beside[0].text.lines().next().expect("a heading");
+    assert_eq!(
+        first,
+        "Bit depth (m),Pick-up (kN),Slack-off (kN),Rotating (kN),Torque (kN.m),Torque on bottom (kN.m)"
+    );
+    assert!(found.beside[0].text.contains("\n500,60.2,59.6,59.9,0.1,2.3\n"));
+}
+
+proptest::proptest! {
+    #![proptest_config(proptest::test_runner::Config::with_cases(300))]
+
+    /// Whatever became of some bytes: a case or a sentence, no panic.
+    #[test]
+    fn damaged_bytes(
+        changes in proptest::collection::vec((0..MINI.len(), proptest::prelude::any::<u8>()), 1..8),
+    ) {
+        let mut bytes = MINI.as_bytes().to_vec();
+        for (place, byte) in changes {
+            bytes[place] = byte;
+        }
+        let inputs = vec![Input::of_bytes("edm.xml", &bytes)];
+        if let Err(error) = import(inputs, &api()) {
+            proptest::prop_assert!(!error.to_string().is_empty());
+        }
+    }
+
+    /// Values that cannot be, in any column.
+    #[test]
+    fn damaged_values(place in 0..2000_usize, value in "-?[0-9]{0,3}(e[0-9]{1,3})?|NaN|inf|[a-z]{0,5}") {
+        let starts: Vec<usize> = MINI.match_indices("=\"").map(|(at, _)| at + 2).collect();
+        let start = starts[place % starts.len()];
+        let length = MINI[start..].find('"').unwrap_or(0);
+        let text = format!("{}{value}{}", &MINI[..start], &MINI[start + length..]);
+        if let Err(error) = imported(&text, &api()) {
+            proptest::prop_assert!(!error.to_string().is_empty());
+        }
+    }
 }

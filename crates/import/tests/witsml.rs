@@ -196,8 +196,8 @@ fn units_are_those_of_each_number() {
     let mixed = "<trajectoryStation><md uom='ft'>1000</md><incl uom='rad'>0.1</incl>\
                  <azi uom='dega'>45</azi></trajectoryStation>";
     let text = text_of(&trajectory(&(station("0", "0", "0") + mixed)));
-    assert!(text.contains("[304.8, 5.72957795131, 45],"), "{text}");
-    assert!(text.contains("found in ft and m, deg and rad, deg"), "{text}");
+    assert!(text.contains("[\"1000 ft\", 5.72957795131, 45],"), "{text}");
+    assert!(text.contains("of the stations stand in ft and m, deg and rad, deg"), "{text}");
     let wrong = trajectory(&mixed.replace("'rad'", "'m'"));
     assert!(refusal(&wrong).contains("line 1: 'm' is no unit of angle; expected deg"));
     let weight = tubular(&component("drill pipe", "", "<wtPerLen uom='N/m'>300</wtPerLen>"));
@@ -214,7 +214,7 @@ fn a_missing_unit_is_asked_for() {
     );
     let files = [("a.xml", file.as_bytes())];
     let text = imported(&files, &Choices::default().unit("md", "ft")).unwrap().text;
-    assert!(text.contains("[304.8, 3, 45],"));
+    assert!(text.contains("[\"1000 ft\", 3, 45],"));
     // It is said of what has a unit: nothing asks for it.
     let complete = trajectory(&(station("0", "0", "0") + &station("1000", "3", "45")));
     let files = [("a.xml", complete.as_bytes())];
@@ -280,7 +280,7 @@ fn what_is_no_station_is_left_out_or_refused() {
     assert!(text.contains("1 station without inclination and azimuth, of no survey"));
     let vertical = station("0", "0", "").replace("<azi uom='dega'></azi>", "");
     let text = text_of(&trajectory(&(vertical + &station("1000", "3", "45"))));
-    assert!(text.contains("the station at 0 m is vertical and has no azi: 0"), "{text}");
+    assert!(text.contains("the azi of 1 station, vertical and without one: 0"), "{text}");
     for (stations, reason) in [
         (station("0", "0", "0"), "has 1 station with inclination and azimuth"),
         (good.clone() + &station("2000", "3", ""), "the azi of this station is missing"),
@@ -412,6 +412,8 @@ fn parts_of_a_component_become_its_keys_where_they_can() {
     assert_eq!(values(&of("MWD", sensor), "survey_sensor"), ["\"4 m\""]);
     let outside = of("MWD", &sensor.replace(">4<", ">40<"));
     assert!(values(&outside, "survey_sensor").is_empty() && outside.contains("outside it"));
+    let around = sensor.replace("deviation", "azimuthal gamma ray");
+    assert!(values(&of("MWD", &around), "survey_sensor").is_empty());
     let two = tubular(&(component("bit", "", "") + &component("MWD", "", sensor).repeat(2)));
     let text = text_of(&two);
     assert_eq!(values(&text, "survey_sensor").len(), 1);
@@ -585,6 +587,21 @@ fn wells_that_differ_are_named() {
 }
 
 #[test]
+fn names_cannot_write_into_the_case() {
+    let stations = station("0", "0", "0") + &station("100", "0", "0");
+    let name = "T\n[mud]\ndensity = 0\u{85}\r\n# \"";
+    let file = one_series(
+        "trajectory",
+        &format!(
+            "<trajectory><nameWell>{name}</nameWell><name>{name}</name>{stations}</trajectory>"
+        ),
+    );
+    let text = text_of(&file);
+    assert!(!text.contains("\n[mud]") && !text.contains("\ndensity"), "{text}");
+    assert!(text.contains("trajectory 'T [mud] density = 0 # \"'"), "{text}");
+}
+
+#[test]
 fn hostile_files_are_refused_in_time() {
     let laughs = "<?xml version='1.0'?><!DOCTYPE a [<!ENTITY b 'c'>]><trajectorys/>";
     assert!(refusal(laughs).contains("it declares a document type (DTD)"));
@@ -619,7 +636,7 @@ fn changed(bytes: &[u8], changes: &[(usize, u8)], cut: usize) -> Vec<u8> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(500))]
 
     /// Damaged files are read or refused; what is written is TOML.
     #[test]

@@ -51,9 +51,9 @@ pub use columns::{
     BHA, BHA_CONTACTS, BHA_SWEEP, BIT_TEST, BOTTOM_HOLE, CALIBRATION, CALIBRATION_BANDS,
     CALIBRATION_DYNAMIC, CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec,
     FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION,
-    PLAN_HYDRAULICS, PLAN_LIMITS, PLAN_MEASURED, PLAN_PEAKS, PLAN_PEAKS_TIME, PLAN_WEAR, REACH,
-    REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TABLES, TIME, UNCERTAIN, UNCERTAIN_INDICES,
-    UNCERTAIN_SAMPLES, WEAR,
+    PLAN_HYDRAULICS, PLAN_LIMITS, PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME,
+    PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TABLES, TIME, UNCERTAIN,
+    UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -65,9 +65,10 @@ pub use hold::{Hold, Holding, Occupant};
 pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTables, Spot};
 pub use plan::{
     PLAN_VERSION, PlanBuckling, PlanDamage, PlanDensity, PlanFatigue, PlanFatigueHour, PlanFinding,
-    PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanLimit, PlanMeasured, PlanPeak,
-    PlanPeakOf, PlanPoint, PlanSummary, PlanWear, plan_broomstick_table, plan_fatigue_table,
-    plan_limits_table, plan_peaks_table, plan_peaks_time_table, plan_wear_table,
+    PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanLimit, PlanMeasured, PlanOverlay,
+    PlanOverlayDifference, PlanOverlayRow, PlanPeak, PlanPeakOf, PlanPoint, PlanSummary, PlanWear,
+    plan_broomstick_table, plan_fatigue_table, plan_limits_table, plan_peaks_table,
+    plan_peaks_time_table, plan_wear_table,
 };
 pub use reach::{REACH_VERSION, ReachLimit, ReachOfFriction, ReachStop, ReachSummary};
 pub use reach_table::reach_limits_table;

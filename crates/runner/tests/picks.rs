@@ -127,18 +127,33 @@ fn a_page_of_picked_weights() {
         rig.drills_a_stand();
     }
     let mut picks = picks(&rig);
-    picks.file = "logs/<b>rig</b>.csv".to_owned();
+    picks.file = "logs/<b>rig.csv".to_owned();
     let html = picks_html(&picks, UnitSet::Si);
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     std::fs::write(folder.join("picks.html"), &html).unwrap();
     let log = picked_log(&picks, UnitSet::Si);
-    let drilled = log.stands.iter().find(|of| of.work == "drilled").expect("one was drilled");
-    let figure = wholestring_report::picked_stand_figure(&log, drilled, "si");
-    std::fs::write(folder.join("picked-stand.svg"), figure.drawing().svg()).unwrap();
     assert!(!html.contains("<b>rig"), "the name is text");
     // A log, a picture against depth and one for each stand drawn, in three sets of units.
     assert_eq!(html.matches("<svg class=\"figure\"").count(), 3 * (2 + log.stands.len()));
     assert!(!html.contains("href=\".svg\""), "no link to what is not there");
     // 8000 rows; a page of ten million is as large.
     assert!(html.len() < 6_000_000, "{}", html.len());
+}
+
+/// The picture of the book, left in the test's folder: a stand that was drilled.
+#[test]
+fn a_stand_as_the_book_shows_it() {
+    let manner = Manner { stick_slip: 0.25, ..Manner::default() };
+    let mut rig = Rig::new(manner, TRUTH, 3000.0, 3000.0);
+    rig.drills_a_stand();
+    rig.drills_a_stand();
+    let log = picked_log(&picks(&rig), UnitSet::Si);
+    let drilled = log.stands.iter().find(|of| of.work == "drilled").expect("one was drilled");
+    let figure = wholestring_report::picked_stand_figure(&log, drilled, "si");
+    let svg = figure.drawing().svg();
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("picks.svg");
+    std::fs::write(file, &svg).unwrap();
+    for of in ["pick-up", "slack-off", "rotating off bottom", "drilling"] {
+        assert!(svg.contains(of), "{of}");
+    }
 }

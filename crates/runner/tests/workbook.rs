@@ -64,6 +64,7 @@ fn every_cell_is_that_of_a_table() {
         output: Output { folder: Some(folder.clone()), existing: Existing::Protect },
         jobs: std::num::NonZeroUsize::new(1),
         checkpoint_every: None,
+        overlay: None,
         png: false,
     };
     plan::run(&request, &Silent, &CancellationToken::new()).expect("a plan");

@@ -49,7 +49,7 @@ pub fn held(bytes: &[u8], name: &str) -> Result<Held, TableError> {
             if header::find(table, &SURVEY).is_ok() {
                 push(&mut held.surveys);
             }
-            if matches!(tally::find(table), tally::Found::Header(_)) {
+            if keeps_empty_cells(table) && matches!(tally::find(table), tally::Found::Header(_)) {
                 push(&mut held.tallies);
             }
             if has_readings(table) {
@@ -80,14 +80,11 @@ pub fn read_tally(
             (Source::Sheet { sheet, .. }, Some(wanted)) => sheet == wanted,
             _ => true,
         };
-        tables.iter().filter(is_it).find_map(|table| tally::read(table, said)).unwrap_or_else(
-            || {
-                Err(nearly_tally(tables).unwrap_or_else(|| {
-                    let found = "no row names the columns of a tally";
-                    TableError::new(name, TableErrorKind::NoTally { found }, None, None)
-                }))
-            },
-        )
+        let tables = || tables.iter().filter(|table| keeps_empty_cells(table));
+        tables().filter(is_it).find_map(|table| tally::read(table, said)).unwrap_or_else(|| {
+            let found = "no row names the columns of a tally";
+            Err(TableError::new(name, TableErrorKind::NoTally { found }, None, None))
+        })
     })?
 }
 
@@ -104,6 +101,12 @@ fn of_tables<R>(bytes: &[u8], name: &str, of: impl FnOnce(&[Table]) -> R) -> Res
         }
         of(&tables)
     })
+}
+
+/// Whether an empty cell is a cell: where words are parted by any blanks it is not, and a tally has
+/// many.
+fn keeps_empty_cells(table: &Table) -> bool {
+    table.parted_by != Some("blanks")
 }
 
 /// A depth of the bit, and a weight or a torque.
@@ -128,7 +131,8 @@ fn nearly_tally(tables: &[Table]) -> Option<TableError> {
         header::Headed::Nearest(partial, _) => partial.count,
         _ => 0,
     };
-    let nearest = tables.iter().filter_map(|table| match tally::find(table) {
+    let tables = tables.iter().filter(|table| keeps_empty_cells(table));
+    let nearest = tables.filter_map(|table| match tally::find(table) {
         tally::Found::Nearest { count, row, missing, texts } => {
             Some((count, table, row, missing, texts))
         }

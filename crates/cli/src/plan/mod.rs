@@ -3,7 +3,7 @@
 mod args;
 mod screen;
 
-use wholestring_runner::plan::{self, Request};
+use wholestring_runner::plan::{self, Overlay, Request};
 
 use crate::{
     conclusion::conclude, failure::Failure, input::load_with_template, interrupt,
@@ -23,6 +23,7 @@ pub(crate) fn plan(args: &PlanArgs) -> Result<(), Failure> {
         output: args.output(),
         jobs: args.jobs,
         checkpoint_every: args.checkpoint.every,
+        overlay: args.overlay.as_deref().map(Overlay::read).transpose()?,
         png: args.page.png,
     };
     let outcome = plan::run(&request, &BatchScreen::plan(args.page.quiet), &interrupt::listen())?;

@@ -71,6 +71,24 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
              friction ({model} string)\n"
         );
     }
+    let differences = summary.overlay.iter().flat_map(|of| of.differences());
+    for of in differences {
+        let unit = if of.is_torque { torque } else { force };
+        text += &format!(
+            "{}: ours less theirs, {} {}, {} string: {:.1} {unit} in the mean of {} depths, {:.1} at most, the bit \
+             at {:.0} {}\n",
+            summary.overlay.as_ref().map_or("", |of| &of.file),
+            of.operation.replace('_', " "),
+            if of.is_torque { "torque" } else { "hook load" },
+            of.model,
+            unit.from_si(of.mean),
+            of.count,
+            unit.from_si(of.largest),
+            length.from_si(of.largest_at_m),
+            length.symbol,
+            unit = unit.symbol,
+        );
+    }
     let lacking = summary.points.iter().filter(|of| of.message.is_some()).count();
     if lacking > 0 {
         text += &format!(

@@ -3,8 +3,8 @@
 use std::{fs, path::Path};
 
 use wholestring_results::{
-    PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, PLAN_MEASURED, PlanSummary, Table,
-    UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES,
+    PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, PLAN_MEASURED, PLAN_OVERLAY,
+    PlanSummary, Table, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES,
 };
 
 use crate::desk::{Desk, transcript};
@@ -170,6 +170,58 @@ fn a_plan_of_uncertain_numbers() {
     desk.done(&["report", "out"]);
     assert_eq!(fs::read_to_string(desk.path("out/report.html")).unwrap(), page);
     assert!(fs::read(desk.path("out/plan.xlsx")).unwrap().starts_with(b"PK"));
+}
+
+/// Another program's curves: ours of one plan, laid over the same plan, differ by nothing; more than ours by as much.
+#[test]
+fn another_program_is_laid_over_the_plan() {
+    let desk = desk_with("");
+    desk.done(&[&WELL[..], &["-o", "own"]].concat());
+    let own = PlanSummary::read(&desk.path("own/summary.json")).unwrap();
+    let mut theirs = String::from("Bit depth (m),Pick-up (kN),Slack-off (kN),Torque (kN.m)\n");
+    let depths: Vec<f64> = own.bit_depths_m.clone();
+    let scalars = |operation: &str, depth_m: f64| {
+        let mut curve = own.curve("soft", operation, "expected");
+        curve.find(|of| of.bit_depth_m == depth_m).unwrap().scalars.unwrap()
+    };
+    for &depth_m in &depths {
+        let pick_up_kN = scalars("trip_out", depth_m).hook_load_N / 1e3;
+        let slack_off_kN = scalars("trip_in", depth_m).hook_load_N / 1e3 + 10.0;
+        let torque = scalars("rotate_off_bottom", depth_m).surface_torque_N_m / 1e3;
+        theirs += &format!("{depth_m},{pick_up_kN},{slack_off_kN},{torque}\n");
+    }
+    fs::write(desk.path("other.csv"), &theirs).unwrap();
+    let with = ["--overlay", "other.csv", "-o", "out"];
+    let output = desk.done(&[&WELL[..], &with].concat());
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(said.contains("other.csv: ours less theirs, trip in hook load"), "{said}");
+    let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
+    let overlay = summary.overlay.as_ref().unwrap();
+    assert_eq!(overlay.file, "other.csv");
+    let differences = overlay.differences();
+    let means: Vec<(&str, bool, f64)> =
+        differences.iter().map(|of| (of.operation.as_str(), of.is_torque, of.mean)).collect();
+    // To the digits that the file has of them.
+    let expected =
+        [("trip_out", false, 0.0), ("trip_in", false, -10e3), ("rotate_off_bottom", true, 0.0)];
+    assert_eq!(means.len(), expected.len(), "{means:?}");
+    for (found, wanted) in means.iter().zip(expected) {
+        assert_eq!((found.0, found.1), (wanted.0, wanted.1));
+        assert!((found.2 - wanted.2).abs() < 1e-6, "{found:?}");
+    }
+    let table = desk.table("out/plan_overlay.parquet");
+    assert!(table.is_like(&Table::with_columns(PLAN_OVERLAY)));
+    assert_eq!(table.rows(), 3 * depths.len());
+    assert!(desk.text("out/hook_load.csv").contains("trip_in_overlay_hook_load_N"));
+    let page = desk.text("out/report.html");
+    assert!(page.contains("another program: other.csv") && page.contains("plan_overlay.csv"));
+    fs::remove_file(desk.path("out/report.html")).unwrap();
+    desk.done(&["report", "out"]);
+    assert_eq!(desk.text("out/report.html"), page);
+
+    desk.done(&[&WELL[..], &["-o", "out", "--overwrite"]].concat());
+    assert!(!desk.path("out/plan_overlay.csv").exists());
+    assert!(!desk.text("out/report.html").contains("another program"));
 }
 
 /// Weights and torques of the slant well, as the plan of the same friction has them at a depth, beside rows of another

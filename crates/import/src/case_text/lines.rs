@@ -52,7 +52,7 @@ pub(crate) fn text(draft: &Draft, missing: &[Missing]) -> String {
 fn head(draft: &Draft, missing: &[Missing]) -> String {
     let mut text = String::from("# Imported from\n");
     for (index, (name, what)) in draft.files.iter().enumerate() {
-        let _ = writeln!(text, "#   [{}] {}: {what}", index + 1, plain(name));
+        let _ = writeln!(text, "#   [{}] {}: {}", index + 1, plain(name), plain(what));
     }
     text.push_str(
         "# Values stand as they were found, in their units; behind each is the file and the place.\n",
@@ -80,7 +80,7 @@ fn head(draft: &Draft, missing: &[Missing]) -> String {
 }
 
 /// The units of the files: feet mean the field's.
-fn shown_units(draft: &Draft) -> UnitSet {
+pub(super) fn shown_units(draft: &Draft) -> UnitSet {
     let survey = draft.survey.iter().map(|survey| survey.of.units.as_str());
     let blocks = [&draft.hole, &draft.string].into_iter().flatten();
     let values = blocks.flat_map(|of| &of.of).flat_map(|block| &block.entries);

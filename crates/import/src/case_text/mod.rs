@@ -3,18 +3,32 @@
 mod complete;
 mod lines;
 
-use crate::{import::Imported, merge::Draft};
+use crate::{
+    import::{Beside, Imported},
+    merge::Draft,
+    readings_csv::readings_csv,
+};
+
+/// What the names of files of readings have after the case's.
+const MEASURED: &str = "-measured.csv";
+const OVERLAY: &str = "-overlay.csv";
 
 /// Writes a draft: what it lacks is assumed where that may be, or stands in it as a comment.
 pub(crate) fn write(mut draft: Draft) -> Imported {
     let missing = complete::complete(&mut draft);
     let text = lines::text(&draft, &missing);
+    let units = lines::shown_units(&draft);
+    let beside = [(MEASURED, &draft.measured), (OVERLAY, &draft.overlay)]
+        .into_iter()
+        .filter(|(_, readings)| !readings.is_empty())
+        .map(|(ending, readings)| Beside { ending, text: readings_csv(readings, units) })
+        .collect();
     let names: Vec<String> = draft.files.iter().map(|(name, _)| name.clone()).collect();
     let of_file = |file: Option<usize>| file.and_then(|file| names.get(file).cloned());
     Imported {
         text,
         picks: Vec::new(),
-        beside: Vec::new(),
+        beside,
         notes: draft.notes.into_iter().map(|(file, note)| (of_file(file), note)).collect(),
         files: draft.files,
         missing: missing.iter().map(|part| part.sentence.to_owned()).collect(),

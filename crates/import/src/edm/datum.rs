@@ -65,7 +65,7 @@ impl Depths {
     }
 
     /// A depth from the datum, in the unit of the file.
-    pub(super) fn from_datum(self, found: Found) -> Value {
+    pub(super) fn moved(self, found: Found) -> Value {
         if self.shift_m == 0.0 {
             return found.value();
         }

@@ -100,11 +100,6 @@ impl Rows {
         Ok(rows)
     }
 
-    /// The file's name.
-    pub(super) fn file(&self) -> &str {
-        &self.file
-    }
-
     /// The rows of a table, as they stand in the file.
     pub(super) fn of(&self, table: Table) -> impl Iterator<Item = Row<'_>> {
         let count = self.tables[table as usize].rows.len();

@@ -64,7 +64,7 @@ pub(super) fn read(
                 Origin::Derived { from: format!("{place} {}, moved to the datum", base.text()) }
             }
         };
-        operation.push("bit_depth", depths.from_datum(base), origin);
+        operation.push("bit_depth", depths.moved(base), origin);
     }
     Ok(blocks)
 }

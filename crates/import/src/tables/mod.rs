@@ -8,7 +8,7 @@ use wholestring_tabular::{Held, TableErrorKind, held, read_readings};
 use crate::{
     choices::Choices,
     error::{ImportError, ImportErrorKind},
-    fragment::{Contents, Fragment, Note, Value},
+    fragment::{Contents, Fragment, Note},
     input::Input,
 };
 
@@ -176,16 +176,4 @@ fn unheaded(error: ImportError, held: Held, name: &str) -> ImportError {
                     Inc (deg), Azi (deg)' for a survey or 'Component, OD (in), ID (in), Length \
                     (ft), Weight (lb/ft)' for a tally";
     ImportError::new(name, None, ImportErrorKind::Refused(sentence.to_owned()))
-}
-
-/// A value as people read it.
-fn shown(value: &Value) -> String {
-    match value {
-        Value::Quantity { number, unit } => {
-            format!("{} {}", wholestring_units::number_text(*number), unit.symbol)
-        }
-        Value::Number(number) => wholestring_units::number_text(*number),
-        Value::Text(text) => text.clone(),
-        Value::Words(words) => words.join(", "),
-    }
 }

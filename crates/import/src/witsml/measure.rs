@@ -6,8 +6,11 @@ use super::tree::Node;
 use crate::{
     choices::Choices,
     error::{ImportError, ImportErrorKind},
-    fragment::{Note, Origin, Value},
+    fragment::{Block, Note, Origin, Value},
 };
+
+/// Characters of foreign text in a sentence: a name, or a remark of a line.
+const LONGEST: usize = 80;
 
 /// A number with its unit, and where it stands.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,7 +81,7 @@ impl Source<'_> {
                 let unit = unit.ok_or_else(|| self.error(node.line, wrong()))?;
                 // `27 x 1000 lbf.ft`: two numbers side by side are read as one.
                 let times = if uom.starts_with(|c: char| c.is_ascii_digit()) { "x " } else { "" };
-                let written = format!("{} {times}{}", node.text, short(uom));
+                let written = format!("{} {times}{}", short(&node.text), short(uom));
                 let shown = unit.symbol == uom;
                 let origin =
                     if shown { Origin::at(place) } else { Origin::written(place, &written) };
@@ -93,7 +96,7 @@ impl Source<'_> {
                 let said = self.choices.unit_of(&[name], dimension);
                 let unit = said.and_then(|unit| unit.ok_or_else(missing));
                 let unit = unit.map_err(|kind| self.error(node.line, kind))?;
-                (unit, Origin::written(place, &node.text), node.text.clone())
+                (unit, Origin::written(place, short(&node.text)), short(&node.text))
             }
         };
         Ok(Some(Measure { number, unit, origin, written, line: node.line }))
@@ -173,12 +176,21 @@ pub(crate) fn name_of(names: &str) -> &str {
     names.split('|').next().unwrap_or(names)
 }
 
-/// Foreign text in a sentence.
+/// Foreign text in a sentence: in one line, and not long.
 pub(crate) fn short(text: &str) -> String {
-    text.chars().take(60).collect()
+    let words: Vec<&str> = text.split(|c: char| c.is_whitespace() || c.is_control()).collect();
+    let words: Vec<&str> = words.into_iter().filter(|word| !word.is_empty()).collect();
+    words.join(" ").chars().take(LONGEST).collect()
 }
 
 /// A length in a sentence, m.
 pub(crate) fn metres(length_m: f64) -> String {
     format!("{} m", number_text((length_m * 1e3).round() / 1e3))
+}
+
+/// Adds a key where there is a value.
+pub(crate) fn push(block: &mut Block, key: &'static str, measure: Option<&Measure>) {
+    if let Some(measure) = measure {
+        block.push(key, measure.value(), measure.origin.clone());
+    }
 }

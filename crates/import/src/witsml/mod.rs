@@ -2,13 +2,17 @@
 //! wellbore and mud reports.
 
 mod bha_run;
+mod body;
+mod columns;
 mod component;
 mod depths;
+mod fittings;
 mod geometry;
 mod kind;
 mod measure;
 mod mud_report;
 mod object;
+mod pipe;
 mod sections;
 mod trajectory;
 mod tree;
@@ -94,9 +98,11 @@ pub(crate) fn read(input: Input, choices: &Choices) -> Result<Fragment, ImportEr
 /// What a file holds, object by object.
 pub(crate) fn contents(input: Input) -> Result<Contents, ImportError> {
     let (_, objects) = objects(input)?;
-    let uid = |object: &Object| object.uid().map_or(String::new(), |uid| format!(" ({uid})"));
+    let uid =
+        |object: &Object| object.uid().map_or(String::new(), |uid| format!(" ({})", short(uid)));
     let line = |object: &Object| {
-        let well = object.well().map_or(String::new(), |well| format!(", of '{}'", well.text));
+        let well =
+            object.well().map_or(String::new(), |well| format!(", of '{}'", short(&well.text)));
         format!("{}{}: {}{well}", object.label(), uid(object), object.counted())
     };
     let mut lines: Vec<String> = objects.read.iter().map(line).collect();

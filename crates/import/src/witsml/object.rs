@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{
     kind::Kind,
+    measure::short,
     tree::{Budget, Node},
 };
 use crate::{
@@ -26,7 +27,7 @@ impl Object {
     pub(crate) fn name(&self) -> String {
         let title = || self.node.child("Citation").and_then(|citation| citation.text_of("Title"));
         let name = self.node.text_of("name").or_else(title);
-        name.or_else(|| self.uid()).unwrap_or("without a name").to_owned()
+        short(name.or_else(|| self.uid()).unwrap_or("without a name"))
     }
 
     /// What tells it from others of its name.
@@ -108,7 +109,7 @@ fn version(root: &Element) -> String {
     let said = root.attribute("version").or(root.attribute("schemaVersion"));
     let space = |part: &str| root.attributes.iter().any(|(_, value)| value.contains(part));
     match said.filter(|said| !said.is_empty()) {
-        Some(said) => said.chars().take(20).collect(),
+        Some(said) => short(said),
         None if space("schemas/131") => "1.3.1.1".to_owned(),
         None if space("schemas/1series") => "1.4.1.1".to_owned(),
         None if space("witsmlv2") => "2".to_owned(),

@@ -1,11 +1,10 @@
 //! `trajectory`: the path of the well.
 
-use std::collections::BTreeMap;
-
 use wholestring::well::{Interpolation, Path, Station, TieIn};
 use wholestring_units::Dimension;
 
 use super::{
+    columns::Units,
     depths::datum,
     measure::{Measure, Source, metres, short},
     object::Object,
@@ -39,13 +38,13 @@ pub(crate) fn read(
     let notes = &mut fragment.notes;
     let mut units = Units::default();
     let mut stations = Vec::new();
-    let (mut rejected, mut without) = (0, 0);
+    let (mut rejected, mut without, mut vertical) = (0, 0, 0);
     for node in object.node.all("trajectoryStation") {
         if node.text_of("statusTrajStation") == Some("rejected") {
             rejected += 1;
             continue;
         }
-        match station(node, source, &mut units, notes)? {
+        match station(node, source, &mut units, &mut vertical)? {
             Some(found) => stations.push(found),
             None => without += 1,
         }
@@ -58,6 +57,10 @@ pub(crate) fn read(
             notes.push(Note::LeftOut(format!("{} {why}", stations_of(count))));
         }
     }
+    if vertical > 0 {
+        let text = format!("the azi of {}, vertical and without one: 0", stations_of(vertical));
+        notes.push(Note::Assumed(text));
+    }
     stations.sort_by(|a, b| a.station.md_m.total_cmp(&b.station.md_m));
     let stations = once(stations, source, notes)?;
     let (Some(first), Some(last)) = (stations.first(), stations.last()) else {
@@ -66,6 +69,7 @@ pub(crate) fn read(
     if stations.len() < 2 {
         return Err(too_few(object, source, 1));
     }
+    notes.extend(units.note());
     let tie_in = tie_in(first, source, notes)?;
     check_depths(&stations, tie_in, source, notes)?;
     says_how(object, &stations, notes);
@@ -83,31 +87,12 @@ pub(crate) fn read(
     Ok(())
 }
 
-/// The units that stations are written in, and how often each.
-#[derive(Default)]
-struct Units(BTreeMap<(usize, &'static str), usize>);
-
-impl Units {
-    fn add(&mut self, column: usize, measure: &Measure) {
-        *self.0.entry((column, measure.unit.symbol)).or_default() += 1;
-    }
-
-    /// `ft, deg, deg`; `ft and m, deg, deg`.
-    fn said(&self) -> String {
-        let column = |index: usize| {
-            let of_column = self.0.keys().filter(|(column, _)| *column == index);
-            of_column.map(|(_, symbol)| *symbol).collect::<Vec<_>>().join(" and ")
-        };
-        [0, 1, 2].map(column).join(", ")
-    }
-}
-
 /// A station; none where it has neither inclination nor azimuth.
 fn station<'a>(
     node: &'a Node,
     source: &Source,
     units: &mut Units,
-    notes: &mut Vec<Note>,
+    vertical: &mut usize,
 ) -> Result<Option<Found<'a>>, ImportError> {
     let inclination = source.measure(node, "incl", Dimension::Angle)?;
     let azimuth = source.measure(node, "azi", Dimension::Angle)?;
@@ -139,8 +124,7 @@ fn station<'a>(
         }
         // A vertical hole has none.
         None if inclination_rad == 0.0 => {
-            let text = format!("the station at {} is vertical and has no azi: 0", md.written);
-            notes.push(Note::Assumed(text));
+            *vertical += 1;
             0.0
         }
         None => return Err(missing("azi")),

@@ -59,6 +59,12 @@ pub(crate) fn read(
         format!(", {} {} long", number_text(tenths), unit.symbol)
     });
     notes.push(Note::Read(format!("{}: {}{long}", object.label(), object.counted())));
+    let assembly =
+        object.node.text_of("typeTubularAssy").filter(|assembly| *assembly != "drilling");
+    if let Some(assembly) = assembly {
+        let text = format!("{}: its typeTubularAssy is '{}'", object.label(), short(assembly));
+        notes.push(Note::Read(text));
+    }
     if let Some(top) = components.last().filter(|top| !top.is_pipe()) {
         notes.push(Note::Checked(format!(
             "the topmost component is {}, which is no pipe: is the rest of the string in the file?",

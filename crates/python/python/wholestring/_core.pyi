@@ -198,7 +198,9 @@ class BroomstickOptions(TypedDict):
 
 Ended = tuple[Path | None, BaseException | None]
 
-def plan_of(case: Case, common: Common, listener: Listening) -> Ended: ...
+def plan_of(
+    case: Case, common: Common, overlay: str | PathLike[str] | None, listener: Listening
+) -> Ended: ...
 def reach_of(case: Case, options: ReachOptions, common: Common, listener: Listening) -> Ended: ...
 def calibrate_by(
     cases: Sequence[tuple[str, Case]],

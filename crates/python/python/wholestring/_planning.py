@@ -102,6 +102,7 @@ class Planning(Checked):
         units: Units | None = None,
         png: bool = False,
         jobs: int | None = None,
+        overlay: str | PathLike[str] | None = None,
         progress: bool = False,
     ) -> Plan:
         """Compute torque and drag at every depth of the bit, with low, expected and high friction.
@@ -124,6 +125,8 @@ class Planning(Checked):
             Whether to paint each picture as PNG too.
         jobs
             What is solved side by side; one per core where nothing is said.
+        overlay
+            A file of hook loads and torques of another program, to be laid over the plan's.
         progress
             Whether to draw a bar, with tqdm.
 
@@ -137,7 +140,7 @@ class Planning(Checked):
         place = Place(folder, overwrite=overwrite, resume=resume)
         options = common(place, units=units, jobs=jobs, checkpoint=checkpoint, png=png)
         return carry_out(
-            Plan, place, progress, lambda listener: _core.plan_of(self._held, options, listener)
+            Plan, place, progress, lambda listener: _core.plan_of(self._held, options, overlay, listener)
         )
 
     def reach(

@@ -1,5 +1,7 @@
 //! A plan.
 
+use std::path::PathBuf;
+
 use pyo3::prelude::*;
 use wholestring_runner::plan;
 
@@ -14,6 +16,7 @@ pub(crate) fn plan_of(
     py: Python<'_>,
     case: &Case,
     common: Common,
+    overlay: Option<PathBuf>,
     listener: &Bound<'_, PyAny>,
 ) -> PyResult<Ended> {
     carry_out(py, listener, |observer, cancellation| {
@@ -25,6 +28,7 @@ pub(crate) fn plan_of(
             output: common.output(),
             jobs: common.jobs,
             checkpoint_every: common.checkpoint()?,
+            overlay: overlay.as_deref().map(plan::Overlay::read).transpose()?,
             png: common.png,
         };
         Ok(ended(plan::run(&request, observer, cancellation)?.batch))

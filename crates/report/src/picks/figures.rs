@@ -191,7 +191,7 @@ impl Drawing<'_> {
         Mark::Curve { ink: Ink::Note, stroke: Stroke::Solid, points }
     }
 
-    /// A panel of a trace; none where it says nothing.
+    /// A panel of a trace; none where it says nothing, or nothing but zero.
     fn panel(
         &self,
         label: &str,
@@ -199,7 +199,7 @@ impl Drawing<'_> {
         dimension: &str,
         more: impl FnOnce(&mut Vec<Mark>),
     ) -> Option<Panel> {
-        if !trace.iter().any(|point| point.1.is_finite()) {
+        if !trace.iter().any(|point| point.1.is_finite() && point.1 != 0.0) {
             return None;
         }
         let mut marks = vec![self.curve(trace, dimension)];

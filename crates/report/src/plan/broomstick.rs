@@ -1,6 +1,6 @@
 //! Hook load and surface torque against the depth of the bit.
 
-use super::{Plan, PlanCurve, PlanSpot, depth_figure::over_depth, measured};
+use super::{Plan, PlanCurve, PlanSpot, depth_figure::over_depth, measured, overlay};
 use crate::operation_words::{colour, on_bottom, operation_name, rotates};
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},
@@ -79,6 +79,7 @@ fn figure(
     }
     let mut keys = keys(plan, &operations);
     keys.extend(measured::keys(plan, &operations, quantity.dimension));
+    keys.extend(overlay::keys(plan, &operations, quantity.dimension));
     let told = quantity.limit.filter(|_| !is_limit_drawn).map(|limit| {
         format!("{} {}", quantity.limit_name, shown.quantity(limit, quantity.dimension))
     });
@@ -134,6 +135,7 @@ fn panel(
         }
     }
     // Above all curves.
+    marks.extend(overlay::marks(plan, shown, operations, quantity.dimension));
     marks.extend(measured::marks(plan, shown, operations, quantity.dimension));
     let limit = quantity.limit.map(|limit| shown.value(limit, quantity.dimension));
     let is_near = limit.is_some_and(|limit| limit <= FAR * largest);

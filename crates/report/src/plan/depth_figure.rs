@@ -53,5 +53,7 @@ pub(super) fn over_depth(
 
 fn deepest_m(plan: &Plan) -> f64 {
     let depths = plan.curves.iter().flat_map(|of| &of.points).map(|of| of.bit_depth_m);
-    depths.chain(plan.measured.iter().map(|of| of.bit_depth_m)).fold(0.0, f64::max)
+    let theirs = plan.overlay.iter().flat_map(|of| &of.rows).map(|of| of.bit_depth_m);
+    let read = plan.measured.iter().map(|of| of.bit_depth_m);
+    depths.chain(read).chain(theirs).fold(0.0, f64::max)
 }

@@ -8,6 +8,7 @@ mod figures;
 mod limits;
 mod measured;
 mod mud;
+mod overlay;
 mod page;
 mod peaks;
 mod tables;
@@ -57,6 +58,61 @@ pub struct Plan {
     pub uncertain: Option<Uncertain>,
     /// What was measured, model after model.
     pub measured: Vec<PlanMeasured>,
+    /// Another program's curves.
+    pub overlay: Option<PlanOverlay>,
+}
+
+/// Another program's curves of a file, and how far ours lie from them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanOverlay {
+    /// Name of the file.
+    pub file: String,
+    /// Model after model, operation after operation, down the hole.
+    pub rows: Vec<PlanOverlayRow>,
+    /// Of each model, operation and quantity.
+    pub differences: Vec<PlanOverlayDifference>,
+}
+
+/// A weight or torque of another program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanOverlayRow {
+    /// Name of our model beside it.
+    pub model: String,
+    /// Name of the operation.
+    pub operation: String,
+    /// Whether it is a torque and no hook load.
+    pub is_torque: bool,
+    /// Measured depth of the bit, m.
+    pub bit_depth_m: f64,
+    /// N or N·m.
+    pub theirs: f64,
+}
+
+impl PlanOverlayRow {
+    fn dimension(&self) -> &'static str {
+        if self.is_torque { "torque" } else { "force" }
+    }
+}
+
+/// How far ours lies from theirs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanOverlayDifference {
+    /// Name of our model.
+    pub model: String,
+    /// Name of the operation.
+    pub operation: String,
+    /// Whether of torques and not of hook loads.
+    pub is_torque: bool,
+    /// At how many depths both are known.
+    pub count: usize,
+    /// Mean of ours less theirs, N or N·m.
+    pub mean: f64,
+    /// The one that is farthest from zero.
+    pub largest: f64,
+    /// Measured depth of the bit there, m.
+    pub largest_at_m: f64,
+    /// Theirs there.
+    pub theirs_there: f64,
 }
 
 /// A weight or torque that was read, beside what a model makes of it.

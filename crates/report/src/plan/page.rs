@@ -1,6 +1,6 @@
 //! The page of a plan as one file that needs nothing else.
 
-use super::{Plan, campaign, figures::plan_plots, limits, measured, peaks, tables};
+use super::{Plan, campaign, figures::plan_plots, limits, measured, overlay, peaks, tables};
 use crate::{StudyPage, StudyPart, plots::Shown, study::study_html_in_units, uncertain};
 
 /// What the numbers stand for.
@@ -61,9 +61,13 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
             true => " Diamonds: what was measured, grey where it is held out.",
             false => "",
         };
+        let overlay = match *name {
+            "hook_load" | "torque" => overlay::caption(plan, *name == "torque"),
+            _ => String::new(),
+        };
         Some(StudyPart::Figure {
             title: (*title).to_owned(),
-            caption: format!("{caption}{measured}"),
+            caption: format!("{caption}{measured}{overlay}"),
             figure: Some(Box::new(plot.figure.clone())),
             files: (*name).to_owned(),
             painted: false,
@@ -76,6 +80,7 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
         parts.extend(uncertain::owed(of));
     }
     parts.extend(measured::table(plan, shown));
+    parts.extend(overlay::table(plan, shown));
     parts.extend(limits::factors(plan));
     parts.extend(limits::nearest(plan, shown));
     parts.extend(peaks::table(plan, shown));

@@ -2,12 +2,12 @@ use std::collections::BTreeMap;
 
 use super::{
     BucklingCurve, Plan, PlanCurve, PlanEvent, PlanFatigueHourRow, PlanFatigueRow, PlanLevel,
-    PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanPeakRow, PlanRig, PlanSpot, PlanWearRow,
-    plan_html, plan_plots,
+    PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanOverlay, PlanOverlayDifference,
+    PlanOverlayRow, PlanPeakRow, PlanRig, PlanSpot, PlanWearRow, plan_html, plan_plots,
 };
 use crate::{
     Cell, DisplayUnit, Fact, Level, PageHead, Section,
-    figure::{Mark, Panel, Range},
+    figure::{Mark, Panel, Range, Stroke},
 };
 
 fn plan() -> Plan {
@@ -116,6 +116,7 @@ fn plan() -> Plan {
         weight_on_bit_N: Some(3e4),
         uncertain: None,
         measured: Vec::new(),
+        overlay: None,
     }
 }
 
@@ -162,6 +163,54 @@ fn what_was_measured_stands_on_the_broomstick() {
         assert!(page.contains(text), "{text}");
     }
     assert!(!plan_html(&plan()).contains("plan_measured"));
+}
+
+/// A line over the curves, its name in the legend, and how far ours lies from it in a table.
+#[test]
+fn another_program_lies_over_the_broomstick() {
+    let row = |bit_depth_m: f64, theirs: f64| PlanOverlayRow {
+        model: "soft".into(),
+        operation: "trip_out".into(),
+        is_torque: false,
+        bit_depth_m,
+        theirs,
+    };
+    let overlay = PlanOverlay {
+        file: "other <program>.csv".into(),
+        rows: vec![row(1000.0, 3e5), row(2500.0, 6e5)],
+        differences: vec![PlanOverlayDifference {
+            model: "soft".into(),
+            operation: "trip_out".into(),
+            is_torque: false,
+            count: 2,
+            mean: 4e3,
+            largest: -1.2e4,
+            largest_at_m: 2500.0,
+            theirs_there: 6e5,
+        }],
+    };
+    let of = Plan { overlay: Some(overlay), ..plan() };
+    let plots = plan_plots(&of, "si");
+    let hook_load = &plots[0].figure;
+    let lines: Vec<_> = hook_load.panels[0]
+        .marks
+        .iter()
+        .filter_map(|mark| match mark {
+            Mark::Curve { stroke: Stroke::LongDashed, points, .. } => Some(points.as_slice()),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(lines, [[(1000.0, 300.0), (2500.0, 600.0)]]);
+    let keys: Vec<&str> = hook_load.keys.iter().map(|key| key.name.as_str()).collect();
+    assert!(keys.ends_with(&["another program: other <program>.csv"]), "{keys:?}");
+    assert!(plots[1].figure.keys.iter().all(|key| !key.name.contains("another program")));
+    assert!(matches!(hook_load.shared.range, Range::Fixed(_, to) if to > 2500.0));
+    let page = plan_html(&of);
+    for text in ["plan_overlay.csv", "hook load, kN", "-12.00", "-2.0", "Ours less theirs"] {
+        assert!(page.contains(text), "{text}");
+    }
+    assert!(!page.contains("<program>"));
+    assert!(!plan_html(&plan()).contains("plan_overlay"));
 }
 
 fn fatigue(component: &str, damage: f64) -> PlanFatigueRow {

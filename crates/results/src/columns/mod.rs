@@ -12,6 +12,7 @@ mod nodes;
 mod plan;
 mod plan_campaign;
 mod plan_measured;
+mod plan_overlay;
 mod plan_peaks;
 mod reach;
 mod spectra;
@@ -34,6 +35,7 @@ pub use self::{
     plan::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS},
     plan_campaign::{PLAN_FATIGUE, PLAN_WEAR},
     plan_measured::PLAN_MEASURED,
+    plan_overlay::PLAN_OVERLAY,
     plan_peaks::{PLAN_PEAKS, PLAN_PEAKS_TIME},
     reach::{REACH, REACH_LIMITS},
     spectra::SPECTRA,

@@ -3,6 +3,7 @@
 mod campaign;
 mod hydraulics;
 mod measured;
+mod overlay;
 mod peaks;
 mod tables;
 
@@ -11,6 +12,7 @@ pub use campaign::{
 };
 pub use hydraulics::{PlanDensity, PlanHydraulics};
 pub use measured::PlanMeasured;
+pub use overlay::{PlanOverlay, PlanOverlayDifference, PlanOverlayRow};
 pub use peaks::{
     PlanGel, PlanHistory, PlanPeak, PlanPeakOf, plan_peaks_table, plan_peaks_time_table,
 };
@@ -71,6 +73,9 @@ pub struct PlanSummary {
     /// What was measured, model after model, in the order of its file.
     #[serde(default)]
     pub measured: Vec<PlanMeasured>,
+    /// Another program's curves; none where none were laid over the plan.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub overlay: Option<PlanOverlay>,
     /// Peaks by the dynamics, event after event, friction after friction, down the hole; empty where none was asked
     /// for.
     #[serde(default)]

@@ -5,7 +5,7 @@ use std::path::Path;
 use wholestring::outcome::ModelKind;
 use wholestring_export::{Curve, Log};
 use wholestring_report::operation_name;
-use wholestring_results::{Data, PlanSummary, Summary, Table};
+use wholestring_results::{Data, PlanSummary, Summary};
 use wholestring_units::Dimension;
 
 use crate::{error::Error, results_kinds::kind_of, sweep};

@@ -30,8 +30,9 @@ pub(super) fn export(
     let components: Vec<Component> = listed.iter().map(component).collect();
     let length_m: f64 = components.iter().map(|of| of.length_m).sum();
     notes.push(format!(
-        "{} components from the bit up; the topmost as long as it is with the bit at {}",
+        "{} {} from the bit up; the topmost as long as it is with the bit at {}",
         components.len(),
+        if components.len() == 1 { "component" } else { "components" },
         wholestring_units::Dimension::Length.format(length_m, look.units)
     ));
     for (key, what) in NO_PLACE {

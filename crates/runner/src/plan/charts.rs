@@ -2,9 +2,10 @@
 
 use wholestring::operation::OperationKind;
 use wholestring_report::{
-    Cells, FRICTION_STROKES, Sheet, WorkbookChart, WorkbookSeries, operation_colour, operation_name,
+    Cells, FRICTION_STROKES, Sheet, WorkbookChart, WorkbookSeries, figure::Stroke,
+    operation_colour, operation_name,
 };
-use wholestring_results::{PlanMeasured, PlanSummary};
+use wholestring_results::{PlanMeasured, PlanOverlayRow, PlanSummary};
 
 use super::levels::{LEVELS, label};
 
@@ -13,6 +14,7 @@ pub(super) const BROOMSTICK: &str = "Broomstick";
 pub(super) const BUCKLING: &str = "Weight to buckle";
 pub(super) const HYDRAULICS: &str = "Hydraulics";
 pub(super) const MEASURED: &str = "Measured";
+pub(super) const OVERLAY: &str = "Overlay";
 
 /// Headings of the columns that are drawn.
 const DEPTH: &str = "bit depth";
@@ -27,6 +29,10 @@ pub(super) fn charts(summary: &PlanSummary, sheets: &[Sheet]) -> Vec<WorkbookCha
             let mut series = broomstick(summary, points, heading, is_shown);
             series.extend(
                 sheet(MEASURED).map_or_else(Vec::new, |of| read(summary, of, heading, is_shown)),
+            );
+            series.extend(
+                sheet(OVERLAY)
+                    .map_or_else(Vec::new, |of| laid_over(summary, of, heading, is_shown)),
             );
             chart(title, heading, points, series)
         };
@@ -135,6 +141,44 @@ fn read(
             rows: first..first + count,
             colour: operation_colour(name),
             stroke: None,
+        });
+    }
+    all
+}
+
+/// What another program computed of each operation: its rows stand together.
+fn laid_over(
+    summary: &PlanSummary,
+    sheet: &Sheet,
+    heading: &str,
+    is_shown: fn(OperationKind) -> bool,
+) -> Vec<WorkbookSeries> {
+    let Some(overlay) = &summary.overlay else { return Vec::new() };
+    let is_torque = heading == "surface torque";
+    let column = if is_torque { "theirs_N_m" } else { "theirs_N" };
+    let table = overlay.table();
+    let place = |name: &str| table.columns().iter().position(|of| of.name == name);
+    let Some((across, down)) = place(column).zip(place("bit_depth_m")) else { return Vec::new() };
+    let mut all = Vec::new();
+    for name in &summary.operations {
+        if !OperationKind::from_name(name).is_some_and(is_shown) {
+            continue;
+        }
+        let is_of = |of: &PlanOverlayRow| {
+            Some(&of.model) == summary.models.first()
+                && of.operation == *name
+                && of.is_torque == is_torque
+        };
+        let Some(first) = overlay.rows.iter().position(is_of) else { continue };
+        let count = overlay.rows[first..].iter().take_while(|of| is_of(of)).count();
+        all.push(WorkbookSeries {
+            name: format!("{} of another program", operation_name(name)),
+            sheet: sheet.name.clone(),
+            across,
+            down,
+            rows: first..first + count,
+            colour: operation_colour(name),
+            stroke: Some(Stroke::LongDashed),
         });
     }
     all

@@ -1,8 +1,8 @@
 //! The files of a plan.
 
 use wholestring_results::{
-    Column, Data, PlanMeasured, PlanPoint, PlanSummary, ResultsError, ResultsFolder, Table,
-    UncertainBand, plan_peaks_table,
+    Column, Data, PlanMeasured, PlanOverlayRow, PlanPoint, PlanSummary, ResultsError,
+    ResultsFolder, Table, UncertainBand, plan_peaks_table,
 };
 
 use super::levels::LEVELS;
@@ -17,6 +17,7 @@ pub(super) const HYDRAULICS: &str = "plan_hydraulics";
 pub(super) const FATIGUE: &str = "plan_fatigue";
 pub(super) const WEAR: &str = "plan_wear";
 pub(super) const MEASURED: &str = "plan_measured";
+pub(super) const OVERLAY: &str = "plan_overlay";
 pub(super) const PEAKS: &str = "plan_peaks";
 pub(super) const PEAKS_TIME: &str = "plan_peaks_time";
 
@@ -80,10 +81,47 @@ pub(super) fn write(
     } else {
         folder.write_table(MEASURED, &summary.measured_table(), true)?;
     }
+    match &summary.overlay {
+        Some(overlay) => folder.write_table(OVERLAY, &overlay.table(), true)?,
+        None => {
+            for ending in ["parquet", "csv"] {
+                folder.remove(&format!("{OVERLAY}.{ending}"))?;
+            }
+        }
+    }
     for (name, table) in pictures(summary) {
         table.write_csv(&folder.path().join(format!("{name}.csv")))?;
     }
     summary.write(&folder.path().join("summary.json"))
+}
+
+/// Another program's curves below the rows of ours, a column for each operation.
+fn theirs(summary: &PlanSummary, table: Table, quantity: &str, is_torque: bool) -> Table {
+    let first = |of: &&PlanOverlayRow| {
+        summary.models.first() == Some(&of.model) && of.is_torque == is_torque
+    };
+    let rows: Vec<&PlanOverlayRow> =
+        summary.overlay.iter().flat_map(|of| &of.rows).filter(first).collect();
+    if rows.is_empty() {
+        return table;
+    }
+    let above = table.rows();
+    let mut columns = table.columns().to_vec();
+    for column in &mut columns {
+        let is_depth = column.name == "bit_depth_m";
+        if let Data::Number(values) = &mut column.data {
+            values.extend(rows.iter().map(|of| is_depth.then_some(of.bit_depth_m)));
+        }
+    }
+    for operation in &summary.operations {
+        let of_operation = |of: &&PlanOverlayRow| of.operation == *operation;
+        if rows.iter().any(of_operation) {
+            let mut values = vec![None; above];
+            values.extend(rows.iter().map(|of| of_operation(&of).then_some(of.theirs)));
+            columns.push(Column::numbers(format!("{operation}_overlay_{quantity}"), values));
+        }
+    }
+    Table::new(columns)
 }
 
 /// What each picture shows, a column for each of its curves.
@@ -176,12 +214,25 @@ fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
     [
         (
             "hook_load",
-            bands(curves("hook_load_N", false, |of| Some(of.scalars?.hook_load_N)), "hook_load"),
+            bands(
+                theirs(
+                    summary,
+                    curves("hook_load_N", false, |of| Some(of.scalars?.hook_load_N)),
+                    "hook_load_N",
+                    false,
+                ),
+                "hook_load",
+            ),
         ),
         (
             "torque",
             bands(
-                curves("surface_torque_N_m", true, |of| Some(of.scalars?.surface_torque_N_m)),
+                theirs(
+                    summary,
+                    curves("surface_torque_N_m", true, |of| Some(of.scalars?.surface_torque_N_m)),
+                    "surface_torque_N_m",
+                    true,
+                ),
                 "surface_torque",
             ),
         ),

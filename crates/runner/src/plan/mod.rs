@@ -10,6 +10,7 @@ mod levels;
 mod measured;
 mod mud;
 mod outcome;
+mod overlay;
 pub(crate) mod page;
 mod peaks;
 mod request;
@@ -20,6 +21,7 @@ mod workbook;
 
 pub use broomstick::{BroomstickRequest, broomstick};
 pub use outcome::{Outcome, run};
+pub use overlay::Overlay;
 pub use request::Request;
 
 pub use wholestring_plan::Statics;

@@ -54,7 +54,13 @@ pub fn run(
     let of = Solvers { broomstick: &broomstick, measured: &measured, sampler: sampler.as_ref() };
     let work = Work::new(request, of, identity, folder, observer, cancellation)?;
     work.solve_all()?;
-    let Ended { summary, tables, batch } = work.end();
+    let Ended { mut summary, tables, batch } = work.end();
+    if let Some(overlay) = &request.overlay {
+        let (laid_over, without) = overlay.laid_over(&summary);
+        let notes: Vec<String> = overlay.notes.iter().chain(&without).cloned().collect();
+        observer.note(&format!("{}: {}", overlay.file, notes.join("; ")));
+        summary.overlay = Some(laid_over);
+    }
     files::write(folder, &summary, &tables)?;
     let units = request.units.unwrap_or(case.units);
     Plan::gather(folder.path(), Some(units))?.write(folder, request.png)?;

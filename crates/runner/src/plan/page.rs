@@ -6,8 +6,8 @@ use serde_json::Value as Json;
 use wholestring_plan::{dynamic::Event, limits::LimitKind};
 use wholestring_report::{
     BucklingCurve, Cell, Fact, Level, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow,
-    PlanLevel, PlanLimitRow, PlanMeasured, PlanRig, PlanSpot, PlanWearRow, Section, operation_name,
-    shown_dimension,
+    PlanLevel, PlanLimitRow, PlanMeasured, PlanOverlay, PlanOverlayDifference, PlanOverlayRow,
+    PlanRig, PlanSpot, PlanWearRow, Section, operation_name, shown_dimension,
 };
 use wholestring_results::{
     Level as Grave, PlanFatigue, PlanLimit, PlanPoint, PlanSummary, PlanWear, ResultsError,
@@ -109,6 +109,7 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         uncertain: summary.uncertain.as_ref().map(|of| uncertain::shown(of, &Names::PLAN)),
         weight_on_bit_N: number(&settings["operation"]["wob_N"]).filter(|_| drills),
         measured: summary.measured.iter().map(measured).collect(),
+        overlay: summary.overlay.as_ref().map(overlay),
     }
 }
 
@@ -244,6 +245,27 @@ fn measured(of: &wholestring_results::PlanMeasured) -> PlanMeasured {
         between: of.between(),
         message: of.message.clone(),
     }
+}
+
+fn overlay(of: &wholestring_results::PlanOverlay) -> PlanOverlay {
+    let rows = of.rows.iter().map(|row| PlanOverlayRow {
+        model: row.model.clone(),
+        operation: row.operation.clone(),
+        is_torque: row.is_torque,
+        bit_depth_m: row.bit_depth_m,
+        theirs: row.theirs,
+    });
+    let differences = of.differences().into_iter().map(|of| PlanOverlayDifference {
+        model: of.model,
+        operation: of.operation,
+        is_torque: of.is_torque,
+        count: of.count,
+        mean: of.mean,
+        largest: of.largest,
+        largest_at_m: of.largest_at_m,
+        theirs_there: of.theirs_there,
+    });
+    PlanOverlay { file: of.file.clone(), rows: rows.collect(), differences: differences.collect() }
 }
 
 /// Sections of the hole with the friction that is expected.

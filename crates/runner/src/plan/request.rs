@@ -5,6 +5,7 @@ use std::{num::NonZeroUsize, time::Duration};
 use wholestring_case::{Case, Override, Template};
 use wholestring_units::UnitSet;
 
+use super::overlay::Overlay;
 use crate::output::Output;
 
 /// A case whose plan is to be made.
@@ -25,6 +26,8 @@ pub struct Request<'a> {
     pub jobs: Option<NonZeroUsize>,
     /// Time on the clock between checkpoints; the case's where nothing is said.
     pub checkpoint_every: Option<Duration>,
+    /// Another program's curves, to be laid over those of the plan.
+    pub overlay: Option<Overlay>,
     /// Whether the pictures are painted as PNG too.
     pub png: bool,
 }

@@ -290,6 +290,7 @@ impl<'a> Work<'a> {
             wear: came.worst_wear,
             uncertain,
             measured: self.measured.rows(self.request, &all_measured),
+            overlay: None,
             peaks: parts.peaks,
         };
         if !plan.dynamic.events.is_empty() || !plan.dynamic.wear.is_empty() {

@@ -5,7 +5,7 @@ use wholestring_results::{PlanSummary, plan_peaks_table};
 use wholestring_units::UnitSet;
 
 use super::{
-    charts::{BROOMSTICK, BUCKLING, HYDRAULICS, MEASURED, charts},
+    charts::{BROOMSTICK, BUCKLING, HYDRAULICS, MEASURED, OVERLAY, charts},
     files::Tables,
 };
 use crate::{page::PROGRAM, sheet::sheet};
@@ -14,6 +14,7 @@ use crate::{page::PROGRAM, sheet::sheet};
 pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) -> Workbook {
     let scattered = summary.uncertain.as_ref().map(|of| (of.table(), of.indices_table()));
     let measured = summary.measured_table();
+    let overlay = summary.overlay.as_ref().map_or_else(|| Table::new(Vec::new()), |of| of.table());
     let peaks = plan_peaks_table(&summary.peaks);
     let tables = [
         (
@@ -38,11 +39,13 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
             &measured,
             "What was read, beside what the string in the hole is predicted to show",
         ),
+        (OVERLAY, &overlay, "What another program computed, beside ours with expected friction"),
     ];
     let is_there = |name: &str| match name {
         HYDRAULICS => !summary.hydraulics.is_empty(),
         "Peaks" | "Peaks against time" => !summary.peaks.is_empty(),
         MEASURED => !summary.measured.is_empty(),
+        OVERLAY => summary.overlay.is_some(),
         _ => true,
     };
     let tables = tables.into_iter().filter(|(name, ..)| is_there(name));

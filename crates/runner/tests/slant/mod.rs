@@ -38,6 +38,7 @@ impl Slant {
             output: Output { folder: Some(folder.to_owned()), existing },
             jobs: std::num::NonZeroUsize::new(1),
             checkpoint_every: None,
+            overlay: None,
             png: false,
         }
     }

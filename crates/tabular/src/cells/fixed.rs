@@ -8,6 +8,9 @@ use crate::cells::table::{Cell, Position, Row, Source, Table, line_starts};
 /// A line with so many phrases is one of the table's; fewer are a title or a remark.
 const FEWEST: usize = 4;
 
+/// What parts the cells, in words.
+const PARTED_BY: &str = "blanks above one another";
+
 /// Characters of a line that are looked at.
 const WIDEST: usize = 1000;
 
@@ -45,7 +48,7 @@ pub(crate) fn cut<'a>(source: Source<'a>, text: &'a str) -> Table<'a> {
             Row { cells, end: Position(line.end, line.end) }
         })
         .collect();
-    Table { source, rows, parted_by: Some("blanks"), counted: None, notes: Vec::new() }
+    Table { source, rows, parted_by: Some(PARTED_BY), counted: None, notes: Vec::new() }
 }
 
 /// How many parts of a line stand between two blanks or more.

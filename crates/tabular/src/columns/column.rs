@@ -69,6 +69,8 @@ pub enum Column {
     Connection,
     /// Grade of the steel.
     Grade,
+    /// Minimum yield strength of the steel.
+    YieldStrength,
 }
 
 impl Column {
@@ -99,7 +101,7 @@ impl Column {
     ];
 
     /// Every column of a tally.
-    pub const TALLY: [Column; 16] = [
+    pub const TALLY: [Column; 17] = [
         Column::Component,
         Column::OutsideDiameter,
         Column::Length,
@@ -115,6 +117,7 @@ impl Column {
         Column::JointInsideDiameter,
         Column::Connection,
         Column::Grade,
+        Column::YieldStrength,
         Column::Number,
     ];
 
@@ -151,6 +154,7 @@ impl Column {
             | Column::JointInsideDiameter => Dimension::Diameter,
             Column::Mass | Column::NominalMass => Dimension::MassPerLength,
             Column::TotalMass => Dimension::Mass,
+            Column::YieldStrength => Dimension::Pressure,
             _ => Dimension::Length,
         }
     }
@@ -189,6 +193,7 @@ impl Column {
             Column::JointInsideDiameter => "Tool joint ID (in)",
             Column::Connection => "Connection",
             Column::Grade => "Grade",
+            Column::YieldStrength => "Yield strength (psi)",
         }
     }
 }
@@ -227,6 +232,7 @@ impl fmt::Display for Column {
             Column::JointInsideDiameter => "inside diameter of the tool joints",
             Column::Connection => "connection",
             Column::Grade => "grade",
+            Column::YieldStrength => "yield strength",
         })
     }
 }

@@ -76,7 +76,7 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
         Column::Number,
         0,
         "no nr num number item itemno itemnumber pos position order seq sequence index elementno \
-         componentno jointno jtno jointnumber",
+         componentno jointno jtno jointnumber joint jt",
     ),
     (
         Column::Component,
@@ -109,7 +109,7 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
     (
         Column::Joints,
         0,
-        "jts joints jt jnts joint noofjoints nojoints numberofjoints numjoints jointcount count qty \
+        "jts joints jnts noofjoints nojoints numberofjoints numjoints jointcount count qty \
          quantity nojts noofjts noofitems pcs",
     ),
     (
@@ -123,7 +123,7 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
         0,
         "jointlength lengthperjoint lengthjoint lengthjt lengthperjt avglength averagelength \
          jtlength avgjointlength averagejointlength avgjtlength lengtheach lengthperitem unitlength \
-         singlelength",
+         singlelength jointspacing",
     ),
     (
         Column::CumulativeLength,
@@ -175,6 +175,7 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
          boxpin connectionup connectiondown",
     ),
     (Column::Grade, 0, "grade steelgrade materialgrade pipegrade"),
+    (Column::YieldStrength, 0, "yieldstrength minyield minimumyield minyieldstrength smys"),
 ];
 
 /// Words that a heading may have beside its name.

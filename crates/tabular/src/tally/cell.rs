@@ -143,13 +143,13 @@ fn is_date(text: &str) -> bool {
             && lower.chars().all(char::is_alphabetic)
             && lower.len() <= 9
     };
-    let has_month = parts.len() >= 2 && parts.iter().any(|part| is_month(&part));
-    let with_month = has_month && parts.iter().all(|part| is_month(&part) || is_number(&part));
+    let has_month = parts.len() >= 2 && parts.iter().any(&is_month);
+    let with_month = has_month && parts.iter().all(|part| is_month(part) || is_number(part));
     let slashes = text.matches(['/', '-', '.']).count();
     // Three numbers, one of which is a year.
     let three = parts.len() >= 3
         && slashes >= 2
-        && parts.iter().take(3).all(|part| is_number(&part))
+        && parts.iter().take(3).all(is_number)
         && [parts[0], parts[2]].iter().any(|part| part.len() == 4);
     with_month || three
 }

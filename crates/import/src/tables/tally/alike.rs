@@ -2,7 +2,7 @@
 
 use wholestring_tabular::{Column, TallyRow};
 
-use super::{Part, lengths::Length};
+use super::{length::Length, part::Part};
 use crate::fragment::{Note, Origin};
 
 /// From so many rows alike, one above the other, they are joints of one component.
@@ -69,6 +69,7 @@ fn is_alike(one: &Part, other: &Part) -> bool {
             Column::NominalMass,
             Column::JointOutsideDiameter,
             Column::JointInsideDiameter,
+            Column::YieldStrength,
         ]
         .into_iter()
         .all(same)

@@ -5,66 +5,24 @@ use wholestring_tabular::{Column, Holds, TallyCell};
 use wholestring_units::{Dimension, number_text};
 
 use super::{
-    Part, Refusal, designation, grade,
-    lengths::Length,
+    designation, grade, joints,
+    length::Length,
     mass::{self, Body},
-    order, unit,
+    order,
+    part::{Part, Refusal},
+    quote::{origin, quantity, unit, written},
+    said::Said,
 };
 use crate::{
     error::ImportErrorKind,
     fragment::{Block, Note, Origin, Value},
 };
 
+/// Yield strengths that a case accepts, Pa.
+const YIELDS_PA: [f64; 2] = [1e7, 1e10];
+
 /// Diameters that a case accepts, m.
 const DIAMETERS_M: [f64; 2] = [0.005, 2.0];
-
-/// Distances between tool joints that are usual, m: singles, and doubles of short ones.
-const SPACINGS_M: [f64; 2] = [4.0, 16.0];
-
-/// Distance between the joints of range 2 pipe (API Spec 5DP: 8.84 to 9.75 m), m.
-const RANGE_2_M: f64 = 9.6;
-
-/// What is said once for several components.
-#[derive(Debug, Default)]
-pub(crate) struct Said {
-    /// Blades without a length.
-    pub(crate) bladed: Vec<String>,
-    /// Without a weight.
-    pub(crate) unweighed: Vec<String>,
-    /// With a nominal weight alone.
-    pub(crate) nominal: Vec<String>,
-}
-
-impl Said {
-    pub(crate) fn tell(self, notes: &mut Vec<Note>) {
-        let mut tell = |names: Vec<String>, text: &str| {
-            if names.is_empty() {
-                return;
-            }
-            let names: Vec<String> = names.iter().map(|name| format!("'{name}'")).collect();
-            notes.push(Note::Assumed(format!("{}: {text}", names.join(", "))));
-        };
-        tell(
-            self.bladed,
-            "the gauge is that of blades all along the component; give blade_length where they are \
-             shorter",
-        );
-        tell(self.unweighed, "no weight; computed from the diameters as steel");
-        tell(self.nominal, "the nominal weight is taken for the weight, without tool joints");
-    }
-}
-
-/// Where a cell's value comes from, with what is written there if the value does not show it.
-pub(crate) fn origin(cell: &TallyCell) -> Origin {
-    let shows = match cell.holds {
-        Holds::Quantity { number, .. } | Holds::Count(number) => {
-            number_text(number) == cell.written
-        }
-        Holds::Words => true,
-        Holds::ToSurface => false,
-    };
-    if shows { Origin::at(&cell.place) } else { Origin::written(&cell.place, &cell.written) }
-}
 
 /// The keys of a component. `is_lowest`: it may be the bit.
 pub(crate) fn of(
@@ -81,9 +39,9 @@ pub(crate) fn of(
         row.get(Column::Component).map_or(row.place.clone(), |cell| cell.place.clone());
     if is_bit && !order::ends_with_bit(&part.name) {
         let name = format!("{} (bit)", part.name);
-        block.push("component", Value::text(name), Origin::written(name_place, &part.name));
+        block.push("component", Value::text(name), Origin::written(&name_place, &part.name));
     } else {
-        block.push("component", Value::text(&part.name), Origin::at(name_place));
+        block.push("component", Value::text(&part.name), Origin::at(&name_place));
     }
     let od = diameter(part, Column::OutsideDiameter)?;
     let id = inside(part)?;
@@ -125,7 +83,7 @@ pub(crate) fn of(
             block.push(
                 "catalogue",
                 Value::text(&entry.designation),
-                Origin::Derived { from: "so the description calls it".to_owned() },
+                Origin::Derived { from: format!("called so in {name_place}") },
             );
         }
         None => {
@@ -161,9 +119,11 @@ pub(crate) fn of(
     if let Some(blades) = blades {
         block.push("blade_od", quantity(blades), origin(blades));
         said.bladed.push(part.name.clone());
+    } else if has_blades_by_name(&part.name) && entry.is_none() {
+        said.bladeless.push(part.name.clone());
     }
     let joints_m =
-        joints(part, od_m, joint_od, blades.is_some(), entry.as_ref(), &mut block, notes);
+        joints::of(part, od_m, joint_od, blades.is_some(), entry.as_ref(), &mut block, notes);
     let body = Body {
         od_m: entry.as_ref().map_or(od_m, |entry| entry.od_m),
         id_m: entry.as_ref().map_or(id_m.unwrap_or(0.0), |entry| entry.id_m),
@@ -181,12 +141,34 @@ pub(crate) fn of(
     } else if bit_mass == Some(true) {
         said.unweighed.push(part.name.clone());
     }
-    if entry.is_none() {
-        strength(part, &mut block, notes);
-    } else if let Some(entry) = &entry {
+    let yields = row.get(Column::YieldStrength).filter(|cell| cell.si() > Some(0.0));
+    match (yields, &entry) {
+        (Some(cell), _) => {
+            let yields_Pa = cell.si().unwrap_or_default();
+            if !(YIELDS_PA[0]..=YIELDS_PA[1]).contains(&yields_Pa) {
+                let kind = ImportErrorKind::OutOfRange {
+                    what: format!("yield strength of '{}'", part.name),
+                    found: written(cell),
+                    expected: "10 to 10000 MPa".to_owned(),
+                };
+                return Err((Some(cell.place.clone()), kind));
+            }
+            block.push("yield_strength", quantity(cell), origin(cell));
+        }
+        (None, None) => strength(part, &mut block, notes),
+        (None, Some(_)) => {}
+    }
+    if let Some(entry) = &entry {
         connection(part, entry, notes);
     }
     Ok(block)
+}
+
+/// Whether a name is that of a component with blades.
+fn has_blades_by_name(name: &str) -> bool {
+    let lower = name.to_lowercase();
+    let mut words = lower.split(|c: char| !c.is_alphanumeric());
+    words.any(|word| word == "stab" || word.starts_with("stabili") || word.ends_with("reamer"))
 }
 
 /// The cell of a diameter, if it is more than nothing.
@@ -268,81 +250,6 @@ fn listed(
     None
 }
 
-/// Tool joints; gives the diameter of those that the component then has.
-fn joints(
-    part: &Part,
-    od_m: f64,
-    joint_od: Option<&TallyCell>,
-    has_blades: bool,
-    entry: Option<&CatalogueEntry>,
-    block: &mut Block,
-    notes: &mut Vec<Note>,
-) -> Option<f64> {
-    let listed = entry.and_then(|entry| entry.joints.as_ref());
-    let joint_od_m = joint_od.and_then(TallyCell::si);
-    let mut left_out = |cell: &TallyCell, why: &str| {
-        let text = format!("tool joints of {} ({}): {why}", written(cell), cell.place);
-        notes.push(Note::LeftOut(text));
-    };
-    if let Some(cell) = joint_od {
-        if has_blades {
-            left_out(cell, "its blades touch the wall");
-            return None;
-        }
-        if joint_od_m < Some(od_m) {
-            left_out(cell, "they are thinner than the body");
-            return listed.map(|joints| joints.od_m);
-        }
-        // A collar's connection is as thick as its body.
-        if listed.is_none() && joint_od_m == Some(od_m) {
-            return None;
-        }
-    }
-    let own = joint_od.filter(|_| {
-        let near = |od_m: f64| joint_od_m.is_some_and(|own_m| (own_m - od_m).abs() < 3e-4);
-        !listed.is_some_and(|joints| near(joints.od_m))
-    });
-    if let Some(cell) = own {
-        block.push("joint_od", quantity(cell), origin(cell));
-    }
-    if own.is_none() && listed.is_none() {
-        return None;
-    }
-    if let Some((value, origin)) = spacing(part) {
-        block.push("joint_spacing", value, origin);
-    } else if listed.is_none() {
-        let metres = unit(Dimension::Length, "m");
-        let because = "no number of joints or length of a joint; range 2".to_owned();
-        block.push(
-            "joint_spacing",
-            Value::quantity(RANGE_2_M, metres),
-            Origin::Assumed { because },
-        );
-        notes.push(Note::Assumed(format!(
-            "'{}': a tool joint every {RANGE_2_M} m, as in range 2",
-            part.name
-        )));
-    }
-    own.and(joint_od_m).or(listed.map(|joints| joints.od_m))
-}
-
-/// Distance between tool joints: the average length of a joint.
-fn spacing(part: &Part) -> Option<(Value, Origin)> {
-    let usual = |m: f64| (SPACINGS_M[0]..=SPACINGS_M[1]).contains(&m);
-    if part.rows.len() == 1
-        && let Some(cell) = part.row().get(Column::JointLength)
-        && usual(cell.si()?)
-    {
-        return Some((quantity(cell), origin(cell)));
-    }
-    let Length::Of { number, unit, joints: Some(joints), .. } = &part.length else { return None };
-    let each = format!("{:.5e}", number / joints).parse::<f64>().ok()?;
-    let from =
-        format!("{} {} over {} joints", number_text(*number), unit.symbol, number_text(*joints));
-    (*joints >= 2.0 && usual(unit.to_si(each)))
-        .then(|| (Value::quantity(each, unit), Origin::Derived { from }))
-}
-
 /// Yield strength by the grade.
 fn strength(part: &Part, block: &mut Block, notes: &mut Vec<Note>) {
     let cell = part.row().get(Column::Grade);
@@ -383,17 +290,4 @@ fn connection(part: &Part, entry: &CatalogueEntry, notes: &mut Vec<Note>) {
          their torques matter, give joint_od and make_up_torque",
         part.name, listed.name
     )));
-}
-
-fn quantity(cell: &TallyCell) -> Value {
-    match cell.holds {
-        Holds::Quantity { number, unit, .. } => Value::quantity(number, unit),
-        Holds::Count(number) => Value::Number(number),
-        Holds::Words | Holds::ToSurface => Value::text(&cell.written),
-    }
-}
-
-/// A cell with its unit, for people.
-fn written(cell: &TallyCell) -> String {
-    super::shown(&quantity(cell))
 }

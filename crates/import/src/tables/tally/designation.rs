@@ -25,12 +25,28 @@ pub(crate) fn designated(name: &str, connection: Option<&str>) -> Option<Catalog
     let without = ["to surface", "TO SURFACE", "to Surface", "To Surface", "joints", "jts"]
         .iter()
         .fold(without, |text, of| text.replace(of, " "));
-    find(&without).ok()
+    find(&without).ok().or_else(|| find(after_count(&without)?).ok())
+}
+
+/// What follows a number of joints: `12 x 5" HWDP`, `12 jts 5" HWDP`.
+fn after_count(name: &str) -> Option<&str> {
+    let mut words = name.trim().splitn(3, ' ');
+    let (count, sign, rest) = (words.next()?, words.next()?, words.next()?);
+    let is_count = !count.is_empty() && count.bytes().all(|byte| byte.is_ascii_digit());
+    let is_sign = ["x", "×", "jt", "stands", ""].iter().any(|of| sign.eq_ignore_ascii_case(of));
+    (is_count && is_sign).then_some(rest)
 }
 
 /// The connection that a name has as a word.
 pub(crate) fn connection_of(name: &str) -> Option<&str> {
     name.split_whitespace().find(|word| is_connection(word) && word.len() > 2)
+}
+
+/// Whether a name is that of pipe.
+pub(crate) fn is_pipe(name: &str) -> bool {
+    let lower = name.to_lowercase();
+    let word = |word: &str| matches!(word, "dp" | "hwdp" | "pipe" | "drillpipe" | "tubing" | "ct");
+    lower.split(|c: char| !c.is_alphanumeric()).any(word)
 }
 
 /// Threads: `NC50`, `HT55`, `XT-57`, `5-1/2FH`, `GPDS50`.
@@ -77,6 +93,9 @@ mod tests {
             ("DP 5 1/2in 21.90# S-135 HT55", "5-1/2 in 21.90 lb/ft S-135"),
             ("5\" DP 19.5# G-105 NC50", "5 in 19.50 lb/ft G-105"),
             ("HWDP 5in", "HWDP 5 in 49.3 lb/ft"),
+            ("12 x 5\" HWDP", "HWDP 5 in 49.3 lb/ft"),
+            ("12 jts 5\" HWDP", "HWDP 5 in 49.3 lb/ft"),
+            ("8 x 2-13/16 in collar", "8 in x 2-13/16 in collar"),
             ("Drill pipe 5 in 19.50 lb/ft S-135 (NC50) to surface", "5 in 19.50 lb/ft S-135"),
         ] {
             assert_eq!(called(name).as_deref(), Some(designation), "{name}");

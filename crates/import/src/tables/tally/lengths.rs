@@ -1,9 +1,9 @@
 //! How long the components of a tally are.
 
 use wholestring_tabular::{Column, Holds, TallyCell, TallyRow};
-use wholestring_units::{Unit, number_text};
+use wholestring_units::number_text;
 
-use super::{Refusal, sums};
+use super::{length::Length, part::Refusal, quote::origin, sums};
 use crate::{
     choices::Choices,
     error::ImportErrorKind,
@@ -16,24 +16,6 @@ const JOINT_M: [f64; 2] = [5.0, 16.0];
 
 /// Lengths of a component, m, that a case accepts.
 const LENGTHS_M: [f64; 2] = [0.01, 20_000.0];
-
-/// Length of a component.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Length {
-    /// It fills the rest of the string.
-    ToSurface,
-    /// So long.
-    Of { number: f64, unit: &'static Unit, origin: Origin, joints: Option<f64> },
-}
-
-impl Length {
-    pub(crate) fn si_m(&self) -> Option<f64> {
-        match self {
-            Length::ToSurface => None,
-            Length::Of { number, unit, .. } => Some(unit.to_si(*number)),
-        }
-    }
-}
 
 /// What the column of lengths means where there are several joints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -82,12 +64,14 @@ fn meaning(
         }
         None => {}
     }
-    let as_meant = |meaning| -> Result<usize, Refusal> {
+    // What cannot be read is refused later, as it is meant.
+    let as_meant = |meaning| {
         let lengths = rows.iter().zip(names).map(|(row, name)| length(row, name, meaning));
-        let steps = sums::steps(rows, &lengths.collect::<Result<Vec<_>, _>>()?);
-        Ok(steps.grow.max(steps.fall))
+        let lengths: Result<Vec<Length>, Refusal> = lengths.collect();
+        let steps = lengths.map(|lengths| sums::steps(rows, &lengths));
+        steps.map_or(0, |steps| steps.grow.max(steps.fall))
     };
-    let (total, each) = (as_meant(Meaning::Total)?, as_meant(Meaning::Each)?);
+    let (total, each) = (as_meant(Meaning::Total), as_meant(Meaning::Each));
     let column = counted_heading(rows);
     let say = |of: &str, why: &str| format!("{column} is that of {of}: {why}");
     if total > each {
@@ -130,7 +114,7 @@ fn length(row: &TallyRow, name: &str, meaning: Meaning) -> Result<Length, Refusa
     let joints = row.get(Column::Joints).and_then(TallyCell::count);
     let found = |cell: &TallyCell, joints| match cell.holds {
         Holds::Quantity { number, unit, .. } => {
-            Some(Length::Of { number, unit, origin: super::block::origin(cell), joints })
+            Some(Length::Of { number, unit, origin: origin(cell), joints })
         }
         _ => None,
     };
@@ -166,7 +150,12 @@ fn length(row: &TallyRow, name: &str, meaning: Meaning) -> Result<Length, Refusa
     if !(LENGTHS_M[0]..=LENGTHS_M[1]).contains(&length_m) {
         let kind = ImportErrorKind::OutOfRange {
             what: format!("length of '{name}'"),
-            found: format!("{} m", number_text(length_m)),
+            found: match &length {
+                Length::Of { number, unit, .. } => {
+                    format!("{} {}", number_text(*number), unit.symbol)
+                }
+                Length::ToSurface => String::new(),
+            },
             expected: "0.01 to 20000 m".to_owned(),
         };
         return Err((Some(row.place.clone()), kind));

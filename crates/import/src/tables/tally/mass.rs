@@ -6,7 +6,12 @@ use wholestring_case::STEEL_DENSITY_KG_PER_M3;
 use wholestring_tabular::{Column, Holds, TallyCell};
 use wholestring_units::{Dimension, number_text};
 
-use super::{Part, Refusal, block::Said, block::origin, unit};
+use super::{
+    designation,
+    part::{Part, Refusal},
+    quote::{origin, shown, unit},
+    said::Said,
+};
 use crate::{
     error::ImportErrorKind,
     fragment::{Note, Origin, Value},
@@ -58,7 +63,7 @@ pub(crate) fn of(
                     "THE WEIGHTS of '{}' DIFFER: {} per length against {} kg/m by its total \
                      weight; the first is taken",
                     part.name,
-                    super::shown(&value),
+                    shown(&value),
                     number_text((other * 100.0).round() / 100.0)
                 )));
             }
@@ -74,7 +79,9 @@ pub(crate) fn of(
             (value, from, cell.place.clone())
         }
         (None, None, _) => {
-            if !body.is_listed {
+            if !body.is_listed && designation::is_pipe(&part.name) {
+                said.unweighed_pipe.push(part.name.clone());
+            } else if !body.is_listed {
                 said.unweighed.push(part.name.clone());
             }
             return Ok(None);
@@ -85,8 +92,14 @@ pub(crate) fn of(
         |od_m: f64, id_m: f64| STEEL_DENSITY_KG_PER_M3 * FRAC_PI_4 * (od_m.powi(2) - id_m.powi(2));
     let steel = ring(body.od_m, body.id_m);
     let solid = ring(body.joint_od_m.unwrap_or(body.od_m), 0.0);
-    let found = format!("{} of '{}'", super::shown(&value), part.name);
-    let kg = |mass: f64| number_text((mass * 10.0).round() / 10.0);
+    let found = format!("{} of '{}'", shown(&value), part.name);
+    let of = match &value {
+        Value::Quantity { unit, .. } => unit,
+        _ => unit(Dimension::MassPerLength, "kg/m"),
+    };
+    let kg = |mass: f64| {
+        format!("{} {}", number_text((of.from_si(mass) * 10.0).round() / 10.0), of.symbol)
+    };
     let refused = |expected: String| {
         let what = "weight per length".to_owned();
         let kind = ImportErrorKind::OutOfRange { what, found: found.clone(), expected };
@@ -96,21 +109,21 @@ pub(crate) fn of(
     if mass > solid * 1.001 {
         let blades = if body.has_blades { ", its blades not counted" } else { "" };
         return refused(format!(
-            "at most the {} kg/m of a solid bar of {} mm{blades}",
+            "at most the {} of a solid bar of {} mm{blades}",
             kg(solid),
             number_text((body.joint_od_m.unwrap_or(body.od_m) * 1e4).round() / 10.0)
         ));
     }
     if mass < LEAST * steel {
         return refused(format!(
-            "about the {} kg/m of its body or more (is the column the weight per length, and in \
+            "about the {} of its body or more (is the column the weight per length, and in \
              the right unit?)",
             kg(steel)
         ));
     }
     if mass < LIGHTEST * steel {
         notes.push(Note::Checked(format!(
-            "{found} is less than its body of steel weighs, {} kg/m: if its metal is lighter, give \
+            "{found} is less than its body of steel weighs, {}: if its metal is lighter, give \
              its density too",
             kg(steel)
         )));

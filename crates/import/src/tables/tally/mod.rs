@@ -4,36 +4,32 @@ mod alike;
 mod block;
 mod designation;
 mod grade;
+mod joints;
+mod length;
 mod lengths;
 mod mass;
 mod order;
+mod part;
+mod quote;
+mod said;
 mod sums;
 
 use wholestring_tabular::{Column, ImportedTally, TableErrorKind, TallyRow, read_tally};
-use wholestring_units::{Dimension, Unit};
+use wholestring_units::Unit;
 
-use super::shown;
 use crate::{
     choices::Choices,
     error::{ImportError, ImportErrorKind},
     fragment::{Block, Fragment, Note},
 };
-use lengths::Length;
+use length::Length;
+use part::{Part, Refusal};
+use quote::shown;
+use said::Said;
 
-/// A component: a row, or several alike, one joint each.
-#[derive(Debug, Clone)]
-pub(crate) struct Part<'a> {
-    pub(crate) rows: Vec<&'a TallyRow>,
-    pub(crate) name: String,
-    pub(crate) length: Length,
-}
-
-impl<'a> Part<'a> {
-    /// The first of its rows, which says what all of them are.
-    pub(crate) fn row(&self) -> &'a TallyRow {
-        self.rows[0]
-    }
-}
+/// No string has so many components, joints that are alike counted as one; each is looked for in
+/// the catalogue, which takes milliseconds.
+const MOST_COMPONENTS: usize = 500;
 
 /// The tally of a file, or of a sheet.
 pub(crate) fn read(
@@ -66,9 +62,6 @@ pub(crate) fn read(
     Ok(Fragment { what, string, notes, ..Fragment::default() })
 }
 
-/// Why a tally cannot be made a string, and where.
-pub(crate) type Refusal = (Option<String>, ImportErrorKind);
-
 fn blocks(
     tally: &ImportedTally,
     choices: &Choices,
@@ -86,6 +79,13 @@ fn blocks(
         parts.reverse();
     }
     let parts = alike::join(parts, notes);
+    if parts.len() > MOST_COMPONENTS {
+        let kind = ImportErrorKind::TooMuch {
+            found: format!("{} components", parts.len()),
+            most: MOST_COMPONENTS.to_string(),
+        };
+        return Err((None, kind));
+    }
     let top = parts.len() - 1;
     let below_top = parts[..top].iter().find(|part| part.length == Length::ToSurface);
     if let Some(part) = below_top {
@@ -95,8 +95,15 @@ fn blocks(
         );
         return Err((Some(part.row().place.clone()), ImportErrorKind::Refused(sentence)));
     }
+    if parts[top].length != Length::ToSurface && !designation::is_pipe(&parts[top].name) {
+        notes.push(Note::Read(format!(
+            "the topmost component, '{}', is called no pipe: if the tally is of the assembly \
+             alone, write the pipe above it as the last [[string]]",
+            parts[top].name
+        )));
+    }
     let mut blocks = Vec::with_capacity(parts.len());
-    let mut said = block::Said::default();
+    let mut said = Said::default();
     for (index, part) in parts.iter().enumerate() {
         blocks.push(block::of(part, index == 0, parts.len() > 1, &mut said, notes)?);
     }
@@ -146,6 +153,7 @@ fn unit_names(column: Column) -> &'static [&'static str] {
         Column::Mass => &["weight"],
         Column::NominalMass => &["nominal-weight", "weight"],
         Column::TotalMass => &["total-weight"],
+        Column::YieldStrength => &["yield-strength"],
         _ => &["length"],
     }
 }
@@ -164,11 +172,6 @@ fn asking(error: ImportError) -> ImportError {
         dimension: column.dimension(),
     };
     ImportError::new(error.file(), error.place().map(str::to_owned), kind)
-}
-
-/// A unit by its symbol.
-pub(crate) fn unit(dimension: Dimension, symbol: &str) -> &'static Unit {
-    dimension.find_unit(symbol).unwrap_or(&dimension.units()[0])
 }
 
 /// A component in a line.

@@ -2,7 +2,7 @@
 
 use wholestring_tabular::{Column, TallyRow};
 
-use super::{Refusal, sums::Steps};
+use super::{part::Refusal, sums::Steps};
 use crate::{choices::Choices, error::ImportErrorKind, fragment::Note};
 
 /// The order of a tally's rows.

@@ -3,8 +3,8 @@
 use wholestring_tabular::{Column, Holds, ImportedTally, TallyCell, TallyRow};
 use wholestring_units::number_text;
 
-use super::lengths::Length;
-use crate::fragment::Note;
+use super::length::Length;
+use crate::fragment::{Note, Origin};
 
 /// Decimals of a length that are counted: finer ones are of a computer's rounding.
 const MOST_DECIMALS: i32 = 3;
@@ -104,23 +104,27 @@ pub(crate) fn check(
     }
     let mut before = 0;
     for total in &tally.totals {
-        let sum = |from: usize| -> Option<f64> {
-            lengths[from..total.rows_above].iter().map(Length::si_m).sum()
+        let sum = |from: usize| -> f64 {
+            lengths[from..total.rows_above].iter().filter_map(Length::si_m).sum()
         };
         let stated_m = total.length.si().unwrap_or_default();
         let sums = [sum(0), sum(before)];
         before = total.rows_above;
         let all: Vec<usize> = (0..total.rows_above).collect();
         let tolerance_m = rounding_m * (joints_up_to(lengths, &all) + 2.0);
-        let agrees = sums.iter().flatten().any(|sum_m| (sum_m - stated_m).abs() <= tolerance_m);
+        let agrees = sums.iter().any(|sum_m| (sum_m - stated_m).abs() <= tolerance_m);
+        let is_open = lengths[..total.rows_above].contains(&Length::ToSurface);
         let stated = said(&total.length);
-        notes.push(Note::Checked(match (agrees, sums[0]) {
-            (true, _) => format!("the total agrees with the lengths: {stated}"),
-            (false, Some(sum_m)) => {
-                let sum = in_unit(sum_m, &total.length);
+        notes.push(Note::Checked(match (agrees, is_open) {
+            (true, false) => format!("the total agrees with the lengths: {stated}"),
+            (true, true) => {
+                format!("the total agrees with the lengths below the topmost component: {stated}")
+            }
+            (false, false) => {
+                let sum = in_unit(sums[0], &total.length);
                 format!("THE TOTAL DIFFERS from the sum of the lengths: {stated} against {sum}")
             }
-            (false, None) => {
+            (false, true) => {
                 format!("the total is not compared, for a length reaches to the surface: {stated}")
             }
         }));
@@ -130,11 +134,7 @@ pub(crate) fn check(
 /// Roundings in a sum of lengths: one for each joint whose length was multiplied.
 fn joints_up_to(lengths: &[Length], rows: &[usize]) -> f64 {
     let roundings = rows.iter().map(|&row| match &lengths[row] {
-        Length::Of { joints: Some(joints), origin, .. }
-            if matches!(origin, crate::fragment::Origin::Derived { .. }) =>
-        {
-            joints.max(1.0)
-        }
+        Length::Of { joints: Some(joints), origin: Origin::Derived { .. }, .. } => joints.max(1.0),
         _ => 1.0,
     });
     roundings.sum()

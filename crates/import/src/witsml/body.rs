@@ -1,0 +1,115 @@
+//! The keys of `[[string]]` of a component.
+
+use wholestring_units::Dimension;
+
+use super::{
+    component::Component,
+    measure::{Measure, Source, push, short},
+};
+use crate::{
+    error::ImportError,
+    fragment::{Block, Note, Origin, Value},
+};
+
+impl Component<'_> {
+    /// The keys of the case.
+    pub(crate) fn block(
+        &self,
+        hole: Option<&Measure>,
+        source: &Source,
+        notes: &mut Vec<Note>,
+    ) -> Result<Block, ImportError> {
+        let label = self.label();
+        let mut block = Block { remark: self.remark(), ..Block::default() };
+        let type_of = self.node.child("typeTubularComp|TypeTubularComponent");
+        let origin = match type_of {
+            Some(of) => Origin::written(format!("line {}, {}", of.line, of.name), short(&of.text)),
+            None => Origin::at(format!("line {}, {}", self.node.line, self.node.name)),
+        };
+        block.push("component", Value::text(self.name()), origin);
+        let length = source.positive(self.node, "len", Dimension::Length, (&label, notes))?;
+        push(&mut block, "length", length.as_ref());
+        let od = self.diameter(hole, source, &label, notes)?;
+        push(&mut block, "od", od.as_ref());
+        let id = source.measure(self.node, "id", Dimension::Diameter)?;
+        if let Some(id) = id.as_ref().filter(|id| id.number < 0.0) {
+            return Err(source.out_of_range(id, "id", "0 or more"));
+        }
+        push(&mut block, "id", id.as_ref());
+        let lacks = [
+            ("len", length.is_none()),
+            ("od", od.is_none()),
+            ("id", id.is_none() && !self.is_bit()),
+        ];
+        for (name, _) in lacks.iter().filter(|(_, lacks)| *lacks) {
+            notes.push(Note::LeftOut(format!(
+                "the {name} of {label}, which the file does not tell: write it into the case"
+            )));
+        }
+        self.joints(&mut block, od.as_ref(), source, notes)?;
+        self.blades(&mut block, od.as_ref(), length.as_ref(), source, notes)?;
+        let weight = (&label[..], &mut *notes);
+        let mass = source.positive(self.node, "wtPerLen", Dimension::MassPerLength, weight)?;
+        push(&mut block, "mass_per_length", mass.as_ref());
+        self.weight(od.as_ref(), mass.as_ref(), notes);
+        self.strength(&mut block, notes);
+        self.bend(&mut block, length.as_ref(), source, notes)?;
+        self.sensor(&mut block, length.as_ref(), source, notes)?;
+        if let Some(count) = self.node.text_of("count").filter(|count| *count != "1") {
+            notes.push(Note::Assumed(format!(
+                "{label} has a count of {}: len is that of all of them",
+                short(count)
+            )));
+        }
+        Ok(block)
+    }
+
+    fn remark(&self) -> Option<String> {
+        let words = ["description", "vendor", "model"].map(|name| self.node.text_of(name));
+        let words: Vec<String> = words.into_iter().flatten().map(short).collect();
+        (!words.is_empty()).then(|| words.join(", "))
+    }
+
+    /// Its outside diameter: of a bit that of the hole that it drills.
+    fn diameter(
+        &self,
+        hole: Option<&Measure>,
+        source: &Source,
+        label: &str,
+        notes: &mut Vec<Note>,
+    ) -> Result<Option<Measure>, ImportError> {
+        let own = source.positive(self.node, "od", Dimension::Diameter, (label, notes))?;
+        if !self.is_bit() {
+            return Ok(own);
+        }
+        let record = self.node.child("bitRecord");
+        let gauge = match record {
+            Some(record) => {
+                source.positive(record, "diaBit", Dimension::Diameter, (label, notes))?
+            }
+            None => None,
+        };
+        match (gauge, own) {
+            (Some(gauge), Some(own)) => {
+                if (gauge.si() - own.si()).abs() > 1e-4 {
+                    let (diameter, written) = (&gauge.written, &own.written);
+                    notes.push(Note::LeftOut(format!(
+                        "the od of {label}, {written}: its diaBit is {diameter}, which is what \
+                         fills the hole"
+                    )));
+                }
+                Ok(Some(gauge))
+            }
+            (None, None) => {
+                let Some(hole) = hole else { return Ok(None) };
+                let because = format!("diaHoleAssy of the tubular, line {}", hole.line);
+                notes.push(Note::Assumed(format!(
+                    "{label} has no diameter: that of the hole, {}",
+                    hole.written
+                )));
+                Ok(Some(Measure { origin: Origin::Assumed { because }, ..hole.clone() }))
+            }
+            (gauge, own) => Ok(gauge.or(own)),
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! Another program's curves, laid over those of a plan.
+
+use std::path::Path;
+
+use wholestring::operation::OperationKind;
+use wholestring_results::{PlanOverlay, PlanOverlayRow, PlanSummary};
+use wholestring_tabular::{ImportedReading, read_readings};
+
+use super::levels::LEVELS;
+use crate::{error::Error, survey};
+
+/// Weights and torques that another program computed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Overlay {
+    /// Name of the file, as the page calls it.
+    pub file: String,
+    /// By their order in the file.
+    pub readings: Vec<ImportedReading>,
+    /// How the file was understood, in sentences.
+    pub notes: Vec<String>,
+}
+
+/// What a reading has of an operation.
+struct Quantity {
+    operation: OperationKind,
+    is_torque: bool,
+    theirs: fn(&ImportedReading) -> Option<f64>,
+}
+
+const QUANTITIES: [Quantity; 5] = [
+    Quantity { operation: OperationKind::TripOut, is_torque: false, theirs: |of| of.pick_up_N },
+    Quantity { operation: OperationKind::TripIn, is_torque: false, theirs: |of| of.slack_off_N },
+    Quantity {
+        operation: OperationKind::RotateOffBottom,
+        is_torque: false,
+        theirs: |of| of.rotating_N,
+    },
+    Quantity {
+        operation: OperationKind::RotateOffBottom,
+        is_torque: true,
+        theirs: |of| of.torque_N_m,
+    },
+    Quantity {
+        operation: OperationKind::Drill,
+        is_torque: true,
+        theirs: |of| of.torque_on_bottom_N_m,
+    },
+];
+
+impl Overlay {
+    /// Reads a file of weights and torques: CSV or Excel, as measured ones are.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or has none.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let bytes = survey::bytes(path, "curves")?;
+        let name = path.display().to_string();
+        let imported = read_readings(&bytes, &name).map_err(|error| survey::explained(&error))?;
+        let file = path.file_name().map_or(name, |name| name.to_string_lossy().into_owned());
+        Ok(Self { file, readings: imported.readings, notes: imported.notes })
+    }
+
+    /// Theirs beside ours at their depths, with what of it the plan does not do in sentences.
+    pub(super) fn laid_over(&self, summary: &PlanSummary) -> (PlanOverlay, Vec<String>) {
+        let mut rows = Vec::new();
+        let mut without = Vec::new();
+        for quantity in QUANTITIES {
+            let name = quantity.operation.name();
+            let mut theirs: Vec<(&ImportedReading, f64)> =
+                self.readings.iter().filter_map(|of| Some((of, (quantity.theirs)(of)?))).collect();
+            if !summary.operations.iter().any(|own| own == name) {
+                if !theirs.is_empty() {
+                    let what = if quantity.is_torque { "torques" } else { "hook loads" };
+                    without.push(format!(
+                        "left out: its {what} of '{name}', which the plan does not do"
+                    ));
+                }
+                continue;
+            }
+            theirs.sort_by(|a, b| a.0.bit_depth_m.total_cmp(&b.0.bit_depth_m));
+            for model in &summary.models {
+                let ours = curve(summary, model, name, quantity.is_torque);
+                rows.extend(theirs.iter().map(|(of, theirs)| PlanOverlayRow {
+                    model: model.clone(),
+                    operation: name.to_owned(),
+                    place: of.place.clone(),
+                    is_torque: quantity.is_torque,
+                    bit_depth_m: of.bit_depth_m,
+                    theirs: *theirs,
+                    ours: between(&ours, of.bit_depth_m),
+                }));
+            }
+        }
+        // Model after model.
+        let place = |model: &str| summary.models.iter().position(|own| own == model);
+        rows.sort_by_key(|of: &PlanOverlayRow| place(&of.model));
+        (PlanOverlay { file: self.file.clone(), rows }, without)
+    }
+}
+
+/// Depths of the bit and what we expect there; no number without an answer.
+fn curve(summary: &PlanSummary, model: &str, operation: &str, is_torque: bool) -> Vec<(f64, f64)> {
+    let points = summary.curve(model, operation, LEVELS[1]);
+    let value = |of: &wholestring_results::PlanPoint| match (of.scalars, is_torque) {
+        (Some(scalars), true) => scalars.surface_torque_N_m,
+        (Some(scalars), false) => scalars.hook_load_N,
+        (None, _) => f64::NAN,
+    };
+    points.map(|of| (of.bit_depth_m, value(of))).collect()
+}
+
+/// A depth that is that of a point but for rounding is at it, m.
+const ROUNDED_M: f64 = 0.01;
+
+/// The value at a depth on a straight line between two depths; none beyond the first and the last.
+fn between(curve: &[(f64, f64)], depth_m: f64) -> Option<f64> {
+    if let Some((_, value)) = curve.iter().find(|(at, _)| (at - depth_m).abs() < ROUNDED_M) {
+        return value.is_finite().then_some(*value);
+    }
+    let below = curve.iter().position(|(at, _)| *at > depth_m)?;
+    let [from, to] = [curve.get(below.checked_sub(1)?)?, &curve[below]];
+    let value = from.1 + (to.1 - from.1) * (depth_m - from.0) / (to.0 - from.0);
+    value.is_finite().then_some(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn between_two_depths_on_a_line() {
+        let curve = [(500.0, 100.0), (1000.0, 200.0), (1500.0, f64::NAN)];
+        assert_eq!(between(&curve, 750.0), Some(150.0));
+        assert_eq!(between(&curve, 1000.0), Some(200.0));
+        for without in [499.0, 1250.0, 1500.0, 1501.0] {
+            assert_eq!(between(&curve, without), None, "{without}");
+        }
+        assert_eq!(between(&[], 1.0), None);
+    }
+}
