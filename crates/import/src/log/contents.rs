@@ -41,7 +41,8 @@ pub(crate) fn contents(input: Input, kind: Kind) -> Result<Contents, ImportError
         // A comparison with nothing is false.
         depths = (depths.0.min(depth(&record)), depths.1.max(depth(&record)));
     }
-    let mut rows = format!("{} rows", log.rows());
+    let count = log.rows();
+    let mut rows = format!("{count} {}", if count == 1 { "row" } else { "rows" });
     if last_s > 0.0 {
         rows.push_str(&format!(" in {}", duration(last_s)));
     }

@@ -9,6 +9,7 @@ use super::{
     quantity::Quantity,
     record::Record,
     row::{Row, Rows},
+    watch::Watch,
 };
 use crate::{
     choices::Choices,
@@ -70,21 +71,6 @@ impl std::fmt::Debug for Log<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Log").field("what", &self.what).field("channels", &self.channels).finish()
     }
-}
-
-/// What is seen while rows go by.
-#[derive(Debug, Default)]
-struct Watch {
-    given: u64,
-    last_time_s: Option<f64>,
-    same_time: u64,
-    /// Rows of a time before that of the row above, and the line of the first.
-    back: (u64, u64),
-    without_time: (u64, u64),
-    /// Values that stand for nothing though the head does not say so.
-    usual_nulls: (u64, f64, u64),
-    /// Numbers with a comma for a point.
-    commas: (u64, u64),
 }
 
 impl<'a> Log<'a> {
@@ -176,7 +162,7 @@ impl<'a> Log<'a> {
 
     /// Rows that were given so far.
     pub fn rows(&self) -> u64 {
-        self.watch.given
+        self.watch.rows()
     }
 
     fn next_record(&mut self) -> Result<Option<Record>, ImportError> {
@@ -190,7 +176,10 @@ impl<'a> Log<'a> {
                 None => false,
             };
             if !more {
-                return self.finish().map(|()| None);
+                self.ended = true;
+                let finished = self.watch.finish(&mut self.notes);
+                let at = |kind| ImportError::new(&self.file, None, kind);
+                return finished.map(|()| None).map_err(at);
             }
             let mut record = Record::NONE;
             if self.clock.is_some() {
@@ -220,23 +209,15 @@ impl<'a> Log<'a> {
                     continue;
                 }
                 if value < -800.0 && USUAL_NULLS.contains(&value) {
-                    let (count, first, line) = &mut self.watch.usual_nulls;
-                    if *count == 0 {
-                        (*first, *line) = (value, self.row.line);
-                    }
-                    *count += 1;
+                    self.watch.usual_null(value, self.row.line);
                     continue;
                 }
                 if self.marks == Marks::Either && has_comma(cell) {
-                    let (count, line) = &mut self.watch.commas;
-                    if *count == 0 {
-                        *line = self.row.line;
-                    }
-                    *count += 1;
+                    self.watch.comma(self.row.line);
                 }
                 *wanted.quantity.field(&mut record) = wanted.unit.to_si(value);
             }
-            self.watch.given += 1;
+            self.watch.given();
             return Ok(Some(record));
         }
     }
@@ -252,74 +233,7 @@ impl<'a> Log<'a> {
                 return Err(self.error(ImportErrorKind::Refused(sentence)));
             }
         };
-        let watch = &mut self.watch;
-        let Some(time_s) = time_s else {
-            count(&mut watch.without_time, line);
-            return Ok(None);
-        };
-        match watch.last_time_s {
-            Some(last) if time_s < last => {
-                count(&mut watch.back, line);
-                return Ok(None);
-            }
-            Some(last) if time_s == last => watch.same_time += 1,
-            _ => {}
-        }
-        watch.last_time_s = Some(time_s);
-        Ok(Some(time_s))
-    }
-
-    /// Says what was seen.
-    fn finish(&mut self) -> Result<(), ImportError> {
-        self.ended = true;
-        let Watch { given, same_time, back, without_time, usual_nulls, commas, .. } = self.watch;
-        if back.0 * 10 > given {
-            let sentence = format!(
-                "the time goes back: {} of {} rows are earlier than one above, the first in line {}; \
-                 expected rows in the order of time (cut the file there and read its parts one by one, \
-                 or say another column: --pick time=CHANNEL)",
-                back.0,
-                back.0 + given,
-                back.1
-            );
-            return Err(ImportError::new(&self.file, None, ImportErrorKind::Refused(sentence)));
-        }
-        let notes = &mut self.notes;
-        if back.0 > 0 {
-            notes.push(Note::LeftOut(format!(
-                "{}, the first in line {}: earlier than one above (a clock that was set back, or \
-                 parts of a log that overlap)",
-                rows(back.0),
-                back.1
-            )));
-        }
-        if without_time.0 > 0 {
-            notes.push(Note::LeftOut(format!(
-                "{} without a time, the first in line {}",
-                rows(without_time.0),
-                without_time.1
-            )));
-        }
-        if same_time > 0 {
-            notes.push(Note::Read(format!("{} with the time of the row above", rows(same_time))));
-        }
-        if usual_nulls.0 > 0 {
-            notes.push(Note::Assumed(format!(
-                "taken for nothing, as in many logs, though the head does not say so: {} such as {}, \
-                 the first in line {}",
-                values(usual_nulls.0),
-                usual_nulls.1,
-                usual_nulls.2
-            )));
-        }
-        if commas.0 > 0 {
-            notes.push(Note::Assumed(format!(
-                "a comma within a number stands before its decimals: {}, the first in line {}",
-                values(commas.0),
-                commas.1
-            )));
-        }
-        Ok(())
+        Ok(self.watch.time_s(time_s, line))
     }
 
     fn error(&self, kind: ImportErrorKind) -> ImportError {
@@ -342,21 +256,6 @@ impl Iterator for Log<'_> {
 
 fn has_comma(cell: &[u8]) -> bool {
     cell.contains(&b',') && cell.iter().all(|b| b.is_ascii_digit() || b",.-+".contains(b))
-}
-
-fn count((count, first): &mut (u64, u64), line: u64) {
-    if *count == 0 {
-        *first = line;
-    }
-    *count += 1;
-}
-
-fn rows(count: u64) -> String {
-    if count == 1 { "1 row".to_owned() } else { format!("{count} rows") }
-}
-
-fn values(count: u64) -> String {
-    if count == 1 { "1 value".to_owned() } else { format!("{count} values") }
 }
 
 /// The beginning of a cell, for a sentence.

@@ -23,6 +23,7 @@ mod quantity;
 mod read;
 mod record;
 mod row;
+mod watch;
 mod witsml;
 
 pub use channel::Channel;

@@ -238,3 +238,12 @@ fn a_log_against_depth_has_no_time() {
     assert!(log.has(Quantity::HoleDepth) && !log.has(Quantity::Time));
     assert_eq!(notes(&log), "read: DEPT has no unit; it is taken to be in 'ft' as STRT\n");
 }
+
+#[test]
+fn a_blank_behind_the_point_may_be_missing() {
+    let text = "~V\nVERS.2.0:\nWRAP.YES:\n~W\nNULL.-5:\n~C\nTIME.s:\nHKLD.kN:\n~A\n0\n-5\n1\n7\n";
+    let (rows, log) = read(text);
+    assert!(rows[0].hook_load_N.is_nan());
+    assert_eq!(rows[1].hook_load_N, 7000.0);
+    assert_eq!(log.what, "LAS 2.0, wrapped");
+}

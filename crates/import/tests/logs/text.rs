@@ -87,3 +87,12 @@ fn readings_and_surveys_are_no_logs() {
         assert!(!what.unwrap_or_default().contains("log"), "{text}");
     }
 }
+
+#[test]
+fn a_unit_may_begin_with_a_number() {
+    let text = "\"Time\",\"Hook Load\",\"Bit Depth\"\n\"\",\"1000 lbf\",\"ft\"\n\
+        \"03/14/2021 10:00:00.000 PM\",\"250.1\",\"1000\"\n";
+    let (rows, log) = read(text);
+    assert!((rows[0].hook_load_N - 250.1 * 4448.2216152605).abs() < 1e-6);
+    assert_eq!(log.start.as_deref(), Some("2021-03-14 22:00:00"));
+}

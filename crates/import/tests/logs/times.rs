@@ -138,3 +138,12 @@ fn a_date_and_its_time_may_be_parted_by_the_blank_of_a_las_file() {
     let (rows, _) = read(text);
     assert_eq!((rows[1].time_s, rows[1].hook_load_N), (2.0, 6000.0));
 }
+
+#[test]
+fn a_date_in_the_first_curve_goes_with_its_time() {
+    let text =
+        "~V\nVERS. 2.0:\n~C\nDATE.D :\nTIME.HHMMSS :\nHKLD.kN :\n~A\n210324 235958 5\n210325 3 6\n";
+    let (rows, log) = read(text);
+    assert_eq!(rows[1].time_s, 5.0);
+    assert_eq!(log.start.as_deref(), Some("2021-03-24 23:59:58"));
+}

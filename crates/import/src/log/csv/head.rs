@@ -6,6 +6,7 @@ use super::super::{
     channel::{Column, is_no_unit, unit},
     lines::{Lines, text},
     mnemonics,
+    moment::{Order, moment, time_of_day},
     number::{Marks, is_nothing, marked},
     quantity::Quantity,
     row::{COLUMNS, Row},
@@ -151,7 +152,7 @@ fn is_data(row: &Row) -> bool {
         let is_number = marked(cell, Marks::Point).or(marked(cell, Marks::Comma)).is_some();
         // Item numbers of WITS below the headings: `0108`.
         let is_item = cell.len() == 4 && cell.starts_with(b"01") && !cell.contains(&b'.');
-        let is_date = cell.len() >= 8 && cell[..1].iter().all(u8::is_ascii_digit);
+        let is_date = moment(cell, Order::DayFirst).is_some() || time_of_day(cell).is_some();
         numbers += usize::from(is_number && !is_item || is_date);
     }
     numbers > 0 && 2 * numbers >= cells.min(4)

@@ -157,6 +157,8 @@ fn named_in_title(title: &str, head: &mut Head) {
 impl Head {
     fn said(&mut self, item: &Item) {
         let Item { mnemonic, unit, data, description, .. } = item;
+        // "WRAP.NO" has no blank behind its point.
+        let fixed = if data.is_empty() { unit } else { data };
         // LAS 1.2 has names behind the colon.
         let name = || {
             let old = self.version.starts_with("1.") || data.is_empty();
@@ -164,17 +166,17 @@ impl Head {
             Some(name.clone()).filter(|name| !name.is_empty() && !name.eq_ignore_ascii_case("WELL"))
         };
         match mnemonic.to_ascii_uppercase().as_str() {
-            "VERS" => self.version = data.split_whitespace().next().unwrap_or_default().to_owned(),
-            "WRAP" => self.wrapped = data.to_ascii_uppercase().starts_with('Y'),
+            "VERS" => self.version = fixed.split_whitespace().next().unwrap_or_default().to_owned(),
+            "WRAP" => self.wrapped = fixed.to_ascii_uppercase().starts_with('Y'),
             "DLM" => {
-                self.parted = match data.to_ascii_uppercase().as_str() {
+                self.parted = match fixed.to_ascii_uppercase().as_str() {
                     "COMMA" | "," => Some(Parted::By(b',')),
                     "TAB" => Some(Parted::By(b'\t')),
                     "SPACE" => Some(Parted::Blanks),
                     _ => None,
                 }
             }
-            "NULL" => self.null = marked(data.as_bytes(), Marks::Either),
+            "NULL" => self.null = marked(fixed.as_bytes(), Marks::Either),
             "STRT" => self.index_unit.clone_from(unit),
             "WELL" => self.well = name(),
             "DATE" => {
@@ -228,6 +230,8 @@ impl Head {
         let by_name = mnemonics::quantity(&first.mnemonic).map(|(quantity, _)| quantity);
         first.index = match by_name {
             Some(quantity) => Some(quantity),
+            // A date in days has its time in another column.
+            None if mnemonics::is_date(&first.mnemonic) => None,
             None if unit(Dimension::Time, &first.unit).is_some() => Some(Quantity::Time),
             None => None,
         };

@@ -1,6 +1,7 @@
 //! Logs of WITSML: 1.3.1.1 and 1.4.1.1, 2.0 and 2.1.
 
 mod json;
+mod rows1;
 mod series1;
 mod series2;
 

@@ -9,9 +9,10 @@ use super::{
         mnemonics,
         number::{Marks, number},
         quantity::Quantity,
-        row::{COLUMNS, Row, Rows},
+        row::COLUMNS,
     },
     is_picked, missing,
+    rows1::{DataRows, First, LOGS},
 };
 use crate::{
     choices::Choices,
@@ -19,9 +20,6 @@ use crate::{
     fragment::Note,
     xml::{Element, Event, Xml},
 };
-
-/// Logs of a file whose names are kept.
-const LOGS: usize = 1000;
 
 /// What a log says before its rows.
 #[derive(Debug, Default)]
@@ -36,20 +34,6 @@ struct Head {
     curves: Vec<Column>,
     mnemonics: Vec<String>,
     units: Vec<String>,
-}
-
-struct DataRows<'a> {
-    xml: Xml<'a>,
-    sign: u8,
-    columns: usize,
-    /// The rows' log, and others that were found.
-    names: Vec<String>,
-    picked: bool,
-    first: Option<(String, u64)>,
-    /// Whether the element `logData` is open, and the log.
-    in_data: bool,
-    in_log: bool,
-    ended: bool,
 }
 
 /// Reads up to the first row of the log that is picked, or of the first.
@@ -95,12 +79,6 @@ pub(super) fn open<'a>(
         }
         _ => Err(missing(&xml, "a log with curves (logCurveInfo)")),
     }
-}
-
-/// What lies behind the head of a log: its first row, or nothing.
-enum First {
-    Row(String, u64),
-    NoRows { in_log: bool },
 }
 
 /// Reads a log up to its first row; none of a log that is not picked, which is passed over.
@@ -246,26 +224,14 @@ fn opened<'a>(
     let mut notes = Vec::new();
     let columns = head.columns(&mut notes);
     let title = head.title();
-    let (first, in_data, in_log) = match first {
-        First::Row(text, line) => (Some((text, line)), true, true),
-        First::NoRows { in_log } => (None, false, in_log),
-    };
     if picked && !passed.is_empty() {
         notes.push(Note::LeftOut(format!("the logs before '{title}': {}", passed.join(", "))));
     }
-    let rows = DataRows {
-        sign: head.sign.unwrap_or(b','),
-        columns: columns.len(),
-        names: vec![title.clone()],
-        picked,
-        first,
-        in_data,
-        in_log,
-        ended: false,
-        xml,
-    };
+    let file = xml.file().to_owned();
+    let sign = head.sign.unwrap_or(b',');
+    let rows = DataRows::new(xml, first, sign, columns.len(), &title, picked);
     Opened {
-        file: rows.xml.file().to_owned(),
+        file,
         what: format!("WITSML {version}, log '{title}'"),
         well: head.well,
         columns,
@@ -274,96 +240,5 @@ fn opened<'a>(
         start: None,
         notes,
         rows: Box::new(rows),
-    }
-}
-
-impl DataRows<'_> {
-    /// The text of the next row with its line.
-    fn text(&mut self, notes: &mut Vec<Note>) -> Result<Option<(String, u64)>, ImportError> {
-        if let Some(first) = self.first.take() {
-            return Ok(Some(first));
-        }
-        while self.in_data {
-            match self.xml.next()? {
-                Event::Start(element) if element.name == "data" => {
-                    return Ok(Some((self.xml.text()?, element.line)));
-                }
-                Event::Start(_) => self.xml.skip()?,
-                Event::Text(_) => {}
-                Event::End | Event::Eof => self.in_data = false,
-            }
-        }
-        while self.in_log {
-            match self.xml.next()? {
-                Event::Start(element) => {
-                    if element.name == "logData" {
-                        let text = format!("a second logData, line {}", element.line);
-                        notes.push(Note::LeftOut(text));
-                    }
-                    self.xml.skip()?;
-                }
-                Event::Text(_) => {}
-                Event::End | Event::Eof => self.in_log = false,
-            }
-        }
-        self.others(notes)?;
-        Ok(None)
-    }
-
-    /// Looks for other logs behind the one that was read.
-    fn others(&mut self, notes: &mut Vec<Note>) -> Result<(), ImportError> {
-        loop {
-            match self.xml.next()? {
-                Event::Start(element) if element.name == "log" => {
-                    let mut head = Head {
-                        uid: element.attribute("uid").unwrap_or_default().to_owned(),
-                        ..Head::default()
-                    };
-                    // No log is called so: it is passed over.
-                    read(&mut self.xml, &mut head, Some("\0"))?;
-                    if self.names.len() < LOGS {
-                        self.names.push(head.title());
-                    }
-                }
-                Event::Start(_) => self.xml.skip()?,
-                Event::Eof => break,
-                Event::Text(_) | Event::End => {}
-            }
-        }
-        if self.names.len() == 1 {
-            return Ok(());
-        }
-        let names = std::mem::take(&mut self.names);
-        if self.picked {
-            let others = names[1..].join(", ");
-            notes.push(Note::LeftOut(format!("the logs behind '{}': {others}", names[0])));
-            return Ok(());
-        }
-        let what = "log".to_owned();
-        Err(ImportError::new(self.xml.file(), None, ImportErrorKind::Ambiguous { what, names }))
-    }
-}
-
-impl Rows for DataRows<'_> {
-    fn next(&mut self, row: &mut Row, notes: &mut Vec<Note>) -> Result<bool, ImportError> {
-        row.clear();
-        if self.ended {
-            return Ok(false);
-        }
-        let Some((text, line)) = self.text(notes)? else {
-            self.ended = true;
-            return Ok(false);
-        };
-        row.line = line;
-        row.bytes.extend_from_slice(text.as_bytes());
-        row.part_at(self.sign, 0);
-        if row.cells.len() > self.columns {
-            let found = row.cells.len();
-            let sentence = format!("the row has {found} values; {} were expected", self.columns);
-            let place = Some(format!("line {line}"));
-            let kind = ImportErrorKind::Refused(sentence);
-            return Err(ImportError::new(self.xml.file(), place, kind));
-        }
-        Ok(true)
     }
 }
