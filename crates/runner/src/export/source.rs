@@ -34,7 +34,7 @@ pub(super) fn of_folder(folder: &Path, what: What) -> Result<Source, Error> {
     let mut summary: Json = serde_json::from_slice(&bytes).map_err(|error| {
         Error::bad_input(format!("{} is not a file of results: {error}", path.display()))
     })?;
-    let settings = summary["settings"].take();
+    let settings = summary.get_mut("settings").map(Json::take).unwrap_or_default();
     let name = summary["case"].as_str().unwrap_or("Case").to_owned();
     Ok(Source { name, settings, folder })
 }
