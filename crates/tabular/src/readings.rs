@@ -7,7 +7,8 @@ use crate::{
     columns::layout::Layout,
     columns::sort::READINGS,
     error::{TableError, TableErrorKind},
-    survey::stations::{Reader, data_rows, style, whole},
+    survey::reader::{Reader, style, whole},
+    survey::stations::data_rows,
 };
 
 /// No hole is deeper along its axis, m.

@@ -120,7 +120,7 @@ fn a_string_as_a_tally() {
 fn what_cannot_be_exported_is_said() {
     let desk = Desk::new();
     for (arguments, sentence) in [
-        ("export slant.toml --to csv", "say which of them: --what survey or --what tally"),
+        ("export slant.toml --to csv", "say which of them is exported: survey or tally"),
         ("export slant.toml --to csv --what results", "a case file has no results"),
         ("export slant.toml --to text --what tally", "a string is not exported as a text report"),
         ("export nothing.toml --to csv --what survey", "nothing.toml"),

@@ -5,7 +5,7 @@ use std::io;
 use wholestring_units::Dimension;
 
 use super::{
-    Version,
+    version::Version,
     xml::{Xml, uid, uuid},
 };
 use crate::{

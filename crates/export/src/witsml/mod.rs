@@ -6,17 +6,10 @@
 mod log;
 mod trajectory;
 mod tubular;
+mod version;
 mod xml;
 
 pub use log::logs;
 pub use trajectory::trajectory;
 pub use tubular::tubular;
-
-/// A version of WITSML.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Version {
-    /// 1.4.1.1.
-    V1411,
-    /// 2.0.
-    V20,
-}
+pub use version::Version;

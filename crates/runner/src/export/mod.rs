@@ -1,10 +1,15 @@
 //! Results, the survey and the string of a case in the formats of other programs.
 
+mod format;
 mod logs;
+mod made;
 mod request;
+mod source;
 mod survey;
 mod tally;
 mod text;
+mod timestamp;
 mod workbook;
 
-pub use request::{Exported, Format, Request, What, export};
+pub use format::{Format, What};
+pub use request::{Exported, Request, export};

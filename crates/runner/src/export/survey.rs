@@ -4,7 +4,11 @@ use wholestring::well::{Station, TieIn};
 use wholestring_export::{Look, Row, rows, survey_report, trajectory};
 use wholestring_results::{Column, Data, Table};
 
-use super::request::{Format, Made, Source, one_table};
+use super::{
+    format::Format,
+    made::{Made, one_table},
+    source::Source,
+};
 use crate::{error::Error, page::well::path_of};
 
 /// The survey as it is requested.

@@ -4,7 +4,11 @@ use serde_json::Value as Json;
 use wholestring_export::{Component, Look, Version, tubular};
 use wholestring_results::{Column, Data, Table};
 
-use super::request::{Format, Made, Source, one_table};
+use super::{
+    format::Format,
+    made::{Made, one_table},
+    source::Source,
+};
 use crate::error::Error;
 
 /// What a component may have that a tally has no column for.
@@ -52,7 +56,7 @@ pub(super) fn export(
         Format::Witsml1411 => xml(Version::V1411),
         Format::Witsml20 => xml(Version::V20),
         Format::Text => Err(Error::bad_input(
-            "a string is not exported as a text report: expected csv, xlsx, witsml or witsml2",
+            "a string is not exported as a text report: expected CSV, Excel or WITSML",
         )),
     }
 }

@@ -2,7 +2,7 @@
 
 use wholestring_units::{Dimension, Unit};
 
-use super::{imported::StatedPosition, stations::Reader};
+use super::{imported::StatedPosition, reader::Reader};
 use crate::{
     cells::table::{Row, Table},
     columns::{column::Column, heading, layout::Layout},

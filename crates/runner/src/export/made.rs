@@ -1,0 +1,96 @@
+//! What was made, and its way to the disk.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+use wholestring_export::Look;
+use wholestring_report::Workbook;
+use wholestring_results::{ResultsError, ResultsFolder};
+
+use super::{
+    format::{Format, What},
+    text,
+};
+use crate::error::Error;
+
+/// What was made, before it is written.
+pub(super) enum Made {
+    /// One file.
+    File(Vec<u8>),
+    /// Several, by the stems of their names.
+    Files(Vec<(String, Vec<u8>)>),
+}
+
+impl Made {
+    /// Writes it to a file, or a folder, of that name; beside what it was made from where there is
+    /// none.
+    pub(super) fn write(
+        self,
+        from: &Path,
+        output: Option<&PathBuf>,
+        what: What,
+        format: Format,
+    ) -> Result<Vec<PathBuf>, Error> {
+        let ending = format.ending();
+        let stem = match what {
+            What::Results => "results",
+            What::Survey => "survey",
+            What::Tally => "tally",
+        };
+        match self {
+            Self::File(content) => {
+                let path = output.cloned().unwrap_or_else(|| {
+                    let name = format!("{stem}.{ending}");
+                    match from.is_dir() {
+                        true => from.join(name),
+                        false => beside(from, &name),
+                    }
+                });
+                fs::write(&path, content)
+                    .map_err(|source| ResultsError::Write { path: path.clone(), source })?;
+                Ok(vec![path])
+            }
+            Self::Files(files) => {
+                let folder = output.cloned().unwrap_or_else(|| from.join("export"));
+                let folder = ResultsFolder::create(folder)?;
+                files
+                    .into_iter()
+                    .map(|(stem, content)| {
+                        let name = format!("{stem}.{ending}");
+                        folder.write_file(&name, &content)?;
+                        Ok(folder.path().join(name))
+                    })
+                    .collect()
+            }
+        }
+    }
+}
+
+/// `CASE-survey.csv` beside `CASE.toml`.
+fn beside(case: &Path, name: &str) -> PathBuf {
+    let stem = case.file_stem().unwrap_or_default().to_string_lossy();
+    case.with_file_name(format!("{stem}-{name}"))
+}
+
+/// One table, as CSV or as a workbook.
+pub(super) fn one_table(
+    table: &wholestring_results::Table,
+    name: &str,
+    about: &str,
+    look: &Look,
+    format: Format,
+) -> Result<Made, Error> {
+    let sheet = crate::sheet::sheet(name, table, about, look.units);
+    if format == Format::Csv {
+        return Ok(Made::File(text::csv(&sheet).into_bytes()));
+    }
+    let workbook = Workbook {
+        title: look.name.clone(),
+        about: Vec::new(),
+        charts: Vec::new(),
+        sheets: vec![sheet],
+    };
+    Ok(Made::File(workbook.bytes().map_err(Error::failed)?))
+}
