@@ -108,7 +108,11 @@ pub(super) fn table(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
             number(of.largest),
             format!("{:.0}", shown.value(of.largest_at_m, "length")),
             number(of.theirs_there),
-            if part.is_finite() { format!("{part:.1}") } else { "–".to_owned() },
+            if part.is_finite() {
+                format!("{part:.1}").replace('-', "\u{2212}")
+            } else {
+                "–".to_owned()
+            },
         ])
     });
     let rows: Vec<Vec<(String, Verdict)>> = rows.collect();

@@ -206,7 +206,9 @@ fn another_program_lies_over_the_broomstick() {
     assert!(plots[1].figure.keys.iter().all(|key| !key.name.contains("another program")));
     assert!(matches!(hook_load.shared.range, Range::Fixed(_, to) if to > 2500.0));
     let page = plan_html(&of);
-    for text in ["plan_overlay.csv", "hook load, kN", "-12.00", "-2.0", "Ours less theirs"] {
+    for text in
+        ["plan_overlay.csv", "hook load, kN", "\u{2212}12.00", "\u{2212}2.0", "Ours less theirs"]
+    {
         assert!(page.contains(text), "{text}");
     }
     assert!(!page.contains("<program>"));
