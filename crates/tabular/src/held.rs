@@ -144,5 +144,5 @@ fn nearly_tally(tables: &[Table]) -> Option<TableError> {
     }
     let texts: Vec<String> = texts.into_iter().filter(|text| !text.is_empty()).collect();
     let kind = TableErrorKind::MissingColumn { column: missing, headers: texts, nearest: None };
-    Some(table.source.error(kind, table.rows.get(row).map(crate::survey::stations::whole)))
+    Some(table.source.error(kind, table.rows.get(row).map(crate::survey::reader::whole)))
 }

@@ -202,8 +202,9 @@ fn xls() -> Reader {
         cells.push((0, column, Value::Text(heading)));
         cells.extend((1..4).map(|row| (row, column, Value::Number(f64::from(row)))));
     }
-    let seeds = vec![old_excel::workbook(&cells), old_excel::workbook_of(&cells, 3)];
-    let wholes = seeds.clone();
+    // One that names a sheet three times is refused: nobody can say which is meant.
+    let wholes = vec![old_excel::workbook(&cells), old_excel::workbook_of(&cells, 3)];
+    let seeds = wholes[..1].to_vec();
     let make = move |rng: &mut Rng| {
         let Some(whole) = rng.choice(&wholes) else {
             return Vec::new();

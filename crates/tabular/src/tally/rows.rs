@@ -17,7 +17,7 @@ use crate::{
     },
     columns::column::Column,
     error::{TableError, TableErrorKind},
-    survey::stations::whole,
+    survey::reader::whole,
 };
 
 /// Rows of a tally: a thousand stands of joints.
