@@ -120,7 +120,7 @@ mod tests {
             pick_up_N: Some(444_822.161_526_05),
             slack_off_N: None,
             rotating_N: None,
-            torque_N_m: Some(1355.817_948_331_400_4),
+            torque_N_m: Some(1_355.817_948_331_400_4),
             torque_on_bottom_N_m: None,
             mud_density_kg_per_m3: None,
             case: None,

@@ -38,11 +38,11 @@ impl Made {
         self.rows += 1;
         if n.is_multiple_of(10) {
             let header = n / 1000;
-            write!(
+            writeln!(
                 self.row,
                 "<CD_DEFINITIVE_SURVEY_STATION well_id=\"W{header}\" wellbore_id=\"B{header}\" \
                  def_survey_header_id=\"H\" md=\"{n}.5\" inclination=\"12.5\" azimuth=\"145.25\" \
-                 sequence_no=\"{n}\" tvd=\"1000\" covariance_xx=\"0.123456\" ellipse_east=\"1.5\"/>\n"
+                 sequence_no=\"{n}\" tvd=\"1000\" covariance_xx=\"0.123456\" ellipse_east=\"1.5\"/>"
             )?;
             return Ok(());
         }

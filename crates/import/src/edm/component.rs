@@ -3,8 +3,8 @@
 use wholestring::string::catalogue;
 
 use super::{
-    Reader,
     keys::children,
+    reader::Reader,
     row::Row,
     table::Table,
     unit_set::{Found, Measure},

@@ -1,17 +1,14 @@
 //! From where depths are counted.
 
 use super::{
-    Reader,
     chooser::{Chosen, label},
     keys::parent,
+    reader::Reader,
     row::Row,
     table::Table,
     unit_set::{Found, Measure},
 };
-use crate::{
-    error::ImportError,
-    fragment::{Note, Value},
-};
+use crate::{error::ImportError, fragment::Value};
 
 /// Two elevations nearer than this are the same, m.
 const SAME_M: f64 = 0.05;
@@ -88,22 +85,4 @@ fn datum<'a>(reader: &Reader<'a>, chosen: &Chosen<'a>) -> Result<Option<Row<'a>>
     let own = || reader.rows.of(Table::Datum).filter(move |row| row.get("well_id") == Some(id));
     let default = own().find(|row| row.get("is_default") == Some("Y"));
     Ok(default.or_else(|| if own().count() == 1 { own().next() } else { None }))
-}
-
-impl Reader<'_> {
-    pub(super) fn assumed(&mut self, text: impl Into<String>) {
-        self.notes.push(Note::Assumed(text.into()));
-    }
-
-    pub(super) fn left_out(&mut self, text: impl Into<String>) {
-        self.notes.push(Note::LeftOut(text.into()));
-    }
-
-    pub(super) fn checked(&mut self, text: impl Into<String>) {
-        self.notes.push(Note::Checked(text.into()));
-    }
-
-    pub(super) fn read(&mut self, text: impl Into<String>) {
-        self.notes.push(Note::Read(text.into()));
-    }
 }

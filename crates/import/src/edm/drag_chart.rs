@@ -3,10 +3,10 @@
 use wholestring_tabular::ImportedReading;
 
 use super::{
-    Reader,
     chooser::Chosen,
     datum::Depths,
     keys::children,
+    reader::Reader,
     table::Table,
     unit_set::{Found, Measure},
 };

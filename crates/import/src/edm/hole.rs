@@ -1,10 +1,10 @@
 //! The sections of the hole.
 
 use super::{
-    Reader,
     chooser::Chosen,
     datum::Depths,
     keys::children,
+    reader::Reader,
     row::Row,
     table::Table,
     unit_set::{Found, Measure},

@@ -10,6 +10,7 @@ mod drag_chart;
 mod hole;
 mod keys;
 mod mud;
+mod reader;
 mod row;
 mod string;
 mod survey;
@@ -23,20 +24,13 @@ use crate::{
     input::Input,
     xml::Xml,
 };
+use reader::Reader;
 use row::Rows;
 use table::Table;
 use unit_set::Units;
 
 /// The root element of an export.
 pub(crate) const ROOT: &str = "export";
-
-/// What every part of an export is read with.
-struct Reader<'a> {
-    rows: &'a Rows,
-    choices: &'a Choices,
-    units: Units,
-    notes: Vec<Note>,
-}
 
 /// Reads one case of an export.
 pub(crate) fn read(input: Input, choices: &Choices) -> Result<Fragment, ImportError> {

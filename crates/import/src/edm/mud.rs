@@ -1,9 +1,9 @@
 //! The mud of a case.
 
 use super::{
-    Reader,
     chooser::{Chosen, label},
     keys::{agree, children, parent},
+    reader::Reader,
     row::Row,
     table::Table,
     unit_set::Measure,

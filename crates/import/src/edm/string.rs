@@ -1,11 +1,11 @@
 //! The string: an assembly and its components.
 
 use super::{
-    Reader,
     chooser::{Chosen, label},
     component,
     datum::Depths,
     keys::{children, parent},
+    reader::Reader,
     row::Row,
     table::Table,
     unit_set::Measure,

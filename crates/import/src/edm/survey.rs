@@ -3,10 +3,10 @@
 use wholestring::well::{Station, TieIn};
 
 use super::{
-    Reader,
     chooser::{Chosen, label},
     datum::Depths,
     keys::{agree, children, parent},
+    reader::Reader,
     row::Row,
     table::Table,
     unit_set::Measure,

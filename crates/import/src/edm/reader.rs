@@ -1,0 +1,30 @@
+//! What the parts of an export are read with, and what they say.
+
+use super::{row::Rows, unit_set::Units};
+use crate::{choices::Choices, fragment::Note};
+
+/// What every part of an export is read with.
+pub(super) struct Reader<'a> {
+    pub(super) rows: &'a Rows,
+    pub(super) choices: &'a Choices,
+    pub(super) units: Units,
+    pub(super) notes: Vec<Note>,
+}
+
+impl Reader<'_> {
+    pub(super) fn assumed(&mut self, text: impl Into<String>) {
+        self.notes.push(Note::Assumed(text.into()));
+    }
+
+    pub(super) fn left_out(&mut self, text: impl Into<String>) {
+        self.notes.push(Note::LeftOut(text.into()));
+    }
+
+    pub(super) fn checked(&mut self, text: impl Into<String>) {
+        self.notes.push(Note::Checked(text.into()));
+    }
+
+    pub(super) fn read(&mut self, text: impl Into<String>) {
+        self.notes.push(Note::Read(text.into()));
+    }
+}
