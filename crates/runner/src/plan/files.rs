@@ -117,7 +117,7 @@ fn theirs(summary: &PlanSummary, table: Table, quantity: &str, is_torque: bool) 
         let of_operation = |of: &&PlanOverlayRow| of.operation == *operation;
         if rows.iter().any(of_operation) {
             let mut values = vec![None; above];
-            values.extend(rows.iter().map(|of| of_operation(&of).then_some(of.theirs)));
+            values.extend(rows.iter().map(|of| of_operation(of).then_some(of.theirs)));
             columns.push(Column::numbers(format!("{operation}_overlay_{quantity}"), values));
         }
     }
