@@ -30,6 +30,7 @@ mod imported;
 mod input;
 mod log;
 mod merge;
+mod pipe;
 mod readings_csv;
 mod tables;
 mod witsml;

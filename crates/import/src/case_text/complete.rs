@@ -5,6 +5,7 @@ use wholestring_case::MAX_FRICTION;
 use crate::{
     fragment::{Block, Entry, Note, Origin, Part, Value},
     merge::{Draft, Of},
+    pipe::is_pipe,
 };
 
 /// Friction of steel on steel and on rock where nothing tells it: what torque and drag is usually
@@ -56,10 +57,18 @@ const NEEDED: [Missing; 4] = [
     },
 ];
 
+/// Of a string whose topmost component is of an assembly.
+const PIPE: Missing = Missing {
+    part: Part::String,
+    sentence: "the pipe above the topmost component: write it as the last [[string]], \"to surface\"",
+    example: "[[string]]\ncomponent = \"drill pipe\"\ncatalogue = \"5 in 19.50 lb/ft S-135\"\nlength = \
+              \"to surface\"",
+};
+
 /// Fills in what may be assumed, and returns what is missing.
 pub(crate) fn complete(draft: &mut Draft) -> Vec<Missing> {
     friction(draft);
-    top_component(draft);
+    let ends_in_pipe = top_component(draft);
     operations(draft);
     bit_depth(draft);
     let lacks = |part: Part| match part {
@@ -69,7 +78,12 @@ pub(crate) fn complete(draft: &mut Draft) -> Vec<Missing> {
         Part::Mud => !draft.mud.iter().any(|entry| entry.of.key == "density"),
         Part::Rig | Part::Operation => false,
     };
-    NEEDED.into_iter().filter(|needed| lacks(needed.part)).collect()
+    let mut missing: Vec<Missing> =
+        NEEDED.into_iter().filter(|needed| lacks(needed.part)).collect();
+    if !ends_in_pipe {
+        missing.push(PIPE);
+    }
+    missing
 }
 
 /// What the string does, and how fast it turns.
@@ -113,27 +127,32 @@ fn friction(draft: &mut Draft) {
     }
 }
 
-/// The topmost component fills the string whatever the depth of the bit, if it is pipe.
-fn top_component(draft: &mut Draft) {
-    let Some(Of { file, of: components }) = &mut draft.string else { return };
-    let Some(top) = components.last_mut() else { return };
-    let Some(Entry { value, origin, .. }) =
-        top.entries.iter_mut().find(|entry| entry.key == "length")
-    else {
-        return;
+/// The topmost component fills the string whatever the depth of the bit, if it is pipe; whether the
+/// string reaches to the surface.
+fn top_component(draft: &mut Draft) -> bool {
+    let Some(Of { file, of: components }) = &mut draft.string else { return true };
+    let Some(top) = components.last_mut() else { return true };
+    let name = match top.get("component") {
+        Some(Value::Text(name)) => name.clone(),
+        _ => String::new(),
     };
-    if let Value::Quantity { number, unit } = value {
-        let found = format!("{number} {}", unit.symbol);
-        *origin = Origin::Assumed {
-            because: format!("found {found}; it fills the string at every depth of the bit"),
-        };
-        *value = Value::text("to surface");
-        let text = format!(
-            "the topmost component, found with a length of {found}, is taken to reach to the \
-             surface whatever the depth of the bit"
-        );
-        draft.notes.push((Some(*file), Note::Assumed(text)));
+    let length = top.entries.iter_mut().find(|entry| entry.key == "length");
+    let Some(Entry { value, origin, .. }) = length else { return true };
+    let Value::Quantity { number, unit } = value else { return true };
+    if !is_pipe(&name) {
+        return false;
     }
+    let found = format!("{number} {}", unit.symbol);
+    *origin = Origin::Assumed {
+        because: format!("found {found}; it fills the string at every depth of the bit"),
+    };
+    *value = Value::text("to surface");
+    let text = format!(
+        "the topmost component, found with a length of {found}, is taken to reach to the surface \
+         whatever the depth of the bit"
+    );
+    draft.notes.push((Some(*file), Note::Assumed(text)));
+    true
 }
 
 /// The bit is where the hole ends, if the survey goes deeper.

@@ -38,10 +38,11 @@ pub(crate) fn text(draft: &Draft, missing: &[Missing]) -> String {
     }
     table(&mut text, draft, "mud", &draft.mud);
     example(&mut text, lacks(Part::Mud));
-    match &draft.string {
-        Some(of) => blocks(&mut text, draft, "string", of),
-        None => example(&mut text, lacks(Part::String)),
+    if let Some(of) = &draft.string {
+        blocks(&mut text, draft, "string", of);
     }
+    // All of it, or the pipe above an assembly.
+    example(&mut text, lacks(Part::String));
     table(&mut text, draft, "bit", &draft.bit);
     table(&mut text, draft, "rig", &draft.rig);
     table(&mut text, draft, "operation", &draft.operation);

@@ -20,7 +20,7 @@ mod unit_set;
 use crate::{
     choices::Choices,
     error::ImportError,
-    fragment::{Block, Contents, Entry, Fragment, Note, Origin, Value},
+    fragment::{Block, Contents, Entry, Fragment, Origin, Value},
     input::Input,
     xml::Xml,
 };

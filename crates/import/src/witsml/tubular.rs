@@ -65,12 +65,6 @@ pub(crate) fn read(
         let text = format!("{}: its typeTubularAssy is '{}'", object.label(), short(assembly));
         notes.push(Note::Read(text));
     }
-    if let Some(top) = components.last().filter(|top| !top.is_pipe()) {
-        notes.push(Note::Checked(format!(
-            "the topmost component is {}, which is no pipe: is the rest of the string in the file?",
-            top.label()
-        )));
-    }
     let unread: BTreeSet<&str> = components
         .iter()
         .flat_map(|component| component.node.children())

@@ -42,13 +42,6 @@ pub(crate) fn connection_of(name: &str) -> Option<&str> {
     name.split_whitespace().find(|word| is_connection(word) && word.len() > 2)
 }
 
-/// Whether a name is that of pipe.
-pub(crate) fn is_pipe(name: &str) -> bool {
-    let lower = name.to_lowercase();
-    let word = |word: &str| matches!(word, "dp" | "hwdp" | "pipe" | "drillpipe" | "tubing" | "ct");
-    lower.split(|c: char| !c.is_alphanumeric()).any(word)
-}
-
 /// Threads: `NC50`, `HT55`, `XT-57`, `5-1/2FH`, `GPDS50`.
 fn is_connection(word: &str) -> bool {
     let word: String =

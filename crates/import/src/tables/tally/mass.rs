@@ -7,7 +7,6 @@ use wholestring_tabular::{Column, Holds, TallyCell};
 use wholestring_units::{Dimension, number_text};
 
 use super::{
-    designation,
     part::{Part, Refusal},
     quote::{origin, shown, unit},
     said::Said,
@@ -15,6 +14,7 @@ use super::{
 use crate::{
     error::ImportErrorKind,
     fragment::{Note, Origin, Value},
+    pipe::is_pipe,
 };
 
 /// Standard gravity, m/s²: a weight as a force stands for a mass.
@@ -79,7 +79,7 @@ pub(crate) fn of(
             (value, from, cell.place.clone())
         }
         (None, None, _) => {
-            if !body.is_listed && designation::is_pipe(&part.name) {
+            if !body.is_listed && is_pipe(&part.name) {
                 said.unweighed_pipe.push(part.name.clone());
             } else if !body.is_listed {
                 said.unweighed.push(part.name.clone());

@@ -95,13 +95,6 @@ fn blocks(
         );
         return Err((Some(part.row().place.clone()), ImportErrorKind::Refused(sentence)));
     }
-    if parts[top].length != Length::ToSurface && !designation::is_pipe(&parts[top].name) {
-        notes.push(Note::Read(format!(
-            "the topmost component, '{}', is called no pipe: if the tally is of the assembly \
-             alone, write the pipe above it as the last [[string]]",
-            parts[top].name
-        )));
-    }
     let mut blocks = Vec::with_capacity(parts.len());
     let mut said = Said::default();
     for (index, part) in parts.iter().enumerate() {
