@@ -5,6 +5,8 @@ from pathlib import Path
 import pytest
 import wholestring as ws
 
+SAMPLES = Path(__file__).parents[2] / "import" / "tests" / "samples" / "own"
+
 SURVEY = "MD,Inc,Azi\n0,0,0\n1000,0,0\n1100,3,45\n4000,30,45\n"
 
 REST = """
@@ -55,6 +57,28 @@ def test_what_is_not_told_is_asked_for(survey: Path, tmp_path: Path) -> None:
         ws.import_files(survey, units={"md": "ft"}, picks={"tubular": "BHA 7"})
     with pytest.raises(ws.InputError, match="no such file"):
         ws.Case.from_files(tmp_path / "none.csv")
+
+
+def test_a_well_from_witsml() -> None:
+    files = sorted(SAMPLES.glob("witsml-*.xml"))
+    assert len(files) == 4
+    case = ws.Case.from_files(*files, changes={"friction": 0.25})
+    assert case.name == "Made-up 1"
+    assert case.soft()["trip_out"].hook_load_N > 0.0
+
+
+def test_another_programs_curves(tmp_path: Path) -> None:
+    export = SAMPLES / "edm-well.xml"
+    with pytest.raises(ws.InputError, match="--pick well=NAME"):
+        ws.import_files(export)
+    picks = {"well": "WS-1", "wellbore": "WS-1", "case": "8 1/2 in drilling"}
+    imported = ws.import_files(export, units={"edm": "api"}, picks=picks)
+    assert imported.missing == ()
+    saved = imported.save(tmp_path / "well.toml")
+    overlay = tmp_path / "well-overlay.csv"
+    plan = ws.Case.load(saved).plan(tmp_path / "plan", overlay=overlay)
+    assert (tmp_path / "plan" / "plan_overlay.parquet").is_file()
+    assert plan.summary["overlay"]["file"].endswith("well-overlay.csv")
 
 
 def test_a_file_tells_what_it_is(survey: Path) -> None:

@@ -114,8 +114,8 @@ fn tally() -> Reader {
     let seeds: [&[u8]; 3] = [
         include_bytes!("../../../import/tests/samples/own/tally.csv"),
         b"Component\tOD (in)\tID (in)\tLength (ft)\tWeight (lb/ft)\nBit\t8 1/2\t2\t1\t90\n\
-          DC\t6 3/4\t2 13/16\t300\t99\nDP\t5\t4,276\tto surface\t22\n",
-        b"No;Item;OD;ID;Length;Cum Length\n;;mm;mm;m;m\n1;Bit;215,9;50;0,3;0,3\n2;HWDP;127;76,2;100;100,3\n\
+          DC\t6 3/4\t2 13/16\t300\t99\nDP\t5\t4.276\tto surface\t22\n",
+        b"No;Component;OD;ID;Length;Cum Length\n;;mm;mm;m;m\n1;Bit;215,9;50;0,3;0,3\n2;HWDP;127;76,2;100;100,3\n\
           3;Drill pipe;127;108,6;2000;2100,3\n",
     ];
     let words = &[
@@ -187,9 +187,18 @@ fn log_csv() -> Reader {
 
 /// Logs in WITSML.
 fn log_witsml() -> Reader {
-    let seeds: [&[u8]; 2] = [
-        include_bytes!("../../../import/tests/samples/witsml-1.4.1.1/welleng-time_log.xml"),
-        include_bytes!("../../../import/tests/samples/witsml-1.4.1.1/hashmap-log_with_data.xml"),
+    let seeds: [&[u8]; 1] = [
+        b"<logs xmlns=\"http://www.witsml.org/schemas/1series\" version=\"1.4.1.1\"><log uid=\"1\">\
+          <nameWell>W</nameWell><name>L</name><indexType>date time</indexType>\
+          <indexCurve>TIME</indexCurve><nullValue>-999.25</nullValue>\
+          <logCurveInfo uid=\"1\"><mnemonic>TIME</mnemonic><unit>s</unit></logCurveInfo>\
+          <logCurveInfo uid=\"2\"><mnemonic>DBTM</mnemonic><unit>m</unit></logCurveInfo>\
+          <logCurveInfo uid=\"3\"><mnemonic>DMEA</mnemonic><unit>m</unit></logCurveInfo>\
+          <logCurveInfo uid=\"4\"><mnemonic>HKLA</mnemonic><unit>kN</unit></logCurveInfo><logData>\
+          <mnemonicList>TIME,DBTM,DMEA,HKLA</mnemonicList><unitList>s,m,m,kN</unitList>\
+          <data>2026-11-21T06:00:00Z,2990,3000,600</data><data>2026-11-21T06:00:05Z,2985,3000,900</data>\
+          <data>2026-11-21T06:00:10Z,2980,3000,905</data><data>2026-11-21T06:00:15Z,2980,3000,-999.25</data>\
+          <data>2026-11-21T06:00:20Z,2980,3000,200</data></logData></log></logs>",
     ];
     Reader::text("import-log-witsml", seeds, XML, reads(block()))
 }

@@ -7,7 +7,7 @@ use wholestring_units::{Dimension, UnitSet};
 
 use super::complete::Missing;
 use crate::{
-    fragment::{Block, Entry, Note, Origin, Part, Survey, Value},
+    fragment::{Block, Entry, Note, Origin, Part, Survey, Value, rounded},
     merge::{Draft, Of},
 };
 
@@ -122,11 +122,6 @@ fn survey(text: &mut String, file: usize, survey: &Survey, set: UnitSet) {
             line(text, key, &format!("\"{} m\"", rounded(value_m)), &format!("[{}]", file + 1));
         }
     }
-}
-
-/// Twelve significant digits: beyond what any survey has, and without the last bits of a factor.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.11e}").parse().unwrap_or(value)
 }
 
 /// A list of tables.

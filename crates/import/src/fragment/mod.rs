@@ -13,7 +13,7 @@ pub use note::Note;
 pub use origin::Origin;
 pub use survey::Survey;
 pub use value::Value;
-pub(crate) use value::quoted;
+pub(crate) use value::{quoted, rounded};
 
 use wholestring_tabular::ImportedReading;
 

@@ -1,6 +1,6 @@
 //! A value of a case, in the unit of its file.
 
-use wholestring_units::{Unit, number_text};
+use wholestring_units::Unit;
 
 /// A value as a case file has it, in the unit that it was found in.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,9 +44,9 @@ impl Value {
     pub(crate) fn toml(&self) -> String {
         match self {
             Value::Quantity { number, unit } => {
-                quoted(&format!("{} {}", number_text(*number), unit.symbol))
+                quoted(&format!("{} {}", rounded(*number), unit.symbol))
             }
-            Value::Number(number) => number_text(*number),
+            Value::Number(number) => rounded(*number).to_string(),
             Value::Text(text) => quoted(text),
             Value::Words(words) => {
                 let words: Vec<String> = words.iter().map(|word| quoted(word)).collect();
@@ -54,6 +54,11 @@ impl Value {
             }
         }
     }
+}
+
+/// Twelve significant digits: beyond what any file has, and without the last bits of a factor.
+pub(crate) fn rounded(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
 }
 
 /// A basic string of TOML.

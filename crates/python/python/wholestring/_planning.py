@@ -140,7 +140,10 @@ class Planning(Checked):
         place = Place(folder, overwrite=overwrite, resume=resume)
         options = common(place, units=units, jobs=jobs, checkpoint=checkpoint, png=png)
         return carry_out(
-            Plan, place, progress, lambda listener: _core.plan_of(self._held, options, overlay, listener)
+            Plan,
+            place,
+            progress,
+            lambda listener: _core.plan_of(self._held, options, overlay, listener),
         )
 
     def reach(
