@@ -1,14 +1,16 @@
 //! Logs of WITSML: 1.3.1.1 and 1.4.1.1, 2.0 and 2.1.
 
 mod json;
+mod pick;
 mod rows1;
 mod series1;
 mod series2;
 
+use self::pick::missing;
 use super::log::Opened;
 use crate::{
     choices::Choices,
-    error::{ImportError, ImportErrorKind},
+    error::ImportError,
     input::Input,
     xml::{Event, Xml},
 };
@@ -33,13 +35,4 @@ pub(super) fn open<'a>(input: Input<'a>, choices: &Choices) -> Result<Opened<'a>
             Event::Text(_) | Event::End => {}
         }
     }
-}
-
-fn missing(xml: &Xml, what: &str) -> ImportError {
-    xml.error(ImportErrorKind::Missing { what: what.to_owned() })
-}
-
-/// The name that `--pick log=` gives, and whether a log of these names is meant.
-fn is_picked(picked: Option<&str>, names: &[&str]) -> bool {
-    picked.is_none_or(|picked| names.contains(&picked))
 }

@@ -11,7 +11,7 @@ use super::{
         quantity::Quantity,
         row::COLUMNS,
     },
-    is_picked, missing,
+    pick::{is_picked, missing},
     rows1::{DataRows, First, LOGS},
 };
 use crate::{

@@ -9,9 +9,8 @@ use super::{
         quantity::Quantity,
         row::{COLUMNS, Row, Rows},
     },
-    is_picked,
     json::Json,
-    missing,
+    pick::{is_picked, missing},
 };
 use crate::{
     choices::Choices,
