@@ -803,7 +803,7 @@ fn names_with_their_units_as_programs_write_them() {
     yield_strength = "930792228 Pa"
     "#);
     let components = components(&imported);
-    assert_eq!(components[2].yield_strength_Pa, Some(930_792_200.0));
+    assert_eq!(components[2].yield_strength_Pa, Some(930_792_228.0));
     assert_eq!(components[2].joints.map(|joints| joints.spacing_m), Some(9.6));
 }
 

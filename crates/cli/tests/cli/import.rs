@@ -99,3 +99,69 @@ fn files_are_told_apart() {
     });
     assert_snapshot!("check_of_others", checks.join("\n"));
 }
+
+/// A case that is written in a format and read again is the same, as far as the format writes digits:
+/// eight significant ones, in a report hundredths of a unit of length and thousandths of a degree.
+#[test]
+fn what_is_exported_is_imported() {
+    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slant.toml");
+    let desk = Desk::new();
+    fs::copy(own, desk.path("well.toml")).unwrap();
+    let known = wholestring_case::load(&desk.path("well.toml"), &[]).unwrap();
+    for (survey, tally, units) in [
+        ("csv", "csv", "field"),
+        ("xlsx", "xlsx", "si"),
+        ("text", "csv", "field"),
+        ("witsml", "witsml", "field"),
+        ("witsml", "witsml", "si"),
+        ("witsml2", "witsml2", "field"),
+    ] {
+        let names = [format!("{survey}-{units}.survey"), format!("{tally}-{units}.tally")];
+        for (what, format, name) in [("survey", survey, &names[0]), ("tally", tally, &names[1])] {
+            let export = ["export", "well.toml", "--what", what, "--to", format, "--units", units];
+            desk.done(&[&export[..], &["-o", name]].concat());
+        }
+        let case = format!("{survey}-{units}.toml");
+        desk.done(&["import", &names[0], &names[1], "-o", &case]);
+        // What neither of the two holds.
+        let hole = "\n[[well.hole]]\nkind = \"open\"\nto = \"1300 m\"\ndiameter = \"9 in\"\nfriction = 0.3\n\
+                    [mud]\ndensity = \"1.1 sg\"\n";
+        let text = desk.text(&case).replace("\n[operation]\n", &format!("{hole}\n[operation]\n"));
+        fs::write(desk.path(&case), text).unwrap();
+        let read = wholestring_case::load(&desk.path(&case), &[]).unwrap();
+
+        let stations = known.model.well.path.stations().iter().zip(read.model.well.path.stations());
+        let (length_m, angle_rad) = match survey {
+            "text" => (0.005 * 0.3048, 0.0005_f64.to_radians()),
+            // The eighth digit of thousands of feet.
+            _ => (0.5e-4 * 0.3048, 1e-8),
+        };
+        assert_eq!(known.model.well.path.stations().len(), read.model.well.path.stations().len());
+        for (ours, theirs) in stations {
+            assert!(
+                (ours.md_m - theirs.md_m).abs() <= length_m * 1.001,
+                "{survey}: {ours:?} {theirs:?}"
+            );
+            let [inclination, azimuth] = [
+                ours.inclination_rad - theirs.inclination_rad,
+                ours.azimuth_rad - theirs.azimuth_rad,
+            ];
+            assert!(inclination.abs() <= angle_rad * 1.001, "{survey}: {ours:?} {theirs:?}");
+            assert!(azimuth.abs() <= angle_rad * 1.001, "{survey}: {ours:?} {theirs:?}");
+        }
+        let [ours, theirs] = [&known, &read].map(|case| case.model.string.components());
+        assert_eq!(ours.len(), theirs.len(), "{tally}");
+        for (ours, theirs) in ours.iter().zip(theirs) {
+            for (ours, theirs, what) in [
+                (ours.od_m, theirs.od_m, "od"),
+                (ours.id_m, theirs.id_m, "id"),
+                (ours.mass_per_length_kg_per_m, theirs.mass_per_length_kg_per_m, "mass"),
+                (ours.length_m, theirs.length_m, "length"),
+            ] {
+                // Eight digits in a file, and lengths that end at the bit's depth.
+                let near = 1e-6 * ours.abs().max(1e-3);
+                assert!((ours - theirs).abs() <= near, "{tally}, {units}: {what} {ours} {theirs}");
+            }
+        }
+    }
+}

@@ -150,12 +150,14 @@ fn check(log: &Beginning, limits: &Thresholds) -> Result<(), ImportErrorKind> {
         ));
     }
     let needed = [
-        (log.has.hook_load, "the hook load"),
-        (log.has.bit_depth, "the depth of the bit"),
-        (log.has.hole_depth, "the depth of the hole"),
+        (log.has.hook_load, "the hook load", "hookload"),
+        (log.has.bit_depth, "the depth of the bit", "bit-depth"),
+        (log.has.hole_depth, "the depth of the hole", "hole-depth"),
     ];
-    if let Some((_, what)) = needed.into_iter().find(|(has, _)| !has) {
-        return Err(ImportErrorKind::Missing { what: what.to_owned() });
+    if let Some((_, what, name)) = needed.into_iter().find(|(has, ..)| !has) {
+        return Err(ImportErrorKind::Refused(format!(
+            "{what} is missing; if a channel has it, say which: --pick {name}=CHANNEL"
+        )));
     }
     if log.step_s.is_nan() {
         return Err(ImportErrorKind::Missing { what: "a second row with a time".to_owned() });
