@@ -83,7 +83,7 @@ class Case(Solving, Planning, Assemblies):
         picks: Mapping[str, str] | None = None,
         changes: Mapping[str, Value] | None = None,
     ) -> Case:
-        """Make a case of the files of other programs: :func:`import_files`, and what they lack.
+        r"""Make a case of the files of other programs: :func:`import_files`, and what they lack.
 
         Parameters
         ----------
@@ -104,6 +104,19 @@ class Case(Solving, Planning, Assemblies):
             If a file is not one that is known, or does not tell what is needed of it.
         CaseError
             If the files lack something that a case needs.
+
+        Examples
+        --------
+        >>> import pathlib, tempfile
+        >>> import wholestring as ws
+        >>> with tempfile.TemporaryDirectory() as place:
+        ...     survey = pathlib.Path(place, "survey.csv")
+        ...     _ = survey.write_text("MD (m),Inc,Azi\n0,0,0\n300,0,0\n330,3,45\n")
+        ...     try:
+        ...         ws.Case.from_files(survey)
+        ...     except ws.CaseError as error:
+        ...         print("mud" in str(error))
+        True
         """
         return import_files(*files, units=units, values=values, picks=picks).case(changes)
 

@@ -30,6 +30,12 @@ class ImportNote:
         ``"assumed"``, ``"left out"``, ``"checked"`` or ``"read"``.
     text
         The sentence.
+
+    Examples
+    --------
+    >>> from wholestring import ImportNote
+    >>> ImportNote(None, "assumed", "friction is 0.2 in casing").kind
+    'assumed'
     """
 
     file: str | None
@@ -39,7 +45,7 @@ class ImportNote:
 
 @dataclass(frozen=True, slots=True)
 class Imported:
-    """A case that was made of files.
+    r"""A case that was made of files.
 
     Attributes
     ----------
@@ -51,6 +57,18 @@ class Imported:
         What was assumed, left out, checked and read.
     missing
         What the case still needs, in sentences.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import wholestring as ws
+    >>> with tempfile.TemporaryDirectory() as place:
+    ...     survey = pathlib.Path(place, "survey.csv")
+    ...     _ = survey.write_text("MD (m),Inc,Azi\n0,0,0\n300,0,0\n330,3,45\n")
+    ...     imported = ws.import_files(survey)
+    ...     saved = imported.save(pathlib.Path(place, "well.toml"))
+    >>> imported.missing[1]
+    'the density of the mud: write it in the case ([mud])'
     """
 
     text: str
@@ -60,7 +78,7 @@ class Imported:
     _beside: Mapping[str, bytes]
 
     def case(self, changes: Mapping[str, Value] | None = None) -> Case:
-        """Give the case, with other values.
+        r"""Give the case, with other values.
 
         Parameters
         ----------
@@ -71,6 +89,20 @@ class Imported:
         ------
         CaseError
             If something is missing or cannot be.
+
+        Examples
+        --------
+        >>> import pathlib, tempfile
+        >>> import wholestring as ws
+        >>> with tempfile.TemporaryDirectory() as place:
+        ...     survey = pathlib.Path(place, "survey.csv")
+        ...     _ = survey.write_text("MD (m),Inc,Azi\n0,0,0\n300,0,0\n330,3,45\n")
+        ...     imported = ws.import_files(survey)
+        >>> try:
+        ...     imported.case()
+        ... except ws.CaseError as error:
+        ...     print(len(error.diagnostics) > 0)
+        True
         """
         from .case import Case
 
@@ -103,7 +135,7 @@ class Imported:
 
 @dataclass(frozen=True, slots=True)
 class Contents:
-    """What a file is, and what it holds.
+    r"""What a file is, and what it holds.
 
     Attributes
     ----------
@@ -111,6 +143,16 @@ class Contents:
         What it is: ``"WITSML 1.4.1.1"``.
     lines
         What it holds, in words.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import wholestring as ws
+    >>> with tempfile.TemporaryDirectory() as place:
+    ...     survey = pathlib.Path(place, "survey.csv")
+    ...     _ = survey.write_text("MD (m),Inc,Azi\n0,0,0\n300,0,0\n330,3,45\n")
+    ...     print(ws.contents(survey).what)
+    a survey of 3 stations
     """
 
     what: str
