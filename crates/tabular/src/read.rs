@@ -101,7 +101,9 @@ fn read_readings_of(tables: &[Table]) -> Option<Result<ImportedReadings, TableEr
             let layout = layout::below(table, header, &Said::default());
             Some(layout.and_then(|layout| readings::read(table, layout)))
         }
-        Headed::Nearest(partial, table) if partial.is_header() => Some(Err(partial.error(table))),
+        Headed::Nearest(partial, table) if partial.is_header() => {
+            Some(Err(partial.error(table, &READINGS)))
+        }
         Headed::Nearest(..) | Headed::None => None,
     }
 }
@@ -181,7 +183,7 @@ fn surveys(tables: &[Table], said: &Said) -> Option<Result<Vec<SurveyTable>, Tab
         }
     }
     let (partial, table) = nearest.filter(|(partial, _)| partial.is_header())?;
-    Some(Err(partial.error(table)))
+    Some(Err(partial.error(table, &SURVEY)))
 }
 
 /// Three columns without a name.

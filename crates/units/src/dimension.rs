@@ -146,10 +146,10 @@ impl Dimension {
     /// `m MD`, `mTVDRT`.
     pub fn find_unit(self, symbol: &str) -> Option<&'static Unit> {
         let depth = || match self {
-            Dimension::Length => symbol::find_depth(self.units(), symbol),
+            Dimension::Length => symbol::find_depth(self, symbol),
             _ => None,
         };
-        symbol::find(self.units(), symbol).or_else(depth)
+        symbol::find(self, symbol).or_else(depth)
     }
 
     /// The value for people: in the set's unit, with five significant digits and the unit.

@@ -1,6 +1,8 @@
 //! Finding a unit by the way it is written.
 
-use crate::Unit;
+use std::{collections::HashMap, sync::LazyLock};
+
+use crate::{Dimension, Unit};
 
 /// No spelling of a unit is longer, in bytes, however freely spaced.
 const LONGEST: usize = 64;
@@ -56,22 +58,33 @@ pub(crate) fn bare(text: &str) -> String {
     bare
 }
 
+/// The spellings of each dimension's units in their bare form, made once: a table of a thousand cells
+/// asks for the unit of each in every dimension.
+static SPELLINGS: LazyLock<HashMap<Dimension, Vec<(String, &'static Unit)>>> =
+    LazyLock::new(|| {
+        let spellings = |of: &Dimension| {
+            let units = of.units().iter();
+            units.flat_map(|unit| unit.spellings().map(move |s| (bare(s), unit))).collect()
+        };
+        Dimension::ALL.iter().map(|of| (*of, spellings(of))).collect()
+    });
+
 /// The unit written so: with its exact capitals, or else with any where only one unit fits.
-pub(crate) fn find<'a>(units: &'a [Unit], written: &str) -> Option<&'a Unit> {
+pub(crate) fn find(dimension: Dimension, written: &str) -> Option<&'static Unit> {
     if written.len() > LONGEST {
         return None;
     }
-    let written = bare(written);
-    let exact = |unit: &&Unit| unit.spellings().any(|s| bare(s) == written);
-    if let Some(unit) = units.iter().find(exact) {
+    find_bare(dimension, &bare(written))
+}
+
+fn find_bare(dimension: Dimension, written: &str) -> Option<&'static Unit> {
+    let spellings = SPELLINGS.get(&dimension)?;
+    if let Some((_, unit)) = spellings.iter().find(|(spelling, _)| spelling == written) {
         return Some(unit);
     }
-    let loose = |unit: &&Unit| unit.spellings().any(|s| same_but_for_capitals(&bare(s), &written));
-    let mut found = units.iter().filter(loose);
-    match (found.next(), found.next()) {
-        (Some(unit), None) => Some(unit),
-        _ => None,
-    }
+    let mut loose = spellings.iter().filter(|(of, _)| same_but_for_capitals(of, written));
+    let (_, first) = loose.next()?;
+    loose.all(|(_, other)| std::ptr::eq(*first, *other)).then_some(*first)
 }
 
 /// From where and along what a depth is measured: measured depth or true vertical depth or along
@@ -83,7 +96,7 @@ const DEPTHS: &[&str] = &[
 ];
 
 /// The unit before such words: of `ftKB` it is `ft`.
-pub(crate) fn find_depth<'a>(units: &'a [Unit], written: &str) -> Option<&'a Unit> {
+pub(crate) fn find_depth(dimension: Dimension, written: &str) -> Option<&'static Unit> {
     if written.len() > LONGEST {
         return None;
     }
@@ -94,7 +107,7 @@ pub(crate) fn find_depth<'a>(units: &'a [Unit], written: &str) -> Option<&'a Uni
         (!head.is_empty() && tail.eq_ignore_ascii_case(word)).then_some(head)
     }) {
         rest = shorter;
-        if let Some(unit) = find(units, rest) {
+        if let Some(unit) = find_bare(dimension, rest) {
             return Some(unit);
         }
     }

@@ -5,11 +5,16 @@ use std::collections::BTreeMap;
 use wholestring_case::Template;
 use wholestring_import::{Choices, Input, contents, import};
 
-use super::reader::{New, Reader};
+use super::{
+    reader::{New, Reader},
+    workbooks::{self, Value},
+};
 
 /// The readers of this file.
 pub(super) const READERS: &[(&str, New)] = &[
     ("import-tally", tally),
+    ("import-xlsx", xlsx),
+    ("import-xls", xls),
     ("import-witsml", witsml),
     ("import-edm", edm),
     ("import-las", las),
@@ -149,13 +154,43 @@ fn tally() -> Reader {
     Reader::text("import-tally", seeds, words, reads(Choices::default()))
 }
 
+/// Shared strings of a tally's workbook.
+const STRINGS: &str = r#"<?xml version="1.0"?><sst xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" count="9" uniqueCount="9"><si><t>Component</t></si><si><t>OD (in)</t></si><si><t>ID (in)</t></si><si><t>Length (ft)</t></si><si><t>Bit</t></si><si><t>DC</t></si><si><t>DP</t></si><si><t>8 1/2"</t></si><si><r><t xml:space="preserve">to </t></r><r><t>surface</t></r></si></sst>"#;
+
+/// Its sheet: a merged heading, fractions as texts, a formula and a text in place.
+const SHEET: &str = r#"<?xml version="1.0"?><worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><dimension ref="A1:D5"/><sheetData><row r="1"><c r="A1" t="inlineStr"><is><t>String of S-1</t></is></c></row><row r="2"><c r="A2" t="s"><v>0</v></c><c r="B2" t="s"><v>1</v></c><c r="C2" t="s"><v>2</v></c><c r="D2" t="s"><v>3</v></c></row><row r="3"><c r="A3" t="s"><v>4</v></c><c r="B3" t="s"><v>7</v></c><c r="C3"><v>2</v></c><c r="D3"><v>1</v></c></row><row r="4"><c r="A4" t="s"><v>5</v></c><c r="B4"><v>6.75</v></c><c r="C4"><v>2.8125</v></c><c r="D4"><f>10*30</f><v>300</v></c></row><row r="5"><c r="A5" t="s"><v>6</v></c><c r="B5"><v>5</v></c><c r="C5"><v>4.276</v></c><c r="D5" t="s"><v>8</v></c></row></sheetData><mergeCells count="1"><mergeCell ref="A1:D1"/></mergeCells></worksheet>"#;
+
+/// Components in a new workbook.
+fn xlsx() -> Reader {
+    workbooks::new("import-xlsx", STRINGS, SHEET, reads(Choices::default()))
+}
+
+/// Components in an old workbook.
+fn xls() -> Reader {
+    let rows = [("Bit", 8.5, 2.0, 1.0), ("DC", 6.75, 2.8125, 300.0), ("DP", 5.0, 4.276, 9000.0)];
+    let mut cells = Vec::new();
+    for (column, heading) in (0..).zip(["Component", "OD (in)", "ID (in)", "Length (ft)"]) {
+        cells.push((0, column, Value::Text(heading)));
+    }
+    for (row, (name, od, id, length)) in (1..).zip(rows) {
+        cells.push((row, 0, Value::Text(name)));
+        let numbers = (1..).zip([od, id, length]);
+        cells.extend(numbers.map(|(column, number)| (row, column, Value::Number(number))));
+    }
+    workbooks::old("import-xls", &cells, reads(Choices::default()))
+}
+
 /// Objects of WITSML.
 fn witsml() -> Reader {
-    let seeds: [&[u8]; 5] = [
+    let seeds: [&[u8]; 9] = [
         include_bytes!("../../../import/tests/samples/own/witsml-trajectory.xml"),
         include_bytes!("../../../import/tests/samples/own/witsml-tubular.xml"),
         include_bytes!("../../../import/tests/samples/own/witsml-wbgeometry.xml"),
         include_bytes!("../../../import/tests/samples/own/witsml-bharun.xml"),
+        include_bytes!("../../../import/tests/samples/own/witsml21-bharun.xml"),
+        include_bytes!("../../../import/tests/samples/own/witsml21-fluids.xml"),
+        include_bytes!("../../../import/tests/samples/own/witsml21-geometry.xml"),
+        include_bytes!("../../../import/tests/samples/own/witsml21-trajectory.xml"),
         include_bytes!("../../../import/tests/samples/own/witsml21-tubular.xml"),
     ];
     Reader::text("import-witsml", seeds, XML, reads(Choices::default()))
@@ -163,8 +198,17 @@ fn witsml() -> Reader {
 
 /// Exports of Landmark EDM.
 fn edm() -> Reader {
-    let seeds: [&[u8]; 1] = [include_bytes!("../../../import/tests/samples/own/edm-mini-td.xml")];
-    Reader::text("import-edm", seeds, XML, reads(units(&[("edm", "api")])))
+    let seeds: [&[u8]; 2] = [
+        include_bytes!("../../../import/tests/samples/own/edm-mini-td.xml"),
+        include_bytes!("../../../import/tests/samples/own/edm-well.xml"),
+    ];
+    let api = || units(&[("edm", "api")]);
+    // Of the second one's wells, wellbores and cases.
+    let picked = [("well", "WS-1"), ("wellbore", "WS-1"), ("case", "8 1/2 in drilling")]
+        .into_iter()
+        .fold(api(), |choices, (what, name)| choices.pick(what, name));
+    let (mut alone, mut picked) = (reads(api()), reads(picked));
+    Reader::text("import-edm", seeds, XML, move |input| alone(input) || picked(input))
 }
 
 /// Logs in LAS.

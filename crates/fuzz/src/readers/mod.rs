@@ -8,6 +8,7 @@ mod readings;
 mod results;
 mod stored;
 mod surveys;
+mod workbooks;
 
 use reader::New;
 pub(crate) use reader::Reader;

@@ -1,21 +1,14 @@
 //! Surveys in every format.
 
-#[path = "../../../tabular/tests/old_excel/mod.rs"]
-mod old_excel;
+use std::f64::consts::{PI, TAU};
 
-use std::{
-    f64::consts::{PI, TAU},
-    io::{Cursor, Write},
-};
-
-use fastrand::Rng;
 use wholestring_tabular::{ImportedSurvey, Said, TableError, read_as};
 use wholestring_units::Dimension;
-use zip::{CompressionMethod, ZipWriter, write::SimpleFileOptions};
 
-use self::old_excel::Value;
-use super::reader::{Make, New, Reader};
-use crate::mutation;
+use super::{
+    reader::{New, Reader},
+    workbooks::{self, Value},
+};
 
 /// The readers of this file.
 pub(super) const READERS: &[(&str, New)] = &[
@@ -104,145 +97,32 @@ fn fixed() -> Reader {
     Reader::text("survey-fixed", seeds, WORDS, reads("a.txt"))
 }
 
-/// Parts of a workbook, with shared strings and styles.
-const PARTS: [(&str, &str); 7] = [
-    (
-        "[Content_Types].xml",
-        r#"<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="xml" ContentType="application/xml"/><Override PartName="/xl/workbook.xml" ContentType="application/vnd.openxmlformats-officedocument.spreadsheetml.sheet.main+xml"/></Types>"#,
-    ),
-    (
-        "_rels/.rels",
-        r#"<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="rId1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/officeDocument" Target="xl/workbook.xml"/></Relationships>"#,
-    ),
-    (
-        "xl/_rels/workbook.xml.rels",
-        r#"<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="rId1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/worksheet" Target="worksheets/sheet1.xml"/></Relationships>"#,
-    ),
-    (
-        "xl/workbook.xml",
-        r#"<?xml version="1.0"?><workbook xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" xmlns:r="http://schemas.openxmlformats.org/officeDocument/2006/relationships"><sheets><sheet name="S" sheetId="1" r:id="rId1"/></sheets></workbook>"#,
-    ),
-    (
-        "xl/sharedStrings.xml",
-        r#"<?xml version="1.0"?><sst xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" count="3" uniqueCount="3"><si><t>MD (m)</t></si><si><t>Inc</t></si><si><t>Azi</t></si></sst>"#,
-    ),
-    (
-        "xl/styles.xml",
-        r#"<?xml version="1.0"?><styleSheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><numFmts count="1"><numFmt numFmtId="164" formatCode="yyyy-mm-dd"/></numFmts><cellXfs count="2"><xf numFmtId="0"/><xf numFmtId="164"/></cellXfs></styleSheet>"#,
-    ),
-    (
-        "xl/worksheets/sheet1.xml",
-        r#"<?xml version="1.0"?><worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><dimension ref="A1:C4"/><sheetData><row r="1"><c r="A1" t="s"><v>0</v></c><c r="B1" t="s"><v>1</v></c><c r="C1" t="s"><v>2</v></c></row><row r="2"><c r="A2"><v>0</v></c><c r="B2"><v>0</v></c><c r="C2"><v>0</v></c></row><row r="3"><c r="A3"><v>30</v></c><c r="B3" t="str"><v>1.5</v></c><c r="C3"><f>40+5</f><v>45</v></c></row><row r="4"><c r="A4"><v>60</v></c><c r="B4" t="inlineStr"><is><t>3</t></is></c><c r="C4"><v>4.5E1</v></c></row></sheetData></worksheet>"#,
-    ),
-];
+/// Shared strings of a survey's workbook.
+const STRINGS: &str = r#"<?xml version="1.0"?><sst xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" count="3" uniqueCount="3"><si><t>MD (m)</t></si><si><t>Inc</t></si><si><t>Azi</t></si></sst>"#;
 
-const TAGS: &[&str] = &[
-    "<c r=\"XFD1048576\"><v>1</v></c>",
-    "<si><t>x</t></si>",
-    "<sheet name=\"T\" sheetId=\"2\" r:id=\"rId1\"/>",
-    "uniqueCount",
-    "count",
-    "t=\"s\"",
-    "r=\"A99999999\"",
-    "<row r=\"4294967295\">",
-    "<",
-    ">",
-    "/>",
-    "&#0;",
-    "&amp;",
-    "rId1",
-    "<v>",
-    "</v>",
-    "<f t=\"shared\" si=\"99999999\" ref=\"A1:B2\">1</f>",
-    "<mergeCell ref=\"A1:XFD1048576\"/>",
-    "<xf/>",
-    "A1:XFD1048576",
-];
+/// Its sheet, with texts of every kind and a formula.
+const SHEET: &str = r#"<?xml version="1.0"?><worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><dimension ref="A1:C4"/><sheetData><row r="1"><c r="A1" t="s"><v>0</v></c><c r="B1" t="s"><v>1</v></c><c r="C1" t="s"><v>2</v></c></row><row r="2"><c r="A2"><v>0</v></c><c r="B2"><v>0</v></c><c r="C2"><v>0</v></c></row><row r="3"><c r="A3"><v>30</v></c><c r="B3" t="str"><v>1.5</v></c><c r="C3"><f>40+5</f><v>45</v></c></row><row r="4"><c r="A4"><v>60</v></c><c r="B4" t="inlineStr"><is><t>3</t></is></c><c r="C4"><v>4.5E1</v></c></row></sheetData></worksheet>"#;
 
-fn archive(parts: &[(&str, Vec<u8>)], method: CompressionMethod) -> Vec<u8> {
-    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-    let options = SimpleFileOptions::default().compression_method(method);
-    for (name, part) in parts {
-        zip.start_file(*name, options).expect("a name of a part");
-        zip.write_all(part).expect("memory is never full");
-    }
-    zip.finish().expect("memory is never full").into_inner()
-}
-
-fn parts() -> Vec<(&'static str, Vec<u8>)> {
-    PARTS.map(|(name, part)| (name, part.as_bytes().to_vec())).into()
-}
-
-/// New workbooks: their parts damaged and packed again, and the archive damaged.
+/// New workbooks.
 fn xlsx() -> Reader {
-    let whole = archive(&parts(), CompressionMethod::Deflated);
-    let seeds = vec![whole.clone(), archive(&parts(), CompressionMethod::Stored)];
-    let archives = seeds.clone();
-    let make = move |rng: &mut Rng| {
-        if rng.u8(..4) == 0 {
-            return mutation::damaged(&archives, &[], false, rng);
-        }
-        let mut parts = parts();
-        for _ in 0..=rng.u8(..2) {
-            let at = rng.usize(2..parts.len());
-            parts[at].1 = mutation::damaged(&[parts[at].1.clone()], TAGS, true, rng);
-        }
-        archive(&parts, CompressionMethod::Stored)
-    };
-    Reader {
-        make: Make::Own(Box::new(make)),
-        ..Reader::binary("survey-xlsx", seeds, reads("a.xlsx"))
-    }
+    workbooks::new("survey-xlsx", STRINGS, SHEET, reads("a.xlsx"))
 }
 
-/// Old workbooks: damaged where their records are, or anywhere.
+/// Old workbooks.
 fn xls() -> Reader {
     let mut cells = Vec::new();
     for (column, heading) in (0..).zip(["MD (m)", "Inc", "Azi"]) {
         cells.push((0, column, Value::Text(heading)));
         cells.extend((1..4).map(|row| (row, column, Value::Number(f64::from(row)))));
     }
-    // One that names a sheet three times is refused: nobody can say which is meant.
-    let wholes = vec![old_excel::workbook(&cells), old_excel::workbook_of(&cells, 3)];
-    let seeds = wholes[..1].to_vec();
-    let make = move |rng: &mut Rng| {
-        let Some(whole) = rng.choice(&wholes) else {
-            return Vec::new();
-        };
-        match rng.u8(..4) {
-            0 => mutation::damaged(&wholes, &[], false, rng),
-            // The header, the table of sectors and the directory.
-            1 => {
-                let mut bytes = whole.clone();
-                for _ in 0..=rng.u8(..4) {
-                    let at = rng.usize(..3 * 512);
-                    bytes[at] = rng.u8(..);
-                }
-                bytes
-            }
-            _ => {
-                let mut bytes = whole.clone();
-                let records = 3 * 512..3 * 512 + 500;
-                let damaged =
-                    mutation::damaged(&[bytes[records.clone()].to_vec()], &[], false, rng);
-                // The stream keeps its length.
-                for (to, from) in bytes[records.start..].iter_mut().zip(damaged) {
-                    *to = from;
-                }
-                bytes
-            }
-        }
-    };
-    Reader {
-        make: Make::Own(Box::new(make)),
-        ..Reader::binary("survey-xls", seeds, reads("a.xls"))
-    }
+    workbooks::old("survey-xls", &cells, reads("a.xls"))
 }
 
 #[cfg(test)]
 mod tests {
     use std::iter::repeat_with;
 
+    use fastrand::Rng;
     use wholestring_tabular::{read, read_csv, read_excel};
 
     use super::*;

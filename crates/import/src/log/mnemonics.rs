@@ -3,6 +3,8 @@
 //! Those of four letters are the long mnemonics of WITS level 0, record 1 (general time-based);
 //! beside them stand its item numbers (`0108`) and the words that recorders print.
 
+use std::{collections::HashMap, sync::LazyLock};
+
 use super::quantity::Quantity::{self, *};
 
 /// How well a name fits: of two channels for one quantity the lower is taken.
@@ -112,6 +114,14 @@ const NAMES: &[(Quantity, Rank, &str)] = &[
     (StandpipePressure, Rank::Greatest, "sppx"),
 ];
 
+/// The same by name: every cell of what may be headings is asked for.
+static QUANTITIES: LazyLock<HashMap<&'static str, (Quantity, Rank)>> = LazyLock::new(|| {
+    let each = |&(quantity, rank, names): &(Quantity, Rank, &'static str)| {
+        names.split_ascii_whitespace().map(move |name| (name, (quantity, rank)))
+    };
+    NAMES.iter().flat_map(each).collect()
+});
+
 /// Columns of a date beside one of the time of the day.
 const DATES: &str =
     "date yyyymmdd ddmmyyyy mmddyyyy yymmdd ddmmyy mmddyy 0105 logdate dateutc rigdate";
@@ -122,7 +132,7 @@ const READINGS: &str = "pickup pickupweight puw pu pickuphookload slackoff slack
 
 /// The quantity that a name means.
 pub(crate) fn quantity(name: &str) -> Option<(Quantity, Rank)> {
-    if name.len() > 80 {
+    if name.len() > 80 || is_number(name) {
         return None;
     }
     let words = words(name);
@@ -147,7 +157,7 @@ pub(crate) fn quantity(name: &str) -> Option<(Quantity, Rank)> {
 
 /// Whether a name means a date.
 pub(crate) fn is_date(name: &str) -> bool {
-    is_of(DATES, &words(name).concat())
+    !is_number(name) && is_of(DATES, &words(name).concat())
 }
 
 /// Whether a name means a reading that someone took off a log.
@@ -155,9 +165,13 @@ pub(crate) fn is_reading(name: &str) -> bool {
     is_of(READINGS, &words(name).concat())
 }
 
+/// Whether it is a number and no item of WITS, which has four digits: most cells are.
+fn is_number(name: &str) -> bool {
+    name.len() != 4 && !name.contains(char::is_alphabetic)
+}
+
 fn find(squeezed: &str) -> Option<(Quantity, Rank)> {
-    let found = NAMES.iter().find(|(_, _, names)| is_of(names, squeezed));
-    found.map(|&(quantity, rank, _)| (quantity, rank))
+    QUANTITIES.get(squeezed).copied()
 }
 
 fn is_of(names: &str, squeezed: &str) -> bool {

@@ -43,16 +43,28 @@ pub(crate) struct Partial {
     pub(crate) count: usize,
     row: usize,
     texts: Vec<String>,
-    kind: TableErrorKind,
+    fault: Fault,
+}
+
+/// What a header lacks. Which heading comes near to a missing one is asked of the best row alone.
+#[derive(Debug, Clone, Copy)]
+enum Fault {
+    Missing(Column),
+    Twice { column: Column, first: usize, second: usize },
 }
 
 impl Partial {
     /// It is more than a title with a word that also heads columns.
     pub(crate) fn is_header(&self) -> bool {
-        self.count >= 2 || (self.count == 1 && self.texts.len() >= FEWEST_HEADINGS)
+        self.count >= 2 || (self.count == 1 && self.headings() >= FEWEST_HEADINGS)
     }
 
-    pub(crate) fn error(self, table: &Table) -> TableError {
+    /// How many cells of it hold something.
+    fn headings(&self) -> usize {
+        self.texts.iter().filter(|text| !text.is_empty()).count()
+    }
+
+    pub(crate) fn error(self, table: &Table, sort: &Sort) -> TableError {
         let at = table.rows[self.row]
             .cells
             .iter()
@@ -63,7 +75,15 @@ impl Partial {
                     if first.0 == last.0 { first } else { Position(first.0, last.1) }
                 },
             );
-        table.source.error(self.kind, at)
+        let kind = match self.fault {
+            Fault::Missing(column) => missing(column, self.texts, sort),
+            Fault::Twice { column, first, second } => TableErrorKind::DuplicateColumn {
+                column,
+                first: self.texts[first].clone(),
+                second: self.texts[second].clone(),
+            },
+        };
+        table.source.error(kind, at)
     }
 }
 
@@ -85,7 +105,7 @@ pub(crate) fn find(table: &Table, sort: &Sort) -> Result<Header, Option<Partial>
                 // two.
                 Err(partial) if stacked == 1 && !table.rows[row].is_comment() => {
                     let better = best.as_ref().is_none_or(|best| partial.count >= best.count);
-                    if partial.texts.len() > 1 && better {
+                    if partial.headings() > 1 && better {
                         best = Some(partial);
                     }
                 }
@@ -123,15 +143,11 @@ fn named(table: &Table, top: usize, row: usize, sort: &Sort) -> Result<Header, P
         candidates.sort_by_key(|(_, heading)| heading.rank);
         match candidates[..] {
             [] if sort.needed.contains(&column) => {
-                fault.get_or_insert_with(|| missing(column, &texts, sort));
+                fault.get_or_insert(Fault::Missing(column));
             }
             [] => {}
             [first, second, ..] if first.1.rank == second.1.rank => {
-                fault.get_or_insert(TableErrorKind::DuplicateColumn {
-                    column,
-                    first: texts[first.0].clone(),
-                    second: texts[second.0].clone(),
-                });
+                fault.get_or_insert(Fault::Twice { column, first: first.0, second: second.0 });
             }
             [first, ref others @ ..] => {
                 taken.push((first.0, texts[first.0].clone(), first.1.clone()));
@@ -147,20 +163,20 @@ fn named(table: &Table, top: usize, row: usize, sort: &Sort) -> Result<Header, P
     }
     match fault {
         None => Ok(Header { row, headings: taken, passed_over, texts }),
-        Some(kind) => {
+        Some(fault) => {
             let count = sort
                 .columns
                 .iter()
                 .filter(|column| headings.iter().any(|(_, heading)| heading.column == **column))
                 .count();
-            let texts = texts.into_iter().filter(|text| !text.is_empty()).collect();
-            Err(Partial { count, row, texts, kind })
+            Err(Partial { count, row, texts, fault })
         }
     }
 }
 
-fn missing(column: Column, texts: &[String], sort: &Sort) -> TableErrorKind {
-    let headers: Vec<String> = texts.iter().filter(|text| !text.is_empty()).cloned().collect();
+/// The error of a header without that column: what it has, and what comes near.
+fn missing(column: Column, texts: Vec<String>, sort: &Sort) -> TableErrorKind {
+    let headers: Vec<String> = texts.into_iter().filter(|text| !text.is_empty()).collect();
     let nearest = headers
         .iter()
         .filter(|text| heading::recognise(text, sort).is_none())

@@ -3,7 +3,7 @@
 use wholestring_units::{Dimension, Unit};
 
 use crate::columns::column::Column;
-use crate::columns::names::{BESIDE, NAMES, SUBSEA, is_of};
+use crate::columns::names::{NAMES, columns_named, is_beside, is_subsea};
 use crate::columns::sort::Sort;
 
 /// A heading that names a column.
@@ -35,13 +35,16 @@ const UNIT_WORDS: usize = 3;
 
 /// What a heading says, if it names a column of this sort of table.
 pub(crate) fn recognise(text: &str, sort: &Sort) -> Option<Heading> {
-    if text.len() > LONGEST {
+    // Most cells are numbers, which name nothing.
+    if text.len() > LONGEST || !text.contains(char::is_alphabetic) {
         return None;
     }
     let (name, brackets) = part_brackets(text);
-    let words = words(&name);
-    let inside: Vec<String> = brackets.iter().flat_map(|bracket| self::words(bracket)).collect();
-    if words.iter().chain(&inside).any(|word| is_of(SUBSEA, &lower(word))) {
+    let written = words(&name);
+    let words: Vec<String> = written.iter().map(|word| lower(word)).collect();
+    let inside: Vec<String> =
+        brackets.iter().flat_map(|bracket| self::words(bracket)).map(|word| lower(&word)).collect();
+    if words.iter().chain(&inside).any(|word| is_subsea(word)) {
         return None;
     }
 
@@ -49,13 +52,13 @@ pub(crate) fn recognise(text: &str, sort: &Sort) -> Option<Heading> {
     let (column, mut rank, last) = match named(&words, sort) {
         Some((column, rank)) => (column, rank, None),
         None => (1..words.len().min(UNIT_WORDS + 1)).find_map(|count| {
-            let (rest, last) = words.split_at(words.len() - count);
-            let (column, rank) = named(rest, sort)?;
-            let unit = column.dimension().find_unit(&last.concat())?;
+            let at = words.len() - count;
+            let (column, rank) = named(&words[..at], sort)?;
+            let unit = column.dimension().find_unit(&written[at..].concat())?;
             Some((column, rank, Some(unit)))
         })?,
     };
-    let has = |word: &str| words.iter().chain(&inside).any(|other| lower(other) == word);
+    let has = |word: &str| words.iter().chain(&inside).any(|other| other == word);
     match column {
         Column::Azimuth if has("grid") || has("corr") || has("corrected") => rank = 0,
         Column::Azimuth if has("true") => rank = 2,
@@ -95,18 +98,16 @@ pub(crate) fn nearness(column: Column, text: &str) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// The column that these words name.
+/// The column that these words in small letters name.
 fn named(words: &[String], sort: &Sort) -> Option<(Column, u8)> {
     let find = |joined: &str| {
-        NAMES
-            .iter()
-            .find(|(column, _, names)| sort.columns.contains(column) && is_of(names, joined))
-            .map(|&(column, rank, _)| (column, rank))
+        columns_named(joined).iter().find(|(column, _)| sort.columns.contains(column)).copied()
     };
-    let whole: String = words.iter().map(|word| lower(word)).collect();
-    let core: String =
-        words.iter().map(|word| lower(word)).filter(|word| !is_of(BESIDE, word)).collect();
-    find(&whole).or_else(|| find(&core))
+    find(&words.concat()).or_else(|| {
+        let core: String =
+            words.iter().filter(|word| !is_beside(word)).map(String::as_str).collect();
+        find(&core)
+    })
 }
 
 /// The unit among the bracketed parts of a heading.
@@ -117,9 +118,9 @@ fn unit_in(column: Column, brackets: &[String], sort: &Sort) -> HeadingUnit {
     }
     // "Measured Depth (MD)", "Azimuth (T)", "MD (RKB)", "N(+)/S(-)": not meant as units.
     let meant_otherwise = |bracket: &String| {
-        let words = words(bracket);
+        let words: Vec<String> = words(bracket).iter().map(|word| lower(word)).collect();
         let beside = |word: &String| {
-            word.chars().count() == 1 && column == Column::Azimuth || is_of(BESIDE, &lower(word))
+            word.chars().count() == 1 && column == Column::Azimuth || is_beside(word)
         };
         words.iter().all(beside) || named(&words, sort).is_some()
     };

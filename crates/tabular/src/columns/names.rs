@@ -1,5 +1,10 @@
 //! The words of headings.
 
+use std::{
+    collections::{HashMap, HashSet},
+    sync::LazyLock,
+};
+
 use crate::columns::column::Column;
 
 /// Names of columns, in small letters without blanks, with their rank.
@@ -178,16 +183,38 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
     (Column::YieldStrength, 0, "yieldstrength minyield minimumyield minyieldstrength smys"),
 ];
 
+/// What each name may head, in the order of [`NAMES`]: a table of numbers with a hundred columns asks
+/// for a million names.
+static COLUMNS: LazyLock<HashMap<&'static str, Vec<(Column, u8)>>> = LazyLock::new(|| {
+    let mut columns: HashMap<&str, Vec<(Column, u8)>> = HashMap::new();
+    for &(column, rank, names) in NAMES {
+        for name in names.split(' ') {
+            columns.entry(name).or_default().push((column, rank));
+        }
+    }
+    columns
+});
+
+/// What a name in small letters without blanks may head, the first one meant.
+pub(crate) fn columns_named(name: &str) -> &'static [(Column, u8)] {
+    COLUMNS.get(name).map_or(&[], Vec::as_slice)
+}
+
 /// Words that a heading may have beside its name.
-pub(crate) const BESIDE: &str = "\
-    the of from at in survey station hole well wellbore borehole rkb kb rt rte brt ref reference \
-    grid true mag magnetic corr corrected map local gyro mwd value data calc calculated computed \
-    final tn gn mn";
+static BESIDE: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
+    let words = "the of from at in survey station hole well wellbore borehole rkb kb rt rte brt ref \
+                 reference grid true mag magnetic corr corrected map local gyro mwd value data calc \
+                 calculated computed final tn gn mn";
+    words.split(' ').collect()
+});
 
-/// Words of depths below the sea and not below the rig floor: another column altogether.
-pub(crate) const SUBSEA: &str = "ss subsea msl sea tvdss sstvd";
+/// Whether a word in small letters may stand beside a name.
+pub(crate) fn is_beside(word: &str) -> bool {
+    BESIDE.contains(word)
+}
 
-/// Whether a word is one of a list, in which blanks part them.
-pub(crate) fn is_of(list: &str, word: &str) -> bool {
-    list.split(' ').any(|of| of == word)
+/// Whether a word in small letters says that depths are below the sea and not below the rig floor:
+/// another column altogether.
+pub(crate) fn is_subsea(word: &str) -> bool {
+    matches!(word, "ss" | "subsea" | "msl" | "sea" | "tvdss" | "sstvd")
 }
