@@ -133,7 +133,7 @@ impl BatchScreen {
 
     /// The screen of a plan.
     pub(crate) fn plan(quiet: bool) -> Self {
-        Self { noun: "plan", items: "pieces", with_pace: false, ..Self::sweep("", quiet) }
+        Self { noun: "plan", items: "tasks", with_pace: false, ..Self::sweep("", quiet) }
     }
 
     /// The screen of the samples of a reach.

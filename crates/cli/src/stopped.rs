@@ -1,5 +1,7 @@
 //! A run that did not come to its end.
 
+use std::path::Path;
+
 use wholestring_runner::run::{Outcome, Stop};
 
 use crate::failure::Failure;
@@ -20,5 +22,19 @@ pub(crate) fn stopped(stop: Stop, outcome: &Outcome) -> Failure {
             Failure::Failed(format!("error: {reason}\nwhat was computed is in {place}"))
         }
         Stop::Unwritten(error) => error.into(),
+    }
+}
+
+/// Says where the results are that are not whole.
+///
+/// # Errors
+/// The work was interrupted.
+pub(crate) fn unless_interrupted(interrupted: bool, folder: &Path) -> Result<(), Failure> {
+    match interrupted {
+        false => Ok(()),
+        true => {
+            let place = folder.display();
+            Err(Failure::Interrupted(format!("interrupted: what was computed is in {place}")))
+        }
     }
 }

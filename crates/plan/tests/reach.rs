@@ -10,7 +10,9 @@ use wholestring::{
 };
 use wholestring_plan::{
     Setup,
-    reach::{Curve, End, Limit, ReachError, ReachSettings, first_stop, margins, reach},
+    reach::{
+        Curve, End, Limit, ReachError, ReachSettings, first_stop, margins, reach, reach_unless,
+    },
     root,
 };
 use wholestring_verification::{Row, report_worst, verify};
@@ -333,6 +335,22 @@ fn depths_must_grow() {
         refused.to_string(),
         "the reach is looked for from 1000 m to 900 m, which is not deeper"
     );
+}
+
+/// A reach that is stopped ends at the next depth, and gives nothing.
+#[test]
+fn a_reach_that_is_stopped_ends_at_the_next_depth() {
+    let file = verification("S5_reach.json");
+    let setup = setup(&file["inputs"], &[[0.0, 0.0], [1000.0, 0.0]], 0.3);
+    let settings = ReachSettings { to_m: 5000.0, ..ReachSettings::from_depth(1000.0) };
+    let asked = std::cell::Cell::new(0);
+    let after_three = || {
+        asked.set(asked.get() + 1);
+        asked.get() > 3
+    };
+    let stopped = reach_unless(&setup, &Operation::trip_in(0.0), &settings, &after_three);
+    assert_eq!(stopped, Err(ReachError::Stopped));
+    assert_eq!(asked.get(), 4);
 }
 
 /// A string that hangs in a vertical well stops where its weight and the block are what the hoist

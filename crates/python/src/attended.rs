@@ -3,7 +3,7 @@
 
 use std::{
     sync::{
-        Arc, Mutex, PoisonError,
+        Mutex, PoisonError,
         mpsc::{Receiver, RecvTimeoutError, channel},
     },
     thread,
@@ -17,9 +17,6 @@ use crate::{error, event_buffer::EventBuffer};
 
 /// How often Python is asked for an interrupt and told of the progress.
 const LOOK: Duration = Duration::from_millis(50);
-
-/// How long work that may be left is waited for after an interrupt.
-const PATIENCE: Duration = Duration::from_millis(100);
 
 /// What work came to, and what was raised meanwhile: an interrupt, or an error of the listener. The
 /// work was then cancelled and has kept what it had.
@@ -49,7 +46,7 @@ pub(crate) fn attended<T: Send>(
                 let _ended = ended;
                 work(&events, &cancellation)
             });
-            let (_, raised) = look_after(&end, &cancellation, &events, &free, Duration::MAX);
+            let raised = look_after(&end, &cancellation, &events, &free);
             (worker.join(), raised)
         })
     });
@@ -61,65 +58,27 @@ pub(crate) fn attended<T: Send>(
     Ok(Attended { result, raised })
 }
 
-/// The same of work that leaves nothing when it is interrupted: nobody waits for it then, there is
-/// no result, and it ends by itself as soon as it looks at its cancellation.
-///
-/// # Errors
-/// Work that panicked.
-pub(crate) fn attended_or_left<T: Send + 'static>(
-    py: Python<'_>,
-    listener: &Bound<'_, PyAny>,
-    work: impl FnOnce(&dyn Observer, &CancellationToken) -> T + Send + 'static,
-) -> PyResult<Attended<Option<T>>> {
-    let cancellation = CancellationToken::new();
-    let events = Arc::new(EventBuffer::default());
-    let free = listener.clone().unbind();
-    let (worker, raised) = py.detach(|| {
-        let (ended, end) = channel::<()>();
-        let (its_events, its_cancellation) = (events.clone(), cancellation.clone());
-        let worker = thread::spawn(move || {
-            let _ended = ended;
-            work(&*its_events, &its_cancellation)
-        });
-        let (has_ended, raised) = look_after(&end, &cancellation, &events, &free, PATIENCE);
-        (has_ended.then(|| worker.join()), raised)
-    });
-    let raised = raised.or(events.tell(listener).err());
-    match worker.transpose() {
-        Ok(result) => Ok(Attended { result, raised }),
-        Err(_) => Err(raised.unwrap_or_else(|| error::of_panic(py))),
-    }
-}
-
-/// Looks after Python until the work has ended, or, where Python has raised something, for so long
-/// after that: whether it has ended, and what was raised.
+/// Looks after Python until the work has ended: what was raised, if anything was.
 fn look_after(
     end: &Receiver<()>,
     cancellation: &CancellationToken,
     events: &EventBuffer,
     listener: &Py<PyAny>,
-    patience: Duration,
-) -> (bool, Option<PyErr>) {
-    let mut raised: Option<(PyErr, Instant)> = None;
+) -> Option<PyErr> {
+    let mut raised = None;
     while end.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
-        match &raised {
-            Some((_, since)) if since.elapsed() >= patience => {
-                return (false, raised.map(|(error, _)| error));
-            }
-            Some(_) => {}
-            None => {
-                let look = Python::attach(|py| {
-                    py.check_signals()?;
-                    events.tell(listener.bind(py))
-                });
-                if let Err(error) = look {
-                    cancellation.cancel();
-                    raised = Some((error, Instant::now()));
-                }
+        if raised.is_none() {
+            let look = Python::attach(|py| {
+                py.check_signals()?;
+                events.tell(listener.bind(py))
+            });
+            raised = look.err();
+            if raised.is_some() {
+                cancellation.cancel();
             }
         }
     }
-    (true, raised.map(|(error, _)| error))
+    raised
 }
 
 /// Does work that tells its progress often, and looks after Python between: on this thread, for

@@ -147,13 +147,14 @@ def test_an_interrupted_plan_keeps_what_it_has(slant: ws.Case, tmp_path: Path) -
         case.plan(tmp_path / "long")
 
 
-@pytest.mark.parametrize("verb", ["modes", "bha", "broomstick"])
+@pytest.mark.parametrize("verb", ["modes", "bha", "reach", "broomstick"])
 def test_an_interrupt_does_not_wait(verb: str, np13: ws.Case) -> None:
     # Much to do, so that it is under way.
     much: dict[str, dict[str, Any]] = {
-        "bha": {"whole": True, "weight": [1e3 * i for i in range(1, 200)]},
+        "bha": {"weight": [1e3 * i for i in range(1, 2000)]},
         "broomstick": {"model": "stiff", "bit_depths": "500m..4300m/10m"},
         "modes": {},
+        "reach": {"to": 15e3, "friction": [0.01 * i for i in range(1, 40)]},
     }
     sent = 0.0
 
@@ -167,7 +168,24 @@ def test_an_interrupt_does_not_wait(verb: str, np13: ws.Case) -> None:
         getattr(np13, verb)(**much[verb])
     # Asked: within 0.2 s; a loaded machine is given more.
     assert time.monotonic() - sent < 1.0
-    assert caught.value.results is None
+    kept = caught.value.results
+    match verb:
+        case "bha":
+            assert isinstance(kept, ws.Bha)
+            found, missing = len(kept.summary["sweep"]), kept.summary["missing"]
+            assert found > 0
+            assert found + missing > 1999
+        case "reach":
+            assert isinstance(kept, ws.Reach)
+            frictions = kept.summary["frictions"]
+            assert any(of["limits"] for of in frictions)
+            assert any(of.get("missing") for of in frictions)
+        case "broomstick":
+            assert isinstance(kept, ws.Table)
+            assert 0 < len(kept) < 3 * 4 * 381
+        case _:
+            # Before the natural modes there is nothing to keep.
+            assert kept is None or kept.summary["missing"]
 
 
 def test_a_reach_says_what_stops_the_well(small: ws.Case) -> None:

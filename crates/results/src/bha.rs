@@ -51,6 +51,13 @@ pub struct BhaSummary {
     pub holding_weights_N: Vec<f64>,
     /// The assembly at other tool faces, weights and inclinations.
     pub sweep: Vec<BhaPoint>,
+    /// Points of these that were not solved because the work was interrupted.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub missing: usize,
+}
+
+fn is_zero(count: &usize) -> bool {
+    *count == 0
 }
 
 /// An assembly at rest.
@@ -195,6 +202,12 @@ impl BhaSummary {
         if failed > 0 {
             let all = self.sweep.len();
             warnings.push(format!("{failed} of {all} points of the sweeps have no equilibrium"));
+        }
+        if self.missing > 0 {
+            let (missing, all) = (self.missing, self.sweep.len() + self.missing);
+            warnings.push(format!(
+                "interrupted: {missing} of {all} points of the sweeps were not solved"
+            ));
         }
         warnings
     }

@@ -42,6 +42,9 @@ pub struct ModesSummary {
     pub torsional_stability: Option<StabilitySummary>,
     /// Why there is no such thing.
     pub no_torsional_stability: Option<String>,
+    /// What was not computed because the work was interrupted.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub missing: Vec<String>,
 }
 
 /// A place in the string.
@@ -105,6 +108,12 @@ pub struct ModesTables {
 }
 
 impl ModesSummary {
+    /// What is missing, in a sentence; nothing where all is there.
+    pub fn warning(&self) -> Option<String> {
+        let missing = self.missing.join(", ");
+        (!missing.is_empty()).then(|| format!("interrupted: not computed are {missing}"))
+    }
+
     /// Writes the summary as indented JSON.
     pub fn write(&self, path: &Path) -> Result<(), ResultsError> {
         write_json(self, path)

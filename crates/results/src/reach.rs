@@ -50,6 +50,10 @@ pub struct ReachOfFriction {
     pub first: Option<ReachStop>,
     /// Each limit of each operation.
     pub limits: Vec<ReachLimit>,
+    /// Operations that were not solved because the work was interrupted: one of them may stop the
+    /// well earlier.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub missing: Vec<String>,
 }
 
 /// What stops a well.

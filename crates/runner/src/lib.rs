@@ -73,7 +73,6 @@ mod page;
 mod parallel;
 mod picks;
 mod pictures;
-mod pieces;
 pub mod plan;
 pub mod reach;
 mod readings;
@@ -87,6 +86,7 @@ mod sheet;
 pub mod study;
 pub mod survey;
 pub mod sweep;
+mod tasks;
 mod uncertain;
 
 pub use batch::{BatchOptions, BatchOutcome, CaseWithErrors, FailedCase};

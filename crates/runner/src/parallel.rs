@@ -9,7 +9,7 @@ use std::{
     thread,
 };
 
-/// How much is done side by side: as much as is asked for, else one piece of work per core.
+/// How much is done side by side: as much as is asked for, else one task per core.
 pub(crate) fn jobs(asked: Option<NonZeroUsize>) -> usize {
     asked.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get)
 }

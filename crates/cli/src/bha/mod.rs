@@ -12,7 +12,7 @@ use wholestring_units::Dimension;
 
 use crate::{
     color::color, failure::Failure, input::load, interrupt, shared_args::operation,
-    terminal::print_stdout,
+    stopped::unless_interrupted, terminal::print_stdout,
 };
 
 pub(crate) use args::BhaArgs;
@@ -33,15 +33,15 @@ pub(crate) fn bha(args: &BhaArgs) -> Result<(), Failure> {
         ..Request::new(&case)
     };
     let outcome = bha::run(&request, &Silent, &interrupt::listen())?;
-    if args.quiet {
-        return Ok(());
+    if !args.quiet {
+        let [alone_s, all_s] = outcome.took_s;
+        let place = outcome.folder.display();
+        print_stdout(&format!(
+            "{}The assembly took {alone_s:.2} s, everything {all_s:.1} s\nResults in {place}\n",
+            screen::text(&outcome.summary, units)
+        ))?;
     }
-    let [alone_s, all_s] = outcome.took_s;
-    let place = outcome.folder.display();
-    print_stdout(&format!(
-        "{}The assembly took {alone_s:.2} s, everything {all_s:.1} s\nResults in {place}\n",
-        screen::text(&outcome.summary, units)
-    ))
+    unless_interrupted(outcome.interrupted, &outcome.folder)
 }
 
 fn sweeps(args: &BhaArgs) -> Result<Sweeps, Failure> {

@@ -6,7 +6,8 @@ mod screen;
 use wholestring_runner::modes::{self, Request};
 
 use crate::{
-    failure::Failure, input::load, interrupt, progress::RunScreen, terminal::print_stdout,
+    failure::Failure, input::load, interrupt, progress::RunScreen, stopped::unless_interrupted,
+    terminal::print_stdout,
 };
 
 pub(crate) use args::ModesArgs;
@@ -29,5 +30,5 @@ pub(crate) fn modes(args: &ModesArgs) -> Result<(), Failure> {
         let place = outcome.folder.display();
         print_stdout(&format!("Found in {took_ms:.0} ms\nResults in {place}\n"))?;
     }
-    Ok(())
+    unless_interrupted(outcome.interrupted, &outcome.folder)
 }

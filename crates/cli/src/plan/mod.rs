@@ -30,5 +30,5 @@ pub(crate) fn plan(args: &PlanArgs) -> Result<(), Failure> {
     if !args.page.quiet {
         print_stdout(&screen::text(&outcome.summary, units))?;
     }
-    conclude(&outcome.batch, "plan", "pieces", args.page.quiet)
+    conclude(&outcome.batch, "plan", "tasks", args.page.quiet)
 }

@@ -9,7 +9,8 @@ use wholestring_units::Dimension;
 
 use crate::{
     color::color, conclusion::conclude, failure::Failure, input::load_with_template, interrupt,
-    progress::BatchScreen, shared_args::operation, terminal::print_stdout,
+    progress::BatchScreen, shared_args::operation, stopped::unless_interrupted,
+    terminal::print_stdout,
 };
 
 pub(crate) use args::ReachArgs;
@@ -48,11 +49,11 @@ pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
     if let Some(samples) = &outcome.samples {
         return conclude(samples, "reach", "samples", args.page.quiet);
     }
-    if args.page.quiet {
-        return Ok(());
+    if !args.page.quiet {
+        let (took_s, place) = (outcome.took.as_secs_f64(), outcome.folder.display());
+        print_stdout(&format!("Found in {took_s:.1} s\nResults in {place}\n"))?;
     }
-    let (took_s, place) = (outcome.took.as_secs_f64(), outcome.folder.display());
-    print_stdout(&format!("Found in {took_s:.1} s\nResults in {place}\n"))
+    unless_interrupted(outcome.interrupted, &outcome.folder)
 }
 
 /// The values of an option; none where it is not given.

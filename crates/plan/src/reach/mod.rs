@@ -16,5 +16,5 @@ mod settings;
 
 pub use limit::Limit;
 pub use margin::{Margin, Margins, margins};
-pub use search::{Curve, End, OperationReach, first_stop, reach};
+pub use search::{Curve, End, OperationReach, first_stop, reach, reach_unless};
 pub use settings::{ReachError, ReachSettings};

@@ -64,12 +64,27 @@ pub fn reach(
     operation: &Operation,
     settings: &ReachSettings,
 ) -> Result<OperationReach, ReachError> {
+    reach_unless(setup, operation, settings, &|| false)
+}
+
+/// The same, unless it is stopped: that is asked at every depth.
+///
+/// # Errors
+/// Those of [`reach`], and [`ReachError::Stopped`].
+pub fn reach_unless(
+    setup: &Setup,
+    operation: &Operation,
+    settings: &ReachSettings,
+    is_stopped: &dyn Fn() -> bool,
+) -> Result<OperationReach, ReachError> {
     let ReachSettings { from_m, to_m, .. } = *settings;
     if to_m.partial_cmp(&from_m) != Some(std::cmp::Ordering::Greater) {
         return Err(ReachError::Depths { from_m, to_m });
     }
-    let at =
-        |bit_depth_m: f64| margins(setup, &Operation { bit_depth_m, ..*operation }, &settings.soft);
+    let at = |bit_depth_m: f64| match is_stopped() {
+        true => Err(ReachError::Stopped),
+        false => margins(setup, &Operation { bit_depth_m, ..*operation }, &settings.soft),
+    };
     let depth_m = settings.grid_m();
     let rows: Vec<_> = depth_m.iter().map(|depth_m| at(*depth_m)).collect::<Result<_, _>>()?;
     let curves = (0..rows[0].len()).map(|index| {

@@ -66,4 +66,7 @@ pub enum ReachError {
     /// The soft string has no answer, though it does not lock up.
     #[error(transparent)]
     Soft(#[from] SoftError),
+    /// It was stopped before it was found.
+    #[error("it was stopped")]
+    Stopped,
 }

@@ -66,6 +66,8 @@ class Assemblies(Checked):
         ------
         InputError
             If the case has no such operation, or nothing of what is varied.
+        Interrupted
+            If the user interrupted it; its ``results`` hold what was computed, if anything was.
         NoAnswerError
             If the assembly has no equilibrium.
         FolderError
@@ -115,6 +117,8 @@ class Assemblies(Checked):
         ------
         InputError
             If the case has no such operation.
+        Interrupted
+            If the user interrupted it; its ``results`` hold what was computed, if anything was.
         NoAnswerError
             If the string has no state at rest.
         FolderError

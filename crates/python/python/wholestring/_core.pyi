@@ -220,7 +220,9 @@ def study_of(
     common: Common,
     listener: Listening,
 ) -> tuple[Ended, list[str]]: ...
-def broomstick_of(case: Case, options: BroomstickOptions, listener: Listening) -> Table: ...
+def broomstick_of(
+    case: Case, options: BroomstickOptions, listener: Listening
+) -> tuple[Table, int, BaseException | None]: ...
 
 class Sweep:
     @staticmethod

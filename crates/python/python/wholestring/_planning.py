@@ -68,7 +68,7 @@ class Planning(Checked):
         InputError
             If a friction factor, a depth or an operation cannot be.
         Interrupted
-            If the user interrupted it.
+            If the user interrupted it; its ``results`` are the table of what was computed.
 
         Examples
         --------
@@ -86,11 +86,15 @@ class Planning(Checked):
             "jobs": count(jobs),
         }
         with Listener(progress=False) as listener:
-            try:
-                table = _core.broomstick_of(self._held, options, listener)
-            except KeyboardInterrupt as error:
-                raise Interrupted("interrupted: nothing is kept of a broomstick") from error
-        return Table(table, "plan_broomstick")
+            held, missing, raised = _core.broomstick_of(self._held, options, listener)
+        table = Table(held, "plan_broomstick")
+        if isinstance(raised, KeyboardInterrupt):
+            interrupted = Interrupted(f"interrupted: {missing} points are missing in `results`")
+            interrupted.results = table
+            raise interrupted from raised
+        if raised is not None:
+            raise raised
+        return table
 
     def plan(
         self,

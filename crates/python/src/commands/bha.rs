@@ -1,10 +1,10 @@
 //! An assembly at rest.
 
 use pyo3::prelude::*;
-use wholestring_runner::bha;
+use wholestring_runner::{Error, bha};
 
 use super::{
-    carry_out::{Ended, carry_out_or_leave},
+    carry_out::{Ended, carry_out},
     common::Common,
     option::operation,
 };
@@ -30,8 +30,7 @@ pub(crate) fn bha_of(
     common: Common,
     listener: &Bound<'_, PyAny>,
 ) -> PyResult<Ended> {
-    let case = case.case.clone();
-    carry_out_or_leave(py, listener, move |observer, cancellation| {
+    carry_out(py, listener, |observer, cancellation| {
         let request = bha::Request {
             operation: options.operation.as_deref().map(operation).transpose()?,
             whole: options.whole,
@@ -45,8 +44,9 @@ pub(crate) fn bha_of(
             output: common.output(),
             csv: common.csv,
             jobs: common.jobs,
-            ..bha::Request::new(&case)
+            ..bha::Request::new(&case.case)
         };
-        Ok((bha::run(&request, observer, cancellation)?.folder, None))
+        let found = bha::run(&request, observer, cancellation)?;
+        Ok((found.folder, found.interrupted.then_some(Error::Interrupted)))
     })
 }

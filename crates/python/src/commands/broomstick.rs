@@ -6,7 +6,12 @@ use pyo3::prelude::*;
 use wholestring_runner::plan::{self, Statics};
 
 use super::option::{no_statics, operation};
-use crate::{attended::attended_or_left, case::Case, error, table::Table};
+use crate::{
+    attended::{Attended, attended},
+    case::Case,
+    error,
+    table::Table,
+};
 
 /// What is asked of a broomstick.
 #[derive(FromPyObject)]
@@ -19,22 +24,22 @@ pub(crate) struct BroomstickOptions {
     jobs: Option<NonZeroUsize>,
 }
 
+/// The table, how many of its points are missing, and what was raised meanwhile.
 #[pyfunction]
 pub(crate) fn broomstick_of(
     py: Python<'_>,
     case: &Case,
     options: BroomstickOptions,
     listener: &Bound<'_, PyAny>,
-) -> PyResult<Table> {
-    let case = case.case.clone();
-    let work = attended_or_left(py, listener, move |_, cancellation| {
+) -> PyResult<(Table, usize, Option<Py<PyAny>>)> {
+    let Attended { result, raised } = attended(py, listener, |_, cancellation| {
         let model = |name: &String| {
             let found = Statics::ALL.into_iter().find(|of| of.name() == name);
             found.ok_or_else(|| no_statics(name))
         };
         let operations = options.operations.iter().map(|name| operation(name));
         let request = plan::BroomstickRequest {
-            case: &case,
+            case: &case.case,
             models: options.models.iter().map(model).collect::<Result<_, _>>()?,
             frictions: options.frictions,
             bit_depths_m: options.bit_depths_m,
@@ -43,10 +48,12 @@ pub(crate) fn broomstick_of(
         };
         plan::broomstick(&request, cancellation)
     })?;
-    match (work.raised, work.result) {
-        (Some(raised), _) => Err(raised),
-        (None, Some(Ok(table))) => Table::of(&table),
-        (None, Some(Err(error))) => Err(error::of_work(py, &error)),
-        (None, None) => Err(error::of_panic(py)),
+    match (result, raised) {
+        (Ok(found), raised) => {
+            let raised = raised.map(|raised| raised.into_value(py).into_any());
+            Ok((Table::of(&found.table)?, found.missing, raised))
+        }
+        (Err(_), Some(raised)) => Err(raised),
+        (Err(error), None) => Err(error::of_work(py, &error)),
     }
 }

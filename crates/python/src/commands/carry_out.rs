@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use wholestring_runner::{BatchOutcome, CancellationToken, Error, Observer};
 
 use crate::{
-    attended::{Attended, attended, attended_or_left},
+    attended::{Attended, attended},
     error,
 };
 
@@ -23,34 +23,14 @@ pub(super) fn carry_out(
     work: impl FnOnce(&dyn Observer, &CancellationToken) -> Result<Found, Error> + Send,
 ) -> PyResult<Ended> {
     let Attended { result, raised } = attended(py, listener, work)?;
-    came(py, Some(result), raised)
-}
-
-/// The same of work that leaves nothing when it is interrupted.
-pub(super) fn carry_out_or_leave(
-    py: Python<'_>,
-    listener: &Bound<'_, PyAny>,
-    work: impl FnOnce(&dyn Observer, &CancellationToken) -> Result<Found, Error> + Send + 'static,
-) -> PyResult<Ended> {
-    let Attended { result, raised } = attended_or_left(py, listener, work)?;
-    came(py, result, raised)
-}
-
-/// What Python is given of what came of work.
-fn came(
-    py: Python<'_>,
-    result: Option<Result<Found, Error>>,
-    raised: Option<PyErr>,
-) -> PyResult<Ended> {
     let value = |raised: PyErr| raised.into_value(py).into_any();
     match (result, raised) {
-        (Some(Ok((folder, stopped))), raised) => {
+        (Ok((folder, stopped)), raised) => {
             let stopped = || stopped.map(|stop| error::of_work(py, &stop));
             Ok((Some(folder), raised.or_else(stopped).map(value)))
         }
-        (_, Some(raised)) => Ok((None, Some(value(raised)))),
-        (Some(Err(stop)), None) => Err(error::of_work(py, &stop)),
-        (None, None) => Err(error::of_panic(py)),
+        (Err(_), Some(raised)) => Ok((None, Some(value(raised)))),
+        (Err(stop), None) => Err(error::of_work(py, &stop)),
     }
 }
 

@@ -1,10 +1,10 @@
 //! Natural frequencies and critical speeds.
 
 use pyo3::prelude::*;
-use wholestring_runner::modes;
+use wholestring_runner::{Error, modes};
 
 use super::{
-    carry_out::{Ended, carry_out_or_leave},
+    carry_out::{Ended, carry_out},
     common::Common,
 };
 use crate::case::Case;
@@ -17,15 +17,15 @@ pub(crate) fn modes_of(
     common: Common,
     listener: &Bound<'_, PyAny>,
 ) -> PyResult<Ended> {
-    let case = case.case.clone();
-    carry_out_or_leave(py, listener, move |observer, cancellation| {
+    carry_out(py, listener, |observer, cancellation| {
         let request = modes::Request {
-            case: &case,
+            case: &case.case,
             operation: operation.as_deref(),
             units: common.units()?,
             output: common.output(),
             png: common.png,
         };
-        Ok((modes::run(&request, observer, cancellation)?.folder, None))
+        let found = modes::run(&request, observer, cancellation)?;
+        Ok((found.folder, found.interrupted.then_some(Error::Interrupted)))
     })
 }

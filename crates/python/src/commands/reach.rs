@@ -1,7 +1,7 @@
 //! A reach.
 
 use pyo3::prelude::*;
-use wholestring_runner::reach;
+use wholestring_runner::{Error, reach};
 
 use super::{
     carry_out::{Ended, carry_out},
@@ -44,7 +44,8 @@ pub(crate) fn reach_of(
             ..reach::Request::new(&case.case, &case.template, &case.changes)
         };
         let found = reach::run(&request, observer, cancellation)?;
-        let stopped = found.samples.and_then(|batch| batch.finished().err());
+        let interrupted = found.interrupted.then_some(Error::Interrupted);
+        let stopped = found.samples.and_then(|batch| batch.finished().err()).or(interrupted);
         Ok((found.folder, stopped))
     })
 }

@@ -35,6 +35,8 @@ pub struct Modes {
     pub stability: Vec<String>,
     /// The map.
     pub stability_map: Option<StabilityPicture>,
+    /// What is missing of all this; nothing where all is there.
+    pub message: Option<String>,
 }
 
 /// A natural mode.

@@ -30,6 +30,9 @@ fn page(modes: &Modes, units: &str) -> StudyPage {
         description += "\n\nThe string at rest is not stable: what it would leave that state by \
                         has no frequency and is left out.";
     }
+    if let Some(message) = &modes.message {
+        description += &format!("\n\n{message}.");
+    }
     if modes.stability_map.is_none() {
         let reasons = modes.stability.iter();
         description.extend(reasons.map(|why| format!("\n\nNo map of torsional stability: {why}.")));

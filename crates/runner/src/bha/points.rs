@@ -49,8 +49,9 @@ pub(super) struct Base<'a> {
 }
 
 impl Base<'_> {
-    /// All points, in the order of what is varied.
-    pub(super) fn points(&self, sweeps: &Sweeps) -> Result<Vec<BhaPoint>, Error> {
+    /// All points, in the order of what is varied, and how many were not solved because it was
+    /// cancelled.
+    pub(super) fn points(&self, sweeps: &Sweeps) -> Result<(Vec<BhaPoint>, usize), Error> {
         let wanted = self.wanted(sweeps)?;
         let order: Vec<usize> = (0..wanted.len()).collect();
         let done: Vec<Mutex<Option<BhaPoint>>> = order.iter().map(|_| Mutex::default()).collect();
@@ -60,8 +61,9 @@ impl Base<'_> {
                 *lock(&done[index]) = Some(point);
             }
         });
-        let done: Option<Vec<BhaPoint>> = done.iter().map(|point| lock(point).take()).collect();
-        done.ok_or(Error::Interrupted)
+        let found: Vec<BhaPoint> = done.iter().filter_map(|point| lock(point).take()).collect();
+        let missing = done.len() - found.len();
+        Ok((found, missing))
     }
 
     fn wanted(&self, sweeps: &Sweeps) -> Result<Vec<Wanted>, Error> {

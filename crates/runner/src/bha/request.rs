@@ -74,13 +74,16 @@ pub struct Outcome {
     pub folder: PathBuf,
     /// Time on the clock of the assembly itself, s, and of all.
     pub took_s: [f64; 2],
+    /// Whether it was interrupted: points of what is varied are missing.
+    pub interrupted: bool,
 }
 
-/// Solves the assembly of a case, and writes its tables, its pictures and its page.
+/// Solves the assembly of a case, and writes its tables, its pictures and its page. One that is
+/// cancelled while something is varied keeps the points that it has.
 ///
 /// # Errors
 /// An operation that the case has not, something to vary that it has not, a folder that the results
-/// cannot go to, or an assembly without an equilibrium.
+/// cannot go to, an assembly without an equilibrium, or a cancellation before it had one.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -102,6 +105,9 @@ pub fn run(
     };
     let claimed = Claim::new(occupant, &request.output, observer).folder()?;
     let start = Instant::now();
+    if cancellation.is_cancelled() {
+        return Err(Error::Interrupted);
+    }
     let found = assembly::solve(&case.model, operation, &settings).map_err(Error::failed)?;
     let alone_s = start.elapsed().as_secs_f64();
     let base = Base {
@@ -112,13 +118,18 @@ pub fn run(
         jobs: jobs(request.jobs),
         cancellation,
     };
-    let points = base.points(&request.sweeps)?;
-    let summary = summary(request, operation, &found, points);
+    let (points, missing) = base.points(&request.sweeps)?;
+    let summary = BhaSummary { missing, ..summary(request, operation, &found, points) };
     write(&claimed.folder, &summary, &found, request)?;
     let units = request.units.unwrap_or(case.units);
     Bha::gather(claimed.folder.path(), Some(units))?.write(&claimed.folder, false)?;
     let took_s = [alone_s, start.elapsed().as_secs_f64()];
-    Ok(Outcome { summary, folder: claimed.folder.path().to_owned(), took_s })
+    Ok(Outcome {
+        summary,
+        folder: claimed.folder.path().to_owned(),
+        took_s,
+        interrupted: missing > 0,
+    })
 }
 
 fn operation(case: &Case, wanted: Option<OperationKind>) -> Result<&Operation, Error> {
@@ -196,6 +207,7 @@ fn summary(
         holding_inclinations_rad: high(BhaVaried::Inclination),
         holding_weights_N: high(BhaVaried::Weight),
         sweep,
+        missing: 0,
     }
 }
 

@@ -70,6 +70,7 @@ impl Results for Modes {
                 Some(of) => Some(stability::picture(&table(folder, STABILITY)?, of)),
                 None => None,
             },
+            message: summary.warning(),
         })
     }
 

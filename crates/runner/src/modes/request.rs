@@ -50,13 +50,16 @@ pub struct Outcome {
     pub folder: PathBuf,
     /// How long it took, writing apart.
     pub took: Duration,
+    /// Whether it was interrupted: the summary names what is missing.
+    pub interrupted: bool,
 }
 
-/// Finds the small motions of a case, and writes their tables, their pictures and their page.
+/// Finds the small motions of a case, and writes their tables, their pictures and their page. Once
+/// the natural modes are found, a cancellation keeps what there is.
 ///
 /// # Errors
 /// An operation that the case does not have, a string without a state at rest, a folder that the
-/// results cannot go to, or a cancellation.
+/// results cannot go to, or a cancellation before the natural modes are found.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -73,24 +76,30 @@ pub fn run(
     let claimed = Claim::new(occupant, &request.output, observer).folder()?;
     let folder = &claimed.folder;
     let begun = Instant::now();
-    let goes_on = || match cancellation.is_cancelled() {
-        true => Err(Error::Interrupted),
-        false => Ok(()),
-    };
-    let (mut summary, tables) = find(case, operation, &goes_on)?;
-    goes_on()?;
+    let (mut summary, tables) = find(case, operation, cancellation)?;
     let map = stability::find(case, operation, cancellation);
-    goes_on()?;
-    match &map {
-        Ok(found) => summary.torsional_stability = Some(found.summary.clone()),
-        Err(reason) => summary.no_torsional_stability = Some(reason.clone()),
-    }
+    let map = match (map, cancellation.is_cancelled()) {
+        // Lines of the map are missing.
+        (_, true) => {
+            summary.missing.push("the map of torsional stability".to_owned());
+            None
+        }
+        (Ok(found), false) => {
+            summary.torsional_stability = Some(found.summary.clone());
+            Some(found)
+        }
+        (Err(reason), false) => {
+            summary.no_torsional_stability = Some(reason);
+            None
+        }
+    };
     let took = begun.elapsed();
     tables::write(folder, &summary, &tables)?;
-    tables::write_stability(folder, map.ok().as_ref())?;
+    tables::write_stability(folder, map.as_ref())?;
     let units = request.units.unwrap_or(case.units);
     Modes::gather(folder.path(), Some(units))?.write(folder, request.png)?;
-    Ok(Outcome { summary, folder: folder.path().to_owned(), took })
+    let interrupted = !summary.missing.is_empty();
+    Ok(Outcome { summary, folder: folder.path().to_owned(), took, interrupted })
 }
 
 fn operation<'a>(case: &'a Case, name: Option<&str>) -> Result<&'a Operation, Error> {
@@ -105,8 +114,12 @@ fn operation<'a>(case: &'a Case, name: Option<&str>) -> Result<&'a Operation, Er
 fn find(
     case: &Case,
     operation: &Operation,
-    goes_on: &dyn Fn() -> Result<(), Error>,
+    cancellation: &CancellationToken,
 ) -> Result<(ModesSummary, ModesTables), Error> {
+    let goes_on = || match cancellation.is_cancelled() {
+        true => Err(Error::Interrupted),
+        false => Ok(()),
+    };
     let wanted = &case.modes;
     let at_rest = case.dynamics.stiff_string();
     let motions = SmallMotions::new(&case.model, operation, &at_rest, &case.dynamics)
@@ -120,13 +133,22 @@ fn find(
         motions.family(of, wanted.count).map_err(Error::failed)
     };
     let others = [family(Family::Axial)?, family(Family::Torsional)?].concat();
-    goes_on()?;
-    let campbell = assembly
-        .campbell(wanted.count, &others, &speeds(wanted.rotary_rad_per_s, SPEEDS), &wanted.orders)
-        .map_err(Error::failed)?;
-    goes_on()?;
+    let mut missing = Vec::new();
+    let campbell = if cancellation.is_cancelled() {
+        missing.push("the Campbell diagram with its critical speeds".to_owned());
+        Campbell { rotary_rad_per_s: Vec::new(), branches: Vec::new(), critical: Vec::new() }
+    } else {
+        let over = speeds(wanted.rotary_rad_per_s, SPEEDS);
+        let found = assembly.campbell(wanted.count, &others, &over, &wanted.orders);
+        found.map_err(Error::failed)?
+    };
     let (forcing, words) = forcing(case, &motions, || assembly.middle_of_longest_span_m());
-    let answers = assembly.respond(forcing, &speeds(wanted.rotary_rad_per_s, ANSWERS));
+    let answers = if cancellation.is_cancelled() {
+        missing.push("the answer to what shakes the string".to_owned());
+        Vec::new()
+    } else {
+        assembly.respond(forcing, &speeds(wanted.rotary_rad_per_s, ANSWERS))
+    };
     let modes: Vec<Mode> = [lateral, others].concat();
     let summary = ModesSummary {
         schema_version: MODES_VERSION,
@@ -142,6 +164,7 @@ fn find(
         critical_speeds: critical(&campbell),
         torsional_stability: None,
         no_torsional_stability: None,
+        missing,
     };
     let tables = ModesTables {
         shapes: tables::shapes(&motions, &summary.modes, &modes, assembly.top_node()),

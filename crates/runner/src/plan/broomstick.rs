@@ -40,16 +40,25 @@ const MOST_FRICTION: f64 = 2.0;
 /// A friction factor that was asked for.
 const FRICTION: &str = "Friction factor of all hole sections";
 
+/// A broomstick, as far as it came.
+#[derive(Debug)]
+pub struct BroomstickFound {
+    /// The table `plan_broomstick`.
+    pub table: Table,
+    /// Points that are missing because it was cancelled.
+    pub missing: usize,
+}
+
 /// The points of a broomstick: the table `plan_broomstick` of the plan of a case. Where friction
 /// factors are asked for they stand in its column `friction` as numbers.
 ///
 /// # Errors
-/// A friction factor or a depth that is out of its range, an operation whose set points the case
-/// lacks, or a cancellation.
+/// A friction factor or a depth that is out of its range, or an operation whose set points the case
+/// lacks.
 pub fn broomstick(
     request: &BroomstickRequest<'_>,
     cancellation: &CancellationToken,
-) -> Result<Table, Error> {
+) -> Result<BroomstickFound, Error> {
     let case = request.case;
     let depths_m = depths_m(request)?;
     let models =
@@ -96,10 +105,13 @@ pub fn broomstick(
             *lock(&done[index]) = Some(of.solve_at(task, levels));
         }
     });
-    let mut found = Vec::new();
+    let (mut found, mut missing) = (Vec::new(), 0);
     for ((set, _), one) in tasks.iter().zip(&done) {
-        let points = lock(one).take().ok_or(Error::Interrupted)?;
-        found.extend(points.into_iter().enumerate().map(|(place, point)| (*set, place, point)));
+        match lock(one).take() {
+            Some(points) => found
+                .extend(points.into_iter().enumerate().map(|(place, point)| (*set, place, point))),
+            None => missing += sets[*set].1.len(),
+        }
     }
     // Curve by curve, as a plan has them: a task has the frictions of one depth.
     found.sort_by_key(|(set, place, of): &(usize, usize, BroomstickPoint)| {
@@ -111,7 +123,7 @@ pub fn broomstick(
     let rows: Vec<PlanPoint> = rows::points(&points);
     let table = plan_broomstick_table(&rows, case.model.rig.block_weight_N);
     if request.frictions.is_empty() {
-        return Ok(table);
+        return Ok(BroomstickFound { table, missing });
     }
     let factor = |(set, place, _): &(usize, usize, _)| {
         Some(request.frictions[FrictionLevel::ALL.len() * set + place])
@@ -121,7 +133,7 @@ pub fn broomstick(
         "friction" => Column { meaning: FRICTION.into(), data: factors.clone(), ..column },
         _ => column,
     });
-    Ok(Table::new(columns.collect()))
+    Ok(BroomstickFound { table: Table::new(columns.collect()), missing })
 }
 
 /// Depths of the bit that string and well have, growing.

@@ -15,7 +15,7 @@ use super::rows::limit;
 /// Part of what it comes to by which a hook load may still drift: beyond it the watch was short.
 const DRIFT: f64 = 0.01;
 
-/// A piece of the dynamics' part.
+/// A task of the dynamics' part.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Run {
     /// An event.

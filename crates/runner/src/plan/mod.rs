@@ -19,7 +19,7 @@ mod sample;
 mod work;
 mod workbook;
 
-pub use broomstick::{BroomstickRequest, broomstick};
+pub use broomstick::{BroomstickFound, BroomstickRequest, broomstick};
 pub use outcome::{Outcome, run};
 pub use overlay::Overlay;
 pub use request::Request;

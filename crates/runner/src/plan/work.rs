@@ -26,14 +26,14 @@ use crate::{
     checkpoint::Keeper,
     observer::Observer,
     parallel::jobs,
-    pieces::Pieces,
     run::checkpoint_every,
+    tasks::Tasks,
     uncertain::{self, Sampled, Sampler, samples_table},
 };
 
-/// A piece of the work.
+/// A task of a plan.
 #[derive(Debug, Clone, Copy)]
-enum Piece {
+enum PlanTask {
     /// An operation at a depth, with every friction.
     Points(BroomstickTask),
     /// The weights to buckle at a depth, m.
@@ -46,7 +46,7 @@ enum Piece {
     Dynamic(Run),
 }
 
-/// What came of a piece.
+/// What came of a task.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 enum Done {
     Points(Vec<PlanPoint>, Vec<PlanLimit>, BTreeSet<Lack>, Vec<Taken>),
@@ -79,7 +79,7 @@ fn worst(limits: &[PlanLimit]) -> Vec<PlanLimit> {
     found.into_iter().cloned().collect()
 }
 
-/// What solves the pieces.
+/// What solves the tasks.
 #[derive(Clone, Copy)]
 pub(super) struct Solvers<'a> {
     /// Every operation at every depth.
@@ -90,15 +90,15 @@ pub(super) struct Solvers<'a> {
     pub(super) sampler: Option<&'a Sampler<'a>>,
 }
 
-/// Pieces that are solved together.
+/// Tasks that are solved together.
 pub(super) struct Work<'a> {
     request: &'a Request<'a>,
     broomstick: &'a Broomstick,
     measured: &'a Measured,
     sampler: Option<&'a Sampler<'a>>,
     folder: &'a ResultsFolder,
-    list: Vec<Piece>,
-    pieces: Pieces<'a, Done>,
+    list: Vec<PlanTask>,
+    tasks: Tasks<'a, Done>,
     cancellation: &'a CancellationToken,
     start: Instant,
 }
@@ -114,14 +114,15 @@ impl<'a> Work<'a> {
         observer: &'a dyn Observer,
         cancellation: &'a CancellationToken,
     ) -> Result<Self, ResultsError> {
-        let tasks = broomstick.tasks().into_iter().map(Piece::Points);
-        let depths = broomstick.depths_m().iter().copied().map(Piece::Buckling);
-        let read = measured.tasks(request).into_iter().map(Piece::Measured);
-        let runs = runs(request.case, broomstick).into_iter().map(Piece::Dynamic);
-        let samples = (0..sampler.map_or(0, |of| of.points.len())).map(Piece::Sample);
-        let list: Vec<Piece> = tasks.chain(depths).chain(read).chain(runs).chain(samples).collect();
+        let points = broomstick.tasks().into_iter().map(PlanTask::Points);
+        let depths = broomstick.depths_m().iter().copied().map(PlanTask::Buckling);
+        let read = measured.tasks(request).into_iter().map(PlanTask::Measured);
+        let runs = runs(request.case, broomstick).into_iter().map(PlanTask::Dynamic);
+        let samples = (0..sampler.map_or(0, |of| of.points.len())).map(PlanTask::Sample);
+        let list: Vec<PlanTask> =
+            points.chain(depths).chain(read).chain(runs).chain(samples).collect();
         let every = request.checkpoint_every.unwrap_or_else(|| checkpoint_every(request.case));
-        let pieces = Pieces::new(
+        let to_solve = Tasks::new(
             (list.len(), identity),
             (folder, request.output.existing),
             Keeper::new(folder, every),
@@ -136,7 +137,7 @@ impl<'a> Work<'a> {
             sampler,
             folder,
             list,
-            pieces,
+            tasks: to_solve,
             cancellation,
             start,
         })
@@ -146,21 +147,21 @@ impl<'a> Work<'a> {
     /// left at the end is short.
     pub(super) fn solve_all(&self) -> Result<(), ResultsError> {
         let mut order: Vec<usize> = (0..self.list.len()).collect();
-        let weight = |piece: &usize| match self.list[*piece] {
-            Piece::Points(task) | Piece::Measured(MeasuredTask { task, .. }) => {
+        let weight = |task: &usize| match self.list[*task] {
+            PlanTask::Points(task) | PlanTask::Measured(MeasuredTask { task, .. }) => {
                 (1 + u8::from(task.model == Statics::Stiff), task.operation.bit_depth_m)
             }
-            Piece::Buckling(depth_m) => (1, 10.0 * depth_m),
-            Piece::Dynamic(run) => (3, run.bit_depth_m()),
-            Piece::Sample(_) => (0, 0.0),
+            PlanTask::Buckling(depth_m) => (1, 10.0 * depth_m),
+            PlanTask::Dynamic(run) => (3, run.bit_depth_m()),
+            PlanTask::Sample(_) => (0, 0.0),
         };
         order.sort_by(|a, b| {
             let (a, b) = (weight(a), weight(b));
             b.0.cmp(&a.0).then(b.1.total_cmp(&a.1))
         });
         let asked = self.asked();
-        self.pieces.solve_all(&order, jobs(self.request.jobs), |piece| {
-            self.solve(self.list[piece], asked.as_ref())
+        self.tasks.solve_all(&order, jobs(self.request.jobs), |task| {
+            self.solve(self.list[task], asked.as_ref())
         })
     }
 
@@ -170,22 +171,22 @@ impl<'a> Work<'a> {
         Some(Asked::new(self.sampler?, &plan.operations, &plan.bit_depths_m))
     }
 
-    /// What comes of a piece; nothing where it is cancelled before it has come to its end.
-    fn solve(&self, piece: Piece, asked: Option<&Asked<'_>>) -> Option<Done> {
+    /// What comes of a task; nothing where it is cancelled before it has come to its end.
+    fn solve(&self, task: PlanTask, asked: Option<&Asked<'_>>) -> Option<Done> {
         let of = self.broomstick;
-        Some(match piece {
-            Piece::Points(task) => {
+        Some(match task {
+            PlanTask::Points(task) => {
                 let found = of.solve(&task);
                 let (limits, unchecked) = (limits(of, &found), unchecked(of, &found));
                 Done::Points(points(&found), limits, unchecked, taken(&found))
             }
-            Piece::Buckling(depth_m) => Done::Buckling(buckling(&of.weights_to_buckle(depth_m))),
-            Piece::Measured(of) => Done::Measured(self.measured.solve(&of)),
-            Piece::Dynamic(run) => {
+            PlanTask::Buckling(depth_m) => Done::Buckling(buckling(&of.weights_to_buckle(depth_m))),
+            PlanTask::Measured(of) => Done::Measured(self.measured.solve(&of)),
+            PlanTask::Dynamic(run) => {
                 let goes_on = || !self.cancellation.is_cancelled();
                 Done::Dynamic(run.solve(self.request.case, of, &goes_on)?)
             }
-            Piece::Sample(sample) => {
+            PlanTask::Sample(sample) => {
                 Done::Sample(asked.map(|asked| asked.solve(sample)).unwrap_or_default())
             }
         })
@@ -197,17 +198,17 @@ impl<'a> Work<'a> {
         let all = self.list.len();
         let asked = self.asked();
         let mut batch = BatchOutcome::begin(self.folder.path(), all, self.start, self.cancellation);
-        batch.finished = self.pieces.ended();
-        let done = self.pieces.into_done();
+        batch.finished = self.tasks.ended();
+        let done = self.tasks.into_done();
         let (mut points, mut weights) = (Vec::new(), Vec::new());
         let (mut all_limits, mut lacking) = (Vec::new(), BTreeSet::new());
         let (mut all_taken, mut all_measured) = (Vec::new(), Vec::new());
         let mut sampled = Vec::new();
-        let is_run = |piece: &&Piece| matches!(piece, Piece::Dynamic(_));
+        let is_run = |task: &&PlanTask| matches!(task, PlanTask::Dynamic(_));
         let mut parts = Parts::of(self.list.iter().filter(is_run).count());
-        for (piece, one) in self.list.iter().zip(done) {
+        for (task, one) in self.list.iter().zip(done) {
             let Some(one) = one else {
-                if let Piece::Sample(_) = piece {
+                if let PlanTask::Sample(_) = task {
                     sampled.push(None);
                 }
                 continue;

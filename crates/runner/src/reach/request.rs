@@ -12,7 +12,7 @@ use wholestring::operation::{Operation, OperationKind};
 use wholestring_case::{Case, Override, Template};
 use wholestring_plan::{
     Setup,
-    reach::{Curve, End, OperationReach, ReachSettings, first_stop, reach},
+    reach::{Curve, End, OperationReach, ReachError, ReachSettings, first_stop, reach_unless},
 };
 use wholestring_report::Reach;
 use wholestring_results::{
@@ -78,8 +78,12 @@ pub struct Outcome {
     pub folder: PathBuf,
     /// How long it took, writing apart.
     pub took: Duration,
-    /// How much of the samples is finished; none where nothing is uncertain.
+    /// How much of the samples is finished; none where nothing is uncertain, or where it was
+    /// interrupted before the first.
     pub samples: Option<BatchOutcome>,
+    /// Whether it was interrupted before every operation was solved: the summary names those that
+    /// are missing.
+    pub interrupted: bool,
 }
 
 impl<'a> Request<'a> {
@@ -151,11 +155,13 @@ const DEEPEST_M: f64 = 1e5;
 /// Largest friction factor that a case takes.
 const MOST_FRICTION: f64 = 2.0;
 
-/// Finds how far the well of a case can go, and writes tables, picture and page.
+/// Finds how far the well of a case can go, and writes tables, picture and page. One that is
+/// cancelled keeps the operations that are solved.
 ///
 /// # Errors
 /// Depths or frictions out of their range, an operation whose set points the case lacks, a folder
-/// that the results cannot go to, or a soft string without an answer.
+/// that the results cannot go to, a soft string without an answer, or a cancellation before the
+/// first operation was solved.
 pub fn run(
     request: &Request<'_>,
     observer: &dyn Observer,
@@ -181,12 +187,20 @@ pub fn run(
     let jobs = jobs(request.jobs);
     let found = solve(&setups, &all, &settings, jobs, cancellation)?;
     let folder = &claimed.folder;
-    let sampler = Sampler::of(case, request.template, request.overrides);
+    let interrupted = found.iter().any(Option::is_none);
+    let each = found.chunks(all.len().max(1)).zip(&setups);
+    let answers: Vec<Answer> =
+        each.map(|(found, (friction, _))| Answer::of(*friction, found, &all)).collect();
+    if answers.iter().all(|answer| answer.reaches.is_empty()) && interrupted {
+        return Err(Error::Interrupted);
+    }
+    let own: Vec<OperationReach> = answers.iter().flat_map(|of| of.reaches.clone()).collect();
+    let sampler = Sampler::of(case, request.template, request.overrides).filter(|_| !interrupted);
     let asked = sampler.as_ref().map(|sampler| Asked {
         sampler,
         settings: &settings,
         frictions: setups.iter().map(|(friction, _)| *friction).collect(),
-        own: &found,
+        own: &own,
         kinds: all.iter().map(|of| of.kind).collect(),
     });
     let every = checkpoint_every(case);
@@ -196,15 +210,9 @@ pub fn run(
     });
     let samples = samples.transpose()?;
     let took = begun.elapsed();
-    let answers: Vec<(Option<f64>, &[OperationReach])> = setups
-        .iter()
-        .zip(found.chunks(all.len().max(1)))
-        .map(|((friction, _), reaches)| (*friction, reaches))
-        .collect();
     let bit = case.model.well.path.at(settings.from_m);
-    let frictions = answers.iter().zip(&setups).map(|((friction, reaches), (_, setup))| {
-        let at_bit = setup.well.hole.at(settings.to_m).friction.kinetic;
-        of_friction(*friction, at_bit, reaches)
+    let frictions = answers.iter().zip(&setups).map(|(answer, (_, setup))| {
+        answer.summary(setup.well.hole.at(settings.to_m).friction.kinetic)
     });
     let summary = ReachSummary {
         schema_version: REACH_VERSION,
@@ -222,49 +230,78 @@ pub fn run(
     uncertain::write(folder, &Names::REACH, written)?;
     uncertain::write_picture_numbers(folder, summary.uncertain.as_ref())?;
     // As CSV too: the page leads to them.
-    folder.write_table(REACH, &reach_table(&answers), true)?;
+    let rows: Vec<_> = answers.iter().map(|of| (of.friction, &of.reaches[..])).collect();
+    folder.write_table(REACH, &reach_table(&rows), true)?;
     folder.write_table(LIMITS, &reach_limits_table(&summary), true)?;
     summary.write(&folder.path().join("summary.json"))?;
     let units = request.units.unwrap_or(case.units);
     Reach::gather(folder.path(), Some(units))?.write(folder, request.png)?;
     let samples = samples.map(|(batch, ..)| batch);
-    Ok(Outcome { summary, folder: folder.path().to_owned(), took, samples })
+    Ok(Outcome { summary, folder: folder.path().to_owned(), took, samples, interrupted })
 }
 
-/// Every operation at every friction, the operations of the first friction first.
+/// The operations at a friction.
+struct Answer {
+    friction: Option<f64>,
+    reaches: Vec<OperationReach>,
+    /// Those that were not solved.
+    missing: Vec<String>,
+}
+
+impl Answer {
+    fn of(
+        friction: Option<f64>,
+        found: &[Option<OperationReach>],
+        operations: &[Operation],
+    ) -> Self {
+        let unsolved = found.iter().zip(operations).filter(|(found, _)| found.is_none());
+        let missing = unsolved.map(|(_, of)| of.kind.name().to_owned()).collect();
+        Self { friction, reaches: found.iter().flatten().cloned().collect(), missing }
+    }
+
+    fn summary(&self, friction_at_bit: f64) -> ReachOfFriction {
+        let first = first_stop(&self.reaches).and_then(|(reach, curve)| {
+            Some(ReachStop {
+                operation: reach.kind.name().into(),
+                limit: curve.limit.name().into(),
+                depth_m: curve.end.depth_m()?,
+            })
+        });
+        let limits = self.reaches.iter().flat_map(|reach| {
+            let limit = |curve: &Curve| limit(reach.kind.name(), curve);
+            reach.curves.iter().map(limit).collect::<Vec<_>>()
+        });
+        ReachOfFriction {
+            friction: self.friction,
+            friction_at_bit,
+            first,
+            limits: limits.collect(),
+            missing: self.missing.clone(),
+        }
+    }
+}
+
+/// Every operation at every friction, the operations of the first friction first; none of what was
+/// not finished when it was cancelled.
 fn solve(
     setups: &[(Option<f64>, Setup)],
     operations: &[Operation],
     settings: &ReachSettings,
     jobs: usize,
     cancellation: &CancellationToken,
-) -> Result<Vec<OperationReach>, Error> {
+) -> Result<Vec<Option<OperationReach>>, Error> {
     let order: Vec<usize> = (0..setups.len() * operations.len()).collect();
     let done: Vec<_> = order.iter().map(|_| Mutex::new(None)).collect();
     in_parallel(jobs, &order, |index| {
-        if !cancellation.is_cancelled() {
-            let (_, setup) = &setups[index / operations.len()];
-            let found = reach(setup, &operations[index % operations.len()], settings);
-            *lock(&done[index]) = Some(found);
-        }
+        let (_, setup) = &setups[index / operations.len()];
+        let operation = &operations[index % operations.len()];
+        let found = reach_unless(setup, operation, settings, &|| cancellation.is_cancelled());
+        *lock(&done[index]) = match found {
+            Err(ReachError::Stopped) => None,
+            found => Some(found),
+        };
     });
-    let done = done.iter().map(|of| lock(of).take().ok_or(Error::Interrupted));
-    done.map(|found| found?.map_err(Error::failed)).collect()
-}
-
-fn of_friction(friction: Option<f64>, at_bit: f64, reaches: &[OperationReach]) -> ReachOfFriction {
-    let first = first_stop(reaches).and_then(|(reach, curve)| {
-        Some(ReachStop {
-            operation: reach.kind.name().into(),
-            limit: curve.limit.name().into(),
-            depth_m: curve.end.depth_m()?,
-        })
-    });
-    let limits = reaches.iter().flat_map(|reach| {
-        let limit = |curve: &Curve| limit(reach.kind.name(), curve);
-        reach.curves.iter().map(limit).collect::<Vec<_>>()
-    });
-    ReachOfFriction { friction, friction_at_bit: at_bit, first, limits: limits.collect() }
+    done.iter().map(|of| lock(of).take().transpose().map_err(Error::failed)).collect()
 }
 
 fn limit(operation: &str, curve: &Curve) -> ReachLimit {

@@ -18,7 +18,7 @@ use crate::{
     error::Error,
     observer::Observer,
     output::Existing,
-    pieces::Pieces,
+    tasks::Tasks,
     uncertain::{Quantity, Sampled, Sampler, samples_table, summary},
 };
 
@@ -97,14 +97,14 @@ impl Asked<'_> {
     ) -> Result<(BatchOutcome, UncertainSummary, Table), Error> {
         let (begun, count) = (Instant::now(), self.sampler.points.len());
         let keeper = Keeper::new(folder, every);
-        let pieces =
-            Pieces::new((count, identity), (folder, existing), keeper, observer, cancellation)?;
+        let tasks =
+            Tasks::new((count, identity), (folder, existing), keeper, observer, cancellation)?;
         let quantities = self.quantities();
         let order: Vec<usize> = (0..count).collect();
-        pieces.solve_all(&order, jobs, |sample| Some(self.solve(sample, quantities.len())))?;
+        tasks.solve_all(&order, jobs, |sample| Some(self.solve(sample, quantities.len())))?;
         let mut batch = BatchOutcome::begin(folder.path(), count, begun, cancellation);
-        batch.finished = pieces.ended();
-        let sampled = pieces.into_done();
+        batch.finished = tasks.ended();
+        let sampled = tasks.into_done();
         let found = summary(self.sampler, "soft", &quantities, &self.frictions, &sampled);
         Ok((batch, found, samples_table(self.sampler, &sampled)))
     }

@@ -19,10 +19,14 @@ fn depth(depth_m: f64, units: UnitSet) -> String {
     format!("{:.0} {}", unit.from_si(depth_m), unit.symbol)
 }
 
-/// What stops the well first, a sentence for each friction.
+/// What stops the well first, a sentence for each friction. What was not solved may stop it earlier.
 pub fn answers(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
     let answer = |of: &ReachOfFriction| {
-        let at = friction(of);
+        let mut at = friction(of);
+        if !of.missing.is_empty() {
+            let missing: Vec<String> = of.missing.iter().map(|name| readable(name)).collect();
+            at += &format!(" without {}, interrupted,", missing.join(", "));
+        }
         let Some(first) = &of.first else {
             return format!("At {at} nothing stops it down to {}.", depth(summary.to_m, units));
         };

@@ -28,7 +28,7 @@ impl Slant {
         Self { template, overrides, case }
     }
 
-    /// A plan of it, piece after piece.
+    /// A plan of it, task after task.
     pub fn plan(&self, folder: &Path, existing: Existing) -> plan::Request<'_> {
         plan::Request {
             case: &self.case,
@@ -44,7 +44,7 @@ impl Slant {
     }
 }
 
-/// Cancels after some pieces, and notes how many were finished when it began.
+/// Cancels after some tasks, and notes how many were finished when it began.
 pub struct Stops {
     after: usize,
     pub token: CancellationToken,
@@ -52,8 +52,8 @@ pub struct Stops {
 }
 
 impl Stops {
-    pub fn after(pieces: usize) -> Self {
-        Self { after: pieces, token: CancellationToken::new(), finished: AtomicUsize::new(0) }
+    pub fn after(tasks: usize) -> Self {
+        Self { after: tasks, token: CancellationToken::new(), finished: AtomicUsize::new(0) }
     }
 
     /// How many were finished when it began.

@@ -1,4 +1,4 @@
-//! Pieces of work that are done side by side and kept as they come, to go on with later.
+//! Tasks that are done side by side and kept as they come, to go on with later.
 
 use std::sync::Mutex;
 
@@ -20,19 +20,19 @@ struct Kept<D> {
     done: D,
 }
 
-/// Pieces of work, each with what came of it.
-pub(crate) struct Pieces<'a, D> {
+/// Tasks, each with what came of it.
+pub(crate) struct Tasks<'a, D> {
     identity: String,
     folder: &'a ResultsFolder,
-    /// What came of each piece, none where nothing has yet.
+    /// What came of each task, none where nothing has yet.
     done: Mutex<Vec<Option<D>>>,
     keeper: Mutex<Keeper<'a>>,
     observer: &'a dyn Observer,
     cancellation: &'a CancellationToken,
 }
 
-impl<'a, D: Clone + Send + Serialize + DeserializeOwned> Pieces<'a, D> {
-    /// So many pieces of the work with this identity, less what an earlier one has left in its folder,
+impl<'a, D: Clone + Send + Serialize + DeserializeOwned> Tasks<'a, D> {
+    /// So many tasks of the work with this identity, less what an earlier one has left in its folder,
     /// where that is to be continued.
     pub(crate) fn new(
         (count, identity): (usize, String),
@@ -41,7 +41,7 @@ impl<'a, D: Clone + Send + Serialize + DeserializeOwned> Pieces<'a, D> {
         observer: &'a dyn Observer,
         cancellation: &'a CancellationToken,
     ) -> Result<Self, ResultsError> {
-        let pieces = Self {
+        let tasks = Self {
             identity,
             folder,
             done: Mutex::new(vec![None; count]),
@@ -50,10 +50,10 @@ impl<'a, D: Clone + Send + Serialize + DeserializeOwned> Pieces<'a, D> {
             cancellation,
         };
         match existing {
-            Existing::Resume => pieces.take_up(),
+            Existing::Resume => tasks.take_up(),
             Existing::Protect | Existing::Overwrite => folder.remove_checkpoint()?,
         }
-        Ok(pieces)
+        Ok(tasks)
     }
 
     /// Takes up what earlier work of the same identity has finished.
@@ -62,7 +62,7 @@ impl<'a, D: Clone + Send + Serialize + DeserializeOwned> Pieces<'a, D> {
         let warning = match kept {
             Ok(None) => return,
             Ok(Some(kept)) if kept.identity != self.identity => "it is of another one".to_owned(),
-            Ok(Some(kept)) if kept.done.len() != self.count() => "it has other pieces".to_owned(),
+            Ok(Some(kept)) if kept.done.len() != self.count() => "it has other tasks".to_owned(),
             Ok(Some(kept)) => {
                 *lock(&self.done) = kept.done;
                 return;
@@ -86,7 +86,7 @@ impl<'a, D: Clone + Send + Serialize + DeserializeOwned> Pieces<'a, D> {
             finished: self.ended(),
             simulated_s: 0.0,
         });
-        in_parallel(jobs, order, |piece| self.solve(piece, &solve));
+        in_parallel(jobs, order, |task| self.solve(task, &solve));
         self.observer.batch_ended();
         if self.ended() < self.count() {
             return self.keep();
@@ -94,15 +94,15 @@ impl<'a, D: Clone + Send + Serialize + DeserializeOwned> Pieces<'a, D> {
         self.folder.remove_checkpoint()
     }
 
-    fn solve(&self, piece: usize, solve: &(impl Fn(usize) -> Option<D> + Sync)) {
-        if lock(&self.done)[piece].is_none() {
+    fn solve(&self, task: usize, solve: &(impl Fn(usize) -> Option<D> + Sync)) {
+        if lock(&self.done)[task].is_none() {
             if self.cancellation.is_cancelled() {
                 return;
             }
-            let Some(done) = solve(piece) else {
+            let Some(done) = solve(task) else {
                 return;
             };
-            lock(&self.done)[piece] = Some(done);
+            lock(&self.done)[task] = Some(done);
             let is_due = lock(&self.keeper).is_due();
             if is_due && let Err(error) = self.keep() {
                 // The work does not end because one checkpoint cannot be written: the next may.
