@@ -1,0 +1,13 @@
+//! The one folder that nothing leaves: cases, drafts, results.
+//!
+//! What lies in it is named by ids, which are found among what is there and never made into a path.
+
+mod case_file;
+mod error;
+mod find;
+mod folder;
+mod template;
+
+pub(crate) use case_file::CaseFile;
+pub(crate) use error::WorkspaceError;
+pub(crate) use folder::Workspace;

@@ -1,0 +1,5 @@
+//! A server over TCP, as a browser and as somebody who means no good meet it.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod guard;
