@@ -8,6 +8,7 @@
 //! noun in `api`, and that asks the `workspace`, which reads and writes nothing outside its folder.
 #![warn(missing_docs)]
 
+mod answers;
 mod api;
 mod app;
 mod assets;

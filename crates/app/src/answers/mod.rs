@@ -1,0 +1,8 @@
+//! What a case answers at once, while it is written: soft and stiff string.
+
+mod answer;
+mod column;
+mod tracks;
+mod well;
+
+pub(crate) use answer::{Answer, answer};
