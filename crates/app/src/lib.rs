@@ -12,6 +12,7 @@ mod api;
 mod app;
 mod assets;
 mod connections;
+mod examples;
 mod fingerprint;
 mod guard;
 mod limits;
