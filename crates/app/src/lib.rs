@@ -13,6 +13,7 @@ mod api;
 mod app;
 mod assets;
 mod connections;
+mod examples;
 mod fingerprint;
 mod guard;
 mod limits;

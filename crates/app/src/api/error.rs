@@ -11,6 +11,7 @@ use utoipa::ToSchema;
 use wholestring_case::Report;
 
 use super::diagnostic::{self, Diagnostic};
+use crate::workspace::WorkspaceError;
 
 /// A request that is not answered as it was meant: `{"error": {...}}`.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
@@ -62,6 +63,19 @@ impl ApiError {
     /// It should have gone, and did not: a full disk, for one.
     pub(crate) fn failed(error: impl Display) -> Self {
         Self::new(StatusCode::INTERNAL_SERVER_ERROR, "failed", error.to_string())
+    }
+}
+
+/// What the folder refuses.
+impl From<WorkspaceError> for ApiError {
+    fn from(error: WorkspaceError) -> Self {
+        let message = error.to_string();
+        match error {
+            WorkspaceError::Nothing(_) => Self::not_found(message),
+            WorkspaceError::Name { .. } => Self::bad_input(message),
+            WorkspaceError::Exists(_) | WorkspaceError::Changed => Self::conflict(message),
+            WorkspaceError::Folder { .. } | WorkspaceError::System { .. } => Self::failed(message),
+        }
     }
 }
 

@@ -1,11 +1,20 @@
 //! What the page asks, noun by noun: each file declares its requests with their JSON, and the
 //! document `/api/openapi.json` is made of the same declarations.
 
+mod blocking;
 mod body;
+mod cases;
+mod catalogue;
+mod check;
 pub(crate) mod diagnostic;
 mod document;
+mod drafts;
+mod edit;
 pub(crate) mod error;
+mod examples;
+mod schema;
 mod session;
+mod values;
 
 use axum::{
     Router,
@@ -14,6 +23,7 @@ use axum::{
 };
 use utoipa_axum::router::OpenApiRouter;
 
+pub(crate) use blocking::blocking;
 pub(crate) use body::Json;
 use error::ApiError;
 
@@ -21,7 +31,15 @@ use crate::{app::App, assets};
 
 /// Every noun.
 fn nouns() -> OpenApiRouter<App> {
-    OpenApiRouter::new().merge(session::routes())
+    OpenApiRouter::new()
+        .merge(session::routes())
+        .merge(examples::routes())
+        .merge(cases::routes())
+        .merge(drafts::routes())
+        .merge(check::routes())
+        .merge(edit::routes())
+        .merge(schema::routes())
+        .merge(catalogue::routes())
 }
 
 /// All that is served: the API, what describes it, and the page.

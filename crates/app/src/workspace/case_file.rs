@@ -1,8 +1,8 @@
 //! A case file of the folder.
 
-use std::{fs, path::PathBuf, time::SystemTime};
+use std::{fs, io, path::PathBuf, time::SystemTime};
 
-use super::{error::WorkspaceError, folder::Workspace};
+use super::{error::WorkspaceError, folder::Workspace, name, write};
 use crate::fingerprint::fingerprint;
 
 /// A case file of the folder.
@@ -18,16 +18,37 @@ pub(crate) struct CaseFile {
     pub(crate) modified: SystemTime,
 }
 
+/// What stands in a case file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct CaseText {
+    /// Its text, without a byte order mark.
+    pub(crate) text: String,
+    /// What it is at that time: another text has another.
+    pub(crate) revision: String,
+}
+
+/// A file that is to be made.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct NewFile<'a> {
+    /// Its name, no path.
+    pub(crate) name: &'a str,
+    /// What it holds.
+    pub(crate) text: &'a str,
+}
+
 impl CaseFile {
-    /// The text that stands in it. What is no text is shown as far as it is.
+    /// What stands in it.
     ///
     /// # Errors
-    /// Whatever the system says.
-    pub(crate) fn read(&self) -> Result<String, WorkspaceError> {
-        let what = "the case cannot be read";
-        let bytes = wholestring_case::read_file(&self.path);
-        let bytes = bytes.map_err(|source| WorkspaceError::System { what, source })?;
-        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    /// Whatever the system says, and what is no text.
+    pub(crate) fn read(&self) -> Result<CaseText, WorkspaceError> {
+        let failed = WorkspaceError::system("the case cannot be read");
+        let bytes = wholestring_case::read_file(&self.path).map_err(&failed)?;
+        let revision = fingerprint(&bytes);
+        let not_text = |_| failed(io::Error::other("it is not a text in UTF-8"));
+        let text = String::from_utf8(bytes).map_err(not_text)?;
+        let text = text.strip_prefix('\u{feff}').map_or_else(|| text.clone(), str::to_owned);
+        Ok(CaseText { text, revision })
     }
 }
 
@@ -39,6 +60,70 @@ impl Workspace {
     pub(crate) fn case(&self, id: &str) -> Result<CaseFile, WorkspaceError> {
         let found = self.cases().into_iter().find(|case| case.id == id);
         found.ok_or(WorkspaceError::Nothing("case"))
+    }
+
+    /// Puts a text in the place of what the case had at `revision`, and gives the new revision. The
+    /// draft of it goes.
+    ///
+    /// # Errors
+    /// Where the file has become another since, and whatever the system says.
+    pub(crate) fn save(
+        &self,
+        case: &CaseFile,
+        text: &str,
+        revision: &str,
+    ) -> Result<String, WorkspaceError> {
+        let failed = WorkspaceError::system("the case cannot be saved");
+        let _alone = self.writing();
+        let now = fs::read(&case.path).map_err(&failed)?;
+        if fingerprint(&now) != revision {
+            return Err(WorkspaceError::Changed);
+        }
+        write::replace(&case.path, text.as_bytes()).map_err(&failed)?;
+        self.remove_draft(case)?;
+        Ok(fingerprint(text.as_bytes()))
+    }
+
+    /// Makes a case file and what it names beside it, all or nothing.
+    ///
+    /// # Errors
+    /// Names that no file may have, a file that is there with another content, and whatever the
+    /// system says.
+    pub(crate) fn create(
+        &self,
+        case: NewFile<'_>,
+        beside: &[NewFile<'_>],
+    ) -> Result<String, WorkspaceError> {
+        name::check(case.name)?;
+        if !case.name.to_ascii_lowercase().ends_with(".toml") {
+            let (name, why) = (case.name.to_owned(), "a case file ends in `.toml`");
+            return Err(WorkspaceError::Name { name, why });
+        }
+        beside.iter().try_for_each(|file| name::check(file.name))?;
+        let _alone = self.writing();
+        let mut made = Vec::new();
+        let all = beside.iter().map(|file| (file, true)).chain([(&case, false)]);
+        for (file, may_be_there) in all {
+            let path = self.root().join(file.name);
+            let error = match write::create(&path, file.text.as_bytes()) {
+                Ok(()) => {
+                    made.push(path);
+                    continue;
+                }
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                    let same = || fs::read(&path).is_ok_and(|now| now == file.text.as_bytes());
+                    if may_be_there && self.inside(&path).is_ok() && same() {
+                        continue;
+                    }
+                    WorkspaceError::Exists(file.name.to_owned())
+                }
+                Err(error) => WorkspaceError::system("the file cannot be written")(error),
+            };
+            // What was made for a case that is not there serves nobody.
+            made.iter().for_each(|path| drop(fs::remove_file(path)));
+            return Err(error);
+        }
+        Ok(id_of(case.name))
     }
 }
 

@@ -16,9 +16,20 @@ pub(crate) enum WorkspaceError {
     /// Nothing has this id.
     #[error("there is no such {0} in the folder")]
     Nothing(&'static str),
-    /// It would lead out of the folder.
-    #[error("`{0}` lies outside the folder of the cases")]
-    Outside(String),
+    /// No file may be called so.
+    #[error("`{}` is no name for a file: {why}", name.escape_debug())]
+    Name {
+        /// What was given.
+        name: String,
+        /// What is wrong with it.
+        why: &'static str,
+    },
+    /// A file is there that must not be written over.
+    #[error("there is a file `{0}` already")]
+    Exists(String),
+    /// The file is not what it was when its text was read.
+    #[error("the file has changed since it was opened")]
+    Changed,
     /// The system refused.
     #[error("{what}: {source}")]
     System {
@@ -27,4 +38,11 @@ pub(crate) enum WorkspaceError {
         /// What the system says.
         source: io::Error,
     },
+}
+
+impl WorkspaceError {
+    /// What the system says of what was tried.
+    pub(super) fn system(what: &'static str) -> impl Fn(io::Error) -> Self {
+        move |source| Self::System { what, source }
+    }
 }

@@ -3,15 +3,18 @@
 use std::{
     io,
     path::{Path, PathBuf},
+    sync::{Mutex, MutexGuard, PoisonError},
 };
 
 use super::error::WorkspaceError;
 
 /// A folder that nothing leaves, links included.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(crate) struct Workspace {
     /// As the system knows it: without links.
     root: PathBuf,
+    /// Held by who looks at a file and writes it then.
+    writing: Mutex<()>,
 }
 
 impl Workspace {
@@ -23,9 +26,15 @@ impl Workspace {
         let refused = |why: String| WorkspaceError::Folder { path: path.to_owned(), why };
         let root = path.canonicalize().map_err(|error| refused(error.to_string()))?;
         match root.is_dir() {
-            true => Ok(Self { root }),
+            true => Ok(Self { root, writing: Mutex::new(()) }),
             false => Err(refused("it is no folder".to_owned())),
         }
+    }
+
+    /// Nobody else writes while this is held.
+    pub(super) fn writing(&self) -> MutexGuard<'_, ()> {
+        // Files are written whole: who panicked has left none half written.
+        self.writing.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Where it lies.
