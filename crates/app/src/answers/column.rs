@@ -10,8 +10,14 @@ use utoipa::ToSchema;
 pub(crate) struct Column(Vec<f32>);
 
 impl Column {
+    #[cfg(test)]
     pub(crate) fn len(&self) -> usize {
         self.0.len()
+    }
+
+    #[cfg(test)]
+    pub(crate) fn last(&self) -> Option<f32> {
+        self.0.last().copied()
     }
 
     /// Whether there is no number in it.

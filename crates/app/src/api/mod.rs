@@ -1,6 +1,7 @@
 //! What the page asks, noun by noun: each file declares its requests with their JSON, and the
 //! document `/api/openapi.json` is made of the same declarations.
 
+mod answers;
 mod blocking;
 mod body;
 mod cases;
@@ -40,6 +41,7 @@ fn nouns() -> OpenApiRouter<App> {
         .merge(edit::routes())
         .merge(schema::routes())
         .merge(catalogue::routes())
+        .merge(answers::routes())
 }
 
 /// All that is served: the API, what describes it, and the page.

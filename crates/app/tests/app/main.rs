@@ -1,5 +1,6 @@
 //! A server over TCP, as a browser and as somebody who means no good meet it.
 
+mod answers;
 #[path = "../common/mod.rs"]
 mod common;
 mod guard;
