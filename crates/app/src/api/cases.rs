@@ -55,12 +55,10 @@ fn entry(workspace: &Workspace, case: CaseFile, is_read: bool) -> CaseEntry {
     let (name, problem) = match case.read() {
         Err(error) => (None, Some(error.to_string())),
         Ok(_) if !is_read => (None, None),
-        Ok(read) => {
-            match parse(&case.shown, read.text.as_bytes(), &workspace.beside(&case), &[]) {
-                Ok(checked) => (Some(checked.name), None),
-                Err(report) => (named(&read.text), first_error(&report)),
-            }
-        }
+        Ok(read) => match parse(&case.shown, read.text.as_bytes(), &workspace.beside(&case), &[]) {
+            Ok(checked) => (Some(checked.name), None),
+            Err(report) => (named(&read.text), first_error(&report)),
+        },
     };
     CaseEntry {
         name: name.or(stem).unwrap_or_default(),
@@ -181,10 +179,7 @@ pub(crate) struct OpenDraft {
     path = "/api/cases/{id}",
     responses((status = 200, body = OpenCase), (status = 404, body = ApiError))
 )]
-async fn open(
-    State(app): State<App>,
-    Path(id): Path<String>,
-) -> Result<Json<OpenCase>, ApiError> {
+async fn open(State(app): State<App>, Path(id): Path<String>) -> Result<Json<OpenCase>, ApiError> {
     blocking(move || {
         let case = app.workspace.case(&id)?;
         let read = case.read()?;

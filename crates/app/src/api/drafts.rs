@@ -40,10 +40,7 @@ async fn keep(
     path = "/api/cases/{id}/draft",
     responses((status = 204), (status = 404, body = ApiError))
 )]
-async fn discard(
-    State(app): State<App>,
-    Path(id): Path<String>,
-) -> Result<StatusCode, ApiError> {
+async fn discard(State(app): State<App>, Path(id): Path<String>) -> Result<StatusCode, ApiError> {
     blocking(move || {
         let case = app.workspace.case(&id)?;
         app.workspace.remove_draft(&case)?;

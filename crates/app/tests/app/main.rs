@@ -2,4 +2,13 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+
+mod assets;
+mod cases;
+mod check;
+mod document;
+mod edit;
+mod folder;
 mod guard;
+mod lookup;
+mod strain;
