@@ -6,10 +6,14 @@ use axum::{
     Router,
     body::Body,
     extract::Request,
-    http::StatusCode,
+    http::{StatusCode, header},
     response::{IntoResponse, Response},
 };
-use hyper::{body::Incoming, server::conn::http1, service::service_fn};
+use hyper::{
+    body::{Body as _, Incoming},
+    server::conn::http1,
+    service::service_fn,
+};
 use hyper_util::rt::{TokioIo, TokioTimer};
 use tokio::{
     net::{TcpListener, TcpStream},
@@ -18,7 +22,12 @@ use tokio::{
 };
 use tower::ServiceExt;
 
-use crate::{api::error::ApiError, guard::Guard, limits::Limits, stop::Stop};
+use crate::{
+    api::error::ApiError,
+    guard::{self, Guard},
+    limits::Limits,
+    stop::Stop,
+};
 
 /// What answers on a port.
 #[derive(Debug, Clone)]
@@ -26,11 +35,14 @@ pub(crate) struct Connections {
     router: Router,
     guard: Arc<Guard>,
     limits: Limits,
+    /// Places for requests with large bodies.
+    large_bodies: Arc<Semaphore>,
 }
 
 impl Connections {
     pub(crate) fn new(router: Router, guard: Guard, limits: Limits) -> Self {
-        Self { router, guard: Arc::new(guard), limits }
+        let large_bodies = Arc::new(Semaphore::new(limits.large_bodies));
+        Self { router, guard: Arc::new(guard), limits, large_bodies }
     }
 
     /// Takes connections until it is asked to stop, then waits a bounded time for open answers.
@@ -82,27 +94,46 @@ impl Connections {
         let _ = connection.await;
     }
 
-    /// One request: the guard, then the router, under the clock.
+    /// One request: the guard, then the router.
     async fn answer(&self, request: Request<Incoming>) -> Response {
         let (head, body) = request.into_parts();
-        let authority = head.headers.get("host").cloned();
+        let host = head.headers.get(header::HOST).cloned();
         let response = match self.guard.admit(&head) {
             Err(refusal) => refusal.into_response(),
             Ok(()) => {
                 let request = Request::from_parts(head, Body::new(body));
-                let answered = self.router.clone().oneshot(request);
-                match timeout(self.limits.request_time, answered).await {
-                    Ok(Ok(response)) => response,
-                    Ok(Err(never)) => match never {},
-                    Err(_) => ApiError::new(
-                        StatusCode::SERVICE_UNAVAILABLE,
-                        "timeout",
-                        format!("no answer in {} s", self.limits.request_time.as_secs()),
-                    )
-                    .into_response(),
+                match timeout(self.limits.request_time, self.route(request)).await {
+                    Ok(response) => response,
+                    Err(_) => self.too_late(),
                 }
             }
         };
-        crate::guard::headers::put(response, authority.as_ref())
+        guard::headers::put(response, host.as_ref())
+    }
+
+    /// A request that may be answered, in its turn where its body is large.
+    async fn route(&self, request: Request) -> Response {
+        let body = request.body().size_hint();
+        if body.lower() > self.limits.body_bytes as u64 {
+            return self.too_long();
+        }
+        let is_large = body.upper().is_none_or(|most| most > self.limits.small_body_bytes as u64);
+        // The places are never closed.
+        let _place = if is_large { self.large_bodies.acquire().await.ok() } else { None };
+        match self.router.clone().oneshot(request).await {
+            Ok(response) => response,
+            Err(never) => match never {},
+        }
+    }
+
+    fn too_long(&self) -> Response {
+        let most = self.limits.body_bytes >> 20;
+        let message = format!("a request holds at most {most} MB");
+        ApiError::new(StatusCode::PAYLOAD_TOO_LARGE, "too_long", message).into_response()
+    }
+
+    fn too_late(&self) -> Response {
+        let message = format!("no answer in {} s", self.limits.request_time.as_secs());
+        ApiError::new(StatusCode::SERVICE_UNAVAILABLE, "timeout", message).into_response()
     }
 }

@@ -7,6 +7,12 @@ use std::time::Duration;
 pub(crate) struct Limits {
     /// The body of a request, bytes.
     pub(crate) body_bytes: usize,
+    /// The same of one that is no upload of files: a text as JSON.
+    pub(crate) json_bytes: usize,
+    /// A body longer than this is large, bytes, and so is one whose length is not said.
+    pub(crate) small_body_bytes: usize,
+    /// Requests with large bodies; further ones wait until one is answered.
+    pub(crate) large_bodies: usize,
     /// The head of a request, bytes.
     pub(crate) head_bytes: usize,
     /// Header fields of a request.
@@ -25,6 +31,9 @@ impl Default for Limits {
     fn default() -> Self {
         Self {
             body_bytes: 64 << 20,
+            json_bytes: 16 << 20,
+            small_body_bytes: 1 << 20,
+            large_bodies: 2,
             head_bytes: 32 << 10,
             header_fields: 64,
             connections: 64,

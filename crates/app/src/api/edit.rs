@@ -27,7 +27,10 @@ pub(crate) struct Changes {
 
 /// A change. Keys are dotted, with the numbers of items from 0: `well.hole.0.friction`.
 #[derive(Debug, Deserialize, ToSchema)]
-#[serde(untagged)]
+#[serde(
+    untagged,
+    expecting = "a change is {set, to}, {remove}, {insert, at, value} or {move, from, to}"
+)]
 pub(crate) enum Change {
     /// A key gets a value.
     Set(Set),

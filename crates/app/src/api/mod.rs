@@ -52,7 +52,7 @@ pub(crate) fn router(app: App) -> Router {
         .merge(assets::routes())
         .fallback(nothing)
         .method_not_allowed_fallback(other_method)
-        .layer(DefaultBodyLimit::max(app.limits.body_bytes))
+        .layer(DefaultBodyLimit::max(app.limits.json_bytes))
         .with_state(app)
 }
 

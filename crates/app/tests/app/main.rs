@@ -3,4 +3,13 @@
 mod answers;
 #[path = "../common/mod.rs"]
 mod common;
+
+mod assets;
+mod cases;
+mod check;
+mod document;
+mod edit;
+mod folder;
 mod guard;
+mod lookup;
+mod strain;
