@@ -4,7 +4,7 @@ use clap::{Parser, Subcommand};
 use clap_complete::Shell;
 
 use crate::{
-    bench::BenchArgs, bha::BhaArgs, bit_test::BitTestArgs, calibrate::CalibrateArgs,
+    app::AppArgs, bench::BenchArgs, bha::BhaArgs, bit_test::BitTestArgs, calibrate::CalibrateArgs,
     catalogue::CatalogueArgs, check::CheckArgs, export::ExportArgs, import::ImportArgs,
     modes::ModesArgs, new_case::NewArgs, plan::PlanArgs, plot::PlotArgs, reach::ReachArgs,
     report::ReportArgs, run::RunArgs, study::StudyArgs, survey::SurveyArgs, sweep::SweepArgs,
@@ -30,6 +30,8 @@ pub(crate) enum Command {
     New(NewArgs),
     /// Make a commented case of surveys, tallies, WITSML, EDM and logs
     Import(ImportArgs),
+    /// Open a folder of cases in the browser
+    App(AppArgs),
     /// Is the case sound? One line, or diagnostics. Of a file of another program: what it holds
     Check(CheckArgs),
 

@@ -1,5 +1,6 @@
 //! The `wholestring` command: case files in, torque and drag out.
 
+mod app;
 mod args;
 mod bench;
 mod bha;
@@ -45,6 +46,7 @@ use terminal::{print_stderr, print_stdout};
 
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
+        Command::App(args) => app::app(&args),
         Command::Check(args) => check::check(&args),
         Command::Import(args) => import::import(&args),
         Command::Run(args) => run::run(&args),

@@ -7,17 +7,12 @@ use std::{
 };
 
 use clap::Args;
+use wholestring_case::new_case;
 
 use crate::{
     failure::Failure,
     terminal::{in_shell, print_stdout},
 };
-
-/// The case. Its name is filled in.
-const TEMPLATE: &str = include_str!("new_case.toml");
-
-/// What stands in its place.
-const NAME: &str = "\"My well\"";
 
 #[derive(Debug, Args)]
 pub(crate) struct NewArgs {
@@ -36,7 +31,7 @@ pub(crate) fn new(args: &NewArgs) -> Result<(), Failure> {
             shown.to_string().escape_debug()
         )));
     };
-    let text = TEMPLATE.replacen(NAME, &quoted(&stem), 1);
+    let text = new_case(&stem);
     // Nothing that is there is written over.
     let file = OpenOptions::new().write(true).create_new(true).open(&path);
     let written = file.and_then(|mut file| file.write_all(text.as_bytes()));
@@ -68,10 +63,4 @@ fn file(name: &std::path::Path) -> PathBuf {
     let mut whole = name.as_os_str().to_owned();
     whole.push(".toml");
     whole.into()
-}
-
-/// A text of TOML.
-fn quoted(text: &str) -> String {
-    let text = text.replace('\\', "\\\\").replace('"', "\\\"");
-    format!("\"{text}\"")
 }

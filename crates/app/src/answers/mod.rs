@@ -1,0 +1,10 @@
+//! What a case answers at once, while it is written: soft and stiff string.
+
+mod answer;
+mod broomstick;
+mod column;
+mod tracks;
+mod well;
+
+pub(crate) use answer::{Answer, answer};
+pub(crate) use broomstick::{Broomstick, broomstick};

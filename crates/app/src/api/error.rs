@@ -1,0 +1,102 @@
+//! What is answered where something cannot be.
+
+use std::fmt::Display;
+
+use axum::{
+    http::StatusCode,
+    response::{IntoResponse, Response},
+};
+use serde::Serialize;
+use utoipa::ToSchema;
+use wholestring_case::Report;
+
+use super::diagnostic::{self, Diagnostic};
+use crate::workspace::WorkspaceError;
+
+/// A request that is not answered as it was meant: `{"error": {...}}`.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub(crate) struct ApiError {
+    #[serde(skip)]
+    status: StatusCode,
+    error: ErrorDetails,
+}
+
+/// Why.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub(crate) struct ErrorDetails {
+    /// A word for programs.
+    kind: &'static str,
+    /// A sentence for people.
+    message: String,
+    /// What is wrong with the case, where that is it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl ApiError {
+    /// An answer with this status.
+    pub(crate) fn new(status: StatusCode, kind: &'static str, message: impl Into<String>) -> Self {
+        let error = ErrorDetails { kind, message: message.into(), diagnostics: Vec::new() };
+        Self { status, error }
+    }
+
+    /// There is no such thing.
+    pub(crate) fn not_found(message: impl Into<String>) -> Self {
+        Self::new(StatusCode::NOT_FOUND, "not_found", message)
+    }
+
+    /// What was asked cannot be so.
+    pub(crate) fn bad_input(message: impl Into<String>) -> Self {
+        Self::new(StatusCode::UNPROCESSABLE_ENTITY, "bad_input", message)
+    }
+
+    /// What stands there is not what the one who asks has seen.
+    pub(crate) fn conflict(message: impl Into<String>) -> Self {
+        Self::new(StatusCode::CONFLICT, "conflict", message)
+    }
+
+    /// There is as much under way as can be.
+    pub(crate) fn busy(message: impl Into<String>) -> Self {
+        Self::new(StatusCode::TOO_MANY_REQUESTS, "busy", message)
+    }
+
+    /// It should have gone, and did not: a full disk, for one.
+    pub(crate) fn failed(error: impl Display) -> Self {
+        Self::new(StatusCode::INTERNAL_SERVER_ERROR, "failed", error.to_string())
+    }
+}
+
+/// What the folder refuses.
+impl From<WorkspaceError> for ApiError {
+    fn from(error: WorkspaceError) -> Self {
+        let message = error.to_string();
+        match error {
+            WorkspaceError::Nothing(_) => Self::not_found(message),
+            WorkspaceError::Name { .. } => Self::bad_input(message),
+            WorkspaceError::Exists(_) | WorkspaceError::Changed => Self::conflict(message),
+            WorkspaceError::Folder { .. } | WorkspaceError::System { .. } => Self::failed(message),
+        }
+    }
+}
+
+/// A case that is not sound.
+impl From<&Report> for ApiError {
+    fn from(report: &Report) -> Self {
+        let mut error =
+            Self::new(StatusCode::UNPROCESSABLE_ENTITY, "unsound", "the case is not sound");
+        error.error.diagnostics = diagnostic::of_report(report);
+        error
+    }
+}
+
+impl From<Report> for ApiError {
+    fn from(report: Report) -> Self {
+        Self::from(&report)
+    }
+}
+
+impl IntoResponse for ApiError {
+    fn into_response(self) -> Response {
+        (self.status, axum::Json(&self)).into_response()
+    }
+}

@@ -1,0 +1,69 @@
+//! What the page asks, noun by noun: each file declares its requests with their JSON, and the
+//! document `/api/openapi.json` is made of the same declarations.
+
+mod answers;
+mod blocking;
+mod body;
+mod cases;
+mod catalogue;
+mod check;
+pub(crate) mod diagnostic;
+mod document;
+mod drafts;
+mod edit;
+pub(crate) mod error;
+mod examples;
+mod schema;
+mod session;
+mod values;
+
+use axum::{
+    Router,
+    extract::DefaultBodyLimit,
+    http::{StatusCode, Uri},
+};
+use utoipa_axum::router::OpenApiRouter;
+
+pub(crate) use blocking::blocking;
+pub(crate) use body::Json;
+use error::ApiError;
+
+use crate::{app::App, assets};
+
+/// Every noun.
+fn nouns() -> OpenApiRouter<App> {
+    OpenApiRouter::new()
+        .merge(session::routes())
+        .merge(examples::routes())
+        .merge(cases::routes())
+        .merge(drafts::routes())
+        .merge(check::routes())
+        .merge(edit::routes())
+        .merge(schema::routes())
+        .merge(catalogue::routes())
+        .merge(answers::routes())
+}
+
+/// All that is served: the API, what describes it, and the page.
+pub(crate) fn router(app: App) -> Router {
+    let (router, document) = nouns().split_for_parts();
+    router
+        .merge(document::routes(document))
+        .merge(assets::routes())
+        .fallback(nothing)
+        .method_not_allowed_fallback(other_method)
+        .layer(DefaultBodyLimit::max(app.limits.json_bytes))
+        .with_state(app)
+}
+
+async fn nothing(uri: Uri) -> ApiError {
+    ApiError::not_found(format!("there is nothing at {}", uri.path()))
+}
+
+async fn other_method() -> ApiError {
+    ApiError::new(
+        StatusCode::METHOD_NOT_ALLOWED,
+        "method_not_allowed",
+        "this is not asked with this method",
+    )
+}

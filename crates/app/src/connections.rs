@@ -1,0 +1,139 @@
+//! Connections: so many at once, each with a head of so many bytes in so many seconds.
+
+use std::{convert::Infallible, sync::Arc, time::Duration};
+
+use axum::{
+    Router,
+    body::Body,
+    extract::Request,
+    http::{StatusCode, header},
+    response::{IntoResponse, Response},
+};
+use hyper::{
+    body::{Body as _, Incoming},
+    server::conn::http1,
+    service::service_fn,
+};
+use hyper_util::rt::{TokioIo, TokioTimer};
+use tokio::{
+    net::{TcpListener, TcpStream},
+    sync::Semaphore,
+    time::{sleep, timeout},
+};
+use tower::ServiceExt;
+
+use crate::{
+    api::error::ApiError,
+    guard::{self, Guard},
+    limits::Limits,
+    stop::Stop,
+};
+
+/// What answers on a port.
+#[derive(Debug, Clone)]
+pub(crate) struct Connections {
+    router: Router,
+    guard: Arc<Guard>,
+    limits: Limits,
+    /// Places for requests with large bodies.
+    large_bodies: Arc<Semaphore>,
+}
+
+impl Connections {
+    pub(crate) fn new(router: Router, guard: Guard, limits: Limits) -> Self {
+        let large_bodies = Arc::new(Semaphore::new(limits.large_bodies));
+        Self { router, guard: Arc::new(guard), limits, large_bodies }
+    }
+
+    /// Takes connections until it is asked to stop, then waits a bounded time for open answers.
+    pub(crate) async fn serve(self, listener: TcpListener, stop: &Stop) {
+        let places = Arc::new(Semaphore::new(self.limits.connections));
+        let accept = async {
+            loop {
+                // Without a free place nobody is taken: those who come wait with the system.
+                let Ok(place) = places.clone().acquire_owned().await else { return };
+                let Ok((stream, _)) = listener.accept().await else {
+                    // Out of file descriptors, for one: they come back as connections end.
+                    sleep(Duration::from_millis(50)).await;
+                    continue;
+                };
+                let (this, stop) = (self.clone(), stop.clone());
+                tokio::spawn(async move {
+                    this.attend(stream, &stop).await;
+                    drop(place);
+                });
+            }
+        };
+        tokio::select! {
+            () = accept => {}
+            () = stop.requested() => {}
+        }
+        drop(listener);
+        let all = u32::try_from(self.limits.connections).unwrap_or(u32::MAX);
+        let _ = timeout(self.limits.closing_time, places.acquire_many(all)).await;
+    }
+
+    /// One connection, request after request.
+    async fn attend(&self, stream: TcpStream, stop: &Stop) {
+        let _ = stream.set_nodelay(true);
+        let service =
+            service_fn(|request| async { Ok::<_, Infallible>(self.answer(request).await) });
+        let connection = http1::Builder::new()
+            .timer(TokioTimer::new())
+            .header_read_timeout(self.limits.head_time)
+            .max_headers(self.limits.header_fields)
+            .max_header_size(self.limits.head_bytes)
+            .serve_connection(TokioIo::new(stream), service)
+            .with_upgrades();
+        tokio::pin!(connection);
+        tokio::select! {
+            _ = connection.as_mut() => return,
+            () = stop.requested() => connection.as_mut().graceful_shutdown(),
+        }
+        // What fails here is the other side's: it has gone, or spoke no HTTP.
+        let _ = connection.await;
+    }
+
+    /// One request: the guard, then the router.
+    async fn answer(&self, request: Request<Incoming>) -> Response {
+        let (head, body) = request.into_parts();
+        let host = head.headers.get(header::HOST).cloned();
+        let response = match self.guard.admit(&head) {
+            Err(refusal) => refusal.into_response(),
+            Ok(()) => {
+                let request = Request::from_parts(head, Body::new(body));
+                match timeout(self.limits.request_time, self.route(request)).await {
+                    Ok(response) => response,
+                    Err(_) => self.too_late(),
+                }
+            }
+        };
+        guard::headers::put(response, host.as_ref())
+    }
+
+    /// A request that may be answered, in its turn where its body is large.
+    async fn route(&self, request: Request) -> Response {
+        let body = request.body().size_hint();
+        if body.lower() > self.limits.body_bytes as u64 {
+            return self.too_long();
+        }
+        let is_large = body.upper().is_none_or(|most| most > self.limits.small_body_bytes as u64);
+        // The places are never closed.
+        let _place = if is_large { self.large_bodies.acquire().await.ok() } else { None };
+        match self.router.clone().oneshot(request).await {
+            Ok(response) => response,
+            Err(never) => match never {},
+        }
+    }
+
+    fn too_long(&self) -> Response {
+        let most = self.limits.body_bytes >> 20;
+        let message = format!("a request holds at most {most} MB");
+        ApiError::new(StatusCode::PAYLOAD_TOO_LARGE, "too_long", message).into_response()
+    }
+
+    fn too_late(&self) -> Response {
+        let message = format!("no answer in {} s", self.limits.request_time.as_secs());
+        ApiError::new(StatusCode::SERVICE_UNAVAILABLE, "timeout", message).into_response()
+    }
+}

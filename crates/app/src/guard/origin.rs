@@ -1,0 +1,35 @@
+//! Which page a request comes from.
+
+use axum::http::{HeaderMap, header};
+
+use super::refusal::Refusal;
+
+/// How a browser says how near the asking page is.
+const FETCH_SITE: &str = "sec-fetch-site";
+
+/// Refuses what does not come from a page of ours.
+pub(super) fn ours(headers: &HeaderMap, host: &str) -> Result<(), Refusal> {
+    let mut origins = headers.get_all(header::ORIGIN).iter();
+    let is_ours = match (origins.next(), origins.next()) {
+        (Some(origin), None) => {
+            let origin = origin.to_str().ok().and_then(|origin| origin.strip_prefix("http://"));
+            origin == Some(host)
+        }
+        (None, _) => site(headers) == Some("same-origin"),
+        _ => false,
+    };
+    if is_ours { Ok(()) } else { Err(Refusal::ForeignOrigin) }
+}
+
+/// Refuses what a browser sends for a page of another origin, other ports of this machine too: their
+/// requests carry our cookie.
+pub(super) fn not_foreign(headers: &HeaderMap) -> Result<(), Refusal> {
+    match site(headers) {
+        None | Some("same-origin" | "none") => Ok(()),
+        Some(_) => Err(Refusal::ForeignOrigin),
+    }
+}
+
+fn site(headers: &HeaderMap) -> Option<&str> {
+    headers.get(FETCH_SITE).map(|site| site.to_str().unwrap_or("cross-site"))
+}

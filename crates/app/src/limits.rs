@@ -1,0 +1,45 @@
+//! How much the server takes at once.
+
+use std::time::Duration;
+
+/// How much the server takes at once. What is beyond is refused with a sentence.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Limits {
+    /// The body of a request, bytes.
+    pub(crate) body_bytes: usize,
+    /// The same of one that is no upload of files: a text as JSON.
+    pub(crate) json_bytes: usize,
+    /// A body longer than this is large, bytes, and so is one whose length is not said.
+    pub(crate) small_body_bytes: usize,
+    /// Requests with large bodies; further ones wait until one is answered.
+    pub(crate) large_bodies: usize,
+    /// The head of a request, bytes.
+    pub(crate) head_bytes: usize,
+    /// Header fields of a request.
+    pub(crate) header_fields: usize,
+    /// Connections; further ones wait until one ends.
+    pub(crate) connections: usize,
+    /// Time for the head of a request to arrive, on a connection that waits for its next, too.
+    pub(crate) head_time: Duration,
+    /// Time for the body of a request to arrive and the answer to begin.
+    pub(crate) request_time: Duration,
+    /// Time for open answers to end once the server is to stop.
+    pub(crate) closing_time: Duration,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            body_bytes: 64 << 20,
+            json_bytes: 16 << 20,
+            small_body_bytes: 1 << 20,
+            large_bodies: 2,
+            head_bytes: 32 << 10,
+            header_fields: 64,
+            connections: 64,
+            head_time: Duration::from_secs(10),
+            request_time: Duration::from_secs(120),
+            closing_time: Duration::from_secs(2),
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! The server: a port of the loopback address, and what answers on it.
+
+use std::{
+    io,
+    net::{Ipv4Addr, SocketAddr, TcpListener},
+    path::PathBuf,
+};
+
+use crate::{
+    api,
+    app::App,
+    connections::Connections,
+    guard::Guard,
+    limits::Limits,
+    stop::Stop,
+    workspace::{Workspace, WorkspaceError},
+};
+
+/// What a server serves, and where.
+#[derive(Debug, Clone)]
+pub struct Options {
+    /// The folder of the cases, which nothing leaves.
+    pub folder: PathBuf,
+    /// The port of 127.0.0.1; 0: one that is free.
+    pub port: u16,
+}
+
+/// Why a server cannot be.
+#[derive(Debug, thiserror::Error)]
+pub enum ServerError {
+    /// The folder cannot be used.
+    #[error("{0}")]
+    Folder(String),
+    /// The port is taken, or may not be used.
+    #[error("port {port} of 127.0.0.1 cannot be opened: {source}")]
+    Port {
+        /// The port.
+        port: u16,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// The system gave no random numbers or no threads.
+    #[error("the server cannot be started: {0}")]
+    System(String),
+}
+
+impl From<WorkspaceError> for ServerError {
+    fn from(error: WorkspaceError) -> Self {
+        Self::Folder(error.to_string())
+    }
+}
+
+/// A server that has its port and its folder, and waits to be run.
+#[derive(Debug)]
+pub struct Server {
+    listener: TcpListener,
+    guard: Guard,
+    app: App,
+    stop: Stop,
+}
+
+impl Server {
+    /// Opens the folder and the port.
+    ///
+    /// # Errors
+    /// A folder that is none or cannot be read, a port that cannot be opened.
+    pub fn bind(options: &Options) -> Result<Self, ServerError> {
+        let workspace = Workspace::open(&options.folder)?;
+        let port = options.port;
+        let refused = |source| ServerError::Port { port, source };
+        let address = SocketAddr::from((Ipv4Addr::LOCALHOST, port));
+        let listener = TcpListener::bind(address).map_err(refused)?;
+        listener.set_nonblocking(true).map_err(refused)?;
+        let port = listener.local_addr().map_err(refused)?.port();
+        let guard = Guard::new(port).map_err(|error| ServerError::System(error.to_string()))?;
+        let app = App::new(workspace, Limits::default());
+        Ok(Self { listener, guard, app, stop: Stop::new() })
+    }
+
+    /// The address that lets a browser in: it holds the token of this start.
+    pub fn url(&self) -> String {
+        self.guard.url()
+    }
+
+    /// What stops it.
+    pub fn stop(&self) -> Stop {
+        self.stop.clone()
+    }
+
+    /// Serves until it is asked to stop.
+    ///
+    /// # Errors
+    /// A system that gives no threads.
+    pub fn run(self) -> Result<(), ServerError> {
+        let Self { listener, guard, app, stop } = self;
+        let failed = |error: io::Error| ServerError::System(error.to_string());
+        let runtime = tokio::runtime::Builder::new_multi_thread()
+            .worker_threads(2)
+            .enable_all()
+            .build()
+            .map_err(failed)?;
+        let served = runtime.block_on(async {
+            let listener = tokio::net::TcpListener::from_std(listener)?;
+            let router = api::router(app.clone());
+            Connections::new(router, guard, app.limits).serve(listener, &stop).await;
+            Ok(())
+        });
+        app.close();
+        runtime.shutdown_background();
+        served.map_err(failed)
+    }
+}

@@ -1,0 +1,82 @@
+//! What was typed and not saved: kept in `.wholestring/drafts`, a file a case.
+
+use std::{
+    fs, io,
+    path::PathBuf,
+    time::{SystemTime, UNIX_EPOCH},
+};
+
+use serde::{Deserialize, Serialize};
+
+use super::{case_file::CaseFile, error::WorkspaceError, folder::Workspace, write};
+
+/// What was typed and not saved.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Draft {
+    /// The text.
+    pub(crate) text: String,
+    /// What the file was when it was opened.
+    pub(crate) base_revision: String,
+    /// When it was kept.
+    pub(crate) modified_ms: u64,
+}
+
+/// Where drafts are kept in the folder.
+const DRAFTS: [&str; 2] = [".wholestring", "drafts"];
+
+impl Workspace {
+    /// The draft of a case, if there is one that can be read.
+    pub(crate) fn draft(&self, case: &CaseFile) -> Option<Draft> {
+        let path = self.inside(&self.draft_path(case)).ok()?;
+        serde_json::from_slice(&wholestring_case::read_file(&path).ok()?).ok()
+    }
+
+    /// Keeps a draft.
+    ///
+    /// # Errors
+    /// Whatever the system says.
+    pub(crate) fn keep_draft(
+        &self,
+        case: &CaseFile,
+        text: String,
+        base_revision: String,
+    ) -> Result<(), WorkspaceError> {
+        let failed = WorkspaceError::system("the draft cannot be kept");
+        let draft = Draft { text, base_revision, modified_ms: millis(SystemTime::now()) };
+        let bytes = serde_json::to_vec(&draft).map_err(io::Error::from).map_err(&failed)?;
+        let _alone = self.writing();
+        let mut folder = self.root().to_owned();
+        for name in DRAFTS {
+            folder.push(name);
+            match fs::create_dir(&folder) {
+                Err(error) if error.kind() != io::ErrorKind::AlreadyExists => {
+                    return Err(failed(error));
+                }
+                // A link that leads out is no place to write to.
+                _ => folder = self.inside(&folder).map_err(&failed)?,
+            }
+        }
+        let path = folder.join(format!("{}.json", case.id));
+        write::replace(&path, &bytes).map_err(&failed)
+    }
+
+    /// Removes the draft of a case, if there is one.
+    ///
+    /// # Errors
+    /// Whatever the system says.
+    pub(crate) fn remove_draft(&self, case: &CaseFile) -> Result<(), WorkspaceError> {
+        let Ok(path) = self.inside(&self.draft_path(case)) else { return Ok(()) };
+        fs::remove_file(path).map_err(WorkspaceError::system("the draft cannot be removed"))
+    }
+
+    fn draft_path(&self, case: &CaseFile) -> PathBuf {
+        let folder = DRAFTS.iter().fold(self.root().to_owned(), |path, name| path.join(name));
+        folder.join(format!("{}.json", case.id))
+    }
+}
+
+/// Milliseconds since 1970.
+pub(crate) fn millis(time: SystemTime) -> u64 {
+    let since = time.duration_since(UNIX_EPOCH).unwrap_or_default();
+    u64::try_from(since.as_millis()).unwrap_or(u64::MAX)
+}

@@ -1,0 +1,17 @@
+//! The one folder that nothing leaves: cases, drafts, results.
+//!
+//! What lies in it is named by ids, which are found among what is there and never made into a path.
+
+mod case_file;
+mod draft;
+mod error;
+mod find;
+mod folder;
+mod name;
+mod template;
+mod write;
+
+pub(crate) use case_file::{CaseFile, NewFile};
+pub(crate) use draft::{Draft, millis};
+pub(crate) use error::WorkspaceError;
+pub(crate) use folder::Workspace;

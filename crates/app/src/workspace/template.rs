@@ -1,0 +1,61 @@
+//! A case with the files that stand beside it, read inside the folder only.
+
+use std::{
+    collections::BTreeMap,
+    io,
+    path::PathBuf,
+    sync::{Mutex, PoisonError},
+};
+
+use wholestring_case::{Case, Files, Override, Report, Template, parse, read_file};
+
+use super::{case_file::CaseFile, folder::Workspace};
+
+/// Files that a case names, from the folder that it stands in; none from outside the workspace.
+#[derive(Debug)]
+pub(crate) struct Beside<'a> {
+    workspace: &'a Workspace,
+    /// The folder of the case.
+    folder: PathBuf,
+    read: Mutex<BTreeMap<String, Vec<u8>>>,
+}
+
+impl Beside<'_> {
+    /// What was read, by the names that the case has for it.
+    pub(crate) fn into_files(self) -> BTreeMap<String, Vec<u8>> {
+        self.read.into_inner().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Files for Beside<'_> {
+    fn read(&self, name: &str) -> io::Result<Vec<u8>> {
+        let bytes = read_file(&self.workspace.inside(&self.folder.join(name))?)?;
+        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        read.insert(name.to_owned(), bytes.clone());
+        Ok(bytes)
+    }
+}
+
+impl Workspace {
+    /// The files beside a case.
+    pub(crate) fn beside(&self, case: &CaseFile) -> Beside<'_> {
+        let folder = case.path.parent().unwrap_or(self.root()).to_owned();
+        Beside { workspace: self, folder, read: Mutex::default() }
+    }
+
+    /// The case of a text that stands, or will stand, in a file of the folder, with these changes;
+    /// and what other cases can be made of, with all that the text names held in memory.
+    ///
+    /// # Errors
+    /// A report of every mistake that was found, if there is one.
+    pub(crate) fn template(
+        &self,
+        file: &CaseFile,
+        text: &str,
+        changes: &[Override],
+    ) -> Result<(Template, Case), Report> {
+        let beside = self.beside(file);
+        let case = parse(&file.shown, text.as_bytes(), &beside, changes)?;
+        Ok((Template::in_memory(&file.shown, text, beside.into_files()), case))
+    }
+}

@@ -1,0 +1,137 @@
+//! Cases and drafts of a folder.
+
+use std::fs;
+
+use serde_json::{Value, json};
+
+use crate::common::{CASE, Served};
+
+#[test]
+fn a_folder_shows_its_cases() {
+    let broken = CASE.replace("friction = 0.3", "friction = -1");
+    let served = Served::with(&[
+        ("b.toml", CASE),
+        ("wells/a.toml", &broken),
+        ("wells/no-toml.toml", "name = \"half\"\n[well]\nsurvey = "),
+        ("Cargo.toml", "[package]\nname = \"well\"\n"),
+        ("notes.txt", CASE),
+        (".hidden/a.toml", CASE),
+        ("target/a.toml", CASE),
+        ("node_modules/a.toml", CASE),
+        ("out/slant/summary.json", "{}"),
+        ("out/slant/case.toml", CASE),
+        ("1/2/3/4/deep.toml", CASE),
+        ("1/2/3/4/5/deeper.toml", CASE),
+    ]);
+    let cases = served.get("/api/cases").ok();
+    let of = |key: &str| -> Vec<Value> {
+        cases.as_array().unwrap().iter().map(|case| case[key].clone()).collect()
+    };
+    assert_eq!(of("path"), ["1/2/3/4/deep.toml", "b.toml", "wells/a.toml", "wells/no-toml.toml"]);
+    assert_eq!(of("name"), ["slant", "slant", "slant", "no-toml"]);
+    assert_eq!(of("has_draft"), [false, false, false, false]);
+    let problems = of("problem");
+    assert_eq!(problems[..2], [Value::Null, Value::Null]);
+    assert!(problems[2].as_str().unwrap().contains("friction"), "{problems:?}");
+    assert_eq!(problems[3], "a value is missing after `=`");
+    assert!(of("modified_ms").iter().all(|time| time.as_u64().unwrap() > 1_600_000_000_000));
+    // The ids are the same when they are asked for again.
+    assert_eq!(served.get("/api/cases").ok(), cases);
+}
+
+#[test]
+fn a_case_is_opened_and_saved() {
+    let case = CASE.replace(
+        "stations = [[\"0 m\", \"0 deg\", \"0 deg\"], [\"1000 m\", \"30 deg\", \"0 deg\"]]",
+        "survey = \"s.csv\"",
+    );
+    let survey = "md (m),inc (deg),azi (deg)\n0,0,0\n1000,30,0\n";
+    let served = Served::with(&[("wells/a.toml", &case), ("wells/s.csv", survey)]);
+    let path = format!("/api/cases/{}", served.id("wells/a.toml"));
+    let open = served.get(&path).ok();
+    assert_eq!(open["text"], case.as_str());
+    assert_eq!((&open["path"], &open["draft"]), (&json!("wells/a.toml"), &Value::Null));
+    assert_eq!(open["beside"], json!(["s.csv"]));
+
+    let changed = case.replace("1.2 sg", "1.3 sg");
+    let saved = served.put(&path, &json!({"text": changed, "revision": open["revision"]})).ok();
+    assert_ne!(saved["revision"], open["revision"]);
+    let file = served.path().join("wells/a.toml");
+    assert_eq!(fs::read_to_string(&file).unwrap(), changed);
+    assert_eq!(served.get(&path).ok()["revision"], saved["revision"]);
+
+    // Somebody else has written it since.
+    let other = served.put(&path, &json!({"text": "lost", "revision": open["revision"]}));
+    assert_eq!(other.error(409), "conflict");
+    assert_eq!(fs::read_to_string(&file).unwrap(), changed);
+    // Nothing else is left in the folder.
+    assert_eq!(fs::read_dir(served.path().join("wells")).unwrap().count(), 2);
+}
+
+#[test]
+fn a_draft_is_kept_until_the_case_is_saved() {
+    let served = Served::with(&[("a.toml", CASE)]);
+    let id = served.id("a.toml");
+    let (path, draft_path) = (format!("/api/cases/{id}"), format!("/api/cases/{id}/draft"));
+    let revision = served.get(&path).ok()["revision"].clone();
+    let typed = json!({"text": "half a ca", "revision": revision});
+    served.put(&draft_path, &typed).ok();
+    served.put(&draft_path, &typed).ok();
+    let draft = &served.get(&path).ok()["draft"];
+    assert_eq!((&draft["text"], &draft["base_revision"]), (&json!("half a ca"), &revision));
+    assert_eq!(served.get("/api/cases").ok()[0]["has_draft"], true);
+    assert_eq!(fs::read_to_string(served.path().join("a.toml")).unwrap(), CASE);
+
+    served.delete(&draft_path).ok();
+    served.delete(&draft_path).ok();
+    assert_eq!(served.get(&path).ok()["draft"], Value::Null);
+
+    served.put(&draft_path, &typed).ok();
+    served.put(&path, &json!({"text": CASE, "revision": revision})).ok();
+    assert_eq!(served.get(&path).ok()["draft"], Value::Null);
+}
+
+#[test]
+fn a_new_case_goes_over_none() {
+    let served = Served::with(&[("a.toml", CASE), ("s.csv", "md,inc,azi\n")]);
+    let new = |name: &str, beside: Value| {
+        served.post("/api/cases", &json!({"file_name": name, "text": CASE, "beside": beside}))
+    };
+    let id = new("b.toml", json!([{"file_name": "t.csv", "text": "md\n"}])).ok()["id"].clone();
+    assert_eq!(id, served.id("b.toml"));
+    assert_eq!(fs::read_to_string(served.path().join("t.csv")).unwrap(), "md\n");
+    assert_eq!(new("a.toml", json!([])).error(409), "conflict");
+    // A file that is there with another content keeps it, and nothing is half made.
+    let files = json!([{"file_name": "u.csv", "text": ""}, {"file_name": "s.csv", "text": "x"}]);
+    assert_eq!(new("c.toml", files).error(409), "conflict");
+    assert!(!served.path().join("u.csv").exists() && !served.path().join("c.toml").exists());
+    assert_eq!(fs::read_to_string(served.path().join("s.csv")).unwrap(), "md,inc,azi\n");
+    // With the same content it serves.
+    new("c.toml", json!([{"file_name": "s.csv", "text": "md,inc,azi\n"}])).ok();
+    for name in
+        ["../d.toml", "/tmp/d.toml", "d/e.toml", "d\\e.toml", "d.txt", "nul.toml", "d\0.toml", ""]
+    {
+        assert_eq!(new(name, json!([])).error(422), "bad_input", "{name:?}");
+    }
+    let outside = json!([{"file_name": "../s.csv", "text": ""}]);
+    assert_eq!(new("d.toml", outside).error(422), "bad_input");
+}
+
+#[test]
+fn what_is_not_there_and_what_is_not_understood_is_said() {
+    let served = Served::with(&[("a.toml", CASE), ("b.toml", "[well]\n")]);
+    fs::write(served.path().join("b.toml"), b"[well]\n\xff\xfe").unwrap();
+    for id in ["0000000000000000", "a.toml", "..%2fa.toml", "%00"] {
+        assert_eq!(served.get(&format!("/api/cases/{id}")).error(404), "not_found", "{id}");
+    }
+    let no_text = served.get(&format!("/api/cases/{}", served.id("b.toml")));
+    assert_eq!(no_text.error(500), "failed");
+    assert!(no_text.text().contains("it is not a text in UTF-8"));
+    assert_eq!(served.get("/api/nothing").error(404), "not_found");
+    assert_eq!(served.delete("/api/cases").error(405), "method_not_allowed");
+    let path = format!("/api/cases/{}", served.id("a.toml"));
+    let unknown = json!({"text": "", "revision": "", "force": true});
+    assert_eq!(served.put(&path, &unknown).error(422), "bad_json");
+    assert_eq!(served.ask("PUT", &path, "application/json", b"{").error(400), "bad_json");
+    assert_eq!(served.ask("PUT", &path, "text/plain", b"{}").error(415), "not_json");
+}

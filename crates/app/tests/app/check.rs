@@ -1,0 +1,72 @@
+//! Diagnostics of a text that stands in no file yet.
+
+use serde_json::{Value, json};
+
+use crate::common::{CASE, Served};
+
+fn check(served: &Served, text: &str) -> Value {
+    let path = format!("/api/cases/{}/check", served.id("a.toml"));
+    served.post(&path, &json!({"text": text})).ok()
+}
+
+#[test]
+fn a_mistake_is_said_with_its_key_and_place() {
+    let served = Served::with(&[("a.toml", CASE)]);
+    let sound = check(&served, CASE);
+    assert_eq!(sound["diagnostics"], json!([]));
+    assert_eq!(sound["values"]["well"]["hole"][0]["friction"], 0.3);
+    assert_eq!(sound["values"]["mud"]["density"], "1.2 sg");
+    assert_eq!(sound["values"]["name"], "slant");
+
+    let text = CASE.replace("A slant", "𝄞 A slant").replace("1.2 sg", "1.2 bar");
+    let said = check(&served, &text);
+    let [one] = said["diagnostics"].as_array().unwrap().as_slice() else { panic!("{said}") };
+    assert_eq!(one["level"], "error");
+    assert_eq!(one["message"], "`bar` is a unit of pressure, not of density");
+    assert_eq!((&one["key"], &one["file"]), (&json!("mud.density"), &Value::Null));
+    assert_eq!((&one["line"], &one["column"]), (&json!(14), &json!(16)));
+    let units: Vec<u16> = text.encode_utf16().collect();
+    let place = |key: &str| usize::try_from(one[key].as_u64().unwrap()).unwrap();
+    assert_eq!(String::from_utf16_lossy(&units[place("start")..place("end")]), "bar");
+    assert!(one["help"][0].as_str().unwrap().starts_with("units of density"));
+    assert_eq!(said["values"]["mud"]["density"], "1.2 bar");
+}
+
+#[test]
+fn what_is_no_toml_has_no_values() {
+    let served = Served::with(&[("a.toml", CASE)]);
+    let said = check(&served, "[well]\nsurvey = \n");
+    assert_eq!(said["values"], Value::Null);
+    assert_eq!(said["diagnostics"][0]["message"], "a value is missing after `=`");
+    assert_eq!(said["diagnostics"][0]["line"], 2);
+    assert_eq!(check(&served, "")["diagnostics"][0]["message"], "the case file is empty");
+}
+
+#[test]
+fn warnings_and_notes_are_said_too() {
+    let stations =
+        "stations = [[\"0 m\", \"0 deg\", \"0 deg\"], [\"1000 m\", \"30 deg\", \"0 deg\"]]";
+    let case = CASE.replace(stations, "survey = \"s.csv\"");
+    assert_ne!(case, CASE);
+    let survey = "md (m),inc (deg),azi (deg)\n0,0,0\n1000,30,0\n";
+    let served = Served::with(&[("a.toml", &case), ("s.csv", survey)]);
+    let said = check(&served, &case.replace("friction = 0.3", "friction = 0.02"));
+    let [warning, note, ..] = said["diagnostics"].as_array().unwrap().as_slice() else {
+        panic!("{said}")
+    };
+    assert_eq!(
+        (&warning["level"], &warning["key"]),
+        (&json!("warning"), &json!("well.hole.0.friction"))
+    );
+    assert_eq!((&note["level"], &note["key"]), (&json!("note"), &json!("well.survey")));
+    assert!(note["message"].as_str().unwrap().contains("commas"), "{note}");
+    // A mistake in the survey is a place of the survey, at the key that names it.
+    let bad = Served::with(&[
+        ("a.toml", &case),
+        ("s.csv", "md (m),inc (deg),azi (deg)\n0,0,0\n1000,x,0\n"),
+    ]);
+    let said = check(&bad, &case);
+    assert_eq!(said["diagnostics"][0]["file"], "s.csv", "{said}");
+    assert_eq!(said["diagnostics"][0]["key"], "well.survey", "{said}");
+    assert_eq!(said["diagnostics"][0]["line"], 3, "{said}");
+}

@@ -1,0 +1,85 @@
+//! Nothing leaves the folder.
+
+use std::{fs, os::unix::fs::symlink};
+
+use serde_json::json;
+
+use crate::common::{CASE, Served};
+
+const STATIONS: &str =
+    "stations = [[\"0 m\", \"0 deg\", \"0 deg\"], [\"1000 m\", \"30 deg\", \"0 deg\"]]";
+const SURVEY: &str = "md (m),inc (deg),azi (deg)\n0,0,0\n1000,30,0\n";
+
+#[test]
+fn a_case_reads_no_file_outside() {
+    let elsewhere = tempfile::tempdir().unwrap();
+    let secret = elsewhere.path().join("secret.csv");
+    fs::write(&secret, SURVEY).unwrap();
+    let served = Served::with(&[("wells/a.toml", CASE), ("s.csv", SURVEY)]);
+    symlink(&secret, served.path().join("wells/link.csv")).unwrap();
+    symlink(elsewhere.path(), served.path().join("wells/out")).unwrap();
+    let path = format!("/api/cases/{}/check", served.id("wells/a.toml"));
+    let said = |survey: &str| {
+        let text = CASE.replace(STATIONS, &format!("survey = '{survey}'"));
+        served.post(&path, &json!({"text": text})).ok()["diagnostics"].clone()
+    };
+    let up = secret.strip_prefix("/").unwrap().display().to_string();
+    let up = format!("{}{up}", "../".repeat(12));
+    let outside = [
+        secret.display().to_string(),
+        up,
+        "link.csv".into(),
+        "out/secret.csv".into(),
+        "/etc/passwd".into(),
+    ];
+    for survey in outside {
+        let said = said(&survey);
+        assert_eq!(said[0]["level"], "error");
+        let label = said[0]["label"].as_str().unwrap();
+        assert!(label.contains("it lies outside the folder"), "{survey}: {said}");
+        assert!(!said.to_string().contains("root:"));
+    }
+    for survey in ["\\\\server\\share\\s.csv", "file:///etc/passwd", "out", "."] {
+        assert_eq!(said(survey)[0]["level"], "error", "{survey}");
+    }
+    // Beside the case and above it, inside: those are read.
+    assert_ne!(said("../s.csv")[0]["level"], "error");
+}
+
+#[test]
+fn links_that_leave_are_no_cases() {
+    let elsewhere = tempfile::tempdir().unwrap();
+    fs::write(elsewhere.path().join("secret.toml"), CASE).unwrap();
+    let served = Served::with(&[("a.toml", CASE)]);
+    symlink(elsewhere.path().join("secret.toml"), served.path().join("b.toml")).unwrap();
+    symlink(elsewhere.path(), served.path().join("out")).unwrap();
+    symlink(served.path(), served.path().join("round")).unwrap();
+    symlink(served.path().join("a.toml"), served.path().join("c.toml")).unwrap();
+    let cases = served.get("/api/cases").ok();
+    let paths: Vec<&str> =
+        cases.as_array().unwrap().iter().map(|case| case["path"].as_str().unwrap()).collect();
+    assert_eq!(paths, ["a.toml", "c.toml"]);
+    // What is saved through a link inside goes to where it leads; the link stays.
+    let path = format!("/api/cases/{}", served.id("c.toml"));
+    let revision = served.get(&path).ok()["revision"].clone();
+    served.put(&path, &json!({"text": format!("{CASE}\n"), "revision": revision})).ok();
+    assert!(served.path().join("c.toml").is_symlink());
+    assert_eq!(fs::read_to_string(served.path().join("a.toml")).unwrap(), format!("{CASE}\n"));
+}
+
+#[test]
+fn drafts_and_new_cases_stay_inside() {
+    let elsewhere = tempfile::tempdir().unwrap();
+    let served = Served::with(&[("a.toml", CASE)]);
+    symlink(elsewhere.path(), served.path().join(".wholestring")).unwrap();
+    let path = format!("/api/cases/{}/draft", served.id("a.toml"));
+    let kept = served.put(&path, &json!({"text": "x", "revision": ""}));
+    assert_eq!(kept.error(500), "failed");
+    assert!(kept.text().contains("it lies outside the folder"));
+    assert_eq!(fs::read_dir(elsewhere.path()).unwrap().count(), 0);
+    // A link that leads to nothing yet is a file that is there.
+    symlink(elsewhere.path().join("new.toml"), served.path().join("b.toml")).unwrap();
+    let new = json!({"file_name": "b.toml", "text": CASE});
+    assert_eq!(served.post("/api/cases", &new).error(409), "conflict");
+    assert!(!elsewhere.path().join("new.toml").exists());
+}

@@ -1,0 +1,15 @@
+//! A server over TCP, as a browser and as somebody who means no good meet it.
+
+mod answers;
+#[path = "../common/mod.rs"]
+mod common;
+
+mod assets;
+mod cases;
+mod check;
+mod document;
+mod edit;
+mod folder;
+mod guard;
+mod lookup;
+mod strain;

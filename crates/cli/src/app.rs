@@ -1,0 +1,53 @@
+//! `wholestring app`: the local web app.
+
+use std::{path::PathBuf, process};
+
+use clap::Args;
+use wholestring_app::{Options, Server, ServerError};
+
+use crate::{
+    failure::{Failure, failed},
+    terminal::{print_stderr, print_stdout},
+};
+
+#[derive(Debug, Args)]
+pub(crate) struct AppArgs {
+    /// Folder of the cases; the app reads and writes nothing outside it
+    #[arg(value_name = "FOLDER", default_value = ".")]
+    pub(crate) folder: PathBuf,
+    /// Port of 127.0.0.1 to serve on; without it, one that is free
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
+    pub(crate) port: u16,
+    /// Print the address and open no browser
+    #[arg(long)]
+    pub(crate) no_browser: bool,
+}
+
+pub(crate) fn app(args: &AppArgs) -> Result<(), Failure> {
+    let options = Options { folder: args.folder.clone(), port: args.port };
+    let server = Server::bind(&options).map_err(refused)?;
+    let url = server.url();
+    let stop = server.stop();
+    // The first asks it to end what is open, the second ends it at once.
+    let _ = ctrlc::set_handler(move || {
+        if stop.stop() {
+            process::exit(130);
+        }
+    });
+    print_stdout(&format!("{url}\nopen this address in a browser; Ctrl-C ends the program\n"))?;
+    if !args.no_browser
+        && let Err(error) = open::that_detached(&url)
+    {
+        print_stderr(&format!("no browser could be opened: {error}\n"));
+    }
+    server.run().map_err(refused)
+}
+
+fn refused(error: ServerError) -> Failure {
+    match error {
+        ServerError::Folder(_) | ServerError::Port { .. } => {
+            Failure::BadInput(format!("error: {error}"))
+        }
+        ServerError::System(_) => failed(&error),
+    }
+}

@@ -1,0 +1,73 @@
+// Cases of the folder: their texts, drafts, and what the command line says of them.
+
+import { part, request, type Diagnostic } from "./client";
+
+export interface CaseInList {
+  id: string;
+  path: string;
+  name: string | null;
+  /** Why it is not sound; null where it is. */
+  problem: string | null;
+  has_draft: boolean;
+  modified_ms: number;
+}
+
+export interface Draft {
+  text: string;
+  base_revision: string;
+  modified_ms: number;
+}
+
+export interface CaseText {
+  id: string;
+  path: string;
+  text: string;
+  revision: string;
+  draft: Draft | null;
+  beside: string[];
+}
+
+export interface Example {
+  name: string;
+  title: string;
+  text: string;
+  beside: BesideFile[];
+}
+
+/** A file that a case names and that is written beside it. */
+export interface BesideFile {
+  file_name: string;
+  text: string;
+}
+
+/** JSON as a case file has it. */
+export type Value = string | number | boolean | null | Value[] | { [key: string]: Value };
+export type Table = { [key: string]: Value };
+
+export interface Checked {
+  diagnostics: Diagnostic[];
+  values: Table | null;
+}
+
+/** A change of a case; keys are dotted: `well.hole.0.friction`. */
+export type Change =
+  | { set: string; to: Value }
+  | { remove: string }
+  | { insert: string; at: number; value: Value }
+  | { move: string; from: number; to: number };
+
+export const listCases = (): Promise<CaseInList[]> => request("GET", "/cases");
+export const readCase = (id: string): Promise<CaseText> => request("GET", `/cases/${part(id)}`);
+export const createCase = (file_name: string, text: string, beside: BesideFile[]): Promise<{ id: string }> =>
+  request("POST", "/cases", { file_name, text, beside });
+export const saveCase = (id: string, text: string, revision: string): Promise<{ revision: string }> =>
+  request("PUT", `/cases/${part(id)}`, { text, revision });
+export const saveDraft = (id: string, text: string, revision: string): Promise<void> =>
+  request("PUT", `/cases/${part(id)}/draft`, { text, revision });
+export const dropDraft = (id: string): Promise<void> => request("DELETE", `/cases/${part(id)}/draft`);
+export const checkCase = (id: string, text: string, signal?: AbortSignal): Promise<Checked> =>
+  request("POST", `/cases/${part(id)}/check`, { text }, signal);
+export const editCase = (id: string, text: string, changes: Change[]): Promise<{ text: string }> =>
+  request("POST", `/cases/${part(id)}/edit`, { text, changes });
+export const listExamples = (): Promise<Omit<Example, "text" | "beside">[]> => request("GET", "/examples");
+export const readExample = (name: string): Promise<Example> => request("GET", `/examples/${part(name)}`);

@@ -1,0 +1,23 @@
+// Which component is which screen; each is fetched when it is first shown.
+
+import type { Component } from "svelte";
+import type { Route } from "./router.svelte";
+
+/** What every screen is given. */
+export interface ScreenProps {
+  route: Route;
+}
+
+/** Every screen by its name in the address: `#/NAME/ID`. */
+const SCREENS = {
+  cases: () => import("./cases/CasesScreen.svelte"),
+} satisfies Record<string, () => Promise<{ default: Component<ScreenProps> | Component }>>;
+
+export type Screen = keyof typeof SCREENS;
+
+export const isScreen = (name: string): name is Screen => Object.hasOwn(SCREENS, name);
+
+export async function screenOf(screen: Screen): Promise<Component<ScreenProps>> {
+  const found: unknown = (await SCREENS[screen]()).default;
+  return found as Component<ScreenProps>;
+}
