@@ -204,6 +204,25 @@ fn old_workbooks_that_claim_more_than_the_format_has_are_refused() {
     }
 }
 
+/// A claim of extent that the file ends in, and that zeros would make whole: rows beyond any memory.
+#[test]
+fn an_old_workbook_that_ends_within_a_claim_is_refused() {
+    let mut file = old_survey();
+    // The stream begins in the third sector; its second end is the sheet's.
+    let mut at = 3 * 512;
+    let mut ends = 0;
+    while ends < 2 {
+        let [kind, length] = [at, at + 2].map(|at| u16::from_le_bytes([file[at], file[at + 1]]));
+        ends += usize::from(kind == 0x000a);
+        at += 4 + usize::from(length);
+    }
+    file.truncate(at - 4);
+    // Rows from none to 2 ^ 31, columns to 255; two bytes are missing.
+    file.extend([0, 2, 14, 0, 0, 0, 0, 0, 0xff, 0xff, 0xff, 0x7f, 0, 0, 0xff, 0]);
+    let error = read(&file, "a.xls").unwrap_err();
+    assert!(matches!(error.kind(), TableErrorKind::NotAWorkbook { .. }), "{error}");
+}
+
 /// The refusal of a workbook by how much it holds, or claims to.
 #[track_caller]
 fn refused(bytes: &[u8], name: &str) -> String {

@@ -36,9 +36,12 @@ const FORMULA_HEAD: usize = 20;
 const COLUMNS: u16 = 256;
 
 /// Refuses a workbook whose cells are more than are read or beyond the limits of the format, and
-/// takes out of its records what would make room for more than there is.
-pub(crate) fn check(stream: &mut [u8]) -> Result<(), TableErrorKind> {
+/// takes out of its records what would make room for more than there is. What follows the last whole
+/// record goes: filled up to a sector it would be a record that was not looked at.
+pub(crate) fn check(stream: &mut Vec<u8>) -> Result<(), TableErrorKind> {
     let all: Vec<Record> = records(stream, 0).collect();
+    let end = all.last().ok_or_else(|| damaged("its workbook holds no record"))?.to;
+    stream.truncate(end);
     let head = all.iter().position(|record| record.kind == END);
     let head = &all[..head.unwrap_or(all.len())];
     let sheets: Vec<u32> = head
