@@ -56,8 +56,11 @@ pub(crate) fn broomstick(
         operations: Vec::new(),
         jobs: None,
     };
-    let table = plan::broomstick(&request, cancellation)?;
-    Ok(Broomstick { curves: curves(&table), took_s: begun.elapsed().as_secs_f64() })
+    let found = plan::broomstick(&request, cancellation)?;
+    if found.missing > 0 {
+        return Err(Error::Interrupted);
+    }
+    Ok(Broomstick { curves: curves(&found.table), took_s: begun.elapsed().as_secs_f64() })
 }
 
 /// The first, the last, and evenly between them.
