@@ -1,6 +1,8 @@
 //! The dimensions that a drill string's description needs.
 
-use crate::{Unit, UnitSet, print, symbol, table};
+use std::sync::LazyLock;
+
+use crate::{Unit, UnitSet, print, symbol::Spellings, table};
 
 /// Declares the dimensions: name in a sentence, units that are read, symbols of those that the unit
 /// sets show it in.
@@ -31,6 +33,17 @@ macro_rules! dimensions {
             pub fn units(self) -> &'static [Unit] {
                 match self {
                     $(Dimension::$of => table::$units,)+
+                }
+            }
+
+            /// How the units are written.
+            fn spellings(self) -> &'static Spellings {
+                match self {
+                    $(Dimension::$of => {
+                        static SPELLINGS: LazyLock<Spellings> =
+                            LazyLock::new(|| Spellings::of(table::$units));
+                        &SPELLINGS
+                    })+
                 }
             }
 
@@ -145,11 +158,12 @@ impl Dimension {
     /// A unit of length may tell, as depths do, from where and along what it is measured: `ftKB`,
     /// `m MD`, `mTVDRT`.
     pub fn find_unit(self, symbol: &str) -> Option<&'static Unit> {
+        let spellings = self.spellings();
         let depth = || match self {
-            Dimension::Length => symbol::find_depth(self, symbol),
+            Dimension::Length => spellings.find_depth(symbol),
             _ => None,
         };
-        symbol::find(self, symbol).or_else(depth)
+        spellings.find(symbol).or_else(depth)
     }
 
     /// The value for people: in the set's unit, with five significant digits and the unit.

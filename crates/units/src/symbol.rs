@@ -1,8 +1,6 @@
 //! Finding a unit by the way it is written.
 
-use std::{collections::HashMap, sync::LazyLock};
-
-use crate::{Dimension, Unit};
+use crate::Unit;
 
 /// No spelling of a unit is longer, in bytes, however freely spaced.
 const LONGEST: usize = 64;
@@ -58,33 +56,51 @@ pub(crate) fn bare(text: &str) -> String {
     bare
 }
 
-/// The spellings of each dimension's units in their bare form, made once: a table of a thousand cells
+/// The spellings of a dimension's units in their bare form, made once: a table of a thousand cells
 /// asks for the unit of each in every dimension.
-static SPELLINGS: LazyLock<HashMap<Dimension, Vec<(String, &'static Unit)>>> =
-    LazyLock::new(|| {
-        let spellings = |of: &Dimension| {
-            let units = of.units().iter();
-            units.flat_map(|unit| unit.spellings().map(move |s| (bare(s), unit))).collect()
-        };
-        Dimension::ALL.iter().map(|of| (*of, spellings(of))).collect()
-    });
+pub(crate) struct Spellings(Vec<(String, &'static Unit)>);
 
-/// The unit written so: with its exact capitals, or else with any where only one unit fits.
-pub(crate) fn find(dimension: Dimension, written: &str) -> Option<&'static Unit> {
-    if written.len() > LONGEST {
-        return None;
+impl Spellings {
+    pub(crate) fn of(units: &'static [Unit]) -> Self {
+        let of_unit = |unit: &'static Unit| unit.spellings().map(move |s| (bare(s), unit));
+        Self(units.iter().flat_map(of_unit).collect())
     }
-    find_bare(dimension, &bare(written))
-}
 
-fn find_bare(dimension: Dimension, written: &str) -> Option<&'static Unit> {
-    let spellings = SPELLINGS.get(&dimension)?;
-    if let Some((_, unit)) = spellings.iter().find(|(spelling, _)| spelling == written) {
-        return Some(unit);
+    /// The unit written so: with its exact capitals, or else with any where only one unit fits.
+    pub(crate) fn find(&self, written: &str) -> Option<&'static Unit> {
+        if written.len() > LONGEST {
+            return None;
+        }
+        self.find_bare(&bare(written))
     }
-    let mut loose = spellings.iter().filter(|(of, _)| same_but_for_capitals(of, written));
-    let (_, first) = loose.next()?;
-    loose.all(|(_, other)| std::ptr::eq(*first, *other)).then_some(*first)
+
+    fn find_bare(&self, written: &str) -> Option<&'static Unit> {
+        if let Some((_, unit)) = self.0.iter().find(|(spelling, _)| spelling == written) {
+            return Some(unit);
+        }
+        let mut loose = self.0.iter().filter(|(of, _)| same_but_for_capitals(of, written));
+        let (_, first) = loose.next()?;
+        loose.all(|(_, other)| std::ptr::eq(*first, *other)).then_some(*first)
+    }
+
+    /// The unit before the words of [`DEPTHS`]: of `ftKB` it is `ft`.
+    pub(crate) fn find_depth(&self, written: &str) -> Option<&'static Unit> {
+        if written.len() > LONGEST {
+            return None;
+        }
+        let bare = bare(written);
+        let mut rest = bare.as_str();
+        while let Some(shorter) = DEPTHS.iter().find_map(|word| {
+            let (head, tail) = rest.split_at_checked(rest.len().checked_sub(word.len())?)?;
+            (!head.is_empty() && tail.eq_ignore_ascii_case(word)).then_some(head)
+        }) {
+            rest = shorter;
+            if let Some(unit) = self.find_bare(rest) {
+                return Some(unit);
+            }
+        }
+        None
+    }
 }
 
 /// From where and along what a depth is measured: measured depth or true vertical depth or along
@@ -94,25 +110,6 @@ const DEPTHS: &[&str] = &[
     "md", "tvd", "ah", "brkb", "rkb", "bkb", "kb", "brte", "rte", "brt", "rt", "bdf", "df", "bgl",
     "gl",
 ];
-
-/// The unit before such words: of `ftKB` it is `ft`.
-pub(crate) fn find_depth(dimension: Dimension, written: &str) -> Option<&'static Unit> {
-    if written.len() > LONGEST {
-        return None;
-    }
-    let bare = bare(written);
-    let mut rest = bare.as_str();
-    while let Some(shorter) = DEPTHS.iter().find_map(|word| {
-        let (head, tail) = rest.split_at_checked(rest.len().checked_sub(word.len())?)?;
-        (!head.is_empty() && tail.eq_ignore_ascii_case(word)).then_some(head)
-    }) {
-        rest = shorter;
-        if let Some(unit) = find_bare(dimension, rest) {
-            return Some(unit);
-        }
-    }
-    None
-}
 
 /// Equal but for capitals, milli and mega kept apart: `KN` is `kN`, but `mN` is not `MN`.
 fn same_but_for_capitals(spelling: &str, written: &str) -> bool {
