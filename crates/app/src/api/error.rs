@@ -55,11 +55,6 @@ impl ApiError {
         Self::new(StatusCode::CONFLICT, "conflict", message)
     }
 
-    /// There is as much under way as can be.
-    pub(crate) fn busy(message: impl Into<String>) -> Self {
-        Self::new(StatusCode::TOO_MANY_REQUESTS, "busy", message)
-    }
-
     /// It should have gone, and did not: a full disk, for one.
     pub(crate) fn failed(error: impl Display) -> Self {
         Self::new(StatusCode::INTERNAL_SERVER_ERROR, "failed", error.to_string())

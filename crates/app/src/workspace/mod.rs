@@ -2,13 +2,13 @@
 //!
 //! What lies in it is named by ids, which are found among what is there and never made into a path.
 
+mod beside;
 mod case_file;
 mod draft;
 mod error;
 mod find;
 mod folder;
 mod name;
-mod template;
 mod write;
 
 pub(crate) use case_file::{CaseFile, NewFile};

@@ -1,4 +1,4 @@
-//! A case with the files that stand beside it, read inside the folder only.
+//! Files that a case names, read inside the folder only.
 
 use std::{
     collections::BTreeMap,
@@ -7,7 +7,7 @@ use std::{
     sync::{Mutex, PoisonError},
 };
 
-use wholestring_case::{Case, Files, Override, Report, Template, parse, read_file};
+use wholestring_case::{Files, read_file};
 
 use super::{case_file::CaseFile, folder::Workspace};
 
@@ -41,21 +41,5 @@ impl Workspace {
     pub(crate) fn beside(&self, case: &CaseFile) -> Beside<'_> {
         let folder = case.path.parent().unwrap_or(self.root()).to_owned();
         Beside { workspace: self, folder, read: Mutex::default() }
-    }
-
-    /// The case of a text that stands, or will stand, in a file of the folder, with these changes;
-    /// and what other cases can be made of, with all that the text names held in memory.
-    ///
-    /// # Errors
-    /// A report of every mistake that was found, if there is one.
-    pub(crate) fn template(
-        &self,
-        file: &CaseFile,
-        text: &str,
-        changes: &[Override],
-    ) -> Result<(Template, Case), Report> {
-        let beside = self.beside(file);
-        let case = parse(&file.shown, text.as_bytes(), &beside, changes)?;
-        Ok((Template::in_memory(&file.shown, text, beside.into_files()), case))
     }
 }
