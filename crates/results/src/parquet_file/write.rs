@@ -1,6 +1,6 @@
 //! Tables on their way into Parquet files.
 
-use std::{fs::File, io, path::Path, sync::Arc};
+use std::{collections::HashSet, fs::File, io, path::Path, sync::Arc};
 
 use parquet::{
     basic::{Compression, LogicalType, Repetition, Type as PhysicalType},
@@ -12,7 +12,7 @@ use parquet::{
         properties::{WriterProperties, WriterPropertiesBuilder},
         writer::{SerializedFileWriter, SerializedRowGroupWriter},
     },
-    schema::types::Type,
+    schema::types::{ColumnPath, Type},
 };
 
 use crate::{Data, ResultsError, Table, file::write_whole};
@@ -56,8 +56,32 @@ pub(crate) fn begin<W: io::Write + Send>(
         let (name, unit) = (column.name.as_str(), column.unit.as_str());
         (name, unit, column.meaning.as_str())
     });
-    let properties = Arc::new(properties(notes).build());
-    SerializedFileWriter::new(writer, schema(fields)?, properties)
+    let mut properties = properties(notes);
+    for column in table.columns() {
+        if !column.data.repeats() {
+            let path = ColumnPath::from(column.name.as_str());
+            properties = properties.set_column_dictionary_enabled(path, false);
+        }
+    }
+    SerializedFileWriter::new(writer, schema(fields)?, Arc::new(properties.build()))
+}
+
+/// Rows that are looked at.
+const LOOKED_AT: usize = 128;
+
+impl Data {
+    /// Whether a dictionary of the values is worth its time: numbers that were computed are all
+    /// different, and a dictionary of them is made in vain.
+    fn repeats(&self) -> bool {
+        match self {
+            Data::Number(values) => {
+                let looked_at = &values[..values.len().min(LOOKED_AT)];
+                let bits = looked_at.iter().map(|value| value.map(f64::to_bits));
+                bits.collect::<HashSet<_>>().len() <= looked_at.len() / 2
+            }
+            Data::Text(_) => true,
+        }
+    }
 }
 
 /// Writes the rows of a table as a row group.
@@ -184,6 +208,15 @@ mod tests {
         fn flush(&mut self) -> io::Result<()> {
             Ok(())
         }
+    }
+
+    #[test]
+    fn what_repeats_has_a_dictionary_and_what_is_computed_has_none() {
+        let numbers = |of: fn(usize) -> f64| Data::Number((0..1000).map(|i| Some(of(i))).collect());
+        assert!(numbers(|i| (i / 100) as f64).repeats());
+        assert!(numbers(|_| 0.3).repeats());
+        assert!(!numbers(|i| (i as f64).sqrt()).repeats());
+        assert!(Data::Number(vec![None; 1000]).repeats());
     }
 
     #[test]
