@@ -286,8 +286,8 @@ fn sweep<N: Number, const FULL: bool>(
         let below = if row + 1 == rows { &*last } else { &*below };
         let mut imbalances = imbalance_blocks.get_mut(row);
         if let Some(imbalances) = &imbalances {
-            for lane in lanes::<N>() {
-                throw::<N>(above, before, imbalances, state, input, lane);
+            for lane in lanes::<Pair<N>>() {
+                throw::<Pair<N>>(above, before, imbalances, state, input, lane);
             }
         }
         for lane in lanes::<N>() {
