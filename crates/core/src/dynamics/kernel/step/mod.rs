@@ -286,8 +286,14 @@ fn sweep<N: Number, const FULL: bool>(
         let below = if row + 1 == rows { &*last } else { &*below };
         let mut imbalances = imbalance_blocks.get_mut(row);
         if let Some(imbalances) = &imbalances {
-            for lane in lanes::<Pair<N>>() {
-                throw::<Pair<N>>(above, before, imbalances, state, input, lane);
+            if N::Real::FINE {
+                for lane in lanes::<Pair<N>>() {
+                    throw::<Pair<N>>(above, before, imbalances, state, input, lane);
+                }
+            } else {
+                for lane in lanes::<N>() {
+                    throw::<N>(above, before, imbalances, state, input, lane);
+                }
             }
         }
         for lane in lanes::<N>() {
@@ -348,8 +354,16 @@ fn sweep<N: Number, const FULL: bool>(
             rotate_directors::<N>(n, state, above, below, input, lane);
         }
         if let Some(imbalances) = &mut imbalances {
-            for lane in lanes::<Pair<N>>() {
-                follow::<Pair<N>>(before, imbalances, n, state, input, lane);
+            // Two registers at a time hide the division of doubles. What single precision keeps
+            // besides leaves no room for two.
+            if N::Real::FINE {
+                for lane in lanes::<Pair<N>>() {
+                    follow::<Pair<N>>(before, imbalances, n, state, input, lane);
+                }
+            } else {
+                for lane in lanes::<N>() {
+                    follow::<N>(before, imbalances, n, state, input, lane);
+                }
             }
         }
     }
