@@ -56,10 +56,6 @@ pub(crate) struct ReachArgs {
     #[arg(long, conflicts_with = "resume")]
     pub(crate) overwrite: bool,
 
-    /// Write the margins as CSV too
-    #[arg(long)]
-    pub(crate) csv: bool,
-
     #[command(flatten)]
     pub(crate) page: PageArgs,
 }

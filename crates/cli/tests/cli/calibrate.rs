@@ -125,6 +125,30 @@ fn friction_of_a_slant_well() {
     desk.done(&["check", "found.toml"]);
 }
 
+/// Another fit and other readings under the same name do not replace what is there; the same again does.
+#[test]
+fn another_calibration_is_refused() {
+    let desk = desk();
+    let text = readings(&desk);
+    fs::write(desk.path("read.csv"), &text).unwrap();
+    let named = [&ERRORS[..], &["-o", "out"]].concat();
+    desk.done(&calibrate(&named));
+    let summary = || fs::read(desk.path("out/summary.json")).unwrap();
+    let first = summary();
+    for more in [&["--model", "stiff"][..], &["--one-factor"], &["--band", "80"]] {
+        let said = refused(&desk, &calibrate(&[&named[..], more].concat()));
+        assert!(said.contains("with other settings or data"), "{more:?}: {said}");
+        assert!(said.contains("--overwrite"), "{said}");
+    }
+    fs::write(desk.path("read.csv"), text.replace("\n300,", "\n310,")).unwrap();
+    let said = refused(&desk, &calibrate(&named));
+    assert!(said.contains("out holds the calibration \"Slant well calibration\""), "{said}");
+    assert_eq!(summary(), first);
+    fs::write(desk.path("read.csv"), &text).unwrap();
+    desk.done(&calibrate(&named));
+    assert_eq!(summary(), first);
+}
+
 /// Two cases that share their friction, each with its rows; one number is held.
 #[test]
 fn rows_belong_to_cases() {

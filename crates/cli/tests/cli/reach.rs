@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use wholestring_results::{REACH, REACH_LIMITS, ReachSummary, Table};
+use wholestring_results::{REACH, REACH_LIMITS, ReachSummary, Table, UNCERTAIN_STOPS};
 
 use crate::desk::{Desk, transcript};
 
@@ -154,7 +154,15 @@ fn a_reach_of_uncertain_numbers() {
             Table::read_parquet(&desk.path(&format!("out/{name}.parquet"))).unwrap().rows() > 0
         );
     }
+    // What the page counts stands in the table that it leads to.
+    let stops = Table::read_parquet(&desk.path("out/reach_uncertain_stops.parquet")).unwrap();
+    assert!(stops.is_like(&Table::with_columns(UNCERTAIN_STOPS)));
+    let counted = stops.numbers("samples").unwrap();
+    let told: Vec<_> = found.stops.iter().map(|of| Some(of.samples as f64)).collect();
+    assert_eq!(counted, told);
+    assert!(desk.path("out/reach_uncertain_stops.csv").is_file());
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+    assert!(page.contains("reach_uncertain_stops"));
     for expected in [
         "What is uncertain",
         "What stops the samples",

@@ -115,7 +115,7 @@ pub(crate) fn stops(of: &Uncertain) -> Option<StudyPart> {
     let heads = vec![head("stops the well first", true), head("samples", false)];
     let rows = of.stops.iter().map(|(what, count)| row(vec![what.clone(), count.to_string()]));
     let grid = Grid { heads, rows: rows.collect() };
-    part("What stops the samples", String::new(), grid, &of.files[0])
+    part("What stops the samples", String::new(), grid, &of.files[3])
 }
 
 fn percent(part: f64) -> String {

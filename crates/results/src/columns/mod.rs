@@ -42,7 +42,7 @@ pub use self::{
     stability::STABILITY,
     tables::TABLES,
     time::TIME,
-    uncertain::{UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES},
+    uncertain::{UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS},
     wear::WEAR,
 };
 use wholestring::outcome;

@@ -6,7 +6,7 @@ use super::{
     FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION,
     PLAN_HYDRAULICS, PLAN_LIMITS, PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME,
     PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TIME, UNCERTAIN,
-    UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, WEAR,
+    UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, WEAR,
 };
 
 /// Every table, by the name of its file, and its columns.
@@ -47,6 +47,7 @@ pub const TABLES: &[(&str, &[ColumnSpec])] = &[
     ("reach_uncertain", UNCERTAIN),
     ("reach_uncertain_indices", UNCERTAIN_INDICES),
     ("reach_uncertain_samples", UNCERTAIN_SAMPLES),
+    ("reach_uncertain_stops", UNCERTAIN_STOPS),
     ("calibration", CALIBRATION),
     ("calibration_bands", CALIBRATION_BANDS),
     ("calibration_profiles", CALIBRATION_PROFILES),

@@ -81,6 +81,15 @@ pub struct Request<'a> {
     pub png: bool,
 }
 
+impl Request<'_> {
+    /// Another case, other readings, another fit or another check: another calibration.
+    fn identity(&self, readings: &[u8]) -> String {
+        let cases: Vec<_> = self.cases.iter().map(|of| of.case.identity()).collect();
+        let checked = self.check.as_ref().map(|check| &check.bit_depths_m);
+        digest(&(cases, digest(&readings), format!("{:?}", self.fit), checked))
+    }
+}
+
 /// What came of it.
 #[derive(Debug)]
 pub struct Outcome {
@@ -107,22 +116,15 @@ pub fn run(
     let [first, ..] = request.cases else {
         return Err(Error::BadInput("no case is given".into()));
     };
-    let data = readings::read(request.data, request.content, request.cases)?;
+    let bytes = readings::bytes(request.data, request.content)?;
+    let data = readings::read(request.data, &bytes, request.cases)?;
     let settings = settings(request, &data)?;
     let check = match &request.check {
         Some(check) => Some((check, dynamic::chosen(check, &data)?)),
         None => None,
     };
     let name = format!("{} calibration", first.case.name);
-    let identities: Vec<_> = request.cases.iter().map(|of| of.case.identity()).collect();
-    let occupant = Occupant {
-        kind: "calibration".into(),
-        name,
-        identity: match request.content {
-            None => digest(&(identities, request.data.display().to_string())),
-            Some(content) => digest(&(identities, digest(&content))),
-        },
-    };
+    let occupant = Occupant { kind: "calibration".into(), name, identity: request.identity(&bytes) };
     let claimed = Claim::new(occupant, &request.output, observer).folder()?;
     let folder = &claimed.folder;
     let begun = Instant::now();
