@@ -52,7 +52,7 @@ pub use picks::{
 pub use plan::{
     BucklingCurve, FRICTION_STROKES, PLAN_PICTURES, Plan, PlanCurve, PlanEvent, PlanFatigueHourRow,
     PlanFatigueRow, PlanLevel, PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanOverlay,
-    PlanOverlayDifference, PlanOverlayRow, PlanPeakRow, PlanRig, PlanSpot, PlanWearRow, plan_html,
+    PlanOverlayDifference, PlanOverlayRow, PlanPeakRow, PlanSpot, PlanSurfaceLimit, PlanWearRow, plan_html,
     plan_plots,
 };
 pub use plots::{

@@ -4,7 +4,7 @@ use std::{fs, path::Path};
 
 use wholestring_results::{
     PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, PLAN_MEASURED, PLAN_OVERLAY,
-    PlanSummary, Table, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES,
+    PLAN_SURFACE_LIMITS, PlanSummary, Table, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES,
 };
 
 use crate::desk::{Desk, transcript};
@@ -75,6 +75,43 @@ fn a_plan_of_a_slant_well() {
     assert!(desk.path("out/plan.xlsx").is_file());
     desk.done(&["plot", "out", "--units", "field"]);
     assert!(desk.path("out/plots/hook_load.svg").is_file());
+}
+
+/// Every limit of hook load and torque at the surface is in the summary, in its table, a line on the
+/// picture and a column of its numbers.
+#[test]
+fn limits_stand_on_the_broomstick() {
+    let desk = Desk::new();
+    let rig = [
+        "rig.block_weight=100 kN",
+        "rig.hoist_capacity=600 kN",
+        "rig.top_drive_torque=5 kN.m",
+        "rig.top_drive_peak_torque=6 kN.m",
+    ];
+    let rig: Vec<&str> = rig.iter().flat_map(|of| ["--set", of]).collect();
+    desk.done(&few(&[&["-o", "out", "--quiet"][..], &rig].concat()));
+    let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
+    let limits = &summary.surface_limits;
+    let hoist = limits.iter().find(|of| of.kind == "hoist").unwrap();
+    assert!((hoist.allowed - (0.9 * 600e3 - 100e3)).abs() < 1e-6, "{hoist:?}");
+    let of_torque = limits.iter().filter(|of| of.is_torque);
+    let kinds: Vec<&str> = of_torque.map(|of| of.kind.as_str()).collect();
+    assert_eq!(kinds, ["top_drive", "top_drive_peak", "make_up", "torsion"]);
+    let table = desk.table("out/plan_surface_limits.parquet");
+    assert!(table.is_like(&Table::with_columns(PLAN_SURFACE_LIMITS)));
+    assert_eq!(table.rows(), 2 * limits.len());
+    let csv = |name: &str| Table::read_csv(&desk.path(&format!("out/{name}.csv"))).unwrap();
+    let (hook_load, torque) = (csv("hook_load"), csv("torque"));
+    for of in limits {
+        let (table, name) = match of.is_torque {
+            true => (&torque, format!("{}_limit_surface_torque_N_m", of.kind)),
+            false => (&hook_load, format!("{}_limit_hook_load_N", of.kind)),
+        };
+        let column = table.numbers(&name).unwrap_or_else(|| panic!("{name}"));
+        assert!(column.iter().all(|value| *value == Some(of.allowed)), "{name}");
+    }
+    let picture = desk.text("out/torque.svg");
+    assert!(picture.contains(">top drive<") && picture.contains(">top drive, peak<"));
 }
 
 /// One thread or four, the answers are the same.

@@ -13,6 +13,7 @@ pub(super) const BROOMSTICK: &str = "plan_broomstick";
 pub(super) const BUCKLING: &str = "plan_buckling";
 pub(super) const FRICTION: &str = "plan_friction";
 pub(super) const LIMITS: &str = "plan_limits";
+pub(super) const SURFACE: &str = "plan_surface_limits";
 pub(super) const HYDRAULICS: &str = "plan_hydraulics";
 pub(super) const FATIGUE: &str = "plan_fatigue";
 pub(super) const WEAR: &str = "plan_wear";
@@ -54,6 +55,13 @@ pub(super) fn write(
     folder.write_table(BROOMSTICK, &summary.broomstick_table(), true)?;
     folder.write_table(BUCKLING, &summary.buckling_table(), true)?;
     folder.write_table(FRICTION, &summary.friction_table(), true)?;
+    if summary.surface_limits.is_empty() {
+        for ending in ["parquet", "csv"] {
+            folder.remove(&format!("{SURFACE}.{ending}"))?;
+        }
+    } else {
+        folder.write_table(SURFACE, &summary.surface_limits_table(), true)?;
+    }
     if summary.peaks.is_empty() {
         for name in [PEAKS, PEAKS_TIME, "peaks"] {
             folder.remove(&format!("{name}.parquet"))?;
@@ -124,6 +132,16 @@ fn theirs(summary: &PlanSummary, table: Table, quantity: &str, is_torque: bool) 
     Table::new(columns)
 }
 
+/// The limits of a picture beside its curves, a column for each: the same at every depth.
+fn with_limits(summary: &PlanSummary, table: Table, quantity: &str, is_torque: bool) -> Table {
+    let mut columns = table.columns().to_vec();
+    for of in summary.surface_limits.iter().filter(|of| of.is_torque == is_torque) {
+        let name = format!("{}_limit_{quantity}", of.kind);
+        columns.push(Column::numbers(name, vec![Some(of.allowed); table.rows()]));
+    }
+    Table::new(columns)
+}
+
 /// What each picture shows, a column for each of its curves.
 fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
     // Below the rows of the curves, one for each reading.
@@ -170,6 +188,8 @@ fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         Table::new(columns)
     };
     let bands = |table: Table, quantity: &str| {
+        let (unit, is_torque) = if quantity == "hook_load" { ("N", false) } else { ("N_m", true) };
+        let table = with_limits(summary, table, &format!("{quantity}_{unit}"), is_torque);
         let mut columns = table.columns().to_vec();
         let rows = table.rows();
         let uncertain = summary.uncertain.iter();
@@ -181,7 +201,6 @@ fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
                     of.clone().filter_map(|of| Some((of.bit_depth_m?, Some(of.quantiles[place]))));
                 let found: Vec<_> = found.collect();
                 if !found.is_empty() {
-                    let unit = if quantity == "hook_load" { "N" } else { "N_m" };
                     let mut band = column(format!("{operation}_{part}_{quantity}_{unit}"), &found);
                     // Readings stand below the rows of the curves.
                     if let Data::Number(values) = &mut band.data {

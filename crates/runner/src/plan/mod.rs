@@ -16,6 +16,7 @@ mod peaks;
 mod request;
 mod rows;
 mod sample;
+mod surface;
 mod work;
 mod workbook;
 

@@ -7,7 +7,7 @@ use wholestring_plan::{dynamic::Event, limits::LimitKind};
 use wholestring_report::{
     BucklingCurve, Cell, Fact, Level, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow,
     PlanLevel, PlanLimitRow, PlanMeasured, PlanOverlay, PlanOverlayDifference, PlanOverlayRow,
-    PlanRig, PlanSpot, PlanWearRow, Section, operation_name, shown_dimension,
+    PlanSpot, PlanWearRow, Section, operation_name, shown_dimension,
 };
 use wholestring_results::{
     Level as Grave, PlanFatigue, PlanLimit, PlanPoint, PlanSummary, PlanWear, ResultsError,
@@ -18,7 +18,7 @@ use wholestring_units::UnitSet;
 use super::{
     files::{FATIGUE, LIMITS, PEAKS_TIME, Tables, WEAR, WORKBOOK},
     levels::{LEVELS, label, short},
-    mud, peaks,
+    mud, peaks, surface,
     workbook::workbook,
 };
 use crate::{
@@ -78,7 +78,6 @@ pub(super) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Plan, Resu
 fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>) -> Plan {
     let settings = &summary.settings;
     let number = |of: &Json| of.as_f64();
-    let rig = &settings["rig"];
     let drills = summary.operations.iter().any(|of| of == "drill" || of == "slide");
     let message = (summary.missing > 0).then(|| {
         format!(
@@ -101,11 +100,8 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         fatigue: summary.fatigue.iter().map(fatigue).collect(),
         wear: summary.wear.iter().map(wear).collect(),
         events: peaks::events(summary, peaks_time),
-        rig: PlanRig {
-            block_N: number(&rig["block_weight_N"]),
-            hoist_N: number(&rig["hoist_capacity_N"]),
-            top_drive_N_m: number(&rig["top_drive_torque_N_m"]),
-        },
+        block_N: number(&settings["rig"]["block_weight_N"]),
+        surface_limits: summary.surface_limits.iter().map(surface::shown).collect(),
         uncertain: summary.uncertain.as_ref().map(|of| uncertain::shown(of, &Names::PLAN)),
         weight_on_bit_N: number(&settings["operation"]["wob_N"]).filter(|_| drills),
         measured: summary.measured.iter().map(measured).collect(),

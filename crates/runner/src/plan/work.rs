@@ -19,6 +19,7 @@ use super::{
     request::Request,
     rows::{Lack, buckling, frictions, in_words, limits, points, unchecked},
     sample::Asked,
+    surface,
 };
 use crate::{
     batch::BatchOutcome,
@@ -285,6 +286,7 @@ impl<'a> Work<'a> {
             points,
             buckling: weights,
             worst_limits: worst(&all_limits),
+            surface_limits: surface::limits(self.broomstick, &plan.limits),
             unchecked,
             hydraulics,
             fatigue: came.fatigue,
