@@ -114,6 +114,50 @@ fn limits_stand_on_the_broomstick() {
     assert!(picture.contains(">top drive<") && picture.contains(">top drive, peak<"));
 }
 
+/// Of each operation one limit that breaks or stops, with the least reserve of its kind of all rows: on the screen, on the
+/// page and in the summary. Less is left of buckling, which breaks nothing.
+#[test]
+fn what_would_break_first_is_said() {
+    let desk = Desk::new();
+    let rig = ["--set", "rig.top_drive_torque=5 kN.m", "--set", "operation.wob=150 kN"];
+    let output = desk.done(&few(&[&["-o", "out"][..], &rig].concat()));
+    let said = String::from_utf8(output.stdout).unwrap();
+    let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
+    let operations: Vec<&str> = summary.breaks_first.iter().map(|of| &*of.operation).collect();
+    let mut all = summary.operations.clone();
+    all.sort();
+    let mut told = operations.clone();
+    told.sort_unstable();
+    assert_eq!(told, all);
+    let limits = desk.table("out/plan_limits.parquet");
+    let words = |name: &str| limits.words(name).unwrap();
+    let numbers = |name: &str| limits.numbers(name).unwrap();
+    let bends = ["sinusoidal_buckling", "helical_buckling", "overpull"];
+    for first in &summary.breaks_first {
+        let rows = (0..limits.rows()).filter(|row| words("operation")[*row] == first.operation);
+        let (mut least, mut least_of_all) = (f64::INFINITY, f64::INFINITY);
+        for row in rows {
+            let reserve = numbers("factor")[row].unwrap() / numbers("required")[row].unwrap();
+            least_of_all = least_of_all.min(reserve);
+            if !bends.contains(&words("kind")[row].as_str()) {
+                least = least.min(reserve);
+            }
+        }
+        assert_eq!(first.reserve(), least, "{first:?}");
+        if first.operation == "drill" {
+            assert_eq!((first.kind.as_str(), first.friction.as_str()), ("top_drive", "high"));
+            assert!(least_of_all < least, "{first:?}");
+        }
+    }
+    let drilling = "drilling: top drive, continuous would be passed first, with high friction";
+    assert!(said.contains(drilling), "{said}");
+    assert!(desk.text("out/report.html").contains(drilling));
+    let pick_up = summary.breaks_first.iter().find(|of| of.operation == "trip_out").unwrap();
+    let place = format!("of {} at ", pick_up.component.as_deref().unwrap());
+    let sentence = said.lines().find(|line| line.starts_with("pick-up: ")).unwrap();
+    assert!(sentence.contains(&place), "{sentence}");
+}
+
 /// One thread or four, the answers are the same.
 #[test]
 fn a_plan_does_not_depend_on_threads() {

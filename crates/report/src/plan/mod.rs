@@ -46,6 +46,8 @@ pub struct Plan {
     pub surface_limits: Vec<PlanSurfaceLimit>,
     /// Of each kind of limit and each operation the nearest one, kind after kind.
     pub limits: Vec<PlanLimitRow>,
+    /// Of each operation what would break first, in sentences, in SI, metric and field units.
+    pub first: [Vec<String>; 3],
     /// What could not be checked, and what is missing for it.
     pub unchecked: Vec<String>,
     /// Fatigue of each component.
@@ -205,6 +207,8 @@ pub struct BucklingCurve {
 /// A load against what bears it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanLimitRow {
+    /// Whether something breaks or stops where it is passed.
+    pub breaks: bool,
     /// What it is of.
     pub kind: String,
     /// Name of the operation.

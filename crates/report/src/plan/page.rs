@@ -1,7 +1,7 @@
 //! The page of a plan as one file that needs nothing else.
 
 use super::{Plan, campaign, figures::plan_plots, limits, measured, overlay, peaks, tables};
-use crate::{StudyPage, StudyPart, plots::Shown, study::study_html_in_units, uncertain};
+use crate::{StudyPage, StudyPart, plots::{SETS, Shown}, study::study_html_in_units, uncertain};
 
 /// What the numbers stand for.
 const ABOUT: &str = "Hook load and surface torque against the depth of the bit: the same string, its \
@@ -58,6 +58,10 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
     let shown = Shown::new(&plan.head.dimensions, units);
     let facts = plan.head.facts.iter().filter_map(|fact| shown.fact(fact));
     let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
+    let set = SETS.iter().position(|of| *of == units).unwrap_or(0);
+    if !plan.first[set].is_empty() {
+        description += &format!("\n\nWhat would break first. {}", plan.first[set].join(" "));
+    }
     if let Some(message) = &plan.message {
         description += &format!("\n\n{message}");
     }

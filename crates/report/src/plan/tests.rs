@@ -115,7 +115,12 @@ fn plan() -> Plan {
             borne("top drive, peak", true, 1e6),
             borne("make-up", true, 1.25e4),
         ],
-        limits: vec![limit("Tension", 1.05, "short"), limit("Hoist", 1.2, "near")],
+        limits: vec![
+            limit("Tension", 1.05, "short"),
+            PlanLimitRow { breaks: false, ..limit("Helical buckling", 0.5, "short") },
+            limit("Hoist", 1.2, "near"),
+        ],
+        first: ["si", "metric", "field"].map(|of| vec![format!("pick-up: <tension> in {of}.")]),
         unchecked: vec!["no make-up torque of pipe".into()],
         fatigue: vec![fatigue("drill <pipe>", 1.2), fatigue("collar", 1e-7)],
         wear: vec![wear()],
@@ -261,6 +266,7 @@ fn wear() -> PlanWearRow {
 
 fn limit(kind: &str, factor: f64, standing: &str) -> PlanLimitRow {
     PlanLimitRow {
+        breaks: true,
         kind: kind.into(),
         operation: "trip_out".into(),
         friction: "high".into(),
@@ -366,6 +372,19 @@ fn the_page_says_everything() {
     assert_eq!(page.matches("<svg").count(), 3 * 4);
     assert!(page.contains("Surface torque, ft·lbf, soft string"));
     assert!(!page.contains("<Well>") && !page.contains("<locks>"));
+}
+
+/// What breaks stands over what does not, whatever is left of it, and is said for each operation.
+#[test]
+fn what_would_break_first() {
+    let page = plan_html(&plan());
+    let (_, nearest) = page.split_once("Nearest limits").expect("a table");
+    let place = |kind: &str| nearest.find(kind).unwrap_or_else(|| panic!("{kind}"));
+    assert!(place("Tension") < place("Hoist") && place("Hoist") < place("Helical buckling"));
+    for units in ["si", "metric", "field"] {
+        let said = format!("What would break first. pick-up: &lt;tension&gt; in {units}.");
+        assert!(page.contains(&said), "{said}");
+    }
 }
 
 /// What is used up says so in a word, what is not known too; numbers are in the reader's units.

@@ -5,6 +5,7 @@ mod campaign;
 mod charts;
 mod dynamic;
 mod files;
+mod first;
 mod kind;
 mod levels;
 mod measured;
@@ -21,6 +22,7 @@ mod work;
 mod workbook;
 
 pub use broomstick::{BroomstickFound, BroomstickRequest, broomstick};
+pub use first::breaks_first;
 pub use outcome::{Outcome, run};
 pub use overlay::Overlay;
 pub use request::Request;

@@ -17,6 +17,7 @@ use wholestring_units::UnitSet;
 
 use super::{
     files::{FATIGUE, LIMITS, PEAKS_TIME, Tables, WEAR, WORKBOOK},
+    first::breaks_first,
     levels::{LEVELS, label, short},
     mud, peaks, surface,
     workbook::workbook,
@@ -96,6 +97,8 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         mud: mud::shown(summary),
         hole: hole(summary),
         limits: summary.worst_limits.iter().map(limit).collect(),
+        first: [UnitSet::Si, UnitSet::Metric, UnitSet::Field]
+            .map(|units| breaks_first(summary, units)),
         unchecked: summary.unchecked.clone(),
         fatigue: summary.fatigue.iter().map(fatigue).collect(),
         wear: summary.wear.iter().map(wear).collect(),
@@ -182,6 +185,7 @@ fn limit(of: &PlanLimit) -> PlanLimitRow {
     let kind = LimitKind::ALL.iter().find(|kind| kind.name() == of.kind);
     let dimension = kind.map_or("", |kind| shown_dimension(kind.quantity()));
     PlanLimitRow {
+        breaks: kind.is_some_and(|kind| kind.breaks()),
         kind: kind.map_or_else(|| of.kind.replace('_', " "), |kind| kind.label().to_owned()),
         operation: Event::from_name(&of.operation)
             .map_or_else(|| of.operation.clone(), |event| format!("{}, dynamics", event.label())),
