@@ -125,6 +125,65 @@ fn friction_of_a_slant_well() {
     desk.done(&["check", "found.toml"]);
 }
 
+/// The well that is shipped with what was read on its rig: what its chapter of the book prints, in the
+/// digits that it prints.
+#[test]
+fn the_real_well_has_what_its_chapter_prints() {
+    let desk = Desk::new();
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    let (case, data) = (cases.join("forge-16a.toml"), cases.join("forge-16a-measured.csv"));
+    let [case, data] = [case, data].map(|of| of.display().to_string());
+    desk.done(&[
+        "calibrate",
+        &case,
+        "--data",
+        &data,
+        "--friction-around",
+        "--block-weight",
+        "-o",
+        "out",
+        "--quiet",
+    ]);
+    let summary = CalibrationSummary::read(&desk.path("out/summary.json")).unwrap();
+    assert_eq!((summary.within_band, summary.readings), (59, 63));
+    assert_eq!((summary.held_out_within_band, summary.held_out), (15, 23));
+    const KLBF_N: f64 = 4448.221_615_260_5;
+    // Half of the last digit.
+    for (name, printed, unit, half) in [
+        ("friction_cased", 0.10, 1.0, 0.005),
+        ("friction_open", 0.53, 1.0, 0.005),
+        ("friction_cased_around", 0.175, 1.0, 0.0005),
+        ("friction_open_around", 0.220, 1.0, 0.0005),
+        ("block_weight_N", 47.6, KLBF_N, 0.05),
+    ] {
+        let of = summary.estimates.iter().find(|of| of.parameter == name).unwrap();
+        assert!((of.value / unit - printed).abs() <= half, "{of:?}");
+    }
+    // Each reading beside its prediction and its band: what is counted is what lies between its ends.
+    let table = desk.table("out/calibration.parquet");
+    let column = |name: &str| table.numbers(name).unwrap();
+    let mut within = 0;
+    for row in 0..table.rows() {
+        let is_torque = table.words("reading").unwrap()[row].starts_with("torque");
+        let of = |name: &str| {
+            let unit = if is_torque { "N_m" } else { "N" };
+            column(&format!("{name}_{unit}"))[row].unwrap()
+        };
+        let (measured, predicted) = (of("measured"), of("predicted"));
+        assert!((of("residual") - (measured - predicted)).abs() < 1e-6);
+        let (low, high) = (of("reading_low"), of("reading_high"));
+        let half = 0.5 * (high - low);
+        assert!((low + half - predicted).abs() < 1e-6 * half);
+        // The readings' error and the prediction's: 1.645 times the root of their squares.
+        assert!(half > 1.64 * of("predicted_error"));
+        let is_within = (low..=high).contains(&measured);
+        assert_eq!(column("within_band")[row], Some(f64::from(u8::from(is_within))));
+        within += usize::from(is_within);
+    }
+    assert_eq!(within, 59 + 15);
+    assert!(desk.text("out/report.html").contains("band of 90 %"));
+}
+
 /// Another fit and other readings under the same name do not replace what is there; the same again does.
 #[test]
 fn another_calibration_is_refused() {

@@ -53,6 +53,10 @@ fn points<'a>(data: &Readings, found: &Calibration, case: impl Fn(usize) -> &'a 
         let channel = point.reading.channel;
         let [measured_N, measured_N_m] = by_kind(channel, point.reading.value);
         let [predicted_N, predicted_N_m] = by_kind(channel, point.predicted);
+        let [residual_N, residual_N_m] = by_kind(channel, point.reading.value - point.predicted);
+        let [error_N, error_N_m] = by_kind(channel, point.predicted_error);
+        let [low, high] = [-1.0, 1.0]
+            .map(|sign| by_kind(channel, point.predicted + sign * point.reading_half_width));
         table.append(
             &[
                 ("case", &[case(point.reading.setup)]),
@@ -66,6 +70,14 @@ fn points<'a>(data: &Readings, found: &Calibration, case: impl Fn(usize) -> &'a 
                 ("predicted_N", &[predicted_N]),
                 ("measured_N_m", &[measured_N_m]),
                 ("predicted_N_m", &[predicted_N_m]),
+                ("residual_N", &[residual_N]),
+                ("predicted_error_N", &[error_N]),
+                ("reading_low_N", &[low[0]]),
+                ("reading_high_N", &[high[0]]),
+                ("residual_N_m", &[residual_N_m]),
+                ("predicted_error_N_m", &[error_N_m]),
+                ("reading_low_N_m", &[low[1]]),
+                ("reading_high_N_m", &[high[1]]),
                 ("standardised", &[point.standardised]),
                 ("outlier", &[f64::from(u8::from(point.outlier))]),
                 ("within_band", &[f64::from(u8::from(point.within_band))]),
