@@ -46,6 +46,10 @@ pub struct ReachOfFriction {
     pub friction: Option<f64>,
     /// Friction factor along the hole of the section in which the well goes on.
     pub friction_at_bit: f64,
+    /// Inclination, rad, to which a string slides down by its own weight at that friction, `atan(1/μ)`; none
+    /// without friction.
+    #[serde(default)]
+    pub critical_inclination_rad: Option<f64>,
     /// What stops it first; none where nothing does.
     pub first: Option<ReachStop>,
     /// Each limit of each operation.

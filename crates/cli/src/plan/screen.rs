@@ -74,7 +74,7 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
              friction ({model} string)\n"
         );
     }
-    let differences = summary.overlay.iter().flat_map(|of| of.differences());
+    let differences = summary.overlay.iter().flat_map(|of| &of.differences);
     for of in differences {
         let unit = if of.is_torque { torque } else { force };
         text += &format!(

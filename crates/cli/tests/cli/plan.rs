@@ -279,7 +279,7 @@ fn another_program_is_laid_over_the_plan() {
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
     let overlay = summary.overlay.as_ref().unwrap();
     assert_eq!(overlay.file, "other.csv");
-    let differences = overlay.differences();
+    let differences = &overlay.differences;
     let means: Vec<(&str, bool, f64)> =
         differences.iter().map(|of| (of.operation.as_str(), of.is_torque, of.mean)).collect();
     // To the digits that the file has of them.

@@ -42,6 +42,12 @@ fn reach_of_a_slant_well() {
         assert_eq!(first.depth_m, least);
     }
     assert!(said.contains("none to 6000") && said.contains("by its own weight"), "{said}");
+    // What the sentence says stands in the summary: 78.7 and 68.2 degrees.
+    for (of, friction) in [(easy, 0.2_f64), (hard, 0.4)] {
+        let critical_rad = of.critical_inclination_rad.unwrap();
+        assert!((critical_rad.tan() * friction - 1.0).abs() < 1e-12, "{of:?}");
+        assert!(said.contains(&format!("{:.1}", critical_rad.to_degrees())), "{said}");
+    }
 
     let table =
         |name: &str| Table::read_parquet(&desk.path(&format!("out/{name}.parquet"))).unwrap();

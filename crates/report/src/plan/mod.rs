@@ -117,6 +117,8 @@ pub struct PlanOverlayDifference {
     pub largest_at_m: f64,
     /// Theirs there.
     pub theirs_there: f64,
+    /// The largest as a part of theirs; none where theirs is zero.
+    pub largest_part: Option<f64>,
 }
 
 /// A weight or torque that was read, beside what a model makes of it.

@@ -212,6 +212,7 @@ fn another_program_lies_over_the_broomstick() {
             largest: -1.2e4,
             largest_at_m: 2500.0,
             theirs_there: 6e5,
+            largest_part: Some(-0.02),
         }],
     };
     let of = Plan { overlay: Some(overlay), ..plan() };

@@ -255,15 +255,16 @@ fn overlay(of: &wholestring_results::PlanOverlay) -> PlanOverlay {
         bit_depth_m: row.bit_depth_m,
         theirs: row.theirs,
     });
-    let differences = of.differences().into_iter().map(|of| PlanOverlayDifference {
-        model: of.model,
-        operation: of.operation,
+    let differences = of.differences.iter().map(|of| PlanOverlayDifference {
+        model: of.model.clone(),
+        operation: of.operation.clone(),
         is_torque: of.is_torque,
         count: of.count,
         mean: of.mean,
         largest: of.largest,
         largest_at_m: of.largest_at_m,
         theirs_there: of.theirs_there,
+        largest_part: of.largest_part,
     });
     PlanOverlay { file: of.file.clone(), rows: rows.collect(), differences: differences.collect() }
 }

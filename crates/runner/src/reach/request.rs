@@ -274,6 +274,8 @@ impl Answer {
         ReachOfFriction {
             friction: self.friction,
             friction_at_bit,
+            critical_inclination_rad: (friction_at_bit > 0.0)
+                .then(|| (1.0 / friction_at_bit).atan()),
             first,
             limits: limits.collect(),
             missing: self.missing.clone(),

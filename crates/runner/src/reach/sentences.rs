@@ -57,10 +57,7 @@ pub fn notes(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
     };
     let mut notes = Vec::new();
     for of in &summary.frictions {
-        if of.friction_at_bit <= 0.0 {
-            continue;
-        }
-        let critical_rad = (1.0 / of.friction_at_bit).atan();
+        let Some(critical_rad) = of.critical_inclination_rad else { continue };
         let inclination = angle(summary.inclination_rad);
         let (at, critical) = (friction(of), angle(critical_rad));
         notes.push(match summary.inclination_rad < critical_rad {
