@@ -100,6 +100,16 @@ fn friction_of_a_slant_well() {
     }
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
     assert!(page.contains("Measured and predicted") && page.contains("Correlations"));
+    // The numbers of a picture are all that it shows: what was read below the bands, the ends of the intervals below
+    // the profiles, the bound of outliers beside the residuals.
+    let csv = |name: &str| Table::read_csv(&desk.path(&format!("out/{name}.csv"))).unwrap();
+    let filled = |table: &Table, name: &str| {
+        table.words(name).unwrap().iter().filter(|cell| !cell.is_empty()).count()
+    };
+    let bands = csv("calibration_bands");
+    assert_eq!(filled(&bands, "measured_N") + filled(&bands, "measured_N_m"), 45);
+    assert_eq!(filled(&csv("calibration_profiles"), "interval_end"), 8);
+    assert_eq!(filled(&csv("calibration"), "outlier_beyond"), 45);
 
     // The page is made of the files.
     fs::remove_file(desk.path("out/report.html")).unwrap();

@@ -87,6 +87,13 @@ fn limits_stand_on_the_broomstick() {
         "rig.hoist_capacity=600 kN",
         "rig.top_drive_torque=5 kN.m",
         "rig.top_drive_peak_torque=6 kN.m",
+        "rig.pump_pressure_limit=30 MPa",
+        "mud.density=1200 kg/m3",
+        "mud.rheology=bingham",
+        "mud.plastic_viscosity=0.02 Pa.s",
+        "mud.yield_point=7 Pa",
+        "operation.flow_rate=30 l/s",
+        "operation.wob=50 kN",
     ];
     let rig: Vec<&str> = rig.iter().flat_map(|of| ["--set", of]).collect();
     desk.done(&few(&[&["-o", "out", "--quiet"][..], &rig].concat()));
@@ -102,14 +109,23 @@ fn limits_stand_on_the_broomstick() {
     assert_eq!(table.rows(), 2 * limits.len());
     let csv = |name: &str| Table::read_csv(&desk.path(&format!("out/{name}.csv"))).unwrap();
     let (hook_load, torque) = (csv("hook_load"), csv("torque"));
+    let line = |table: &Table, name: &str, value: f64| {
+        let column = table.words(name).unwrap_or_else(|| panic!("{name}"));
+        assert!(!column.is_empty(), "{name}");
+        assert!(column.iter().all(|cell| cell.parse() == Ok(value)), "{name}: {column:?}");
+    };
     for of in limits {
         let (table, name) = match of.is_torque {
             true => (&torque, format!("{}_limit_surface_torque_N_m", of.kind)),
             false => (&hook_load, format!("{}_limit_hook_load_N", of.kind)),
         };
-        let column = table.numbers(&name).unwrap_or_else(|| panic!("{name}"));
-        assert!(column.iter().all(|value| *value == Some(of.allowed)), "{name}");
+        line(table, &name, of.allowed);
     }
+    // So are the mud at rest, the pump's limit and the weight that the case drills with.
+    let mud = csv("hydraulics");
+    line(&mud, "mud_density_kg_per_m3", 1200.0);
+    line(&mud, "pump_limit_standpipe_pressure_Pa", 30e6);
+    line(&csv("buckling_weight"), "case_weight_on_bit_N", 50e3);
     let picture = desk.text("out/torque.svg");
     assert!(picture.contains(">top drive<") && picture.contains(">top drive, peak<"));
 }

@@ -57,6 +57,14 @@ fn reach_of_a_slant_well() {
     assert_eq!(limits.rows(), easy.limits.len() + hard.limits.len());
     assert_eq!(margins.rows(), 61 * limits.rows());
     assert!(desk.path("out/reach.csv").is_file() && desk.path("out/reach_limits.csv").is_file());
+    let picture = Table::read_csv(&desk.path("out/reach.csv")).unwrap();
+    let column = |name: &str| {
+        let cells = picture.words(name).unwrap().iter().filter(|cell| !cell.is_empty());
+        cells.map(|cell| cell.parse().unwrap()).collect::<Vec<f64>>()
+    };
+    let met = [easy, hard].map(|of| of.limits.iter().filter_map(|limit| limit.depth_m));
+    assert_eq!(column("met_at_bit_depth_m"), met.into_iter().flatten().collect::<Vec<_>>());
+    assert_eq!(column("stops_first").iter().sum::<f64>(), 2.0);
     // Margins change their sign where the summary says that the limit is met.
     let words = |name: &str| margins.words(name).unwrap();
     let numbers = |name: &str| margins.numbers(name).unwrap();
@@ -160,6 +168,14 @@ fn a_reach_of_uncertain_numbers() {
             Table::read_parquet(&desk.path(&format!("out/{name}.parquet"))).unwrap().rows() > 0
         );
     }
+    // The numbers of the picture have its bands, its bars and where limits are met.
+    let picture = Table::read_csv(&desk.path("out/reach.csv")).unwrap();
+    let filled = |name: &str| {
+        picture.words(name).unwrap().iter().filter(|cell| !cell.is_empty()).count()
+    };
+    let margins = found.bands.iter().filter(|of| of.quantity == "margin").count();
+    assert_eq!((filled("margin_p05"), filled("margin_p95")), (margins, margins));
+    assert!(margins > 0 && filled("met_p05_m") > 0);
     // What the page counts stands in the table that it leads to.
     let stops = Table::read_parquet(&desk.path("out/reach_uncertain_stops.parquet")).unwrap();
     assert!(stops.is_like(&Table::with_columns(UNCERTAIN_STOPS)));

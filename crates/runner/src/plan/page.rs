@@ -79,7 +79,6 @@ pub(super) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Plan, Resu
 fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>) -> Plan {
     let settings = &summary.settings;
     let number = |of: &Json| of.as_f64();
-    let drills = summary.operations.iter().any(|of| of == "drill" || of == "slide");
     let message = (summary.missing > 0).then(|| {
         format!(
             "The plan was interrupted: {} of {} points are missing.",
@@ -106,10 +105,16 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         block_N: number(&settings["rig"]["block_weight_N"]),
         surface_limits: summary.surface_limits.iter().map(surface::shown).collect(),
         uncertain: summary.uncertain.as_ref().map(|of| uncertain::shown(of, &Names::PLAN)),
-        weight_on_bit_N: number(&settings["operation"]["wob_N"]).filter(|_| drills),
+        weight_on_bit_N: weight_on_bit_N(summary),
         measured: summary.measured.iter().map(measured).collect(),
         overlay: summary.overlay.as_ref().map(overlay),
     }
+}
+
+/// Weight on bit of what drills, N.
+pub(super) fn weight_on_bit_N(summary: &PlanSummary) -> Option<f64> {
+    let drills = summary.operations.iter().any(|of| of == "drill" || of == "slide");
+    summary.settings["operation"]["wob_N"].as_f64().filter(|_| drills)
 }
 
 fn level(summary: &PlanSummary, name: &str) -> PlanLevel {

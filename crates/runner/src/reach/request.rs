@@ -24,7 +24,7 @@ use wholestring_units::UnitSet;
 use super::{
     operations::{Operations, operations},
     sample::{Asked, with_friction},
-    tables::{LIMITS, REACH, reach_table},
+    tables::{self, LIMITS, REACH, reach_table},
 };
 use crate::{
     batch::BatchOutcome,
@@ -231,7 +231,9 @@ pub fn run(
     uncertain::write_picture_numbers(folder, summary.uncertain.as_ref())?;
     // As CSV too: the page leads to them.
     let rows: Vec<_> = answers.iter().map(|of| (of.friction, &of.reaches[..])).collect();
-    folder.write_table(REACH, &reach_table(&rows), true)?;
+    let margins = reach_table(&rows);
+    folder.write_table(REACH, &margins, false)?;
+    tables::picture(&margins, &summary).write_csv(&folder.path().join(format!("{REACH}.csv")))?;
     folder.write_table(LIMITS, &reach_limits_table(&summary), true)?;
     summary.write(&folder.path().join("summary.json"))?;
     let units = request.units.unwrap_or(case.units);
