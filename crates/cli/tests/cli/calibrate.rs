@@ -270,6 +270,11 @@ fn bad_readings_get_an_answer() {
         (sound.clone(), &["--hold", "mass=2"], "nothing is called 'mass'"),
         (sound.clone(), &["--hold", "friction_open=5"], "expected 0 to 2"),
         (sound.clone(), &["--weight-error", "5"], "has no unit"),
+        (sound.clone(), &["--band", "100"], "expected 50 to 99.9"),
+        (sound.clone(), &["--band", "0.9"], "expected 50 to 99.9"),
+        (sound.clone(), &["--band", "wide"], "expected a number"),
+        (sound.clone(), &["--outlier", "0.5"], "expected 1 to 100"),
+        (sound.clone(), &["--outlier", "nan"], "expected 1 to 100"),
         (String::new(), &[], "the file is empty"),
     ] {
         let said = answer(&text, more);

@@ -321,6 +321,30 @@ fn another_program_is_laid_over_the_plan() {
     assert!(!desk.text("out/report.html").contains("another program"));
 }
 
+/// Another program's curves that are none.
+#[test]
+fn a_bad_overlay_gets_an_answer() {
+    let desk = desk_with("");
+    for (name, text, answer) in [
+        ("none.csv", None, "there is no such file"),
+        ("empty.csv", Some(""), "the file is empty"),
+        ("words.csv", Some("to be or not to be\n"), "error:"),
+        ("unit.csv", Some("Bit depth (m),Pick-up\n500,300\n"), "has no unit"),
+        ("cell.csv", Some("Bit depth (m),Pick-up (kN)\n500,much\n"), "much"),
+    ] {
+        if let Some(text) = text {
+            fs::write(desk.path(name), text).unwrap();
+        }
+        let output = desk.run(&[&WELL[..], &["-o", "out", "--overlay", name]].concat());
+        let said = transcript(&output);
+        assert_eq!(output.status.code(), Some(2), "{name}: {said}");
+        let words = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains(answer) && words.contains(name), "{name}: {said}");
+        // What is wrong is said before anything is solved.
+        assert!(!desk.path("out/summary.json").exists(), "{name}");
+    }
+}
+
 /// Weights and torques of the slant well, as the plan of the same friction has them at a depth, beside rows of another
 /// string and of what is held out.
 const READ: &str = "Bit depth (m),Pick-up (kN),Slack-off (kN),Rotating (kN),Torque (kN.m),use,\
