@@ -155,7 +155,9 @@ fn fatigue_of(
         reader.report(
             warning
                 .at(below.place, format!("less than `exponent`, {}", number_text(exponent.value)))
-                .help("small stresses then damage more than the upper slope says; it is usually more"),
+                .help(
+                    "small stresses then damage more than the upper slope says; it is usually more",
+                ),
         );
     }
     let sn_curve = match given.map(|(_, of)| of) {
@@ -210,12 +212,13 @@ fn yields(tensile: &Spanned<f64>, string: &StringSpec, reader: &mut Reader) -> O
         (yield_Pa > tensile.value * (1.0 + 1e-9)).then_some((of, yield_Pa))
     });
     match stronger {
-        Some((of, yield_Pa)) => {
-            Diagnostic::error(format!("the tensile strength is below the yield strength of `{}`", of.name))
-                .at(tensile.place, format!("{} yields at {}", of.name, megapascals(yield_Pa)))
-                .help("it is that of all pipe; without it each grade has its own")
-                .refuse(reader)
-        }
+        Some((of, yield_Pa)) => Diagnostic::error(format!(
+            "the tensile strength is below the yield strength of `{}`",
+            of.name
+        ))
+        .at(tensile.place, format!("{} yields at {}", of.name, megapascals(yield_Pa)))
+        .help("it is that of all pipe; without it each grade has its own")
+        .refuse(reader),
         None => Some(()),
     }
 }
