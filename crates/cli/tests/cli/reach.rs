@@ -149,6 +149,40 @@ fn what_cannot_be_asked() {
     }
 }
 
+/// A helix is no stop, and is one if it is asked for: then the well ends where it begins, unless
+/// something else stops it before.
+#[test]
+fn a_helix_stops_the_well_if_asked() {
+    let desk = Desk::new();
+    let asked = ["reach", "slant.toml", "--operation", "slide", "--to", "6km", "--set"];
+    let kind = ["operation.kind=[\"slide\"]", "-o"];
+    let solved = |folder: &str, more: &[&str]| {
+        let output = desk.done(&[&asked[..], &kind, &[folder], more].concat());
+        let path = desk.path(&format!("{folder}/summary.json"));
+        (ReachSummary::read(&path).unwrap(), String::from_utf8(output.stdout).unwrap())
+    };
+    let (free, _) = solved("free", &[]);
+    let (stopped, said) = solved("stopped", &["--stop-at-helix"]);
+    let helix = |of: &ReachSummary| {
+        let limits = &of.frictions[0].limits;
+        limits.iter().find(|of| of.limit == "helix").unwrap().clone()
+    };
+    let (goes_on, stops) = (helix(&free), helix(&stopped));
+    assert_eq!((goes_on.stops, stops.stops), (false, true));
+    assert_eq!(goes_on.depth_m, stops.depth_m);
+    let first = |of: &ReachSummary| of.frictions[0].first.clone();
+    assert!(first(&free).is_none_or(|of| of.limit != "helix"));
+    let depth_m = stops.depth_m.expect("a helix");
+    let end = first(&stopped).expect("a stop");
+    let free_m = first(&free).map_or(f64::INFINITY, |of| of.depth_m);
+    assert_eq!(end.depth_m, depth_m.min(free_m));
+    assert_eq!(end.limit == "helix", depth_m < free_m, "{end:?}");
+    assert!(said.contains("A helix counts as a stop"), "{said}");
+    // It is another reach.
+    let output = desk.run(&[&asked[..], &kind, &["free", "--stop-at-helix"]].concat());
+    assert_eq!(output.status.code(), Some(2), "{}", transcript(&output));
+}
+
 /// Bands of how far the well goes, and how often each limit is what stops it.
 #[test]
 fn a_reach_of_uncertain_numbers() {
@@ -170,9 +204,8 @@ fn a_reach_of_uncertain_numbers() {
     }
     // The numbers of the picture have its bands, its bars and where limits are met.
     let picture = Table::read_csv(&desk.path("out/reach.csv")).unwrap();
-    let filled = |name: &str| {
-        picture.words(name).unwrap().iter().filter(|cell| !cell.is_empty()).count()
-    };
+    let filled =
+        |name: &str| picture.words(name).unwrap().iter().filter(|cell| !cell.is_empty()).count();
     let margins = found.bands.iter().filter(|of| of.quantity == "margin").count();
     assert_eq!((filled("margin_p05"), filled("margin_p95")), (margins, margins));
     assert!(margins > 0 && filled("met_p05_m") > 0);

@@ -71,6 +71,11 @@ pub fn notes(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
             ),
         });
     }
+    if summary.stop_at_helix {
+        notes.push(
+            "A helix counts as a stop, as was asked for, but where the hole is vertical.".into(),
+        );
+    }
     if !summary.helix_side_force {
         notes.push("What a helix presses to the wall does not rub: no string locks up.".into());
     }

@@ -47,8 +47,8 @@ pub(super) fn reach_table(answers: &[(Option<f64>, &[OperationReach])]) -> Table
     table
 }
 
-/// What the picture shows beside the curves: where a limit is met, and of uncertain numbers the bands of margins and
-/// the bars of depths, within which 90 % of the samples lie.
+/// What the picture shows beside the curves: where a limit is met, and of uncertain numbers the
+/// bands of margins and the bars of depths, within which 90 % of the samples lie.
 pub(super) fn picture(margins: &Table, summary: &ReachSummary) -> Table {
     let mut rows: Vec<Row<'_>> = Vec::new();
     let named = |operation: &str, limit: &str, friction: Option<f64>| {
@@ -83,10 +83,9 @@ pub(super) fn picture(margins: &Table, summary: &ReachSummary) -> Table {
                 ("margin_p05", Entry::Number(low)),
                 ("margin_p95", Entry::Number(high)),
             ]),
-            "depth" if of.not_met < of.answers => row.extend([
-                ("met_p05_m", Entry::Number(low)),
-                ("met_p95_m", Entry::Number(high)),
-            ]),
+            "depth" if of.not_met < of.answers => {
+                row.extend([("met_p05_m", Entry::Number(low)), ("met_p95_m", Entry::Number(high))])
+            }
             _ => continue,
         }
         rows.push(row);
