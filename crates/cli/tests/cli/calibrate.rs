@@ -100,8 +100,8 @@ fn friction_of_a_slant_well() {
     }
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
     assert!(page.contains("Measured and predicted") && page.contains("Correlations"));
-    // The numbers of a picture are all that it shows: what was read below the bands, the ends of the intervals below
-    // the profiles, the bound of outliers beside the residuals.
+    // The numbers of a picture are all that it shows: what was read below the bands, the ends of
+    // the intervals below the profiles, the bound of outliers beside the residuals.
     let csv = |name: &str| Table::read_csv(&desk.path(&format!("out/{name}.csv"))).unwrap();
     let filled = |table: &Table, name: &str| {
         table.words(name).unwrap().iter().filter(|cell| !cell.is_empty()).count()
@@ -135,8 +135,8 @@ fn friction_of_a_slant_well() {
     desk.done(&["check", "found.toml"]);
 }
 
-/// The well that is shipped with what was read on its rig: what its chapter of the book prints, in the
-/// digits that it prints.
+/// The well that is shipped with what was read on its rig: what its chapter of the book prints, in
+/// the digits that it prints.
 #[test]
 fn the_real_well_has_what_its_chapter_prints() {
     let desk = Desk::new();
@@ -169,7 +169,8 @@ fn the_real_well_has_what_its_chapter_prints() {
         let of = summary.estimates.iter().find(|of| of.parameter == name).unwrap();
         assert!((of.value / unit - printed).abs() <= half, "{of:?}");
     }
-    // Each reading beside its prediction and its band: what is counted is what lies between its ends.
+    // Each reading beside its prediction and its band: what is counted is what lies between its
+    // ends.
     let table = desk.table("out/calibration.parquet");
     let column = |name: &str| table.numbers(name).unwrap();
     let mut within = 0;
@@ -194,7 +195,79 @@ fn the_real_well_has_what_its_chapter_prints() {
     assert!(desk.text("out/report.html").contains("band of 90 %"));
 }
 
-/// Another fit and other readings under the same name do not replace what is there; the same again does.
+/// A factor for each section that the readings reach, written back section by section; of the
+/// deepest, which is reached by the deepest readings alone, the error is the largest. What no
+/// reading reaches keeps the case's own.
+#[test]
+fn friction_of_each_section() {
+    let desk = desk();
+    let case = fs::read_to_string(desk.path("well.toml")).unwrap();
+    let (before, rest) = case.split_once("[[well.hole]]").unwrap();
+    let after = &rest[rest.find("[mud]").unwrap()..];
+    let sections = |all: &[(&str, &str, &str, &str)]| {
+        let section = |(kind, to, diameter, friction): &(&str, &str, &str, &str)| {
+            format!(
+                "[[well.hole]]\nkind = \"{kind}\"\nto = \"{to}\"\ndiameter = \"{diameter}\"\n\
+                 friction = {friction}\n"
+            )
+        };
+        format!("{before}{}{after}", all.iter().map(section).collect::<String>())
+    };
+    let hole = [
+        ("casing", "500 m", "250 mm", "0.2"),
+        ("casing", "800 m", "230 mm", "0.35"),
+        ("open", "1200 m", "215.9 mm", "0.28"),
+    ];
+    fs::write(desk.path("well.toml"), sections(&hole)).unwrap();
+    fs::write(desk.path("read.csv"), readings(&desk)).unwrap();
+    let more = ["--by-section", "--hold=block_weight=200kN", "-o", "out"];
+    desk.done(&calibrate(&[&ERRORS[..], &more].concat()));
+    let summary = CalibrationSummary::read(&desk.path("out/summary.json")).unwrap();
+    let expected =
+        [("friction_section_1", 0.2), ("friction_section_2", 0.35), ("friction_section_3", 0.28)];
+    assert_eq!(summary.estimates.len(), expected.len(), "{:?}", summary.estimates);
+    for (of, (name, value)) in summary.estimates.iter().zip(expected) {
+        assert_eq!(of.parameter, name);
+        // Steps of 5 m of the soft string; the readings have steps of 1 m.
+        assert!((of.value / value - 1.0).abs() < 5e-3, "{of:?}");
+    }
+    // The fragment has each section with its own.
+    let fragment = desk.text("out/friction.toml");
+    fs::write(desk.path("found.toml"), format!("{before}{fragment}\n{after}")).unwrap();
+    let found = wholestring_case::load(&desk.path("found.toml"), &[]).unwrap();
+    let sections_found = found.model.well.hole.sections();
+    assert_eq!(sections_found.len(), expected.len());
+    for (section, (_, value)) in sections_found.iter().zip(expected) {
+        assert!((section.friction.kinetic / value - 1.0).abs() < 5e-3, "{section:?}");
+    }
+    // Two sections through which every reading goes alike are not told apart, and that is said:
+    // readings from 1100 m down all lie in the whole of the upper two.
+    let deep: Vec<String> = readings(&desk)
+        .lines()
+        .enumerate()
+        .filter(|(line, text)| *line == 0 || text.starts_with("1100") || text.starts_with("1200"))
+        .map(|(_, text)| text.to_owned())
+        .collect();
+    fs::write(desk.path("deep.csv"), deep.join("\n")).unwrap();
+    let few = ["calibrate", "well.toml", "--data", "deep.csv", "-o", "deep"];
+    desk.done(&[&few[..], &ERRORS, &more[..2]].concat());
+    let summary = CalibrationSummary::read(&desk.path("deep/summary.json")).unwrap();
+    let untold =
+        summary.warnings.iter().filter(|of| of.contains("do not tell the friction factor"));
+    assert!(untold.count() >= 1, "{:?}", summary.warnings);
+
+    // More sections than are told apart.
+    let depths = ["200 m", "400 m", "600 m", "800 m", "1000 m", "1200 m"];
+    let many = depths.map(|to| ("casing", to, "230 mm", "0.2"));
+    fs::write(desk.path("well.toml"), sections(&many)).unwrap();
+    let said = refused(&desk, &calibrate(&[&ERRORS[..], &more[..2]].concat()));
+    assert!(said.contains("the hole has 6, 5 are the most"), "{said}");
+    let said = refused(&desk, &calibrate(&["--by-section", "--one-factor"]));
+    assert!(said.contains("cannot be used with"), "{said}");
+}
+
+/// Another fit and other readings under the same name do not replace what is there; the same again
+/// does.
 #[test]
 fn another_calibration_is_refused() {
     let desk = desk();
@@ -216,6 +289,98 @@ fn another_calibration_is_refused() {
     fs::write(desk.path("read.csv"), &text).unwrap();
     desk.done(&calibrate(&named));
     assert_eq!(summary(), first);
+}
+
+/// The friction with which stiff strings were read is found by stiff strings, which tell how far
+/// they have come.
+#[test]
+fn friction_by_the_stiff_string() {
+    use std::sync::Mutex;
+
+    use wholestring::statics::stiff;
+    use wholestring_case::{Override, Template};
+    use wholestring_runner::{
+        BatchSize, CancellationToken, CaseEnded, Existing, Observer, Output,
+        calibrate::{self, Fit, NamedCase, Request},
+    };
+
+    /// Keeps how many strings were asked for at once, and how many of them have ended.
+    #[derive(Default)]
+    struct Counts(Mutex<Vec<[usize; 2]>>);
+    impl Observer for Counts {
+        fn batch_started(&self, size: &BatchSize) {
+            self.0.lock().unwrap().push([size.cases, 0]);
+        }
+        fn case_ended(&self, of: &CaseEnded) {
+            let mut counts = self.0.lock().unwrap();
+            let last = counts.last_mut().unwrap();
+            assert_eq!((of.ended, of.of), (last[1] + 1, last[0]));
+            last[1] += 1;
+        }
+    }
+
+    let desk = desk();
+    // Coarse: the readings are of the same strings.
+    let overrides: Vec<Override> = ["well.hole.0.friction=0.25", "well.hole.1.friction=0.25"]
+        .into_iter()
+        .chain(["mesh.element_length=20 m"])
+        .map(|of| of.parse().unwrap())
+        .collect();
+    let template = Template::read(&desk.path("well.toml")).unwrap();
+    let case = template.case(&overrides).unwrap();
+    let mut text = "Bit depth (m),Pick-up (kN),Slack-off (kN)\n".to_owned();
+    for depth_m in [600.0, 1200.0] {
+        let model = case.setup().at(depth_m).unwrap();
+        let hook_kN = |kind: OperationKind| {
+            let operation = case.operations.iter().find(|of| of.kind == kind).unwrap();
+            let operation = Operation { bit_depth_m: depth_m, ..*operation };
+            let found = stiff::solve(&model, &operation, &case.dynamics.stiff_string()).unwrap();
+            1e-3 * (found.scalars.hook_load_N + BLOCK_N)
+        };
+        let (pick_up, slack_off) =
+            (hook_kN(OperationKind::TripOut), hook_kN(OperationKind::TripIn));
+        text += &format!("{depth_m},{pick_up:.6},{slack_off:.6}\n");
+    }
+    fs::write(desk.path("read.csv"), text).unwrap();
+    let named = [NamedCase {
+        file: "well".into(),
+        template: &template,
+        overrides: &overrides,
+        case: &case,
+    }];
+    let request = Request {
+        cases: &named,
+        content: None,
+        data: &desk.path("read.csv"),
+        fit: Fit {
+            one_factor: true,
+            by_section: false,
+            friction_around: false,
+            block_weight: true,
+            bit_torque: false,
+            hold: Vec::new(),
+            errors: [Some(5e3), Some(3e3), Some(200.0)],
+            outlier_beyond: 3.0,
+            band_confidence: 0.9,
+            model: wholestring::outcome::ModelKind::Stiff,
+        },
+        check: None,
+        units: None,
+        output: Output { folder: Some(desk.path("out")), existing: Existing::Protect },
+        png: false,
+    };
+    let counts = Counts::default();
+    let outcome = calibrate::run(&request, &counts, &CancellationToken::new()).unwrap();
+    let summary = outcome.summary;
+    assert_eq!(summary.model, "stiff");
+    let [friction, block] = &summary.estimates[..] else { panic!("{:?}", summary.estimates) };
+    // Between the nodes a prediction may be off by a fiftieth of an error, 100 N; the drag of a
+    // pick-up at 1200 m changes by more than 100 kN where the friction does by one.
+    assert!((friction.value - 0.25).abs() < 1e-3, "{friction:?}");
+    assert!((block.value - BLOCK_N).abs() < 100.0, "{block:?}");
+    let counts = counts.0.into_inner().unwrap();
+    assert!(counts.iter().all(|[asked, ended]| asked == ended), "{counts:?}");
+    assert_eq!(counts.iter().map(|[asked, _]| asked).sum::<usize>(), summary.strings);
 }
 
 /// Two cases that share their friction, each with its rows; one number is held.
@@ -374,6 +539,7 @@ fn a_check_that_is_interrupted_leaves_the_calibration() {
         data: &desk.path("read.csv"),
         fit: Fit {
             one_factor: false,
+            by_section: false,
             friction_around: false,
             block_weight: false,
             bit_torque: false,

@@ -89,7 +89,7 @@ fn check(readings: &[Reading], settings: &Settings) -> Result<(), CalibrationErr
             let alike = first.is_factor()
                 && second.is_factor()
                 && first.is_around() == second.is_around()
-                && (first.wall().is_none() || second.wall().is_none());
+                && first.meets(second);
             if first == second || alike {
                 return Err(CalibrationError::Twice(first, second));
             }

@@ -215,8 +215,18 @@ pub(super) fn errors(found: &Calibration) -> Vec<ErrorFound> {
 pub(super) fn held(settings: &Settings) -> Vec<(String, f64)> {
     let State { factors, block_weight_N, bit_torque_N_m } = settings.held;
     let looked_for = |of: Parameter| settings.parameters.contains(&of);
-    let everywhere = looked_for(Parameter::Friction);
-    let around = looked_for(Parameter::FrictionAround) || settings.around_follows();
+    let by_section = factors.sections.iter().any(Option::is_some);
+    let everywhere = looked_for(Parameter::Friction) || by_section;
+    let around = by_section || looked_for(Parameter::FrictionAround) || settings.around_follows();
+    let sections = factors.sections.iter().enumerate().filter_map(|(of, own)| {
+        let [along, around] = (*own)?;
+        let follows = settings.around_follows();
+        Some([
+            (Parameter::Section(of), along, false),
+            (Parameter::SectionAround(of), around, follows && looked_for(Parameter::Section(of))),
+        ])
+    });
+    let sections: Vec<_> = sections.flatten().collect();
     [
         (Parameter::Cased, factors.cased, everywhere),
         (Parameter::Open, factors.open, everywhere),
@@ -226,6 +236,7 @@ pub(super) fn held(settings: &Settings) -> Vec<(String, f64)> {
         (Parameter::BitTorque, bit_torque_N_m, false),
     ]
     .into_iter()
+    .chain(sections)
     .filter(|(of, _, otherwise)| !looked_for(*of) && !otherwise)
     .map(|(of, value, _)| (of.name().to_owned(), value))
     .collect()
