@@ -19,8 +19,9 @@ const NASTY: &str = r#"name="Slant </script><script>window.harmed = 1</script> &
 /// Names under which a browser of the Chromium family may be installed.
 const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 
-/// A plan with something in every part of its page: a mud that flows, a rig whose limits are near, numbers that are not
-/// known exactly, peaks, and, of [`READ`], what was measured and what another program computed.
+/// A plan with something in every part of its page: a mud that flows, a rig whose limits are near,
+/// numbers that are not known exactly, peaks, and, of [`READ`], what was measured and what another
+/// program computed.
 const PLANNED: [&str; 28] = [
     "--set",
     "plan.depths=8",

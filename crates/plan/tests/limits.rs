@@ -120,9 +120,9 @@ fn a_pipe_that_hangs() {
     assert_eq!(lacks, [(MakeUp, Some(0)), (TopDrivePeak, None), (PumpPressure, None)]);
 }
 
-/// What is allowed at the surface is where the limits begin to be short: a hook load or a torque that is
-/// a little less keeps its factor, one that is a little more does not. The pipe's are those of the
-/// topmost component, and what is not known has none.
+/// What is allowed at the surface is where the limits begin to be short: a hook load or a torque
+/// that is a little less keeps its factor, one that is a little more does not. The pipe's are those
+/// of the topmost component, and what is not known has none.
 #[test]
 fn what_is_allowed_at_the_surface() {
     let connection = ConnectionStrength {

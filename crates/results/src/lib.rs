@@ -67,8 +67,8 @@ pub use plan::{
     PLAN_VERSION, PlanBuckling, PlanDamage, PlanDensity, PlanFatigue, PlanFatigueHour, PlanFinding,
     PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanLimit, PlanMeasured, PlanOverlay,
     PlanOverlayDifference, PlanOverlayRow, PlanPeak, PlanPeakOf, PlanPoint, PlanSummary,
-    PlanSurfaceLimit, PlanWear, plan_broomstick_table, plan_fatigue_table, plan_limits_table, plan_peaks_table,
-    plan_peaks_time_table, plan_wear_table,
+    PlanSurfaceLimit, PlanWear, plan_broomstick_table, plan_fatigue_table, plan_limits_table,
+    plan_peaks_table, plan_peaks_time_table, plan_wear_table,
 };
 pub use reach::{REACH_VERSION, ReachLimit, ReachOfFriction, ReachStop, ReachSummary};
 pub use reach_table::reach_limits_table;

@@ -21,8 +21,8 @@ pub(crate) fn with_lines(table: &Table, lines: &[(String, f64)]) -> Table {
     Table::new(columns)
 }
 
-/// The table with rows below its own, and a column more for each that it has not. A row is empty where
-/// it has nothing.
+/// The table with rows below its own, and a column more for each that it has not. A row is empty
+/// where it has nothing.
 pub(crate) fn with_rows(table: &Table, rows: &[Row<'_>]) -> Table {
     let mut columns = table.columns().to_vec();
     for (name, entry) in rows.iter().flatten() {

@@ -77,8 +77,8 @@ fn a_plan_of_a_slant_well() {
     assert!(desk.path("out/plots/hook_load.svg").is_file());
 }
 
-/// Every limit of hook load and torque at the surface is in the summary, in its table, a line on the
-/// picture and a column of its numbers.
+/// Every limit of hook load and torque at the surface is in the summary, in its table, a line on
+/// the picture and a column of its numbers.
 #[test]
 fn limits_stand_on_the_broomstick() {
     let desk = Desk::new();
@@ -130,8 +130,9 @@ fn limits_stand_on_the_broomstick() {
     assert!(picture.contains(">top drive<") && picture.contains(">top drive, peak<"));
 }
 
-/// Of each operation one limit that breaks or stops, with the least reserve of its kind of all rows: on the screen, on the
-/// page and in the summary. Less is left of buckling, which breaks nothing.
+/// Of each operation one limit that breaks or stops, with the least reserve of its kind of all
+/// rows: on the screen, on the page and in the summary. Less is left of buckling, which breaks
+/// nothing.
 #[test]
 fn what_would_break_first_is_said() {
     let desk = Desk::new();

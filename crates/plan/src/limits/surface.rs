@@ -23,8 +23,9 @@ pub struct SurfaceLimit {
     pub allowed: f64,
 }
 
-/// Limits of hook load, then of surface torque, as far as rig and topmost component have them. What is
-/// allowed is what [`limits`](super::limits()) judges by at the surface; components below may bear less.
+/// Limits of hook load, then of surface torque, as far as rig and topmost component have them. What
+/// is allowed is what [`limits`](super::limits()) judges by at the surface; components below may
+/// bear less.
 pub fn surface_limits(model: &Model, settings: &LimitSettings) -> Vec<SurfaceLimit> {
     // What is missing is told with the limits.
     let strengths = Strengths::of(model, &mut Limits::default());
@@ -33,11 +34,11 @@ pub fn surface_limits(model: &Model, settings: &LimitSettings) -> Vec<SurfaceLim
     let rig = &model.rig;
     let all = [
         (LimitKind::Hoist, None, rig.hoist_capacity_N),
-        (LimitKind::Tension, top, of_top(Strength::tensile_yield_N)),
+        (LimitKind::Tension, top, of_top(|of| of.tensile_yield_N())),
         (LimitKind::TopDrive, None, rig.top_drive_torque_N_m),
         (LimitKind::TopDrivePeak, None, rig.top_drive_peak_torque_N_m),
         (LimitKind::MakeUp, top, of_top(|of| of.connection.make_up_torque_N_m)),
-        (LimitKind::Torsion, top, of_top(Strength::torsional_yield_N_m)),
+        (LimitKind::Torsion, top, of_top(|of| of.torsional_yield_N_m())),
     ];
     let limit = |(kind, component, capacity): (LimitKind, Option<usize>, Option<f64>)| {
         let (capacity, required) = (capacity?, settings.factors.of(kind));

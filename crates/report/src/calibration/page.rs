@@ -205,8 +205,9 @@ fn readings(of: &Calibration, shown: Shown<'_>) -> StudyPart {
     });
     StudyPart::Table {
         title: "Readings".into(),
-        caption: "Weights with the block's. Place: where the reading stands in its file. Band: within which \
-                  such a reading lies. Residual: measured less predicted, and the same over its standard error."
+        caption: "Weights with the block's. Place: where the reading stands in its file. Band: \
+                  within which such a reading lies. Residual: measured less predicted, and the same \
+                  over its standard error."
             .into(),
         grid: Grid { heads, rows: rows.collect() },
         files: "calibration".into(),

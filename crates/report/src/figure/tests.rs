@@ -57,8 +57,8 @@ fn figure(direction: Direction, columns: usize) -> Figure {
     }
 }
 
-/// Names of lines down the page that are near to each other stand below each other, and none leaves the
-/// frame.
+/// Names of lines down the page that are near to each other stand below each other, and none leaves
+/// the frame.
 #[test]
 fn names_of_near_lines_do_not_cover_each_other() {
     let names = ["top drive", "make-up", "pipe, torsion", "hoist"];

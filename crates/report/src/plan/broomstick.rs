@@ -74,14 +74,14 @@ fn figure(
     keys.extend(measured::keys(plan, &operations, quantity.dimension));
     keys.extend(overlay::keys(plan, &operations, quantity.dimension));
     let told = limits.iter().filter(|of| !of.is_near(largest));
-    let told = told.map(|of| {
-        format!("{} {}", of.title, shown.quantity(of.allowed, quantity.dimension))
-    });
+    let told =
+        told.map(|of| format!("{} {}", of.title, shown.quantity(of.allowed, quantity.dimension)));
     let subtitle = subtitle(plan, quantity.about, &told.collect::<Vec<_>>());
     (!panels.is_empty()).then(|| over_depth(plan, shown, &subtitle, keys, panels))
 }
 
-/// Some operations, and the most that their curves come to, SI: limits that are near to it are drawn.
+/// Some operations, and the most that their curves come to, SI: limits that are near to it are
+/// drawn.
 fn panel(
     plan: &Plan,
     shown: Shown<'_>,

@@ -106,9 +106,9 @@ pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         ]
     };
     let rows: Vec<_> = nearest.into_iter().map(row).collect();
-    let caption = "Of each kind the operation, friction and place with the least reserve. What breaks or \
-        stops stands first, the least reserve of all at the top; below it buckling and overpull, which \
-        break nothing.";
+    let caption = "Of each kind the operation, friction and place with the least reserve. What breaks \
+        or stops stands first, the least reserve of all at the top; below it buckling and \
+        overpull, which break nothing.";
     (!rows.is_empty()).then(|| part("Nearest limits", caption.to_owned(), Grid { heads, rows }))
 }
 

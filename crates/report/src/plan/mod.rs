@@ -370,7 +370,8 @@ pub struct PlanSurfaceLimit {
     pub allowed: f64,
 }
 
-/// A limit farther beyond the curves than this part of them is told, not drawn: it would flatten them.
+/// A limit farther beyond the curves than this part of them is told, not drawn: it would flatten
+/// them.
 const FAR: f64 = 1.35;
 
 impl PlanSurfaceLimit {

@@ -1,7 +1,12 @@
 //! The page of a plan as one file that needs nothing else.
 
 use super::{Plan, campaign, figures::plan_plots, limits, measured, overlay, peaks, tables};
-use crate::{StudyPage, StudyPart, plots::{SETS, Shown}, study::study_html_in_units, uncertain};
+use crate::{
+    StudyPage, StudyPart,
+    plots::{SETS, Shown},
+    study::study_html_in_units,
+    uncertain,
+};
 
 /// What the numbers stand for.
 const ABOUT: &str = "Hook load and surface torque against the depth of the bit: the same string, its \
@@ -15,16 +20,16 @@ const PICTURES: [(&str, &str, &str); 6] = [
         "Hook load",
         "Slack-off to the left, rotating in the middle, pick-up to the right; the friction stands at \
          the end of each line. Where a line ends early, the string has no answer below. Dotted \
-         across: casing shoes. Dashed down: what the hook load may come to, as the limits judge it: the \
-         hoist's capacity over its factor less the block, the tensile yield of the topmost pipe over its \
-         factor.",
+         across: casing shoes. Dashed down: what the hook load may come to, as the limits judge it: \
+         the hoist's capacity over its factor less the block, the tensile yield of the topmost pipe \
+         over its factor.",
     ),
     (
         "torque",
         "Surface torque",
-        "Of what turns; the friction stands at the end of each line. Dashed down: what the torque may \
-         come to, as the limits judge it: top drive, make-up and torsional yield of the topmost pipe, each \
-         over its factor.",
+        "Of what turns; the friction stands at the end of each line. Dashed down: what the torque \
+         may come to, as the limits judge it: top drive, make-up and torsional yield of the topmost \
+         pipe, each over its factor.",
     ),
     (
         "buckling_weight",

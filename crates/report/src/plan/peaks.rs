@@ -135,9 +135,7 @@ fn panel(plan: &Plan, shown: Shown<'_>, name: &str, shows: Shows, events: &[&Pla
     let pump_Pa = pump_Pa.filter(|limit| shows.dimension == "pressure" && *limit <= FAR * largest);
     marks.extend(pump_Pa.map(|at| Mark::OwnRule { at: value(at), label: "limit".to_owned() }));
     let near = plan.surface(shows.dimension).filter(|of| of.is_near(largest));
-    marks.extend(
-        near.map(|of| Mark::OwnRule { at: value(of.allowed), label: of.title.clone() }),
-    );
+    marks.extend(near.map(|of| Mark::OwnRule { at: value(of.allowed), label: of.title.clone() }));
     let range = if shows.dimension == "force" { Range::Near } else { Range::Zero };
     let title = format!("{}: {}", capital(name), shows.title);
     Panel::new(Axis::new(shown.label(&title, shows.dimension), range), marks)

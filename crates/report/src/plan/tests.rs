@@ -292,8 +292,9 @@ fn names(panel: &Panel) -> Vec<((f64, f64), &str)> {
     all.map(|(at, text)| (at, Box::leak(text.into_boxed_str()) as &str)).collect()
 }
 
-/// Each operation has a line for each friction, with the friction at its end, which is where the last
-/// answer is; lines that are one have none. Limits are drawn where they are near, and told otherwise.
+/// Each operation has a line for each friction, with the friction at its end, which is where the
+/// last answer is; lines that are one have none. Limits are drawn where they are near, and told
+/// otherwise.
 #[test]
 fn lines_end_with_their_friction() {
     let plots = plan_plots(&plan(), "si");

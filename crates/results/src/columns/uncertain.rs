@@ -63,8 +63,8 @@ pub const UNCERTAIN_INDICES: &[ColumnSpec] = uncertain_specs! {
     "degree": Ratio, "Degree of its polynomials";
 };
 
-/// Columns of `reach_uncertain_stops.parquet`: what stops a well first, and in how many samples; a row
-/// for each stop and friction.
+/// Columns of `reach_uncertain_stops.parquet`: what stops a well first, and in how many samples; a
+/// row for each stop and friction.
 pub const UNCERTAIN_STOPS: &[ColumnSpec] = super::specs! {
     "friction": Ratio,
         "Friction factor that all sections were given in place of their own, else `null`",

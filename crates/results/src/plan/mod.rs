@@ -60,11 +60,12 @@ pub struct PlanSummary {
     /// Of each kind of limit and each operation the one that is nearest, of all models, frictions and
     /// depths.
     pub worst_limits: Vec<PlanLimit>,
-    /// Of each operation what would break, or stop it, first: the limit with the least reserve among those
-    /// that break something where they are passed, of all models, frictions and depths.
+    /// Of each operation what would break, or stop it, first: the limit with the least reserve
+    /// among those that break something where they are passed, of all models, frictions and depths.
     #[serde(default)]
     pub breaks_first: Vec<PlanLimit>,
-    /// What hook load and torque may come to at the surface: of the rig and of the topmost component.
+    /// What hook load and torque may come to at the surface: of the rig and of the topmost
+    /// component.
     #[serde(default)]
     pub surface_limits: Vec<PlanSurfaceLimit>,
     /// What could not be checked, and what is missing for it.

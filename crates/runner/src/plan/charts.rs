@@ -216,9 +216,8 @@ fn borne(
     });
     let largest = value.fold(0.0, |most: f64, value| most.max(value.abs()));
     let limits = summary.surface_limits.iter().enumerate();
-    let near = limits.filter(|(_, of)| {
-        of.is_torque == is_torque && surface::shown(of).is_near(largest)
-    });
+    let near =
+        limits.filter(|(_, of)| of.is_torque == is_torque && surface::shown(of).is_near(largest));
     near.map(|(row, of)| WorkbookSeries {
         name: format!("limit: {}", surface::title(&of.kind)),
         sheet: sheet.name.clone(),

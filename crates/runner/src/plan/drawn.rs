@@ -52,8 +52,8 @@ pub(super) fn with_mud(summary: &PlanSummary, table: &Table) -> Table {
     with_lines(table, &lines)
 }
 
-/// The events against time, then a row for each peak that is marked, with the limits of hook load, torque and pump
-/// beside all of them and what breaks the gel beside its event's.
+/// The events against time, then a row for each peak that is marked, with the limits of hook load,
+/// torque and pump beside all of them and what breaks the gel beside its event's.
 pub(super) fn with_peaks(summary: &PlanSummary, table: &Table) -> Table {
     let mut rows: Vec<Row<'_>> = Vec::new();
     for of in &summary.peaks {

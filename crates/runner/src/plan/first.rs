@@ -10,8 +10,8 @@ fn kind(of: &PlanLimit) -> Option<LimitKind> {
     LimitKind::ALL.iter().copied().find(|kind| kind.name() == of.kind)
 }
 
-/// Of each operation the limit with the least reserve among those that break something where they are
-/// passed: not buckling, nor an overpull that was asked for. In the order of the operations.
+/// Of each operation the limit with the least reserve among those that break something where they
+/// are passed: not buckling, nor an overpull that was asked for. In the order of the operations.
 pub(super) fn first(limits: &[PlanLimit]) -> Vec<PlanLimit> {
     let mut found: Vec<&PlanLimit> = Vec::new();
     for of in limits.iter().filter(|of| kind(of).is_some_and(LimitKind::breaks)) {
@@ -24,7 +24,8 @@ pub(super) fn first(limits: &[PlanLimit]) -> Vec<PlanLimit> {
     found.into_iter().cloned().collect()
 }
 
-/// A sentence for each operation: which limit, of which component, where, and how much is left of it.
+/// A sentence for each operation: which limit, of which component, where, and how much is left of
+/// it.
 pub fn breaks_first(summary: &PlanSummary, units: UnitSet) -> Vec<String> {
     summary.breaks_first.iter().map(|of| sentence(of, units)).collect()
 }
@@ -43,8 +44,8 @@ fn sentence(of: &PlanLimit, units: UnitSet) -> String {
     };
     let load = load(of, units);
     format!(
-        "{operation}: {limit}{place} would be passed first, with {} friction and the bit at {}: {load}, \
-         factor {:.2}, required {:.2} ({}).",
+        "{operation}: {limit}{place} would be passed first, with {} friction and the bit at {}: \
+         {load}, factor {:.2}, required {:.2} ({}).",
         of.friction,
         depth(of.bit_depth_m),
         of.factor,

@@ -25,7 +25,11 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
         ),
         (BUCKLING, &summary.buckling_table(), "Weights on bit under which the string buckles"),
         ("Limits", &found.limits, "Loads against what bears them, in the unit of the row"),
-        (SURFACE, &surface, "What hook load and torque may come to: the ends of lines in the charts"),
+        (
+            SURFACE,
+            &surface,
+            "What hook load and torque may come to: the ends of lines in the charts",
+        ),
         ("Fatigue", &found.fatigue, "What the campaign takes of the string's life"),
         ("Casing wear", &found.wear, "What the campaign takes of the casing"),
         ("Peaks", &peaks, "What a string that sets itself in motion comes to, by the dynamics"),
