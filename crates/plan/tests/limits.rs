@@ -158,16 +158,16 @@ fn what_is_allowed_at_the_surface() {
         for (part, is_kept) in [(1.0 - 1e-6, true), (1.0 + 1e-6, false)] {
             let asked = part * of_surface.allowed;
             let is_torque = of_surface.kind.quantity() == QuantityKind::Torque;
-            let drill = Operation::drill(3000.0)
-                .rotary_speed_rad_per_s(12.0)
-                .rate_of_penetration_m_per_s(1e-3)
-                .weight_on_bit_N(5e4)
-                .bit_torque_N_m(if is_torque { asked } else { 0.0 });
-            let free = soft_string(&model, &drill).expect("a sound model").scalars;
-            // A pull at the bit makes up what the hook load lacks.
+            let hangs_N = 3000.0 * weight_N_per_m(&model, 0);
+            // Nothing rubs in a vertical hole: the bit's torque is that at the surface, and a pull at
+            // the bit makes up what the hook load lacks.
             let operation = match is_torque {
-                true => drill.bit_torque_N_m(asked - (free.surface_torque_N_m - asked)),
-                false => drill.weight_on_bit_N(5e4 + free.hook_load_N - asked),
+                true => Operation::drill(3000.0)
+                    .rotary_speed_rad_per_s(12.0)
+                    .rate_of_penetration_m_per_s(1e-3)
+                    .weight_on_bit_N(5e4)
+                    .bit_torque_N_m(asked),
+                false => Operation::trip_out(3000.0).bit_pull_N(asked - hangs_N),
             };
             let solved = soft_string(&model, &operation).expect("a sound model");
             let found = limits(&model, &operation, &(&solved).into(), &settings);
