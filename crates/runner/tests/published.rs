@@ -9,7 +9,7 @@ use std::{
 
 use wholestring::outcome::ModelKind;
 use wholestring_case::Template;
-use wholestring_results::{CalibrationSummary, Table};
+use wholestring_results::CalibrationSummary;
 use wholestring_runner::{
     CancellationToken, Existing, Output, Silent,
     calibrate::{self, Fit, NamedCase, Request},
@@ -161,13 +161,25 @@ fn volve_weights_and_torques() {
         }
         println!("  correlations {:?}\n  warnings {:?}", of.correlation, of.warnings);
     }
-    let table = Table::read_parquet(&folder.join("bit torque held/calibration.parquet"));
-    let table = table.expect("a table");
-    for name in ["residual_N", "residual_N_m"] {
-        let depth = table.numbers("bit_depth_m").expect("depths");
-        let rows = depth.iter().zip(table.numbers(name).expect("residuals"));
-        let rows: Vec<_> = rows.filter_map(|(md, of)| Some((md.as_ref()?, of.as_ref()?))).collect();
-        println!("{name} {rows:.0?}");
-    }
     println!("drawn in {}", folder.display());
+    let friction = |of: &CalibrationSummary| {
+        let found = of.estimates.iter().find(|found| found.parameter == "friction");
+        let found = found.expect("a factor");
+        (found.value, found.standard_error.expect("an error"))
+    };
+    let error = |of: &CalibrationSummary, is_torque: bool| {
+        let of = of.errors.iter().find(|error| error.is_torque == is_torque);
+        of.expect("an error").standard_error
+    };
+    // What a plausible string makes of it: weights to a hundredth, torques to a twentieth, as medians of
+    // 10 m scatter whose indicator is not zeroed and whose weight on bit is; friction as is common in
+    // an 8-1/2 in hole; 80 % of the readings in the band of 90 %.
+    assert!(error(&held, false) < 10e3 && error(&held, true) < 0.6e3, "{:?}", held.errors);
+    let (factor, known_to) = friction(&held);
+    assert!((0.2..0.6).contains(&factor) && known_to < 0.02, "{factor} +- {known_to}");
+    assert!(5 * held.within_band >= 4 * held.readings, "{} in the band", held.within_band);
+    // Over 300 m torques on bottom do not tell friction from the bit: that is said, and seen.
+    let told =
+        free.warnings.iter().any(|of| of.contains("do not tell the friction factor from the bit"));
+    assert!(told && friction(&free).1 > 5.0 * known_to, "{:?}", free.warnings);
 }
