@@ -10,8 +10,8 @@ use oracle::{Oracle, nelder_mead};
 use well_of_s4::{CHANNELS, PARAMETERS, assembly, readings, settings};
 use wholestring::prelude::*;
 use wholestring_plan::calibration::{
-    Asked, BandPoint, Calibration, CalibrationError, Channel, ErrorKind, Factors, Loads, Parameter,
-    Predict, Reading, Settings, SoftPredictions, calibrate, normal_within,
+    Asked, BandPoint, Calibration, CalibrationError, Channel, ErrorKind, Factors, HolePart, Loads,
+    Parameter, Predict, Reading, Settings, SoftPredictions, calibrate, normal_within,
 };
 use wholestring_verification::verify;
 
