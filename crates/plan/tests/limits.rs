@@ -159,8 +159,8 @@ fn what_is_allowed_at_the_surface() {
             let asked = part * of_surface.allowed;
             let is_torque = of_surface.kind.quantity() == QuantityKind::Torque;
             let hangs_N = 3000.0 * weight_N_per_m(&model, 0);
-            // Nothing rubs in a vertical hole: the bit's torque is that at the surface, and a pull at
-            // the bit makes up what the hook load lacks.
+            // Nothing rubs in a vertical hole: the bit's torque is that at the surface, and a pull
+            // at the bit makes up what the hook load lacks.
             let operation = match is_torque {
                 true => Operation::drill(3000.0)
                     .rotary_speed_rad_per_s(12.0)

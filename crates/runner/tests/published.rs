@@ -171,9 +171,9 @@ fn volve_weights_and_torques() {
         let of = of.errors.iter().find(|error| error.is_torque == is_torque);
         of.expect("an error").standard_error
     };
-    // What a plausible string makes of it: weights to a hundredth, torques to a twentieth, as medians of
-    // 10 m scatter whose indicator is not zeroed and whose weight on bit is; friction as is common in
-    // an 8-1/2 in hole; 80 % of the readings in the band of 90 %.
+    // What a plausible string makes of it: weights to a hundredth, torques to a twentieth, as
+    // medians of 10 m scatter whose indicator is not zeroed and whose weight on bit is; friction as
+    // is common in an 8-1/2 in hole; 80 % of the readings in the band of 90 %.
     assert!(error(&held, false) < 10e3 && error(&held, true) < 0.6e3, "{:?}", held.errors);
     let (factor, known_to) = friction(&held);
     assert!((0.2..0.6).contains(&factor) && known_to < 0.02, "{factor} +- {known_to}");

@@ -145,8 +145,8 @@ fn drift_allowance_in(od_in: f64) -> f64 {
     }
 }
 
-/// Diameter of the mandrel that API Spec 5CT passes through casing of these diameters, m; of hardly any bore
-/// none is less than nothing.
+/// Diameter of the mandrel that API Spec 5CT passes through casing of these diameters, m; of hardly
+/// any bore none is less than nothing.
 pub fn drift_m(od_m: f64, id_m: f64) -> f64 {
     (id_m - drift_allowance_in(od_m / INCH_M) * INCH_M).max(0.0)
 }
