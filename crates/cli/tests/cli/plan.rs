@@ -23,6 +23,11 @@ fn few<'a>(more: &[&'a str]) -> Vec<&'a str> {
     [&FEW, more].concat()
 }
 
+/// The same of the slant well that is shipped, whose pipe is of the catalogue.
+fn few_of_well<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&["plan", "well.toml"], &FEW[2..], more].concat()
+}
+
 /// Terminal, summary, tables, page and workbook tell the same, and the page is made again of the files.
 #[test]
 fn a_plan_of_a_slant_well() {
@@ -81,7 +86,7 @@ fn a_plan_of_a_slant_well() {
 /// the picture and a column of its numbers.
 #[test]
 fn limits_stand_on_the_broomstick() {
-    let desk = Desk::new();
+    let desk = desk_with("");
     let rig = [
         "rig.block_weight=100 kN",
         "rig.hoist_capacity=600 kN",
@@ -96,7 +101,7 @@ fn limits_stand_on_the_broomstick() {
         "operation.wob=50 kN",
     ];
     let rig: Vec<&str> = rig.iter().flat_map(|of| ["--set", of]).collect();
-    desk.done(&few(&[&["-o", "out", "--quiet"][..], &rig].concat()));
+    desk.done(&few_of_well(&[&["-o", "out", "--quiet"][..], &rig].concat()));
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
     let limits = &summary.surface_limits;
     let hoist = limits.iter().find(|of| of.kind == "hoist").unwrap();
@@ -135,9 +140,9 @@ fn limits_stand_on_the_broomstick() {
 /// nothing.
 #[test]
 fn what_would_break_first_is_said() {
-    let desk = Desk::new();
+    let desk = desk_with("");
     let rig = ["--set", "rig.top_drive_torque=5 kN.m", "--set", "operation.wob=150 kN"];
-    let output = desk.done(&few(&[&["-o", "out"][..], &rig].concat()));
+    let output = desk.done(&few_of_well(&[&["-o", "out"][..], &rig].concat()));
     let said = String::from_utf8(output.stdout).unwrap();
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
     let operations: Vec<&str> = summary.breaks_first.iter().map(|of| &*of.operation).collect();

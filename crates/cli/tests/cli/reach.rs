@@ -154,8 +154,9 @@ fn what_cannot_be_asked() {
 #[test]
 fn a_helix_stops_the_well_if_asked() {
     let desk = Desk::new();
-    let asked = ["reach", "slant.toml", "--operation", "slide", "--to", "6km", "--set"];
-    let kind = ["operation.kind=[\"slide\"]", "-o"];
+    // Long and smooth enough to hang on the hook with a weight on bit that makes a helix.
+    let asked = ["reach", "slant.toml", "--operation=slide", "--friction=0.05", "--from=4km"];
+    let kind = ["--to=6km", "--set=operation.wob=400 kN", "--set=operation.kind=[\"slide\"]", "-o"];
     let solved = |folder: &str, more: &[&str]| {
         let output = desk.done(&[&asked[..], &kind, &[folder], more].concat());
         let path = desk.path(&format!("{folder}/summary.json"));
@@ -170,13 +171,11 @@ fn a_helix_stops_the_well_if_asked() {
     let (goes_on, stops) = (helix(&free), helix(&stopped));
     assert_eq!((goes_on.stops, stops.stops), (false, true));
     assert_eq!(goes_on.depth_m, stops.depth_m);
+    assert!(stops.already);
     let first = |of: &ReachSummary| of.frictions[0].first.clone();
-    assert!(first(&free).is_none_or(|of| of.limit != "helix"));
-    let depth_m = stops.depth_m.expect("a helix");
+    assert_eq!(first(&free), None);
     let end = first(&stopped).expect("a stop");
-    let free_m = first(&free).map_or(f64::INFINITY, |of| of.depth_m);
-    assert_eq!(end.depth_m, depth_m.min(free_m));
-    assert_eq!(end.limit == "helix", depth_m < free_m, "{end:?}");
+    assert_eq!((end.limit.as_str(), end.depth_m), ("helix", 4000.0));
     assert!(said.contains("A helix counts as a stop"), "{said}");
     // It is another reach.
     let output = desk.run(&[&asked[..], &kind, &["free", "--stop-at-helix"]].concat());
