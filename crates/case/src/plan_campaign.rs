@@ -156,7 +156,7 @@ fn fatigue_of(
             warning
                 .at(below.place, format!("less than `exponent`, {}", number_text(exponent.value)))
                 .help(
-                    "small stresses then damage more than the upper slope says; it is usually more",
+                    "small stresses then damage more than the upper slope says; usually it is greater",
                 ),
         );
     }
