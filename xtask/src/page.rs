@@ -19,8 +19,10 @@ const NASTY: &str = r#"name="Slant </script><script>window.harmed = 1</script> &
 /// Names under which a browser of the Chromium family may be installed.
 const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 
-/// A plan with something in every part of its page: a mud that flows, a rig whose limits are near.
-const PLANNED: [&str; 18] = [
+/// A plan with something in every part of its page: a mud that flows, a rig whose limits are near,
+/// numbers that are not known exactly, peaks, and, of [`READ`], what was measured and what another
+/// program computed.
+const PLANNED: [&str; 28] = [
     "--set",
     "plan.depths=8",
     "--set",
@@ -39,7 +41,24 @@ const PLANNED: [&str; 18] = [
     "rig.hoist_capacity=600 kN",
     "--set",
     "rig.top_drive_torque=6 kN.m",
+    "--set",
+    "rig.top_drive_peak_torque=7 kN.m",
+    "--set",
+    "plan.dynamic.events=[\"pick_up_from_slips\", \"break_circulation\"]",
+    "--set",
+    "plan.dynamic.watch=4 s",
+    "--set",
+    UNCERTAIN,
+    "--set",
+    "plan.uncertain.samples=20",
 ];
+
+/// Numbers that are not known exactly.
+const UNCERTAIN: &str = "plan.uncertain.input=[{ key = \"friction\", from = 0.15, to = 0.35 }, \
+    { key = \"mud.density\", from = \"1.1 sg\", to = \"1.3 sg\" }]";
+
+/// Weights and torques of the slant well, made up.
+const READ: &str = "crates/cli/tests/data/slant-read.csv";
 
 /// The bundle in `crates/report/assets` is what `crates/report/web` makes.
 pub(crate) fn bundle() -> Result<Finding, Failure> {
@@ -80,9 +99,14 @@ pub(crate) fn browser() -> Result<Finding, Failure> {
     page(["bha", "cases/bent-motor.toml"], &["--set", NASTY], &browser, "bha.mjs")?;
     let study = "studies/friction-on-a-slant.toml";
     page(["study", study], &["--png"], &browser, "study.mjs")?;
-    let planned = [&["--set", NASTY], &PLANNED[..]].concat();
+    let read = root().join(READ).display().to_string();
+    let measured = format!("plan.measured={read}");
+    let beside = ["--set", &measured, "--overlay", &read];
+    let planned = [&["--set", NASTY], &PLANNED[..], &beside].concat();
     page(["plan", "cases/slant.toml"], &planned, &browser, "plan.mjs")?;
     page(["reach", "cases/np13-x1042.toml"], &["--to", "11km"], &browser, "reach.mjs")?;
+    let uncertain = ["--set", UNCERTAIN, "--set", "plan.uncertain.samples=20", "--to", "6km"];
+    page(["reach", "cases/slant.toml"], &uncertain, &browser, "uncertain.mjs")?;
     let readings = ["--data", "cases/forge-16a-measured.csv"];
     page(["calibrate", "cases/forge-16a.toml"], &readings, &browser, "calibrate.mjs")?;
     let made_up = target().join("bit-test-page");

@@ -94,8 +94,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         .and_then(|(at, stations)| at.value.path(stations, units, reader));
     let sections = well.and_then(|at| at.value.hole.get());
     let rough = well.and_then(|at| at.value.roughness.given());
-    let hole =
-        sections.and_then(|sections| hole::build(sections, rough.map(|at| &at.value), reader));
+    let rough = rough.map(|at| &at.value);
+    let hole = sections.and_then(|sections| hole::build(sections, rough, own.as_ref(), reader));
 
     let last_md_m = path.as_ref().map(|path| path.last_md_m());
     let operation = case.operation.get();
@@ -200,7 +200,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     if let (Some(drill_string), Some(components)) = (&drill_string, components) {
         if let (Some(hole), Some(sections)) = (&hole, sections) {
             fit::check_clearance(drill_string, components, hole, sections, reader);
-            let rms = rough.and_then(|at| at.value.rms.given());
+            let rms = rough.and_then(|table| table.rms.given());
             roughness::check_clearance(drill_string, hole, rms.map(|at| at.place), reader);
         }
         if let Some(mud) = &mud {

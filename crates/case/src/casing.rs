@@ -7,7 +7,7 @@ use wholestring::well::{
 use wholestring_config::prelude::*;
 use wholestring_units::UnitSet;
 
-use crate::{bore::Bore, hole::HoleTable};
+use crate::{bore::Bore, catalogue::OwnCatalogue, hole::HoleTable};
 
 impl HoleTable {
     /// Where the diameter comes from, if the case says it.
@@ -17,7 +17,8 @@ impl HoleTable {
     }
 
     /// The diameter of the hole, given or that of the casing; `None` after a mistake.
-    pub(crate) fn bore(&self, reader: &mut Reader) -> Option<Bore> {
+    /// `own` is nothing after a mistake in it.
+    pub(crate) fn bore(&self, own: Option<&OwnCatalogue>, reader: &mut Reader) -> Option<Bore> {
         let diameter = self.diameter.optional()?;
         let Some(name) = self.casing.optional()? else {
             let diameter = diameter?;
@@ -39,7 +40,8 @@ impl HoleTable {
                 .at(kind.place, "open hole")
                 .refuse(reader);
         }
-        match casing::find(&name.value) {
+        let own = own?;
+        match own.find_casing(&name.value) {
             Ok(found) => {
                 let yield_strength_Pa = found.grade.map(|grade| grade.yield_strength_Pa);
                 let casing = Some(CasingPipe { od_m: found.od_m, yield_strength_Pa });
@@ -48,8 +50,13 @@ impl HoleTable {
             Err(unknown) => {
                 let nearest: Vec<String> =
                     unknown.nearest.iter().map(|name| format!("\"{name}\"")).collect();
-                Diagnostic::error(format!("there is no casing `{}`", short(&name.value)))
-                    .at(name.place, "expected its size and weight")
+                let mut diagnostic =
+                    Diagnostic::error(format!("there is no casing `{}`", short(&name.value)))
+                        .at(name.place, "expected its size and weight");
+                if let Some(near) = own.nearest_casing(&name.value) {
+                    diagnostic = diagnostic.help(format!("your own has \"{near}\""));
+                }
+                diagnostic
                     .help(format!("the nearest: {}", nearest.join(", ")))
                     .help("or give its inside diameter as `diameter`")
                     .refuse(reader)

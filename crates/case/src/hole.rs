@@ -3,7 +3,7 @@
 use wholestring::well::{Friction, Hole, HoleError, HoleKind, HoleSection};
 use wholestring_config::{prelude::*, table::required_unless};
 
-use crate::{bore::Bore, roughness::RoughnessTable};
+use crate::{bore::Bore, catalogue::OwnCatalogue, roughness::RoughnessTable};
 
 table! {
     /// Friction between string and wall: sliding and at rest, along the hole and around it.
@@ -139,6 +139,7 @@ table! {
 pub(crate) fn build(
     tables: &[Spanned<HoleTable>],
     roughness: Option<&RoughnessTable>,
+    own: Option<&OwnCatalogue>,
     reader: &mut Reader,
 ) -> Option<Hole> {
     warn_of_sections(roughness, tables, reader);
@@ -163,7 +164,7 @@ pub(crate) fn build(
         } else if let Some(from) = table.value.from.given() {
             valid &= check_from(from, above, sections.is_empty(), reader);
         }
-        let bore = table.value.bore(reader);
+        let bore = table.value.bore(own, reader);
         match section(&table.value, above.map_or(0.0, |(md_m, _)| md_m), bore) {
             Some(section) => sections.push(section),
             None => valid = false,

@@ -217,11 +217,11 @@ pub(crate) fn build(table: &PlanTable, beside: &Beside<'_>, reader: &mut Reader)
     let operations = operations(table, own, reader);
     let models = table.models.get()?;
     once_each(models, Statics::name, reader)?;
-    let limits = limits(table);
+    let limits = limits(table, setup, reader);
     let campaign = plan_campaign::build(
         table.campaign.optional()?.map(|at| &at.value),
         table.fatigue.optional()?.map(|at| &at.value),
-        &setup.well.hole,
+        setup,
         depths_m.as_ref()?.last().copied()?,
         reader,
     );
@@ -258,11 +258,23 @@ pub(crate) fn build(table: &PlanTable, beside: &Beside<'_>, reader: &mut Reader)
     })
 }
 
-fn limits(table: &PlanTable) -> Option<LimitSettings> {
+fn limits(table: &PlanTable, setup: &Setup, reader: &mut Reader) -> Option<LimitSettings> {
     let factors = match table.factors.optional()? {
         Some(given) => plan_factors::build(&given.value)?,
         None => LimitSettings::default().factors,
     };
+    let rig = &setup.rig;
+    if let (Some(overpull), Some(capacity_N)) = (table.overpull.given(), rig.hoist_capacity_N) {
+        let left_N = capacity_N - rig.block_weight_N.unwrap_or(0.0);
+        if overpull.value > left_N {
+            let kN = number_text((left_N * 1e-2).round() * 1e-1);
+            let warning = Diagnostic::warning("the hoist has never so much overpull left");
+            reader.report(warning.at(
+                overpull.place,
+                format!("the hoist carries {kN} kN beside its block, without a string"),
+            ));
+        }
+    }
     Some(LimitSettings { factors, overpull_N: *table.overpull.get()? })
 }
 

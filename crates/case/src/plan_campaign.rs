@@ -1,9 +1,12 @@
 //! `[plan.campaign]` and `[plan.fatigue]`: what operations do to string and casing, all together.
 
-use wholestring::well::{Hole, HoleKind};
+use wholestring::{
+    string::StringSpec,
+    well::{Hole, HoleKind},
+};
 use wholestring_config::prelude::*;
 use wholestring_plan::{
-    CampaignSettings,
+    CampaignSettings, Setup,
     fatigue::{FatigueSettings, SnCurve},
     wear::WearFactors,
 };
@@ -65,16 +68,16 @@ fn stress(example: &'static str) -> Quantity {
     Quantity::si(Dimension::Pressure, range, example)
 }
 
-/// The campaign, of a hole and with the bit at a deepest depth, m.
+/// The campaign, of a string in its hole and with the bit at a deepest depth, m.
 pub(crate) fn build(
     campaign: Option<&CampaignTable>,
     fatigue: Option<&FatigueTable>,
-    hole: &Hole,
+    setup: &Setup,
     deepest_m: f64,
     reader: &mut Reader,
 ) -> Option<CampaignSettings> {
     let fatigue = match fatigue {
-        Some(table) => fatigue_of(table, reader)?,
+        Some(table) => fatigue_of(table, &setup.string, reader)?,
         None => FatigueSettings::default(),
     };
     let Some(table) = campaign else {
@@ -96,7 +99,7 @@ pub(crate) fn build(
         round_trips: *table.round_trips.get()?,
         off_bottom_s: *table.off_bottom.get()?,
         fatigue,
-        wear_factors: wear_factors(table, hole, reader)?,
+        wear_factors: wear_factors(table, &setup.well.hole, reader)?,
     })
 }
 
@@ -129,13 +132,34 @@ fn wear_factors(table: &CampaignTable, hole: &Hole, reader: &mut Reader) -> Opti
     })
 }
 
-fn fatigue_of(table: &FatigueTable, reader: &mut Reader) -> Option<FatigueSettings> {
+fn fatigue_of(
+    table: &FatigueTable,
+    string: &StringSpec,
+    reader: &mut Reader,
+) -> Option<FatigueSettings> {
     let [cycles, stress, exponent] =
         [&table.cycles, &table.stress, &table.exponent].map(|field| field.optional());
     let given = [("cycles", cycles?), ("stress", stress?), ("exponent", exponent?)];
     let below = table.exponent_below.optional()?;
-    let endurance_limit_Pa = table.endurance_limit.optional()?.map(|at| at.value);
-    let tensile_strength_Pa = table.tensile_strength.optional()?.map(|at| at.value);
+    let endured = table.endurance_limit.optional()?;
+    let tensile = table.tensile_strength.optional()?;
+    if let Some(tensile) = tensile {
+        bears(tensile, endured, "the endurance limit", reader)?;
+        bears(tensile, stress?, "the stress of the S-N curve", reader)?;
+        yields(tensile, string, reader)?;
+    }
+    if let (Some(below), Some(exponent)) = (below, exponent?)
+        && below.value < exponent.value
+    {
+        let warning = Diagnostic::warning("the S-N curve is steeper below its stress than above");
+        reader.report(
+            warning
+                .at(below.place, format!("less than `exponent`, {}", number_text(exponent.value)))
+                .help(
+                    "small stresses then damage more than the upper slope says; usually it is greater",
+                ),
+        );
+    }
     let sn_curve = match given.map(|(_, of)| of) {
         [Some(cycles), Some(stress), Some(exponent)] => SnCurve {
             exponent_below: below.map_or(exponent.value, |at| at.value),
@@ -158,7 +182,47 @@ fn fatigue_of(table: &FatigueTable, reader: &mut Reader) -> Option<FatigueSettin
         }
     };
     Some(FatigueSettings {
-        sn_curve: SnCurve { endurance_limit_Pa, ..sn_curve },
-        tensile_strength_Pa,
+        sn_curve: SnCurve { endurance_limit_Pa: endured.map(|at| at.value), ..sn_curve },
+        tensile_strength_Pa: tensile.map(|at| at.value),
     })
+}
+
+/// Metal bears no stress that alternates, were it but once, at which it breaks.
+fn bears(
+    tensile: &Spanned<f64>,
+    stress: Option<&Spanned<f64>>,
+    what: &str,
+    reader: &mut Reader,
+) -> Option<()> {
+    match stress {
+        Some(stress) if stress.value >= tensile.value => {
+            Diagnostic::error(format!("{what} is not below the tensile strength"))
+                .at(stress.place, megapascals(stress.value))
+                .at(tensile.place, megapascals(tensile.value))
+                .refuse(reader)
+        }
+        _ => Some(()),
+    }
+}
+
+/// What yields has not broken yet.
+fn yields(tensile: &Spanned<f64>, string: &StringSpec, reader: &mut Reader) -> Option<()> {
+    let stronger = string.components.iter().find_map(|of| {
+        let yield_Pa = of.yield_strength_Pa?;
+        (yield_Pa > tensile.value * (1.0 + 1e-9)).then_some((of, yield_Pa))
+    });
+    match stronger {
+        Some((of, yield_Pa)) => Diagnostic::error(format!(
+            "the tensile strength is below the yield strength of `{}`",
+            of.name
+        ))
+        .at(tensile.place, format!("{} yields at {}", of.name, megapascals(yield_Pa)))
+        .help("it is that of all pipe; without it each grade has its own")
+        .refuse(reader),
+        None => Some(()),
+    }
+}
+
+fn megapascals(stress_Pa: f64) -> String {
+    format!("{} MPa", number_text((stress_Pa * 1e-4).round() * 1e-2))
 }

@@ -8,10 +8,10 @@ use std::{cell::RefCell, collections::HashMap};
 
 use oracle::{Oracle, nelder_mead};
 use well_of_s4::{CHANNELS, PARAMETERS, assembly, readings, settings};
-use wholestring::{prelude::*, well::HoleKind};
+use wholestring::prelude::*;
 use wholestring_plan::calibration::{
-    Asked, BandPoint, Calibration, CalibrationError, Channel, ErrorKind, Factors, Loads, Parameter,
-    Predict, Reading, Settings, SoftPredictions, calibrate, normal_within,
+    Asked, BandPoint, Calibration, CalibrationError, Channel, ErrorKind, Factors, HolePart, Loads,
+    Parameter, Predict, Reading, Settings, SoftPredictions, calibrate, normal_within,
 };
 use wholestring_verification::verify;
 
@@ -192,13 +192,13 @@ struct Remembering<'a> {
 }
 
 impl Predict for Remembering<'_> {
-    fn reaches(&self, setup: usize, bit_depth_m: f64, kind: HoleKind) -> bool {
-        self.model.reaches(setup, bit_depth_m, kind)
+    fn reaches(&self, setup: usize, bit_depth_m: f64, part: HolePart) -> bool {
+        self.model.reaches(setup, bit_depth_m, part)
     }
 
     fn loads(&self, asked: &[Asked]) -> Result<Vec<Loads>, CalibrationError> {
         let one = |asked: &Asked| {
-            let Factors { cased, open, cased_around, open_around } = asked.factors;
+            let Factors { cased, open, cased_around, open_around, .. } = asked.factors;
             let numbers = [asked.bit_depth_m, cased, open, cased_around, open_around];
             let mut key = [asked.motion as u64; 6];
             for (key, number) in key.iter_mut().zip(numbers) {

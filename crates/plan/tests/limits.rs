@@ -8,6 +8,7 @@ use std::f64::consts::PI;
 use common::*;
 use wholestring::{
     mud::Rheology,
+    outcome::QuantityKind,
     prelude::*,
     rig::Rig,
     statics::stiff::{self, StiffSettings},
@@ -16,6 +17,7 @@ use wholestring::{
 use wholestring_plan::{
     limits::{
         DesignFactors, LimitKind, LimitSettings, Limits, LoadCheck, Missing, Standing, limits,
+        surface_limits,
     },
     strength::{BendSide, BodyLoads, PSI_PA, Surface, worst_stress},
 };
@@ -116,6 +118,67 @@ fn a_pipe_that_hangs() {
     }
     let lacks: Vec<_> = found.unchecked.iter().map(|of| (of.kind, of.component)).collect();
     assert_eq!(lacks, [(MakeUp, Some(0)), (TopDrivePeak, None), (PumpPressure, None)]);
+}
+
+/// What is allowed at the surface is where the limits begin to be short: a hook load or a torque
+/// that is a little less keeps its factor, one that is a little more does not. The pipe's are those
+/// of the topmost component, and what is not known has none.
+#[test]
+fn what_is_allowed_at_the_surface() {
+    let connection = ConnectionStrength {
+        make_up_torque_N_m: Some(2.5e4),
+        torsional_yield_N_m: Some(4.2e4),
+        ..ConnectionStrength::default()
+    };
+    let top = ComponentSpec { connection, ..five_inch("top", ToSurface, YIELD_PA) };
+    let mut model = vertical(3000.0, vec![five_inch("below", Metres(100.0), YIELD_PA), top]);
+    model.rig = Rig {
+        hoist_capacity_N: Some(2.0e6),
+        block_weight_N: Some(3e5),
+        top_drive_torque_N_m: Some(5e4),
+        top_drive_peak_torque_N_m: Some(7e4),
+        ..Rig::default()
+    };
+    let settings = LimitSettings::default();
+    let allowed = surface_limits(&model, &settings);
+    let kinds: Vec<_> = allowed.iter().map(|of| (of.kind, of.component)).collect();
+    use LimitKind::*;
+    assert_eq!(
+        kinds,
+        [
+            (Hoist, None),
+            (Tension, Some(1)),
+            (TopDrive, None),
+            (TopDrivePeak, None),
+            (MakeUp, Some(1)),
+            (Torsion, Some(1)),
+        ]
+    );
+    for of_surface in allowed {
+        for (part, is_kept) in [(1.0 - 1e-6, true), (1.0 + 1e-6, false)] {
+            let asked = part * of_surface.allowed;
+            let is_torque = of_surface.kind.quantity() == QuantityKind::Torque;
+            let hangs_N = 3000.0 * weight_N_per_m(&model, 0);
+            // Nothing rubs in a vertical hole: the bit's torque is that at the surface, and a pull
+            // at the bit makes up what the hook load lacks.
+            let operation = match is_torque {
+                true => Operation::drill(3000.0)
+                    .rotary_speed_rad_per_s(12.0)
+                    .rate_of_penetration_m_per_s(1e-3)
+                    .weight_on_bit_N(5e4)
+                    .bit_torque_N_m(asked),
+                false => Operation::trip_out(3000.0).bit_pull_N(asked - hangs_N),
+            };
+            let solved = soft_string(&model, &operation).expect("a sound model");
+            let found = limits(&model, &operation, &(&solved).into(), &settings);
+            let at_top = of(&found, of_surface.kind, of_surface.component);
+            assert_eq!(at_top.reserve() > 1.0, is_kept, "{of_surface:?}: {at_top:?}");
+            assert_close("of the surface", at_top.reserve(), 1.0, 3e-6);
+        }
+    }
+    // Of a rig without ratings and a pipe without yield strength nothing is known.
+    let bare = ComponentSpec { yield_strength_Pa: None, ..five_inch("bare", ToSurface, YIELD_PA) };
+    assert!(surface_limits(&vertical(1000.0, vec![bare]), &settings).is_empty());
 }
 
 /// Each component of a tapered string bears most at its own top, whichever of two rows that is; the bit is

@@ -52,8 +52,8 @@ pub use picks::{
 pub use plan::{
     BucklingCurve, FRICTION_STROKES, PLAN_PICTURES, Plan, PlanCurve, PlanEvent, PlanFatigueHourRow,
     PlanFatigueRow, PlanLevel, PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanOverlay,
-    PlanOverlayDifference, PlanOverlayRow, PlanPeakRow, PlanRig, PlanSpot, PlanWearRow, plan_html,
-    plan_plots,
+    PlanOverlayDifference, PlanOverlayRow, PlanPeakRow, PlanSpot, PlanSurfaceLimit, PlanWearRow,
+    plan_html, plan_plots,
 };
 pub use plots::{
     ContactMap, Plot, Run, Spectrum, common_operations, contact_columns, contact_figure,

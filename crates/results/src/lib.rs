@@ -52,8 +52,8 @@ pub use columns::{
     CALIBRATION_DYNAMIC, CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec,
     FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION,
     PLAN_HYDRAULICS, PLAN_LIMITS, PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME,
-    PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TABLES, TIME, UNCERTAIN,
-    UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, WEAR,
+    PLAN_SURFACE_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TABLES,
+    TIME, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, WEAR,
 };
 pub use digest::digest;
 pub use error::ResultsError;
@@ -66,9 +66,9 @@ pub use modes::{CriticalSpeed, MODES_VERSION, ModeFound, ModesSummary, ModesTabl
 pub use plan::{
     PLAN_VERSION, PlanBuckling, PlanDamage, PlanDensity, PlanFatigue, PlanFatigueHour, PlanFinding,
     PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanLimit, PlanMeasured, PlanOverlay,
-    PlanOverlayDifference, PlanOverlayRow, PlanPeak, PlanPeakOf, PlanPoint, PlanSummary, PlanWear,
-    plan_broomstick_table, plan_fatigue_table, plan_limits_table, plan_peaks_table,
-    plan_peaks_time_table, plan_wear_table,
+    PlanOverlayDifference, PlanOverlayRow, PlanPeak, PlanPeakOf, PlanPoint, PlanSummary,
+    PlanSurfaceLimit, PlanWear, plan_broomstick_table, plan_fatigue_table, plan_limits_table,
+    plan_peaks_table, plan_peaks_time_table, plan_wear_table,
 };
 pub use reach::{REACH_VERSION, ReachLimit, ReachOfFriction, ReachStop, ReachSummary};
 pub use reach_table::reach_limits_table;

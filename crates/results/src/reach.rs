@@ -30,6 +30,9 @@ pub struct ReachSummary {
     pub inclination_rad: f64,
     /// Whether what a helix presses to the wall rubs.
     pub helix_side_force: bool,
+    /// Whether the string stops where its helix begins, though it would go on buckled.
+    #[serde(default)]
+    pub stop_at_helix: bool,
     /// Operations that were left out, and why, a sentence for each.
     pub left_out: Vec<String>,
     /// The answers, a friction after the other.
@@ -46,6 +49,10 @@ pub struct ReachOfFriction {
     pub friction: Option<f64>,
     /// Friction factor along the hole of the section in which the well goes on.
     pub friction_at_bit: f64,
+    /// Inclination, rad, to which a string slides down by its own weight at that friction,
+    /// `atan(1/μ)`; none without friction.
+    #[serde(default)]
+    pub critical_inclination_rad: Option<f64>,
     /// What stops it first; none where nothing does.
     pub first: Option<ReachStop>,
     /// Each limit of each operation.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Table, UNCERTAIN, UNCERTAIN_INDICES};
+use crate::{Table, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_STOPS};
 
 /// What samples of uncertain numbers came to.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -123,6 +123,18 @@ impl UncertainSummary {
                     ("without_answer", &[of.without_answer as f64]),
                     ("not_met", &[of.not_met as f64]),
                 ],
+            );
+        }
+        table
+    }
+
+    /// A row for each stop and friction.
+    pub fn stops_table(&self) -> Table {
+        let mut table = Table::with_columns(UNCERTAIN_STOPS);
+        for of in &self.stops {
+            table.append(
+                &[("operation", &[&of.operation]), ("limit", &[&of.limit])],
+                &[("friction", &number(of.friction)), ("samples", &[of.samples as f64])],
             );
         }
         table

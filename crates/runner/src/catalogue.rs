@@ -6,6 +6,9 @@ use wholestring::{
     well::casing::{self, Casing},
 };
 
+/// Where casings of one's own come from.
+const OWN_CATALOGUE: &str = "a catalogue of one's own";
+
 /// The kinds of tubulars of a string, and the words by which they are found.
 const KINDS: [(TubularKind, &str); 4] = [
     (TubularKind::DrillPipe, "drill pipe dp"),
@@ -24,8 +27,10 @@ const HOIST_WORDS: &str = "rig hoists";
 pub struct Found {
     /// Tubulars of a string, kind after kind; none is without an entry.
     pub string: Vec<(TubularKind, Vec<CatalogueEntry>)>,
-    /// Those of a hole.
+    /// Those of a hole, one's own first.
     pub casings: Vec<Casing>,
+    /// How many of them are one's own.
+    pub own_casings: usize,
     /// What turns a string.
     pub top_drives: Vec<rigs::TopDriveClass>,
     /// What carries it.
@@ -34,9 +39,9 @@ pub struct Found {
 
 impl Found {
     /// What has all of these words and numbers, whole or cut short; without any, everything. Worn
-    /// drill pipe and grades of casing are found where their word is among them. `own` comes first
-    /// in each kind.
-    pub fn described(query: &str, own: &[CatalogueEntry]) -> Self {
+    /// drill pipe and grades of casing are found where their word is among them. `own` and
+    /// `own_casings` come first in each kind.
+    pub fn described(query: &str, own: &[CatalogueEntry], own_casings: &[Casing]) -> Self {
         let class = PipeClass::ALL.into_iter().rfind(|class| describes(query, class.suffix()));
         let class = class.unwrap_or_default();
         let entries = catalogue::entries().into_iter().map(|entry| match entry.kind {
@@ -59,17 +64,22 @@ impl Found {
         casings.iter_mut().for_each(|one| one.grade = grade);
         casings
             .retain(|one| describes(&format!("{} {name} {CASING_WORDS}", one.designation), query));
+        let is_found =
+            |one: &&Casing| describes(&format!("{} {CASING_WORDS}", one.designation), query);
+        let found: Vec<Casing> = own_casings.iter().filter(is_found).cloned().collect();
+        let own_casings = found.len();
+        let casings = [found, casings].concat();
         let mut top_drives = rigs::top_drives();
         top_drives
             .retain(|one| describes(&format!("{} {TOP_DRIVE_WORDS}", one.designation), query));
         let mut hoists = rigs::hoists();
         hoists.retain(|one| describes(&format!("{} {HOIST_WORDS}", one.designation), query));
-        Self { string, casings, top_drives, hoists }
+        Self { string, casings, own_casings, top_drives, hoists }
     }
 
     /// Whether there is nothing.
     pub fn is_empty(&self) -> bool {
-        let Self { string, casings, top_drives, hoists } = self;
+        let Self { string, casings, top_drives, hoists, .. } = self;
         string.is_empty() && casings.is_empty() && top_drives.is_empty() && hoists.is_empty()
     }
 
@@ -82,7 +92,9 @@ impl Found {
     pub fn sources(&self) -> Vec<String> {
         let entries = self.string.iter().flat_map(|(_, entries)| entries);
         let mut sources: Vec<String> = entries.map(|entry| entry.source.to_string()).collect();
-        sources.extend((!self.casings.is_empty()).then(|| casing::SOURCE.to_owned()));
+        sources.extend((self.own_casings > 0).then(|| OWN_CATALOGUE.to_owned()));
+        let has_others = self.casings.len() > self.own_casings;
+        sources.extend(has_others.then(|| casing::SOURCE.to_owned()));
         let has_rigs = !self.top_drives.is_empty() || !self.hoists.is_empty();
         sources.extend(has_rigs.then(|| rigs::SOURCE.to_owned()));
         let mut told = std::collections::HashSet::new();

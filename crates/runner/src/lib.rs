@@ -72,6 +72,7 @@ mod output;
 mod page;
 mod parallel;
 mod picks;
+mod picture_table;
 mod pictures;
 pub mod plan;
 pub mod reach;

@@ -38,7 +38,7 @@ fn lines(from: f64, step: f64, values: Vec<f64>) -> impl Fn(f64) -> f64 {
 /// and the log tells that friction within its own standard errors.
 #[test]
 fn friction_comes_back_from_the_log_of_a_rig() {
-    let made = Factors { cased: 0.23, open: 0.34, cased_around: 0.23, open_around: 0.34 };
+    let made = Factors::of_walls(0.23, 0.34);
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slant.toml");
     let case = wholestring_case::load(&file, &[]).expect("a valid case");
     let assemblies = [Assembly::new(case.setup(), &case.operations)];
@@ -95,7 +95,7 @@ fn friction_comes_back_from_the_log_of_a_rig() {
         })
         .collect();
     assert!(readings.len() > 45, "{}", readings.len());
-    let factors = Factors { cased: 0.2, open: 0.2, cased_around: 0.2, open_around: 0.2 };
+    let factors = Factors::of_walls(0.2, 0.2);
     let held = State { factors, block_weight_N: BLOCK_N, bit_torque_N_m: 0.0 };
     let settings = Settings {
         // What noise leaves in some 40 rows.

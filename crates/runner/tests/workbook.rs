@@ -10,10 +10,11 @@ use wholestring_runner::{CancellationToken, Existing, Output, Silent, plan};
 use wholestring_units::UnitSet;
 
 /// Sheets after the charts, and their tables.
-const SHEETS: [(&str, &str); 7] = [
+const SHEETS: [(&str, &str); 8] = [
     ("Broomstick", "plan_broomstick"),
     ("Weight to buckle", "plan_buckling"),
     ("Limits", "plan_limits"),
+    ("Surface limits", "plan_surface_limits"),
     ("Fatigue", "plan_fatigue"),
     ("Casing wear", "plan_wear"),
     ("Friction", "plan_friction"),

@@ -111,7 +111,7 @@ pub(crate) struct Hoist {
 )]
 async fn catalogue(Query(wanted): Query<Wanted>) -> Result<Json<Catalogue>, ApiError> {
     blocking(move || {
-        let found = Found::described(&wanted.word, &[]);
+        let found = Found::described(&wanted.word, &[], &[]);
         let sources = found.sources();
         let string = found.string.iter().flat_map(|(_, entries)| entries);
         Ok(Json(Catalogue {

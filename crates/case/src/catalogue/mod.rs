@@ -1,28 +1,37 @@
-//! A user's own tubulars: a file beside the case.
+//! A user's own tubulars and casings: a file beside the case.
 
+mod casing;
 mod columns;
 mod tubular;
 
 use std::path::Path;
 
-use wholestring::string::catalogue::{self, CatalogueEntry, CatalogueError};
+use wholestring::{
+    string::catalogue::{self, CatalogueEntry, CatalogueError},
+    well::casing::{Casing, UnknownCasing, find as find_casing},
+};
 use wholestring_config::{diagnostic::Report, file, kind::Kind, node, prelude::*};
 
 use crate::beside::read_beside;
+use casing::OwnCasingTable;
 use tubular::TubularTable;
 
 table! {
-    /// Tubulars of one's own.
+    /// Tubulars and casings of one's own.
     OwnTable in "the catalogue" {
-        /// A tubular.
-        tubular: Vec<Spanned<TubularTable>> = required(List::tables::<TubularTable>(
+        /// A tubular of a string.
+        tubular: Vec<Spanned<TubularTable>> = optional(List::tables::<TubularTable>(
             "tubulars ([[tubular]])", 5000,
+        ));
+        /// A casing of a hole.
+        casing: Vec<Spanned<OwnCasingTable>> = optional(List::tables::<OwnCasingTable>(
+            "casings ([[casing]])", 5000,
         ));
     }
 }
 
 static CATALOGUE_FILE: Kind =
-    Kind { noun: "catalogue", needs: "it needs a [[tubular]]", tables: || &SCHEMA };
+    Kind { noun: "catalogue", needs: "it needs a [[tubular]] or a [[casing]]", tables: || &SCHEMA };
 
 static SCHEMA: std::sync::LazyLock<serde_json::Value> = std::sync::LazyLock::new(OwnTable::schema);
 
@@ -33,14 +42,22 @@ pub fn catalogue_schema() -> serde_json::Value {
     schema
 }
 
-/// A user's own tubulars, which come before those that are built in.
+/// A user's own tubulars and casings, which come before those that are built in.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct OwnCatalogue(Vec<CatalogueEntry>);
+pub struct OwnCatalogue {
+    tubulars: Vec<CatalogueEntry>,
+    casings: Vec<Casing>,
+}
 
 impl OwnCatalogue {
-    /// The entries, in the order of the file.
+    /// The tubulars, in the order of the file.
     pub fn entries(&self) -> &[CatalogueEntry] {
-        &self.0
+        &self.tubulars
+    }
+
+    /// The casings, in the order of the file.
+    pub fn casings(&self) -> &[Casing] {
+        &self.casings
     }
 
     /// The catalogue of a file: TOML, or CSV where its name ends so.
@@ -103,37 +120,28 @@ impl OwnCatalogue {
         };
         let whole = Span { source, start: 0, end: text.lines().next().map_or(0, str::len) };
         let table = OwnTable::read(&root, whole, reader);
-        let mut entries: Vec<(CatalogueEntry, Span)> = Vec::new();
-        let mut valid = true;
-        for tubular in table.tubular.get()? {
-            let Some(entry) = tubular.value.build(tubular.place, reader) else {
-                valid = false;
-                continue;
-            };
-            let named = tubular.value.name.at().map_or(tubular.place, |at| at.place);
-            let same = |(other, _): &&(CatalogueEntry, Span)| {
-                key(&other.designation) == key(&entry.designation)
-            };
-            if let Some((_, first)) = entries.iter().find(same) {
-                let message = format!("there are two tubulars `{}`", short(&entry.designation));
-                reader.report(
-                    Diagnostic::error(message)
-                        .at(named, "again here")
-                        .at(*first, "first here")
-                        .help("each needs a name of its own"),
-                );
-                valid = false;
-            } else {
-                entries.push((entry, named));
-            }
+        let (tubulars, casings) = (table.tubular.optional()?, table.casing.optional()?);
+        if tubulars.is_none() && casings.is_none() {
+            let message = format!("the catalogue `{}` lists nothing", short(name));
+            return mistake(message, CATALOGUE_FILE.needs).refuse(reader);
         }
-        valid.then(|| Self(entries.into_iter().map(|(entry, _)| entry).collect()))
+        let tubulars = tubulars.map_or(&[][..], |at| &at.value[..]);
+        let tubulars = distinct("tubulars", tubulars, reader, |tubular, reader| {
+            let entry = tubular.value.build(tubular.place, reader)?;
+            Some((entry.designation.clone(), tubular.value.name.place(), entry))
+        });
+        let casings = casings.map_or(&[][..], |at| &at.value[..]);
+        let casings = distinct("casings", casings, reader, |casing, reader| {
+            let built = casing.value.build(reader)?;
+            Some((built.designation.clone(), casing.value.name.place(), built))
+        });
+        Some(Self { tubulars: tubulars?, casings: casings? })
     }
 
     /// The tubular of a name, without regard to capitals and blanks: of one's own, or built in.
     pub(crate) fn find(&self, designation: &str) -> Result<CatalogueEntry, CatalogueError> {
         let wanted = key(designation);
-        match self.0.iter().find(|entry| key(&entry.designation) == wanted) {
+        match self.tubulars.iter().find(|entry| key(&entry.designation) == wanted) {
             Some(entry) => Ok(entry.clone()),
             None => catalogue::find(designation),
         }
@@ -141,8 +149,52 @@ impl OwnCatalogue {
 
     /// Names of one's own that are spelt nearly so.
     pub(crate) fn nearest(&self, designation: &str) -> Option<&str> {
-        nearest(designation, self.0.iter().map(|entry| entry.designation.as_str()))
+        nearest(designation, self.tubulars.iter().map(|entry| entry.designation.as_str()))
     }
+
+    /// The casing of a name, likewise.
+    pub(crate) fn find_casing(&self, designation: &str) -> Result<Casing, UnknownCasing> {
+        let wanted = key(designation);
+        match self.casings.iter().find(|casing| key(&casing.designation) == wanted) {
+            Some(casing) => Ok(casing.clone()),
+            None => find_casing(designation),
+        }
+    }
+
+    /// Names of one's own casings that are spelt nearly so.
+    pub(crate) fn nearest_casing(&self, designation: &str) -> Option<&str> {
+        nearest(designation, self.casings.iter().map(|casing| casing.designation.as_str()))
+    }
+}
+
+/// What tables make, each with a name of its own; nothing after a mistake.
+fn distinct<T, E>(
+    noun: &str,
+    tables: &[Spanned<T>],
+    reader: &mut Reader,
+    build: impl Fn(&Spanned<T>, &mut Reader) -> Option<(String, Option<Span>, E)>,
+) -> Option<Vec<E>> {
+    let mut found: Vec<(String, Span, E)> = Vec::new();
+    let mut valid = true;
+    for table in tables {
+        let Some((name, place, one)) = build(table, reader) else {
+            valid = false;
+            continue;
+        };
+        let named = place.unwrap_or(table.place);
+        if let Some((_, first, _)) = found.iter().find(|(other, ..)| key(other) == key(&name)) {
+            reader.report(
+                Diagnostic::error(format!("there are two {noun} `{}`", short(&name)))
+                    .at(named, "again here")
+                    .at(*first, "first here")
+                    .help("each needs a name of its own"),
+            );
+            valid = false;
+        } else {
+            found.push((name, named, one));
+        }
+    }
+    valid.then(|| found.into_iter().map(|(.., one)| one).collect())
 }
 
 /// What is compared of a name.

@@ -53,6 +53,48 @@ fn in_toml() {
     refused("own_missing", crate::common::read(&missing));
 }
 
+const LINER: &str = "[[casing]]\nname = \"rig 7 liner\"\nod = \"9-5/8 in\"\nid = \"8.681 in\"\n\
+     drift = \"8.525 in\"\nmass_per_length = \"47 lb/ft\"\nyield_strength = \"110 ksi\"\n";
+
+/// The example with its casing called `name`, beside a catalogue of that content.
+fn cased(content: &str, name: &str) -> Result<Case, Report> {
+    let mut files = InMemory::default();
+    files.0.insert(SURVEY_NAME.to_owned(), SURVEY.as_bytes().to_vec());
+    files.0.insert("mine.toml".to_owned(), content.as_bytes().to_vec());
+    let text = EXAMPLE.replace("diameter = \"222.96 mm\"", &format!("casing = \"{name}\""));
+    parse("case.toml", format!("catalogue = \"mine.toml\"\n{text}").as_bytes(), &files, &[])
+}
+
+#[test]
+fn casing() {
+    for (name, from, to) in [
+        ("own_casing_without_name", "name = \"rig 7 liner\"\n", ""),
+        ("own_casing_without_wall", "id = \"8.681 in\"", "id = \"9-5/8 in\""),
+        ("own_casing_drift", "drift = \"8.525 in\"", "drift = \"8.7 in\""),
+        ("own_casing_key_unknown", "drift = ", "drifts = "),
+    ] {
+        refused(name, cased(&LINER.replacen(from, to, 1), "rig 7 liner"));
+    }
+    refused("own_casing_twice", cased(&format!("{LINER}{LINER}"), "rig 7 liner"));
+    refused("own_casing_misspelt", cased(LINER, "rig 7 linr"));
+}
+
+/// Its inside diameter is the hole's, and its yield strength the casing's; what is built in is
+/// found beside it.
+#[test]
+fn casing_of_ones_own_is_a_hole() {
+    let both = format!("{PIPE}{LINER}");
+    let case = cased(&both, "RIG 7  liner").unwrap_or_else(|report| panic!("{report}"));
+    let section = &case.model.well.hole.sections()[0];
+    assert!((section.diameter_m - 8.681 * 0.0254).abs() < 1e-12, "{section:?}");
+    let casing = section.casing.expect("a casing");
+    assert!((casing.od_m - 9.625 * 0.0254).abs() < 1e-12);
+    let yields_Pa = casing.yield_strength_Pa.expect("a yield strength");
+    assert!((yields_Pa / 110e3 - 6_894.757_293_168).abs() < 1e-6, "{yields_Pa}");
+    let built_in = cased(&both, "13-3/8 in 68 lb/ft L-80").expect("a case");
+    assert!(built_in.model.well.hole.sections()[0].diameter_m > section.diameter_m);
+}
+
 #[test]
 fn in_csv() {
     let head = "name,od (in),id (in),yield_strength (ksi)\n";

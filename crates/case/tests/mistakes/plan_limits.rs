@@ -29,6 +29,17 @@ fn limits_fatigue_and_wear() {
         plan_curve_without_stress: `fatigue = { cycles = 2e6, exponent = 5 }`
         plan_curve_without_unit: `fatigue = { cycles = 2e6, stress = "138", exponent = 5 }`
         plan_exponent_below_one: `fatigue = { cycles = 2e6, stress = "138 MPa", exponent = 0.5 }`
+        plan_off_bottom_negative: `campaign = { off_bottom = "-1 h" }`
+        plan_off_bottom_as_length: `campaign = { off_bottom = "10 m" }`
+        plan_cycles_below_one: `fatigue = { cycles = 0, stress = "138 MPa", exponent = 5 }`
+        plan_cycles_with_unit: `fatigue = { cycles = "2e6 rev", stress = "138 MPa", exponent = 5 }`
+        plan_endurance_limit_without_unit: `fatigue = { endurance_limit = "60" }`
+        plan_endurance_limit_negative: `fatigue = { endurance_limit = "-60 MPa" }`
+        plan_tensile_strength_as_force: `fatigue = { tensile_strength = "1000 kN" }`
+        plan_tensile_strength_too_large: `fatigue = { tensile_strength = "100 GPa" }`
+        plan_endurance_limit_beyond_strength: `fatigue = { endurance_limit = "1100 MPa", tensile_strength = "1000 MPa" }`
+        plan_stress_beyond_strength: `fatigue = { cycles = 2e6, stress = "1000 MPa", exponent = 5, tensile_strength = "1000 MPa" }`
+        plan_strength_below_yield: `fatigue = { tensile_strength = "900 MPa" }`
         "#,
     );
     for (name, keys) in cases {
@@ -37,6 +48,8 @@ fn limits_fatigue_and_wear() {
     each_warned(
         r#"
         warn_plan_factor_below_one: `[mesh]` -> `[plan]\nfactors = { tension = 0.9 }\n[mesh]`
+        warn_plan_exponent_below_is_less: `[mesh]` -> `[plan]\nfatigue = { cycles = 2e6, stress = "138 MPa", exponent = 5, exponent_below = 3 }\n[mesh]`
+        warn_plan_overpull_beyond_the_hoist: `top_drive_torque = "45 kN.m"` -> `hoist_capacity = "600 kN"\nblock_weight = "200 kN"\n[plan]\noverpull = "500 kN"`
         warn_plan_exponent_below_alone: `[mesh]` -> `[plan]\nfatigue = { exponent_below = 6 }\n[mesh]`
         "#,
     );

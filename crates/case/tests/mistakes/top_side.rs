@@ -52,6 +52,18 @@ fn top_drive_and_hoist() {
 }
 
 #[test]
+fn limit_of_the_pump() {
+    each_refused(
+        r#"
+        pump_limit_of_zero: `top_drive_torque = "45 kN.m"` -> `pump_pressure_limit = "0 bar"`
+        pump_limit_as_force: `top_drive_torque = "45 kN.m"` -> `pump_pressure_limit = "345 kN"`
+        pump_limit_without_unit: `top_drive_torque = "45 kN.m"` -> `pump_pressure_limit = "345"`
+        pump_limit_too_large: `top_drive_torque = "45 kN.m"` -> `pump_pressure_limit = "3 GPa"`
+        "#,
+    );
+}
+
+#[test]
 fn tuned_lifts() {
     let tuned = "[hoist]\ncontrol = \"tuned-lift\"\n[mesh]";
     let of = |kind: &str| {

@@ -36,6 +36,11 @@ pub(crate) struct CalibrateArgs {
     #[arg(long)]
     pub(crate) one_factor: bool,
 
+    /// A friction factor for each section of the hole, such as for a liner apart from the casing
+    /// above it
+    #[arg(long, conflicts_with = "one_factor")]
+    pub(crate) by_section: bool,
+
     /// Look for friction around the hole apart from that along it
     #[arg(long)]
     pub(crate) friction_around: bool,

@@ -34,6 +34,7 @@ pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
         content: None,
         fit: Fit {
             one_factor: args.one_factor,
+            by_section: args.by_section,
             friction_around: args.friction_around,
             block_weight: args.block_weight,
             bit_torque: args.bit_torque,

@@ -20,7 +20,7 @@ pub(crate) fn catalogue(args: &CatalogueArgs) -> Result<(), Failure> {
         Some(path) => OwnCatalogue::load(path)?,
         None => OwnCatalogue::default(),
     };
-    let found = Found::described(&query, own.entries());
+    let found = Found::described(&query, own.entries(), own.casings());
     if found.is_empty() {
         return Err(Failure::BadInput(format!(
             "error: the catalogue has nothing of `{query}`\n\

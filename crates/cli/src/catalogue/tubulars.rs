@@ -85,17 +85,17 @@ pub(super) fn casing(casings: &[Casing], units: UnitSet) -> String {
     let headings: Vec<&str> = headings.iter().map(String::as_str).collect();
     let mut table = Table::new("Casing", 1, &headings);
     for one in casings {
-        let grade = one.grade.map_or(String::new(), |grade| format!(" {}", grade.name));
+        let grade = one.grade.map_or("", |grade| grade.name);
         let mut row = vec![
-            format!("{}{grade}", one.designation),
+            format!("{} {grade}", one.designation).trim_end().to_owned(),
             diameter(across, one.od_m),
             diameter(across, one.id_m),
             diameter(across, one.drift_m),
             format!("{:.1}", mass.from_si(one.mass_per_length_kg_per_m)),
         ];
-        row.extend(
-            one.grade.map(|grade| format!("{:.0}", strength.from_si(grade.yield_strength_Pa))),
-        );
+        let yields =
+            one.grade.map(|grade| format!("{:.0}", strength.from_si(grade.yield_strength_Pa)));
+        row.extend(has_grades.then(|| yields.unwrap_or_else(|| "–".to_owned())));
         table.row(row);
     }
     table.text()

@@ -1,7 +1,7 @@
 //! What a plan shows on the screen.
 
 use wholestring_results::{PlanPoint, PlanSummary};
-use wholestring_runner::plan::{notes, scatter};
+use wholestring_runner::plan::{breaks_first, notes, scatter};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::screen_table::Table;
@@ -51,6 +51,9 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
         }
     }
     let mut text = table.text() + &peaks(summary, units);
+    for sentence in breaks_first(summary, units) {
+        text += &format!("{sentence}\n");
+    }
     for of in summary.worst_limits.iter().filter(|of| of.reserve() < 1.0) {
         text += &format!(
             "{}: {} in {}, {} friction, the bit at {:.0} {}: factor {:.2}, required {:.2}\n",
@@ -71,7 +74,7 @@ pub(super) fn text(summary: &PlanSummary, units: UnitSet) -> String {
              friction ({model} string)\n"
         );
     }
-    let differences = summary.overlay.iter().flat_map(|of| of.differences());
+    let differences = summary.overlay.iter().flat_map(|of| &of.differences);
     for of in differences {
         let unit = if of.is_torque { torque } else { force };
         text += &format!(

@@ -34,6 +34,11 @@ pub(crate) struct ReachArgs {
     #[arg(long)]
     pub(crate) no_helix_friction: bool,
 
+    /// Count the depth where a helix begins as a stop: the string goes on buckled otherwise. Not
+    /// where the hole is vertical, where it buckles early and is held
+    #[arg(long)]
+    pub(crate) stop_at_helix: bool,
+
     /// Operations that are solved side by side [default: one per core]
     #[arg(short, long, value_name = "N")]
     pub(crate) jobs: Option<NonZeroUsize>,
@@ -55,10 +60,6 @@ pub(crate) struct ReachArgs {
     /// Replace what lies in the folder
     #[arg(long, conflicts_with = "resume")]
     pub(crate) overwrite: bool,
-
-    /// Write the margins as CSV too
-    #[arg(long)]
-    pub(crate) csv: bool,
 
     #[command(flatten)]
     pub(crate) page: PageArgs,

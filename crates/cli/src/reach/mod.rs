@@ -36,6 +36,7 @@ pub(crate) fn reach(args: &ReachArgs) -> Result<(), Failure> {
         frictions,
         operations,
         helix_side_force: !args.no_helix_friction,
+        stop_at_helix: args.stop_at_helix,
         units: Some(units),
         output: args.output(),
         png: args.page.png,

@@ -100,6 +100,16 @@ fn friction_of_a_slant_well() {
     }
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
     assert!(page.contains("Measured and predicted") && page.contains("Correlations"));
+    // The numbers of a picture are all that it shows: what was read below the bands, the ends of
+    // the intervals below the profiles, the bound of outliers beside the residuals.
+    let csv = |name: &str| Table::read_csv(&desk.path(&format!("out/{name}.csv"))).unwrap();
+    let filled = |table: &Table, name: &str| {
+        table.words(name).unwrap().iter().filter(|cell| !cell.is_empty()).count()
+    };
+    let bands = csv("calibration_bands");
+    assert_eq!(filled(&bands, "measured_N") + filled(&bands, "measured_N_m"), 45);
+    assert_eq!(filled(&csv("calibration_profiles"), "interval_end"), 8);
+    assert_eq!(filled(&csv("calibration"), "outlier_beyond"), 45);
 
     // The page is made of the files.
     fs::remove_file(desk.path("out/report.html")).unwrap();
@@ -123,6 +133,254 @@ fn friction_of_a_slant_well() {
     assert!(!case.contains("[rig]"));
     fs::write(desk.path("found.toml"), format!("{before}{fragment}\n{after}")).unwrap();
     desk.done(&["check", "found.toml"]);
+}
+
+/// The well that is shipped with what was read on its rig: what its chapter of the book prints, in
+/// the digits that it prints.
+#[test]
+fn the_real_well_has_what_its_chapter_prints() {
+    let desk = Desk::new();
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    let (case, data) = (cases.join("forge-16a.toml"), cases.join("forge-16a-measured.csv"));
+    let [case, data] = [case, data].map(|of| of.display().to_string());
+    desk.done(&[
+        "calibrate",
+        &case,
+        "--data",
+        &data,
+        "--friction-around",
+        "--block-weight",
+        "-o",
+        "out",
+        "--quiet",
+    ]);
+    let summary = CalibrationSummary::read(&desk.path("out/summary.json")).unwrap();
+    assert_eq!((summary.within_band, summary.readings), (59, 63));
+    assert_eq!((summary.held_out_within_band, summary.held_out), (15, 23));
+    const KLBF_N: f64 = 4448.221_615_260_5;
+    // Half of the last digit.
+    for (name, printed, unit, half) in [
+        ("friction_cased", 0.10, 1.0, 0.005),
+        ("friction_open", 0.53, 1.0, 0.005),
+        ("friction_cased_around", 0.175, 1.0, 0.0005),
+        ("friction_open_around", 0.220, 1.0, 0.0005),
+        ("block_weight_N", 47.6, KLBF_N, 0.05),
+    ] {
+        let of = summary.estimates.iter().find(|of| of.parameter == name).unwrap();
+        assert!((of.value / unit - printed).abs() <= half, "{of:?}");
+    }
+    // Each reading beside its prediction and its band: what is counted is what lies between its
+    // ends.
+    let table = desk.table("out/calibration.parquet");
+    let column = |name: &str| table.numbers(name).unwrap();
+    let mut within = 0;
+    for row in 0..table.rows() {
+        let is_torque = table.words("reading").unwrap()[row].starts_with("torque");
+        let of = |name: &str| {
+            let unit = if is_torque { "N_m" } else { "N" };
+            column(&format!("{name}_{unit}"))[row].unwrap()
+        };
+        let (measured, predicted) = (of("measured"), of("predicted"));
+        assert!((of("residual") - (measured - predicted)).abs() < 1e-6);
+        let (low, high) = (of("reading_low"), of("reading_high"));
+        let half = 0.5 * (high - low);
+        assert!((low + half - predicted).abs() < 1e-6 * half);
+        // The readings' error and the prediction's: 1.645 times the root of their squares.
+        assert!(half > 1.64 * of("predicted_error"));
+        let is_within = (low..=high).contains(&measured);
+        assert_eq!(column("within_band")[row], Some(f64::from(u8::from(is_within))));
+        within += usize::from(is_within);
+    }
+    assert_eq!(within, 59 + 15);
+    assert!(desk.text("out/report.html").contains("band of 90 %"));
+}
+
+/// A factor for each section that the readings reach, written back section by section; of the
+/// deepest, which is reached by the deepest readings alone, the error is the largest. What no
+/// reading reaches keeps the case's own.
+#[test]
+fn friction_of_each_section() {
+    let desk = desk();
+    let case = fs::read_to_string(desk.path("well.toml")).unwrap();
+    let (before, rest) = case.split_once("[[well.hole]]").unwrap();
+    let after = &rest[rest.find("[mud]").unwrap()..];
+    let sections = |all: &[(&str, &str, &str, &str)]| {
+        let section = |(kind, to, diameter, friction): &(&str, &str, &str, &str)| {
+            format!(
+                "[[well.hole]]\nkind = \"{kind}\"\nto = \"{to}\"\ndiameter = \"{diameter}\"\n\
+                 friction = {friction}\n"
+            )
+        };
+        format!("{before}{}{after}", all.iter().map(section).collect::<String>())
+    };
+    let hole = [
+        ("casing", "500 m", "250 mm", "0.2"),
+        ("casing", "800 m", "230 mm", "0.35"),
+        ("open", "1200 m", "215.9 mm", "0.28"),
+    ];
+    fs::write(desk.path("well.toml"), sections(&hole)).unwrap();
+    fs::write(desk.path("read.csv"), readings(&desk)).unwrap();
+    let more = ["--by-section", "--hold=block_weight=200kN", "-o", "out"];
+    desk.done(&calibrate(&[&ERRORS[..], &more].concat()));
+    let summary = CalibrationSummary::read(&desk.path("out/summary.json")).unwrap();
+    let expected =
+        [("friction_section_1", 0.2), ("friction_section_2", 0.35), ("friction_section_3", 0.28)];
+    assert_eq!(summary.estimates.len(), expected.len(), "{:?}", summary.estimates);
+    for (of, (name, value)) in summary.estimates.iter().zip(expected) {
+        assert_eq!(of.parameter, name);
+        // Steps of 5 m of the soft string; the readings have steps of 1 m.
+        assert!((of.value / value - 1.0).abs() < 5e-3, "{of:?}");
+    }
+    // The fragment has each section with its own.
+    let fragment = desk.text("out/friction.toml");
+    fs::write(desk.path("found.toml"), format!("{before}{fragment}\n{after}")).unwrap();
+    let found = wholestring_case::load(&desk.path("found.toml"), &[]).unwrap();
+    let sections_found = found.model.well.hole.sections();
+    assert_eq!(sections_found.len(), expected.len());
+    for (section, (_, value)) in sections_found.iter().zip(expected) {
+        assert!((section.friction.kinetic / value - 1.0).abs() < 5e-3, "{section:?}");
+    }
+    // Two sections through which every reading goes alike are not told apart, and that is said:
+    // readings from 1100 m down all lie in the whole of the upper two.
+    let deep: Vec<String> = readings(&desk)
+        .lines()
+        .enumerate()
+        .filter(|(line, text)| *line == 0 || text.starts_with("1100") || text.starts_with("1200"))
+        .map(|(_, text)| text.to_owned())
+        .collect();
+    fs::write(desk.path("deep.csv"), deep.join("\n")).unwrap();
+    let few = ["calibrate", "well.toml", "--data", "deep.csv", "-o", "deep"];
+    desk.done(&[&few[..], &ERRORS, &more[..2]].concat());
+    let summary = CalibrationSummary::read(&desk.path("deep/summary.json")).unwrap();
+    let untold =
+        summary.warnings.iter().filter(|of| of.contains("do not tell the friction factor"));
+    assert!(untold.count() >= 1, "{:?}", summary.warnings);
+
+    // More sections than are told apart.
+    let depths = ["200 m", "400 m", "600 m", "800 m", "1000 m", "1200 m"];
+    let many = depths.map(|to| ("casing", to, "230 mm", "0.2"));
+    fs::write(desk.path("well.toml"), sections(&many)).unwrap();
+    let said = refused(&desk, &calibrate(&[&ERRORS[..], &more[..2]].concat()));
+    assert!(said.contains("the hole has 6, 5 are the most"), "{said}");
+    let said = refused(&desk, &calibrate(&["--by-section", "--one-factor"]));
+    assert!(said.contains("cannot be used with"), "{said}");
+}
+
+/// Another fit and other readings under the same name do not replace what is there; the same again
+/// does.
+#[test]
+fn another_calibration_is_refused() {
+    let desk = desk();
+    let text = readings(&desk);
+    fs::write(desk.path("read.csv"), &text).unwrap();
+    let named = [&ERRORS[..], &["-o", "out"]].concat();
+    desk.done(&calibrate(&named));
+    let summary = || fs::read(desk.path("out/summary.json")).unwrap();
+    let first = summary();
+    for more in [&["--model", "stiff"][..], &["--one-factor"], &["--band", "80"]] {
+        let said = refused(&desk, &calibrate(&[&named[..], more].concat()));
+        assert!(said.contains("with other settings or data"), "{more:?}: {said}");
+        assert!(said.contains("--overwrite"), "{said}");
+    }
+    fs::write(desk.path("read.csv"), text.replace("\n300,", "\n310,")).unwrap();
+    let said = refused(&desk, &calibrate(&named));
+    assert!(said.contains("out holds the calibration \"Slant well calibration\""), "{said}");
+    assert_eq!(summary(), first);
+    fs::write(desk.path("read.csv"), &text).unwrap();
+    desk.done(&calibrate(&named));
+    assert_eq!(summary(), first);
+}
+
+/// The friction with which stiff strings were read is found by stiff strings, which tell how far
+/// they have come.
+#[test]
+fn friction_by_the_stiff_string() {
+    use std::sync::Mutex;
+
+    use wholestring::statics::stiff;
+    use wholestring_case::{Override, Template};
+    use wholestring_runner::{
+        BatchSize, CancellationToken, CaseEnded, Existing, Observer, Output,
+        calibrate::{self, Fit, NamedCase, Request},
+    };
+
+    /// Keeps how many strings were asked for at once, and how many of them have ended.
+    #[derive(Default)]
+    struct Counts(Mutex<Vec<[usize; 2]>>);
+    impl Observer for Counts {
+        fn batch_started(&self, size: &BatchSize) {
+            self.0.lock().unwrap().push([size.cases, 0]);
+        }
+        fn case_ended(&self, of: &CaseEnded) {
+            let mut counts = self.0.lock().unwrap();
+            let last = counts.last_mut().unwrap();
+            assert_eq!((of.ended, of.of), (last[1] + 1, last[0]));
+            last[1] += 1;
+        }
+    }
+
+    let desk = desk();
+    // Coarse: the readings are of the same strings.
+    let overrides: Vec<Override> = ["well.hole.0.friction=0.25", "well.hole.1.friction=0.25"]
+        .into_iter()
+        .chain(["mesh.element_length=20 m"])
+        .map(|of| of.parse().unwrap())
+        .collect();
+    let template = Template::read(&desk.path("well.toml")).unwrap();
+    let case = template.case(&overrides).unwrap();
+    let mut text = "Bit depth (m),Pick-up (kN),Slack-off (kN)\n".to_owned();
+    for depth_m in [600.0, 1200.0] {
+        let model = case.setup().at(depth_m).unwrap();
+        let hook_kN = |kind: OperationKind| {
+            let operation = case.operations.iter().find(|of| of.kind == kind).unwrap();
+            let operation = Operation { bit_depth_m: depth_m, ..*operation };
+            let found = stiff::solve(&model, &operation, &case.dynamics.stiff_string()).unwrap();
+            1e-3 * (found.scalars.hook_load_N + BLOCK_N)
+        };
+        let (pick_up, slack_off) =
+            (hook_kN(OperationKind::TripOut), hook_kN(OperationKind::TripIn));
+        text += &format!("{depth_m},{pick_up:.6},{slack_off:.6}\n");
+    }
+    fs::write(desk.path("read.csv"), text).unwrap();
+    let named = [NamedCase {
+        file: "well".into(),
+        template: &template,
+        overrides: &overrides,
+        case: &case,
+    }];
+    let request = Request {
+        cases: &named,
+        content: None,
+        data: &desk.path("read.csv"),
+        fit: Fit {
+            one_factor: true,
+            by_section: false,
+            friction_around: false,
+            block_weight: true,
+            bit_torque: false,
+            hold: Vec::new(),
+            errors: [Some(5e3), Some(3e3), Some(200.0)],
+            outlier_beyond: 3.0,
+            band_confidence: 0.9,
+            model: wholestring::outcome::ModelKind::Stiff,
+        },
+        check: None,
+        units: None,
+        output: Output { folder: Some(desk.path("out")), existing: Existing::Protect },
+        png: false,
+    };
+    let counts = Counts::default();
+    let outcome = calibrate::run(&request, &counts, &CancellationToken::new()).unwrap();
+    let summary = outcome.summary;
+    assert_eq!(summary.model, "stiff");
+    let [friction, block] = &summary.estimates[..] else { panic!("{:?}", summary.estimates) };
+    // Between the nodes a prediction may be off by a fiftieth of an error, 100 N; the drag of a
+    // pick-up at 1200 m changes by more than 100 kN where the friction does by one.
+    assert!((friction.value - 0.25).abs() < 1e-3, "{friction:?}");
+    assert!((block.value - BLOCK_N).abs() < 100.0, "{block:?}");
+    let counts = counts.0.into_inner().unwrap();
+    assert!(counts.iter().all(|[asked, ended]| asked == ended), "{counts:?}");
+    assert_eq!(counts.iter().map(|[asked, _]| asked).sum::<usize>(), summary.strings);
 }
 
 /// Two cases that share their friction, each with its rows; one number is held.
@@ -177,6 +435,11 @@ fn bad_readings_get_an_answer() {
         (sound.clone(), &["--hold", "mass=2"], "nothing is called 'mass'"),
         (sound.clone(), &["--hold", "friction_open=5"], "expected 0 to 2"),
         (sound.clone(), &["--weight-error", "5"], "has no unit"),
+        (sound.clone(), &["--band", "100"], "expected 50 to 99.9"),
+        (sound.clone(), &["--band", "0.9"], "expected 50 to 99.9"),
+        (sound.clone(), &["--band", "wide"], "expected a number"),
+        (sound.clone(), &["--outlier", "0.5"], "expected 1 to 100"),
+        (sound.clone(), &["--outlier", "nan"], "expected 1 to 100"),
         (String::new(), &[], "the file is empty"),
     ] {
         let said = answer(&text, more);
@@ -276,6 +539,7 @@ fn a_check_that_is_interrupted_leaves_the_calibration() {
         data: &desk.path("read.csv"),
         fit: Fit {
             one_factor: false,
+            by_section: false,
             friction_around: false,
             block_weight: false,
             bit_torque: false,

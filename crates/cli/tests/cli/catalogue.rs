@@ -21,6 +21,49 @@ fn search_by_size_weight_grade_and_kind() {
     }
 }
 
+/// A file of one's own stands before what is built in; one that is missing or bad is told.
+#[test]
+fn a_catalogue_of_ones_own() {
+    let desk = Desk::new();
+    let pipe = "[[tubular]]\nname = \"rig 7 pipe\"\nod = \"5 in\"\nid = \"4.276 in\"\n\
+                yield_strength = \"135 ksi\"\n";
+    let liner = "[[casing]]\nname = \"rig 7 liner\"\nod = \"7 in\"\nid = \"6.094 in\"\n\
+                 mass_per_length = \"32 lb/ft\"\nyield_strength = \"110 ksi\"\n";
+    std::fs::write(desk.path("mine.toml"), format!("{pipe}{liner}")).unwrap();
+    let with = ["catalogue", "--with", "mine.toml", "--units", "field"];
+    let listed = |words: &[&str]| {
+        let output = desk.done(&[&with[..], words].concat());
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let own = listed(&["rig 7"]);
+    for expected in ["rig 7 pipe", "rig 7 liner", "Drill pipe\n", "Casing\n"] {
+        assert!(own.contains(expected), "{own}");
+    }
+    // Nothing that is built in is called so, nor is its source told.
+    assert!(own.ends_with("Sources:\n  a catalogue of one's own\n"), "{own}");
+    // With its diameters, its mass and its yield strength, before what is built in.
+    let casings = listed(&["casing", "7", "32"]);
+    assert!(casings.contains("API Spec 5CT"), "{casings}");
+    let liner = casings.find("rig 7 liner").expect("a liner");
+    assert!(liner < casings.find("7 in 32.0 lb/ft").expect("API's"), "{casings}");
+    let row = casings[liner..].lines().next().unwrap();
+    for number in ["7.000", "6.094", "5.969", "32.0", "110"] {
+        assert!(row.contains(number), "{row} lacks {number}");
+    }
+    std::fs::write(desk.path("bad.toml"), liner.replace("6.094", "7.5")).unwrap();
+    std::fs::write(desk.path("empty.toml"), "# nothing yet\n").unwrap();
+    for (name, answer) in [
+        ("none.toml", "none.toml"),
+        ("bad.toml", "the inside diameter is not smaller than the outside diameter"),
+        ("empty.toml", "the catalogue `empty.toml` lists nothing"),
+    ] {
+        let output = desk.run(&["catalogue", "--with", name]);
+        let said = transcript(&output);
+        assert_eq!(output.status.code(), Some(2), "{name}: {said}");
+        assert!(said.contains(answer), "{name}: {said}");
+    }
+}
+
 /// Without a word there is everything, and each kind has its table.
 #[test]
 fn all_of_it() {

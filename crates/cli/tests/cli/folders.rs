@@ -70,7 +70,7 @@ fn a_named_folder_with_another_case_is_refused() {
     assert_eq!((status, told.as_str()), (2, ""));
     assert_eq!(
         said,
-        "error: results holds the run of another case, \"Straight slant\"\n\
+        "error: results holds the run \"Straight slant\" with other settings or data\n\
          name another folder with -o, or add --overwrite to replace what lies there\n"
     );
     assert!(desk.path("results/time.csv").exists());

@@ -4,7 +4,7 @@ use std::{fs, path::Path};
 
 use wholestring_results::{
     PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_LIMITS, PLAN_MEASURED, PLAN_OVERLAY,
-    PlanSummary, Table, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES,
+    PLAN_SURFACE_LIMITS, PlanSummary, Table, UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES,
 };
 
 use crate::desk::{Desk, transcript};
@@ -21,6 +21,11 @@ const FEW: [&str; 6] = [
 
 fn few<'a>(more: &[&'a str]) -> Vec<&'a str> {
     [&FEW, more].concat()
+}
+
+/// The same of the slant well that is shipped, whose pipe is of the catalogue.
+fn few_of_well<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&["plan", "well.toml"], &FEW[2..], more].concat()
 }
 
 /// Terminal, summary, tables, page and workbook tell the same, and the page is made again of the files.
@@ -75,6 +80,104 @@ fn a_plan_of_a_slant_well() {
     assert!(desk.path("out/plan.xlsx").is_file());
     desk.done(&["plot", "out", "--units", "field"]);
     assert!(desk.path("out/plots/hook_load.svg").is_file());
+}
+
+/// Every limit of hook load and torque at the surface is in the summary, in its table, a line on
+/// the picture and a column of its numbers.
+#[test]
+fn limits_stand_on_the_broomstick() {
+    let desk = desk_with("");
+    let rig = [
+        "rig.block_weight=100 kN",
+        "rig.hoist_capacity=600 kN",
+        "rig.top_drive_torque=5 kN.m",
+        "rig.top_drive_peak_torque=6 kN.m",
+        "rig.pump_pressure_limit=30 MPa",
+        "mud.density=1200 kg/m3",
+        "mud.rheology=bingham",
+        "mud.plastic_viscosity=0.02 Pa.s",
+        "mud.yield_point=7 Pa",
+        "operation.flow_rate=30 l/s",
+        "operation.wob=50 kN",
+    ];
+    let rig: Vec<&str> = rig.iter().flat_map(|of| ["--set", of]).collect();
+    desk.done(&few_of_well(&[&["-o", "out", "--quiet"][..], &rig].concat()));
+    let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
+    let limits = &summary.surface_limits;
+    let hoist = limits.iter().find(|of| of.kind == "hoist").unwrap();
+    assert!((hoist.allowed - (0.9 * 600e3 - 100e3)).abs() < 1e-6, "{hoist:?}");
+    let of_torque = limits.iter().filter(|of| of.is_torque);
+    let kinds: Vec<&str> = of_torque.map(|of| of.kind.as_str()).collect();
+    assert_eq!(kinds, ["top_drive", "top_drive_peak", "make_up", "torsion"]);
+    let table = desk.table("out/plan_surface_limits.parquet");
+    assert!(table.is_like(&Table::with_columns(PLAN_SURFACE_LIMITS)));
+    assert_eq!(table.rows(), 2 * limits.len());
+    let csv = |name: &str| Table::read_csv(&desk.path(&format!("out/{name}.csv"))).unwrap();
+    let (hook_load, torque) = (csv("hook_load"), csv("torque"));
+    let line = |table: &Table, name: &str, value: f64| {
+        let column = table.words(name).unwrap_or_else(|| panic!("{name}"));
+        assert!(!column.is_empty(), "{name}");
+        assert!(column.iter().all(|cell| cell.parse() == Ok(value)), "{name}: {column:?}");
+    };
+    for of in limits {
+        let (table, name) = match of.is_torque {
+            true => (&torque, format!("{}_limit_surface_torque_N_m", of.kind)),
+            false => (&hook_load, format!("{}_limit_hook_load_N", of.kind)),
+        };
+        line(table, &name, of.allowed);
+    }
+    // So are the mud at rest, the pump's limit and the weight that the case drills with.
+    let mud = csv("hydraulics");
+    line(&mud, "mud_density_kg_per_m3", 1200.0);
+    line(&mud, "pump_limit_standpipe_pressure_Pa", 30e6);
+    line(&csv("buckling_weight"), "case_weight_on_bit_N", 50e3);
+    let picture = desk.text("out/torque.svg");
+    assert!(picture.contains(">top drive<") && picture.contains(">top drive, peak<"));
+}
+
+/// Of each operation one limit that breaks or stops, with the least reserve of its kind of all
+/// rows: on the screen, on the page and in the summary. Less is left of buckling, which breaks
+/// nothing.
+#[test]
+fn what_would_break_first_is_said() {
+    let desk = desk_with("");
+    let rig = ["--set", "rig.top_drive_torque=5 kN.m", "--set", "operation.wob=150 kN"];
+    let output = desk.done(&few_of_well(&[&["-o", "out"][..], &rig].concat()));
+    let said = String::from_utf8(output.stdout).unwrap();
+    let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
+    let operations: Vec<&str> = summary.breaks_first.iter().map(|of| &*of.operation).collect();
+    let mut all = summary.operations.clone();
+    all.sort();
+    let mut told = operations.clone();
+    told.sort_unstable();
+    assert_eq!(told, all);
+    let limits = desk.table("out/plan_limits.parquet");
+    let words = |name: &str| limits.words(name).unwrap();
+    let numbers = |name: &str| limits.numbers(name).unwrap();
+    let bends = ["sinusoidal_buckling", "helical_buckling", "overpull"];
+    for first in &summary.breaks_first {
+        let rows = (0..limits.rows()).filter(|row| words("operation")[*row] == first.operation);
+        let (mut least, mut least_of_all) = (f64::INFINITY, f64::INFINITY);
+        for row in rows {
+            let reserve = numbers("factor")[row].unwrap() / numbers("required")[row].unwrap();
+            least_of_all = least_of_all.min(reserve);
+            if !bends.contains(&words("kind")[row].as_str()) {
+                least = least.min(reserve);
+            }
+        }
+        assert_eq!(first.reserve(), least, "{first:?}");
+        if first.operation == "drill" {
+            assert_eq!((first.kind.as_str(), first.friction.as_str()), ("top_drive", "high"));
+            assert!(least_of_all < least, "{first:?}");
+        }
+    }
+    let drilling = "drilling: top drive, continuous would be passed first, with high friction";
+    assert!(said.contains(drilling), "{said}");
+    assert!(desk.text("out/report.html").contains(drilling));
+    let pick_up = summary.breaks_first.iter().find(|of| of.operation == "trip_out").unwrap();
+    let place = format!("of {} at ", pick_up.component.as_deref().unwrap());
+    let sentence = said.lines().find(|line| line.starts_with("pick-up: ")).unwrap();
+    assert!(sentence.contains(&place), "{sentence}");
 }
 
 /// One thread or four, the answers are the same.
@@ -198,7 +301,7 @@ fn another_program_is_laid_over_the_plan() {
     let summary = PlanSummary::read(&desk.path("out/summary.json")).unwrap();
     let overlay = summary.overlay.as_ref().unwrap();
     assert_eq!(overlay.file, "other.csv");
-    let differences = overlay.differences();
+    let differences = &overlay.differences;
     let means: Vec<(&str, bool, f64)> =
         differences.iter().map(|of| (of.operation.as_str(), of.is_torque, of.mean)).collect();
     // To the digits that the file has of them.
@@ -222,6 +325,30 @@ fn another_program_is_laid_over_the_plan() {
     desk.done(&[&WELL[..], &["-o", "out", "--overwrite"]].concat());
     assert!(!desk.path("out/plan_overlay.csv").exists());
     assert!(!desk.text("out/report.html").contains("another program"));
+}
+
+/// Another program's curves that are none.
+#[test]
+fn a_bad_overlay_gets_an_answer() {
+    let desk = desk_with("");
+    for (name, text, answer) in [
+        ("none.csv", None, "there is no such file"),
+        ("empty.csv", Some(""), "the file is empty"),
+        ("words.csv", Some("to be or not to be\n"), "error:"),
+        ("unit.csv", Some("Bit depth (m),Pick-up\n500,300\n"), "has no unit"),
+        ("cell.csv", Some("Bit depth (m),Pick-up (kN)\n500,much\n"), "much"),
+    ] {
+        if let Some(text) = text {
+            fs::write(desk.path(name), text).unwrap();
+        }
+        let output = desk.run(&[&WELL[..], &["-o", "out", "--overlay", name]].concat());
+        let said = transcript(&output);
+        assert_eq!(output.status.code(), Some(2), "{name}: {said}");
+        let words = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains(answer) && words.contains(name), "{name}: {said}");
+        // What is wrong is said before anything is solved.
+        assert!(!desk.path("out/summary.json").exists(), "{name}");
+    }
 }
 
 /// Weights and torques of the slant well, as the plan of the same friction has them at a depth, beside rows of another

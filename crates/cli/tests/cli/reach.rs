@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use wholestring_results::{REACH, REACH_LIMITS, ReachSummary, Table};
+use wholestring_results::{REACH, REACH_LIMITS, ReachSummary, Table, UNCERTAIN_STOPS};
 
 use crate::desk::{Desk, transcript};
 
@@ -42,6 +42,12 @@ fn reach_of_a_slant_well() {
         assert_eq!(first.depth_m, least);
     }
     assert!(said.contains("none to 6000") && said.contains("by its own weight"), "{said}");
+    // What the sentence says stands in the summary: 78.7 and 68.2 degrees.
+    for (of, friction) in [(easy, 0.2_f64), (hard, 0.4)] {
+        let critical_rad = of.critical_inclination_rad.unwrap();
+        assert!((critical_rad.tan() * friction - 1.0).abs() < 1e-12, "{of:?}");
+        assert!(said.contains(&format!("{:.1}", critical_rad.to_degrees())), "{said}");
+    }
 
     let table =
         |name: &str| Table::read_parquet(&desk.path(&format!("out/{name}.parquet"))).unwrap();
@@ -51,6 +57,14 @@ fn reach_of_a_slant_well() {
     assert_eq!(limits.rows(), easy.limits.len() + hard.limits.len());
     assert_eq!(margins.rows(), 61 * limits.rows());
     assert!(desk.path("out/reach.csv").is_file() && desk.path("out/reach_limits.csv").is_file());
+    let picture = Table::read_csv(&desk.path("out/reach.csv")).unwrap();
+    let column = |name: &str| {
+        let cells = picture.words(name).unwrap().iter().filter(|cell| !cell.is_empty());
+        cells.map(|cell| cell.parse().unwrap()).collect::<Vec<f64>>()
+    };
+    let met = [easy, hard].map(|of| of.limits.iter().filter_map(|limit| limit.depth_m));
+    assert_eq!(column("met_at_bit_depth_m"), met.into_iter().flatten().collect::<Vec<_>>());
+    assert_eq!(column("stops_first").iter().sum::<f64>(), 2.0);
     // Margins change their sign where the summary says that the limit is met.
     let words = |name: &str| margins.words(name).unwrap();
     let numbers = |name: &str| margins.numbers(name).unwrap();
@@ -135,6 +149,39 @@ fn what_cannot_be_asked() {
     }
 }
 
+/// A helix is no stop, and is one if it is asked for: then the well ends where it begins, unless
+/// something else stops it before.
+#[test]
+fn a_helix_stops_the_well_if_asked() {
+    let desk = Desk::new();
+    // Long and smooth enough to hang on the hook with a weight on bit that makes a helix.
+    let asked = ["reach", "slant.toml", "--operation=slide", "--friction=0.05", "--from=4km"];
+    let kind = ["--to=6km", "--set=operation.wob=400 kN", "--set=operation.kind=[\"slide\"]", "-o"];
+    let solved = |folder: &str, more: &[&str]| {
+        let output = desk.done(&[&asked[..], &kind, &[folder], more].concat());
+        let path = desk.path(&format!("{folder}/summary.json"));
+        (ReachSummary::read(&path).unwrap(), String::from_utf8(output.stdout).unwrap())
+    };
+    let (free, _) = solved("free", &[]);
+    let (stopped, said) = solved("stopped", &["--stop-at-helix"]);
+    let helix = |of: &ReachSummary| {
+        let limits = &of.frictions[0].limits;
+        limits.iter().find(|of| of.limit == "helix").unwrap().clone()
+    };
+    let (goes_on, stops) = (helix(&free), helix(&stopped));
+    assert_eq!((goes_on.stops, stops.stops), (false, true));
+    assert_eq!(goes_on.depth_m, stops.depth_m);
+    assert!(stops.already);
+    let first = |of: &ReachSummary| of.frictions[0].first.clone();
+    assert_eq!(first(&free), None);
+    let end = first(&stopped).expect("a stop");
+    assert_eq!((end.limit.as_str(), end.depth_m), ("helix", 4000.0));
+    assert!(said.contains("A helix counts as a stop"), "{said}");
+    // It is another reach.
+    let output = desk.run(&[&asked[..], &kind, &["free", "--stop-at-helix"]].concat());
+    assert_eq!(output.status.code(), Some(2), "{}", transcript(&output));
+}
+
 /// Bands of how far the well goes, and how often each limit is what stops it.
 #[test]
 fn a_reach_of_uncertain_numbers() {
@@ -154,7 +201,22 @@ fn a_reach_of_uncertain_numbers() {
             Table::read_parquet(&desk.path(&format!("out/{name}.parquet"))).unwrap().rows() > 0
         );
     }
+    // The numbers of the picture have its bands, its bars and where limits are met.
+    let picture = Table::read_csv(&desk.path("out/reach.csv")).unwrap();
+    let filled =
+        |name: &str| picture.words(name).unwrap().iter().filter(|cell| !cell.is_empty()).count();
+    let margins = found.bands.iter().filter(|of| of.quantity == "margin").count();
+    assert_eq!((filled("margin_p05"), filled("margin_p95")), (margins, margins));
+    assert!(margins > 0 && filled("met_p05_m") > 0);
+    // What the page counts stands in the table that it leads to.
+    let stops = Table::read_parquet(&desk.path("out/reach_uncertain_stops.parquet")).unwrap();
+    assert!(stops.is_like(&Table::with_columns(UNCERTAIN_STOPS)));
+    let counted = stops.numbers("samples").unwrap();
+    let told: Vec<_> = found.stops.iter().map(|of| Some(of.samples as f64)).collect();
+    assert_eq!(counted, told);
+    assert!(desk.path("out/reach_uncertain_stops.csv").is_file());
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+    assert!(page.contains("reach_uncertain_stops"));
     for expected in [
         "What is uncertain",
         "What stops the samples",

@@ -86,7 +86,7 @@ const SIZES: [Size; 14] = [
 /// What casing is made of.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CasingGrade {
-    /// Name: `L-80`.
+    /// Name: `L-80`; empty where the casing's own name says it.
     pub name: &'static str,
     /// Minimum yield strength, Pa.
     pub yield_strength_Pa: f64,
@@ -145,6 +145,12 @@ fn drift_allowance_in(od_in: f64) -> f64 {
     }
 }
 
+/// Diameter of the mandrel that API Spec 5CT passes through casing of these diameters, m; of hardly
+/// any bore none is less than nothing.
+pub fn drift_m(od_m: f64, id_m: f64) -> f64 {
+    (id_m - drift_allowance_in(od_m / INCH_M) * INCH_M).max(0.0)
+}
+
 fn casing(size: &Size, weight_lb_per_ft: f64, wall_in: f64) -> Casing {
     let id_in = size.od_in - 2.0 * wall_in;
     // 32.75 lb/ft is the only weight of two decimals.
@@ -153,7 +159,7 @@ fn casing(size: &Size, weight_lb_per_ft: f64, wall_in: f64) -> Casing {
         designation: format!("{} in {weight_lb_per_ft:.decimals$} lb/ft", size.name),
         od_m: size.od_in * INCH_M,
         id_m: id_in * INCH_M,
-        drift_m: (id_in - drift_allowance_in(size.od_in)) * INCH_M,
+        drift_m: drift_m(size.od_in * INCH_M, id_in * INCH_M),
         mass_per_length_kg_per_m: weight_lb_per_ft * POUND_PER_FOOT_KG_PER_M,
         grade: None,
     }

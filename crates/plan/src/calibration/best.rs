@@ -1,7 +1,7 @@
 //! The best fit, with the errors of readings whose errors are not given.
 
 use super::{
-    CalibrationError, ErrorKind, Predict, Reading, Settings,
+    CalibrationError, ErrorKind, HolePart, Predict, Reading, Settings,
     fit::Likelihood,
     settings::LARGEST_FACTOR,
     spread::Spread,
@@ -120,8 +120,8 @@ struct Counted<'a, M> {
 }
 
 impl<M: Predict> Predict for Counted<'_, M> {
-    fn reaches(&self, setup: usize, bit_depth_m: f64, kind: wholestring::well::HoleKind) -> bool {
-        self.model.reaches(setup, bit_depth_m, kind)
+    fn reaches(&self, setup: usize, bit_depth_m: f64, part: HolePart) -> bool {
+        self.model.reaches(setup, bit_depth_m, part)
     }
 
     fn loads(&self, asked: &[super::Asked]) -> Result<Vec<super::Loads>, CalibrationError> {

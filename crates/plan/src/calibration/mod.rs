@@ -26,7 +26,7 @@ mod surface;
 
 pub use error::CalibrationError;
 pub use outcome::{BandPoint, Calibration, Confused, Estimate, Point, ProfilePoint, ReadingError};
-pub use parameter::{Factors, Parameter, State};
+pub use parameter::{AroundRatio, Factors, HolePart, MOST_SECTIONS, Parameter, State};
 pub use predict::{Asked, Assembly, Loads, Predict, SoftPredictions};
 pub use quantile::{normal_below, normal_within, student_within};
 pub use reading::{Channel, ErrorKind, Motion, Reading};

@@ -54,6 +54,8 @@ pub struct Point {
     pub predicted: f64,
     /// Standard error of that prediction by those of the parameters.
     pub predicted_error: f64,
+    /// Half the width of the band within which a reading lies.
+    pub reading_half_width: f64,
     /// Residual, measured less predicted, over the standard error that it has after the fit.
     pub standardised: f64,
     /// It lies beyond what errors of this size allow.

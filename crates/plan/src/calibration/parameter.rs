@@ -1,11 +1,14 @@
 //! The numbers that are looked for.
 
-use wholestring::well::{Friction, HoleKind};
+use wholestring::well::{Friction, HoleError, HoleKind};
 
 use super::Motion;
-use crate::WallFriction;
+use crate::Setup;
 
-/// Friction factors of steel and of rock, along the hole and around it.
+/// Most sections of a hole that have factors of their own.
+pub const MOST_SECTIONS: usize = 5;
+
+/// Friction factors of steel and of rock, along the hole and around it, or of sections of the hole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Factors {
     /// In casing, along the hole.
@@ -16,25 +19,83 @@ pub struct Factors {
     pub cased_around: f64,
     /// In open hole, around it.
     pub open_around: f64,
+    /// Along and around the hole in sections that have their own, from the surface down.
+    pub sections: [Option<[f64; 2]>; MOST_SECTIONS],
 }
 
 /// Smallest factor along the hole that one around it is taken in its ratio to.
 const LEAST: f64 = 1e-6;
 
 impl Factors {
-    /// As a setup takes them.
-    pub fn walls(&self) -> WallFriction {
-        let friction = |along: f64, around: f64| {
+    /// The same factor along the hole and around it, of steel and of rock.
+    pub fn of_walls(cased: f64, open: f64) -> Self {
+        let sections = [None; MOST_SECTIONS];
+        Self { cased, open, cased_around: cased, open_around: open, sections }
+    }
+
+    /// Along and around the hole in a section, counted from the surface, of a kind.
+    pub fn of_section(&self, section: usize, kind: HoleKind) -> [f64; 2] {
+        let own = self.sections.get(section).copied().flatten();
+        own.unwrap_or(match kind {
+            HoleKind::Casing => [self.cased, self.cased_around],
+            HoleKind::Open => [self.open, self.open_around],
+        })
+    }
+
+    /// A setup with these factors.
+    ///
+    /// # Errors
+    /// A factor that is out of its range.
+    pub fn applied_to(&self, setup: &Setup) -> Result<Setup, HoleError> {
+        let sections = setup.well.hole.sections();
+        setup.with_friction_of(|section| {
+            let place = sections.iter().position(|of| of.from_md_m == section.from_md_m);
+            let [along, around] = self.of_section(place.unwrap_or(usize::MAX), section.kind);
             let along = if around > 0.0 { along.max(LEAST) } else { along };
             let ratio = if along > 0.0 { around / along } else { 1.0 };
             Friction { around: ratio, ..Friction::uniform(along) }
-        };
-        WallFriction {
-            cased: friction(self.cased, self.cased_around),
-            open: friction(self.open, self.open_around),
-        }
+        })
     }
 }
+
+/// A part of the hole that has a factor of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HolePart {
+    /// All of its casings, or all of its rock.
+    Kind(HoleKind),
+    /// A section, counted from the surface.
+    Section(usize),
+}
+
+impl From<HoleKind> for HolePart {
+    fn from(kind: HoleKind) -> Self {
+        Self::Kind(kind)
+    }
+}
+
+/// Names and words of the factors of sections, along the hole and around it.
+const SECTIONS: [[[&str; 2]; 2]; MOST_SECTIONS] = [
+    [
+        ["friction_section_1", "friction factor of section 1"],
+        ["friction_section_1_around", "friction factor of section 1 around the hole"],
+    ],
+    [
+        ["friction_section_2", "friction factor of section 2"],
+        ["friction_section_2_around", "friction factor of section 2 around the hole"],
+    ],
+    [
+        ["friction_section_3", "friction factor of section 3"],
+        ["friction_section_3_around", "friction factor of section 3 around the hole"],
+    ],
+    [
+        ["friction_section_4", "friction factor of section 4"],
+        ["friction_section_4_around", "friction factor of section 4 around the hole"],
+    ],
+    [
+        ["friction_section_5", "friction factor of section 5"],
+        ["friction_section_5_around", "friction factor of section 5 around the hole"],
+    ],
+];
 
 /// All that the readings depend on.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,6 +123,10 @@ pub enum Parameter {
     CasedAround,
     /// Of open hole, around it.
     OpenAround,
+    /// Of a section of the hole, counted from the surface, along the hole.
+    Section(usize),
+    /// Of a section, around it.
+    SectionAround(usize),
     /// Weight of block and top drive, N.
     BlockWeight,
     /// Torque of the bit on bottom, N·m.
@@ -70,13 +135,23 @@ pub enum Parameter {
 
 impl Parameter {
     /// Every parameter.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 8 + 2 * MOST_SECTIONS] = [
         Self::Friction,
         Self::Cased,
         Self::Open,
         Self::FrictionAround,
         Self::CasedAround,
         Self::OpenAround,
+        Self::Section(0),
+        Self::Section(1),
+        Self::Section(2),
+        Self::Section(3),
+        Self::Section(4),
+        Self::SectionAround(0),
+        Self::SectionAround(1),
+        Self::SectionAround(2),
+        Self::SectionAround(3),
+        Self::SectionAround(4),
         Self::BlockWeight,
         Self::BitTorque,
     ];
@@ -90,6 +165,8 @@ impl Parameter {
             Self::FrictionAround => "friction_around",
             Self::CasedAround => "friction_cased_around",
             Self::OpenAround => "friction_open_around",
+            Self::Section(of) => SECTIONS[of][0][0],
+            Self::SectionAround(of) => SECTIONS[of][1][0],
             Self::BlockWeight => "block_weight_N",
             Self::BitTorque => "bit_torque_N_m",
         }
@@ -109,6 +186,8 @@ impl Parameter {
             Self::FrictionAround => "friction factor around the hole",
             Self::CasedAround => "friction factor of casing around the hole",
             Self::OpenAround => "friction factor of open hole around the hole",
+            Self::Section(of) => SECTIONS[of][0][1],
+            Self::SectionAround(of) => SECTIONS[of][1][1],
             Self::BlockWeight => "block weight",
             Self::BitTorque => "bit torque",
         }
@@ -121,15 +200,29 @@ impl Parameter {
 
     /// Whether it is a factor around the hole only.
     pub const fn is_around(self) -> bool {
-        matches!(self, Self::FrictionAround | Self::CasedAround | Self::OpenAround)
+        matches!(
+            self,
+            Self::FrictionAround | Self::CasedAround | Self::OpenAround | Self::SectionAround(_)
+        )
     }
 
-    /// The wall that it is of; none of all walls, and of what is no factor.
-    pub const fn wall(self) -> Option<HoleKind> {
+    /// The part of the hole that it is of; none of all of it, and of what is no factor.
+    pub const fn part(self) -> Option<HolePart> {
         match self {
-            Self::Cased | Self::CasedAround => Some(HoleKind::Casing),
-            Self::Open | Self::OpenAround => Some(HoleKind::Open),
+            Self::Cased | Self::CasedAround => Some(HolePart::Kind(HoleKind::Casing)),
+            Self::Open | Self::OpenAround => Some(HolePart::Kind(HoleKind::Open)),
+            Self::Section(of) | Self::SectionAround(of) => Some(HolePart::Section(of)),
             _ => None,
+        }
+    }
+
+    /// Whether two factors, both along the hole or both around it, may be of one place.
+    pub(super) fn meets(self, other: Self) -> bool {
+        use HolePart::{Kind, Section};
+        match (self.part(), other.part()) {
+            (None, _) | (_, None) => true,
+            (Some(Kind(_)), Some(Section(_))) | (Some(Section(_)), Some(Kind(_))) => true,
+            (one, other) => one == other,
         }
     }
 
@@ -144,8 +237,10 @@ impl Parameter {
     }
 
     /// Sets it; a factor along the hole takes that around it along by its ratio, where it has one.
-    pub(super) fn set(self, state: &mut State, value: f64, ratio: Option<[f64; 2]>) {
+    pub(super) fn set(self, state: &mut State, value: f64, ratio: Option<&AroundRatio>) {
         let factors = &mut state.factors;
+        let sections = ratio.map(|of| &of.sections);
+        let ratio = ratio.map(|of| of.walls);
         if matches!(self, Self::Friction | Self::Cased) {
             factors.cased = value;
             factors.cased_around = ratio.map_or(factors.cased_around, |[of, _]| of * value);
@@ -160,9 +255,33 @@ impl Parameter {
             }
             Self::CasedAround => factors.cased_around = value,
             Self::OpenAround => factors.open_around = value,
+            Self::Section(of) => {
+                let around = factors.sections[of].map_or(value, |[_, around]| around);
+                let around = sections.map_or(around, |ratio| ratio[of] * value);
+                factors.sections[of] = Some([value, around]);
+            }
+            Self::SectionAround(of) => {
+                let along = factors.sections[of].map_or(value, |[along, _]| along);
+                factors.sections[of] = Some([along, value]);
+            }
             Self::BlockWeight => state.block_weight_N = value,
             Self::BitTorque => state.bit_torque_N_m = value,
             _ => {}
         }
+    }
+}
+
+/// Friction around the hole over that along it, where the one follows the other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AroundRatio {
+    /// In casing and in open hole.
+    pub walls: [f64; 2],
+    /// In each section that has a factor of its own.
+    pub sections: [f64; MOST_SECTIONS],
+}
+
+impl Default for AroundRatio {
+    fn default() -> Self {
+        Self { walls: [1.0; 2], sections: [1.0; MOST_SECTIONS] }
     }
 }

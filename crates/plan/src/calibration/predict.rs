@@ -6,7 +6,7 @@ use wholestring::{
     well::HoleKind,
 };
 
-use super::{CalibrationError, Factors, Motion};
+use super::{CalibrationError, Factors, HolePart, Motion};
 use crate::Setup;
 
 /// A question to a model: the loads at surface of a string with its bit at a depth.
@@ -33,8 +33,8 @@ pub struct Loads {
 
 /// A model that predicts readings: the soft string, the stiff one, or another.
 pub trait Predict {
-    /// Whether a string with its bit at a depth, m, lies in hole of this kind.
-    fn reaches(&self, setup: usize, bit_depth_m: f64, kind: HoleKind) -> bool;
+    /// Whether a string with its bit at a depth, m, lies in this part of the hole.
+    fn reaches(&self, setup: usize, bit_depth_m: f64, part: HolePart) -> bool;
 
     /// The loads of each, in their order; they may be found at once.
     ///
@@ -83,10 +83,15 @@ impl Assembly {
         Operation { bit_depth_m, bit_torque_N_m: 0.0, ..operation }
     }
 
-    /// Whether the string lies in hole of this kind.
-    pub fn reaches(&self, bit_depth_m: f64, kind: HoleKind) -> bool {
-        let sections = self.setup.well.hole.sections();
-        sections.iter().any(|section| section.kind == kind && section.from_md_m < bit_depth_m)
+    /// Whether the string lies in this part of the hole.
+    pub fn reaches(&self, bit_depth_m: f64, part: HolePart) -> bool {
+        let sections = self.setup.well.hole.sections().iter().enumerate();
+        let is_of = |place: usize, kind: HoleKind| match part {
+            HolePart::Kind(of) => kind == of,
+            HolePart::Section(of) => place == of,
+        };
+        let mut of_part = sections.filter(|(place, section)| is_of(*place, section.kind));
+        of_part.any(|(_, section)| section.from_md_m < bit_depth_m)
     }
 }
 
@@ -117,7 +122,7 @@ impl<'a> SoftPredictions<'a> {
     pub fn one(&self, asked: &Asked) -> Result<Loads, CalibrationError> {
         let assembly = &self.assemblies[asked.setup];
         let no_answer = |reason: String| asked.no_answer("soft", reason);
-        let setup = assembly.setup.with_friction(&asked.factors.walls());
+        let setup = asked.factors.applied_to(&assembly.setup);
         let setup = setup.map_err(|error| no_answer(error.to_string()))?;
         let model = setup.at(asked.bit_depth_m).map_err(|error| no_answer(error.to_string()))?;
         let operation = assembly.operation(asked.motion, asked.bit_depth_m);
@@ -147,8 +152,8 @@ impl Asked {
 }
 
 impl Predict for SoftPredictions<'_> {
-    fn reaches(&self, setup: usize, bit_depth_m: f64, kind: HoleKind) -> bool {
-        self.assemblies[setup].reaches(bit_depth_m, kind)
+    fn reaches(&self, setup: usize, bit_depth_m: f64, part: HolePart) -> bool {
+        self.assemblies[setup].reaches(bit_depth_m, part)
     }
 
     fn loads(&self, asked: &[Asked]) -> Result<Vec<Loads>, CalibrationError> {

@@ -1,6 +1,6 @@
 //! What is looked for, and how.
 
-use super::{ErrorKind, Parameter, State};
+use super::{AroundRatio, ErrorKind, Parameter, State};
 
 /// What is looked for, and how.
 #[derive(Debug, Clone, PartialEq)]
@@ -9,9 +9,8 @@ pub struct Settings {
     pub parameters: Vec<Parameter>,
     /// All numbers where they are not looked for.
     pub held: State,
-    /// Friction around the hole in its ratio to that along it, in casing and in open hole, where it
-    /// is not looked for itself.
-    pub around_ratio: [f64; 2],
+    /// Friction around the hole in its ratio to that along it, where it is not looked for itself.
+    pub around_ratio: AroundRatio,
     /// Whether friction around the hole is looked for itself.
     pub around_apart: bool,
     /// Standard error of each kind of reading, N or N·m, by [`ErrorKind::place`]; estimated where
@@ -45,7 +44,7 @@ impl Settings {
             parameters,
             held,
             around_apart,
-            around_ratio: [1.0, 1.0],
+            around_ratio: AroundRatio::default(),
             errors: [None; ErrorKind::ALL.len()],
             profiles: true,
             confidence: 0.95,
@@ -60,7 +59,7 @@ impl Settings {
     /// Holds a number that was looked for.
     pub fn hold(&mut self, parameter: Parameter, value: f64) {
         let ratio = self.around_follows().then_some(self.around_ratio);
-        parameter.set(&mut self.held, value, ratio);
+        parameter.set(&mut self.held, value, ratio.as_ref());
         self.parameters.retain(|of| *of != parameter);
     }
 
@@ -72,7 +71,7 @@ impl Settings {
     /// All numbers, some of which are as given.
     pub fn state(&self, values: &[f64]) -> State {
         let mut state = self.held;
-        let ratio = self.around_follows().then_some(self.around_ratio);
+        let ratio = self.around_follows().then_some(&self.around_ratio);
         for (parameter, &value) in self.parameters.iter().zip(values) {
             parameter.set(&mut state, value, ratio);
         }

@@ -89,7 +89,7 @@ fn check(readings: &[Reading], settings: &Settings) -> Result<(), CalibrationErr
             let alike = first.is_factor()
                 && second.is_factor()
                 && first.is_around() == second.is_around()
-                && (first.wall().is_none() || second.wall().is_none());
+                && first.meets(second);
             if first == second || alike {
                 return Err(CalibrationError::Twice(first, second));
             }
@@ -197,14 +197,15 @@ fn points(
         let predicted = predictions[row].0;
         let residual = reading.value - predicted;
         let standardised = residual / (error * (1.0 - leverage).max(1e-6).sqrt());
-        let half_width = band_factor * error * (1.0 + leverage).sqrt();
+        let reading_half_width = band_factor * error * (1.0 + leverage).sqrt();
         Point {
             reading: *reading,
             predicted,
             predicted_error: error * leverage.sqrt(),
+            reading_half_width,
             standardised,
             outlier: standardised.abs() > likelihood.settings.outlier_beyond,
-            within_band: residual.abs() <= half_width,
+            within_band: residual.abs() <= reading_half_width,
         }
     };
     likelihood.readings.iter().enumerate().map(of).collect()
@@ -242,6 +243,7 @@ fn held_out_points(
             reading: *reading,
             predicted: band.predicted,
             predicted_error: band.mean_half_width / band_factor,
+            reading_half_width: band.reading_half_width,
             standardised,
             outlier: standardised.abs() > settings.outlier_beyond,
             within_band: residual.abs() <= band.reading_half_width,

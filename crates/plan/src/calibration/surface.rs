@@ -4,10 +4,16 @@
 //! through few nodes gives both to a hundredth of what a weight is read to, and fits, profiles and
 //! samples cost nothing more. How far it is off is checked against the model at the best fit.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::{Asked, CalibrationError, Loads, Motion, Parameter, Predict, Reading, Settings};
 
 /// Nodes of a string that turns, whose loads are nearly linear.
 const TURNING_NODES: usize = 3;
+
+/// Most strings of a station: of many factors each has fewer nodes, and the box is narrowed more
+/// often until that is enough.
+const MOST_STRINGS: usize = 243;
 
 /// A string at a depth in a motion, and which parameters it rubs by.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,11 +36,18 @@ impl Station {
         let follows = settings.around_follows();
         let rubs = |parameter: &Parameter| {
             parameter.rubs(motion, follows)
-                && parameter.wall().is_none_or(|kind| model.reaches(setup, bit_depth_m, kind))
+                && parameter.part().is_none_or(|part| model.reaches(setup, bit_depth_m, part))
         };
         let parameters = settings.parameters.iter().enumerate();
         let rubs_by = parameters.filter(|(_, parameter)| rubs(parameter)).map(|(place, _)| place);
         Self { setup, bit_depth_m, motion, rubs_by: rubs_by.collect() }
+    }
+
+    /// Nodes of each factor that it rubs by.
+    fn nodes(&self, nodes: usize) -> usize {
+        let most = if self.motion.turns() { nodes.min(TURNING_NODES) } else { nodes };
+        let strings = |each: usize| each.pow(self.rubs_by.len() as u32);
+        (2..=most).rev().find(|each| strings(*each) <= MOST_STRINGS).unwrap_or(2)
     }
 
     pub(super) fn asked(&self, settings: &Settings, values: &[f64]) -> Asked {
@@ -84,7 +97,8 @@ pub(super) struct Sloped {
 pub(super) struct Surfaces {
     /// From where to where, of each parameter.
     pub(super) span: Vec<[f64; 2]>,
-    nodes: usize,
+    /// How many nodes stations have.
+    nodes: BTreeSet<usize>,
     /// Parameters and loads at the nodes, the first parameter's outermost.
     stations: Vec<(Vec<usize>, usize, Vec<[f64; 2]>)>,
 }
@@ -117,12 +131,11 @@ impl Surfaces {
         stations: &[Station],
         span: Vec<[f64; 2]>,
     ) -> Result<Self, CalibrationError> {
-        let nodes = settings.nodes;
         let middle: Vec<f64> = span.iter().map(|[from, to]| 0.5 * (from + to)).collect();
         let mut asked = Vec::new();
         let mut counts = Vec::new();
         for station in stations {
-            let each = if station.motion.turns() { nodes.min(TURNING_NODES) } else { nodes };
+            let each = station.nodes(settings.nodes);
             let x = extrema(each);
             let count = each.pow(station.rubs_by.len() as u32);
             for index in 0..count {
@@ -137,6 +150,7 @@ impl Surfaces {
             }
             counts.push((each, count));
         }
+        let nodes = counts.iter().map(|(each, _)| *each).collect();
         let mut loads = model.loads(&asked)?.into_iter();
         let stations = stations.iter().zip(counts).map(|(station, (each, count))| {
             let of = loads.by_ref().take(count);
@@ -157,11 +171,10 @@ impl Surfaces {
             };
             values.iter().zip(&self.span).map(at).collect()
         };
-        let tripping = bases(self.nodes);
-        let turning = bases(self.nodes.min(TURNING_NODES));
+        let bases: BTreeMap<usize, _> = self.nodes.iter().map(|of| (*of, bases(*of))).collect();
         let station = |(places, each, loads): &(Vec<usize>, usize, Vec<[f64; 2]>)| {
-            let bases = if *each == self.nodes { &tripping } else { &turning };
-            let bases: Vec<&Vec<[f64; 2]>> = places.iter().map(|&place| &bases[place]).collect();
+            let bases: Vec<&Vec<[f64; 2]>> =
+                places.iter().map(|&place| &bases[each][place]).collect();
             let mut sloped =
                 Sloped { loads: [0.0; 2], slopes: places.iter().map(|&p| (p, [0.0; 2])).collect() };
             for (index, of) in loads.iter().enumerate() {

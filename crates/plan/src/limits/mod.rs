@@ -13,10 +13,12 @@ mod overpull;
 mod rig;
 mod settings;
 mod strengths;
+mod surface;
 
 pub use kind::{DesignFactors, LimitKind};
 pub use limit::{Limits, LoadCheck, Missing, Standing, Unchecked};
 pub use settings::LimitSettings;
+pub use surface::{SurfaceLimit, surface_limits};
 
 use wholestring::{
     model::Model, operation::Operation, outcome::Solution, statics::soft::SoftLoads,

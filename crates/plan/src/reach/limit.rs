@@ -60,7 +60,7 @@ limits! {
 }
 
 impl Limit {
-    /// Whether the string stops there. It goes on buckled.
+    /// Whether the string stops there if nothing else is asked for. It goes on buckled.
     pub const fn stops(self) -> bool {
         !matches!(self, Self::Helix | Self::Sinusoid | Self::VerticalHelix)
     }

@@ -35,6 +35,8 @@ impl End {
 pub struct Curve {
     /// Which limit.
     pub limit: Limit,
+    /// Whether the string stops there.
+    pub stops: bool,
     /// What is left to it, at each depth of the grid.
     pub margins: Vec<Margin>,
     /// Where it is met first.
@@ -91,7 +93,9 @@ pub fn reach_unless(
         let margins: Vec<Margin> = rows.iter().map(|row| row[index]).collect();
         let one = |depth_m: f64| at(depth_m).map(|row| row[index]);
         let (end, there) = end(&depth_m, &margins, one, settings.tolerance_m)?;
-        Ok(Curve { limit: margins[0].limit, margins, end, there })
+        let limit = margins[0].limit;
+        let stops = limit.stops() || (settings.stop_at_helix && limit == Limit::Helix);
+        Ok(Curve { limit, stops, margins, end, there })
     });
     let curves = curves.collect::<Result<_, ReachError>>()?;
     Ok(OperationReach { kind: operation.kind, depth_m, curves })
@@ -129,7 +133,7 @@ fn bounded(margin: f64) -> f64 {
 /// those that are met already at the first depth, the one that is exceeded most.
 pub fn first_stop(of: &[OperationReach]) -> Option<(&OperationReach, &Curve)> {
     let all = of.iter().flat_map(|reach| reach.curves.iter().map(move |curve| (reach, curve)));
-    let met = all.filter(|(_, curve)| curve.limit.stops());
+    let met = all.filter(|(_, curve)| curve.stops);
     let met = met.filter_map(|of| Some((of.1.end.depth_m()?, of)));
     let first = met.min_by(|(a_m, (_, a)), (b_m, (_, b))| {
         let exceeded = a.there.margin.total_cmp(&b.there.margin);

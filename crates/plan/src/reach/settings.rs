@@ -18,6 +18,8 @@ pub struct ReachSettings {
     /// How the soft string is integrated, and whether what a helix presses to the wall rubs; a
     /// string whose helix does not rub never locks up.
     pub soft: SoftSettings,
+    /// Whether the string stops where its helix begins, though it would go on buckled.
+    pub stop_at_helix: bool,
     /// How exactly a depth is found, m.
     pub tolerance_m: f64,
 }
@@ -34,6 +36,7 @@ impl ReachSettings {
             to_m: Self::TO_M.max(2.0 * from_m),
             depths: 61,
             soft: SoftSettings { step_m: 5.0, helix_side_force: true },
+            stop_at_helix: false,
             tolerance_m: 0.01,
         }
     }

@@ -51,7 +51,7 @@ pub fn assembly(oracle: &Oracle) -> Assembly {
 }
 
 pub fn settings() -> Settings {
-    let factors = Factors { cased: 0.2, open: 0.2, cased_around: 0.2, open_around: 0.2 };
+    let factors = Factors::of_walls(0.2, 0.2);
     let held = State { factors, block_weight_N: 0.0, bit_torque_N_m: 0.0 };
     let errors = [Some(12e3), Some(6e3), Some(500.0)];
     Settings { errors, ..Settings::new(PARAMETERS.to_vec(), held) }

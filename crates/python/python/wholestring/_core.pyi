@@ -169,6 +169,7 @@ class CalibrateOptions(TypedDict):
     data: str
     content: bytes | None
     one_factor: bool
+    by_section: bool
     friction_around: bool
     block_weight: bool
     bit_torque: bool

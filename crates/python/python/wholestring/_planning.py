@@ -227,6 +227,7 @@ class Planning(Checked):
         *,
         others: Sequence[C] = (),
         one_factor: bool = False,
+        by_section: bool = False,
         friction_around: bool = False,
         block_weight: bool = False,
         bit_torque: bool = False,
@@ -259,6 +260,8 @@ class Planning(Checked):
             name.
         one_factor
             One friction factor for casing and open hole.
+        by_section
+            A friction factor for each section of the hole.
         friction_around
             Whether to look for friction around the hole apart from that along it.
         block_weight
@@ -311,6 +314,7 @@ class Planning(Checked):
             "data": read,
             "content": None if is_path else content(data),
             "one_factor": one_factor,
+            "by_section": by_section,
             "friction_around": friction_around,
             "block_weight": block_weight,
             "bit_torque": bit_torque,

@@ -24,6 +24,7 @@ pub(crate) struct CalibrateOptions {
     data: PathBuf,
     content: Option<Vec<u8>>,
     one_factor: bool,
+    by_section: bool,
     friction_around: bool,
     block_weight: bool,
     bit_torque: bool,
@@ -54,6 +55,7 @@ impl CalibrateOptions {
         let model = models.into_iter().find(|of| of.name() == self.model);
         Ok(Fit {
             one_factor: self.one_factor,
+            by_section: self.by_section,
             friction_around: self.friction_around,
             block_weight: self.block_weight,
             bit_torque: self.bit_torque,

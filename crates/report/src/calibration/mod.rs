@@ -72,6 +72,10 @@ pub struct CalibrationPoint {
     pub measured: f64,
     /// By the model.
     pub predicted: f64,
+    /// Measured less predicted.
+    pub residual: f64,
+    /// The band in which a reading lies.
+    pub reading_band: [f64; 2],
     /// Residual over its standard error.
     pub standardised: f64,
     /// Beyond the bound.

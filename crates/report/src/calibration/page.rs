@@ -173,14 +173,16 @@ fn readings(of: &Calibration, shown: Shown<'_>) -> StudyPart {
         head("bit depth", false),
         head("measured", false),
         head("predicted", false),
-        head("residual, standard errors", false),
+        head(format!("band of {:.0} %", 100.0 * of.confidence[1]), false),
+        head("residual", false),
+        head("in standard errors", false),
         head("in the fit", true),
         head("in its band", true),
     ]);
     let rows = of.points.iter().map(|point| {
         let dimension = if point.is_torque { "torque" } else { "force" };
-        let load =
-            |si: f64| format!("{} {}", four(shown.value(si, dimension)), shown.symbol(dimension));
+        let number = |si: f64| four(shown.value(si, dimension));
+        let load = |si: f64| format!("{} {}", number(si), shown.symbol(dimension));
         let mut cells = vec![said(&point.reading).to_owned()];
         cells.extend(several.then(|| point.case.clone()));
         cells.extend([
@@ -188,6 +190,8 @@ fn readings(of: &Calibration, shown: Shown<'_>) -> StudyPart {
             shown.quantity(point.bit_depth_m, "length"),
             load(point.measured),
             load(point.predicted),
+            format!("{} to {}", number(point.reading_band[0]), number(point.reading_band[1])),
+            number(point.residual),
             format!("{:.2}", point.standardised).replace('-', "\u{2212}"),
             if point.used { "yes" } else { "held out" }.to_owned(),
         ]);
@@ -201,8 +205,9 @@ fn readings(of: &Calibration, shown: Shown<'_>) -> StudyPart {
     });
     StudyPart::Table {
         title: "Readings".into(),
-        caption: "Weights with the block's. Place: where the reading stands in its file. In its band: within \
-                  that of readings above."
+        caption: "Weights with the block's. Place: where the reading stands in its file. Band: \
+                  within which such a reading lies. Residual: measured less predicted, and the same \
+                  over its standard error."
             .into(),
         grid: Grid { heads, rows: rows.collect() },
         files: "calibration".into(),

@@ -172,10 +172,46 @@ fn rule(on: &mut Drawing, line: [(f64, f64); 2], label: &str, all: &[Mark], plac
         let free = free.min_by_key(|at| crowd(&ground(*at), all, place));
         free.unwrap_or(places[0][0])
     } else {
-        (left + 3.5, y.min(other) + 7.0)
+        let row = row(label, left, all, place) as f64;
+        (beside(left, width, place), y.min(other) + 7.0 + 9.0 * row)
     };
     on.fill(ground(at).corners().to_vec(), Ink::Paper, 0.75);
     on.text(label, at, SIZE, Ink::Text, Anchor::Start);
+}
+
+/// Where a name begins beside a line down the page: to its right, where there is room.
+fn beside(x: f64, width: f64, place: &Place) -> f64 {
+    let right = x + 3.5;
+    if right + width <= place.frame.right() { right } else { x - 3.5 - width }
+}
+
+/// The row of a name beside a line down the page: the first where it covers no name of an earlier
+/// line.
+fn row(label: &str, x: f64, all: &[Mark], place: &Place) -> usize {
+    let lines = all.iter().filter_map(|mark| {
+        let (line, label) = match mark {
+            Mark::OwnRule { at, label } => (place.own_line(*at), label),
+            Mark::SharedRule { at, label } => (place.shared_line(*at), label),
+            _ => return None,
+        };
+        let [(x, top), (_, bottom)] = line;
+        (top != bottom && !label.is_empty()).then_some((x, label))
+    });
+    let mut taken: Vec<(usize, f64, f64)> = Vec::new();
+    for (at, name) in lines {
+        let width = text_width(name, 6.5);
+        let left = beside(at, width, place);
+        let right = left + width + 3.0;
+        let covers = |row: usize| {
+            taken.iter().any(|(of, from, to)| *of == row && left < *to && *from < right)
+        };
+        let row = (0..).find(|row| !covers(*row)).unwrap_or(0);
+        if at == x && name == label {
+            return row;
+        }
+        taken.push((row, left, right));
+    }
+    0
 }
 
 /// Names of curves beside their ends, each where it covers no other and few curves; what belongs to

@@ -57,6 +57,29 @@ fn figure(direction: Direction, columns: usize) -> Figure {
     }
 }
 
+/// Names of lines down the page that are near to each other stand below each other, and none leaves
+/// the frame.
+#[test]
+fn names_of_near_lines_do_not_cover_each_other() {
+    let names = ["top drive", "make-up", "pipe, torsion", "hoist"];
+    let mut of = figure(Direction::Down, 1);
+    of.panels.truncate(1);
+    let rules = names.iter().zip([60.0, 61.0, 62.0, 79.0]);
+    of.panels[0].marks.extend(rules.map(|(name, at)| Mark::OwnRule { at, label: (*name).into() }));
+    let drawing = of.drawing();
+    let boxes = boxes(&drawing.svg());
+    let own: Vec<_> = boxes.iter().filter(|of| names.contains(&of.1.as_str())).collect();
+    assert_eq!(own.len(), names.len(), "{boxes:?}");
+    for (place, (one, name)) in own.iter().enumerate() {
+        assert!(one[2] <= drawing.size().0, "{name}: {one:?}");
+        for (other, with) in &own[place + 1..] {
+            let beside = one[2] <= other[0] || other[2] <= one[0];
+            let apart = beside || one[3] <= other[1] || other[3] <= one[1];
+            assert!(apart, "{name} {one:?}, {with} {other:?}");
+        }
+    }
+}
+
 /// Left, top, right, bottom of every text, with its own.
 fn boxes(svg: &str) -> Vec<([f64; 4], String)> {
     let mut boxes = Vec::new();

@@ -1,16 +1,14 @@
 //! Hook load and surface torque against the depth of the bit.
 
-use super::{Plan, PlanCurve, PlanSpot, depth_figure::over_depth, measured, overlay};
+use super::{
+    Plan, PlanCurve, PlanSpot, PlanSurfaceLimit, depth_figure::over_depth, measured, overlay,
+};
 use crate::operation_words::{colour, on_bottom, operation_name, rotates};
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::Shown,
     uncertain::Uncertain,
 };
-
-/// A limit farther beyond the curves than this part of them is told, not drawn: it would flatten
-/// them.
-const FAR: f64 = 1.35;
 
 /// Curves that differ by less than this part of the largest are one to the eye.
 const SAME: f64 = 2e-3;
@@ -26,8 +24,6 @@ struct Quantity<'a> {
     name: &'a str,
     dimension: &'a str,
     of: fn(&PlanSpot) -> f64,
-    limit: Option<f64>,
-    limit_name: &'a str,
 }
 
 /// Slack-off to the left, rotating, pick-up to the right; beside it what drills.
@@ -38,8 +34,6 @@ pub(super) fn hook_load(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
         name: "hook_load",
         dimension: "force",
         of: |spot| spot.hook_load_N,
-        limit: plan.rig.hook_load_N(),
-        limit_name: "hoist",
     };
     figure(plan, shown, &quantity, |_| true)
 }
@@ -52,8 +46,6 @@ pub(super) fn torque(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {
         name: "surface_torque",
         dimension: "torque",
         of: |spot| spot.torque_N_m,
-        limit: plan.rig.top_drive_N_m,
-        limit_name: "top drive",
     };
     figure(plan, shown, &quantity, rotates)
 }
@@ -68,33 +60,35 @@ fn figure(
     let (drilling, off): (Vec<&str>, Vec<&str>) = all.partition(|of| on_bottom(of));
     let groups = [(off, "off bottom"), (drilling, "on bottom")];
     let groups = groups.into_iter().filter(|(operations, _)| !operations.is_empty());
-    let mut is_limit_drawn = false;
+    let limits: Vec<&PlanSurfaceLimit> = plan.surface(quantity.dimension).collect();
+    let mut largest = 0.0_f64;
     let mut panels = Vec::new();
     let mut operations = Vec::new();
     for (group, name) in groups {
-        let (panel, is_near) = panel(plan, shown, quantity, &group, name);
+        let (panel, most) = panel(plan, shown, quantity, &group, name);
         panels.push(panel);
-        is_limit_drawn |= is_near;
+        largest = largest.max(most);
         operations.extend(group);
     }
     let mut keys = keys(plan, &operations);
     keys.extend(measured::keys(plan, &operations, quantity.dimension));
     keys.extend(overlay::keys(plan, &operations, quantity.dimension));
-    let told = quantity.limit.filter(|_| !is_limit_drawn).map(|limit| {
-        format!("{} {}", quantity.limit_name, shown.quantity(limit, quantity.dimension))
-    });
-    let subtitle = subtitle(plan, quantity.about, told);
+    let told = limits.iter().filter(|of| !of.is_near(largest));
+    let told =
+        told.map(|of| format!("{} {}", of.title, shown.quantity(of.allowed, quantity.dimension)));
+    let subtitle = subtitle(plan, quantity.about, &told.collect::<Vec<_>>());
     (!panels.is_empty()).then(|| over_depth(plan, shown, &subtitle, keys, panels))
 }
 
-/// Some operations, and whether the limit is drawn beside them.
+/// Some operations, and the most that their curves come to, SI: limits that are near to it are
+/// drawn.
 fn panel(
     plan: &Plan,
     shown: Shown<'_>,
     quantity: &Quantity<'_>,
     operations: &[&str],
     name: &str,
-) -> (Panel, bool) {
+) -> (Panel, f64) {
     let value = |spot: &PlanSpot| shown.value((quantity.of)(spot), quantity.dimension);
     let depth = |spot: &PlanSpot| shown.value(spot.bit_depth_m, "length");
     let points = |of: &PlanCurve| -> Vec<(f64, f64)> {
@@ -137,14 +131,14 @@ fn panel(
     // Above all curves.
     marks.extend(overlay::marks(plan, shown, operations, quantity.dimension));
     marks.extend(measured::marks(plan, shown, operations, quantity.dimension));
-    let limit = quantity.limit.map(|limit| shown.value(limit, quantity.dimension));
-    let is_near = limit.is_some_and(|limit| limit <= FAR * largest);
-    if let (Some(at), true) = (limit, is_near) {
-        marks.push(Mark::OwnRule { at, label: quantity.limit_name.to_owned() });
-    }
+    let largest = largest / shown.value(1.0, quantity.dimension);
+    marks.extend(plan.surface(quantity.dimension).filter(|of| of.is_near(largest)).map(|of| {
+        let at = shown.value(of.allowed, quantity.dimension);
+        Mark::OwnRule { at, label: of.title.clone() }
+    }));
     let title = format!("{}, {name}", quantity.title);
     let axis = Axis::new(shown.label(&title, quantity.dimension), Range::Zero);
-    (Panel::new(axis, marks), is_near)
+    (Panel::new(axis, marks), largest)
 }
 
 /// The friction at the end of each line; nothing where the lines of all frictions are one.
@@ -188,14 +182,18 @@ fn keys(plan: &Plan, operations: &[&str]) -> Vec<Key> {
 }
 
 /// What the picture is of, and limits that lie beyond it.
-fn subtitle(plan: &Plan, about: &str, told: Option<String>) -> String {
+fn subtitle(plan: &Plan, about: &str, told: &[String]) -> String {
     let first = plan.models.first();
     let lines = first.map(|model| match plan.models.len() {
         1 => format!("{model} string"),
         _ => format!("lines: {model} string"),
     });
     let about = (!about.is_empty()).then(|| about.to_owned());
-    let limits = told.map(|of| format!("limit of the {of}, beyond the picture"));
+    let limits = match told {
+        [] => None,
+        [one] => Some(format!("limit beyond the picture: {one}")),
+        several => Some(format!("limits beyond the picture: {}", several.join(", "))),
+    };
     let bands = plan.uncertain.iter().map(Uncertain::said);
     lines.into_iter().chain(about).chain(limits).chain(bands).collect::<Vec<_>>().join("; ")
 }

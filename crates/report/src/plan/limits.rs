@@ -78,7 +78,11 @@ pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         of_kind.min_by(|a, b| reserve(a).total_cmp(&reserve(b)))
     };
     let mut nearest: Vec<&PlanLimitRow> = kinds(plan).into_iter().filter_map(least).collect();
-    nearest.sort_by(|a, b| reserve(a).total_cmp(&reserve(b)));
+    let order = |of: &PlanLimitRow| (!of.breaks, reserve(of));
+    nearest.sort_by(|a, b| {
+        let ((a, of_a), (b, of_b)) = (order(a), order(b));
+        a.cmp(&b).then(of_a.total_cmp(&of_b))
+    });
     let row = |of: &PlanLimitRow| {
         let place = match of.md_m {
             Some(md_m) => format!("{}, {}", of.component, shown.depth(md_m)),
@@ -102,8 +106,9 @@ pub(super) fn nearest(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
         ]
     };
     let rows: Vec<_> = nearest.into_iter().map(row).collect();
-    let caption = "Of each kind the operation, friction and place with the least reserve; the least of \
-        all stands first.";
+    let caption = "Of each kind the operation, friction and place with the least reserve. What breaks \
+        or stops stands first, the least reserve of all at the top; below it buckling and \
+        overpull, which break nothing.";
     (!rows.is_empty()).then(|| part("Nearest limits", caption.to_owned(), Grid { heads, rows }))
 }
 

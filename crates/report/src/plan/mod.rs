@@ -40,10 +40,14 @@ pub struct Plan {
     pub mud: Option<PlanMud>,
     /// Sections of the hole, from the surface down.
     pub hole: Vec<Section>,
-    /// What the rig bears.
-    pub rig: PlanRig,
+    /// Weight of the block, N.
+    pub block_N: Option<f64>,
+    /// What hook load and torque may come to at the surface.
+    pub surface_limits: Vec<PlanSurfaceLimit>,
     /// Of each kind of limit and each operation the nearest one, kind after kind.
     pub limits: Vec<PlanLimitRow>,
+    /// Of each operation what would break first, in sentences, in SI, metric and field units.
+    pub first: [Vec<String>; 3],
     /// What could not be checked, and what is missing for it.
     pub unchecked: Vec<String>,
     /// Fatigue of each component.
@@ -113,6 +117,8 @@ pub struct PlanOverlayDifference {
     pub largest_at_m: f64,
     /// Theirs there.
     pub theirs_there: f64,
+    /// The largest as a part of theirs; none where theirs is zero.
+    pub largest_part: Option<f64>,
 }
 
 /// A weight or torque that was read, beside what a model makes of it.
@@ -203,6 +209,8 @@ pub struct BucklingCurve {
 /// A load against what bears it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanLimitRow {
+    /// Whether something breaks or stops where it is passed.
+    pub breaks: bool,
     /// What it is of.
     pub kind: String,
     /// Name of the operation.
@@ -351,21 +359,25 @@ pub struct PlanMudRow {
     pub at_bit_kg_per_m3: [f64; 5],
 }
 
-/// What the rig bears.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct PlanRig {
-    /// Weight of the block, N.
-    pub block_N: Option<f64>,
-    /// Capacity of the hoist, block included, N.
-    pub hoist_N: Option<f64>,
-    /// Torque of the top drive, N·m.
-    pub top_drive_N_m: Option<f64>,
+/// What hook load or torque may come to at the surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanSurfaceLimit {
+    /// What the line is called: `hoist`, `pipe, torsion`, ...
+    pub title: String,
+    /// Whether it is of torque and not of hook load.
+    pub is_torque: bool,
+    /// N without the block, or N·m, with the factor that is required.
+    pub allowed: f64,
 }
 
-impl PlanRig {
-    /// What the hoist carries beside the block, N.
-    pub fn hook_load_N(&self) -> Option<f64> {
-        Some(self.hoist_N? - self.block_N.unwrap_or(0.0))
+/// A limit farther beyond the curves than this part of them is told, not drawn: it would flatten
+/// them.
+const FAR: f64 = 1.35;
+
+impl PlanSurfaceLimit {
+    /// Whether it is drawn beside curves that come to so much.
+    pub fn is_near(&self, largest: f64) -> bool {
+        self.allowed <= FAR * largest
     }
 }
 
@@ -373,6 +385,12 @@ impl Plan {
     /// The curves of a model and an operation, from the least friction to the most.
     fn of<'a>(&'a self, model: &'a str, operation: &'a str) -> impl Iterator<Item = &'a PlanCurve> {
         self.curves.iter().filter(move |of| of.model == model && of.operation == operation)
+    }
+
+    /// What a force or a torque may come to at the surface; nothing of other dimensions.
+    fn surface<'a>(&'a self, dimension: &'a str) -> impl Iterator<Item = &'a PlanSurfaceLimit> {
+        let of_it = |of: &&PlanSurfaceLimit| if of.is_torque { "torque" } else { "force" };
+        self.surface_limits.iter().filter(move |of| of_it(of) == dimension)
     }
 
     /// Operations in their order.

@@ -1,6 +1,6 @@
 //! Standpipe pressure, equivalent density, surge and swab against the depth of the bit.
 
-use super::{Plan, PlanMudRow, depth_figure::over_depth};
+use super::{FAR, Plan, PlanMudRow, depth_figure::over_depth};
 use crate::operation_words::operation_name;
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Stroke},
@@ -15,9 +15,6 @@ pub(super) const STATES: [&str; 5] = [
     "pulling out, string closed",
     "pulling out, string open",
 ];
-
-/// A limit farther beyond the pressures than this part of them is told, not drawn.
-const FAR: f64 = 1.35;
 
 /// The pressure at the standpipe, and the densities at the bit and at the shoe.
 pub(super) fn figure(plan: &Plan, shown: Shown<'_>) -> Option<Figure> {

@@ -94,7 +94,6 @@ pub(super) fn table(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     let rows = overlay.differences.iter().map(|of| {
         let dimension = if of.is_torque { "torque" } else { "force" };
         let number = |value: f64| four(shown.value(value, dimension));
-        let part = 100.0 * of.largest / of.theirs_there;
         row(vec![
             operation_name(&of.operation).to_owned(),
             of.model.clone(),
@@ -108,11 +107,10 @@ pub(super) fn table(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
             number(of.largest),
             format!("{:.0}", shown.value(of.largest_at_m, "length")),
             number(of.theirs_there),
-            if part.is_finite() {
-                format!("{part:.1}").replace('-', "\u{2212}")
-            } else {
-                "–".to_owned()
-            },
+            of.largest_part.map_or_else(
+                || "–".to_owned(),
+                |part| format!("{:.1}", 100.0 * part).replace('-', "\u{2212}"),
+            ),
         ])
     });
     let rows: Vec<Vec<(String, Verdict)>> = rows.collect();

@@ -1,7 +1,12 @@
 //! The page of a plan as one file that needs nothing else.
 
 use super::{Plan, campaign, figures::plan_plots, limits, measured, overlay, peaks, tables};
-use crate::{StudyPage, StudyPart, plots::Shown, study::study_html_in_units, uncertain};
+use crate::{
+    StudyPage, StudyPart,
+    plots::{SETS, Shown},
+    study::study_html_in_units,
+    uncertain,
+};
 
 /// What the numbers stand for.
 const ABOUT: &str = "Hook load and surface torque against the depth of the bit: the same string, its \
@@ -15,9 +20,17 @@ const PICTURES: [(&str, &str, &str); 6] = [
         "Hook load",
         "Slack-off to the left, rotating in the middle, pick-up to the right; the friction stands at \
          the end of each line. Where a line ends early, the string has no answer below. Dotted \
-         across: casing shoes.",
+         across: casing shoes. Dashed down: what the hook load may come to, as the limits judge it: \
+         the hoist's capacity over its factor less the block, the tensile yield of the topmost pipe \
+         over its factor.",
     ),
-    ("torque", "Surface torque", "Of what turns; the friction stands at the end of each line."),
+    (
+        "torque",
+        "Surface torque",
+        "Of what turns; the friction stands at the end of each line. Dashed down: what the torque \
+         may come to, as the limits judge it: top drive, make-up and torsional yield of the topmost \
+         pipe, each over its factor.",
+    ),
     (
         "buckling_weight",
         "Weight to buckle",
@@ -30,7 +43,7 @@ const PICTURES: [(&str, &str, &str); 6] = [
         "Mud",
         "Pressure at the standpipe, and the density that weighs as much as mud and friction at the bit and \
          at the deepest casing shoe: circulating, and tripping at the case's speed with mud shut out of \
-         the string or streaming through it.",
+         the string or streaming through it. The limit of the pump is its own, without a factor.",
     ),
     ("uncertain", "What the bands are owed to", uncertain::CAPTION),
     (
@@ -50,6 +63,10 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
     let shown = Shown::new(&plan.head.dimensions, units);
     let facts = plan.head.facts.iter().filter_map(|fact| shown.fact(fact));
     let mut description = format!("{}.\n\n{ABOUT}", facts.collect::<Vec<_>>().join("; "));
+    let set = SETS.iter().position(|of| *of == units).unwrap_or(0);
+    if !plan.first[set].is_empty() {
+        description += &format!("\n\nWhat would break first. {}", plan.first[set].join(" "));
+    }
     if let Some(message) = &plan.message {
         description += &format!("\n\n{message}");
     }

@@ -1,6 +1,6 @@
 //! Peaks of a string that sets itself in motion: their picture and their table.
 
-use super::{Plan, PlanEvent, PlanPeakRow, broomstick::STROKES};
+use super::{FAR, Plan, PlanEvent, PlanPeakRow, broomstick::STROKES};
 use crate::grid_cells::{head, row};
 use crate::operation_words::four;
 use crate::{
@@ -12,9 +12,6 @@ use crate::{
 
 /// Points of a curve.
 const POINTS: usize = 600;
-
-/// A limit farther beyond the peaks than this part of them is not drawn.
-const FAR: f64 = 1.35;
 
 /// What a panel shows.
 #[derive(Clone, Copy)]
@@ -134,14 +131,11 @@ fn panel(plan: &Plan, shown: Shown<'_>, name: &str, shows: Shows, events: &[&Pla
             marks.push(Mark::OwnRule { at: value(gel_Pa), label });
         }
     }
-    let limit = match shows.dimension {
-        "force" => plan.rig.hook_load_N(),
-        "torque" => plan.rig.top_drive_N_m,
-        _ => plan.mud.as_ref().and_then(|mud| mud.pump_limit_Pa),
-    };
-    if let Some(limit) = limit.filter(|limit| *limit <= FAR * largest) {
-        marks.push(Mark::OwnRule { at: value(limit), label: "limit".to_owned() });
-    }
+    let pump_Pa = plan.mud.as_ref().and_then(|mud| mud.pump_limit_Pa);
+    let pump_Pa = pump_Pa.filter(|limit| shows.dimension == "pressure" && *limit <= FAR * largest);
+    marks.extend(pump_Pa.map(|at| Mark::OwnRule { at: value(at), label: "limit".to_owned() }));
+    let near = plan.surface(shows.dimension).filter(|of| of.is_near(largest));
+    marks.extend(near.map(|of| Mark::OwnRule { at: value(of.allowed), label: of.title.clone() }));
     let range = if shows.dimension == "force" { Range::Near } else { Range::Zero };
     let title = format!("{}: {}", capital(name), shows.title);
     Panel::new(Axis::new(shown.label(&title, shows.dimension), range), marks)

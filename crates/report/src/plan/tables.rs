@@ -36,7 +36,7 @@ pub(super) fn frictions(plan: &Plan) -> StudyPart {
 pub(super) fn at_depth(plan: &Plan, shown: Shown<'_>) -> Option<StudyPart> {
     let deepest = |points: &[PlanSpot]| points.last().cloned();
     let depth_m = plan.curves.iter().filter_map(|of| deepest(&of.points)).next_back()?.bit_depth_m;
-    let block_N = plan.rig.block_N;
+    let block_N = plan.block_N;
     let (force, torque) = (shown.symbol("force"), shown.symbol("torque"));
     let mut heads = vec![
         head("operation", true),

@@ -3,7 +3,7 @@ use std::collections::BTreeMap;
 use super::{
     BucklingCurve, Plan, PlanCurve, PlanEvent, PlanFatigueHourRow, PlanFatigueRow, PlanLevel,
     PlanLimitRow, PlanMeasured, PlanMud, PlanMudRow, PlanOverlay, PlanOverlayDifference,
-    PlanOverlayRow, PlanPeakRow, PlanRig, PlanSpot, PlanWearRow, plan_html, plan_plots,
+    PlanOverlayRow, PlanPeakRow, PlanSpot, PlanSurfaceLimit, PlanWearRow, plan_html, plan_plots,
 };
 use crate::{
     Cell, DisplayUnit, Fact, Level, PageHead, Section,
@@ -107,8 +107,20 @@ fn plan() -> Plan {
                 friction: 0.2,
             },
         ],
-        rig: PlanRig { block_N: Some(2e5), hoist_N: Some(8e5), top_drive_N_m: Some(1e6) },
-        limits: vec![limit("Tension", 1.05, "short"), limit("Hoist", 1.2, "near")],
+        block_N: Some(2e5),
+        surface_limits: vec![
+            borne("hoist", false, 6e5),
+            borne("pipe, tension", false, 5.8e5),
+            borne("top drive", true, 1.2e4),
+            borne("top drive, peak", true, 1e6),
+            borne("make-up", true, 1.25e4),
+        ],
+        limits: vec![
+            limit("Tension", 1.05, "short"),
+            PlanLimitRow { breaks: false, ..limit("Helical buckling", 0.5, "short") },
+            limit("Hoist", 1.2, "near"),
+        ],
+        first: ["si", "metric", "field"].map(|of| vec![format!("pick-up: <tension> in {of}.")]),
         unchecked: vec!["no make-up torque of pipe".into()],
         fatigue: vec![fatigue("drill <pipe>", 1.2), fatigue("collar", 1e-7)],
         wear: vec![wear()],
@@ -118,6 +130,19 @@ fn plan() -> Plan {
         measured: Vec::new(),
         overlay: None,
     }
+}
+
+fn borne(title: &str, is_torque: bool, allowed: f64) -> PlanSurfaceLimit {
+    PlanSurfaceLimit { title: title.into(), is_torque, allowed }
+}
+
+/// Lines down the page and their names.
+fn rules(panel: &Panel) -> Vec<(f64, String)> {
+    let rule = |mark: &Mark| match mark {
+        Mark::OwnRule { at, label } => Some((*at, label.clone())),
+        _ => None,
+    };
+    panel.marks.iter().filter_map(rule).collect()
 }
 
 fn measured(operation: &str, bit_depth_m: f64, held_out: bool) -> PlanMeasured {
@@ -187,6 +212,7 @@ fn another_program_lies_over_the_broomstick() {
             largest: -1.2e4,
             largest_at_m: 2500.0,
             theirs_there: 6e5,
+            largest_part: Some(-0.02),
         }],
     };
     let of = Plan { overlay: Some(overlay), ..plan() };
@@ -241,6 +267,7 @@ fn wear() -> PlanWearRow {
 
 fn limit(kind: &str, factor: f64, standing: &str) -> PlanLimitRow {
     PlanLimitRow {
+        breaks: true,
         kind: kind.into(),
         operation: "trip_out".into(),
         friction: "high".into(),
@@ -265,9 +292,9 @@ fn names(panel: &Panel) -> Vec<((f64, f64), &str)> {
     all.map(|(at, text)| (at, Box::leak(text.into_boxed_str()) as &str)).collect()
 }
 
-/// Each operation has a line for each friction, with the friction at its end, which is where the last
-/// answer is; lines that are one have none. The hoist's limit is without its block, and drawn where it
-/// is near.
+/// Each operation has a line for each friction, with the friction at its end, which is where the
+/// last answer is; lines that are one have none. Limits are drawn where they are near, and told
+/// otherwise.
 #[test]
 fn lines_end_with_their_friction() {
     let plots = plan_plots(&plan(), "si");
@@ -279,17 +306,19 @@ fn lines_end_with_their_friction() {
     assert_eq!(found.len(), 6, "{found:?}");
     assert_eq!(found[2], ((2000.0, 560.0), "0.3"));
     assert_eq!(found[5], ((1000.0, 120.0), "0.3"));
-    let hoist = |mark: &&Mark| matches!(mark, Mark::OwnRule { at, .. } if *at == 600.0);
-    assert_eq!(off.marks.iter().filter(hoist).count(), 1);
-    assert!(names(on).is_empty());
+    let borne = [(600.0, "hoist".to_owned()), (580.0, "pipe, tension".to_owned())];
+    assert_eq!(rules(off), borne);
+    // Farther than 1.35 times 400 kN.
+    assert!(rules(on).is_empty() && names(on).is_empty());
     let shoes = plots[0].figure.hole.iter().filter(|of| of.shoe);
     assert_eq!(shoes.map(|of| of.to).collect::<Vec<_>>(), [900.0]);
-    // A top drive that is far from its limit is told.
-    assert!(
-        plots[1].figure.subtitle.contains("top drive 1000 kN·m"),
-        "{}",
-        plots[1].figure.subtitle
-    );
+    // Every limit of the torque that is near; the one that is far is told, and no other.
+    let torque = &plots[1].figure;
+    let drilling = torque.panels.last().expect("drilling");
+    assert_eq!(rules(drilling), [(12.0, "top drive".to_owned()), (12.5, "make-up".to_owned())]);
+    let told = "limit beyond the picture: top drive, peak 1000 kN·m";
+    assert!(torque.subtitle.contains(told), "{}", torque.subtitle);
+    assert!(!plots[0].figure.subtitle.contains("beyond"), "{}", plots[0].figure.subtitle);
     // In the reader's units.
     let field = plan_plots(&plan(), "field");
     assert_eq!(field[0].figure.panels[0].axis.label, "Hook load, off bottom, klbf");
@@ -345,6 +374,19 @@ fn the_page_says_everything() {
     assert_eq!(page.matches("<svg").count(), 3 * 4);
     assert!(page.contains("Surface torque, ft·lbf, soft string"));
     assert!(!page.contains("<Well>") && !page.contains("<locks>"));
+}
+
+/// What breaks stands over what does not, whatever is left of it, and is said for each operation.
+#[test]
+fn what_would_break_first() {
+    let page = plan_html(&plan());
+    let (_, nearest) = page.split_once("Nearest limits").expect("a table");
+    let place = |kind: &str| nearest.find(kind).unwrap_or_else(|| panic!("{kind}"));
+    assert!(place("Tension") < place("Hoist") && place("Hoist") < place("Helical buckling"));
+    for units in ["si", "metric", "field"] {
+        let said = format!("What would break first. pick-up: &lt;tension&gt; in {units}.");
+        assert!(page.contains(&said), "{said}");
+    }
 }
 
 /// What is used up says so in a word, what is not known too; numbers are in the reader's units.
@@ -441,15 +483,9 @@ fn events_stand_against_time() {
     });
     let peaks = curves.map(|points| points.iter().map(|of| of.1).fold(0.0, f64::max));
     assert_eq!(peaks.collect::<Vec<_>>(), [500.0, 900.0]);
-    // The hoist bears 600 kN without its block: it is passed.
-    let rules = |panel: &Panel| {
-        let rule = |mark: &Mark| match mark {
-            Mark::OwnRule { at, label } => Some((*at, label.clone())),
-            _ => None,
-        };
-        panel.marks.iter().filter_map(rule).collect::<Vec<_>>()
-    };
-    assert_eq!(rules(lifted), [(600.0, "limit".to_owned())]);
+    // Hoist and pipe bear less.
+    let borne = [(600.0, "hoist".to_owned()), (580.0, "pipe, tension".to_owned())];
+    assert_eq!(rules(lifted), borne);
     assert_eq!(rules(pumped), [(6.0, "gel, 2000 m".to_owned())]);
     let page = plan_html(&plan);
     for text in [

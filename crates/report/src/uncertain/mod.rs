@@ -24,8 +24,8 @@ pub struct Uncertain {
     pub bands: Vec<UncertainNumber>,
     /// What stops a well first, and in how many of the samples; of a reach.
     pub stops: Vec<(String, usize)>,
-    /// The names of its tables: of bands, indices and samples.
-    pub files: [String; 3],
+    /// The names of its tables: of bands, indices, samples and stops; a plan has none of stops.
+    pub files: [String; 4],
 }
 
 /// How a number scatters.

@@ -86,7 +86,7 @@ pub(crate) fn bands(of: &Uncertain, shown: Shown<'_>) -> Option<StudyPart> {
 /// Which inputs that is owed to.
 pub(crate) fn owed(of: &Uncertain) -> Option<StudyPart> {
     let mut heads = names(of);
-    heads.extend(of.inputs.iter().map(|[key, _]| head(key.clone(), false)));
+    heads.extend(of.inputs.iter().map(|[key, _]| head(format!("{key}, %"), false)));
     heads.push(head("predicted, %", false));
     let has_rest = |first: &[f64]| first.iter().any(|of| of.is_nan());
     let rows = of.told().filter_map(|one| {
@@ -102,7 +102,7 @@ pub(crate) fn owed(of: &Uncertain) -> Option<StudyPart> {
         Some(cells)
     });
     let rows = rows.collect();
-    let caption = "First-order / total Sobol index, %: what part of the variance would go if the input \
+    let caption = "First-order / total Sobol index: what part of the variance would go if the input \
         were known, and what part would stay if all others were. The last column is what the fit predicts \
         of samples that it has not seen: below 90 % the indices mean little. A choice among more than four \
         values has what the others do not tell, and no first-order index."
@@ -115,7 +115,7 @@ pub(crate) fn stops(of: &Uncertain) -> Option<StudyPart> {
     let heads = vec![head("stops the well first", true), head("samples", false)];
     let rows = of.stops.iter().map(|(what, count)| row(vec![what.clone(), count.to_string()]));
     let grid = Grid { heads, rows: rows.collect() };
-    part("What stops the samples", String::new(), grid, &of.files[0])
+    part("What stops the samples", String::new(), grid, &of.files[3])
 }
 
 fn percent(part: f64) -> String {

@@ -31,7 +31,7 @@ fn all() -> Uncertain {
         inputs: vec![["friction".into(), "even".into()], ["seed".into(), "one of 200".into()]],
         bands: vec![number("hook_load", 0), number("depth", 20), number("margin", 0)],
         stops: Vec::new(),
-        files: ["a".into(), "b".into(), "c".into()],
+        files: ["a".into(), "b".into(), "c".into(), String::new()],
     }
 }
 

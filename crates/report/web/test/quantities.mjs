@@ -38,6 +38,16 @@ const LONGEST_FIRST = Object.keys(UNITS).sort((a, b) => b.length - a.length);
 /** The unit that stands after a comma: `Hook load, kN` or `Hook load without block, kN, soft string`. */
 const named = (text) => text.split(", ").slice(1).find((part) => part in UNITS);
 
+/** Columns whose unit is told by a cell of their row: of `unit`, or behind what the row is of, as in `hook load, kN`. */
+const OF_ROW = /^(the case|5 %|50 %|95 %|measured|low friction|expected|high|residual|mean difference|largest|theirs there)$/;
+
+/** The unit of such a column; none where its row does not tell one. */
+function ofRow(heads, row, heading) {
+  const place = heads.findIndex(({ text }) => text === "unit" || text === "of");
+  if (place < 0 || !OF_ROW.test(heading)) return undefined;
+  return row[place].split(", ").find((part) => part in UNITS);
+}
+
 /**
  * The numbers of a cell: value in SI, half of what its last digit counts, what it is of, and its unit, which stands behind
  * it, in the heading, or in the title. Words may hold numbers that are names, such as `line 2`: there those with a unit count.
@@ -45,7 +55,7 @@ const named = (text) => text.split(", ").slice(1).find((part) => part in UNITS);
 export function quantities({ title, heads, rows }, row, column) {
   const text = rows[row][column];
   const { text: heading, words } = heads[column];
-  const around = words ? undefined : (named(heading) ?? named(title));
+  const around = words ? undefined : (ofRow(heads, rows[row], heading) ?? named(heading) ?? named(title));
   const found = [];
   for (const match of text.matchAll(/(?<![\w.])([−-]?)(\d+(?:\.(\d+))?)(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?(?![\w.]*\d)/g)) {
     const rest = text.slice(match.index + match[0].length);
@@ -65,7 +75,10 @@ export function quantities({ title, heads, rows }, row, column) {
 /** What a name says of its unit: `hook_load_N` is in `N`. */
 const kindOf = (name) => name.match(/_(kg_per_m3|rad_per_m|rad_per_s|N_m|rad|Hz|Pa|N|m|s)$/)?.[1] ?? "";
 
-const OF_UNIT = { N: "N", "N·m": "N_m", Pa: "Pa" };
+const OF_UNIT = { N: "N", "N·m": "N_m", Pa: "Pa", m: "m", 1: "" };
+
+/** Columns whose unit stands in their row. */
+const WITH_UNIT = /^(load|capacity|expected|p\d\d|mean|std)$/;
 
 /** The numbers of a CSV or JSON file by what they are of. */
 export function numbersOf(path) {
@@ -77,14 +90,14 @@ export function numbersOf(path) {
   const text = readFileSync(path, "utf8");
   if (path.endsWith(".json")) {
     const visit = (name, value, unit) => {
-      if (typeof value === "number") note(unit && (name === "load" || name === "capacity") ? OF_UNIT[unit] : kindOf(name), value);
+      if (typeof value === "number") note(unit && WITH_UNIT.test(name) ? OF_UNIT[unit] : kindOf(name), value);
       // A list of numbers is of what its name says; a list of names and numbers, of the names.
       else if (Array.isArray(value)) value.forEach((item) => visit(name, item));
       else if (value !== null && typeof value === "object") {
         for (const [key, item] of Object.entries(value)) visit(key, item, value.unit);
         // A number that a parameter names, and one that is a torque or a weight.
         const kind = value.parameter ? kindOf(value.parameter) : value.is_torque === undefined ? "" : value.is_torque ? "N_m" : "N";
-        for (const key of ["value", "standard_error", "interval"])
+        for (const key of ["value", "standard_error", "interval", "mean", "largest", "theirs_there"])
           for (const item of [value[key]].flat()) if (typeof item === "number" && kind) note(kind, item);
       }
     };
@@ -96,7 +109,7 @@ export function numbersOf(path) {
   for (const row of rows)
     names.forEach((name, i) => {
       if (row[i] === "" || row[i] === undefined || Number.isNaN(Number(row[i]))) return;
-      const own = unit >= 0 && (name === "load" || name === "capacity");
+      const own = unit >= 0 && WITH_UNIT.test(name);
       note(own ? OF_UNIT[row[unit]] : kindOf(name), Number(row[i]));
     });
   return found;

@@ -51,7 +51,7 @@ export async function checkSheets({ check, open }, page, file, { figures, sheets
       const texts = await figure.locator("text").allTextContents();
       const ticks = texts.filter((text) => /^[−\d.\s\u202f]+$/.test(text));
       assert.ok(ticks.length >= 6, `ticks of figure ${i}: ${ticks}`);
-      assert.ok(texts.some((text) => /depth|speed|best|MD/i.test(text)), `axes of figure ${i} say what they are`);
+      assert.ok(texts.some((text) => /depth|speed|best|MD|index|time/i.test(text)), `axes of figure ${i} say what they are`);
     }
   });
 

@@ -14,9 +14,21 @@ pub const CALIBRATION: &[ColumnSpec] = specs! {
         null_where "it is a torque";
     "predicted_N": Force, "Weight by the model with the numbers found, block included; `null` of torques",
         null_where "it is a torque";
+    "residual_N": Force, "Measured less predicted; `null` of torques", null_where "it is a torque";
+    "predicted_error_N": Force, "Standard error of the prediction by those of the numbers found; `null` of torques",
+        null_where "it is a torque";
+    "reading_low_N": Force, "Lower end of the band in which a reading lies; `null` of torques",
+        null_where "it is a torque";
+    "reading_high_N": Force, "Its upper end; `null` of torques", null_where "it is a torque";
     "measured_N_m": Torque, "Torque as it was read; `null` of weights", null_where "it is a weight";
     "predicted_N_m": Torque, "Torque by the model with the numbers found; `null` of weights",
         null_where "it is a weight";
+    "residual_N_m": Torque, "Measured less predicted; `null` of weights", null_where "it is a weight";
+    "predicted_error_N_m": Torque, "Standard error of the prediction by those of the numbers found; `null` of weights",
+        null_where "it is a weight";
+    "reading_low_N_m": Torque, "Lower end of the band in which a reading lies; `null` of weights",
+        null_where "it is a weight";
+    "reading_high_N_m": Torque, "Its upper end; `null` of weights", null_where "it is a weight";
     "standardised": Ratio, "Measured less predicted, over the standard error that it has after the fit";
     "outlier": Ratio, "1 where that is beyond the bound of outliers, 0 otherwise";
     "within_band": Ratio, "1 where the reading lies in the band of readings, 0 otherwise";

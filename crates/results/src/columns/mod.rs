@@ -32,7 +32,10 @@ pub use self::{
     frames::FRAMES,
     modes::{CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, RESPONSE},
     nodes::NODES,
-    plan::{PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS},
+    plan::{
+        PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS,
+        PLAN_SURFACE_LIMITS,
+    },
     plan_campaign::{PLAN_FATIGUE, PLAN_WEAR},
     plan_measured::PLAN_MEASURED,
     plan_overlay::PLAN_OVERLAY,
@@ -42,7 +45,7 @@ pub use self::{
     stability::STABILITY,
     tables::TABLES,
     time::TIME,
-    uncertain::{UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES},
+    uncertain::{UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS},
     wear::WEAR,
 };
 use wholestring::outcome;

@@ -86,6 +86,24 @@ pub const PLAN_LIMITS: &[ColumnSpec] = plan_specs! {
          the capacity)";
 };
 
+/// Columns of `plan_surface_limits.parquet`: two rows for each limit, the ends of its line on the
+/// broomstick.
+pub const PLAN_SURFACE_LIMITS: &[ColumnSpec] = super::specs! {
+    "kind": Words, "`hoist`, `tension`, `top_drive`, `top_drive_peak`, `make_up` or `torsion`";
+    "component": Words, "The topmost component; empty of the rig", null_where "it is of the rig";
+    "bit_depth_m": Depth, "Measured depth of the bit: zero, and the deepest";
+    "required": Ratio, "The least factor that is to be kept";
+    "capacity_N": Force, "What is borne, of the hoist with the block; `null` of torques",
+        null_where "it is of torque";
+    "allowed_N": Force,
+        "What the hook load without the block may come to: that over the factor, of the hoist less the \
+         block; `null` of torques",
+        null_where "it is of torque";
+    "capacity_N_m": Torque, "What is borne; `null` of weights", null_where "it is of weight";
+    "allowed_N_m": Torque, "What the torque may come to: that over the factor; `null` of weights",
+        null_where "it is of weight";
+};
+
 /// Columns of `plan_friction.parquet`: a row for each hole section at each level of friction.
 pub const PLAN_FRICTION: &[ColumnSpec] = super::specs! {
     "friction": Words, "`low`, `expected` or `high`";

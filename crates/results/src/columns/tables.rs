@@ -5,8 +5,8 @@ use super::{
     CALIBRATION_DYNAMIC, CALIBRATION_PROFILES, CAMPBELL, CONTACT, CRITICAL_SPEEDS, ColumnSpec,
     FRAMES, MODE_SHAPES, MODES, NODES, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION,
     PLAN_HYDRAULICS, PLAN_LIMITS, PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME,
-    PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TIME, UNCERTAIN,
-    UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, WEAR,
+    PLAN_SURFACE_LIMITS, PLAN_WEAR, REACH, REACH_LIMITS, RESPONSE, SPECTRA, STABILITY, TIME,
+    UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, WEAR,
 };
 
 /// Every table, by the name of its file, and its columns.
@@ -32,6 +32,7 @@ pub const TABLES: &[(&str, &[ColumnSpec])] = &[
     ("plan_buckling", PLAN_BUCKLING),
     ("plan_friction", PLAN_FRICTION),
     ("plan_limits", PLAN_LIMITS),
+    ("plan_surface_limits", PLAN_SURFACE_LIMITS),
     ("plan_hydraulics", PLAN_HYDRAULICS),
     ("plan_fatigue", PLAN_FATIGUE),
     ("plan_wear", PLAN_WEAR),
@@ -47,6 +48,7 @@ pub const TABLES: &[(&str, &[ColumnSpec])] = &[
     ("reach_uncertain", UNCERTAIN),
     ("reach_uncertain_indices", UNCERTAIN_INDICES),
     ("reach_uncertain_samples", UNCERTAIN_SAMPLES),
+    ("reach_uncertain_stops", UNCERTAIN_STOPS),
     ("calibration", CALIBRATION),
     ("calibration_bands", CALIBRATION_BANDS),
     ("calibration_profiles", CALIBRATION_PROFILES),

@@ -63,6 +63,18 @@ pub const UNCERTAIN_INDICES: &[ColumnSpec] = uncertain_specs! {
     "degree": Ratio, "Degree of its polynomials";
 };
 
+/// Columns of `reach_uncertain_stops.parquet`: what stops a well first, and in how many samples; a
+/// row for each stop and friction.
+pub const UNCERTAIN_STOPS: &[ColumnSpec] = super::specs! {
+    "friction": Ratio,
+        "Friction factor that all sections were given in place of their own, else `null`",
+        null_where "the sections have their own";
+    "operation": Words, "`trip_out`, `drill`, ...; empty where nothing stops it",
+        null_where "nothing stops it";
+    "limit": Words, "As in `reach.parquet`; empty where nothing stops it", null_where "nothing stops it";
+    "samples": Ratio, "In how many samples";
+};
+
 /// Columns of `plan_uncertain_samples.parquet` and `reach_uncertain_samples.parquet`: what was drawn, a row
 /// for each sample and input.
 pub const UNCERTAIN_SAMPLES: &[ColumnSpec] = super::specs! {

@@ -5,6 +5,7 @@ mod hydraulics;
 mod measured;
 mod overlay;
 mod peaks;
+mod surface;
 mod tables;
 
 pub use campaign::{
@@ -16,6 +17,7 @@ pub use overlay::{PlanOverlay, PlanOverlayDifference, PlanOverlayRow};
 pub use peaks::{
     PlanGel, PlanHistory, PlanPeak, PlanPeakOf, plan_peaks_table, plan_peaks_time_table,
 };
+pub use surface::PlanSurfaceLimit;
 pub use tables::{plan_broomstick_table, plan_limits_table};
 
 use std::path::Path;
@@ -58,6 +60,14 @@ pub struct PlanSummary {
     /// Of each kind of limit and each operation the one that is nearest, of all models, frictions and
     /// depths.
     pub worst_limits: Vec<PlanLimit>,
+    /// Of each operation what would break, or stop it, first: the limit with the least reserve
+    /// among those that break something where they are passed, of all models, frictions and depths.
+    #[serde(default)]
+    pub breaks_first: Vec<PlanLimit>,
+    /// What hook load and torque may come to at the surface: of the rig and of the topmost
+    /// component.
+    #[serde(default)]
+    pub surface_limits: Vec<PlanSurfaceLimit>,
     /// What could not be checked, and what is missing for it.
     pub unchecked: Vec<String>,
     /// The mud, down the hole; empty where it has no rheology.
@@ -196,6 +206,11 @@ impl PlanSummary {
     /// A row for each depth of the bit; none where the mud has no rheology or nothing flows.
     pub fn hydraulics_table(&self) -> Table {
         hydraulics::table(&self.hydraulics)
+    }
+
+    /// A row for each limit at the surface at both ends of the depths.
+    pub fn surface_limits_table(&self) -> Table {
+        surface::table(&self.surface_limits, self.bit_depths_m.last().copied().unwrap_or(0.0))
     }
 
     /// A row for each weight and torque that was read, of each model.

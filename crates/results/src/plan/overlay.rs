@@ -11,6 +11,10 @@ pub struct PlanOverlay {
     pub file: String,
     /// Model after model, operation after operation, down the hole.
     pub rows: Vec<PlanOverlayRow>,
+    /// Of each model, operation and quantity how far ours lies from theirs, in the order of the rows; none where no
+    /// depth has both.
+    #[serde(default)]
+    pub differences: Vec<PlanOverlayDifference>,
 }
 
 /// A weight or torque of another program, and ours.
@@ -40,7 +44,7 @@ impl PlanOverlayRow {
 }
 
 /// How far ours lies from theirs in an operation.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PlanOverlayDifference {
     /// Name of our model.
     pub model: String,
@@ -58,14 +62,20 @@ pub struct PlanOverlayDifference {
     pub largest_at_m: f64,
     /// Theirs there.
     pub theirs_there: f64,
+    /// The one that is farthest from zero as a part of theirs there; none where theirs is zero.
+    pub largest_part: Option<f64>,
 }
 
 impl PlanOverlay {
-    /// Of each model, operation and quantity how far ours lies from theirs, in the order of the rows; none where no
-    /// depth has both.
-    pub fn differences(&self) -> Vec<PlanOverlayDifference> {
+    /// The curves of a file, with how far ours lies from them.
+    pub fn new(file: String, rows: Vec<PlanOverlayRow>) -> Self {
+        let differences = Self::differences(&rows);
+        Self { file, rows, differences }
+    }
+
+    fn differences(rows: &[PlanOverlayRow]) -> Vec<PlanOverlayDifference> {
         let mut all: Vec<PlanOverlayDifference> = Vec::new();
-        for row in &self.rows {
+        for row in rows {
             let Some(difference) = row.difference() else { continue };
             let same = |of: &&mut PlanOverlayDifference| {
                 of.model == row.model
@@ -91,11 +101,13 @@ impl PlanOverlay {
                     largest: difference,
                     largest_at_m: row.bit_depth_m,
                     theirs_there: row.theirs,
+                    largest_part: None,
                 }),
             }
         }
         for of in &mut all {
             of.mean /= of.count as f64;
+            of.largest_part = Some(of.largest / of.theirs_there).filter(|part| part.is_finite());
         }
         all
     }
@@ -149,10 +161,10 @@ mod tests {
             row(1000.0, 200.0, Some(194.0)),
             row(1500.0, 300.0, None),
         ];
-        let overlay = PlanOverlay { file: "other.csv".into(), rows };
-        let [of] = &overlay.differences()[..] else { panic!("one") };
+        let overlay = PlanOverlay::new("other.csv".into(), rows);
+        let [of] = &overlay.differences[..] else { panic!("one") };
         assert_eq!((of.count, of.mean, of.largest, of.largest_at_m), (2, -2.0, -6.0, 1000.0));
-        assert_eq!(of.theirs_there, 200.0);
+        assert_eq!((of.theirs_there, of.largest_part), (200.0, Some(-0.03)));
         assert_eq!(overlay.table().rows(), 3);
     }
 }

@@ -212,7 +212,7 @@ fn task(
     run: &Run,
 ) -> Result<Task, String> {
     let assembly = &data.assemblies[run.setup];
-    let setup = assembly.setup.with_friction(&found.state.factors.walls());
+    let setup = found.state.factors.applied_to(&assembly.setup);
     let setup = setup.map_err(|error| error.to_string())?;
     let model = setup.at(run.bit_depth_m).map_err(|error| error.to_string())?;
     let operation = Operation {

@@ -6,6 +6,7 @@ pub mod option;
 mod page;
 mod predictions;
 mod request;
+mod settings;
 mod tables;
 mod toml;
 

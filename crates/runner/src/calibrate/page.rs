@@ -128,7 +128,8 @@ fn points(table: &Table) -> Vec<CalibrationPoint> {
     let [used, depth, standardised, outlier, within] =
         ["used", "bit_depth_m", "standardised", "outlier", "within_band"]
             .map(|name| numbers(table, name));
-    let (measured, predicted) = (either(table, "measured"), either(table, "predicted"));
+    let kinds = ["measured", "predicted", "residual", "reading_low", "reading_high"];
+    let [measured, predicted, residual, low, high] = kinds.map(|name| either(table, name));
     let point = |row: usize| CalibrationPoint {
         case: case[row].clone(),
         place: place[row].clone(),
@@ -138,6 +139,8 @@ fn points(table: &Table) -> Vec<CalibrationPoint> {
         used: used[row] > 0.0,
         measured: measured[row],
         predicted: predicted[row],
+        residual: residual[row],
+        reading_band: [low[row], high[row]],
         standardised: standardised[row],
         outlier: outlier[row] > 0.0,
         within_band: within[row] > 0.0,

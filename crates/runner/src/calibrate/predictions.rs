@@ -1,15 +1,18 @@
 //! What the readings would be, by either model, on all cores.
 
+use std::sync::Mutex;
+
 use rayon::prelude::*;
-use wholestring::{
-    statics::stiff::{self, StiffSettings},
-    well::HoleKind,
-};
+use wholestring::statics::stiff::{self, StiffSettings};
 use wholestring_plan::calibration::{
-    Asked, Assembly, CalibrationError, Loads, Predict, SoftPredictions,
+    Asked, Assembly, CalibrationError, HolePart, Loads, Predict, SoftPredictions,
 };
 
-use crate::cancellation::CancellationToken;
+use crate::{
+    cancellation::CancellationToken,
+    observer::{BatchSize, CaseEnded, Observer},
+    parallel::lock,
+};
 
 /// A model on all cores.
 pub(super) struct Predictions<'a> {
@@ -17,6 +20,8 @@ pub(super) struct Predictions<'a> {
     /// How the stiff string of each is found; the soft string where there is none.
     pub(super) stiff: Option<Vec<StiffSettings>>,
     pub(super) cancellation: &'a CancellationToken,
+    /// Learns how far the stiff strings have come that are asked for at once.
+    pub(super) observer: &'a dyn Observer,
 }
 
 impl Predictions<'_> {
@@ -29,7 +34,7 @@ impl Predictions<'_> {
         };
         let assembly = &self.assemblies[asked.setup];
         let no_answer = |reason: String| asked.no_answer("stiff", reason);
-        let setup = assembly.setup.with_friction(&asked.factors.walls());
+        let setup = asked.factors.applied_to(&assembly.setup);
         let setup = setup.map_err(|error| no_answer(error.to_string()))?;
         let model = setup.at(asked.bit_depth_m).map_err(|error| no_answer(error.to_string()))?;
         let operation = assembly.operation(asked.motion, asked.bit_depth_m);
@@ -40,11 +45,26 @@ impl Predictions<'_> {
 }
 
 impl Predict for Predictions<'_> {
-    fn reaches(&self, setup: usize, bit_depth_m: f64, kind: HoleKind) -> bool {
-        self.assemblies[setup].reaches(bit_depth_m, kind)
+    fn reaches(&self, setup: usize, bit_depth_m: f64, part: HolePart) -> bool {
+        self.assemblies[setup].reaches(bit_depth_m, part)
     }
 
     fn loads(&self, asked: &[Asked]) -> Result<Vec<Loads>, CalibrationError> {
-        asked.par_iter().map(|asked| self.one(asked)).collect()
+        if self.stiff.is_none() {
+            return asked.par_iter().map(|asked| self.one(asked)).collect();
+        }
+        let of = asked.len();
+        self.observer.batch_started(&BatchSize { cases: of, finished: 0, simulated_s: 0.0 });
+        let ended = Mutex::new(0);
+        let loads = asked.par_iter().map(|asked| {
+            let loads = self.one(asked);
+            let mut ended = lock(&ended);
+            *ended += 1;
+            self.observer.case_ended(&CaseEnded { ended: *ended, of, reused_s: 0.0 });
+            loads
+        });
+        let loads = loads.collect();
+        self.observer.batch_ended();
+        loads
     }
 }

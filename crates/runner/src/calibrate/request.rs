@@ -5,9 +5,8 @@ use std::{
     time::{Duration, Instant},
 };
 
-use wholestring::{operation::OperationKind, outcome::ModelKind, well::HoleKind};
-use wholestring_case::Case;
-use wholestring_plan::calibration::{Calibration, Factors, Parameter, Settings, State, calibrate};
+use wholestring::outcome::ModelKind;
+use wholestring_plan::calibration::{Calibration, Parameter, Settings, calibrate};
 use wholestring_report as report;
 use wholestring_results::{CALIBRATION_VERSION, CalibrationSummary, Occupant, digest};
 use wholestring_units::UnitSet;
@@ -16,6 +15,7 @@ use super::{
     dynamic::{self, CheckDynamics},
     notes,
     predictions::Predictions,
+    settings::settings,
     tables, toml,
 };
 use crate::{
@@ -41,6 +41,8 @@ const STIFF_REACH: f64 = 0.08;
 pub struct Fit {
     /// One factor for cased and open hole.
     pub one_factor: bool,
+    /// A factor for each section of the hole in place of one for casing and one for open hole.
+    pub by_section: bool,
     /// Friction around the hole apart from that along it.
     pub friction_around: bool,
     /// The weight of the block, although the case gives it; where it does not, it is looked for.
@@ -81,6 +83,15 @@ pub struct Request<'a> {
     pub png: bool,
 }
 
+impl Request<'_> {
+    /// Another case, other readings, another fit or another check: another calibration.
+    fn identity(&self, readings: &[u8]) -> String {
+        let cases: Vec<_> = self.cases.iter().map(|of| of.case.identity()).collect();
+        let checked = self.check.as_ref().map(|check| &check.bit_depths_m);
+        digest(&(cases, digest(&readings), format!("{:?}", self.fit), checked))
+    }
+}
+
 /// What came of it.
 #[derive(Debug)]
 pub struct Outcome {
@@ -107,26 +118,20 @@ pub fn run(
     let [first, ..] = request.cases else {
         return Err(Error::BadInput("no case is given".into()));
     };
-    let data = readings::read(request.data, request.content, request.cases)?;
+    let bytes = readings::bytes(request.data, request.content)?;
+    let data = readings::read(request.data, &bytes, request.cases)?;
     let settings = settings(request, &data)?;
     let check = match &request.check {
         Some(check) => Some((check, dynamic::chosen(check, &data)?)),
         None => None,
     };
     let name = format!("{} calibration", first.case.name);
-    let identities: Vec<_> = request.cases.iter().map(|of| of.case.identity()).collect();
-    let occupant = Occupant {
-        kind: "calibration".into(),
-        name,
-        identity: match request.content {
-            None => digest(&(identities, request.data.display().to_string())),
-            Some(content) => digest(&(identities, digest(&content))),
-        },
-    };
+    let occupant =
+        Occupant { kind: "calibration".into(), name, identity: request.identity(&bytes) };
     let claimed = Claim::new(occupant, &request.output, observer).folder()?;
     let folder = &claimed.folder;
     let begun = Instant::now();
-    let found = find(request, &data, &settings, cancellation)?;
+    let found = find(request, &data, &settings, (observer, cancellation))?;
     let took = begun.elapsed();
     let units = request.units.unwrap_or(first.case.units);
     let mut summary = summary(request, &data, &settings, &found, units);
@@ -145,95 +150,16 @@ pub fn run(
     Ok(Outcome { summary, folder: folder.path().to_owned(), took, interrupted })
 }
 
-/// What is looked for, by what the readings reach and what the cases give.
-fn settings(request: &Request<'_>, data: &Readings) -> Result<Settings, Error> {
-    let fit = &request.fit;
-    let case = request.cases[0].case;
-    let reaches = |kind: HoleKind| {
-        let mut readings = data.readings.iter();
-        readings.any(|of| data.assemblies[of.setup].reaches(of.bit_depth_m, kind))
-    };
-    let turns = data.readings.iter().any(|of| of.channel.is_torque());
-    let (cased, open) = (reaches(HoleKind::Casing), reaches(HoleKind::Open));
-    let mut parameters = match (fit.one_factor, cased, open) {
-        (false, true, true) => vec![Parameter::Cased, Parameter::Open],
-        _ => vec![Parameter::Friction],
-    };
-    if fit.friction_around {
-        if !turns {
-            let reason = "friction around the hole is looked for, but no torque was read";
-            return Err(Error::BadInput(reason.into()));
-        }
-        let around = |of: &Parameter| match of {
-            Parameter::Cased => Parameter::CasedAround,
-            Parameter::Open => Parameter::OpenAround,
-            _ => Parameter::FrictionAround,
-        };
-        parameters.extend(parameters.iter().map(around).collect::<Vec<_>>());
-    }
-    let weighs = data.readings.iter().any(|of| !of.channel.is_torque());
-    let known = case.model.rig.block_weight_N;
-    if weighs && (fit.block_weight || known.is_none()) {
-        parameters.push(Parameter::BlockWeight);
-    }
-    if fit.bit_torque {
-        parameters.push(Parameter::BitTorque);
-    }
-    let drills = case.operations.iter().find(|of| of.kind == OperationKind::Drill);
-    let [along, around] = frictions(case);
-    let mut settings = Settings::new(
-        parameters,
-        State {
-            factors: Factors {
-                cased: along[0],
-                open: along[1],
-                cased_around: around[0],
-                open_around: around[1],
-            },
-            block_weight_N: known.unwrap_or(0.0),
-            bit_torque_N_m: drills.map_or(0.0, |of| of.bit_torque_N_m),
-        },
-    );
-    let ratio = |wall: usize| if along[wall] > 0.0 { around[wall] / along[wall] } else { 1.0 };
-    settings.around_ratio = [ratio(0), ratio(1)];
-    for (parameter, value) in &fit.hold {
-        if !settings.parameters.contains(parameter) {
-            let names = settings.parameters.iter().map(|of| of.name()).collect::<Vec<_>>();
-            return Err(Error::BadInput(format!(
-                "{} is not looked for and cannot be held: looked for are {}",
-                parameter.name(),
-                names.join(", ")
-            )));
-        }
-        settings.hold(*parameter, *value);
-    }
-    settings.errors = fit.errors;
-    settings.outlier_beyond = fit.outlier_beyond;
-    settings.band_confidence = fit.band_confidence;
-    Ok(settings)
-}
-
-/// Factors of a case along and around the hole: of its deepest casing and its deepest open hole.
-fn frictions(case: &Case) -> [[f64; 2]; 2] {
-    let of = |kind: HoleKind| {
-        let mut sections = case.model.well.hole.sections().iter().rev();
-        let friction = sections.find(|section| section.kind == kind).map(|of| of.friction);
-        friction.map_or([0.0, 0.0], |of| [of.kinetic, of.kinetic * of.around])
-    };
-    let (cased, open) = (of(HoleKind::Casing), of(HoleKind::Open));
-    [[cased[0], open[0]], [cased[1], open[1]]]
-}
-
 fn find(
     request: &Request<'_>,
     data: &Readings,
     settings: &Settings,
-    cancellation: &CancellationToken,
+    (observer, cancellation): (&dyn Observer, &CancellationToken),
 ) -> Result<Calibration, Error> {
     let is_stiff = request.fit.model == ModelKind::Stiff;
     let depths = depths(data, if is_stiff { STIFF_DEPTHS } else { DEPTHS });
     let solve = |stiff, settings: &Settings, depths: &[(usize, f64)]| {
-        let model = Predictions { assemblies: &data.assemblies, stiff, cancellation };
+        let model = Predictions { assemblies: &data.assemblies, stiff, cancellation, observer };
         let found = calibrate(&model, &data.readings, &data.held_out, depths, settings);
         found.map_err(|error| match cancellation.is_cancelled() {
             true => Error::Interrupted,

@@ -1,12 +1,17 @@
 //! The tables of a calibration.
 
-use wholestring_plan::calibration::{Calibration, Channel, ErrorKind, Parameter, Settings, State};
+use wholestring_plan::calibration::{
+    Calibration, Channel, ErrorKind, Estimate, Parameter, Point, Settings, State,
+};
 use wholestring_results::{
     CALIBRATION, CALIBRATION_BANDS, CALIBRATION_PROFILES, CalibrationSummary, CalibrationTables,
     ErrorFound, EstimateFound, ResultsError, ResultsFolder, Table, calibration_dynamic_table,
 };
 
-use crate::readings::Readings;
+use crate::{
+    picture_table::{Entry, Row, with_lines, with_rows},
+    readings::Readings,
+};
 
 /// Names of the tables, without their endings.
 pub(super) const POINTS: &str = "calibration";
@@ -23,13 +28,20 @@ pub(super) fn write(
 ) -> Result<(), ResultsError> {
     let case = |setup: usize| summary.cases[data.cases[setup]].as_str();
     let tables = CalibrationTables {
-        points: points(data, found, case),
-        bands: bands(found, case),
+        points: points(data, found, &case),
+        bands: bands(found, &case),
         profiles: profiles(found),
     };
-    folder.write_table(POINTS, &tables.points, true)?;
-    folder.write_table(BANDS, &tables.bands, true)?;
-    folder.write_table(PROFILES, &tables.profiles, true)?;
+    // Their CSV are the numbers of the pictures too.
+    let beyond = [("outlier_beyond".to_owned(), summary.outlier_beyond)];
+    for (name, table, drawn) in [
+        (POINTS, &tables.points, with_lines(&tables.points, &beyond)),
+        (BANDS, &tables.bands, with_rows(&tables.bands, &read(data, found, case))),
+        (PROFILES, &tables.profiles, with_rows(&tables.profiles, &ends(found))),
+    ] {
+        folder.write_table(name, table, false)?;
+        drawn.write_csv(&folder.path().join(format!("{name}.csv")))?;
+    }
     if summary.dynamics.is_empty() {
         for ending in ["parquet", "csv"] {
             folder.remove(&format!("{DYNAMIC}.{ending}"))?;
@@ -53,6 +65,10 @@ fn points<'a>(data: &Readings, found: &Calibration, case: impl Fn(usize) -> &'a 
         let channel = point.reading.channel;
         let [measured_N, measured_N_m] = by_kind(channel, point.reading.value);
         let [predicted_N, predicted_N_m] = by_kind(channel, point.predicted);
+        let [residual_N, residual_N_m] = by_kind(channel, point.reading.value - point.predicted);
+        let [error_N, error_N_m] = by_kind(channel, point.predicted_error);
+        let [low, high] = [-1.0, 1.0]
+            .map(|sign| by_kind(channel, point.predicted + sign * point.reading_half_width));
         table.append(
             &[
                 ("case", &[case(point.reading.setup)]),
@@ -66,6 +82,14 @@ fn points<'a>(data: &Readings, found: &Calibration, case: impl Fn(usize) -> &'a 
                 ("predicted_N", &[predicted_N]),
                 ("measured_N_m", &[measured_N_m]),
                 ("predicted_N_m", &[predicted_N_m]),
+                ("residual_N", &[residual_N]),
+                ("predicted_error_N", &[error_N]),
+                ("reading_low_N", &[low[0]]),
+                ("reading_high_N", &[high[0]]),
+                ("residual_N_m", &[residual_N_m]),
+                ("predicted_error_N_m", &[error_N_m]),
+                ("reading_low_N_m", &[low[1]]),
+                ("reading_high_N_m", &[high[1]]),
                 ("standardised", &[point.standardised]),
                 ("outlier", &[f64::from(u8::from(point.outlier))]),
                 ("within_band", &[f64::from(u8::from(point.within_band))]),
@@ -122,6 +146,45 @@ fn profiles(found: &Calibration) -> Table {
     table
 }
 
+/// What was read, below the bands.
+fn read<'a>(
+    data: &Readings,
+    found: &Calibration,
+    case: impl Fn(usize) -> &'a str,
+) -> Vec<Row<'static>> {
+    let fitted = found.points.iter().zip(&data.places).map(|of| (of, 1.0));
+    let held_out = found.held_out.iter().zip(&data.held_out_places).map(|of| (of, 0.0));
+    let row = |((point, place), used): ((&Point, &String), f64)| {
+        let reading = &point.reading;
+        let unit = if reading.channel.is_torque() { "measured_N_m" } else { "measured_N" };
+        vec![
+            ("case", Entry::Word(case(reading.setup).to_owned())),
+            ("reading", Entry::Word(reading.channel.name().to_owned())),
+            ("bit_depth_m", Entry::Number(reading.bit_depth_m)),
+            (unit, Entry::Number(reading.value)),
+            ("used", Entry::Number(used)),
+            ("place", Entry::Word(place.clone())),
+        ]
+    };
+    fitted.chain(held_out).map(row).collect()
+}
+
+/// The ends of the intervals, below the profiles.
+fn ends(found: &Calibration) -> Vec<Row<'static>> {
+    let of = |estimate: &Estimate| {
+        let ends = estimate.interval.into_iter().zip(["lower", "upper"]);
+        let row = |(end, which): (Option<f64>, &str)| {
+            Some(vec![
+                ("parameter", Entry::Word(estimate.parameter.name().to_owned())),
+                ("value", Entry::Number(end?)),
+                ("interval_end", Entry::Word(which.to_owned())),
+            ])
+        };
+        ends.filter_map(row).collect::<Vec<_>>()
+    };
+    found.estimates.iter().flat_map(of).collect()
+}
+
 /// What was looked for.
 pub(super) fn estimates(found: &Calibration) -> Vec<EstimateFound> {
     let estimate = |of: &wholestring_plan::calibration::Estimate| EstimateFound {
@@ -152,8 +215,18 @@ pub(super) fn errors(found: &Calibration) -> Vec<ErrorFound> {
 pub(super) fn held(settings: &Settings) -> Vec<(String, f64)> {
     let State { factors, block_weight_N, bit_torque_N_m } = settings.held;
     let looked_for = |of: Parameter| settings.parameters.contains(&of);
-    let everywhere = looked_for(Parameter::Friction);
-    let around = looked_for(Parameter::FrictionAround) || settings.around_follows();
+    let by_section = factors.sections.iter().any(Option::is_some);
+    let everywhere = looked_for(Parameter::Friction) || by_section;
+    let around = by_section || looked_for(Parameter::FrictionAround) || settings.around_follows();
+    let sections = factors.sections.iter().enumerate().filter_map(|(of, own)| {
+        let [along, around] = (*own)?;
+        let follows = settings.around_follows();
+        Some([
+            (Parameter::Section(of), along, false),
+            (Parameter::SectionAround(of), around, follows && looked_for(Parameter::Section(of))),
+        ])
+    });
+    let sections: Vec<_> = sections.flatten().collect();
     [
         (Parameter::Cased, factors.cased, everywhere),
         (Parameter::Open, factors.open, everywhere),
@@ -163,6 +236,7 @@ pub(super) fn held(settings: &Settings) -> Vec<(String, f64)> {
         (Parameter::BitTorque, bit_torque_N_m, false),
     ]
     .into_iter()
+    .chain(sections)
     .filter(|(of, _, otherwise)| !looked_for(*of) && !otherwise)
     .map(|(of, value, _)| (of.name().to_owned(), value))
     .collect()

@@ -16,12 +16,9 @@ pub const FRAGMENT: &str = "friction.toml";
 /// Least factor along the hole beside which a case takes one around it.
 const LEAST: f64 = 1e-3;
 
-/// A factor, or a table of two, as case files write it.
-fn friction(kind: HoleKind, factors: &Factors) -> String {
-    let (along, around) = match kind {
-        HoleKind::Casing => (factors.cased, factors.cased_around),
-        HoleKind::Open => (factors.open, factors.open_around),
-    };
+/// The factor of a section, or a table of two, as case files write it.
+fn friction(section: usize, kind: HoleKind, factors: &Factors) -> String {
+    let [along, around] = factors.of_section(section, kind);
     match (around - along).abs() < 5e-5 {
         true => format!("{along:.4}"),
         false => format!("{{ kinetic = {:.4}, around = {around:.4} }}", along.max(LEAST)),
@@ -59,14 +56,17 @@ pub(super) fn fragment(case: &Case, summary: &CalibrationSummary, found: &Calibr
     text += if weighed { " and the block's weight under its [rig]" } else { "" };
     text += ", or try them with\n#  ";
     for (index, section) in sections.iter().enumerate() {
-        let _ =
-            write!(text, " --set 'well.hole.{index}.friction={}'", friction(section.kind, factors));
+        let _ = write!(
+            text,
+            " --set 'well.hole.{index}.friction={}'",
+            friction(index, section.kind, factors)
+        );
     }
     if weighed {
         let _ = write!(text, " --set 'rig.block_weight={:.0} N'", found.state.block_weight_N);
     }
     text.push('\n');
-    for section in sections {
+    for (index, section) in sections.iter().enumerate() {
         let kind = match section.kind {
             HoleKind::Casing => "casing",
             HoleKind::Open => "open",
@@ -76,7 +76,7 @@ pub(super) fn fragment(case: &Case, summary: &CalibrationSummary, found: &Calibr
             "\n[[well.hole]]\nkind = \"{kind}\"\nto = \"{} m\"\ndiameter = \"{} m\"\nfriction = {}\n",
             rounded(section.to_md_m, 1e3),
             rounded(section.diameter_m, 1e6),
-            friction(section.kind, factors)
+            friction(index, section.kind, factors)
         );
     }
     if weighed {

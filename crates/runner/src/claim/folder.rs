@@ -95,7 +95,11 @@ impl Claim<'_> {
                 FolderState::Unfinished => Err(self.unfinished(path)),
                 FolderState::Other(there) => {
                     let path = path.clone();
-                    Err(FolderRefused::Occupied { path, there }.into())
+                    let ours = |there: &Occupant| {
+                        (&there.kind, &there.name) == (&self.occupant.kind, &self.occupant.name)
+                    };
+                    let alike = there.as_ref().is_some_and(ours);
+                    Err(FolderRefused::Occupied { path, there, alike }.into())
                 }
                 FolderState::Busy(_) => Err(busy(path)),
             };

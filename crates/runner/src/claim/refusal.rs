@@ -9,12 +9,14 @@ use wholestring_results::Occupant;
 #[derive(Debug, Clone, Error)]
 pub enum FolderRefused {
     /// It holds other results.
-    #[error("{} holds {}", path.display(), whose(there.as_ref()))]
+    #[error("{} holds {}", path.display(), whose(there.as_ref(), *alike))]
     Occupied {
         /// The folder.
         path: PathBuf,
         /// What its results are of; nothing where they do not say.
         there: Option<Occupant>,
+        /// Whether they are called as those that were to go there.
+        alike: bool,
     },
 
     /// The same work was begun there and not finished.
@@ -43,8 +45,11 @@ pub enum FolderRefused {
     },
 }
 
-fn whose(there: Option<&Occupant>) -> String {
+fn whose(there: Option<&Occupant>, alike: bool) -> String {
     match there {
+        Some(there) if alike => {
+            format!("the {} \"{}\" with other settings or data", there.kind, there.name)
+        }
         Some(there) => format!("the {} of another case, \"{}\"", there.kind, there.name),
         None => "results of an earlier version, which did not say of which case".to_owned(),
     }

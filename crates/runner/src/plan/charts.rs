@@ -7,7 +7,10 @@ use wholestring_report::{
 };
 use wholestring_results::{PlanMeasured, PlanOverlayRow, PlanSummary};
 
-use super::levels::{LEVELS, label};
+use super::{
+    levels::{LEVELS, label},
+    surface,
+};
 
 /// Names of the sheets that charts are of.
 pub(super) const BROOMSTICK: &str = "Broomstick";
@@ -15,6 +18,7 @@ pub(super) const BUCKLING: &str = "Weight to buckle";
 pub(super) const HYDRAULICS: &str = "Hydraulics";
 pub(super) const MEASURED: &str = "Measured";
 pub(super) const OVERLAY: &str = "Overlay";
+pub(super) const SURFACE: &str = "Surface limits";
 
 /// Headings of the columns that are drawn.
 const DEPTH: &str = "bit depth";
@@ -34,6 +38,12 @@ pub(super) fn charts(summary: &PlanSummary, sheets: &[Sheet]) -> Vec<WorkbookCha
                 sheet(OVERLAY)
                     .map_or_else(Vec::new, |of| laid_over(summary, of, heading, is_shown)),
             );
+            if !series.is_empty() {
+                series.extend(
+                    sheet(SURFACE)
+                        .map_or_else(Vec::new, |of| borne(summary, of, heading, is_shown)),
+                );
+            }
             chart(title, heading, points, series)
         };
         charts.extend(broomstick("Hook load without block, off bottom", "hook load", |of| {
@@ -182,6 +192,43 @@ fn laid_over(
         });
     }
     all
+}
+
+/// A line for each limit that is near to the curves: two rows of its sheet, in their order.
+fn borne(
+    summary: &PlanSummary,
+    sheet: &Sheet,
+    heading: &str,
+    is_shown: fn(OperationKind) -> bool,
+) -> Vec<WorkbookSeries> {
+    let is_torque = heading == "surface torque";
+    let column = if is_torque { "allowed_N_m" } else { "allowed_N" };
+    let table = summary.surface_limits_table();
+    let place = |name: &str| table.columns().iter().position(|of| of.name == name);
+    let Some((across, down)) = place(column).zip(place("bit_depth_m")) else { return Vec::new() };
+    let drawn = summary.points.iter().filter(|of| {
+        summary.models.first() == Some(&of.model)
+            && OperationKind::from_name(&of.operation).is_some_and(is_shown)
+    });
+    let value = drawn.filter_map(|of| {
+        let scalars = of.scalars?;
+        Some(if is_torque { scalars.surface_torque_N_m } else { scalars.hook_load_N })
+    });
+    let largest = value.fold(0.0, |most: f64, value| most.max(value.abs()));
+    let limits = summary.surface_limits.iter().enumerate();
+    let near =
+        limits.filter(|(_, of)| of.is_torque == is_torque && surface::shown(of).is_near(largest));
+    near.map(|(row, of)| WorkbookSeries {
+        name: format!("limit: {}", surface::title(&of.kind)),
+        sheet: sheet.name.clone(),
+        across,
+        down,
+        rows: 2 * row..2 * row + 2,
+        // No operation of a broomstick has the last two colours.
+        colour: 5 + row % 2,
+        stroke: Some(Stroke::LongDashed),
+    })
+    .collect()
 }
 
 /// A curve for each operation that drills, each friction and each shape.

@@ -3,8 +3,10 @@
 mod broomstick;
 mod campaign;
 mod charts;
+mod drawn;
 mod dynamic;
 mod files;
+mod first;
 mod kind;
 mod levels;
 mod measured;
@@ -16,10 +18,12 @@ mod peaks;
 mod request;
 mod rows;
 mod sample;
+mod surface;
 mod work;
 mod workbook;
 
 pub use broomstick::{BroomstickFound, BroomstickRequest, broomstick};
+pub use first::breaks_first;
 pub use outcome::{Outcome, run};
 pub use overlay::Overlay;
 pub use request::Request;

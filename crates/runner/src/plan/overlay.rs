@@ -94,7 +94,7 @@ impl Overlay {
         // Model after model.
         let place = |model: &str| summary.models.iter().position(|own| own == model);
         rows.sort_by_key(|of: &PlanOverlayRow| place(&of.model));
-        (PlanOverlay { file: self.file.clone(), rows }, without)
+        (PlanOverlay::new(self.file.clone(), rows), without)
     }
 }
 

@@ -7,7 +7,7 @@ use wholestring_plan::{dynamic::Event, limits::LimitKind};
 use wholestring_report::{
     BucklingCurve, Cell, Fact, Level, Plan, PlanCurve, PlanFatigueHourRow, PlanFatigueRow,
     PlanLevel, PlanLimitRow, PlanMeasured, PlanOverlay, PlanOverlayDifference, PlanOverlayRow,
-    PlanRig, PlanSpot, PlanWearRow, Section, operation_name, shown_dimension,
+    PlanSpot, PlanWearRow, Section, operation_name, shown_dimension,
 };
 use wholestring_results::{
     Level as Grave, PlanFatigue, PlanLimit, PlanPoint, PlanSummary, PlanWear, ResultsError,
@@ -17,8 +17,9 @@ use wholestring_units::UnitSet;
 
 use super::{
     files::{FATIGUE, LIMITS, PEAKS_TIME, Tables, WEAR, WORKBOOK},
+    first::breaks_first,
     levels::{LEVELS, label, short},
-    mud, peaks,
+    mud, peaks, surface,
     workbook::workbook,
 };
 use crate::{
@@ -78,8 +79,6 @@ pub(super) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Plan, Resu
 fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>) -> Plan {
     let settings = &summary.settings;
     let number = |of: &Json| of.as_f64();
-    let rig = &settings["rig"];
-    let drills = summary.operations.iter().any(|of| of == "drill" || of == "slide");
     let message = (summary.missing > 0).then(|| {
         format!(
             "The plan was interrupted: {} of {} points are missing.",
@@ -97,20 +96,25 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         mud: mud::shown(summary),
         hole: hole(summary),
         limits: summary.worst_limits.iter().map(limit).collect(),
+        first: [UnitSet::Si, UnitSet::Metric, UnitSet::Field]
+            .map(|units| breaks_first(summary, units)),
         unchecked: summary.unchecked.clone(),
         fatigue: summary.fatigue.iter().map(fatigue).collect(),
         wear: summary.wear.iter().map(wear).collect(),
         events: peaks::events(summary, peaks_time),
-        rig: PlanRig {
-            block_N: number(&rig["block_weight_N"]),
-            hoist_N: number(&rig["hoist_capacity_N"]),
-            top_drive_N_m: number(&rig["top_drive_torque_N_m"]),
-        },
+        block_N: number(&settings["rig"]["block_weight_N"]),
+        surface_limits: summary.surface_limits.iter().map(surface::shown).collect(),
         uncertain: summary.uncertain.as_ref().map(|of| uncertain::shown(of, &Names::PLAN)),
-        weight_on_bit_N: number(&settings["operation"]["wob_N"]).filter(|_| drills),
+        weight_on_bit_N: weight_on_bit_N(summary),
         measured: summary.measured.iter().map(measured).collect(),
         overlay: summary.overlay.as_ref().map(overlay),
     }
+}
+
+/// Weight on bit of what drills, N.
+pub(super) fn weight_on_bit_N(summary: &PlanSummary) -> Option<f64> {
+    let drills = summary.operations.iter().any(|of| of == "drill" || of == "slide");
+    summary.settings["operation"]["wob_N"].as_f64().filter(|_| drills)
 }
 
 fn level(summary: &PlanSummary, name: &str) -> PlanLevel {
@@ -186,6 +190,7 @@ fn limit(of: &PlanLimit) -> PlanLimitRow {
     let kind = LimitKind::ALL.iter().find(|kind| kind.name() == of.kind);
     let dimension = kind.map_or("", |kind| shown_dimension(kind.quantity()));
     PlanLimitRow {
+        breaks: kind.is_some_and(|kind| kind.breaks()),
         kind: kind.map_or_else(|| of.kind.replace('_', " "), |kind| kind.label().to_owned()),
         operation: Event::from_name(&of.operation)
             .map_or_else(|| of.operation.clone(), |event| format!("{}, dynamics", event.label())),
@@ -255,15 +260,16 @@ fn overlay(of: &wholestring_results::PlanOverlay) -> PlanOverlay {
         bit_depth_m: row.bit_depth_m,
         theirs: row.theirs,
     });
-    let differences = of.differences().into_iter().map(|of| PlanOverlayDifference {
-        model: of.model,
-        operation: of.operation,
+    let differences = of.differences.iter().map(|of| PlanOverlayDifference {
+        model: of.model.clone(),
+        operation: of.operation.clone(),
         is_torque: of.is_torque,
         count: of.count,
         mean: of.mean,
         largest: of.largest,
         largest_at_m: of.largest_at_m,
         theirs_there: of.theirs_there,
+        largest_part: of.largest_part,
     });
     PlanOverlay { file: of.file.clone(), rows: rows.collect(), differences: differences.collect() }
 }

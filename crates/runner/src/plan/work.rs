@@ -14,11 +14,13 @@ use super::{
     campaign::{Taken, came, taken},
     dynamic::{Parts, Ran, Run, runs},
     files::Tables,
+    first::first,
     measured::{Measured, MeasuredDone, MeasuredTask},
     mud,
     request::Request,
     rows::{Lack, buckling, frictions, in_words, limits, points, unchecked},
     sample::Asked,
+    surface,
 };
 use crate::{
     batch::BatchOutcome,
@@ -285,6 +287,8 @@ impl<'a> Work<'a> {
             points,
             buckling: weights,
             worst_limits: worst(&all_limits),
+            breaks_first: first(&all_limits),
+            surface_limits: surface::limits(self.broomstick, &plan.limits),
             unchecked,
             hydraulics,
             fatigue: came.fatigue,

@@ -5,7 +5,7 @@ use wholestring_results::{PlanSummary, Table, plan_peaks_table};
 use wholestring_units::UnitSet;
 
 use super::{
-    charts::{BROOMSTICK, BUCKLING, HYDRAULICS, MEASURED, OVERLAY, charts},
+    charts::{BROOMSTICK, BUCKLING, HYDRAULICS, MEASURED, OVERLAY, SURFACE, charts},
     files::Tables,
 };
 use crate::{page::PROGRAM, sheet::sheet};
@@ -16,6 +16,7 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
     let measured = summary.measured_table();
     let overlay = summary.overlay.as_ref().map_or_else(|| Table::new(Vec::new()), |of| of.table());
     let peaks = plan_peaks_table(&summary.peaks);
+    let surface = summary.surface_limits_table();
     let tables = [
         (
             BROOMSTICK,
@@ -24,6 +25,11 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
         ),
         (BUCKLING, &summary.buckling_table(), "Weights on bit under which the string buckles"),
         ("Limits", &found.limits, "Loads against what bears them, in the unit of the row"),
+        (
+            SURFACE,
+            &surface,
+            "What hook load and torque may come to: the ends of lines in the charts",
+        ),
         ("Fatigue", &found.fatigue, "What the campaign takes of the string's life"),
         ("Casing wear", &found.wear, "What the campaign takes of the casing"),
         ("Peaks", &peaks, "What a string that sets itself in motion comes to, by the dynamics"),
@@ -43,6 +49,7 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
     ];
     let is_there = |name: &str| match name {
         HYDRAULICS => !summary.hydraulics.is_empty(),
+        SURFACE => !summary.surface_limits.is_empty(),
         "Peaks" | "Peaks against time" => !summary.peaks.is_empty(),
         MEASURED => !summary.measured.is_empty(),
         OVERLAY => summary.overlay.is_some(),

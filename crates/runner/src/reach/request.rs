@@ -24,7 +24,7 @@ use wholestring_units::UnitSet;
 use super::{
     operations::{Operations, operations},
     sample::{Asked, with_friction},
-    tables::{LIMITS, REACH, reach_table},
+    tables::{self, LIMITS, REACH, reach_table},
 };
 use crate::{
     batch::BatchOutcome,
@@ -59,6 +59,8 @@ pub struct Request<'a> {
     pub operations: Vec<OperationKind>,
     /// Whether what a helix presses to the wall rubs; a string never locks up otherwise.
     pub helix_side_force: bool,
+    /// Whether the string stops where its helix begins, though it would go on buckled.
+    pub stop_at_helix: bool,
     /// Units of the pictures and the page; the case's where nothing is said.
     pub units: Option<UnitSet>,
     /// Where the results go.
@@ -98,6 +100,7 @@ impl<'a> Request<'a> {
             frictions: Vec::new(),
             operations: Vec::new(),
             helix_side_force: true,
+            stop_at_helix: false,
             units: None,
             output: Output::default(),
             png: false,
@@ -114,6 +117,7 @@ impl<'a> Request<'a> {
         let mut settings = ReachSettings::from_depth(from_m);
         settings.to_m = self.to_m.unwrap_or(settings.to_m);
         settings.soft.helix_side_force = self.helix_side_force;
+        settings.stop_at_helix = self.stop_at_helix;
         if from_m <= shallowest_m {
             return bad(format!(
                 "the reach begins with the bit at {from_m:.0} m, but what stands below the pipe that \
@@ -175,7 +179,8 @@ pub fn run(
     let kinds: Vec<&str> = all.iter().map(|of| of.kind.name()).collect();
     let asked = json!([settings.from_m, settings.to_m, request.frictions, kinds]);
     let drawn = &case.plan.uncertain;
-    let identity = digest(&json!([case.identity(), asked, request.helix_side_force, drawn]));
+    let helix = [request.helix_side_force, request.stop_at_helix];
+    let identity = digest(&json!([case.identity(), asked, helix, drawn]));
     let occupant =
         Occupant { kind: "reach".into(), name: name.clone(), identity: identity.clone() };
     let claimed = Claim {
@@ -222,6 +227,7 @@ pub fn run(
         to_m: settings.to_m,
         inclination_rad: bit.inclination_rad(),
         helix_side_force: request.helix_side_force,
+        stop_at_helix: request.stop_at_helix,
         left_out,
         frictions: frictions.collect(),
         uncertain: samples.as_ref().map(|(_, found, _)| found.clone()),
@@ -231,7 +237,9 @@ pub fn run(
     uncertain::write_picture_numbers(folder, summary.uncertain.as_ref())?;
     // As CSV too: the page leads to them.
     let rows: Vec<_> = answers.iter().map(|of| (of.friction, &of.reaches[..])).collect();
-    folder.write_table(REACH, &reach_table(&rows), true)?;
+    let margins = reach_table(&rows);
+    folder.write_table(REACH, &margins, false)?;
+    tables::picture(&margins, &summary).write_csv(&folder.path().join(format!("{REACH}.csv")))?;
     folder.write_table(LIMITS, &reach_limits_table(&summary), true)?;
     summary.write(&folder.path().join("summary.json"))?;
     let units = request.units.unwrap_or(case.units);
@@ -274,6 +282,8 @@ impl Answer {
         ReachOfFriction {
             friction: self.friction,
             friction_at_bit,
+            critical_inclination_rad: (friction_at_bit > 0.0)
+                .then(|| (1.0 / friction_at_bit).atan()),
             first,
             limits: limits.collect(),
             missing: self.missing.clone(),
@@ -310,7 +320,7 @@ fn limit(operation: &str, curve: &Curve) -> ReachLimit {
         operation: operation.into(),
         limit: curve.limit.name().into(),
         title: curve.limit.title().into(),
-        stops: curve.limit.stops(),
+        stops: curve.stops,
         depth_m: curve.end.depth_m(),
         already: matches!(curve.end, End::Already(_)),
         margin_at_from: finite(curve.margins.first().map(|of| of.margin)),

@@ -67,7 +67,7 @@ impl Asked<'_> {
                 for curve in &of.curves {
                     let name = curve.limit.name();
                     all.push(depth(of.kind.name(), name, curve.end.depth_m()));
-                    if !curve.limit.stops() {
+                    if !curve.stops {
                         continue;
                     }
                     let margin = |(bit_depth_m, own): (&f64, &f64)| Quantity {
@@ -141,7 +141,7 @@ impl Asked<'_> {
                 for curve in &own.curves {
                     let found = found.as_ref().ok().and_then(|found| of_limit(found, curve.limit));
                     sampled.answers.push(found.map(|curve| depth_m(curve.end)));
-                    if curve.limit.stops() {
+                    if curve.stops {
                         let margins = (0..own.depth_m.len()).map(|row| {
                             let margin = found?.margins.get(row)?.margin;
                             Some(margin.clamp(MARGIN[0], MARGIN[1])).filter(|of| of.is_finite())

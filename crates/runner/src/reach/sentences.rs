@@ -57,10 +57,7 @@ pub fn notes(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
     };
     let mut notes = Vec::new();
     for of in &summary.frictions {
-        if of.friction_at_bit <= 0.0 {
-            continue;
-        }
-        let critical_rad = (1.0 / of.friction_at_bit).atan();
+        let Some(critical_rad) = of.critical_inclination_rad else { continue };
         let inclination = angle(summary.inclination_rad);
         let (at, critical) = (friction(of), angle(critical_rad));
         notes.push(match summary.inclination_rad < critical_rad {
@@ -73,6 +70,11 @@ pub fn notes(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
                  each metre has to be pushed."
             ),
         });
+    }
+    if summary.stop_at_helix {
+        notes.push(
+            "A helix counts as a stop, as was asked for, but where the hole is vertical.".into(),
+        );
     }
     if !summary.helix_side_force {
         notes.push("What a helix presses to the wall does not rub: no string locks up.".into());

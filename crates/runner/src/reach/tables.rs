@@ -1,7 +1,9 @@
 //! The table of the margins of a reach.
 
 use wholestring_plan::reach::{Limit, Margin, OperationReach};
-use wholestring_results::{REACH as COLUMNS, Table};
+use wholestring_results::{REACH as COLUMNS, ReachSummary, Table};
+
+use crate::picture_table::{Entry, Row, with_rows};
 
 /// Names of the tables, without their endings.
 pub(super) const REACH: &str = "reach";
@@ -43,4 +45,50 @@ pub(super) fn reach_table(answers: &[(Option<f64>, &[OperationReach])]) -> Table
         }
     }
     table
+}
+
+/// What the picture shows beside the curves: where a limit is met, and of uncertain numbers the
+/// bands of margins and the bars of depths, within which 90 % of the samples lie.
+pub(super) fn picture(margins: &Table, summary: &ReachSummary) -> Table {
+    let mut rows: Vec<Row<'_>> = Vec::new();
+    let named = |operation: &str, limit: &str, friction: Option<f64>| {
+        vec![
+            ("operation", Entry::Word(operation.to_owned())),
+            ("limit", Entry::Word(limit.to_owned())),
+            ("friction", Entry::Number(friction.unwrap_or(f64::NAN))),
+        ]
+    };
+    for answer in &summary.frictions {
+        for of in &answer.limits {
+            let Some(depth_m) = of.depth_m else { continue };
+            let first = answer.first.as_ref();
+            let is_first = first.is_some_and(|first| {
+                (&first.operation, &first.limit) == (&of.operation, &of.limit)
+            });
+            let mut row = named(&of.operation, &of.limit, answer.friction);
+            row.extend([
+                ("met_at_bit_depth_m", Entry::Number(depth_m)),
+                ("stops_first", Entry::Number(f64::from(u8::from(is_first)))),
+            ]);
+            rows.push(row);
+        }
+    }
+    let bands = summary.uncertain.iter().flat_map(|of| &of.bands);
+    for of in bands.filter(|of| !of.limit.is_empty()) {
+        let [low, .., high] = of.quantiles;
+        let mut row = named(&of.operation, &of.limit, of.friction);
+        match of.quantity.as_str() {
+            "margin" => row.extend([
+                ("bit_depth_m", Entry::Number(of.bit_depth_m.unwrap_or(f64::NAN))),
+                ("margin_p05", Entry::Number(low)),
+                ("margin_p95", Entry::Number(high)),
+            ]),
+            "depth" if of.not_met < of.answers => {
+                row.extend([("met_p05_m", Entry::Number(low)), ("met_p95_m", Entry::Number(high))])
+            }
+            _ => continue,
+        }
+        rows.push(row);
+    }
+    with_rows(margins, &rows)
 }

@@ -32,19 +32,19 @@ pub(crate) struct Readings {
 /// Bits this near to the end of the hole are at it, m.
 const ROUNDED_M: f64 = 1e-3;
 
-/// Reads a file, or what it would hold, and finds each row's case.
-pub(crate) fn read(
-    file: &Path,
-    content: Option<&[u8]>,
-    cases: &[NamedCase<'_>],
-) -> Result<Readings, Error> {
+/// What a file holds, or would hold.
+pub(crate) fn bytes<'a>(file: &Path, content: Option<&'a [u8]>) -> Result<Cow<'a, [u8]>, Error> {
+    match content {
+        Some(content) => Ok(content.into()),
+        None => Ok(survey::bytes(file, "readings")?.into()),
+    }
+}
+
+/// Reads the bytes of a file, and finds each row's case.
+pub(crate) fn read(file: &Path, bytes: &[u8], cases: &[NamedCase<'_>]) -> Result<Readings, Error> {
     let name = file.display().to_string();
-    let bytes = match content {
-        Some(content) => content.into(),
-        None => Cow::from(survey::bytes(file, "readings")?),
-    };
     let ImportedReadings { readings, notes } =
-        read_readings(&bytes, &name).map_err(|error| survey::explained(&error))?;
+        read_readings(bytes, &name).map_err(|error| survey::explained(&error))?;
     Ok(Readings { notes, ..of_rows(&name, &readings, cases)? })
 }
 

@@ -14,7 +14,8 @@ pub(crate) fn shown(of: &UncertainSummary, names: &Names) -> Uncertain {
         inputs: of.inputs.iter().map(|of| [of.key.clone(), of.distribution.clone()]).collect(),
         bands: of.bands.iter().map(number).collect(),
         stops: of.stops.iter().map(stop).collect(),
-        files: [names.bands, names.indices, names.samples].map(str::to_owned),
+        files: [names.bands, names.indices, names.samples, names.stops.unwrap_or_default()]
+            .map(str::to_owned),
     }
 }
 

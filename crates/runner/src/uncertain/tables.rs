@@ -14,6 +14,8 @@ pub(crate) struct Names {
     pub(crate) indices: &'static str,
     /// What was drawn.
     pub(crate) samples: &'static str,
+    /// What stops the well first, and how often; a plan has no stops.
+    pub(crate) stops: Option<&'static str>,
 }
 
 impl Names {
@@ -22,12 +24,14 @@ impl Names {
         bands: "plan_uncertain",
         indices: "plan_uncertain_indices",
         samples: "plan_uncertain_samples",
+        stops: None,
     };
     /// Of a reach.
     pub(crate) const REACH: Self = Self {
         bands: "reach_uncertain",
         indices: "reach_uncertain_indices",
         samples: "reach_uncertain_samples",
+        stops: Some("reach_uncertain_stops"),
     };
 }
 
@@ -38,7 +42,7 @@ pub(crate) fn write(
     of: Option<(&UncertainSummary, &Table)>,
 ) -> Result<(), ResultsError> {
     let Some((summary, samples)) = of else {
-        for name in [names.bands, names.indices, names.samples] {
+        for name in [names.bands, names.indices, names.samples].into_iter().chain(names.stops) {
             for ending in ["parquet", "csv"] {
                 folder.remove(&format!("{name}.{ending}"))?;
             }
@@ -47,7 +51,11 @@ pub(crate) fn write(
     };
     folder.write_table(names.bands, &summary.table(), true)?;
     folder.write_table(names.indices, &summary.indices_table(), true)?;
-    folder.write_table(names.samples, samples, true)
+    folder.write_table(names.samples, samples, true)?;
+    match names.stops {
+        Some(name) => folder.write_table(name, &summary.stops_table(), true),
+        None => Ok(()),
+    }
 }
 
 /// What was drawn, a row for each sample and input.

@@ -1,0 +1,208 @@
+//! The numbers of each picture of a plan.
+
+use wholestring_results::{
+    Column, Data, PlanMeasured, PlanOverlayRow, PlanPoint, PlanSummary, Table, UncertainBand,
+};
+
+use super::{levels::LEVELS, mud, page};
+use crate::picture_table::{Entry, Row, with_lines, with_rows};
+
+/// Another program's curves below the rows of ours, a column for each operation.
+fn theirs(summary: &PlanSummary, table: Table, quantity: &str, is_torque: bool) -> Table {
+    let first = |of: &&PlanOverlayRow| {
+        summary.models.first() == Some(&of.model) && of.is_torque == is_torque
+    };
+    let rows: Vec<&PlanOverlayRow> =
+        summary.overlay.iter().flat_map(|of| &of.rows).filter(first).collect();
+    if rows.is_empty() {
+        return table;
+    }
+    let above = table.rows();
+    let mut columns = table.columns().to_vec();
+    for column in &mut columns {
+        let is_depth = column.name == "bit_depth_m";
+        if let Data::Number(values) = &mut column.data {
+            values.extend(rows.iter().map(|of| is_depth.then_some(of.bit_depth_m)));
+        }
+    }
+    for operation in &summary.operations {
+        let of_operation = |of: &&PlanOverlayRow| of.operation == *operation;
+        if rows.iter().any(of_operation) {
+            let mut values = vec![None; above];
+            values.extend(rows.iter().map(|of| of_operation(of).then_some(of.theirs)));
+            columns.push(Column::numbers(format!("{operation}_overlay_{quantity}"), values));
+        }
+    }
+    Table::new(columns)
+}
+
+/// The limits of a picture beside its curves, a column for each: the same at every depth.
+fn with_limits(summary: &PlanSummary, table: &Table, quantity: &str, is_torque: bool) -> Table {
+    let limits = summary.surface_limits.iter().filter(|of| of.is_torque == is_torque);
+    let lines = limits.map(|of| (format!("{}_limit_{quantity}", of.kind), of.allowed));
+    with_lines(table, &lines.collect::<Vec<_>>())
+}
+
+/// The mud at rest and the limit of the pump beside the curves of the mud.
+pub(super) fn with_mud(summary: &PlanSummary, table: &Table) -> Table {
+    let Some(mud) = mud::shown(summary) else { return table.clone() };
+    let pump = mud.pump_limit_Pa.map(|of| ("pump_limit_standpipe_pressure_Pa".to_owned(), of));
+    let mut lines = vec![("mud_density_kg_per_m3".to_owned(), mud.density_kg_per_m3)];
+    lines.extend(pump);
+    with_lines(table, &lines)
+}
+
+/// The events against time, then a row for each peak that is marked, with the limits of hook load,
+/// torque and pump beside all of them and what breaks the gel beside its event's.
+pub(super) fn with_peaks(summary: &PlanSummary, table: &Table) -> Table {
+    let mut rows: Vec<Row<'_>> = Vec::new();
+    for of in &summary.peaks {
+        let mut row = |name: &'static str, time_s: f64, value: f64| {
+            rows.push(vec![
+                ("event", Entry::Word(of.event.clone())),
+                ("friction", Entry::Word(of.friction.clone())),
+                ("bit_depth_m", Entry::Number(of.bit_depth_m)),
+                ("time_s", Entry::Number(time_s)),
+                (name, Entry::Number(value)),
+            ]);
+        };
+        let peaks = [
+            ("peak_hook_load_N", of.hook_load_N),
+            ("peak_surface_torque_N_m", of.surface_torque_N_m),
+            ("peak_pump_pressure_Pa", of.pump_pressure_Pa),
+        ];
+        for (name, peak) in peaks.into_iter().filter_map(|(name, peak)| Some((name, peak?))) {
+            row(name, peak.time_s, peak.peak);
+        }
+        if let Some(gel) = of.gel {
+            row("gel_pump_pressure_Pa", f64::NAN, gel.bore_Pa + gel.annulus_Pa);
+        }
+    }
+    let table = with_rows(table, &rows);
+    let pump_Pa = summary.settings["rig"]["pump_pressure_limit_Pa"].as_f64();
+    let pump_Pa = pump_Pa.map(|of| ("pump_limit_pump_pressure_Pa".to_owned(), of));
+    let table = with_lines(&table, &Vec::from_iter(pump_Pa));
+    let table = with_limits(summary, &table, "hook_load_N", false);
+    with_limits(summary, &table, "surface_torque_N_m", true)
+}
+
+/// What each picture shows, a column for each of its curves.
+pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
+    // Below the rows of the curves, one for each reading.
+    let first = |of: &&PlanMeasured| summary.models.first() == Some(&of.model);
+    let read: Vec<&PlanMeasured> = summary.measured.iter().filter(first).collect();
+    let depth = |read: &[&PlanMeasured]| {
+        let depths =
+            summary.bit_depths_m.iter().copied().chain(read.iter().map(|of| of.bit_depth_m));
+        Column::numbers("bit_depth_m", depths.map(Some).collect())
+    };
+    let at = |depth_m: f64, found: Option<f64>| (depth_m, found);
+    let column = |name: String, found: &[(f64, Option<f64>)]| {
+        let value = |depth: &f64| found.iter().find(|(at, _)| at == depth)?.1;
+        Column::numbers(name, summary.bit_depths_m.iter().map(value).collect())
+    };
+    let curves = |quantity: &str, is_torque: bool, of: fn(&PlanPoint) -> Option<f64>| {
+        let mut columns = vec![depth(&[])];
+        for model in &summary.models {
+            for operation in &summary.operations {
+                for friction in LEVELS {
+                    let points = summary.curve(model, operation, friction);
+                    let found: Vec<_> = points.map(|one| at(one.bit_depth_m, of(one))).collect();
+                    let name = format!("{operation}_{friction}_{model}_{quantity}");
+                    columns.push(column(name, &found));
+                }
+            }
+        }
+        let read: Vec<_> = read.iter().filter(|of| of.is_torque == is_torque).copied().collect();
+        if read.is_empty() {
+            return Table::new(columns);
+        }
+        columns[0] = depth(&read);
+        for column in &mut columns[1..] {
+            if let Data::Number(values) = &mut column.data {
+                values.resize(values.len() + read.len(), None);
+            }
+        }
+        for operation in &summary.operations {
+            let mut values = vec![None; summary.bit_depths_m.len()];
+            let of_operation = |of: &&PlanMeasured| of.operation == *operation;
+            values.extend(read.iter().map(|of| of_operation(of).then(|| of.beside_curves())));
+            columns.push(Column::numbers(format!("{operation}_measured_{quantity}"), values));
+        }
+        Table::new(columns)
+    };
+    let bands = |table: Table, quantity: &str| {
+        let (unit, is_torque) = if quantity == "hook_load" { ("N", false) } else { ("N_m", true) };
+        let table = with_limits(summary, &table, &format!("{quantity}_{unit}"), is_torque);
+        let mut columns = table.columns().to_vec();
+        let rows = table.rows();
+        let uncertain = summary.uncertain.iter();
+        let of: Vec<&UncertainBand> = uncertain.flat_map(|of| &of.bands).collect();
+        for operation in &summary.operations {
+            let of = of.iter().filter(|of| of.quantity == quantity && of.operation == *operation);
+            for (place, part) in [(0, "p05"), (2, "p50"), (4, "p95")] {
+                let found =
+                    of.clone().filter_map(|of| Some((of.bit_depth_m?, Some(of.quantiles[place]))));
+                let found: Vec<_> = found.collect();
+                if !found.is_empty() {
+                    let mut band = column(format!("{operation}_{part}_{quantity}_{unit}"), &found);
+                    // Readings stand below the rows of the curves.
+                    if let Data::Number(values) = &mut band.data {
+                        values.resize(rows, None);
+                    }
+                    columns.push(band);
+                }
+            }
+        }
+        Table::new(columns)
+    };
+    let mut weights = vec![depth(&[])];
+    for operation in ["drill", "slide"] {
+        for friction in LEVELS {
+            let rows = summary.buckling.iter();
+            let rows = rows.filter(|of| of.operation == operation && of.friction == friction);
+            let rows: Vec<_> = rows.collect();
+            for shape in ["sinusoidal", "helical"] {
+                let found: Vec<_> = rows
+                    .iter()
+                    .map(|of| match shape {
+                        "sinusoidal" => at(of.bit_depth_m, of.sinusoidal_weight_N),
+                        _ => at(of.bit_depth_m, of.helical_weight_N),
+                    })
+                    .collect();
+                weights.push(column(format!("{operation}_{friction}_{shape}_weight_N"), &found));
+            }
+        }
+    }
+    // The weight that the case drills with.
+    let of_case = page::weight_on_bit_N(summary).filter(|weight_N| *weight_N > 0.0);
+    let of_case: Vec<_> =
+        of_case.map(|weight_N| ("case_weight_on_bit_N".to_owned(), weight_N)).into_iter().collect();
+    [
+        (
+            "hook_load",
+            bands(
+                theirs(
+                    summary,
+                    curves("hook_load_N", false, |of| Some(of.scalars?.hook_load_N)),
+                    "hook_load_N",
+                    false,
+                ),
+                "hook_load",
+            ),
+        ),
+        (
+            "torque",
+            bands(
+                theirs(
+                    summary,
+                    curves("surface_torque_N_m", true, |of| Some(of.scalars?.surface_torque_N_m)),
+                    "surface_torque_N_m",
+                    true,
+                ),
+                "surface_torque",
+            ),
+        ),
+        ("buckling_weight", with_lines(&Table::new(weights), &of_case)),
+    ]
+}
