@@ -25,7 +25,9 @@ def import_files(
 ) -> Imported: ...
 def contents(file: str | PathLike[str]) -> tuple[str, list[str]]: ...
 def advance_alone(of: Simulation, seconds: float) -> None: ...
-def solve_alone(of: Case, model: str, operation: str) -> None: ...
+def solve_alone(
+    of: Case, model: str, operation: str, changes: Sequence[tuple[str, str]]
+) -> float: ...
 
 Function = tuple[Callable[..., tuple[float, float]], str, float]
 
@@ -131,6 +133,9 @@ class Case:
     ) -> tuple[Answers, BaseException | None]: ...
     def run(
         self,
+    def check(
+        self, models: Sequence[str] | None, operation: str | None
+    ) -> list[dict[str, Any]]: ...
         models: Sequence[str] | None,
         operation: str | None,
         folder: Path,
@@ -155,6 +160,7 @@ class Common(TypedDict):
     jobs: int | None
     checkpoint_s: float | None
     shard: str | None
+        jobs: int | None,
     csv: bool
     png: bool
 
