@@ -47,6 +47,7 @@ mod mesh;
 mod model_rule;
 mod modes;
 mod mud;
+mod narrowed;
 mod new_case;
 mod operation;
 mod operation_kind;

@@ -23,36 +23,37 @@ import statistics
 import subprocess
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import wholestring as ws
+from wholestring._gather import PER_WORKER
 
 CASES = Path(__file__).parents[3] / "cases"
 
 
 @contextmanager
-def dask(workers: int) -> Iterator[Any]:
+def dask(workers: int) -> Generator[Any, None, None]:
     """Give a client of so many workers of one thread each, on this machine."""
-    from distributed import Client, LocalCluster, Security
-
-    cluster = LocalCluster(
+    distributed: Any = import_module("distributed")  # it has no types
+    cluster = distributed.LocalCluster(
         n_workers=workers,
         threads_per_worker=1,
         host="127.0.0.1",
         dashboard_address="127.0.0.1:0",
-        security=Security.temporary(),
+        security=distributed.Security.temporary(),
         silence_logs=40,
     )
-    with cluster, Client(cluster) as client:
+    with cluster, distributed.Client(cluster) as client:
         yield client
 
 
 @contextmanager
-def nothing() -> Iterator[None]:
+def nothing() -> Generator[None, None, None]:
     """Give no executor: threads of this process, without Python."""
     yield None
 
@@ -86,7 +87,7 @@ def swept(
 def overhead(arguments: argparse.Namespace) -> dict[str, Any]:
     """Measure short cases, and what of their time is the solution's."""
     case = ws.Case.example().with_(model="soft", operation__kind="trip_out")
-    count: int = arguments.cases
+    count: int = arguments.cases or 1000
     vary = {"friction": [0.1 + 0.3 * i / count for i in range(count)]}
     ways: dict[str, Callable[[], Any]] = {
         "threads of Rust, 1": nothing,
@@ -186,11 +187,14 @@ class Counting(Executor):
 def many(arguments: argparse.Namespace) -> dict[str, Any]:
     """Sweep as many points as there may be."""
     case = ws.Case.example().with_(model="soft", operation__kind="trip_out")
-    count = 100_000 if arguments.cases == 1000 else arguments.cases
+    count: int = arguments.cases or 100_000
     vary = {"friction": [0.1 + 0.3 * i / count for i in range(count)]}
     with processes(2) as pool:
         counting = Counting(pool)
-        took_s = swept_s(case, vary, counting, in_flight=6)
+        took_s = swept_s(case, vary, counting)
+    # Of what is no pool the cores are taken to be its workers.
+    most = PER_WORKER * (os.cpu_count() or 1)
+    assert counting.most <= most, f"{counting.most} in flight, {most} at most"
     found = {
         "cases": count,
         "took_s": took_s,
@@ -206,7 +210,7 @@ def main() -> None:
     """Measure, and print what was found, as JSON too where that is asked for."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     parser.add_argument("what", choices=["overhead", "speed", "many"])
-    parser.add_argument("--cases", type=int, default=1000)
+    parser.add_argument("--cases", type=int, help="1000 of overhead, 100000 of many")
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--duration", type=float, default=60.0, help="of a dynamic case, s")
     parser.add_argument("--settle", type=float, default=20.0, help="before it, s")

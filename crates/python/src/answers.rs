@@ -23,6 +23,9 @@ impl From<run::Answers> for Answers {
     }
 }
 
+/// Summary, tables, and whether the case asks for spectra.
+type Parts = (String, Vec<(&'static str, Table)>, bool);
+
 /// Name, SI unit and meaning of the scalars of an operation.
 pub(crate) fn scalars() -> Vec<(&'static str, &'static str, &'static str)> {
     let of = |of: &wholestring::outcome::Scalar| {
@@ -47,6 +50,28 @@ impl Answers {
             Place::Memory(_) => "a run",
             Place::Folder(folder) => folder.kind,
         }
+    }
+
+    /// Those that were in memory, from [`Answers::parts`].
+    #[staticmethod]
+    fn restore(
+        py: Python<'_>,
+        summary: &str,
+        tables: Vec<(String, PyRef<'_, Table>)>,
+        with_spectra: bool,
+    ) -> PyResult<Self> {
+        let tables = tables.iter().map(|(name, table)| (name.clone(), table.stored())).collect();
+        let answers = py.detach(|| run::Answers::restore(summary, tables, with_spectra));
+        Ok(answers.map_err(|error| error::of_results(py, &error))?.into())
+    }
+
+    /// What those in memory are made of: summary, tables, and whether the case asks for spectra;
+    /// nothing where a folder has them.
+    fn parts(&self, py: Python<'_>) -> PyResult<Option<Parts>> {
+        let Place::Memory(answers) = &self.0 else { return Ok(None) };
+        let named = |(name, table): (&'static str, _)| Ok((name, Table::of(table)?));
+        let tables = answers.tables().into_iter().map(named).collect::<PyResult<_>>()?;
+        Ok(Some((self.summary_json(py)?, tables, answers.with_spectra())))
     }
 
     /// `summary.json`; an empty object where a folder has none.

@@ -1,5 +1,5 @@
-//! Long work with Python free beside it: other Python threads run, an interrupt ends it within a
-//! tenth of a second, and hears of its progress.
+//! Long work with Python free beside it: other Python threads run, an interrupt cancels it within
+//! some hundredths of a second, and Python hears of its progress.
 
 use std::{
     sync::{
@@ -16,7 +16,7 @@ use wholestring_runner::{CancellationToken, Observer, Progress, Task};
 use crate::{error, event_buffer::EventBuffer};
 
 /// How often Python is asked for an interrupt and told of the progress.
-const LOOK: Duration = Duration::from_millis(50);
+const LOOK: Duration = Duration::from_millis(25);
 
 /// What work came to, and what was raised meanwhile: an interrupt, or an error of the listener. The
 /// work was then cancelled and has kept what it had.

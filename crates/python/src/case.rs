@@ -11,6 +11,7 @@ use pyo3::{
     prelude::*,
     types::{PyBytes, PyDict, PyList},
 };
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_case::{Case as Checked, Override, Quote, Template};
 use wholestring_runner::{
     Output,
@@ -57,8 +58,41 @@ impl Case {
         Ok(Self { template, changes, case, with_models: Mutex::default() })
     }
 
-    /// The case with these models, and one operation if it is named.
+    /// The case with these models, and one operation if it is named, to be solved.
     pub(crate) fn with_models(
+        &self,
+        py: Python<'_>,
+        models: Option<Vec<String>>,
+        operation: Option<String>,
+    ) -> PyResult<Arc<Checked>> {
+        match self.narrowed(models.as_deref(), operation.as_deref()) {
+            Some(case) => Ok(case),
+            None => self.read_with(py, models, operation),
+        }
+    }
+
+    /// The same without its text, which takes as long to read as statics take to solve; nothing
+    /// where only the text can tell.
+    fn narrowed(&self, models: Option<&[String]>, only: Option<&str>) -> Option<Arc<Checked>> {
+        if models.is_none() && only.is_none() {
+            return Some(self.case.clone());
+        }
+        let kind = only.map(OperationKind::from_name);
+        let only = match kind {
+            Some(None) => return None,
+            Some(kind) => kind,
+            None => None,
+        };
+        let of_name = |name: &String| ModelKind::ALL.into_iter().find(|of| of.name() == name);
+        let models: Option<Vec<ModelKind>> = match models {
+            Some(names) => names.iter().map(of_name).collect(),
+            None => Some(self.case.models.clone()),
+        };
+        self.case.narrowed(&models?, only).map(Arc::new)
+    }
+
+    /// The same from its text: what is said of it too is said of these.
+    fn read_with(
         &self,
         py: Python<'_>,
         models: Option<Vec<String>>,
@@ -168,6 +202,21 @@ impl Case {
         self.case.operations.iter().map(|of| of.kind.name()).collect()
     }
 
+    /// The same with these models, and one operation if it is named: what is probably not meant.
+    ///
+    /// # Errors
+    /// A case that these cannot solve.
+    #[pyo3(signature = (models, operation))]
+    fn check<'py>(
+        &self,
+        py: Python<'py>,
+        models: Option<Vec<String>>,
+        operation: Option<String>,
+    ) -> PyResult<Bound<'py, PyList>> {
+        let case = self.read_with(py, models, operation)?;
+        error::diagnostics(py, std::slice::from_ref(&case.warnings))
+    }
+
     /// What is probably not meant, but can be computed.
     fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         error::diagnostics(py, std::slice::from_ref(&self.case.warnings))
@@ -223,7 +272,8 @@ impl Case {
 
     /// A dynamic run in hand; with a checkpoint, from there on. Laws are functions with their names
     /// and rates.
-    #[pyo3(signature = (operation, checkpoint, bit_law, excitation, listener))]
+    #[pyo3(signature = (operation, checkpoint, bit_law, excitation, jobs, listener))]
+    #[allow(clippy::too_many_arguments)]
     fn simulation(
         &self,
         py: Python<'_>,
@@ -231,13 +281,14 @@ impl Case {
         checkpoint: Option<&[u8]>,
         bit_law: Option<Function>,
         excitation: Option<Function>,
+        jobs: Option<NonZeroUsize>,
         listener: &Bound<'_, PyAny>,
     ) -> PyResult<Simulation> {
         let case = self.case.clone();
         let (laws, raised) = law::laws(bit_law, excitation);
         let work = attended(py, listener, |observer, cancellation| match checkpoint {
-            Some(bytes) => Live::resume(case, &laws, bytes),
-            None => Live::begin(case, operation, &laws, observer, cancellation),
+            Some(bytes) => Live::resume(case, &laws, jobs, bytes),
+            None => Live::begin(case, operation, &laws, jobs, observer, cancellation),
         })?;
         match (work.raised.or(raised.take()), work.result) {
             (Some(error), _) => Err(error),

@@ -8,6 +8,7 @@ mod case;
 mod column;
 mod commands;
 mod conventions;
+mod dimension;
 mod error;
 mod event_buffer;
 mod existing;
@@ -50,6 +51,9 @@ mod _core {
     use crate::import::{Imported, contents, import_files};
 
     #[pymodule_export]
+    use crate::dimension::{quantity, si_unit, unit_of};
+
+    #[pymodule_export]
     use crate::measure::{advance_alone, solve_alone};
 
     #[pymodule_init]
@@ -72,25 +76,6 @@ mod _core {
         crate::conventions::well_path(settings_json)
     }
 
-    /// A quantity of a dimension, such as `"10 s"` of a time, in SI.
-    #[pyfunction]
-    fn quantity(py: Python<'_>, text: &str, dimension: &str) -> PyResult<f64> {
-        use wholestring_units::Dimension;
-
-        let found = Dimension::ALL.iter().find(|of| of.name() == dimension);
-        let found = found.ok_or_else(|| crate::error::of_panic(py))?;
-        found
-            .parse(text)
-            .map_err(|error| pyo3::exceptions::PyValueError::new_err(error.to_string()))
-    }
-
-    /// SI unit of a dimension, such as `"rotary speed"`.
-    #[pyfunction]
-    fn si_unit(py: Python<'_>, dimension: &str) -> PyResult<&'static str> {
-        let found = wholestring_units::Dimension::ALL.iter().find(|of| of.name() == dimension);
-        found.map(|of| of.si_symbol()).ok_or_else(|| crate::error::of_panic(py))
-    }
-
     /// The table of the sweep in a folder, and how many of its columns were varied.
     #[pyfunction]
     fn sweep_table(
@@ -98,12 +83,5 @@ mod _core {
         folder: std::path::PathBuf,
     ) -> PyResult<(usize, crate::table::Table)> {
         crate::sweep::table(py, &folder)
-    }
-
-    /// SI unit of what a dotted or short key of a case measures; nothing of a bare number, a text,
-    /// or a key that there is not.
-    #[pyfunction]
-    fn unit_of(key: &str) -> Option<&'static str> {
-        wholestring_case::dimension_at(key).map(wholestring_units::Dimension::si_symbol)
     }
 }

@@ -9,9 +9,9 @@ use arrow_array::{
 use arrow_buffer::{NullBuffer, ScalarBuffer};
 use arrow_schema::{DataType, Field, Schema};
 use pyo3::{
-    exceptions::{PyKeyError, PyRuntimeError},
+    exceptions::{PyKeyError, PyRuntimeError, PyValueError},
     prelude::*,
-    types::PyCapsule,
+    types::{PyBytes, PyCapsule},
 };
 use wholestring_results::{Column as Stored, Data, Table as StoredTable};
 
@@ -34,6 +34,25 @@ impl Table {
         Ok(Self { batch })
     }
 
+    /// The same as the engine has tables.
+    pub(crate) fn stored(&self) -> StoredTable {
+        let schema = self.batch.schema();
+        let columns = schema.fields().iter().zip(self.batch.columns()).map(|(field, array)| {
+            let about = |what| field.metadata().get(what).cloned().unwrap_or_default();
+            let data = match array.as_any().downcast_ref::<Float64Array>() {
+                Some(numbers) => Data::Number(numbers.iter().collect()),
+                None => Data::Text(words(array).unwrap_or_default()),
+            };
+            Stored {
+                name: field.name().clone(),
+                unit: about("unit"),
+                meaning: about("meaning"),
+                data,
+            }
+        });
+        StoredTable::new(columns.collect())
+    }
+
     fn place(&self, name: &str) -> PyResult<usize> {
         let schema = self.batch.schema();
         schema.index_of(name).map_err(|_| {
@@ -50,6 +69,16 @@ impl Table {
         Ok(about.unwrap_or_default())
     }
 }
+
+/// The words of a column; nothing where it is numbers.
+fn words(array: &ArrayRef) -> Option<Vec<String>> {
+    let words = array.as_any().downcast_ref::<StringArray>()?;
+    Some(words.iter().map(|word| word.unwrap_or_default().to_owned()).collect())
+}
+
+/// A column as it goes into a pickle: name, unit, meaning, and either numbers, eight bytes each with
+/// the lowest first, and a byte each that is one where there is none, or words.
+type Part<'a> = (String, String, String, Option<[Bound<'a, PyBytes>; 2]>, Option<Vec<String>>);
 
 fn column(of: &Stored) -> (Field, ArrayRef) {
     let array: ArrayRef = match &of.data {
@@ -125,9 +154,53 @@ impl Table {
 
     /// The words of a column; nothing where it is numbers.
     fn words(&self, name: &str) -> PyResult<Option<Vec<String>>> {
-        let array = self.batch.column(self.place(name)?);
-        let words = array.as_any().downcast_ref::<StringArray>();
-        let owned = |word: Option<&str>| word.unwrap_or_default().to_owned();
-        Ok(words.map(|words| words.iter().map(owned).collect()))
+        Ok(words(self.batch.column(self.place(name)?)))
+    }
+
+    /// Its columns, each as it goes into a pickle.
+    fn parts<'py>(&self, py: Python<'py>) -> Vec<Part<'py>> {
+        let stored = self.stored();
+        let part = |of: &Stored| {
+            let (name, unit, meaning) = (of.name.clone(), of.unit.clone(), of.meaning.clone());
+            match &of.data {
+                Data::Number(numbers) => {
+                    let value = |of: &Option<f64>| of.unwrap_or(f64::NAN).to_le_bytes();
+                    let values: Vec<u8> = numbers.iter().flat_map(value).collect();
+                    let nulls: Vec<u8> = numbers.iter().map(|of| of.is_none().into()).collect();
+                    let bytes = [PyBytes::new(py, &values), PyBytes::new(py, &nulls)];
+                    (name, unit, meaning, Some(bytes), None)
+                }
+                Data::Text(words) => (name, unit, meaning, None, Some(words.clone())),
+            }
+        };
+        stored.columns().iter().map(part).collect()
+    }
+
+    /// The table of which these are the [`Table::parts`].
+    #[staticmethod]
+    fn restore(parts: Vec<Part<'_>>) -> PyResult<Self> {
+        let column = |(name, unit, meaning, numbers, words): Part<'_>| {
+            let data = match (numbers, words) {
+                (Some([values, nulls]), None) => {
+                    let (values, rest) = values.as_bytes().as_chunks::<8>();
+                    let nulls = nulls.as_bytes();
+                    if !rest.is_empty() || values.len() != nulls.len() {
+                        return None;
+                    }
+                    let number = |(value, is_null): (&[u8; 8], &u8)| {
+                        (*is_null == 0).then(|| f64::from_le_bytes(*value))
+                    };
+                    Data::Number(values.iter().zip(nulls).map(number).collect())
+                }
+                (None, Some(words)) => Data::Text(words),
+                _ => return None,
+            };
+            Some(Stored { name, unit, meaning, data })
+        };
+        let columns: Option<Vec<Stored>> = parts.into_iter().map(column).collect();
+        let columns =
+            columns.filter(|all| all.windows(2).all(|two| two[0].data.len() == two[1].data.len()));
+        let columns = columns.ok_or_else(|| PyValueError::new_err("no columns of a table"))?;
+        Self::of(&StoredTable::new(columns))
     }
 }

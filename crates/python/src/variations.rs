@@ -20,7 +20,7 @@ use crate::{
 };
 
 /// How often a worker looks whether the sweep that it works for still goes on.
-const LOOK: Duration = Duration::from_millis(100);
+const LOOK: Duration = Duration::from_millis(50);
 
 /// Name of a case, its changes, and its folder.
 type Task = (String, Vec<(String, String)>, PathBuf);

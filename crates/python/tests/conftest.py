@@ -29,6 +29,12 @@ def np13() -> ws.Case:
 
 
 @pytest.fixture(scope="session")
+def np13_rock() -> ws.Case:
+    """A run on solid rock, slower than real time."""
+    return ws.Case.load(CASES / "np13-x1042-rock.toml")
+
+
+@pytest.fixture(scope="session")
 def short(slant: ws.Case) -> ws.Case:
     """A dynamic run of a second or two."""
     changes: dict[str, ws.Value] = {

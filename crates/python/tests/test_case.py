@@ -155,6 +155,26 @@ def test_a_pickle_opens_in_a_fresh_interpreter(np13: ws.Case, tmp_path: Path) ->
     assert ran.stdout.strip() == case.soft("trip_out")["trip_out"].hook_load_N.hex()
 
 
+def test_a_check_tells_what_is_to_be_said(slant: ws.Case) -> None:
+    assert slant.check() == slant.warnings == ()
+    idle = slant.with_(operation__kind="drill", operation__bit_pull="10 kN")
+    (found,) = idle.check()
+    assert (found,) == idle.warnings
+    assert found.severity == "warning"
+    assert "bit_pull" in found.message
+    # Solved by statics it is sound; the dynamics could not be finished.
+    fine = slant.with_(mesh__element_length="0.1 mm")
+    assert fine.check("soft") == ()
+    (found,) = fine.check(["soft", "dynamic"], "drill")
+    assert found.severity == "error"
+    assert found.file is not None
+    with pytest.raises(ws.CaseError) as caught:
+        fine.with_(model="dynamic")
+    assert found.message in {of.message for of in caught.value.diagnostics}
+    (found,) = slant.check(operation="fish")
+    assert "fish" in found.message
+
+
 def test_it_cannot_be_changed(slant: ws.Case) -> None:
     with pytest.raises(AttributeError):
         slant.name = "other"  # type: ignore[misc]

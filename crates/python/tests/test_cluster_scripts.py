@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import runpy
+import shutil
 import subprocess
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,13 @@ import pytest
 EXAMPLES = Path(__file__).parents[1] / "examples" / "cluster"
 
 
+# Windows has a program of this name that starts a Linux, where there is one.
+needs_bash = pytest.mark.skipif(
+    os.name != "posix" or shutil.which("bash") is None, reason="this system has no bash"
+)
+
+
+@needs_bash
 def test_the_array_of_slurm_hands_its_shares_to_the_command_line(tmp_path: Path) -> None:
     script = EXAMPLES / "slurm-array.sh"
     subprocess.run(["bash", "-n", str(script)], check=True)
@@ -38,6 +46,7 @@ def test_the_array_of_slurm_hands_its_shares_to_the_command_line(tmp_path: Path)
         assert arguments(task) == [*last, "--shard", f"{task}/{array}"]
 
 
+@needs_bash
 def test_dask_jobqueue_renders_the_job(tmp_path: Path) -> None:
     jobqueue = pytest.importorskip("dask_jobqueue")
     example = runpy.run_path(str(EXAMPLES / "dask_slurm.py"))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 import wholestring as ws
+from conftest import CASES
 
 
 def test_a_mistaken_case_names_every_mistake(slant: ws.Case) -> None:
@@ -25,6 +26,29 @@ def test_a_mistaken_case_names_every_mistake(slant: ws.Case) -> None:
     assert found.column == 1
     again = pickle.loads(pickle.dumps(error))
     assert str(again) == str(error)
+
+
+def test_the_text_is_the_command_lines(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """That which the command line's own test holds its output to, and the diagnostics with it."""
+    tests = CASES.parent / "crates/cli/tests"
+    shown = (tests / "cli/snapshots/cli__check__mistakes_are_underlined.snap").read_text("utf-8")
+    _, text = shown.split("--- standard error\n")
+    case = (tests / "data/slant.toml").read_text("utf-8")
+    case = case.replace('"1.2 sg"', '"1.2 bar"').replace("rpm", "rmp")
+    (tmp_path / "slant.toml").write_text(case, "utf-8")
+    (tmp_path / "survey.csv").write_bytes((tests / "data/survey.csv").read_bytes())
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ws.CaseError) as caught:
+        ws.Case.load("slant.toml")
+    assert str(caught.value) == text.rstrip("\n")
+    blocks = text.strip().split("\n\n")
+    for found, block in zip(caught.value.diagnostics, blocks, strict=True):
+        first, place, *rest = block.splitlines()
+        assert first == f"{found.severity}: {found.message}"
+        assert place.strip() == f"--> {found.file}:{found.line}:{found.column}"
+        assert any(line.endswith(f" {found.expected}") for line in rest)
+        helps = [line.split("= help: ")[1] for line in rest if "= help: " in line]
+        assert found.help == "\n".join(helps)
 
 
 def test_a_mistaken_change_is_quoted(slant: ws.Case) -> None:

@@ -3,6 +3,7 @@
 import math
 import signal
 import threading
+from typing import Any
 
 import numpy as np
 import pytest
@@ -128,6 +129,23 @@ def test_friction_changes_as_the_run_goes(slant: ws.Case) -> None:
     with pytest.raises(ws.InputError, match="in which friction changes"):
         sim.set(friction=0.2, ramp=-1.0)
     assert sim.friction == (0.25, 0.25)
+
+
+def test_threads_are_the_callers(np13_rock: ws.Case) -> None:
+    psutil: Any = pytest.importorskip("psutil")
+    before = psutil.Process().num_threads()
+    alone = np13_rock.simulation(jobs=1)
+    assert psutil.Process().num_threads() == before
+    three = np13_rock.simulation(jobs=3)
+    assert psutil.Process().num_threads() == before + 3
+    again = np13_rock.simulation(checkpoint=alone.checkpoint(), jobs=2)
+    assert psutil.Process().num_threads() == before + 5
+    for of in (alone, three, again):
+        of.advance(0.02)
+    assert list(three.now.values()) == list(alone.now.values()) == list(again.now.values())
+    for wrong, error in ((0, ValueError), (10**9, ValueError), (1.5, TypeError)):
+        with pytest.raises(error):
+            np13_rock.simulation(jobs=wrong)  # type: ignore[arg-type]
 
 
 def test_an_interrupt_leaves_a_run_that_goes_on(short: ws.Case) -> None:

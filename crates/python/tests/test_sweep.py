@@ -9,7 +9,7 @@ import threading
 import time
 import tracemalloc
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import (
     BrokenExecutor,
     Executor,
@@ -28,6 +28,11 @@ from wholestring._pool import Pool
 from wholestring._task import Done, Solved
 
 VARIED: dict[str, Any] = {"friction": [0.1, 0.2, 0.3], "bit_depth": ["900 m", "1200 m"]}
+
+
+needs_kill = pytest.mark.skipif(
+    not hasattr(signal, "SIGKILL"), reason="this system has no signal that kills a process at once"
+)
 
 
 @pytest.fixture(scope="module")
@@ -115,6 +120,39 @@ class Finished:
         end = time.monotonic() + 60.0
         while len(self.seen) < count and time.monotonic() < end:
             time.sleep(0.02)
+
+    def kill(self, after: int, processes: Callable[[], Iterable[int]]) -> Killing:
+        """Kill processes when so many cases are finished."""
+        return Killing(self, after, processes)
+
+
+class Killing(threading.Thread):
+    """Kills processes when so many cases are finished, and notes what it did."""
+
+    def __init__(
+        self, looked: Finished, after: int, processes: Callable[[], Iterable[int]]
+    ) -> None:
+        super().__init__()
+        self._looked = looked
+        self._after = after
+        self._processes = processes
+        self.killed: list[int] = []
+        self.finished_then = 0
+        self.start()
+
+    def run(self) -> None:
+        self._looked.wait(self._after)
+        for pid in self._processes():
+            os.kill(pid, signal.SIGKILL)
+            self.killed.append(pid)
+        self.finished_then = len(self._looked.seen)
+
+    def ends(self, killed: int, before: int) -> None:
+        """Wait for it; so many were killed, before so many cases were finished."""
+        # A thread's own assertion fails no test.
+        self.join()
+        assert len(self.killed) == killed
+        assert self._after <= self.finished_then < before
 
 
 def test_its_table_has_what_was_varied_in_si(soft: ws.Case, tmp_path: Path) -> None:
@@ -282,28 +320,27 @@ def test_an_interrupt_keeps_what_was_done(dynamic: ws.Case, tmp_path: Path) -> N
             executor.shutdown()
 
 
+@needs_kill
 def test_a_pool_that_loses_a_worker_loses_no_case(
     dynamic: ws.Case, tmp_path: Path, pool: ProcessPoolExecutor
 ) -> None:
     vary: dict[str, Any] = {"friction": [0.01 * i for i in range(10, 26)]}
     folder = tmp_path / "sweep"
+
+    def one() -> list[int]:
+        held: Any = pool
+        return list(held._processes)[:1]
+
     with Finished(folder) as looked:
-
-        def kill() -> None:
-            looked.wait(3)
-            assert len(looked.seen) < 12
-            processes: dict[int, Any] = pool._processes  # type: ignore[assignment]
-            os.kill(next(iter(processes)), signal.SIGKILL)
-
-        beside = threading.Thread(target=kill)
-        beside.start()
+        killing = looked.kill(3, one)
         swept = ws.sweep(dynamic, vary, folder=folder, executor=pool)
-        beside.join()
+        killing.ends(killed=1, before=12)
     looked.none_done_twice()
     assert len(swept) == 16 and not swept.failed
     same(swept, ws.sweep(dynamic, vary, folder=tmp_path / "whole"))
 
 
+@needs_kill
 def test_dask_loses_two_workers_and_no_case(dynamic: ws.Case, tmp_path: Path) -> None:
     distributed = pytest.importorskip("distributed")
     vary: dict[str, Any] = {"friction": [0.01 * i for i in range(10, 34)]}
@@ -319,17 +356,9 @@ def test_dask_loses_two_workers_and_no_case(dynamic: ws.Case, tmp_path: Path) ->
     with cluster, distributed.Client(cluster) as client, Finished(folder) as looked:
         assert cluster.scheduler_address.startswith("tls://127.0.0.1")
         workers: dict[str, int] = client.run(os.getpid)
-
-        def kill() -> None:
-            looked.wait(4)
-            assert len(looked.seen) < 20
-            for pid in workers.values():
-                os.kill(pid, signal.SIGKILL)
-
-        beside = threading.Thread(target=kill)
-        beside.start()
+        killing = looked.kill(4, workers.values)
         swept = ws.sweep(dynamic, vary, folder=folder, executor=client)
-        beside.join()
+        killing.ends(killed=2, before=20)
         assert not set(client.run(os.getpid).values()) & set(workers.values())
     looked.none_done_twice()
     assert len(swept) == 24 and not swept.failed
@@ -502,7 +531,8 @@ def test_bad_input_gets_an_answer(soft: ws.Case, tmp_path: Path) -> None:
         ({"checkpoint_every": "3 m"}, ValueError, "a time was expected"),
         ({"bundle": "1 m"}, ValueError, "a time was expected"),
         ({"checkpoint_every": -1.0}, ws.InputError, "`checkpoint_every`: -1 s: expected 0.01 s"),
-        ({"jobs": -1}, ValueError, "at least 1"),
+        ({"jobs": -1}, ValueError, "`jobs` was given -1: expected a whole number from 1 to 1024"),
+        ({"jobs": 10**9}, ValueError, "expected a whole number from 1 to 1024"),
     ]:
         given: Any = keywords
         with pytest.raises(error, match=message):

@@ -44,6 +44,18 @@ impl GrowingTable {
         Self { name, columns, groups: 0, waiting: Table::with_columns(columns), written: false }
     }
 
+    /// Holds these rows in place of those that it has, of a table that was never written; tells
+    /// whether they have its columns.
+    #[must_use]
+    pub fn take(&mut self, rows: Table) -> bool {
+        let is_like = self.groups == 0 && rows.is_like(&self.waiting);
+        if is_like {
+            self.waiting = rows;
+            self.written = false;
+        }
+        is_like
+    }
+
     /// Name of its files, without their ending.
     pub fn name(&self) -> &'static str {
         self.name

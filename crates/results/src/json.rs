@@ -33,9 +33,17 @@ pub(crate) fn read_versioned<T: DeserializeOwned>(
     path: &Path,
     known: RangeInclusive<u32>,
 ) -> Result<T, ResultsError> {
-    let bytes = read_at_most(path, LARGEST)?;
+    versioned(path, &read_at_most(path, LARGEST)?, known)
+}
+
+/// The same of a text, which is called so in errors.
+pub(crate) fn versioned<T: DeserializeOwned>(
+    path: &Path,
+    text: &[u8],
+    known: RangeInclusive<u32>,
+) -> Result<T, ResultsError> {
     let value: serde_json::Value =
-        serde_json::from_slice(&bytes).map_err(|error| ResultsError::format(path, error))?;
+        serde_json::from_slice(text).map_err(|error| ResultsError::format(path, error))?;
     // Before anything else, so that a newer file is not called malformed.
     match value.get("schema_version").and_then(|v| v.as_u64()) {
         Some(version) if u32::try_from(version).is_ok_and(|version| known.contains(&version)) => {}

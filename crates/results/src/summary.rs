@@ -12,7 +12,7 @@ use wholestring::{
 
 use crate::{
     Finding, ResultsError,
-    json::{read_versioned, write_json, write_json_compact},
+    json::{read_versioned, versioned, write_json, write_json_compact},
 };
 
 /// Version of the layout of `summary.json`; raised when a key changes or goes. 2: keys that a
@@ -199,5 +199,13 @@ impl Summary {
     /// Reads back a summary, and refuses one of a later [`SCHEMA_VERSION`].
     pub fn read(path: &Path) -> Result<Self, ResultsError> {
         read_versioned(path, 1..=SCHEMA_VERSION)
+    }
+
+    /// The same from its text; `path` is what errors call it.
+    ///
+    /// # Errors
+    /// A text that is no summary, or of a newer version.
+    pub fn parse(path: &Path, text: &str) -> Result<Self, ResultsError> {
+        versioned(path, text.as_bytes(), 1..=SCHEMA_VERSION)
     }
 }

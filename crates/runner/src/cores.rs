@@ -15,15 +15,16 @@ use crate::cancellation::CancellationToken;
 pub(crate) type SharedExecutor = Arc<dyn Executor + Send + Sync>;
 
 /// So many threads for the rock of a case, one per core where nothing is said; none where it has no
-/// rock, or is to be worked on alone. The calling thread is the first: it works where it would
-/// wait.
-fn threads_of(case: &Case, threads: Option<NonZeroUsize>) -> Option<ThreadPool> {
+/// rock, or is to be worked on alone. Where the calling thread solves, it is the first: it works
+/// where it would wait.
+fn threads_of(case: &Case, threads: Option<NonZeroUsize>, solves: bool) -> Option<ThreadPool> {
     let threads = threads.or_else(|| thread::available_parallelism().ok())?;
     if threads.get() == 1 || !matches!(case.dynamics.bit.law, BitLaw::Rock(_)) {
         return None;
     }
     // Without threads the rock is worked on alone, to the same bits.
-    ThreadPoolBuilder::new().num_threads(threads.get()).use_current_thread().build().ok()
+    let builder = ThreadPoolBuilder::new().num_threads(threads.get());
+    if solves { builder.use_current_thread() } else { builder }.build().ok()
 }
 
 /// Who works on the rock of a run: its own thread, and others where there are any. A cancellation
@@ -33,13 +34,25 @@ struct Workers {
     cancellation: CancellationToken,
 }
 
-/// So many threads for the rock of a case, one per core where nothing is said.
+/// So many threads for the rock of a case that the calling thread solves, one per core where nothing
+/// is said.
 pub(crate) fn for_rock(
     case: &Case,
     threads: Option<NonZeroUsize>,
     cancellation: &CancellationToken,
 ) -> SharedExecutor {
-    Arc::new(Workers { threads: threads_of(case, threads), cancellation: cancellation.clone() })
+    let threads = threads_of(case, threads, true);
+    Arc::new(Workers { threads, cancellation: cancellation.clone() })
+}
+
+/// The same of a case that other threads solve.
+pub(crate) fn for_rock_of_others(
+    case: &Case,
+    threads: Option<NonZeroUsize>,
+    cancellation: &CancellationToken,
+) -> SharedExecutor {
+    let threads = threads_of(case, threads, false);
+    Arc::new(Workers { threads, cancellation: cancellation.clone() })
 }
 
 /// The thread that solves, alone.

@@ -69,6 +69,7 @@ mod keep;
 pub mod modes;
 mod observer;
 mod output;
+mod pace;
 mod page;
 mod parallel;
 mod picks;

@@ -272,11 +272,12 @@ fn a_live_run_is_the_run_of_the_case() {
     };
     let expected = table(&solved.answers);
 
-    let mut live = run::Live::begin(case.clone(), None, &own, &Silent, &token).expect("a run");
+    let mut live =
+        run::Live::begin(case.clone(), None, &own, None, &Silent, &token).expect("a run");
     let end_s = live.simulation().end_time_s();
     live.advance(0.5 * end_s, &Silent, &token).expect("no divergence");
     let kept = live.checkpoint().expect("bytes");
-    let mut again = run::Live::resume(case.clone(), &own, &kept).expect("the same run");
+    let mut again = run::Live::resume(case.clone(), &own, None, &kept).expect("the same run");
     for live in [&mut live, &mut again] {
         let left_s = end_s - live.simulation().time_s();
         live.advance(left_s, &Silent, &token).expect("no divergence");
@@ -284,12 +285,15 @@ fn a_live_run_is_the_run_of_the_case() {
     }
 
     let other = Arc::new(slant(&["model=dynamic", "operation.kind=rotate_off_bottom", "rpm=61"]));
-    let refused = run::Live::resume(other, &own, &kept).err().expect("it is of another case");
+    let refused = run::Live::resume(other, &own, None, &kept).err().expect("it is of another case");
     assert!(matches!(refused, Error::NotResumable { .. }), "{refused}");
     let mut damaged = kept.clone();
     *damaged.last_mut().expect("a byte") ^= 1;
-    assert!(matches!(run::Live::resume(case.clone(), &own, &damaged), Err(Error::Results(_))));
-    let refused = run::Live::begin(case.clone(), Some("fish"), &own, &Silent, &token).err();
+    assert!(matches!(
+        run::Live::resume(case.clone(), &own, None, &damaged),
+        Err(Error::Results(_))
+    ));
+    let refused = run::Live::begin(case.clone(), Some("fish"), &own, None, &Silent, &token).err();
     assert!(refused.expect("no operation").to_string().contains("it has rotate_off_bottom"));
     token.cancel();
     assert!(matches!(live.advance(1.0, &Silent, &token), Err(Error::Interrupted)));

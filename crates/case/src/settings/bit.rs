@@ -10,12 +10,16 @@ use super::fields::{Fields, json as to_json};
 
 /// The bit, with the keys of its law alone.
 pub(super) fn bit(bit: &BitSettings, operations: &[Operation]) -> Fields {
-    let torque_N_m = operations.first().map(|operation| operation.bit_torque_N_m);
     Fields::of(bit)
         .without(["law", "motor"])
-        .with("torque_N_m", to_json(&torque_N_m))
+        .with("torque_N_m", bit_torque(operations))
         .and(motor(&bit.motor))
         .and(law(&bit.law))
+}
+
+/// The torque of the bit in the first operation.
+pub(super) fn bit_torque(operations: &[Operation]) -> Json {
+    to_json(&operations.first().map(|operation| operation.bit_torque_N_m))
 }
 
 fn motor(motor: &Motor) -> Fields {

@@ -6,16 +6,15 @@ use wholestring::{
 };
 
 use super::fields::Fields;
-use crate::rig::{HoistTable, TUNED_LIFT};
+use crate::rig::TUNED_LIFT;
 
-/// The control as chosen; `null` leaves it to the operation. The numbers of a control that nothing
+/// The control by its word, as chosen; `null` leaves it to the operation. The numbers of a control that nothing
 /// puts in control are `null`.
 pub(super) fn hoist(
     dynamics: &DynamicsSettings,
     operations: &[Operation],
-    table: Option<&HoistTable>,
+    control: Option<&str>,
 ) -> Fields {
-    let control = table.and_then(HoistTable::control_word);
     let tuned = control == Some(TUNED_LIFT);
     let on_bottom = operations.iter().any(|one| one.kind.on_bottom());
     let by_itself = dynamics.hoist_control.is_none() && !tuned && on_bottom;

@@ -7,6 +7,7 @@
 mod bit;
 mod fields;
 mod hoist;
+mod narrowed;
 mod operation;
 mod rock;
 mod run;
@@ -14,4 +15,7 @@ mod string;
 mod well;
 mod whole;
 
-pub(crate) use self::whole::{Given, settings};
+pub(crate) use self::{
+    narrowed::narrow,
+    whole::{Given, settings},
+};

@@ -19,6 +19,7 @@ use crate::{
     buckling::{CRITERIA, HELIX_SIDE_FORCE},
     case_table::CaseTable,
     records::Records,
+    rig::HoistTable,
 };
 
 /// What was made of the tables of a case.
@@ -54,6 +55,7 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
     let tortuosity = case.well.get().and_then(|well| well.tortuosity.given()?.value.settings());
     let dynamics_table = case.dynamics.get();
     let checkpoint_interval_s = dynamics_table.and_then(|of| of.checkpoint_interval.get());
+    let control = case.hoist.get().and_then(HoistTable::control_word);
     let mut bit = bit::bit(&dynamics.bit, operations);
     if let Some(drilling) = drilling {
         bit = bit.with("face", rock::face(&drilling.bit));
@@ -69,7 +71,7 @@ pub(crate) fn settings(given: &Given<'_>, case: &CaseTable) -> Json {
         .with("rig", to_json(&model.rig))
         .with("ends", Fields::of(&model.ends).words(["top", "bit"]))
         .with("buckling", buckling(model, soft))
-        .with("hoist", hoist::hoist(dynamics, operations, case.hoist.get()))
+        .with("hoist", hoist::hoist(dynamics, operations, control))
         .with("top_drive", hoist::top_drive(&dynamics.top_drive))
         .with("operation", operation::operation(operations, &dynamics.schedule))
         .with("mesh", run::mesh(dynamics))

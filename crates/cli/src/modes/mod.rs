@@ -21,6 +21,7 @@ pub(crate) fn modes(args: &ModesArgs) -> Result<(), Failure> {
         units: Some(units),
         output: args.output.output(),
         png: args.page.png,
+        jobs: None,
     };
     let screen = RunScreen::new(args.page.quiet, false);
     let outcome = modes::run(&request, &screen, &interrupt::listen())?;

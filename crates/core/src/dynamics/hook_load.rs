@@ -83,8 +83,7 @@ pub enum TuningError {
 /// each time (the Illinois rule). Where several lifts give the weight, it is the one that this
 /// finds: the same on every run, whatever other cases are solved.
 ///
-/// `watch` is shown the number of the try, from one, and its run a few times each simulated second;
-/// the search stops where it answers `false`, or where the `executor`, which works on solid rock
+/// `watch` is shown the number of the try, from one, and its run before each sample; the search stops where it answers `false`, or where the `executor`, which works on solid rock
 /// under the bit, asks to stop. Where the window begins when the string is steady, each try settles
 /// for itself: its mean is that of a string that is steady under its lift.
 ///
@@ -124,7 +123,7 @@ pub fn tune_hook_load(
             if !watch(run, &simulation) {
                 return Err(TuningError::Stopped);
             }
-            simulation.advance(left_s.min(WATCH_INTERVAL_S)).map_err(|diverged| {
+            simulation.advance(simulation.sample_interval_s()).map_err(|diverged| {
                 TuningError::Diverged { hook_load_N: search.lift_N, diverged }
             })?;
         }
@@ -150,9 +149,6 @@ pub fn tune_hook_load(
     nearest.runs = MAX_TUNING_RUNS;
     Err(TuningError::NotFound { target_N, nearest })
 }
-
-/// Simulated time between two checks of who watches, s.
-const WATCH_INTERVAL_S: f64 = 0.2;
 
 /// The hook load of the soft string, N. A string that turns under the independent law is dragged
 /// by as much as it slides: by something between nothing and all that friction holds, and so the

@@ -9,8 +9,8 @@ pub trait Executor: Sync {
     fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync));
 
     /// Whether what the work is for is no longer wanted. Work of many steps that leaves nothing
-    /// behind, such as the run-in of a bit before the first step of a string, asks between them;
-    /// never by default.
+    /// behind asks between them: the run-in of a bit and the settling of a string, both before the
+    /// first step of a run. Never by default.
     fn stopped(&self) -> bool {
         false
     }

@@ -12,10 +12,10 @@ from typing import Any
 
 import wholestring as ws
 from dask.distributed import Client, Security
-from dask_jobqueue import SLURMCluster
+from dask_jobqueue import SLURMCluster  # pyright: ignore[reportPrivateImportUsage]
 
 
-def slurm_cluster(**more: Any) -> SLURMCluster:
+def slurm_cluster(**more: Any) -> Any:
     """Give a cluster whose jobs have eight workers of one thread each: a case is one thread."""
     settings: dict[str, Any] = {
         "cores": 8,
@@ -27,7 +27,7 @@ def slurm_cluster(**more: Any) -> SLURMCluster:
         "worker_extra_args": ["--lifetime", "235m", "--lifetime-stagger", "4m"],
         # Others use the network too. The keys go to a folder that all nodes see, for you alone.
         "protocol": "tls",
-        "security": Security.temporary(),
+        "security": Security.temporary(),  # pyright: ignore[reportUnknownMemberType]
         "shared_temp_directory": ".",
     }
     return SLURMCluster(**(settings | more))
@@ -36,7 +36,10 @@ def slurm_cluster(**more: Any) -> SLURMCluster:
 def main(case_file: str, folder: str) -> None:
     """Sweep a case, and say what failed."""
     case = ws.Case.load(case_file)
-    vary = {"friction": [0.1, 0.2, 0.3, 0.4], "bit_depth": "300m..4305m/300m"}
+    vary: dict[str, list[float] | str] = {
+        "friction": [0.1, 0.2, 0.3, 0.4],
+        "bit_depth": "300m..4305m/300m",
+    }
     with slurm_cluster() as cluster, Client(cluster) as client:
         cluster.adapt(minimum_jobs=1, maximum_jobs=16)
         swept = ws.sweep(case, vary, folder=folder, executor=client, progress=True)

@@ -72,6 +72,17 @@ class Assemblies(Checked):
             If the assembly has no equilibrium.
         FolderError
             If the results cannot go there.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example()
+        >>> bha = case.bha(operation="drill", weight=["20 kN", "60 kN"], inclination="30deg")
+        >>> high_N, right_N = bha.side_force_N
+        >>> high_N < 0.0  # a pendulum drops
+        True
+        >>> sorted(set(bha.varied["varied"]))
+        ['inclination', 'weight']
         """
         place = Place(folder, overwrite=overwrite)
         options = common(place, units=units, jobs=jobs, csv=csv)
@@ -95,6 +106,7 @@ class Assemblies(Checked):
         overwrite: bool = False,
         units: Units | None = None,
         png: bool = False,
+        jobs: int | None = None,
     ) -> Modes:
         """Find natural frequencies, critical speeds and the answer to a force that turns.
 
@@ -112,6 +124,9 @@ class Assemblies(Checked):
             Units of the page; the case's where nothing is said.
         png
             Whether to paint the pictures as PNG too.
+        jobs
+            Weights of the map of torsional stability that are looked at side by side; one per core
+            where nothing is said.
 
         Raises
         ------
@@ -123,9 +138,17 @@ class Assemblies(Checked):
             If the string has no state at rest.
         FolderError
             If the results cannot go there.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_(mesh__element_length="20 m", modes__count=2)
+        >>> modes = case.modes(operation="rotate_off_bottom", jobs=1)
+        >>> len(modes.frequencies_Hz("lateral"))
+        2
         """
         place = Place(folder, overwrite=overwrite)
-        options = common(place, units=units, png=png)
+        options = common(place, units=units, png=png, jobs=jobs)
         return carry_out(
             Modes,
             place,

@@ -12,6 +12,7 @@ from typing import Any, ClassVar, TypeVar
 from . import _core, _html
 from ._folder import Place
 from ._listener import Listener
+from ._pickled import Reduced, reduced
 from .errors import ResultsError
 from .table import Table
 
@@ -59,7 +60,8 @@ class BaseResults:
     """What a command comes to: a summary, tables, and the folder that has them.
 
     Results of a command that was given no folder lie in a temporary one, which goes with them;
-    :meth:`save` writes the folder that the command line writes.
+    :meth:`save` writes the folder that the command line writes. They go through ``pickle``: those
+    in a folder of yours as its path, all others with their numbers.
 
     Examples
     --------
@@ -92,6 +94,16 @@ class BaseResults:
         ------
         ResultsError
             If there is nothing, or what another command left.
+
+        Examples
+        --------
+        >>> import tempfile
+        >>> import wholestring as ws
+        >>> with tempfile.TemporaryDirectory() as place:
+        ...     saved = ws.Case.example().soft("drill").save(place + "/here")
+        ...     loaded = ws.Results.load(saved)
+        >>> loaded["drill"].operation
+        'drill'
         """
         core = _core.Answers.load(folder)
         if core.kind != cls._kind:
@@ -123,12 +135,25 @@ class BaseResults:
         ------
         FolderError
             If other results lie there.
+
+        Examples
+        --------
+        >>> import tempfile
+        >>> import wholestring as ws
+        >>> with tempfile.TemporaryDirectory() as place:
+        ...     saved = ws.Case.example().soft("drill").save(place + "/here", csv=True)
+        ...     print(sorted(of.name for of in saved.glob("nodes.*")))
+        ['nodes.csv', 'nodes.parquet']
         """
         with Listener(progress=False) as listener:
             saved = Path(self._core.save(folder, overwrite, csv, listener))
         self._core = _core.Answers.load(saved)
         self._place = None
         return saved
+
+    def __reduce__(self) -> Reduced:
+        """Pickle: a folder of the user's by its path, all else with what it holds."""
+        return reduced(self)
 
     @property
     def folder(self) -> Path | None:
@@ -164,6 +189,15 @@ class BaseResults:
         ------
         KeyError
             If there is none of that name.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> results = ws.Case.example().soft("drill")
+        >>> results.tables
+        ('nodes', 'wear')
+        >>> results.table("nodes").unit("torque_N_m")
+        'N·m'
         """
         if name not in self._tables:
             self._tables[name] = Table(self._core.table(name), name)

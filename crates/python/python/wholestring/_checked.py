@@ -26,5 +26,13 @@ class Checked:
         return self._of(self._held.changed(changes))
 
     def to_toml(self) -> str:
-        """Give the case as the text of a case file, with its comments and its changes."""
+        """Give the case as the text of a case file, with its comments and its changes.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_(friction=0.25)
+        >>> ws.Case(case.to_toml()) == case
+        True
+        """
         return self._held.to_toml()

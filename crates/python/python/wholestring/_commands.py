@@ -19,6 +19,9 @@ R = TypeVar("R", bound=BaseResults)
 
 Folder = str | PathLike[str] | None
 
+MOST_JOBS = 1024
+"""More threads than any machine has cores have a mistake for their cause."""
+
 
 def common(
     place: Place,
@@ -48,8 +51,9 @@ def count(jobs: int | None) -> int | None:
     if jobs is None:
         return None
     number = operator.index(jobs)
-    if number < 1:
-        raise ValueError(f"`jobs` was given {number}: expected a whole number from 1 on")
+    if not 1 <= number <= MOST_JOBS:
+        message = f"`jobs` was given {number}: expected a whole number from 1 to {MOST_JOBS}"
+        raise ValueError(message)
     return number
 
 

@@ -31,6 +31,7 @@ class Place:
             raise ValueError("overwrite and resume exclude each other")
         if folder is None and resume:
             raise ValueError("resume needs the folder that is to be continued")
+        self.is_temporary = folder is None
         self.existing = "resume" if resume else "overwrite" if overwrite else "protect"
         if folder is not None:
             self.path = Path(folder)

@@ -17,6 +17,9 @@ on its way."""
 
 MOST_IN_A_BUNDLE = 1000
 
+LOOK_S = 0.05
+"""How often Python looks at an interrupt that came to another of its threads, s."""
+
 
 class Cases(Protocol):
     """Whose cases they are."""
@@ -80,7 +83,7 @@ class Gathering:
     def run(self) -> None:
         """Hand out, and take back, until nothing is left."""
         while self._fill():
-            done, _ = wait(self._futures, timeout=1.0, return_when=FIRST_COMPLETED)
+            done, _ = wait(self._futures, timeout=LOOK_S, return_when=FIRST_COMPLETED)
             for future in done:
                 self._end(future)
 

@@ -140,6 +140,14 @@ class Planning(Checked):
             If the results cannot go there.
         Interrupted
             If the user interrupted it; its ``results`` hold what was computed.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_({"plan.bit_depths": [800.0, 1200.0]})
+        >>> plan = case.plan(jobs=1)
+        >>> plan.deepest_m, plan.missing
+        (1200.0, 0)
         """
         place = Place(folder, overwrite=overwrite, resume=resume)
         options = common(place, units=units, jobs=jobs, checkpoint=checkpoint, png=png)
@@ -203,6 +211,14 @@ class Planning(Checked):
             If a depth, a friction factor or an operation cannot be.
         FolderError
             If the results cannot go there.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_(rig__top_drive_torque="12 kN.m")
+        >>> reach = case.reach(to="6 km", operation="drill", friction=0.3)
+        >>> reach.stops[0].limit, 1200.0 < reach.depth_m < 6000.0
+        ('top_drive', True)
         """
         place = Place(folder, overwrite=overwrite, resume=resume)
         options = common(place, units=units, jobs=jobs, png=png)
@@ -302,6 +318,21 @@ class Planning(Checked):
             If the results cannot go there.
         Interrupted
             If the user interrupted it; its ``results`` hold what was computed.
+
+        Examples
+        --------
+        Readings that the slant well of the examples would give with more friction:
+
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_(rig__block_weight="200 kN")
+        >>> depths = [500.0, 700.0, 900.0, 1050.0, 1200.0]
+        >>> table = case.broomstick(
+        ...     frictions=0.25, bit_depths=depths, operations="trip_out", model="soft"
+        ... )
+        >>> data = {"bit_depth_m": depths, "pick_up_N": table["hook_load_with_block_N"]}
+        >>> found = case.calibrate(data, one_factor=True)
+        >>> round(found.friction_open, 3)
+        0.25
         """
         place = Place(folder, overwrite=overwrite)
         options = common(place, units=units, jobs=jobs, png=png)

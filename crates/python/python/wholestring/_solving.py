@@ -28,6 +28,14 @@ class Solving(Checked):
         ----------
         operation
             The one to solve; all of the case where none is named.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example()
+        >>> out, into = (case.soft(of)[of].hook_load_N for of in ("trip_out", "trip_in"))
+        >>> out > into  # friction holds the string back either way
+        True
         """
         return self._solve(["soft"], operation, None, progress=False)
 
@@ -151,6 +159,7 @@ class Solving(Checked):
         bit_law: BitLaw | None = None,
         excitation: Excitation | None = None,
         rate: Scalar = 1000.0,
+        jobs: int | None = None,
     ) -> Simulation:
         """Begin a dynamic run that you take forward yourself.
 
@@ -173,6 +182,8 @@ class Solving(Checked):
             ahead and followed on a straight line, to the second order in the period.
         rate
             How often they are asked: ``"1 kHz"``, or 1/s; once a step at most.
+        jobs
+            Threads that work on solid rock under the bit; one per core where nothing is said.
 
         Raises
         ------
@@ -195,8 +206,10 @@ class Solving(Checked):
         True
         """
         laws = of_bit(bit_law, rate), of_shaking(excitation, rate)
+        threads = count(jobs)
         with Listener(progress=False) as listener:
-            return Simulation(self._held.simulation(operation, checkpoint, *laws, listener))
+            held = self._held.simulation(operation, checkpoint, *laws, threads, listener)
+        return Simulation(held)
 
     def _solve(
         self, models: list[str], operation: str | None, jobs: int | None, *, progress: bool

@@ -183,6 +183,14 @@ class Modes(BaseResults):
         ----------
         family
             ``"lateral"``, ``"axial"`` or ``"torsional"``.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_(mesh__element_length="20 m", modes__count=2)
+        >>> axial = case.modes(operation="rotate_off_bottom").frequencies_Hz("axial")
+        >>> bool(axial[0] < axial[1])
+        True
         """
         families = ("lateral", "axial", "torsional")
         if family not in families:
@@ -219,6 +227,26 @@ class BitTest(BaseResults):
     """The bit alone on its rock, under every weight at every speed.
 
     :meth:`Case.bit_test` makes one.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> case = ws.Case.example().with_(
+    ...     {
+    ...         "string.0.od": "120 mm",
+    ...         "bit.face.cutter_diameter": "19 mm",
+    ...         "rock.strength": "10 MPa",
+    ...         "rock.element_size": "15 mm",
+    ...         "rock.density_factor": 60,
+    ...         "bit_test.wob": ["10 kN"],
+    ...         "bit_test.rpm": ["240 rpm"],
+    ...         "bit_test.settle_revolutions": 0.25,
+    ...         "bit_test.revolutions": 1,
+    ...     }
+    ... )
+    >>> tried = case.bit_test()
+    >>> tried.rock_strength_Pa, tried.law_file.name
+    (10000000.0, 'bit-table.csv')
     """
 
     __slots__ = ()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -12,6 +12,7 @@ from . import _core
 from ._base import BaseResults, Finding
 from ._checked import Checked
 from ._folder import Place
+from ._pickled import Reduced
 from .table import Table
 
 if TYPE_CHECKING:
@@ -68,6 +69,14 @@ def _estimate(of: dict[str, Any]) -> Estimate:
     return Estimate(**of, interval=(lower, upper))
 
 
+def _with_case(
+    make: Callable[..., Calibration[C]], arguments: tuple[Any, ...], case: C | None
+) -> Calibration[C]:
+    found = make(*arguments)
+    found._calibrated = case
+    return found
+
+
 class Calibration(BaseResults, Generic[C]):
     """Friction factors, block weight and bit torque from readings at the surface.
 
@@ -97,6 +106,10 @@ class Calibration(BaseResults, Generic[C]):
     def __init__(self, core: _core.Answers, place: Place | None = None) -> None:
         super().__init__(core, place)
         self._calibrated: C | None = None
+
+    def __reduce__(self) -> Reduced:
+        """Pickle with the case that was calibrated."""
+        return _with_case, (*super().__reduce__(), self._calibrated)
 
     @property
     def estimates(self) -> tuple[Estimate, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from os import PathLike
 from typing import Any, cast
 
@@ -15,7 +15,7 @@ from ._columns import content, is_table
 from ._planning import Planning
 from ._solving import Solving
 from ._values import Value
-from .errors import Diagnostic
+from .errors import CaseError, Diagnostic
 from .importing import import_files
 
 # What a survey is called that was given as a table.
@@ -71,6 +71,16 @@ class Case(Solving, Planning, Assemblies):
         ------
         CaseError
             With all mistakes of the case, each with its place.
+
+        Examples
+        --------
+        >>> import pathlib, tempfile
+        >>> import wholestring as ws
+        >>> with tempfile.TemporaryDirectory() as place:
+        ...     file = pathlib.Path(place, "well.toml")
+        ...     _ = file.write_text(ws.Case.example().to_toml())
+        ...     print(ws.Case.load(file) == ws.Case.example())
+        True
         """
         return cls._of(_core.Case.load(path))
 
@@ -147,6 +157,32 @@ class Case(Solving, Planning, Assemblies):
             What errors call it.
         files
             The files that it names, each by the name that it has there.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.from_dict(
+        ...     {
+        ...         "well": {
+        ...             "hole": [
+        ...                 {"kind": "open", "to": 900.0, "diameter": 0.2159, "friction": 0.3}
+        ...             ]
+        ...         },
+        ...         "mud": {"density": 1200.0},
+        ...         "string": [
+        ...             {"component": "bit", "od": 0.2159, "id": "2 in", "length": 0.3},
+        ...             {
+        ...                 "component": "drill pipe",
+        ...                 "catalogue": "DP 5 in 19.50 lb/ft S-135",
+        ...                 "length": "to surface",
+        ...             },
+        ...         ],
+        ...         "operation": {"kind": "trip_out"},
+        ...     },
+        ...     survey=[[0.0, 0.0, 0.0], [500.0, 0.0, 0.0], [900.0, 40.0, 0.0]],
+        ... )
+        >>> case.soft()["trip_out"].bit_depth_m
+        900.0
         """
         table, all_files = dict(table), dict(files or {})
         if survey is not None:
@@ -161,7 +197,14 @@ class Case(Solving, Planning, Assemblies):
 
     @classmethod
     def example(cls) -> Case:
-        """Give a slant well of 1200 m, to try things on."""
+        """Give a slant well of 1200 m, to try things on.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> ws.Case.example()
+        <Case Slant well: soft; trip_out, trip_in, rotate_off_bottom, drill, slide>
+        """
         return cls(_core.EXAMPLE, name="slant.toml")
 
     def with_(self, changes: Mapping[str, Value] | None = None, /, **keys: Value) -> Case:
@@ -180,8 +223,55 @@ class Case(Solving, Planning, Assemblies):
         ------
         CaseError
             If the case would not be sound.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example()
+        >>> heavier = case.with_({"well.hole.1.friction": 0.35}, mud__density="1.4 sg", wob=60e3)
+        >>> heavier.settings["mud"]["density_kg_per_m3"], case == heavier
+        (1400.0, False)
         """
         return self._changed(list(_values.changes(changes or {}, keys)))
+
+    def check(
+        self, model: str | Sequence[str] | None = None, operation: str | None = None
+    ) -> tuple[Diagnostic, ...]:
+        """Give what there is to say of the case, with other models or another operation too.
+
+        A case is checked as it is made, for the models and operations that it names. Others may
+        need what it does not say, or cannot be solved with what it says: nothing is solved here,
+        and nothing raised.
+
+        Parameters
+        ----------
+        model
+            ``"soft"``, ``"stiff"`` or ``"dynamic"``, or several; the case's where none is named.
+        operation
+            The one to be solved; all of the case where none is named.
+
+        Returns
+        -------
+        tuple of Diagnostic
+            Warnings, as the command line's ``check`` has them, and the mistakes for which these
+            models could not solve it. Nothing is to be said of a case without either.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example()
+        >>> case.check()
+        ()
+        >>> short = case.with_(mesh__element_length="0.1 mm")
+        >>> [of.severity for of in short.check("dynamic", "drill")]
+        ['error']
+        """
+        models = [model] if isinstance(model, str) else None if model is None else list(model)
+        try:
+            found = self._held.check(models, operation)
+        except CaseError as error:
+            return error.diagnostics
+        return tuple(Diagnostic(**of) for of in found)
 
     @property
     def name(self) -> str:

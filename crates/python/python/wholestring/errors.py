@@ -47,7 +47,17 @@ class Diagnostic:
 
 
 class Error(Exception):
-    """What all errors of this package are."""
+    """What all errors of this package are.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> try:
+    ...     ws.Case("")
+    ... except ws.Error as error:
+    ...     print(type(error).__name__)
+    CaseError
+    """
 
 
 class CaseError(Error, ValueError):
@@ -59,6 +69,15 @@ class CaseError(Error, ValueError):
     ----------
     diagnostics
         The mistakes.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> try:
+    ...     ws.Case.example().with_(frictoin=0.3)
+    ... except ws.CaseError as error:
+    ...     print(error.diagnostics[0].message)
+    there is no key `frictoin`
     """
 
     diagnostics: tuple[Diagnostic, ...]
@@ -69,15 +88,51 @@ class CaseError(Error, ValueError):
 
 
 class InputError(Error, ValueError):
-    """Something that was requested is not possible."""
+    """Something that was requested is not possible.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> try:
+    ...     ws.Case.example().modes(operation="fish")
+    ... except ws.InputError as error:
+    ...     print(str(error).split(":")[0])
+    the case has no operation `fish'
+    """
 
 
 class FolderError(Error, OSError):
-    """A folder that results cannot go to, or that cannot be continued."""
+    """A folder that results cannot go to, or that cannot be continued.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import wholestring as ws
+    >>> case = ws.Case.example()
+    >>> with tempfile.TemporaryDirectory() as place:
+    ...     saved = case.soft().save(place + "/here")
+    ...     try:
+    ...         case.with_(friction=0.1).soft().save(saved)
+    ...     except ws.FolderError:
+    ...         print("other results lie there")
+    other results lie there
+    """
 
 
 class ResultsError(Error, OSError):
-    """Results that cannot be read or written."""
+    """Results that cannot be read or written.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import wholestring as ws
+    >>> with tempfile.TemporaryDirectory() as place:
+    ...     try:
+    ...         ws.load(place)
+    ...     except ws.ResultsError:
+    ...         print("nothing lies there")
+    nothing lies there
+    """
 
 
 class NoAnswerError(Error, ArithmeticError):
@@ -87,6 +142,18 @@ class NoAnswerError(Error, ArithmeticError):
     ----------
     results
         What was computed beside it.
+
+    Examples
+    --------
+    More weight than the string can take in one of two operations:
+
+    >>> import wholestring as ws
+    >>> case = ws.Case.example().with_(friction=1.2, wob="900 kN")
+    >>> try:
+    ...     case.with_(operation__kind=["trip_out", "drill"]).stiff()
+    ... except ws.NoAnswerError as error:
+    ...     print([of.status for of in error.results])
+    ['complete', 'failed']
     """
 
     results: Any = None
@@ -99,6 +166,28 @@ class FindingsError(Error, ArithmeticError):
     ----------
     results
         What was computed.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import wholestring as ws
+    >>> text = '''
+    ... name = "Friction"
+    ... [[sweep]]
+    ... name = "statics"
+    ... case = "slant.toml"
+    ... set = { model = "soft", operation.kind = "slide" }
+    ... vary = { friction = [0.2, 1.5] }
+    ... '''
+    >>> with tempfile.TemporaryDirectory() as place:
+    ...     _ = Path(place, "slant.toml").write_text(ws.Case.example().to_toml())
+    ...     _ = Path(place, "study.toml").write_text(text)
+    ...     try:
+    ...         ws.study(Path(place, "study.toml"), strict=True)
+    ...     except ws.FindingsError as error:
+    ...         print(error.results.sweeps)
+    ('statics',)
     """
 
     results: Any = None
@@ -113,6 +202,14 @@ class Interrupted(KeyboardInterrupt):
         What was computed until then.
     sweep
         What was solved until then, of a sweep.
+
+    Examples
+    --------
+    Whoever waits for Python's own interrupt gets this one:
+
+    >>> import wholestring as ws
+    >>> issubclass(ws.Interrupted, KeyboardInterrupt)
+    True
     """
 
     results: Any = None

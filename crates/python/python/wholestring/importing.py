@@ -110,12 +110,23 @@ class Imported:
         return case.with_(changes) if changes else case
 
     def save(self, path: str | PathLike[str]) -> Path:
-        """Write the case file, and what stands beside it. Nothing is written over.
+        r"""Write the case file, and what stands beside it. Nothing is written over.
 
         Parameters
         ----------
         path
             The case file, such as ``well.toml``.
+
+        Examples
+        --------
+        >>> import pathlib, tempfile
+        >>> import wholestring as ws
+        >>> with tempfile.TemporaryDirectory() as place:
+        ...     survey = pathlib.Path(place, "survey.csv")
+        ...     _ = survey.write_text("MD (m),Inc,Azi\n0,0,0\n300,0,0\n330,3,45\n")
+        ...     case_file = ws.import_files(survey).save(pathlib.Path(place, "well.toml"))
+        ...     print(case_file.is_file())
+        True
         """
         path = Path(path)
         names = {name: path.stem + name.removeprefix(_NAME) for name in self._beside}
@@ -205,7 +216,7 @@ def import_files(
 
 
 def contents(file: str | PathLike[str]) -> Contents:
-    """Tell what a file of another program is, and what it holds.
+    r"""Tell what a file of another program is, and what it holds.
 
     Parameters
     ----------
@@ -216,6 +227,16 @@ def contents(file: str | PathLike[str]) -> Contents:
     ------
     InputError
         If it is none that is known.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import wholestring as ws
+    >>> with tempfile.TemporaryDirectory() as place:
+    ...     survey = pathlib.Path(place, "survey.csv")
+    ...     _ = survey.write_text("MD (m),Inc,Azi\n0,0,0\n300,0,0\n330,3,45\n")
+    ...     ws.contents(survey).what
+    'a survey of 3 stations'
     """
     what, lines = _core.contents(file)
     return Contents(what, tuple(lines))

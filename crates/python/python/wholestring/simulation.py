@@ -85,6 +85,15 @@ class Simulation:
             If the run diverged.
         Interrupted
             If the user interrupted it; it stands where it was then.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> sim = ws.Case.example().with_(mesh__element_length="20 m").simulation("drill")
+        >>> sim.advance("0.5 s")
+        >>> sim.advance(0.5)
+        >>> round(sim.time_s, 2)
+        1.0
         """
         seconds = _values.si(time, "time")
         with Listener(progress) as listener:
@@ -228,6 +237,18 @@ class Simulation:
 
         Set points, friction and what laws of one's own answered last are in it. The laws themselves
         are not, nor what they keep by themselves: give :meth:`Case.simulation` the same again.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_(mesh__element_length="20 m")
+        >>> sim = case.simulation("drill")
+        >>> sim.advance("0.5 s")
+        >>> again = case.simulation(checkpoint=sim.checkpoint())
+        >>> for of in (sim, again):
+        ...     of.advance("0.5 s")
+        >>> again.now["hook_load_N"] == sim.now["hook_load_N"]
+        True
         """
         return self._held.checkpoint()
 

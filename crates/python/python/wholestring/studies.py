@@ -22,6 +22,26 @@ class Study(BaseResults):
     """A study: its sweeps, its figures and its tables.
 
     :func:`wholestring.study` carries one out.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import wholestring as ws
+    >>> text = '''
+    ... name = "Friction"
+    ... [[sweep]]
+    ... name = "statics"
+    ... case = "slant.toml"
+    ... set = { model = "soft" }
+    ... vary = { friction = [0.2, 0.3] }
+    ... '''
+    >>> with tempfile.TemporaryDirectory() as place:
+    ...     _ = Path(place, "slant.toml").write_text(ws.Case.example().to_toml())
+    ...     _ = Path(place, "study.toml").write_text(text)
+    ...     done = ws.study(Path(place, "study.toml"))
+    >>> done["statics"].names
+    ('friction=0.2', 'friction=0.3')
     """
 
     __slots__ = ()

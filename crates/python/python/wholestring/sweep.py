@@ -7,11 +7,12 @@ from concurrent.futures import Executor
 from functools import cached_property
 from os import PathLike
 from pathlib import Path
-from typing import Literal, cast
+from typing import Any, Literal, cast
 
 import numpy as np
 
 from . import _core, _values
+from ._commands import count
 from ._dispatch import Dispatcher, running_file
 from ._listener import Listener
 from ._pool import HasExecutor, Pool
@@ -62,6 +63,16 @@ class Sweep:
         ------
         ResultsError
             If there is none.
+
+        Examples
+        --------
+        >>> import tempfile
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_(model="soft", operation__kind="trip_out")
+        >>> with tempfile.TemporaryDirectory() as place:
+        ...     swept = ws.sweep(case, {"friction": [0.2, 0.3]}, folder=place + "/here")
+        ...     print(ws.Sweep.load(swept.folder).names)
+        ('friction=0.2', 'friction=0.3')
         """
         return cls(folder)
 
@@ -119,6 +130,10 @@ class Sweep:
     def __iter__(self) -> Iterator[str]:
         """Give the names of the cases."""
         return iter(self.names)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle by the folder."""
+        return type(self), (str(self._folder.absolute()),)
 
     def __repr__(self) -> str:
         """Give its size."""
@@ -213,9 +228,24 @@ def sweep(
     Notes
     -----
     A case that has no answer is a row with its reason, and an entry of :attr:`Sweep.failed`.
+
+    Examples
+    --------
+    On two threads of another pool, which may as well be processes, or Dask's workers:
+
+    >>> import tempfile
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> import wholestring as ws
+    >>> case = ws.Case.example().with_(model="soft", operation__kind="trip_out")
+    >>> vary = {"friction": [0.2, 0.3], "bit_depth": "800m..1200m/200m"}
+    >>> with tempfile.TemporaryDirectory() as place, ThreadPoolExecutor(2) as pool:
+    ...     swept = ws.sweep(case, vary, folder=place + "/here", executor=pool)
+    ...     print(len(swept), swept.failed)
+    6 {}
     """
-    if min(tries, 1 if in_flight is None else in_flight, 1 if jobs is None else jobs) < 1:
-        raise ValueError("tries, in_flight and jobs are at least 1")
+    if min(tries, 1 if in_flight is None else in_flight) < 1:
+        raise ValueError("tries and in_flight are at least 1")
+    threads = count(jobs)
     existing = "overwrite" if overwrite else "resume" if resume else "protect"
     bundle_s = _values.si(bundle, "time")
     checkpoint_s = None if checkpoint_every is None else _values.si(checkpoint_every, "time")
@@ -225,7 +255,16 @@ def sweep(
         raise ValueError("vary names no key: expected such as {'friction': [0.2, 0.3]}")
     with Listener(progress) as listener:
         core = _core.Sweep.begin(
-            case._held, varied, together, folder, existing, keep, csv, jobs, checkpoint_s, listener
+            case._held,
+            varied,
+            together,
+            folder,
+            existing,
+            keep,
+            csv,
+            threads,
+            checkpoint_s,
+            listener,
         )
         into = core.folder()
         try:

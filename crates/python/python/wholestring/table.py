@@ -72,6 +72,13 @@ class Table:
         ----------
         column
             Name of the column.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> nodes = ws.Case.example().soft("drill").nodes
+        >>> nodes.unit("tension_N"), nodes.unit("operation")
+        ('N', '')
         """
         return self._core.unit(column)
 
@@ -104,13 +111,29 @@ class Table:
         return {column: self[column] for column in self.columns}
 
     def to_polars(self) -> polars.DataFrame:
-        """Give a polars data frame that shares the numbers."""
+        """Give a polars data frame that shares the numbers.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> frame = ws.Case.example().soft("drill").nodes.to_polars()
+        >>> frame["md_m"].max()
+        1200.0
+        """
         import polars
 
         return polars.DataFrame(self)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Give a pandas data frame that shares the numbers where pandas can."""
+        """Give a pandas data frame that shares the numbers where pandas can.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> frame = ws.Case.example().soft("drill").nodes.to_pandas()
+        >>> float(frame["md_m"].max())
+        1200.0
+        """
         import pandas
 
         return pandas.DataFrame(self.to_numpy(), copy=False)
@@ -123,6 +146,10 @@ class Table:
         """Give Arrow's schema."""
         return self._core.__arrow_c_schema__()
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle with its columns."""
+        return _restored, (self._name, self._core.parts())
+
     def __repr__(self) -> str:
         """Give its size."""
         return f"<Table {self._name}: {len(self)} rows, {len(self.columns)} columns>"
@@ -130,6 +157,10 @@ class Table:
     def _repr_html_(self) -> str:
         size = f"{len(self)} rows, {len(self.columns)} columns"
         return html(self, self.columns, caption=self.name, size=size, shown=10)
+
+
+def _restored(name: str, parts: Sequence[_core.Part]) -> Table:
+    return Table(_core.Table.restore(parts), name)
 
 
 def html(table: Table, names: Sequence[str], *, caption: str, size: str, shown: int) -> str:

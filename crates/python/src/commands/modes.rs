@@ -24,6 +24,7 @@ pub(crate) fn modes_of(
             units: common.units()?,
             output: common.output(),
             png: common.png,
+            jobs: common.jobs,
         };
         let found = modes::run(&request, observer, cancellation)?;
         Ok((found.folder, found.interrupted.then_some(Error::Interrupted)))

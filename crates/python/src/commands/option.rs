@@ -59,8 +59,7 @@ pub(crate) fn values(
     text: &str,
     dimension: &str,
 ) -> PyResult<Vec<f64>> {
-    let found = wholestring_units::Dimension::ALL.iter().find(|of| of.name() == dimension);
-    let found = found.ok_or_else(|| error::of_panic(py))?;
-    let values = wholestring_case::read_values(option, text, *found);
+    let found = crate::dimension::dimension(dimension)?;
+    let values = wholestring_case::read_values(option, text, found);
     values.map_err(|report| error::of_report(py, &report))
 }

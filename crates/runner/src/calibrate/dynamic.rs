@@ -16,6 +16,7 @@ use crate::{
     cores,
     error::Error,
     observer::{BatchSize, CaseEnded, Observer, Watch},
+    pace::Pace,
     parallel::{in_parallel, jobs, lock},
     readings::{NamedCase, Readings},
 };
@@ -32,7 +33,7 @@ pub struct CheckDynamics {
 /// A depth that is given is that of a reading as near as this, m: depths are written in whole feet.
 const SAME_DEPTH_M: f64 = 0.5;
 
-/// Simulated time between two looks at a cancellation, s.
+/// Simulated time between two looks at a cancellation at most, s.
 const POLL_INTERVAL_S: f64 = 0.2;
 
 /// A motion of a string with its bit at a depth.
@@ -249,6 +250,7 @@ fn moved(
     };
     let progress = watch.simulation(name, None, [0.0, *longest_s]);
     let sample_s = simulation.sample_interval_s();
+    let mut pace = Pace::new(POLL_INTERVAL_S, sample_s);
     loop {
         let (time_s, end_s) = (simulation.time_s(), simulation.end_time_s());
         progress.reach(time_s, end_s, settings.steady.is_some() && simulation.is_settling());
@@ -258,9 +260,9 @@ fn moved(
         if cancellation.is_cancelled() {
             return None;
         }
-        let most = POLL_INTERVAL_S.max(sample_s).min(end_s - time_s);
-        let samples = (most / sample_s).round().max(1.0);
-        if let Err(diverged) = simulation.advance(samples * sample_s) {
+        let left = (((end_s - time_s) / sample_s).round() as u64).max(1);
+        let advanced = pace.work(left, |samples| simulation.advance(samples as f64 * sample_s));
+        if let Err(diverged) = advanced {
             return Some(Err(diverged.to_string()));
         }
     }

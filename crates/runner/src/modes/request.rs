@@ -1,6 +1,7 @@
 //! Small motions that are requested, and what came of them.
 
 use std::{
+    num::NonZeroUsize,
     path::PathBuf,
     time::{Duration, Instant},
 };
@@ -39,6 +40,9 @@ pub struct Request<'a> {
     pub output: Output,
     /// Whether the page and its pictures are painted as PNG too.
     pub png: bool,
+    /// Lines of the map of torsional stability that are found side by side; one per core where
+    /// nothing is said.
+    pub jobs: Option<NonZeroUsize>,
 }
 
 /// What came of it.
@@ -77,7 +81,7 @@ pub fn run(
     let folder = &claimed.folder;
     let begun = Instant::now();
     let (mut summary, tables) = find(case, operation, cancellation)?;
-    let map = stability::find(case, operation, cancellation);
+    let map = stability::find(case, operation, request.jobs, cancellation);
     let map = match (map, cancellation.is_cancelled()) {
         // Lines of the map are missing.
         (_, true) => {

@@ -1,6 +1,6 @@
 //! The map of torsional stability of a case that drills.
 
-use std::sync::Mutex;
+use std::{num::NonZeroUsize, sync::Mutex};
 
 use wholestring::{
     operation::{Operation, OperationKind},
@@ -34,17 +34,19 @@ pub(super) struct Stability {
 pub(super) fn find(
     case: &Case,
     operation: &Operation,
+    jobs: Option<NonZeroUsize>,
     cancellation: &CancellationToken,
 ) -> Result<Stability, String> {
     let drills = |of: &&Operation| of.kind == OperationKind::Drill;
     let operation = [operation].into_iter().chain(&case.operations).find(drills);
-    let found = operation.map(|operation| map(case, operation, cancellation));
+    let found = operation.map(|operation| map(case, operation, jobs, cancellation));
     found.unwrap_or(Err(StabilityError::NotDrilling)).map_err(|error| error.to_string())
 }
 
 fn map(
     case: &Case,
     operation: &Operation,
+    asked: Option<NonZeroUsize>,
     cancellation: &CancellationToken,
 ) -> Result<Stability, StabilityError> {
     let settings = settings(case);
@@ -54,7 +56,7 @@ fn map(
     let lines: Vec<Mutex<Option<Result<StabilityLine, StabilityError>>>> =
         weights.iter().map(|_| Mutex::new(None)).collect();
     let order: Vec<usize> = (0..weights.len()).collect();
-    in_parallel(jobs(None), &order, |index| {
+    in_parallel(jobs(asked), &order, |index| {
         if !cancellation.is_cancelled() {
             *lock(&lines[index]) = Some(string.line(weights[index], &settings));
         }

@@ -2,6 +2,7 @@
 
 mod frames;
 pub(crate) mod rows;
+mod run_tables;
 
 use std::borrow::Cow;
 
@@ -16,12 +17,13 @@ use wholestring::{
 };
 use wholestring_case::{Case, Records};
 use wholestring_results::{
-    BOTTOM_HOLE, CONTACT, ENGINE_VERSION, FramesSoFar, GrowingTable, NODES, ResultsError,
-    ResultsFolder, SCHEMA_VERSION, SPECTRA, Summary, TIME, Table, TableSoFar, WEAR, digest,
+    ENGINE_VERSION, FramesSoFar, GrowingTable, ResultsError, ResultsFolder, SCHEMA_VERSION,
+    Summary, Table, TableSoFar, digest,
 };
 use wholestring_units::UnitSet;
 
 use self::frames::Frames;
+pub(crate) use self::run_tables::RunTables;
 use crate::{
     findings::{self, Around},
     keep::Keep,
@@ -44,22 +46,14 @@ pub(crate) struct Solved<'a> {
     frames: Option<Cow<'a, FramesSoFar>>,
 }
 
-/// Name of the table of the bottom of the hole, without the ending of its file.
-const BOTTOM_HOLE_FILE: &str = "bottom_hole";
-
 /// Everything that a run leaves.
 pub(crate) struct Record {
     pub(crate) summary: Summary,
     /// All that the case's answers depend on.
     pub(crate) identity: Value,
-    nodes: GrowingTable,
-    time: GrowingTable,
+    tables: RunTables,
     /// Lines of the case's schedule.
     schedule: Vec<ScheduleStep>,
-    wear: GrowingTable,
-    contact: GrowingTable,
-    bottom_hole: Table,
-    spectra: GrowingTable,
     /// Frames of the whole string, where the case requires them.
     pub(crate) frames: Option<Frames>,
     records: Records,
@@ -97,36 +91,9 @@ impl Record {
         }
     }
 
-    /// Another with the same rows in memory, to be written: rows that are on the disk leave it.
-    pub(crate) fn copy_in_memory(&self) -> Self {
-        Self {
-            summary: self.summary.clone(),
-            identity: self.identity.clone(),
-            nodes: self.nodes.clone(),
-            time: self.time.clone(),
-            schedule: self.schedule.clone(),
-            wear: self.wear.clone(),
-            contact: self.contact.clone(),
-            bottom_hole: self.bottom_hole.clone(),
-            spectra: self.spectra.clone(),
-            frames: None,
-            records: self.records.clone(),
-            hole: self.hole.clone(),
-            units: self.units,
-        }
-    }
-
-    /// The tables as they are in memory, each with its name.
-    pub(crate) fn tables(&self) -> [(&'static str, &Table); 6] {
-        let of = |table| (GrowingTable::name(table), GrowingTable::rows(table));
-        [
-            of(&self.nodes),
-            of(&self.time),
-            of(&self.wear),
-            of(&self.contact),
-            (BOTTOM_HOLE_FILE, &self.bottom_hole),
-            of(&self.spectra),
-        ]
+    /// Its summary and its tables, of a run that stayed in memory.
+    pub(crate) fn into_parts(self) -> (Summary, RunTables) {
+        (self.summary, self.tables)
     }
 
     /// Takes up what was solved before, in the same folder.
@@ -139,7 +106,8 @@ impl Record {
         let frames = solved.frames.map(Cow::into_owned);
         let frames = Frames::begin(case, folder, frames).map_err(|e| e.to_string())?;
         let mut record = Self::empty(case, units, frames);
-        if !solved.bottom_hole.is_like(&record.bottom_hole) {
+        let tables = &mut record.tables;
+        if !solved.bottom_hole.is_like(&tables.bottom_hole) {
             return Err("the checkpoint is damaged: a table lacks a column".to_owned());
         }
         let operations = serde_json::from_str(&solved.operations);
@@ -147,12 +115,12 @@ impl Record {
         let growing = |empty: &mut GrowingTable, so_far| {
             empty.resume(folder, so_far).map_err(|e| e.to_string())
         };
-        growing(&mut record.nodes, solved.nodes)?;
-        growing(&mut record.time, solved.time)?;
-        growing(&mut record.wear, solved.wear)?;
-        growing(&mut record.contact, solved.contact)?;
-        record.bottom_hole = solved.bottom_hole.into_owned();
-        growing(&mut record.spectra, solved.spectra)?;
+        growing(&mut tables.nodes, solved.nodes)?;
+        growing(&mut tables.time, solved.time)?;
+        growing(&mut tables.wear, solved.wear)?;
+        growing(&mut tables.contact, solved.contact)?;
+        tables.bottom_hole = solved.bottom_hole.into_owned();
+        growing(&mut tables.spectra, solved.spectra)?;
         Ok(record)
     }
 
@@ -168,13 +136,8 @@ impl Record {
                 operations: Vec::new(),
             },
             identity,
-            nodes: GrowingTable::begin("nodes", NODES),
-            time: GrowingTable::begin("time", TIME),
+            tables: RunTables::of(&case.records),
             schedule: case.dynamics.schedule.steps.clone(),
-            wear: GrowingTable::begin("wear", WEAR),
-            contact: GrowingTable::begin("contact", CONTACT),
-            bottom_hole: Table::with_columns(BOTTOM_HOLE),
-            spectra: GrowingTable::begin("spectra", SPECTRA),
             frames,
             records: case.records.clone(),
             hole: case.model.well.hole.clone(),
@@ -188,13 +151,8 @@ impl Record {
         let Self {
             summary,
             identity: _,
-            nodes,
-            time,
-            wear,
-            contact,
-            bottom_hole,
+            tables,
             schedule: _,
-            spectra,
             frames,
             records: _,
             hole: _,
@@ -202,12 +160,12 @@ impl Record {
         } = self;
         Solved {
             operations: serde_json::to_string(&summary.operations).expect("numbers and words"),
-            nodes: nodes.so_far(),
-            time: time.so_far(),
-            wear: wear.so_far(),
-            contact: contact.so_far(),
-            bottom_hole: Cow::Borrowed(bottom_hole),
-            spectra: spectra.so_far(),
+            nodes: tables.nodes.so_far(),
+            time: tables.time.so_far(),
+            wear: tables.wear.so_far(),
+            contact: tables.contact.so_far(),
+            bottom_hole: Cow::Borrowed(&tables.bottom_hole),
+            spectra: tables.spectra.so_far(),
             frames: frames.as_ref().map(|frames| Cow::Borrowed(frames.so_far())),
         }
     }
@@ -243,67 +201,50 @@ impl Record {
         keep: Keep,
         csv: bool,
     ) -> Result<(), ResultsError> {
-        // Of most bits there is none.
-        if keep >= Keep::Tables && self.bottom_hole.rows() > 0 {
-            folder.write_table(BOTTOM_HOLE_FILE, &self.bottom_hole, csv)?;
-        } else {
-            remove_table(folder, BOTTOM_HOLE_FILE)?;
-        }
-        let [nodes, time, wear, contact] =
-            [&mut self.nodes, &mut self.time, &mut self.wear, &mut self.contact];
-        for table in [nodes, time, wear, contact] {
-            match keep {
-                Keep::Summary => table.leave_out(folder)?,
-                Keep::Tables | Keep::All => table.write(folder, csv)?,
-            }
-        }
-        if self.records.spectra.is_empty() && self.records.probes.is_empty() {
-            remove_table(folder, "spectra")?;
-        } else {
-            self.spectra.write(folder, csv)?;
-        }
+        self.tables.write(folder, keep, csv)?;
         match &mut self.frames {
             Some(frames) => frames.write()?,
             None => folder.remove("frames.parquet")?,
         }
-        if keep == Keep::All {
-            let tables = Tables::of_folder(folder.path());
-            let report = along_the_hole(&tables, &self.summary, Some(self.units))?;
-            write_profile(folder, &report)?;
-        } else {
-            folder.remove(PROFILE)?;
-            folder.remove(FILE)?;
-        }
-        // Last, so that a summary reports tables that are there.
-        let solved = &self.summary.operations;
-        if keep == Keep::Summary && solved.iter().all(|of| is_cheap(of.model)) {
-            folder.write_compact_summary(&self.summary)?;
-        } else {
-            folder.write_summary(&self.summary)?;
-        }
-        Ok(())
+        write_summary(folder, keep, &self.summary, self.units)
     }
 
     /// Removes the tables that are not kept but whose rows a checkpoint counted on: those of a run
     /// that was begun to keep them. Only once there is no checkpoint.
     pub(crate) fn finish(&self, folder: &ResultsFolder, keep: Keep) -> Result<(), ResultsError> {
-        if keep == Keep::Summary {
-            for table in [&self.nodes, &self.time, &self.wear, &self.contact] {
-                remove_table(folder, table.name())?;
-            }
+        match keep {
+            Keep::Summary => self.tables.remove_all_but_spectra(folder),
+            Keep::Tables | Keep::All => Ok(()),
         }
-        Ok(())
+    }
+}
+
+/// Writes the summary, and the profile where all is kept, once the tables are there.
+pub(crate) fn write_summary(
+    folder: &ResultsFolder,
+    keep: Keep,
+    summary: &Summary,
+    units: UnitSet,
+) -> Result<(), ResultsError> {
+    if keep == Keep::All {
+        let tables = Tables::of_folder(folder.path());
+        let report = along_the_hole(&tables, summary, Some(units))?;
+        write_profile(folder, &report)?;
+    } else {
+        folder.remove(PROFILE)?;
+        folder.remove(FILE)?;
+    }
+    // Last, so that a summary reports tables that are there.
+    if keep == Keep::Summary && summary.operations.iter().all(|of| is_cheap(of.model)) {
+        folder.write_compact_summary(summary)
+    } else {
+        folder.write_summary(summary)
     }
 }
 
 /// Whether what a method answers is solved again rather than read back.
 fn is_cheap(model: ModelKind) -> bool {
     model.method().cost == Cost::Milliseconds
-}
-
-fn remove_table(folder: &ResultsFolder, name: &str) -> Result<(), ResultsError> {
-    folder.remove(&format!("{name}.parquet"))?;
-    folder.remove(&format!("{name}.csv"))
 }
 
 fn friction(hole: &Hole) -> Vec<f64> {

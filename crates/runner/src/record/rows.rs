@@ -77,20 +77,25 @@ impl Record {
         });
         let name = operation.kind.name();
         let whose: [(&str, &[&str]); 2] = [("model", &[model.name()]), ("operation", &[name])];
-        self.nodes.append_declared(&whose, PROFILE, profile, model);
-        self.wear.append_declared(&whose, HOLE_WEAR, wear, model);
+        self.tables.nodes.append_declared(&whose, PROFILE, profile, model);
+        self.tables.wear.append_declared(&whose, HOLE_WEAR, wear, model);
         if let Some(bottom) = bottom {
             let [radius_m, angle_rad, depth_m] = bottom_rows(bottom);
-            self.bottom_hole.append(
+            self.tables.bottom_hole.append(
                 &[("operation", &[name])],
                 &[("radius_m", &radius_m), ("angle_rad", &angle_rad), ("depth_m", &depth_m)],
             );
         }
         if let Some(InTime { contact, series, .. }) = in_time {
             let whose: (&str, &[&str]) = ("operation", &[name]);
-            self.contact.append_declared(&[whose], CONTACT_MAP, contact, model);
+            self.tables.contact.append_declared(&[whose], CONTACT_MAP, contact, model);
             let notes = notes(&self.schedule, &series.schedule_line);
-            self.time.append_declared(&[whose, ("note", &notes)], TIME_SERIES, series, model);
+            self.tables.time.append_declared(
+                &[whose, ("note", &notes)],
+                TIME_SERIES,
+                series,
+                model,
+            );
         }
         if let Some(in_time) = in_time {
             self.add_spectra(operation, &in_time, profile);
@@ -150,7 +155,7 @@ impl Record {
             let samples = &samples[from..];
             let segment = segment.min(samples.len());
             if let Some(spectrum) = Spectrum::welch(samples, interval_s, segment) {
-                self.spectra.append(
+                self.tables.spectra.append(
                     &[
                         ("operation", &[operation.kind.name()]),
                         ("signal", &[name]),

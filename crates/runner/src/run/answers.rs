@@ -1,9 +1,13 @@
 //! What a case comes to, in memory.
 
-use std::{num::NonZeroUsize, path::PathBuf, time::Duration};
+use std::{
+    num::NonZeroUsize,
+    path::{Path, PathBuf},
+    time::Duration,
+};
 
 use wholestring_case::Case;
-use wholestring_results::{Occupant, Summary, Table, digest};
+use wholestring_results::{Occupant, ResultsError, Summary, Table, digest};
 use wholestring_units::UnitSet;
 
 use super::{solve::solve, stop::Stop, way::Way};
@@ -16,13 +20,14 @@ use crate::{
     observer::{Observer, Watch},
     output::Output,
     page,
-    record::Record,
+    record::{self, Record, RunTables},
 };
 
 /// What a case comes to, in memory: the summary and the tables that [`run`](super::run) writes, and
 /// nothing on the disk until [`Answers::save`].
 pub struct Answers {
-    record: Record,
+    summary: Summary,
+    tables: RunTables,
     identity: String,
     name: String,
     units: UnitSet,
@@ -71,17 +76,46 @@ pub fn answer(
 impl Answers {
     pub(super) fn of(case: &Case, record: Record) -> Self {
         let identity = digest(&case.identity());
-        Self { record, identity, name: case.name.clone(), units: case.units }
+        let (summary, tables) = record.into_parts();
+        Self { summary, tables, identity, name: case.name.clone(), units: case.units }
+    }
+
+    /// Those of which these are the [`Answers::summary`] as JSON, the [`Answers::tables`], and
+    /// whether the case asks for spectra: what one process sends another.
+    ///
+    /// # Errors
+    /// A summary of a newer version, or a table that is not one of a run.
+    pub fn restore(
+        summary: &str,
+        tables: Vec<(String, Table)>,
+        with_spectra: bool,
+    ) -> Result<Self, ResultsError> {
+        let place = Path::new("summary.json");
+        let bad = |reason: String| ResultsError::Format { path: place.to_owned(), reason };
+        let summary = Summary::parse(place, summary)?;
+        let tables = RunTables::with(with_spectra, tables);
+        let tables = tables.map_err(|name| bad(format!("its table `{name}` is none of a run")))?;
+        let identity = summary.identity.clone();
+        let identity = identity.ok_or_else(|| bad("it does not say of which case".to_owned()))?;
+        let units = summary.settings.get("units").and_then(|of| of.as_str());
+        let units = units.and_then(|of| of.parse().ok());
+        let units = units.ok_or_else(|| bad("it does not say in which units".to_owned()))?;
+        Ok(Self { name: summary.case.clone(), summary, tables, identity, units })
     }
 
     /// The summary, as `summary.json` has it.
     pub fn summary(&self) -> &Summary {
-        &self.record.summary
+        &self.summary
+    }
+
+    /// Whether the case asks for spectra: they have a file then, if only without rows.
+    pub fn with_spectra(&self) -> bool {
+        self.tables.with_spectra()
     }
 
     /// The tables that have rows, each with the name of its file without the ending.
     pub fn tables(&self) -> Vec<(&'static str, &Table)> {
-        self.record.tables().into_iter().filter(|(_, table)| table.rows() > 0).collect()
+        self.tables.named().into_iter().filter(|(_, table)| table.rows() > 0).collect()
     }
 
     /// Writes what a run of the case leaves, its page and its picture too, and gives the folder: the
@@ -108,7 +142,9 @@ impl Answers {
         let folder = &claimed.folder;
         folder.remove_checkpoint()?;
         // What is written leaves the memory of the record that writes it.
-        self.record.copy_in_memory().write(folder, Keep::All, csv)?;
+        self.tables.clone().write(folder, Keep::All, csv)?;
+        folder.remove("frames.parquet")?;
+        record::write_summary(folder, Keep::All, &self.summary, self.units)?;
         page::write(folder, self.units)?;
         Ok(folder.path().to_owned())
     }

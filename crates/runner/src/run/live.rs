@@ -2,6 +2,7 @@
 //! controller, a digital twin, an environment to learn in.
 
 use std::{
+    num::NonZeroUsize,
     sync::Arc,
     time::{Duration, Instant},
 };
@@ -25,14 +26,14 @@ use crate::{
     cores,
     error::Error,
     observer::{Observer, Watch},
+    pace::Pace,
     record::{
         Record,
         rows::{CarriedOut, Effort},
     },
 };
 
-/// Simulated time between two looks at a cancellation, s: a fraction of a second even where a run is
-/// slower than real time.
+/// Simulated time between two looks at a cancellation at most, s; a slow run looks by the clock.
 const POLL_INTERVAL_S: f64 = 0.05;
 
 /// A dynamic run that a front takes forward.
@@ -58,7 +59,8 @@ struct Stored<'a> {
 
 impl Live {
     /// Initialises the string for an operation of the case, ready to run; for its only one where
-    /// none is named. Laws of one's own take the place of the case's.
+    /// none is named. Laws of one's own take the place of the case's. `jobs` are the threads that
+    /// work on solid rock under the bit; one per core where nothing is said.
     ///
     /// # Errors
     /// An operation that the case does not have, a hoist whose lift is found by runs of the whole
@@ -67,6 +69,7 @@ impl Live {
         case: Arc<Case>,
         operation: Option<&str>,
         laws: &OwnLaws,
+        jobs: Option<NonZeroUsize>,
         observer: &dyn Observer,
         cancellation: &CancellationToken,
     ) -> Result<Self, Error> {
@@ -80,7 +83,7 @@ impl Live {
         let watch = Watch { observer, case: 0 };
         let what = "initialising the string";
         let shown = watch.preparing(operation.kind.name(), what);
-        let executor = cores::for_rock(&case, None, cancellation);
+        let executor = cores::for_rock_of_others(&case, jobs, cancellation);
         let (mut settings, failed) = (case.dynamics.clone(), CancellationToken::new());
         let stored = laws.begin(&operation, &settings)?;
         laws.apply(&stored, &mut operation, &mut settings, &failed)?;
@@ -98,7 +101,12 @@ impl Live {
     /// # Errors
     /// Bytes that are damaged, of another version of the program, of another case, or with other
     /// laws of one's own: these are known by their names and rates.
-    pub fn resume(case: Arc<Case>, laws: &OwnLaws, bytes: &[u8]) -> Result<Self, Error> {
+    pub fn resume(
+        case: Arc<Case>,
+        laws: &OwnLaws,
+        jobs: Option<NonZeroUsize>,
+        bytes: &[u8],
+    ) -> Result<Self, Error> {
         let stored: Stored<'static> = read_checkpoint_bytes(bytes)?;
         let anew = |reason: String| Error::NotResumable { noun: "simulation", reason };
         if stored.identity != digest(&case.identity()) {
@@ -115,7 +123,8 @@ impl Live {
         laws.apply(&stored.laws, &mut operation, &mut settings, &failed)?;
         let resumed = Simulation::resume(&case.model, &operation, &settings, stored.simulation);
         let mut simulation = resumed.map_err(|error| anew(error.to_string()))?;
-        simulation.set_executor(cores::for_rock(&case, None, &CancellationToken::new()));
+        let executor = cores::for_rock_of_others(&case, jobs, &CancellationToken::new());
+        simulation.set_executor(executor);
         Ok(Self { case, operation, simulation, took, laws: stored.laws, failed })
     }
 
@@ -142,20 +151,18 @@ impl Live {
         let watch = Watch { observer, case: 0 };
         let shown = watch.simulation(self.operation.kind.name(), None, [from_s, end_s]);
         let mut missing = (seconds / sample_s).round() as u64;
-        let mut poll = ((POLL_INTERVAL_S / sample_s).round() as u64).max(1);
         let asks = self.laws != StoredLaws::default();
-        if asks {
-            poll = 1;
-            self.failed.reset();
-        }
+        // One that asks laws of one's own stops at the sample at which one gave no answer.
+        let mut pace = Pace::new(if asks { 0.0 } else { POLL_INTERVAL_S }, sample_s);
+        self.failed.reset();
         let mut done = Ok(());
         while missing > 0 && done.is_ok() {
             if cancellation.is_cancelled() {
                 done = Err(Error::Interrupted);
                 break;
             }
-            let next = poll.min(missing);
-            let advanced = self.simulation.advance(next as f64 * sample_s);
+            let (next, advanced) =
+                pace.work(missing, |next| (next, self.simulation.advance(next as f64 * sample_s)));
             done = advanced.map_err(|diverged| Error::Failed(diverged.to_string()));
             missing -= next;
             if done.is_ok() && self.failed.is_cancelled() {

@@ -19,6 +19,7 @@ use super::{lift::tune, stop::Stop, way::Way};
 use crate::{
     checkpoint::{self, Keeper, RunCheckpoint, UnderWay},
     observer::Watch,
+    pace::Pace,
     record::{
         Record,
         rows::{CarriedOut, Effort},
@@ -139,8 +140,8 @@ fn solve_stiff(case: &Case, operation: &Operation, record: &mut Record) {
     }
 }
 
-/// Simulated time between two checks of a cancellation and two tellings of the progress, s: a
-/// fraction of a second even where a run is slower than real time.
+/// Simulated time between two checks of a cancellation and two tellings of the progress at most, s;
+/// a slow run looks by the clock.
 const POLL_INTERVAL_S: f64 = 0.2;
 
 fn solve_dynamic(
@@ -225,8 +226,8 @@ fn solve_dynamic(
     // The run continues by whole samples.
     let sample_s = simulation.sample_interval_s();
     let frame_samples = record.frames.as_ref().map(|frames| frames.samples(sample_s));
-    let poll_samples = ((POLL_INTERVAL_S / sample_s).round() as u64).max(1);
-    // Frames and looks fall on the same samples wherever the run was taken up.
+    let mut pace = Pace::new(POLL_INTERVAL_S, sample_s);
+    // Frames fall on the same samples wherever the run was taken up.
     let mut samples = (simulation.time_s() / sample_s).round() as u64;
     let status = loop {
         let (time_s, end_s) = (simulation.time_s(), simulation.end_time_s());
@@ -244,8 +245,10 @@ fn solve_dynamic(
         }
         let missing = ((end_s - time_s) / sample_s).round() as u64;
         let to_frame = frame_samples.map_or(u64::MAX, |every| every - samples % every);
-        let next = poll_samples.min(missing.max(1)).min(to_frame);
-        if let Err(diverged) = simulation.advance(next as f64 * sample_s) {
+        let (next, advanced) = pace.work(missing.max(1).min(to_frame), |next| {
+            (next, simulation.advance(next as f64 * sample_s))
+        });
+        if let Err(diverged) = advanced {
             break Status::Failed(diverged.to_string());
         }
         samples += next;

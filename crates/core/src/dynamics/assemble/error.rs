@@ -59,7 +59,7 @@ pub enum SetupError {
         /// What is wrong with it.
         fault: ScheduleFault,
     },
-    /// The [executor](crate::rock::Executor::stopped) asked to stop while the bit was run in.
-    #[error("stopped while the bit was run in")]
+    /// The [executor](crate::rock::Executor::stopped) asked to stop before the first step.
+    #[error("stopped before the first step")]
     Stopped,
 }

@@ -13,7 +13,7 @@ use nalgebra::Vector3;
 use super::{body::Body, settings::Start};
 use crate::{
     dynamics::{
-        assemble::chain,
+        assemble::{chain, error::SetupError},
         boundary::{
             anchor::Anchor,
             hole::{self, Borehole},
@@ -27,9 +27,9 @@ use crate::{
     },
     ends::{BitEnd, Ends, TopEnd},
     random::Random,
+    rock::Executor,
     rod::{element::react, mesh::Mesh},
     simd::vector::Vector,
-    statics::soft::SoftError,
 };
 
 /// Lateral settling of a prepared start, s, and its damping, 1/s: near critical for a joint's span,
@@ -50,6 +50,9 @@ const PASSES: usize = 8;
 /// Part of the settling in which bends grow.
 const GROWING: f64 = 0.5;
 
+/// Steps after which it is asked whether to go on: some milliseconds.
+const LOOK_STEPS: usize = 16;
+
 /// The string at time zero.
 #[derive(Debug)]
 pub struct Initial {
@@ -66,13 +69,13 @@ pub struct Initial {
 /// Initialises the string with its bit at `bit_md_m`.
 ///
 /// # Errors
-/// A soft string without solution.
+/// A soft string without solution, and an executor that asks to stop.
 pub fn initialise(
     scene: &Scene<'_>,
     chain: Chain,
     body: Body,
     bit_md_m: f64,
-) -> Result<Initial, SoftError> {
+) -> Result<Initial, SetupError> {
     let Scene { operation, settings, mesh, .. } = *scene;
     let guide = Guide::new(scene)?;
     let mut string = InitialString {
@@ -93,7 +96,7 @@ pub fn initialise(
     string.disturb(settings.seed);
     if settings.start == Start::Prepared {
         string.set_motion(0.0, operation.rotation_rad_per_s());
-        string.settle(scene);
+        string.settle(scene)?;
         string.stretch_in_place();
         string.set_motion(scene.velocity_m_per_s, operation.rotation_rad_per_s());
         for index in 0..mesh.elements.len() {
@@ -211,7 +214,7 @@ impl InitialString<'_> {
 
     /// Lets the string find its place across the hole, axial motion and spin held, in the steps
     /// that the run takes.
-    fn settle(&mut self, scene: &Scene<'_>) {
+    fn settle(&mut self, scene: &Scene<'_>) -> Result<(), SetupError> {
         let Scene { operation, input, border, .. } = *scene;
         let (mut stepper, body) = (scene.stepper.clone(), &mut self.body);
         let mut chain: Chain = self.chain.divided_at(border);
@@ -238,6 +241,9 @@ impl InitialString<'_> {
         let steps = (SETTLING_S / input.dt).ceil() as usize;
         let (mut grown, growth) = (0.0, 1.0 / (GROWING * steps as f64 * f64::from(chain.parts())));
         for step in 0..steps {
+            if step % LOOK_STEPS == 0 && scene.executor.stopped() {
+                return Err(SetupError::Stopped);
+            }
             coupled_step(&mut chain, input, |chain, region, input| {
                 let lowest = region + 1 == chain.regions();
                 if lowest {
@@ -262,6 +268,7 @@ impl InitialString<'_> {
             let md = self.anchors[i].md_m;
             self.borehole.anchor(&mut self.chain, &mut self.anchors, i, md);
         }
+        Ok(())
     }
 
     /// Brings every element back to its tension, the string keeping its place across the hole.

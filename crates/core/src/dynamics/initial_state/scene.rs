@@ -2,7 +2,7 @@
 
 use crate::{
     dynamics::{
-        boundary::{hole::Borehole, mud::viscous::Viscous},
+        boundary::{executor::SharedExecutor, hole::Borehole, mud::viscous::Viscous},
         kernel::{
             places::Border,
             step::{StepInput, Stepper},
@@ -39,6 +39,8 @@ pub struct Scene<'a> {
     pub input: &'a StepInput,
     /// Axial velocity of the whole string, m/s.
     pub velocity_m_per_s: f64,
+    /// Who is asked meanwhile whether to go on.
+    pub executor: &'a SharedExecutor,
 }
 
 /// What `operation` is at time zero by the motion of the string, and whether it is at rest.

@@ -40,10 +40,11 @@ impl<R: Registers> Run<R> {
     /// string that trips at 0.3 m/s for a minute is then, on average, where a static calculation
     /// has it.
     ///
-    /// `executor` runs the bit in, where there is solid rock, and works on it from then on.
+    /// `executor` is asked meanwhile whether to go on. It runs the bit in, where there is solid rock,
+    /// and works on it from then on.
     ///
     /// # Errors
-    /// A setting out of range, or a soft string without solution.
+    /// A setting out of range, a soft string without solution, or an executor that asks to stop.
     pub fn new(
         model: &Model,
         operation: &Operation,
@@ -107,6 +108,7 @@ impl<R: Registers> Run<R> {
             border: basis.border(),
             input: &input,
             velocity_m_per_s: velocity,
+            executor: &executor.shared,
         };
         let initial = initial_state::initialise(&scene, chain, Body::new(model, mesh), bit_md_m)?;
         let (mut chain, anchors) = (initial.chain.divided_at(basis.border()), initial.anchors);

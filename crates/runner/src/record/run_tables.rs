@@ -1,0 +1,126 @@
+//! The tables of a run.
+
+use wholestring_case::Records;
+use wholestring_results::{
+    BOTTOM_HOLE, CONTACT, GrowingTable, NODES, ResultsError, ResultsFolder, SPECTRA, TIME, Table,
+    WEAR,
+};
+
+use crate::keep::Keep;
+
+/// Name of the table of the bottom of the hole, without the ending of its file.
+const BOTTOM_HOLE_FILE: &str = "bottom_hole";
+
+/// The tables of a run: rows gather in memory until they are written.
+#[derive(Clone)]
+pub(crate) struct RunTables {
+    pub(super) nodes: GrowingTable,
+    pub(super) time: GrowingTable,
+    pub(super) wear: GrowingTable,
+    pub(super) contact: GrowingTable,
+    pub(super) bottom_hole: Table,
+    pub(super) spectra: GrowingTable,
+    /// Whether the case asks for spectra: their file is written then, if only without rows.
+    with_spectra: bool,
+}
+
+impl RunTables {
+    /// Those of a case that keeps these, without rows.
+    pub(super) fn of(records: &Records) -> Self {
+        Self::empty(!records.spectra.is_empty() || !records.probes.is_empty())
+    }
+
+    fn empty(with_spectra: bool) -> Self {
+        Self {
+            nodes: GrowingTable::begin("nodes", NODES),
+            time: GrowingTable::begin("time", TIME),
+            wear: GrowingTable::begin("wear", WEAR),
+            contact: GrowingTable::begin("contact", CONTACT),
+            bottom_hole: Table::with_columns(BOTTOM_HOLE),
+            spectra: GrowingTable::begin("spectra", SPECTRA),
+            with_spectra,
+        }
+    }
+
+    /// Those that have these rows.
+    ///
+    /// # Errors
+    /// The name of a table that a run does not have, or not with these columns.
+    pub(crate) fn with(with_spectra: bool, rows: Vec<(String, Table)>) -> Result<Self, String> {
+        let mut all = Self::empty(with_spectra);
+        let Self { nodes, time, wear, contact, spectra, bottom_hole, .. } = &mut all;
+        let mut growing = [nodes, time, wear, contact, spectra];
+        for (name, table) in rows {
+            let is_taken = match growing.iter_mut().find(|of| of.name() == name) {
+                Some(of) => of.take(table),
+                None if name == BOTTOM_HOLE_FILE && table.is_like(bottom_hole) => {
+                    *bottom_hole = table;
+                    true
+                }
+                None => false,
+            };
+            if !is_taken {
+                return Err(name);
+            }
+        }
+        Ok(all)
+    }
+
+    /// Whether the case asks for spectra.
+    pub(crate) fn with_spectra(&self) -> bool {
+        self.with_spectra
+    }
+
+    /// The tables as they are in memory, each with its name.
+    pub(crate) fn named(&self) -> [(&'static str, &Table); 6] {
+        let of = |table| (GrowingTable::name(table), GrowingTable::rows(table));
+        [
+            of(&self.nodes),
+            of(&self.time),
+            of(&self.wear),
+            of(&self.contact),
+            (BOTTOM_HOLE_FILE, &self.bottom_hole),
+            of(&self.spectra),
+        ]
+    }
+
+    /// Writes what is kept; what an earlier run left goes.
+    pub(crate) fn write(
+        &mut self,
+        folder: &ResultsFolder,
+        keep: Keep,
+        csv: bool,
+    ) -> Result<(), ResultsError> {
+        // Of most bits there is none.
+        if keep >= Keep::Tables && self.bottom_hole.rows() > 0 {
+            folder.write_table(BOTTOM_HOLE_FILE, &self.bottom_hole, csv)?;
+        } else {
+            remove(folder, BOTTOM_HOLE_FILE)?;
+        }
+        let [nodes, time, wear, contact] =
+            [&mut self.nodes, &mut self.time, &mut self.wear, &mut self.contact];
+        for table in [nodes, time, wear, contact] {
+            match keep {
+                Keep::Summary => table.leave_out(folder)?,
+                Keep::Tables | Keep::All => table.write(folder, csv)?,
+            }
+        }
+        if self.with_spectra { self.spectra.write(folder, csv) } else { remove(folder, "spectra") }
+    }
+
+    /// Removes the tables that are not kept but whose rows a checkpoint counted on.
+    pub(super) fn remove_all_but_spectra(
+        &self,
+        folder: &ResultsFolder,
+    ) -> Result<(), ResultsError> {
+        for table in [&self.nodes, &self.time, &self.wear, &self.contact] {
+            remove(folder, table.name())?;
+        }
+        Ok(())
+    }
+}
+
+fn remove(folder: &ResultsFolder, name: &str) -> Result<(), ResultsError> {
+    folder.remove(&format!("{name}.parquet"))?;
+    folder.remove(&format!("{name}.csv"))
+}
