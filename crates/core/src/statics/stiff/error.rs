@@ -44,6 +44,21 @@ pub enum StiffError {
         /// Newton steps of all stages.
         iterations: usize,
     },
+    /// An element of a length that was given is too long for the compression that it came to bear:
+    /// it buckles between its nodes, where no wall holds it.
+    #[error(
+        "no equilibrium was found: at MD {md_m:.0} m the compression came to {compression_N:.3e} N, \
+         under which an element of {length_m:.1} m buckles between its nodes; shorter elements are \
+         needed"
+    )]
+    ElementBuckles {
+        /// Measured depth of the element, m.
+        md_m: f64,
+        /// The compression on it, N.
+        compression_N: f64,
+        /// Its length, m.
+        length_m: f64,
+    },
     /// The iterations came to no end.
     #[error(
         "no equilibrium was found: at MD {md_m:.1} m forces are out of balance by {residual_N:.3e} N \
