@@ -35,8 +35,8 @@ pub enum StiffError {
     /// A string that turns, is buckled, and goes round its hole by its friction without an end.
     #[error(
         "no equilibrium was found: about MD {md_m:.0} m the buckled string rolls around its hole, by \
-         the friction of its rotation, and went on for {iterations} iterations. It has no state of \
-         rest: the dynamics show how it whirls"
+         the friction of its rotation, and went on for {iterations} iterations. It may have no \
+         state of rest: the dynamics show how it whirls"
     )]
     Rolls {
         /// Measured depth where it went round farthest, m.
