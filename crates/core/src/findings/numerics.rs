@@ -36,9 +36,14 @@ const SWINGS: f64 = 0.02;
 /// A bit whose weight varies by more than this part of its mean shakes the string.
 const SHAKEN: f64 = 0.02;
 
-/// Of an equilibrium: whether it would stay as it is.
+/// Of an equilibrium: whether it would stay as it is; and where the string would roll around its hole
+/// instead, for ever.
 pub fn equilibrium(of: &Convergence) -> Option<Finding> {
-    (!of.stable).then(|| Finding::new(Kind::UnstableEquilibrium, Level::Warning))
+    let found = (!of.stable).then(|| Finding::new(Kind::UnstableEquilibrium, Level::Warning))?;
+    Some(match of.rolls_at_md_m {
+        Some(md_m) => found.at(md_m),
+        None => found,
+    })
 }
 
 /// Of an operation without one: where it locks up, or where forces are farthest out of balance.
@@ -48,7 +53,8 @@ pub fn no_equilibrium(error: &StiffError) -> Option<Finding> {
         StiffError::Soft(_) => None,
         StiffError::LocksUp { md_m }
         | StiffError::RunsAway { md_m, .. }
-        | StiffError::Rolls { md_m, .. } => Some(found.at(md_m)),
+        | StiffError::Rolls { md_m, .. }
+        | StiffError::ElementBuckles { md_m, .. } => Some(found.at(md_m)),
         StiffError::NotConverged { md_m, residual_N, .. } => {
             Some(found.at(md_m).value(residual_N).limit(0.0))
         }

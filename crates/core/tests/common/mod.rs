@@ -6,6 +6,7 @@
 pub mod beam;
 pub mod np13;
 pub mod rigid;
+pub mod whirl;
 
 use serde_json::Value;
 use wholestring::{

@@ -207,3 +207,41 @@ fn beyond_it_it_winds_up() {
         }
     }
 }
+
+/// A pipe that turns with friction in a vertical hole can touch nowhere at rest: about the hole's axis
+/// weight and ends have no moment, and the friction's, `Σ μ N |u|` beside what twists the pipe, nothing
+/// to balance it. Beyond its critical load it has no state of rest that would stay. The straight one
+/// is given and told unstable, with the depth where the pipe rolls when it is let go; the dynamics
+/// says the same. Below that load, or without friction, it has one.
+#[test]
+fn a_turning_pipe_has_no_buckled_state_of_rest() {
+    const LENGTH: f64 = 12.0;
+    let units = units();
+    let length_m = LENGTH * units.length_m;
+    let turning = |friction: f64, f: f64| {
+        let model = hanging(length_m, TopEnd::Clamped, friction);
+        let drill = common::pressing(OperationKind::Drill, length_m, f * units.force_N);
+        let found = stiff::solve(&model, &drill, &settings(ELEMENT_M)).expect("an equilibrium");
+        (found, model, drill)
+    };
+    let touches =
+        |of: &StiffProfile| of.contact_force_N.iter().fold(0.0_f64, |most, on| most.max(*on));
+    let (below, ..) = turning(0.3, 1.5);
+    assert!(below.convergence.stable && below.convergence.rolls_at_md_m.is_none());
+    // What touches with few newtons rolls slowly, for the damping holds it: least turns in 20 s.
+    for (f, least_turns) in [(3.0, 0.2), (5.0, 0.4), (8.0, 2.0)] {
+        let (slippery, ..) = turning(0.0, f);
+        println!("{f}: {:?}, {} N", slippery.convergence, touches(&slippery));
+        assert!(slippery.convergence.stable && touches(&slippery) > 0.0);
+        let (straight, model, drill) = turning(0.3, f);
+        let of = straight.convergence;
+        let rolls_m = of.rolls_at_md_m.expect("rolls");
+        println!("{f}: {of:?}, of {length_m:.0} m, {} N", touches(&straight));
+        assert!(!of.stable && touches(&straight) == 0.0 && far(&straight) < 1e-6, "{of:?}");
+        // In the part that is compressed, or not far above it.
+        assert!((0.0..1.5 * f * units.length_m).contains(&(length_m - rolls_m)), "{rolls_m}");
+        let turns = common::whirl::turns(&model, &drill, [60.0, 20.0]).expect("a simulation");
+        println!("{f}: {turns:.1} turns");
+        assert!(turns > least_turns, "{f}: {turns}");
+    }
+}

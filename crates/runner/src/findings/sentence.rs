@@ -101,6 +101,12 @@ pub(super) fn sentence(found: &Finding, of: &OperationSummary, around: &Around<'
              dynamics have it",
             words.force(words.value())
         ),
+        Kind::UnstableEquilibrium if of.from_md_m.is_some() => format!(
+            "The equilibrium found is not stable, and the string that turns has none that is: let \
+             go, it buckles and rolls around its hole for ever by its friction, most{}. The \
+             dynamics show how it whirls",
+            words.place()
+        ),
         Kind::UnstableEquilibrium => {
             "The equilibrium found is not stable: a small disturbance would \
                                       leave it, and a buckled string would lie otherwise"

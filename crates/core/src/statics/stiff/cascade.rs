@@ -11,12 +11,18 @@ use super::{
     string_in_hole::StringInHole,
 };
 
+/// Why there is no equilibrium, and the tensions with which the search ended, N.
+pub(super) struct NotFound {
+    pub(super) error: StiffError,
+    pub(super) tension_N: Vec<f64>,
+}
+
 /// The equilibrium that is found from the middle of the hole, after so many iterations elsewhere.
 pub(super) fn from_the_middle(
     string: &StringInHole,
     equations: &mut Equations,
     mut iterations: usize,
-) -> Result<(Convergence, State), StiffError> {
+) -> Result<(Convergence, State), NotFound> {
     let mut state = State::centred(string);
     let found = reach(string, &mut state, equations, Begins::Cold, &mut iterations);
     if let Some(found) = found.filter(|found| found.stable) {
@@ -24,7 +30,7 @@ pub(super) fn from_the_middle(
     }
     // One that would not stay is better than none.
     let straight = found.map(|found| Reached { found, state, hook_load_N: equations.hook_load_N });
-    let_go(string, equations, straight, &mut iterations)
+    let_go(string, equations, straight, iterations)
 }
 
 /// The stable equilibrium next to a state.
@@ -82,13 +88,21 @@ struct Reached {
     hook_load_N: f64,
 }
 
+/// Lets the string go, and nothing else.
+pub(super) fn released(
+    string: &StringInHole,
+    equations: &mut Equations,
+) -> Result<(Convergence, State), NotFound> {
+    let_go(string, equations, None, 0)
+}
+
 /// Lets the string go and looks at where it comes to rest; at `otherwise` where it does not.
 fn let_go(
     string: &StringInHole,
     equations: &mut Equations,
     otherwise: Option<Reached>,
-    iterations: &mut usize,
-) -> Result<(Convergence, State), StiffError> {
+    mut iterations: usize,
+) -> Result<(Convergence, State), NotFound> {
     let mut relaxation = Relaxation::begin(string);
     // What friction holds, though by its energy alone it would not stay.
     let mut held = None;
@@ -96,7 +110,7 @@ fn let_go(
     for _ in 0..LOOKS {
         let (mut moved, before) = (false, relaxation.steps);
         does = relaxation.go_on(equations, &mut moved);
-        *iterations += relaxation.steps - before;
+        iterations += relaxation.steps - before;
         if moved {
             held = None;
         }
@@ -104,26 +118,29 @@ fn let_go(
             break;
         }
         let mut state = relaxation.state.clone();
-        if let Some(found) = finish(string, &mut state, equations, iterations) {
+        if let Some(found) = finish(string, &mut state, equations, &mut iterations) {
             if found.stable {
                 return Ok((found, state));
             }
             held = Some(Reached { found, state, hook_load_N: equations.hook_load_N });
         }
     }
-    let iterations = *iterations;
+    let rolls_at_md_m = match does {
+        Does::Rolls(node) => Some(string.nodes[node].md_m),
+        _ => None,
+    };
     if let Some(Reached { found, state, hook_load_N }) = held.or(otherwise) {
         equations.hook_load_N = hook_load_N;
-        return Ok((Convergence { iterations, ..found }, state));
+        return Ok((Convergence { iterations, rolls_at_md_m, ..found }, state));
     }
-    if let Does::Rolls(node) = does {
-        return Err(StiffError::Rolls { md_m: string.nodes[node].md_m, iterations });
-    }
-    if let Does::RunsAway(element) = does {
+    let error = if let Some(md_m) = rolls_at_md_m {
+        StiffError::Rolls { md_m, iterations }
+    } else if let Does::RunsAway(element) = does {
         let compression_N = -relaxation.state.tension_N[element];
-        let md_m = string.nodes[element].md_m;
-        return Err(StiffError::RunsAway { md_m, compression_N, iterations });
-    }
-    let (index, residual_N) = residual(string, &relaxation.state, equations);
-    Err(StiffError::NotConverged { md_m: string.nodes[index].md_m, residual_N, iterations })
+        StiffError::RunsAway { md_m: string.nodes[element].md_m, compression_N, iterations }
+    } else {
+        let (index, residual_N) = residual(string, &relaxation.state, equations);
+        StiffError::NotConverged { md_m: string.nodes[index].md_m, residual_N, iterations }
+    };
+    Err(NotFound { error, tension_N: relaxation.state.tension_N })
 }

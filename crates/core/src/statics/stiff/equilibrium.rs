@@ -17,6 +17,10 @@ pub struct Convergence {
     pub residual: f64,
     /// Whether every small motion costs energy: friction and torque apart, the state is stable.
     pub stable: bool,
+    /// Of a state that would not stay, where the string rolls around its hole when it is let go,
+    /// measured depth in m: it turns, and has no state of rest in which it is buckled.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rolls_at_md_m: Option<f64>,
     /// What the elements' lengths leave uncertain where contacts begin and end; none where the
     /// lengths are given.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -35,14 +35,29 @@ pub enum StiffError {
     /// A string that turns, is buckled, and goes round its hole by its friction without an end.
     #[error(
         "no equilibrium was found: about MD {md_m:.0} m the buckled string rolls around its hole, by \
-         the friction of its rotation, and went on for {iterations} iterations. It has no state of \
-         rest: the dynamics show how it whirls"
+         the friction of its rotation, and went on for {iterations} iterations. It may have no \
+         state of rest: the dynamics show how it whirls"
     )]
     Rolls {
         /// Measured depth where it went round farthest, m.
         md_m: f64,
         /// Newton steps of all stages.
         iterations: usize,
+    },
+    /// An element of a length that was given is too long for the compression that it came to bear:
+    /// it buckles between its nodes, where no wall holds it.
+    #[error(
+        "no equilibrium was found: at MD {md_m:.0} m the compression came to {compression_N:.3e} N, \
+         under which an element of {length_m:.1} m buckles between its nodes; shorter elements are \
+         needed"
+    )]
+    ElementBuckles {
+        /// Measured depth of the element, m.
+        md_m: f64,
+        /// The compression on it, N.
+        compression_N: f64,
+        /// Its length, m.
+        length_m: f64,
     },
     /// The iterations came to no end.
     #[error(

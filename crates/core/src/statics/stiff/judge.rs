@@ -37,6 +37,7 @@ pub(super) fn finish(
         iterations: *iterations,
         residual,
         stable: is_stable(string, state, equations),
+        rolls_at_md_m: None,
         mesh_error: None,
     })
     .filter(|_| residual < RESIDUAL)

@@ -22,6 +22,7 @@ mod profile;
 mod refine;
 mod relaxation;
 mod settings;
+mod slender;
 mod solve;
 mod state;
 mod string_in_hole;

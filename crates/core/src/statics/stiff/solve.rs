@@ -2,9 +2,10 @@
 
 use super::{
     StiffError, StiffProfile, StiffSettings,
-    cascade::{from_the_middle, warm_start},
+    cascade::{NotFound, from_the_middle, released, warm_start},
     equations::Equations,
     equilibrium::{Convergence, Equilibrium},
+    slender,
     state::State,
     string_in_hole::StringInHole,
 };
@@ -26,6 +27,11 @@ const SAME_M: f64 = 1e-6;
 /// how often elements are halved at most.
 const FINE_ENOUGH: [(Accuracy, f64, usize); 2] =
     [(Accuracy::Standard, 0.02, 4), (Accuracy::Fine, 0.005, 6)];
+
+/// Most that a compression grows by beyond the soft string's where the string does not run away, and
+/// how often elements are halved for it.
+const GROWS: f64 = 2.0;
+const HALVED: usize = 3;
 
 /// Steps of the soft string with which it begins, m. That says where the nodes stand, and a kink
 /// where the pipe changes sides costs it some 15 N, by which a kilometre of pipe stretches 0.01 mm;
@@ -132,9 +138,46 @@ impl Task<'_> {
         });
         let (convergence, state) = match warm {
             Some(found) => found,
-            None => from_the_middle(&string, &mut equations, iterations)
-                .or_else(|error| self.locks_up().and(Err(error)))?,
+            None => match from_the_middle(&string, &mut equations, iterations) {
+                Ok(found) => found,
+                Err(lost) => {
+                    self.locks_up()?;
+                    return self.found_finer(mesh, &string, lost);
+                }
+            },
         };
+        Ok(self.equilibrium(mesh, string, state, &equations, convergence))
+    }
+
+    /// The same where the compression grew beyond what the soft string, by which the mesh was made,
+    /// has of it, and elements buckled between their nodes: on a mesh that is made for it.
+    fn found_finer(
+        &self,
+        mut mesh: Mesh,
+        string: &StringInHole,
+        lost: NotFound,
+    ) -> Result<Equilibrium, StiffError> {
+        let Some(buckles) = slender::buckles(string, &lost.tension_N) else {
+            return Err(lost.error);
+        };
+        let most_N = string.elements.iter().map(|element| -element.guess_N).fold(0.0, f64::max);
+        let compression_N = -lost.tension_N[buckles];
+        if let ElementLength::Uniform(_) = self.settings.element_length {
+            let md_m = string.nodes[buckles].md_m;
+            let length_m = string.elements[buckles].stiffness.length;
+            return Err(StiffError::ElementBuckles { md_m, compression_N, length_m });
+        }
+        for _ in 0..HALVED {
+            let at_most_N = compression_N.min(GROWS * most_N);
+            let long = slender::too_long(&self.string_in_hole(&mesh), at_most_N);
+            if !long.contains(&true) {
+                break;
+            }
+            mesh = mesh.halved(&self.model.string, &long, SizeReason::Compression);
+        }
+        let string = self.string_in_hole(&mesh);
+        let mut equations = Equations::new(string.nodes.len());
+        let (convergence, state) = released(&string, &mut equations).map_err(|lost| lost.error)?;
         Ok(self.equilibrium(mesh, string, state, &equations, convergence))
     }
 
