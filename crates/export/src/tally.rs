@@ -19,6 +19,8 @@ pub struct Component {
     pub joint_spacing_m: Option<f64>,
     /// Diameter over the blades, m, if it has any.
     pub blade_od_m: Option<f64>,
+    /// Length of the blades, which are at its middle, m, if it has any.
+    pub blade_length_m: Option<f64>,
     /// Minimum yield strength, Pa, where known.
     pub yield_strength_Pa: Option<f64>,
 }

@@ -82,6 +82,7 @@ fn components() -> Vec<Component> {
         component("8 1/2\" PDC bit", 0.3, 0.2159, 0.0),
         Component {
             blade_od_m: Some(0.2127),
+            blade_length_m: Some(0.4),
             ..component("near-bit stabiliser", 1.5, 0.17145, 0.07)
         },
         component("heavy-weight drill pipe", 100.0, 0.127, 0.0762),
@@ -140,7 +141,7 @@ fn units_are_known() {
         for part in text.split("<").filter_map(|part| part.split_once(" uom=\"")) {
             let symbol = part.1.split('"').next().unwrap();
             let dimension = match part.0 {
-                "od" | "id" | "odMx" => Dimension::Diameter,
+                "od" | "id" | "odMx" | "odBladeMx" => Dimension::Diameter,
                 "wtPerLen" => Dimension::MassPerLength,
                 "tensYield" => Dimension::Pressure,
                 _ => Dimension::Length,

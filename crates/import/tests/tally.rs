@@ -667,6 +667,41 @@ fn a_workbook_gives_survey_and_tally_of_its_sheets() {
     assert!(eight.text.contains("sheet 'BHA 8', cell C6"));
 }
 
+/// As Excel writes the old format: each text once, short numbers, merged headings.
+fn old_tally(od: Old<'static>) -> Vec<u8> {
+    let mut cells = vec![
+        (0, 0, Old::Shared("Bottom-hole assembly 7")),
+        (2, 1, Old::Shared("Body")),
+        (2, 3, Old::Shared("Tool joint")),
+    ];
+    let headings = ["Component", "OD (in)", "ID (in)", "OD (in)", "ID (in)", "Length (m)"];
+    cells.extend((0..).zip(headings).map(|(column, text)| (3, column, Old::Shared(text))));
+    cells.extend([(4, 0, Old::Shared("Bit")), (4, 1, od), (4, 2, Old::Short(2.25))]);
+    cells.extend([(4, 5, Old::Short(0.3)), (5, 0, Old::Shared("Collar"))]);
+    cells.extend([(5, 1, Old::Shorts(&[6.5, 2.25])), (5, 5, Old::Number(9.144))]);
+    cells.extend([(6, 0, Old::Shared("Pipe")), (6, 1, Old::Shorts(&[5.0, 4.28, 6.63, 3.25]))]);
+    cells.push((6, 5, Old::Number(95.0)));
+    old_excel::workbook_merged(&cells, &[[0, 0, 0, 5], [2, 2, 1, 2], [2, 2, 3, 4]])
+}
+
+#[test]
+fn an_old_workbook_as_excel_writes_it() {
+    let imported = of_bytes("a.xls", &old_tally(Old::Short(8.5)), &Choices::default());
+    assert_snapshot!(string(&imported));
+}
+
+/// The cell holds the day, and only its format shows that it is one.
+#[test]
+fn dates_of_an_old_workbook_are_refused_with_their_cell() {
+    let bytes = old_tally(Old::Date(46_030.0));
+    let error = import(vec![Input::of_bytes("a.xls", &bytes)], &Choices::default());
+    let error = error.unwrap_err().to_string();
+    assert!(
+        error.starts_with("a.xls, sheet 'Survey', cell B5: the outside diameter is a date"),
+        "{error}"
+    );
+}
+
 #[test]
 fn an_old_workbook_is_read() {
     let texts = ["Component", "OD (in)", "ID (in)", "Length (ft)"];

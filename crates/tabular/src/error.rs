@@ -41,7 +41,7 @@ impl fmt::Display for Place {
 }
 
 /// A spreadsheet's name of a column: 1 is A, 27 is AA.
-fn letters(column: u32) -> String {
+pub(crate) fn letters(column: u32) -> String {
     let mut letters = Vec::new();
     let mut rest = column;
     while rest > 0 {

@@ -154,14 +154,27 @@ fn damaged_workbooks_are_refused() {
     assert_eq!(read_excel(b"", "a.xlsx").unwrap_err().kind(), &TableErrorKind::Empty);
 }
 
-/// A cell in the sheet's far corner makes the range of its cells hundreds of gigabytes.
+/// A cell in the sheet's far corner makes the range of its cells hundreds of gigabytes; that it is not
+/// read is said.
 #[test]
 fn a_cell_in_the_far_corner_costs_nothing() {
     let bytes = workbook(&[("S", &|sheet| {
         write(sheet, 0, 0, &[&["md_m", "inc", "azi"], &["0", "0", "0"], &["9", "1", "2"]]);
         sheet.write_number(1_048_575, 16_383, 1.0).unwrap();
     })]);
-    assert_eq!(survey(&bytes).stations.len(), 2);
+    let survey = survey(&bytes);
+    assert_eq!(survey.stations.len(), 2);
+    let far = "cells beyond row 200000 or column SF are not read; one is XFD1048576";
+    assert!(survey.notes.iter().any(|note| note == far), "{:?}", survey.notes);
+    // The last column that is read, and the first that is not.
+    for (column, said) in [(499, false), (500, true)] {
+        let bytes = workbook(&[("S", &|sheet| {
+            write(sheet, 0, 0, &[&["md_m", "inc", "azi"], &["0", "0", "0"], &["9", "1", "2"]]);
+            sheet.write_string(0, column, "tool").unwrap();
+        })]);
+        let notes = self::survey(&bytes).notes;
+        assert_eq!(notes.iter().any(|note| note.contains("column SF")), said, "{notes:?}");
+    }
 }
 
 /// A survey in the old format, in feet with a row of units.
@@ -264,6 +277,26 @@ fn shared_strings_that_are_only_claimed_are_refused() {
             .flat_map(u16::to_le_bytes)
             .collect();
         refused(&with_parts(&[("xl/sharedStrings.xml", &wide)]), "a.xlsx");
+    }
+}
+
+/// Entities that grow a thousand million fold, in each part that holds texts: none is put in.
+#[test]
+fn entities_of_a_workbook_are_not_put_in() {
+    let grow: String = (1..10)
+        .map(|n| format!("<!ENTITY a{n} \"{}\">", format!("&a{};", n - 1).repeat(10)))
+        .collect();
+    let kind = format!("<!DOCTYPE x [<!ENTITY a0 \"0123456789\">{grow}]>");
+    let space = "xmlns=\"http://schemas.openxmlformats.org/spreadsheetml/2006/main\"";
+    let strings = format!("{kind}<sst {space} uniqueCount=\"1\"><si><t>MD &a9;</t></si></sst>");
+    let cell = "<c r=\"A1\" t=\"inlineStr\"><is><t>MD &a9;</t></is></c>";
+    let sheet = format!(
+        "{kind}<worksheet {space}><sheetData><row r=\"1\">{cell}</row></sheetData></worksheet>"
+    );
+    for (part, text) in [("xl/sharedStrings.xml", strings), ("xl/worksheets/sheet1.xml", sheet)] {
+        let bytes = with_parts(&[(part, text.as_bytes())]);
+        let error = read(&bytes, "a.xlsx").unwrap_err().to_string();
+        assert!(error.len() < 1000, "{} bytes", error.len());
     }
 }
 

@@ -55,10 +55,10 @@ fn v1411(look: &Look, components: &[Component]) -> io::Result<String> {
     for (place, component) in components.iter().enumerate() {
         let sequence = (place + 1).to_string();
         xml.open("tubularComponent", &[("uid", &sequence)])?;
-        xml.leaf("typeTubularComp", &[], kind(&component.name))?;
+        xml.leaf("typeTubularComp", &[], kind(component))?;
         xml.leaf("sequence", &[], &sequence)?;
         xml.leaf("description", &[], &component.name)?;
-        measures(&mut xml, look, component, |name| name)?;
+        measures(&mut xml, look, component, str::to_owned)?;
         xml.close("tubularComponent")?;
     }
     xml.open("commonData", &[])?;
@@ -77,19 +77,9 @@ fn v20(look: &Look, components: &[Component]) -> io::Result<String> {
     for (place, component) in components.iter().enumerate() {
         let sequence = (place + 1).to_string();
         xml.open("TubularComponent", &[("uid", &sequence)])?;
-        xml.leaf("TypeTubularComp", &[], kind(&component.name))?;
+        xml.leaf("TypeTubularComp", &[], kind(component))?;
         xml.leaf("Sequence", &[], &sequence)?;
         xml.leaf("Description", &[], &component.name)?;
-        let capital = |name: &'static str| match name {
-            "id" => "Id",
-            "od" => "Od",
-            "odMx" => "OdMx",
-            "len" => "Len",
-            "lenJointAv" => "LenJointAv",
-            "wtPerLen" => "WtPerLen",
-            "tensYield" => "TensYield",
-            other => other,
-        };
         measures(&mut xml, look, component, capital)?;
         xml.close("TubularComponent")?;
     }
@@ -98,41 +88,71 @@ fn v20(look: &Look, components: &[Component]) -> io::Result<String> {
     xml.finish()
 }
 
+/// Names of version 2 begin with a capital.
+fn capital(name: &str) -> String {
+    let mut letters = name.chars();
+    letters
+        .next()
+        .map_or(String::new(), |first| first.to_ascii_uppercase().to_string() + letters.as_str())
+}
+
 /// What is measured of a component, in the order of both schemas.
 fn measures(
     xml: &mut Xml,
     look: &Look,
     component: &Component,
-    called: impl Fn(&'static str) -> &'static str,
+    called: fn(&str) -> String,
 ) -> io::Result<()> {
     let (length, diameter) = (look.uom(Dimension::Length), look.uom(Dimension::Diameter));
-    xml.quantity(called("id"), diameter, component.id_m)?;
-    xml.quantity(called("od"), diameter, component.od_m)?;
+    xml.quantity(&called("id"), diameter, component.id_m)?;
+    xml.quantity(&called("od"), diameter, component.od_m)?;
     // What stands out over the body: joints or blades.
     if let Some(widest_m) = component.blade_od_m.or(component.joint_od_m) {
-        xml.quantity(called("odMx"), diameter, widest_m)?;
+        xml.quantity(&called("odMx"), diameter, widest_m)?;
     }
-    xml.quantity(called("len"), length, component.length_m)?;
+    xml.quantity(&called("len"), length, component.length_m)?;
     if let Some(spacing_m) = component.joint_spacing_m {
-        xml.quantity(called("lenJointAv"), length, spacing_m)?;
+        xml.quantity(&called("lenJointAv"), length, spacing_m)?;
     }
     let mass = look.uom(Dimension::MassPerLength);
-    xml.quantity(called("wtPerLen"), mass, component.mass_per_length_kg_per_m)?;
+    xml.quantity(&called("wtPerLen"), mass, component.mass_per_length_kg_per_m)?;
     if let Some(strength_Pa) = component.yield_strength_Pa {
-        xml.quantity(called("tensYield"), look.uom(Dimension::Pressure), strength_Pa)?;
+        xml.quantity(&called("tensYield"), look.uom(Dimension::Pressure), strength_Pa)?;
+    }
+    // Of the tool joints, the diameter; readers find it here.
+    if let Some(joint_m) = component.joint_od_m {
+        let connection = called("connection");
+        xml.open(&connection, &[("uid", "1")])?;
+        xml.quantity(&called("od"), diameter, joint_m)?;
+        xml.close(&connection)?;
+    }
+    if let Some(blades_m) = component.blade_od_m {
+        let stabilizer = called("stabilizer");
+        let long_m = component.blade_length_m;
+        xml.open(&stabilizer, &[("uid", "1")])?;
+        if let Some(long_m) = long_m {
+            xml.quantity(&called("lenBlade"), length, long_m)?;
+        }
+        xml.quantity(&called("odBladeMx"), diameter, blades_m)?;
+        if let Some(long_m) = long_m {
+            let below_m = 0.5 * (component.length_m - long_m);
+            xml.quantity(&called("distBladeBot"), length, below_m)?;
+        }
+        xml.close(&stabilizer)?;
     }
     Ok(())
 }
 
-/// The type of a component by the last word of its name that says one.
-fn kind(name: &str) -> &'static str {
-    let name = name.to_lowercase();
+/// The type of a component by the last word of its name that says one; what has tool joints is pipe.
+fn kind(component: &Component) -> &'static str {
+    let name = component.name.to_lowercase();
     let words = name.split(|c: char| !c.is_alphanumeric() && c != '-').rev();
     let of = |word: &str| TYPES.iter().find(|(of, _)| *of == word).map(|(_, kind)| *kind);
     let heavy = name.contains("heavy");
     match words.into_iter().find_map(of) {
         Some("drill pipe") if heavy => "heavy weight drill pipe",
         Some(kind) => kind,
+        None if component.joint_od_m.is_some() => "drill pipe",
         None => "unknown",
     }
 }

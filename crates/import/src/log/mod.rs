@@ -32,7 +32,5 @@ pub use kind::Kind;
 pub use log::Log;
 pub use quantity::Quantity;
 pub use read::log;
-#[expect(unused_imports, reason = "for the picking of weights")]
-pub(crate) use read::open;
 pub(crate) use read::read;
 pub use record::Record;

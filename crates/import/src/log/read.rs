@@ -39,11 +39,7 @@ pub fn log<'a>(mut input: Input<'a>, choices: &Choices) -> Result<Log<'a>, Impor
 }
 
 /// Opens a log of a kind.
-pub(crate) fn open<'a>(
-    input: Input<'a>,
-    kind: Kind,
-    choices: &Choices,
-) -> Result<Log<'a>, ImportError> {
+fn open<'a>(input: Input<'a>, kind: Kind, choices: &Choices) -> Result<Log<'a>, ImportError> {
     let mut log = unasked(input, kind, choices)?;
     log.ask()?;
     Ok(log)

@@ -188,7 +188,8 @@ fn reference(preamble: &[Stated]) -> Vec<Note> {
 
 /// Notes of the reader that say what the file does not.
 fn is_assumed(note: &str) -> bool {
-    ["no unit for inclination", "no unit for azimuth"].iter().any(|of| note.starts_with(of))
+    let begins = ["no unit for inclination", "no unit for azimuth", "three columns read as"];
+    begins.iter().any(|of| note.starts_with(of))
         || note.contains("taken as 0")
         || note.contains("taken to be as deep")
 }

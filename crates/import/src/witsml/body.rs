@@ -52,7 +52,7 @@ impl Component<'_> {
         let mass = source.positive(self.node, "wtPerLen", Dimension::MassPerLength, weight)?;
         push(&mut block, "mass_per_length", mass.as_ref());
         self.weight(od.as_ref(), mass.as_ref(), notes);
-        self.strength(&mut block, notes);
+        self.strength(&mut block, source, notes)?;
         self.bend(&mut block, length.as_ref(), source, notes)?;
         self.sensor(&mut block, length.as_ref(), source, notes)?;
         if let Some(count) = self.node.text_of("count").filter(|count| *count != "1") {

@@ -19,6 +19,12 @@ use crate::{
 const SAME_OD_M: f64 = 2e-4;
 const SAME_LB_PER_FT: f64 = 0.06;
 
+/// Stresses at which metals of strings yield, Pa: from soft aluminium to the hardest steel.
+const STRENGTHS_PA: std::ops::RangeInclusive<f64> = 5e7..=3e9;
+
+/// How a sentence on a yield strength that is none begins; one of it is enough.
+const NO_STRENGTH: &str = "a tensYield such as";
+
 impl Component<'_> {
     /// Whether the weight of drill pipe is the nominal one, which leaves tool joints out.
     pub(super) fn weight(
@@ -90,8 +96,35 @@ impl Component<'_> {
         Ok(())
     }
 
+    /// The yield strength: of a grade of drill pipe that the catalogue has, or else as it is told.
+    pub(super) fn strength(
+        &self,
+        block: &mut Block,
+        source: &Source,
+        notes: &mut Vec<Note>,
+    ) -> Result<(), ImportError> {
+        self.of_grade(block, notes);
+        if block.get("yield_strength").is_some() {
+            return Ok(());
+        }
+        let told = source.optional(self.node, "tensYield", Dimension::Pressure, notes)?;
+        match told.filter(|told| told.number != 0.0) {
+            Some(told) if STRENGTHS_PA.contains(&told.si()) => {
+                push(block, "yield_strength", Some(&told));
+            }
+            Some(told) if !notes.iter().any(|note| note.text().starts_with(NO_STRENGTH)) => {
+                let (label, written) = (self.label(), told.written);
+                notes.push(Note::LeftOut(format!(
+                    "{NO_STRENGTH} {written} of {label}: no metal yields there"
+                )));
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
     /// The yield strength of drill pipe of a grade that the catalogue has.
-    pub(super) fn strength(&self, block: &mut Block, notes: &mut Vec<Note>) {
+    fn of_grade(&self, block: &mut Block, notes: &mut Vec<Note>) {
         let grade = self.node.child("grade").filter(|grade| !grade.text.is_empty());
         let grade = grade.filter(|_| self.is_drill_pipe());
         let (Some(grade), Some(psi)) = (grade, Dimension::Pressure.find_unit("psi")) else {

@@ -19,7 +19,7 @@ const MOST: usize = 2000;
 
 /// What of a component is read; what else it holds is said.
 const READ: &str = "typeTubularComp|TypeTubularComponent|sequence|description|id|od|len|lenJointAv|\
-                    wtPerLen|grade|vendor|model|count|connection|stabilizer|holeOpener|bend|\
+                    wtPerLen|grade|tensYield|vendor|model|count|connection|stabilizer|holeOpener|bend|\
                     bitRecord|mwdTool|rotarySteerableTool|nameTag";
 
 /// The components of a tubular, from the bit up.

@@ -194,7 +194,6 @@ impl<'a> Xml<'a> {
         Ok(())
     }
 
-    #[allow(dead_code, reason = "for readers of logs")]
     /// The text of the element that began last, trimmed, and passes over what else it holds.
     pub(crate) fn text(&mut self) -> Result<String, ImportError> {
         let outside = self.depth.saturating_sub(1);

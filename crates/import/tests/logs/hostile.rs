@@ -57,6 +57,25 @@ fn lines_without_an_end_are_refused() {
     }
 }
 
+/// Tables are read whole, up to a limit: told of by `check` as well as by `import`.
+#[test]
+fn tables_without_an_end_are_refused() {
+    for (head, body) in [
+        (&b""[..], &b"1234567 "[..]),
+        (b"MD (m),Inc (deg),Azi (deg)\n", b"1,"),
+        (b"MD (m),Inc (deg),Azi (deg)\n", b"1,2,3\n"),
+        (b"Component,OD (in)\n", b"\""),
+        (b"PK\x03\x04", b"\0"),
+        (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", b"\0"),
+    ] {
+        let input = || Input::new("endless", Endless { head, body, at: 0 });
+        let check = contents(input()).unwrap_err().to_string();
+        let import = import(vec![input()], &Choices::default()).unwrap_err().to_string();
+        assert!(check.contains("more than") && check.contains(" MB"), "{check}");
+        assert_eq!(check, import);
+    }
+}
+
 #[test]
 fn heads_without_an_end_are_refused() {
     assert!(endless(b"~V\n~C\n", b"HKLA.kN:\n").contains("more than 4096 curves"));
@@ -66,6 +85,20 @@ fn heads_without_an_end_are_refused() {
     assert!(curves.contains("more than 4096 curves"), "{curves}");
     let channels = endless(b"<Log><ChannelSet>", b"<Channel><Mnemonic>A</Mnemonic></Channel>");
     assert!(channels.contains("more than 4096 channels"), "{channels}");
+}
+
+/// Rows of WITSML 2 stand in one text, which is read whole: what to do instead is said, however the
+/// quotes in it are written.
+#[test]
+fn rows_of_witsml_2_without_an_end_are_refused() {
+    const HEAD: &[u8] =
+        b"<Log><ChannelSet><Index><IndexType>date time</IndexType><Mnemonic>T</Mnemonic>\
+        </Index><Channel><Mnemonic>HKLA</Mnemonic><Uom>kN</Uom></Channel><Data><Data>[";
+    for body in [&b"[[\"2021-03-24T10:00:00Z\"],[5]],"[..], b"[[&quot;2021-03-24&quot;],[5]],"] {
+        let error = endless(HEAD, body);
+        assert!(error.contains("rows of more than 64 MB"), "{error}");
+        assert!(error.contains("save the log as WITSML 1.4.1.1, LAS or CSV"), "{error}");
+    }
 }
 
 #[test]

@@ -236,7 +236,7 @@ fn a_log_against_depth_has_no_time() {
     assert!(rows[0].time_s.is_nan());
     assert!((rows[1].hole_depth_m - 2.7432).abs() < 1e-12);
     assert!(log.has(Quantity::HoleDepth) && !log.has(Quantity::Time));
-    assert_eq!(notes(&log), "read: DEPT has no unit; it is taken to be in 'ft' as STRT\n");
+    assert_eq!(notes(&log), "assumed: DEPT has no unit and is taken to be in 'ft' as STRT\n");
 }
 
 #[test]

@@ -41,7 +41,7 @@ pub fn notes(log: &Log) -> String {
     notes.collect()
 }
 
-/// A log for people: what it is, its rows in short, and what was said; or why it is refused.
+/// A log for people: what it is, its rows, and what was said; or why it is refused.
 pub fn summary(name: &str, bytes: &[u8], choices: &Choices) -> String {
     let mut text = match contents(Input::of_bytes(name, bytes)) {
         Ok(contents) => format!("{}\n  {}\n", contents.what, contents.lines.join("\n  ")),
@@ -50,7 +50,7 @@ pub fn summary(name: &str, bytes: &[u8], choices: &Choices) -> String {
     text.push_str("---- rows\n");
     match rows(name, bytes, choices) {
         Ok((rows, log)) => {
-            for row in rows.iter().take(4) {
+            for row in &rows {
                 text.push_str(&format!("{}\n", line(row)));
             }
             text.push_str(&format!("{} rows, from {:?}\n{}", rows.len(), log.start, notes(&log)));

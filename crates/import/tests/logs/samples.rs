@@ -1,7 +1,7 @@
 //! Each sample, read whole.
 
 use insta::assert_snapshot;
-use wholestring_import::Choices;
+use wholestring_import::{Choices, Input, import};
 
 use crate::summary;
 
@@ -25,4 +25,15 @@ sample! {
     witsml_1_against_depth: "witsml-1.4.1.1/hashmap-log_with_data.xml";
     witsml_1_against_time: "witsml-1.4.1.1/welleng-time_log.xml";
     witsml_2_without_rows: "witsml-2.0/hashmap-log20.xml";
+}
+
+/// The case of a log whose block's weight is said, and what stands beside it.
+#[test]
+fn las_of_a_rig_with_its_block() {
+    let bytes = include_bytes!("../samples/own/surface-log.las");
+    let choices = Choices::default().value("block-weight", "20 tf");
+    let imported = import(vec![Input::of_bytes("surface-log.las", bytes)], &choices).unwrap();
+    let beside = imported.beside.iter().map(|of| format!("---- well{}\n{}", of.ending, of.text));
+    let beside: String = beside.collect();
+    assert_snapshot!(format!("{}{beside}", imported.text_as("well")));
 }

@@ -127,6 +127,42 @@ fn rows_may_be_character_data_and_names_of_version_2_1() {
     assert_eq!((rows[1].time_s, rows[1].hook_load_N), (60.0, 6000.0));
 }
 
+/// A whole file of version 2.1: prefixes, the names that it changed, channels with an index of their
+/// own.
+#[test]
+fn a_log_of_version_2_1_is_read() {
+    let channel = |mnemonic: &str, unit: &str| {
+        format!(
+            "<Channel schemaVersion=\"2.1\" uuid=\"{mnemonic}\"><eml:Citation><eml:Title>{mnemonic} of \
+             the rig</eml:Title></eml:Citation><Mnemonic>{mnemonic}</Mnemonic><DataKind>double</DataKind>\
+             <Uom>{unit}</Uom><GrowingStatus>inactive</GrowingStatus><Index><IndexKind>date time\
+             </IndexKind><Uom>s</Uom><Direction>increasing</Direction><Mnemonic>TIME</Mnemonic></Index>\
+             </Channel>"
+        )
+    };
+    let text = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Log xmlns=\"http://www.energistics.org/energyml/data/\
+         witsmlv2\" xmlns:eml=\"http://www.energistics.org/energyml/data/commonv2\" schemaVersion=\"2.1\" \
+         uuid=\"1\"><eml:Citation><eml:Title>Surface</eml:Title></eml:Citation><ChannelSet \
+         schemaVersion=\"2.1\" uuid=\"2\"><eml:Citation><eml:Title>Time</eml:Title></eml:Citation><Index>\
+         <IndexKind>date time</IndexKind><Uom>s</Uom><Direction>increasing</Direction><Mnemonic>TIME\
+         </Mnemonic></Index>{}{}{}<Data><Data>[[[\"2026-11-21T06:00:00Z\"],[3663.5,1118,null]],\
+         [[\"2026-11-21T06:00:05Z\"],[3662.0,1196,11250]]]</Data></Data></ChannelSet></Log>",
+        channel("DBTM", "m"),
+        channel("HKLA", "kN"),
+        channel("TQA", "1000 lbf.ft"),
+    );
+    let (rows, log) = read(&text);
+    assert_eq!(log.what, "WITSML 2.1, log 'Time'");
+    assert_eq!(log.start.as_deref(), Some("2026-11-21 06:00:00 UTC"));
+    assert_eq!(rows.len(), 2);
+    assert_eq!((rows[1].time_s, rows[1].bit_depth_m, rows[1].hook_load_N), (5.0, 3662.0, 1.196e6));
+    assert!(rows[0].torque_N_m.is_nan());
+    assert!((rows[1].torque_N_m / (11250.0 * 1355.817_948_331_4) - 1.0).abs() < 1e-12);
+    assert_eq!(log.channels[1].description, "DBTM of the rig");
+    assert_eq!(notes(&log), "");
+}
+
 #[test]
 fn rows_that_are_not_json_are_refused_with_their_line() {
     assert_eq!(

@@ -1,5 +1,8 @@
 //! Logs of a rig whose weights and torques are known.
 
+#[allow(dead_code, reason = "not every test that includes this writes a file")]
+mod las;
+
 use std::f64::consts::TAU;
 
 use wholestring_import::{ImportError, Record};

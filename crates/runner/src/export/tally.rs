@@ -73,6 +73,7 @@ fn component(of: &Json) -> Component {
         joint_od_m: number("joint_od_m"),
         joint_spacing_m: number("joint_spacing_m"),
         blade_od_m: number("blade_od_m"),
+        blade_length_m: number("blade_length_m"),
         yield_strength_Pa: number("yield_strength_Pa"),
     }
 }

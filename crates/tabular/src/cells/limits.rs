@@ -9,7 +9,7 @@ use crate::error::TableErrorKind;
 /// Rows of a table. No survey has so many stations.
 pub(crate) const ROWS: usize = 200_000;
 
-/// Columns of a sheet. Cells further to the right are not read.
+/// Columns of a sheet. Cells further to the right are not read, which is said.
 pub(crate) const COLUMNS: u32 = 500;
 
 /// Cells of all sheets, or of a text, empty ones between others included.

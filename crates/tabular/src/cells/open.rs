@@ -69,17 +69,17 @@ pub(crate) fn of_workbook<R>(
     of: impl FnOnce(&[Table], &[String]) -> R,
 ) -> Result<R, TableError> {
     let sheets = workbook::sheets(bytes).map_err(|kind| TableError::new(name, kind, None, None))?;
-    let (names, rows): (Vec<String>, Vec<_>) =
-        sheets.into_iter().map(|sheet| (sheet.name, sheet.rows)).unzip();
+    let (names, held): (Vec<String>, Vec<_>) =
+        sheets.into_iter().map(|sheet| (sheet.name, (sheet.rows, sheet.notes))).unzip();
     let tables: Vec<Table> = names
         .iter()
-        .zip(rows)
-        .map(|(sheet, rows)| Table {
+        .zip(held)
+        .map(|(sheet, (rows, notes))| Table {
             source: Source::Sheet { file: name, sheet },
             rows,
             parted_by: None,
             counted: None,
-            notes: Vec::new(),
+            notes,
         })
         .collect();
     Ok(of(&tables, &names))

@@ -8,7 +8,7 @@ use wholestring_contain::contain;
 
 use crate::cells::limits::{self, Budget, too_much};
 use crate::cells::table::{Cell, Position, Row};
-use crate::error::TableErrorKind;
+use crate::error::{TableErrorKind, letters};
 use crate::{cells::archive, cells::compound, cells::records};
 
 /// A sheet with its rows, empty ones above the last included.
@@ -16,6 +16,8 @@ use crate::{cells::archive, cells::compound, cells::records};
 pub(crate) struct Sheet {
     pub(crate) name: String,
     pub(crate) rows: Vec<Row>,
+    /// What of it is not read.
+    pub(crate) notes: Vec<String>,
 }
 
 /// Whether the bytes begin as a workbook does: a zip archive or a compound file.
@@ -46,6 +48,7 @@ fn xlsx(bytes: &[u8]) -> Result<Vec<Sheet>, TableErrorKind> {
         // Cell by cell: the whole range of a sheet is as large as its farthest cell says.
         let mut reader = workbook.worksheet_cells_reader(&name).map_err(unreadable)?;
         let mut cells = BTreeMap::new();
+        let mut far = Vec::new();
         while let Some(cell) = reader.next_cell().map_err(unreadable)? {
             budget.cells(1)?;
             // Before it is copied: many cells may show one long text.
@@ -53,12 +56,19 @@ fn xlsx(bytes: &[u8]) -> Result<Vec<Sheet>, TableErrorKind> {
                 budget.text(text.len())?;
             }
             let (row, column) = cell.get_position();
+            if is_far(row, column) {
+                // One is enough to say it.
+                if far.is_empty() && !matches!(cell.get_value(), DataRef::Empty) {
+                    far.push(far_note(row, column));
+                }
+                continue;
+            }
             if let Some(cell) = self::cell(&Data::from(cell.get_value().clone()), row, column) {
                 cells.insert((row, column), cell);
             }
         }
         let rows = rows(cells, &mut budget)?;
-        sheets.push(Sheet { name, rows });
+        sheets.push(Sheet { name, rows, notes: far });
     }
     Ok(sheets)
 }
@@ -82,7 +92,7 @@ fn xls(bytes: &[u8]) -> Result<Vec<Sheet>, TableErrorKind> {
             })
             .collect();
         let rows = rows(cells, &mut budget)?;
-        sheets.push(Sheet { name, rows });
+        sheets.push(Sheet { name, rows, notes: Vec::new() });
     }
     Ok(sheets)
 }
@@ -97,12 +107,25 @@ fn worksheets(sheets: &[calamine::Sheet]) -> Result<Vec<String>, TableErrorKind>
     Ok(names.map(|sheet| sheet.name.clone()).collect())
 }
 
-/// One cell, unless it is empty or too far out: a single cell at the far corner would make a table
-/// of the whole sheet.
+/// Whether a cell is too far out to be read: a single one at the far corner would make a table of the
+/// whole sheet. Old workbooks have no such cells.
+fn is_far(row: u32, column: u32) -> bool {
+    row as usize >= limits::ROWS || column >= limits::COLUMNS
+}
+
+/// What is said of the first such cell.
+fn far_note(row: u32, column: u32) -> String {
+    format!(
+        "cells beyond row {} or column {} are not read; one is {}{}",
+        limits::ROWS,
+        letters(limits::COLUMNS),
+        letters(column + 1),
+        row + 1
+    )
+}
+
+/// One cell, unless it is empty.
 fn cell(data: &Data, row: u32, column: u32) -> Option<Cell> {
-    if row as usize >= limits::ROWS || column >= limits::COLUMNS {
-        return None;
-    }
     let (text, number) = match data {
         Data::Empty => return None,
         Data::Float(number) => (number.to_string(), Some(*number)),

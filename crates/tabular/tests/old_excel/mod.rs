@@ -1,22 +1,41 @@
 //! Writes the least `.xls` that is one: a compound file with a workbook of one sheet.
 
+#![allow(dead_code, reason = "not every test that includes this needs all of it")]
+
 /// What a cell holds.
 pub(crate) enum Value<'a> {
     Number(f64),
     Text(&'a str),
+    /// A text that stands once in the workbook, however many cells show it. Excel writes texts so.
+    Shared(&'a str),
+    /// A number of hundredths in four bytes. Excel writes numbers so where they fit.
+    Short(f64),
+    /// Several of them in a row, from this cell on.
+    Shorts(&'a [f64]),
+    /// A day by its number, which the cell's format shows as a date.
+    Date(f64),
 }
 
 /// A workbook whose sheet "Survey" holds these cells at row and column.
 pub(crate) fn workbook(cells: &[(u16, u16, Value)]) -> Vec<u8> {
-    workbook_of(cells, 1)
+    whole(cells, 1, &[])
 }
 
 /// A workbook that names the sheet so many times.
 pub(crate) fn workbook_of(cells: &[(u16, u16, Value)], times: usize) -> Vec<u8> {
+    whole(cells, times, &[])
+}
+
+/// A workbook with merged cells: first and last row, first and last column of each.
+pub(crate) fn workbook_merged(cells: &[(u16, u16, Value)], merged: &[[u16; 4]]) -> Vec<u8> {
+    whole(cells, 1, merged)
+}
+
+fn whole(cells: &[(u16, u16, Value)], times: usize, merged: &[[u16; 4]]) -> Vec<u8> {
+    let mut shared: Vec<&str> = Vec::new();
+    let mut sheet = record(0x0809, &[&[0, 6, 0x10, 0], &[0; 12][..]].concat());
     let rows = cells.iter().map(|cell| cell.0 + 1).max().unwrap_or(0);
     let columns = cells.iter().map(|cell| cell.1 + 1).max().unwrap_or(0);
-
-    let mut sheet = record(0x0809, &[&[0, 6, 0x10, 0], &[0; 12][..]].concat());
     let dimensions = [
         &0u32.to_le_bytes()[..],
         &u32::from(rows).to_le_bytes(),
@@ -26,28 +45,84 @@ pub(crate) fn workbook_of(cells: &[(u16, u16, Value)], times: usize) -> Vec<u8> 
     ];
     sheet.extend(record(0x0200, &dimensions.concat()));
     for (row, column, value) in cells {
-        let at = [&row.to_le_bytes()[..], &column.to_le_bytes(), &[0, 0]].concat();
+        let place = [row.to_le_bytes(), column.to_le_bytes()].concat();
+        let format = u16::from(matches!(value, Value::Date(_)));
+        let at = [&place[..], &format.to_le_bytes()].concat();
         sheet.extend(match value {
-            Value::Number(number) => record(0x0203, &[&at[..], &number.to_le_bytes()].concat()),
+            Value::Number(number) | Value::Date(number) => {
+                record(0x0203, &[&at[..], &number.to_le_bytes()].concat())
+            }
             Value::Text(text) => {
                 let length = (text.len() as u16).to_le_bytes();
                 record(0x0204, &[&at[..], &length, &[0], text.as_bytes()].concat())
             }
+            Value::Shared(text) => {
+                let known = shared.iter().position(|of| of == text);
+                let index = known.unwrap_or(shared.len()) as u32;
+                if known.is_none() {
+                    shared.push(text);
+                }
+                record(0x00fd, &[&at[..], &index.to_le_bytes()].concat())
+            }
+            Value::Short(number) => record(0x027e, &[&at[..], &short(*number)].concat()),
+            Value::Shorts(numbers) => {
+                let last = (column + numbers.len() as u16 - 1).to_le_bytes();
+                let numbers = numbers.iter().flat_map(|of| [&[0, 0], &short(*of)[..]].concat());
+                record(0x00bd, &[&place[..], &numbers.collect::<Vec<u8>>(), &last].concat())
+            }
         });
+    }
+    if !merged.is_empty() {
+        let ranges = merged.iter().flatten().flat_map(|of| of.to_le_bytes());
+        let count = (merged.len() as u16).to_le_bytes();
+        sheet.extend(record(0x00e5, &[&count[..], &ranges.collect::<Vec<u8>>()].concat()));
     }
     sheet.extend(record(0x000a, &[]));
 
     let mut stream = record(0x0809, &[&[0, 6, 5, 0], &[0; 12][..]].concat());
+    if cells.iter().any(|(.., value)| matches!(value, Value::Date(_))) {
+        stream.extend(formats());
+    }
+    let strings = strings(&shared, cells.len());
     let name = b"Survey";
-    let sheet_at = (stream.len() + times * (4 + 8 + name.len()) + 4) as u32;
+    let sheet_at = (stream.len() + times * (4 + 8 + name.len()) + strings.len() + 4) as u32;
     let bound = [&sheet_at.to_le_bytes()[..], &[0, 0, name.len() as u8, 0], name];
     for _ in 0..times {
         stream.extend(record(0x0085, &bound.concat()));
     }
+    stream.extend(strings);
     stream.extend(record(0x000a, &[]));
     assert_eq!(stream.len(), sheet_at as usize);
     stream.extend(sheet);
     compound(stream)
+}
+
+/// Hundredths as a whole number of 30 bits: \[MS-XLS\] 2.5.217, RkNumber.
+fn short(number: f64) -> [u8; 4] {
+    let hundredths = (number * 100.0).round() as i32;
+    ((hundredths << 2) | 3).to_le_bytes()
+}
+
+/// The format of a date, and the two forms of cells: plain, and that of dates.
+fn formats() -> Vec<u8> {
+    const DATE: u16 = 164;
+    let shown = b"d\\-mmm";
+    let length = (shown.len() as u16).to_le_bytes();
+    let format = [&DATE.to_le_bytes()[..], &length, &[0], shown].concat();
+    let form = |format: u16| [&[0, 0][..], &format.to_le_bytes(), &[0; 16]].concat();
+    [record(0x041e, &format), record(0x00e0, &form(0)), record(0x00e0, &form(DATE))].concat()
+}
+
+/// Texts that stand once, if there are any.
+fn strings(shared: &[&str], shown: usize) -> Vec<u8> {
+    if shared.is_empty() {
+        return Vec::new();
+    }
+    let counts = [(shown as u32).to_le_bytes(), (shared.len() as u32).to_le_bytes()].concat();
+    let texts = shared
+        .iter()
+        .flat_map(|text| [&(text.len() as u16).to_le_bytes()[..], &[0], text.as_bytes()].concat());
+    record(0x00fc, &[counts, texts.collect()].concat())
 }
 
 fn record(kind: u16, data: &[u8]) -> Vec<u8> {

@@ -224,8 +224,8 @@ impl Head {
         if is_no_unit(&first.unit) && !is_no_unit(&self.index_unit) {
             first.unit.clone_from(&self.index_unit);
             let name = &first.mnemonic;
-            let note = format!("{name} has no unit; it is taken to be in '{}' as STRT", first.unit);
-            self.notes.push(Note::Read(note));
+            let note = format!("{name} has no unit and is taken to be in '{}' as STRT", first.unit);
+            self.notes.push(Note::Assumed(note));
         }
         let by_name = mnemonics::quantity(&first.mnemonic).map(|(quantity, _)| quantity);
         first.index = match by_name {

@@ -163,7 +163,11 @@ fn set(xml: &mut Xml, kept: bool) -> Result<Set, ImportError> {
 fn data(xml: &mut Xml, set: &mut Set) -> Result<(), ImportError> {
     let mut depth = 1;
     while depth > 0 {
-        match xml.next()? {
+        let event = xml.next().map_err(|error| match error.kind() {
+            ImportErrorKind::TooMuch { .. } => too_long(xml),
+            _ => error,
+        });
+        match event? {
             Event::Start(element) if element.name == "Data" => depth += 1,
             Event::Start(element) if element.name == "FileUri" => {
                 let sentence = "the rows are in another file (FileUri), which is not read";
@@ -177,9 +181,7 @@ fn data(xml: &mut Xml, set: &mut Set) -> Result<(), ImportError> {
                     set.line = xml.line().saturating_sub(ends);
                 }
                 if set.data.len() + text.len() > LARGEST {
-                    let most = format!("{} MB", LARGEST >> 20);
-                    let found = format!("rows of more than {most}");
-                    return Err(xml.error(ImportErrorKind::TooMuch { found, most }));
+                    return Err(too_long(xml));
                 }
                 set.data.push_str(&text);
             }
@@ -188,6 +190,16 @@ fn data(xml: &mut Xml, set: &mut Set) -> Result<(), ImportError> {
         }
     }
     Ok(())
+}
+
+/// The error of rows that are too many, which says what to do.
+fn too_long(xml: &Xml) -> ImportError {
+    xml.error(ImportErrorKind::Refused(format!(
+        "a ChannelSet has rows of more than {} MB, and in WITSML 2 they stand in one text, which is \
+         read whole; save the log as WITSML 1.4.1.1, LAS or CSV, which may be of any length, or in \
+         parts",
+        LARGEST >> 20
+    )))
 }
 
 fn channel(xml: &mut Xml, is_index: bool) -> Result<Column, ImportError> {
