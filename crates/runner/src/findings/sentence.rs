@@ -101,10 +101,10 @@ pub(super) fn sentence(found: &Finding, of: &OperationSummary, around: &Around<'
              dynamics have it",
             words.force(words.value())
         ),
-        Kind::UnstableEquilibrium if of.from_md_m.is_some() => format!(
-            "The equilibrium found is not stable, and the string that turns has none that is: let \
-             go, it buckles and rolls around its hole for ever by its friction, most{}. The \
-             dynamics show how it whirls",
+        Kind::UnstableEquilibrium if found.from_md_m.is_some() => format!(
+            "The equilibrium found is not stable, and none that is was found of the string that \
+             turns: let go, it rolls around its hole by its friction, most{}. The dynamics show \
+             how it whirls",
             words.place()
         ),
         Kind::UnstableEquilibrium => {
