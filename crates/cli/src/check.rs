@@ -1,6 +1,6 @@
 //! `wholestring check`: is the case sound?
 
-use std::{f64::consts::TAU, path::Path};
+use std::{f64::consts::TAU, fs::File, io::Read, path::Path};
 
 use clap::Args;
 use wholestring::{
@@ -24,8 +24,7 @@ pub(crate) struct CheckArgs {
 
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let file = &args.case.case;
-    let is_case = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-    if !is_case && file.exists() && args.case.overrides.is_empty() {
+    if file.exists() && args.case.overrides.is_empty() && !is_case(file) {
         return contents(file);
     }
     let case = load(&args.case, false)?;
@@ -38,6 +37,24 @@ pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
         case.drilling().map_or_else(String::new, |spec| rock(spec, &case)),
         case.bit_test.as_ref().map_or_else(String::new, |test| points(test, &case)),
     ))
+}
+
+/// Bytes of a file in which a case shows that it is one.
+const HEAD: u64 = 1 << 16;
+
+/// Whether a file is a case: its content tells, and its name only where that does not.
+fn is_case(file: &Path) -> bool {
+    let is_called = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
+    // What comes through a pipe can be read once only.
+    if !file.is_file() {
+        return is_called;
+    }
+    let mut head = Vec::new();
+    let read = File::open(file).and_then(|file| file.take(HEAD).read_to_end(&mut head));
+    if read.is_ok() && wholestring_case::is_case(&String::from_utf8_lossy(&head)) {
+        return true;
+    }
+    is_called && import::contents(file).is_err()
 }
 
 /// What the file of another program is, and what it holds.

@@ -3,7 +3,7 @@
 //!
 //! An input is made from a number: a sound file of its kind, changed by its bytes, words, numbers
 //! and lines. A reader may accept or refuse it; it may not panic, end the program, take a gigabyte
-//! of memory or a minute. Inputs are read in processes of their own, so that an input which ends
+//! of memory or two seconds. Inputs are read in processes of their own, so that an input which ends
 //! one is reported and the next ones are read.
 
 mod allocator;

@@ -10,10 +10,14 @@ use std::{
     time::{Duration, Instant},
 };
 
-use crate::{tally::Tally, worker::Inputs};
+use crate::{
+    tally::Tally,
+    worker::{FAULT, Inputs, LONGEST},
+};
 
-/// An input that takes longer than this is a fault.
-const LONGEST: Duration = Duration::from_secs(60);
+/// A reading process that stays at an input so many times [`LONGEST`] is ended: beside other programs
+/// an input takes many times as long as alone, and one that is slow is read twice.
+const GIVEN_UP: u32 = 30;
 
 /// How often a reading process is looked at.
 const POLL_INTERVAL: Duration = Duration::from_millis(50);
@@ -45,13 +49,13 @@ pub(crate) fn run(reader: &'static str, inputs: Inputs, folder: &Path) -> io::Re
         }
         let counted = folder.join(format!("{reader}-{from}"));
         let part = Inputs { from, count: end - from, time: left, ..inputs };
-        let (ended, panics) = one_process(reader, part, &counted)?;
+        let (ended, faults) = one_process(reader, part, &counted)?;
         let mut tally = match File::open(&counted) {
             Ok(mut file) => Tally::read(&mut file)?,
             Err(_) => Tally::default(),
         };
         fs::remove_file(&counted).ok();
-        outcome.faults.extend(panics);
+        outcome.faults.extend(faults);
         match ended {
             None => {
                 outcome.tally.join(&tally);
@@ -73,7 +77,7 @@ pub(crate) fn run(reader: &'static str, inputs: Inputs, folder: &Path) -> io::Re
     }
 }
 
-/// Runs one process to its end; how it failed, if it did, and the panics that it reported.
+/// Runs one process to its end; how it failed, if it did, and the faults that it reported.
 fn one_process(
     reader: &'static str,
     inputs: Inputs,
@@ -93,18 +97,18 @@ fn one_process(
     let ended = wait(&mut child, counted)?;
     let output = output.join().unwrap_or_default();
     let erred = erred.join().unwrap_or_default();
-    let panics = output
+    let faults = output
         .lines()
         .filter_map(|line| {
-            let (number, said) = line.strip_prefix("panic ")?.split_once(' ')?;
-            Some(Fault { reader, input: number.parse().ok()?, what: format!("panics: {said}") })
+            let (number, what) = line.strip_prefix(FAULT)?.split_once(' ')?;
+            Some(Fault { reader, input: number.parse().ok()?, what: what.to_owned() })
         })
         .collect();
     let ended = ended.map(|how| match erred.trim().lines().next_back() {
         Some(last) if !last.is_empty() => format!("{how}: {last}"),
         _ => how,
     });
-    Ok((ended, panics))
+    Ok((ended, faults))
 }
 
 /// Reads a pipe to its end beside everything else.
@@ -131,10 +135,10 @@ fn wait(child: &mut Child, counted: &Path) -> io::Result<Option<String>> {
             .map_or(u64::MAX, |tally| tally.next);
         if next != at {
             (at, since) = (next, Instant::now());
-        } else if since.elapsed() > LONGEST {
+        } else if since.elapsed() > GIVEN_UP * LONGEST {
             child.kill()?;
             child.wait()?;
-            return Ok(Some(format!("takes longer than {} s", LONGEST.as_secs())));
+            return Ok(Some(format!("takes longer than {} s", (GIVEN_UP * LONGEST).as_secs())));
         }
     }
 }

@@ -78,6 +78,25 @@ fn the_schema_lists_the_keys_of_a_case() {
     }
 }
 
+/// What a file is, its content tells: a case by any name, sound or not, and a survey called as a case.
+#[test]
+fn a_case_is_known_by_its_content() {
+    let desk = Desk::new();
+    let sound = transcript(&desk.run(&["check", "slant.toml"])).replace("slant.toml", "slant.case");
+    fs::copy(desk.path("slant.toml"), desk.path("slant.case")).unwrap();
+    assert_eq!(transcript(&desk.run(&["check", "slant.case"])), sound);
+    let wrong = desk.text("slant.toml").replace("\"1.2 sg\"", "\"1.2 bar\"");
+    fs::write(desk.path("wrong"), wrong).unwrap();
+    assert!(transcript(&desk.run(&["check", "wrong"])).contains("1.2 bar"));
+    fs::copy(desk.path("survey.csv"), desk.path("survey.toml")).unwrap();
+    let survey = transcript(&desk.done(&["check", "survey.toml"]));
+    assert!(survey.contains("survey.toml: a survey of"), "{survey}");
+    // What is neither is read as what it is called.
+    fs::write(desk.path("none.toml"), "nothing at all").unwrap();
+    let none = transcript(&desk.run(&["check", "none.toml"]));
+    assert!(none.contains("none.toml:1"), "{none}");
+}
+
 /// What is hardly meant is said, and what may be meant; a number that has lost its quotes to the
 /// shell is refused.
 #[test]

@@ -3,6 +3,9 @@
 use std::{fs, path::Path};
 
 use insta::assert_snapshot;
+use wholestring::{string::Component, well::Path as WellPath};
+use wholestring_import::{Choices, ImportErrorKind, Input, log};
+use wholestring_results::{PlanPoint, PlanSummary};
 
 use crate::desk::{Desk, transcript};
 
@@ -60,7 +63,12 @@ fn edm_to_a_plan() {
     assert_snapshot!("import_edm_units", transcript(&desk.run(&picked)));
     let said = [&picked[..], &["--unit", "edm=api"]].concat();
     assert_snapshot!("import_edm", transcript(&desk.run(&said)));
-    desk.done(&["plan", "well.toml", "-o", "plan"]);
+    // Its own drag chart lies over ours.
+    let plan = desk.done(&["plan", "well.toml", "--overlay", "well-overlay.csv", "-o", "plan"]);
+    let said = String::from_utf8(plan.stdout).unwrap();
+    assert!(said.contains("well-overlay.csv: ours less theirs, "), "{said}");
+    let summary = desk.text("plan/summary.json");
+    assert!(summary.contains("well-overlay.csv"), "{summary}");
 }
 
 /// Options that nobody asked for, that say nothing, or that are said twice.
@@ -100,21 +108,43 @@ fn files_are_told_apart() {
     assert_snapshot!("check_of_others", checks.join("\n"));
 }
 
+/// The shipped slant well with what a round trip may lose: a stabiliser with short blades, tool joints
+/// of its own, a strength, and a path that does not begin under the origin.
+fn rich_case(desk: &Desk) {
+    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slant.toml");
+    let text = fs::read_to_string(own).unwrap();
+    let tie_in =
+        "[well.tie_in]\nnorth = \"12.5 m\"\neast = \"-30.25 m\"\ntvd = \"8 m\"\n\n[[well.hole]]";
+    let more = "[[string]]\ncomponent = \"stabiliser\"\nod = \"6.5 in\"\nid = \"2.8125 in\"\nlength = \"1.5 m\"\n\
+                blade_od = \"8.4 in\"\n\n[[string]]\ncomponent = \"heavy-weight drill pipe\"";
+    let pipe = "[[string]]\ncomponent = \"own drill pipe\"\nod = \"5 in\"\nid = \"4.276 in\"\nlength = \"200 m\"\n\
+                mass_per_length = \"34 kg/m\"\njoint_od = \"6.5 in\"\njoint_spacing = \"9.25 m\"\n\
+                yield_strength = \"724 MPa\"\n\n[[string]]\ncomponent = \"drill pipe\"";
+    let text = text.replacen("[[well.hole]]", tie_in, 1);
+    let text = text.replace("[[string]]\ncomponent = \"heavy-weight drill pipe\"", more);
+    fs::write(desk.path("well.toml"), text.replace("[[string]]\ncomponent = \"drill pipe\"", pipe))
+        .unwrap();
+}
+
 /// A case that is written in a format and read again is the same, as far as the format writes digits:
 /// eight significant ones, in a report hundredths of a unit of length and thousandths of a degree.
 #[test]
 fn what_is_exported_is_imported() {
-    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slant.toml");
     let desk = Desk::new();
-    fs::copy(own, desk.path("well.toml")).unwrap();
+    rich_case(&desk);
     let known = wholestring_case::load(&desk.path("well.toml"), &[]).unwrap();
+    let joints = known.model.string.components().iter().filter(|of| of.joints.is_some()).count();
+    assert!(joints >= 2 && known.model.string.components().iter().any(|of| of.blades.is_some()));
     for (survey, tally, units) in [
         ("csv", "csv", "field"),
         ("xlsx", "xlsx", "si"),
+        ("xlsx", "xlsx", "field"),
         ("text", "csv", "field"),
+        ("text", "csv", "si"),
         ("witsml", "witsml", "field"),
         ("witsml", "witsml", "si"),
         ("witsml2", "witsml2", "field"),
+        ("witsml2", "witsml2", "si"),
     ] {
         let names = [format!("{survey}-{units}.survey"), format!("{tally}-{units}.tally")];
         for (what, format, name) in [("survey", survey, &names[0]), ("tally", tally, &names[1])] {
@@ -129,39 +159,110 @@ fn what_is_exported_is_imported() {
         let text = desk.text(&case).replace("\n[operation]\n", &format!("{hole}\n[operation]\n"));
         fs::write(desk.path(&case), text).unwrap();
         let read = wholestring_case::load(&desk.path(&case), &[]).unwrap();
-
-        let stations = known.model.well.path.stations().iter().zip(read.model.well.path.stations());
+        let unit_m = if units == "field" { 0.3048 } else { 1.0 };
         let (length_m, angle_rad) = match survey {
-            "text" => (0.005 * 0.3048, 0.0005_f64.to_radians()),
-            // The eighth digit of thousands of feet.
-            _ => (0.5e-4 * 0.3048, 1e-8),
+            "text" => (0.005 * unit_m, 0.0005_f64.to_radians()),
+            // The eighth digit of thousands.
+            _ => (0.5e-4 * unit_m, 1e-8),
         };
-        assert_eq!(known.model.well.path.stations().len(), read.model.well.path.stations().len());
-        for (ours, theirs) in stations {
-            assert!(
-                (ours.md_m - theirs.md_m).abs() <= length_m * 1.001,
-                "{survey}: {ours:?} {theirs:?}"
-            );
-            let [inclination, azimuth] = [
-                ours.inclination_rad - theirs.inclination_rad,
-                ours.azimuth_rad - theirs.azimuth_rad,
-            ];
-            assert!(inclination.abs() <= angle_rad * 1.001, "{survey}: {ours:?} {theirs:?}");
-            assert!(azimuth.abs() <= angle_rad * 1.001, "{survey}: {ours:?} {theirs:?}");
-        }
+        same_path(&known.model.well.path, &read.model.well.path, length_m, angle_rad, survey);
         let [ours, theirs] = [&known, &read].map(|case| case.model.string.components());
-        assert_eq!(ours.len(), theirs.len(), "{tally}");
-        for (ours, theirs) in ours.iter().zip(theirs) {
-            for (ours, theirs, what) in [
-                (ours.od_m, theirs.od_m, "od"),
-                (ours.id_m, theirs.id_m, "id"),
-                (ours.mass_per_length_kg_per_m, theirs.mass_per_length_kg_per_m, "mass"),
-                (ours.length_m, theirs.length_m, "length"),
-            ] {
-                // Eight digits in a file, and lengths that end at the bit's depth.
-                let near = 1e-6 * ours.abs().max(1e-3);
-                assert!((ours - theirs).abs() <= near, "{tally}, {units}: {what} {ours} {theirs}");
+        same_string(ours, theirs, &format!("{tally}, {units}"), tally.starts_with("witsml"));
+    }
+}
+
+#[track_caller]
+fn same_path(ours: &WellPath, theirs: &WellPath, length_m: f64, angle_rad: f64, format: &str) {
+    let near = |a: f64, b: f64, by: f64, what: &str| {
+        assert!((a - b).abs() <= by * 1.001, "{format}: {what} {a} {b}");
+    };
+    assert_eq!(ours.stations().len(), theirs.stations().len());
+    for (a, b) in ours.stations().iter().zip(theirs.stations()) {
+        near(a.md_m, b.md_m, length_m, "measured depth");
+        near(a.inclination_rad, b.inclination_rad, angle_rad, "inclination");
+        near(a.azimuth_rad, b.azimuth_rad, angle_rad, "azimuth");
+    }
+    let [a, b] = [ours, theirs].map(|path| path.at(path.first_md_m()).position_m);
+    near(a.x, b.x, length_m, "north of the first station");
+    near(a.y, b.y, length_m, "east of the first station");
+    near(a.z, b.z, length_m, "depth of the first station");
+}
+
+/// The components of two strings. A tally has no length of blades: they are taken to be all along.
+#[track_caller]
+fn same_string(ours: &[Component], theirs: &[Component], format: &str, has_blades: bool) {
+    assert_eq!(ours.len(), theirs.len(), "{format}");
+    for (a, b) in ours.iter().zip(theirs) {
+        let of = |c: &Component| {
+            let blades_m = c.blades.map(|blades| blades.length_m).filter(|_| has_blades);
+            [
+                ("od", Some(c.od_m)),
+                ("id", Some(c.id_m)),
+                ("mass", Some(c.mass_per_length_kg_per_m)),
+                ("length", Some(c.length_m)),
+                ("joint_od", c.joints.map(|joints| joints.od_m)),
+                ("joint_spacing", c.joints.map(|joints| joints.spacing_m)),
+                ("blade_od", c.blades.map(|blades| blades.od_m)),
+                ("blade_length", blades_m),
+                ("yield_strength", c.yield_strength_Pa),
+            ]
+        };
+        for ((what, ours), (_, theirs)) in of(a).into_iter().zip(of(b)) {
+            // Eight digits in a file, and lengths that end at the bit's depth.
+            let near = 1e-6 * ours.unwrap_or(0.0).abs().max(1e-3);
+            let is_same = match (ours, theirs) {
+                (Some(ours), Some(theirs)) => (ours - theirs).abs() <= near,
+                (None, None) => true,
+                _ => false,
+            };
+            assert!(is_same, "{format}: {what} of {}: {ours:?} {theirs:?}", a.name);
+        }
+    }
+}
+
+/// Results of a plan as a log of WITSML are read as one: weights and torques against the bit's depth.
+#[test]
+fn a_log_that_is_exported_is_read() {
+    let desk = Desk::new();
+    rich_case(&desk);
+    desk.done(&["plan", "well.toml", "-o", "plan"]);
+    let summary = PlanSummary::read(&desk.path("plan/summary.json")).unwrap();
+    for (format, units) in
+        [("witsml", "si"), ("witsml", "field"), ("witsml2", "si"), ("witsml2", "field")]
+    {
+        let name = format!("{format}-{units}.xml");
+        let export = ["export", "plan", "--to", format, "--units", units, "-o", &name];
+        desk.done(&export);
+        let text = desk.text(&name);
+        let open = |choices: &Choices| log(Input::of_bytes(&name, text.as_bytes()), choices);
+        // Several are in it: one is picked.
+        let names = match open(&Choices::default()).map_err(|error| error.kind().clone()) {
+            Err(ImportErrorKind::Ambiguous { names, .. }) => names,
+            other => panic!("{:?}", other.err()),
+        };
+        assert!(names.len() > 4, "{names:?}");
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-7 * b.abs().max(1.0);
+        let (mut rows, mut told) = (0, 0);
+        for picked in &names {
+            for row in open(&Choices::default().pick("log", picked)).unwrap() {
+                let row = row.unwrap();
+                let is_it = |of: &&PlanPoint| {
+                    let (load_N, torque_N_m) = match &of.scalars {
+                        Some(of) => (of.hook_load_N, of.surface_torque_N_m),
+                        None => (f64::NAN, f64::NAN),
+                    };
+                    let same = |a: f64, b: f64| near(a, b) || a.is_nan() && b.is_nan();
+                    near(row.bit_depth_m, of.bit_depth_m)
+                        && same(row.hook_load_N, load_N)
+                        && same(row.torque_N_m, torque_N_m)
+                };
+                assert!(summary.points.iter().any(|of| is_it(&of)), "{picked}: {row:?}");
+                assert!(row.time_s.is_nan());
+                rows += 1;
+                told += usize::from(row.hook_load_N.is_finite());
             }
         }
+        assert_eq!(rows, summary.points.len(), "{name}");
+        assert!(told > rows / 2, "{told} of {rows}");
     }
 }

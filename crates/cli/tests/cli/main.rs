@@ -17,6 +17,7 @@ mod findings;
 mod folders;
 mod frames;
 mod import;
+mod import_log;
 mod modes;
 mod new_case;
 mod plan;

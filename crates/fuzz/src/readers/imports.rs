@@ -1,29 +1,32 @@
-//! Files of other programs, as `wholestring import` reads them.
+//! Files of other programs, as `wholestring import` reads them; logs apart.
 
 use std::collections::BTreeMap;
 
+use fastrand::Rng;
 use wholestring_case::Template;
 use wholestring_import::{Choices, Input, contents, import};
 
 use super::{
-    reader::{New, Reader},
+    reader::{Make, New, Reader},
+    surveys,
     workbooks::{self, Value},
 };
+use crate::mutation;
 
 /// The readers of this file.
 pub(super) const READERS: &[(&str, New)] = &[
+    ("import-survey", survey),
+    ("import-survey-xlsx", survey_xlsx),
     ("import-tally", tally),
     ("import-xlsx", xlsx),
     ("import-xls", xls),
     ("import-witsml", witsml),
     ("import-edm", edm),
-    ("import-las", las),
-    ("import-log-csv", log_csv),
-    ("import-log-witsml", log_witsml),
+    ("import-utf16", utf16),
 ];
 
 /// What stands in files of XML.
-const XML: &[&str] = &[
+pub(super) const XML: &[&str] = &[
     "<",
     ">",
     "/>",
@@ -51,47 +54,17 @@ const XML: &[&str] = &[
     "-1",
 ];
 
-/// What stands in logs.
-const LOG: &[&str] = &[
-    "~V",
-    "~W",
-    "~C",
-    "~A",
-    "~P",
-    "\n",
-    "\r\n",
-    ":",
-    ".",
-    ".ft",
-    ".klbs",
-    "WRAP. YES :",
-    "NULL. -9 :",
-    "DLM. COMMA :",
-    "#",
-    "-999.25",
-    "1,5",
-    "1.2.3",
-    "2026-11-21T06:00:00Z",
-    "\t",
-    "\u{feff}",
-    "TIME",
-    "DBTM",
-    "HKLA",
-    "TQA",
-    "RPMA",
-    "BPOS",
-];
-
 /// What holds of any file: it is read or refused with a sentence, with or without choices, and a case
 /// that it gives is sound or has its mistakes told.
-fn reads(choices: Choices) -> impl FnMut(&[u8]) -> bool {
+pub(super) fn reads(choices: Choices) -> impl FnMut(&[u8]) -> bool {
     move |input| {
         let file = || Input::of_bytes("file", input);
         match contents(file()) {
             Ok(contents) => assert!(!contents.what.is_empty()),
             Err(error) => assert!(!error.to_string().is_empty()),
         }
-        match import(vec![file()], &choices) {
+        // What an import has asked for is remembered in its choices: each has its own.
+        match import(vec![file()], &choices.clone()) {
             Ok(imported) => {
                 let text = imported.text_as("file");
                 let files = imported.beside.iter().map(|beside| {
@@ -112,6 +85,27 @@ fn reads(choices: Choices) -> impl FnMut(&[u8]) -> bool {
 /// What its units are.
 fn units(said: &[(&str, &str)]) -> Choices {
     said.iter().fold(Choices::default(), |all, (name, unit)| all.unit(*name, *unit))
+}
+
+/// Surveys with positions and dogleg severity, which are held against the path.
+fn survey() -> Reader {
+    let seeds: [&[u8]; 4] = [
+        include_bytes!("../../../import/tests/samples/own/survey-wellpath-report.txt"),
+        b"Well: S-1\nMD (ft),Inc (deg),Azi (deg),TVD (ft),NS (ft),EW (ft),DLS (deg/100ft)\n\
+          500,0,0,500,0,0,0\n600,3,45,599.95,1.85,1.85,3\n700,6,45,699.63,7.39,7.39,3\n",
+        b"MD;Incl;Azim;TVD;DLS\nm;deg;deg;m;deg/30m\n0,0;0,0;0,0;0,0;0,0\n30,0;1,5;45,0;30,0;1,5\n\
+          60,0;3,0;45,0;59,97;1,5\n",
+        b"Plan\nMD,Inc,Azi\n0,0,0\n1000,1.5,45\n\nActual\nMD,Inc,Azi\n0,0,0\n31,1.5,45\n",
+    ];
+    let (mut alone, mut said) =
+        (reads(Choices::default()), reads(units(&[("md", "ft")]).pick("table", "Actual")));
+    Reader::text("import-survey", seeds, surveys::WORDS, move |input| alone(input) | said(input))
+}
+
+/// Surveys in a new workbook.
+fn survey_xlsx() -> Reader {
+    let read = reads(Choices::default());
+    workbooks::new("import-survey-xlsx", surveys::STRINGS, surveys::SHEET, read)
 }
 
 /// Components of a string.
@@ -165,24 +159,40 @@ fn xlsx() -> Reader {
     workbooks::new("import-xlsx", STRINGS, SHEET, reads(Choices::default()))
 }
 
-/// Components in an old workbook.
+/// Components in an old workbook, in each way that it has of writing them.
 fn xls() -> Reader {
-    let rows = [("Bit", 8.5, 2.0, 1.0), ("DC", 6.75, 2.8125, 300.0), ("DP", 5.0, 4.276, 9000.0)];
+    let rows =
+        [("Bit", 8.5, [2.0, 1.0]), ("DC", 6.75, [2.8125, 300.0]), ("DP", 5.0, [4.28, 9000.0])];
     let mut cells = Vec::new();
-    for (column, heading) in (0..).zip(["Component", "OD (in)", "ID (in)", "Length (ft)"]) {
+    for (column, heading) in (0..).zip(["Component", "OD (in)", "ID (in)", "Length (ft)", "Made"]) {
         cells.push((0, column, Value::Text(heading)));
     }
-    for (row, (name, od, id, length)) in (1..).zip(rows) {
-        cells.push((row, 0, Value::Text(name)));
-        let numbers = (1..).zip([od, id, length]);
-        cells.extend(numbers.map(|(column, number)| (row, column, Value::Number(number))));
+    for (row, (name, od, [id, length])) in (1..).zip(&rows) {
+        cells.push((row, 0, Value::Shared(name)));
+        cells.push((row, 1, Value::Short(*od)));
+        cells.push((row, 2, Value::Number(*id)));
+        cells.push((row, 3, Value::Number(*length)));
+        cells.push((row, 4, Value::Date(46_030.0)));
     }
+    // In one record.
+    cells.retain(|(row, column, _)| *row != 3 || !(2..4).contains(column));
+    cells.push((3, 2, Value::Shorts(&rows[2].2)));
     workbooks::old("import-xls", &cells, reads(Choices::default()))
 }
 
+/// A report of muds of two fluids; none of the samples holds one of series 1.
+const MUD_REPORT: &[u8] =
+    b"<?xml version=\"1.0\"?>\n<mudReports xmlns=\"http://www.witsml.org/schemas/1series\" \
+      version=\"1.4.1.1\">\n<mudReport uid=\"1\"><nameWell>W</nameWell><name>M</name>\n\
+      <fluid uid=\"1\"><type>WBM</type><density uom=\"g/cm3\">1.2</density></fluid>\n\
+      <fluid uid=\"2\"><type>OBM</type><density uom=\"lbm/galUS\">10.5</density>\n\
+      <pv uom=\"cP\">20</pv><yp uom=\"lbf/100ft2\">15</yp><gel10Min uom=\"Pa\">9</gel10Min>\n\
+      </fluid></mudReport></mudReports>";
+
 /// Objects of WITSML.
 fn witsml() -> Reader {
-    let seeds: [&[u8]; 9] = [
+    let seeds: [&[u8]; 10] = [
+        MUD_REPORT,
         include_bytes!("../../../import/tests/samples/own/witsml-trajectory.xml"),
         include_bytes!("../../../import/tests/samples/own/witsml-tubular.xml"),
         include_bytes!("../../../import/tests/samples/own/witsml-wbgeometry.xml"),
@@ -211,43 +221,33 @@ fn edm() -> Reader {
     Reader::text("import-edm", seeds, XML, move |input| alone(input) || picked(input))
 }
 
-/// Logs in LAS.
-fn las() -> Reader {
-    let seeds: [&[u8]; 1] = [include_bytes!("../../../import/tests/samples/own/surface-log.las")];
-    Reader::text("import-las", seeds, LOG, reads(block()))
+/// Files of any format in two bytes a character, with and without a mark.
+fn utf16() -> Reader {
+    let texts: Vec<Vec<u8>> = [
+        &include_bytes!("../../../import/tests/samples/own/witsml-trajectory.xml")[..],
+        include_bytes!("../../../import/tests/samples/own/surface-log.las"),
+        include_bytes!("../../../import/tests/samples/own/survey-wellpath-report.txt"),
+        include_bytes!("../../../import/tests/samples/own/tally.csv"),
+    ]
+    .map(<[u8]>::to_vec)
+    .into();
+    let seeds = texts.iter().map(|text| in_utf16(text, true, false)).collect();
+    let make = move |rng: &mut Rng| {
+        let text = mutation::damaged(&texts, XML, true, rng);
+        let wide = in_utf16(&text, rng.bool(), rng.bool());
+        if rng.bool() { wide } else { mutation::damaged(&[wide], &[], false, rng) }
+    };
+    let choices = Choices::default().value("block-weight", "20 tf");
+    let (mut log, mut other) = (reads(choices), reads(Choices::default()));
+    let read = move |input: &[u8]| log(input) | other(input);
+    Reader { make: Make::Own(Box::new(make)), ..Reader::binary("import-utf16", seeds, read) }
 }
 
-/// Logs of recorders, as text.
-fn log_csv() -> Reader {
-    let seeds: [&[u8]; 2] = [
-        b"Time (s),Bit Depth (m),Hole Depth (m),Block Position (m),Hook Load (kN),Torque (kN.m),RPM\n\
-          0,2990,3000,10,600,0,0\n5,2985,3000,15,900,0,0\n10,2980,3000,20,905,0,0\n15,2980,3000,20,200,0,0\n\
-          20,2985,3000,15,700,0,0\n25,2990,3000,10,702,0,0\n30,2990,3000,10,201,0,0\n",
-        b"DATE;TIME;DBTM;DMEA;BPOS;HKLA\ndd;hh;ft;ft;ft;klbf\n2026-11-21;06:00:00;9990;10000;60;150,5\n\
-          2026-11-21;06:00:05;9985;10000;65;200,1\n2026-11-21;06:00:10;9985;10000;65;50,1\n",
-    ];
-    Reader::text("import-log-csv", seeds, LOG, reads(block()))
-}
-
-/// Logs in WITSML.
-fn log_witsml() -> Reader {
-    let seeds: [&[u8]; 1] = [
-        b"<logs xmlns=\"http://www.witsml.org/schemas/1series\" version=\"1.4.1.1\"><log uid=\"1\">\
-          <nameWell>W</nameWell><name>L</name><indexType>date time</indexType>\
-          <indexCurve>TIME</indexCurve><nullValue>-999.25</nullValue>\
-          <logCurveInfo uid=\"1\"><mnemonic>TIME</mnemonic><unit>s</unit></logCurveInfo>\
-          <logCurveInfo uid=\"2\"><mnemonic>DBTM</mnemonic><unit>m</unit></logCurveInfo>\
-          <logCurveInfo uid=\"3\"><mnemonic>DMEA</mnemonic><unit>m</unit></logCurveInfo>\
-          <logCurveInfo uid=\"4\"><mnemonic>HKLA</mnemonic><unit>kN</unit></logCurveInfo><logData>\
-          <mnemonicList>TIME,DBTM,DMEA,HKLA</mnemonicList><unitList>s,m,m,kN</unitList>\
-          <data>2026-11-21T06:00:00Z,2990,3000,600</data><data>2026-11-21T06:00:05Z,2985,3000,900</data>\
-          <data>2026-11-21T06:00:10Z,2980,3000,905</data><data>2026-11-21T06:00:15Z,2980,3000,-999.25</data>\
-          <data>2026-11-21T06:00:20Z,2980,3000,200</data></logData></log></logs>",
-    ];
-    Reader::text("import-log-witsml", seeds, XML, reads(block()))
-}
-
-/// What a log's weights are picked with.
-fn block() -> Choices {
-    Choices::default().value("block-weight", "20 tf")
+/// A text in UTF-16, what is none of UTF-8 replaced.
+fn in_utf16(text: &[u8], mark: bool, big: bool) -> Vec<u8> {
+    let text = String::from_utf8_lossy(text);
+    let mark = mark.then_some('\u{feff}');
+    let units = mark.into_iter().chain(text.chars()).collect::<String>();
+    let bytes = |unit: u16| if big { unit.to_be_bytes() } else { unit.to_le_bytes() };
+    units.encode_utf16().flat_map(bytes).collect()
 }

@@ -3,6 +3,7 @@
 
 mod cases;
 mod imports;
+mod logs;
 mod reader;
 mod readings;
 mod results;
@@ -20,6 +21,7 @@ fn all() -> impl Iterator<Item = (&'static str, New)> {
         surveys::READERS,
         readings::READERS,
         imports::READERS,
+        logs::READERS,
         results::READERS,
         stored::READERS,
     ];

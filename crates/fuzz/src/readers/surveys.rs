@@ -19,7 +19,8 @@ pub(super) const READERS: &[(&str, New)] = &[
     ("survey-xls", xls),
 ];
 
-const WORDS: &[&str] = &[
+/// What stands in surveys.
+pub(super) const WORDS: &[&str] = &[
     ",", ";", "\t", "  ", "\n", "\r\n", "\"", "\"\"", "(", ")", "MD", "MD (m)", "md_m", "Inc",
     "Azi", "TVD [ft]", "N/S", "E/W", "ft", "ftKB", "deg", "rad", "°", "½", "1,500.0", "1.500,5",
     "!", "#", "--", "\u{c}", "\u{a0}", "Measured", "Depth", "RKB",
@@ -98,10 +99,10 @@ fn fixed() -> Reader {
 }
 
 /// Shared strings of a survey's workbook.
-const STRINGS: &str = r#"<?xml version="1.0"?><sst xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" count="3" uniqueCount="3"><si><t>MD (m)</t></si><si><t>Inc</t></si><si><t>Azi</t></si></sst>"#;
+pub(super) const STRINGS: &str = r#"<?xml version="1.0"?><sst xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" count="3" uniqueCount="3"><si><t>MD (m)</t></si><si><t>Inc</t></si><si><t>Azi</t></si></sst>"#;
 
 /// Its sheet, with texts of every kind and a formula.
-const SHEET: &str = r#"<?xml version="1.0"?><worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><dimension ref="A1:C4"/><sheetData><row r="1"><c r="A1" t="s"><v>0</v></c><c r="B1" t="s"><v>1</v></c><c r="C1" t="s"><v>2</v></c></row><row r="2"><c r="A2"><v>0</v></c><c r="B2"><v>0</v></c><c r="C2"><v>0</v></c></row><row r="3"><c r="A3"><v>30</v></c><c r="B3" t="str"><v>1.5</v></c><c r="C3"><f>40+5</f><v>45</v></c></row><row r="4"><c r="A4"><v>60</v></c><c r="B4" t="inlineStr"><is><t>3</t></is></c><c r="C4"><v>4.5E1</v></c></row></sheetData></worksheet>"#;
+pub(super) const SHEET: &str = r#"<?xml version="1.0"?><worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><dimension ref="A1:C4"/><sheetData><row r="1"><c r="A1" t="s"><v>0</v></c><c r="B1" t="s"><v>1</v></c><c r="C1" t="s"><v>2</v></c></row><row r="2"><c r="A2"><v>0</v></c><c r="B2"><v>0</v></c><c r="C2"><v>0</v></c></row><row r="3"><c r="A3"><v>30</v></c><c r="B3" t="str"><v>1.5</v></c><c r="C3"><f>40+5</f><v>45</v></c></row><row r="4"><c r="A4"><v>60</v></c><c r="B4" t="inlineStr"><is><t>3</t></is></c><c r="C4"><v>4.5E1</v></c></row></sheetData></worksheet>"#;
 
 /// New workbooks.
 fn xlsx() -> Reader {

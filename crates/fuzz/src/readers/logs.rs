@@ -1,0 +1,122 @@
+//! Logs of a rig, as `wholestring import` reads them.
+
+use wholestring_import::Choices;
+
+use super::{
+    imports::{XML, reads},
+    reader::{New, Reader},
+};
+
+/// The readers of this file.
+pub(super) const READERS: &[(&str, New)] =
+    &[("import-las", las), ("import-log-csv", csv), ("import-log-witsml", witsml)];
+
+/// What stands in logs.
+const WORDS: &[&str] = &[
+    "~V",
+    "~W",
+    "~C",
+    "~A",
+    "~P",
+    "\n",
+    "\r\n",
+    ":",
+    ".",
+    ".ft",
+    ".klbs",
+    "WRAP. YES :",
+    "NULL. -9 :",
+    "DLM. COMMA :",
+    "#",
+    "-999.25",
+    "1,5",
+    "1.2.3",
+    "2026-11-21T06:00:00Z",
+    "\t",
+    "\u{feff}",
+    "TIME",
+    "DBTM",
+    "HKLA",
+    "TQA",
+    "RPMA",
+    "BPOS",
+];
+
+/// Rows of several lines.
+const WRAPPED: &[u8] =
+    b"~Version\nVERS. 2.0 :\nWRAP. YES :\n~Well\nNULL. -999.25 :\n~Curve\nTIME.s :\nDBTM.m :\n\
+      DMEA.m :\nBPOS.m :\nHKLA.kN :\n~ASCII\n0\n 2990 3000\n 10 600\n5\n 2985 3000\n 15 900\n10\n \
+      2980 3000\n 20 -999.25\n15\n 2980 3000\n 20 200\n20\n 2985 3000\n 15 700\n";
+
+/// Sections of definitions and data, of which one is the log.
+const LAS_3: &[u8] =
+    b"~Version\nVERS. 3.0:\nWRAP. NO:\nDLM. COMMA:\n~Well\nNULL. -999.25:\nWELL. A-1: name\n\
+      ~Parameter\nHKLA.kN 3 : no curve {F}\n~Log_Definition\nTIME.s : time {F8.1}\n\
+      TOOL. : text {S}\nDBTM.m :{F}\nDMEA.m :{F}\nHKLA.klbf : Hook load {F8.2} | x\n\
+      ~Core_Definition\nCORE.m:\n~Core_Data | Core_Definition\n1,2,3,4\n\
+      ~Log_Data | Log_Definition\n0,\"A, b\",2990,3000,100\n5,B,2985,3000,200\n\
+      10,,2980,3000,-999.25\n15,B,2980,3000,50\n20,B,2985,3000,201\n~Tops_Data\n5,6\n";
+
+/// A log of series 2.
+const LOG_2: &str = "\
+<Log xmlns=\"http://www.energistics.org/energyml/data/witsmlv2\" schemaVersion=\"VERSION\">
+<Citation><Title>L</Title></Citation><ChannelSet><Citation><Title>surface</Title></Citation>
+<Index><IndexKIND>date time</IndexKIND><Uom>s</Uom><Mnemonic>Time</Mnemonic></Index>
+<Channel><Mnemonic>DBTM</Mnemonic><Uom>m</Uom><DataType>double</DataType></Channel>
+<Channel><Mnemonic>DMEA</Mnemonic><Uom>m</Uom></Channel>
+<Channel><Mnemonic>HKLA</Mnemonic><Uom>kN</Uom></Channel>
+<Data><Data>[[[&quot;2021-03-24T10:00:00Z&quot;],[2990,3000,600]],
+[[\"2021-03-24T10:00:05Z\"],[2985,3000,900]],[[\"2021-03-24T10:00:10Z\"],[2980,3000,null]],
+[[\"2021-03-24T10:00:15Z\"],[2980,[3000,true],200]],[[\"2021-03-24T10:00:20Z\"],[2985,3000,701]]
+]</Data></Data></ChannelSet></Log>";
+
+/// Logs in LAS.
+fn las() -> Reader {
+    let seeds: [&[u8]; 4] = [
+        include_bytes!("../../../import/tests/samples/own/surface-log.las"),
+        WRAPPED,
+        LAS_3,
+        // Commas before decimals, and a null of its own.
+        b"~V\nVERS. 2.0:\n~W\nNULL. -1:\n~C\nTIME.s:\nDBTM.m:\nDMEA.m:\nBPOS.m:\nHKLA.kN:\n~A\n\
+          0 2990 3000 10 600,5\n5 2985 3000 15 900,5\n10 2980 3000 20 905\n15 2980 3000 20 -1\n\
+          20 2980 3000 20 200\n25 2985 3000 15 700\n",
+    ];
+    Reader::text("import-las", seeds, WORDS, reads(block()))
+}
+
+/// Logs of recorders, as text.
+fn csv() -> Reader {
+    let seeds: [&[u8]; 2] = [
+        b"Time (s),Bit Depth (m),Hole Depth (m),Block Position (m),Hook Load (kN),Torque (kN.m),RPM\n\
+          0,2990,3000,10,600,0,0\n5,2985,3000,15,900,0,0\n10,2980,3000,20,905,0,0\n15,2980,3000,20,200,0,0\n\
+          20,2985,3000,15,700,0,0\n25,2990,3000,10,702,0,0\n30,2990,3000,10,201,0,0\n",
+        b"DATE;TIME;DBTM;DMEA;BPOS;HKLA\ndd;hh;ft;ft;ft;klbf\n2026-11-21;06:00:00;9990;10000;60;150,5\n\
+          2026-11-21;06:00:05;9985;10000;65;200,1\n2026-11-21;06:00:10;9985;10000;65;50,1\n",
+    ];
+    Reader::text("import-log-csv", seeds, WORDS, reads(block()))
+}
+
+/// Logs in WITSML.
+fn witsml() -> Reader {
+    let one = b"<logs xmlns=\"http://www.witsml.org/schemas/1series\" version=\"1.4.1.1\"><log uid=\"1\">\
+          <nameWell>W</nameWell><name>L</name><indexType>date time</indexType>\
+          <indexCurve>TIME</indexCurve><nullValue>-999.25</nullValue>\
+          <logCurveInfo uid=\"1\"><mnemonic>TIME</mnemonic><unit>s</unit></logCurveInfo>\
+          <logCurveInfo uid=\"2\"><mnemonic>DBTM</mnemonic><unit>m</unit></logCurveInfo>\
+          <logCurveInfo uid=\"3\"><mnemonic>DMEA</mnemonic><unit>m</unit></logCurveInfo>\
+          <logCurveInfo uid=\"4\"><mnemonic>HKLA</mnemonic><unit>kN</unit></logCurveInfo><logData>\
+          <mnemonicList>TIME,DBTM,DMEA,HKLA</mnemonicList><unitList>s,m,m,kN</unitList>\
+          <data>2026-11-21T06:00:00Z,2990,3000,600</data><data>2026-11-21T06:00:05Z,2985,3000,900</data>\
+          <data>2026-11-21T06:00:10Z,2980,3000,905</data><data>2026-11-21T06:00:15Z,2980,3000,-999.25</data>\
+          <data>2026-11-21T06:00:20Z,2980,3000,200</data></logData></log></logs>";
+    let two = |version: &str, kind: &str| {
+        LOG_2.replace("VERSION", version).replace("IndexKIND", kind).into_bytes()
+    };
+    let [two, two_one] = [two("2.0", "IndexType"), two("2.1", "IndexKind")];
+    Reader::text("import-log-witsml", [&one[..], &two, &two_one], XML, reads(block()))
+}
+
+/// What a log's weights are picked with.
+fn block() -> Choices {
+    Choices::default().value("block-weight", "20 tf")
+}
