@@ -83,7 +83,7 @@ impl Case {
             Some(kind) => kind,
             None => None,
         };
-        let of_name = |name: &String| ModelKind::ALL.into_iter().find(|of| of.name() == name);
+        let of_name = |name: &String| ModelKind::ALL.iter().copied().find(|of| of.name() == name);
         let models: Option<Vec<ModelKind>> = match models {
             Some(names) => names.iter().map(of_name).collect(),
             None => Some(self.case.models.clone()),

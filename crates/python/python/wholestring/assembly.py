@@ -245,8 +245,8 @@ class BitTest(BaseResults):
     ...     }
     ... )
     >>> tried = case.bit_test()
-    >>> tried.rock_strength_Pa, tried.law_file.name
-    (10000000.0, 'bit-table.csv')
+    >>> round(tried.rock_strength_Pa), tried.law_file.name
+    (10000000, 'bit-table.csv')
     """
 
     __slots__ = ()

@@ -203,7 +203,7 @@ class Case(Solving, Planning, Assemblies):
         --------
         >>> import wholestring as ws
         >>> ws.Case.example()
-        <Case Slant well: soft; trip_out, trip_in, rotate_off_bottom, drill, slide>
+        <Case Slant well: soft, dynamic; trip_out, trip_in, rotate_off_bottom, drill, slide>
         """
         return cls(_core.EXAMPLE, name="slant.toml")
 
@@ -262,8 +262,7 @@ class Case(Solving, Planning, Assemblies):
         >>> case = ws.Case.example()
         >>> case.check()
         ()
-        >>> short = case.with_(mesh__element_length="0.1 mm")
-        >>> [of.severity for of in short.check("dynamic", "drill")]
+        >>> [of.severity for of in case.check("stiff", "fish")]
         ['error']
         """
         models = [model] if isinstance(model, str) else None if model is None else list(model)

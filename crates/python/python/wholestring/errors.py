@@ -97,7 +97,7 @@ class InputError(Error, ValueError):
     ...     ws.Case.example().modes(operation="fish")
     ... except ws.InputError as error:
     ...     print(str(error).split(":")[0])
-    the case has no operation `fish'
+    the case has no operation `fish`
     """
 
 
