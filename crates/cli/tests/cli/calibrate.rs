@@ -157,7 +157,7 @@ fn the_real_well_has_what_its_chapter_prints() {
     let summary = CalibrationSummary::read(&desk.path("out/summary.json")).unwrap();
     assert_eq!((summary.within_band, summary.readings), (59, 63));
     assert_eq!((summary.held_out_within_band, summary.held_out), (15, 23));
-    const KLBF_N: f64 = 4448.221_615_260_5;
+    const KLBF_N: f64 = 4_448.221_615_260_5;
     // Half of the last digit.
     for (name, printed, unit, half) in [
         ("friction_cased", 0.10, 1.0, 0.005),

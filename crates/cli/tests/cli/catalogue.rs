@@ -44,9 +44,9 @@ fn a_catalogue_of_ones_own() {
     // With its diameters, its mass and its yield strength, before what is built in.
     let casings = listed(&["casing", "7", "32"]);
     assert!(casings.contains("API Spec 5CT"), "{casings}");
-    let liner = casings.find("rig 7 liner").expect("a liner");
-    assert!(liner < casings.find("7 in 32.0 lb/ft").expect("API's"), "{casings}");
-    let row = casings[liner..].lines().next().unwrap();
+    let at = casings.find("rig 7 liner").expect("a liner");
+    assert!(at < casings.find("7 in 32.0 lb/ft").expect("API's"), "{casings}");
+    let row = casings[at..].lines().next().unwrap();
     for number in ["7.000", "6.094", "5.969", "32.0", "110"] {
         assert!(row.contains(number), "{row} lacks {number}");
     }

@@ -158,7 +158,7 @@ fn a_log_of_version_2_1_is_read() {
     assert_eq!(rows.len(), 2);
     assert_eq!((rows[1].time_s, rows[1].bit_depth_m, rows[1].hook_load_N), (5.0, 3662.0, 1.196e6));
     assert!(rows[0].torque_N_m.is_nan());
-    assert!((rows[1].torque_N_m / (11250.0 * 1355.817_948_331_4) - 1.0).abs() < 1e-12);
+    assert!((rows[1].torque_N_m / (11250.0 * 1_355.817_948_331_4) - 1.0).abs() < 1e-12);
     assert_eq!(log.channels[1].description, "DBTM of the rig");
     assert_eq!(notes(&log), "");
 }

@@ -1,6 +1,7 @@
 //! Friction factors, block weight and bit torque from what was read at the surface.
 
 mod dynamic;
+mod fit;
 mod notes;
 pub mod option;
 mod page;
@@ -12,6 +13,7 @@ mod toml;
 
 pub use crate::readings::NamedCase;
 pub use dynamic::CheckDynamics;
-pub use request::{Fit, Outcome, Request, run};
+pub use fit::Fit;
+pub use request::{Outcome, Request, run};
 pub use toml::{FRAGMENT, changes};
 pub use wholestring_plan::calibration::Parameter;

@@ -6,13 +6,14 @@ use std::{
 };
 
 use wholestring::outcome::ModelKind;
-use wholestring_plan::calibration::{Calibration, Parameter, Settings, calibrate};
+use wholestring_plan::calibration::{Calibration, Settings, calibrate};
 use wholestring_report as report;
 use wholestring_results::{CALIBRATION_VERSION, CalibrationSummary, Occupant, digest};
 use wholestring_units::UnitSet;
 
 use super::{
     dynamic::{self, CheckDynamics},
+    fit::Fit,
     notes,
     predictions::Predictions,
     settings::settings,
@@ -35,32 +36,6 @@ const STIFF_DEPTHS: usize = 10;
 /// Nodes of a factor where the stiff string predicts, and how far from the soft string's answer.
 const STIFF_NODES: usize = 3;
 const STIFF_REACH: f64 = 0.08;
-
-/// What is looked for.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Fit {
-    /// One factor for cased and open hole.
-    pub one_factor: bool,
-    /// A factor for each section of the hole in place of one for casing and one for open hole.
-    pub by_section: bool,
-    /// Friction around the hole apart from that along it.
-    pub friction_around: bool,
-    /// The weight of the block, although the case gives it; where it does not, it is looked for.
-    pub block_weight: bool,
-    /// The torque of the bit on bottom.
-    pub bit_torque: bool,
-    /// Numbers that are held.
-    pub hold: Vec<(Parameter, f64)>,
-    /// Standard errors of pick-up and slack-off weights and of rotating weights, N, and of torques,
-    /// N·m; estimated where none is given.
-    pub errors: [Option<f64>; 3],
-    /// Residuals larger than so many of their standard errors are outliers.
-    pub outlier_beyond: f64,
-    /// Confidence of the bands.
-    pub band_confidence: f64,
-    /// The model that predicts: soft or stiff.
-    pub model: ModelKind,
-}
 
 /// Readings that are to tell friction.
 #[derive(Debug)]
@@ -120,7 +95,7 @@ pub fn run(
     };
     let bytes = readings::bytes(request.data, request.content)?;
     let data = readings::read(request.data, &bytes, request.cases)?;
-    let settings = settings(request, &data)?;
+    let settings = settings(&request.fit, request.cases, &data)?;
     let check = match &request.check {
         Some(check) => Some((check, dynamic::chosen(check, &data)?)),
         None => None,

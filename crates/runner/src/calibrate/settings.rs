@@ -6,16 +6,19 @@ use wholestring_plan::calibration::{
     AroundRatio, Factors, HolePart, MOST_SECTIONS, Parameter, Settings, State,
 };
 
-use super::request::Request;
+use super::fit::Fit;
 use crate::{
     error::Error,
     readings::{NamedCase, Readings},
 };
 
 /// What is looked for, by what the readings reach and what the cases give.
-pub(super) fn settings(request: &Request<'_>, data: &Readings) -> Result<Settings, Error> {
-    let fit = &request.fit;
-    let case = request.cases[0].case;
+pub(super) fn settings(
+    fit: &Fit,
+    cases: &[NamedCase<'_>],
+    data: &Readings,
+) -> Result<Settings, Error> {
+    let case = cases[0].case;
     let reaches = |part: HolePart| {
         let mut readings = data.readings.iter();
         readings.any(|of| data.assemblies[of.setup].reaches(of.bit_depth_m, part))
@@ -24,7 +27,7 @@ pub(super) fn settings(request: &Request<'_>, data: &Readings) -> Result<Setting
     let (cased, open) = (reaches(HoleKind::Casing.into()), reaches(HoleKind::Open.into()));
     let mut parameters = match (fit.one_factor, cased, open) {
         _ if fit.by_section => {
-            let count = sections(request.cases)?;
+            let count = sections(cases)?;
             let reached = (0..count).filter(|of| reaches(HolePart::Section(*of)));
             reached.map(Parameter::Section).collect()
         }

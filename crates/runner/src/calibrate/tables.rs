@@ -28,8 +28,8 @@ pub(super) fn write(
 ) -> Result<(), ResultsError> {
     let case = |setup: usize| summary.cases[data.cases[setup]].as_str();
     let tables = CalibrationTables {
-        points: points(data, found, &case),
-        bands: bands(found, &case),
+        points: points(data, found, case),
+        bands: bands(found, case),
         profiles: profiles(found),
     };
     // Their CSV are the numbers of the pictures too.

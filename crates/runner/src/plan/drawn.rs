@@ -4,7 +4,7 @@ use wholestring_results::{
     Column, Data, PlanMeasured, PlanOverlayRow, PlanPoint, PlanSummary, Table, UncertainBand,
 };
 
-use super::{levels::LEVELS, mud, page};
+use super::{levels::LEVELS, mud, weight};
 use crate::picture_table::{Entry, Row, with_lines, with_rows};
 
 /// Another program's curves below the rows of ours, a column for each operation.
@@ -175,7 +175,7 @@ pub(super) fn pictures(summary: &PlanSummary) -> [(&'static str, Table); 3] {
         }
     }
     // The weight that the case drills with.
-    let of_case = page::weight_on_bit_N(summary).filter(|weight_N| *weight_N > 0.0);
+    let of_case = weight::on_bit_N(summary).filter(|weight_N| *weight_N > 0.0);
     let of_case: Vec<_> =
         of_case.map(|weight_N| ("case_weight_on_bit_N".to_owned(), weight_N)).into_iter().collect();
     [

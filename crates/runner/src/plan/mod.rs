@@ -19,6 +19,7 @@ mod request;
 mod rows;
 mod sample;
 mod surface;
+mod weight;
 mod work;
 mod workbook;
 

@@ -19,7 +19,7 @@ use super::{
     files::{FATIGUE, LIMITS, PEAKS_TIME, Tables, WEAR, WORKBOOK},
     first::breaks_first,
     levels::{LEVELS, label, short},
-    mud, peaks, surface,
+    mud, peaks, surface, weight,
     workbook::workbook,
 };
 use crate::{
@@ -105,16 +105,10 @@ fn of_summary(summary: &PlanSummary, peaks_time: &Table, units: Option<UnitSet>)
         block_N: number(&settings["rig"]["block_weight_N"]),
         surface_limits: summary.surface_limits.iter().map(surface::shown).collect(),
         uncertain: summary.uncertain.as_ref().map(|of| uncertain::shown(of, &Names::PLAN)),
-        weight_on_bit_N: weight_on_bit_N(summary),
+        weight_on_bit_N: weight::on_bit_N(summary),
         measured: summary.measured.iter().map(measured).collect(),
         overlay: summary.overlay.as_ref().map(overlay),
     }
-}
-
-/// Weight on bit of what drills, N.
-pub(super) fn weight_on_bit_N(summary: &PlanSummary) -> Option<f64> {
-    let drills = summary.operations.iter().any(|of| of == "drill" || of == "slide");
-    summary.settings["operation"]["wob_N"].as_f64().filter(|_| drills)
 }
 
 fn level(summary: &PlanSummary, name: &str) -> PlanLevel {

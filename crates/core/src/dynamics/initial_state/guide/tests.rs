@@ -5,6 +5,7 @@ use crate::{
     common::{article_hole, operation, path_in_rad},
     dynamics::{
         assemble::basis::Basis,
+        boundary::executor::SharedExecutor,
         kernel::step::StepInput,
         tests::bench::{Bench, PIPE_M},
     },
@@ -55,6 +56,7 @@ fn a_turning_pipe_is_laid_where_it_climbs_to() {
                 stribeck_speed: 1.0,
             },
             velocity_m_per_s: 0.0,
+            executor: &SharedExecutor::default(),
         })
         .expect("a soft string");
         let path = &model.well.path;
