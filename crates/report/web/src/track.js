@@ -1,6 +1,6 @@
 // The curves of each track.
 
-import { largestNear, rowOfLargest } from "./curve.js";
+import { largestNear, rowOfLargest } from "../../../../web/components/curve.ts";
 import { curveId } from "./solutions.js";
 import { state } from "./state.js";
 
