@@ -1,12 +1,12 @@
 // The well in space with the string in it: across the hole everything is larger than along it.
 
-import { Color, Mesh, MeshLambertMaterial } from "three";
-import { Course, Tube } from "../../../../web/components/bore.ts";
+import { Course } from "../../../../web/components/bore.ts";
 import { colourKey } from "../../../../web/components/colour_key.ts";
 import { el, select } from "../../../../web/components/dom.ts";
 import { colourScale } from "../../../../web/components/palette.ts";
 import { reference } from "../../../../web/components/reference.ts";
 import { LOOK_AROUND, noSpace, stage } from "../../../../web/components/stage.ts";
+import { layString, stringMesh } from "../../../../web/components/string_tube.ts";
 import { digits, shown, symbol } from "../../../../web/components/units.ts";
 import { ABOVE, across, exaggerationFor, holeTubes, lookAtWell } from "../../../../web/components/well_in_space.ts";
 import { csv, downloads } from "./downloads.js";
@@ -15,7 +15,6 @@ import { chosenRun, readable } from "./solutions.js";
 import { choose, on, state } from "./state.js";
 
 const HEIGHT = 600;
-const SIDES = 10;
 
 export function scene(report) {
   const space = stage("The well in space, the string in it", HEIGHT);
@@ -144,27 +143,26 @@ export function scene(report) {
     );
     if (!tube || drawn.geometry !== tube || tube.rings !== nodes.length) {
       if (drawn) space.remove([drawn]);
-      tube = new Tube(Math.max(nodes.length, 2), SIDES);
-      drawn = space.add(new Mesh(tube, new MeshLambertMaterial({ vertexColors: true })));
+      const made = stringMesh(nodes.length);
+      tube = made.tube;
+      drawn = space.add(made.mesh);
     }
     if (!space.has(drawn)) space.add(drawn);
     const values = pose.values(quantity);
     const range = rangeOf(pose, run, frame, quantity, signed);
     const scale = colourScale(signed);
-    const paint = (value) => scale((value - range[0]) / (range[1] - range[0])).map((of) => of / 255);
-    const tint = new Color();
     const parts = report.string;
-    nodes.forEach(([depth, i], ring) => {
-      const out = course.at(Math.min(depth, deepest));
-      const [high, right] = [pose.high[i] * exaggeration || 0, pose.right[i] * exaggeration || 0];
-      const place = out.place.map((at, axis) => at + high * out.high[axis] + right * out.right[axis]);
+    const rings = nodes.map(([depth, i]) => {
       const part = parts.find((part) => depth <= part.to_m) ?? parts.at(-1);
-      tube.ring(ring, place, out.high, out.right, ((part?.od_m ?? 0.12) / 2) * exaggeration);
-      const [red, green, blue] = Number.isFinite(values[i]) ? paint(values[i]) : [0.5, 0.5, 0.5];
-      tint.setRGB(red, green, blue, "srgb");
-      tube.paint(ring, tint.r, tint.g, tint.b);
+      return {
+        depth: Math.min(depth, deepest),
+        high: pose.high[i],
+        right: pose.right[i],
+        radius: (part?.od_m ?? 0.12) / 2,
+        part: (values[i] - range[0]) / (range[1] - range[0]),
+      };
     });
-    tube.changed();
+    layString(tube, course, rings, exaggeration, scale);
     const unit = symbol(dimension) ? `, ${symbol(dimension)}` : "";
     const sides = signed ? " (low side −, high side +)" : "";
     key.replaceChildren(...colourKey(`${title}${unit}${sides}, ${readable(state.operation)}`, dimension, range, scale));
