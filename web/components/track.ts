@@ -67,6 +67,19 @@ export function closeTrack(picture: SVGElement, { clip }: TrackInside, title: st
   );
 }
 
+/** The path of each column as it was drawn last: what did not change is not made again. */
+const made = new WeakMap<object, { key: string; d: string }>();
+
+function pathOf(depths: ArrayLike<number>, values: ArrayLike<number>, view: Interval, x: Place, y: Place): string {
+  // Both places are straight lines, which two of their points tell.
+  const key = [...view, x(0), x(1e6), y(0), y(1e6)].join(" ");
+  const known = made.get(values);
+  if (known?.key === key) return known.d;
+  const d = path(depths, values, view, x, y);
+  made.set(values, { key, d });
+  return d;
+}
+
 /** Draws a curve with its band. */
 export function drawCurve({ x, clip }: TrackInside, curve: TrackCurve, look: CurveLook, view: Interval, y: Place): void {
   const more = `${look.faint ? " faint" : ""}${look.ghost ? " ghost" : ""}`;
@@ -74,7 +87,7 @@ export function drawCurve({ x, clip }: TrackInside, curve: TrackCurve, look: Cur
     clip.append(svg("path", { d: area(curve.depths, curve.low, curve.high, view, x, y), fill: look.colour, class: `band${more}` }));
   clip.append(
     svg("path", {
-      d: path(curve.depths, curve.values, view, x, y),
+      d: pathOf(curve.depths, curve.values, view, x, y),
       stroke: look.colour,
       class: `curve${more}`,
       "stroke-dasharray": look.dash?.join(" "),
@@ -82,7 +95,7 @@ export function drawCurve({ x, clip }: TrackInside, curve: TrackCurve, look: Cur
   );
   if (curve.between)
     clip.append(
-      svg("path", { d: path(curve.depths, curve.between, view, x, y), stroke: look.colour, class: `curve between${more}` }),
+      svg("path", { d: pathOf(curve.depths, curve.between, view, x, y), stroke: look.colour, class: `curve between${more}` }),
     );
 }
 

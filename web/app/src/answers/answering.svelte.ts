@@ -6,6 +6,9 @@ import { wasAborted } from "../api/client";
 /** What is under way is let be for so long, ms, or who moves a slider would never see an answer. */
 const LET_BE = 300;
 
+/** So long a soft string waits for the stiff one, ms: to draw both at once takes half of the time that each alone takes. */
+const TOGETHER = 30;
+
 /** What was found of one text. */
 export class Answering {
   readonly #id: string;
@@ -85,17 +88,15 @@ export class Answering {
     const newest = (): boolean => this.#wanted === wanted;
     try {
       // Apart, so that the soft string is drawn while the stiff one is solved.
-      const soft = answerCase(this.#id, wanted.of, ["soft"], signal).then((found) => {
-        this.soft = found;
-        this.of = wanted.of;
-        this.#softSince = wanted.since;
-        this.problem = null;
-      });
-      const stiff = answerCase(this.#id, wanted.of, ["stiff"], signal).then((found) => {
-        this.stiff = found;
-        this.#stiffSince = wanted.since;
-      });
-      await Promise.all([soft, stiff]);
+      const soft = answerCase(this.#id, wanted.of, ["soft"], signal);
+      const stiff = answerCase(this.#id, wanted.of, ["stiff"], signal);
+      await Promise.race([stiff, soft.then(() => new Promise((wake) => setTimeout(wake, TOGETHER)))]);
+      this.soft = await soft;
+      this.of = wanted.of;
+      this.#softSince = wanted.since;
+      this.problem = null;
+      this.stiff = await stiff;
+      this.#stiffSince = wanted.since;
       if (!newest()) return this.#start();
       this.solving = false;
       // What takes longer may be given up at once.
