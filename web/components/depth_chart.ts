@@ -49,21 +49,23 @@ const ROW = 13;
 const ROWS = 4;
 const FOOT = 8 + ROW * ROWS;
 
-/** Where the ends of lines are named: rows below the chart, each with the place from which it is free. */
+/** Names of the ends of lines in rows below the chart; of those that find no room the ones of a number alone go first. */
 function endNames(lines: readonly DepthLine[], x: Place, box: Box): SVGElement[] {
-  const free = Array.from({ length: ROWS }, () => -Infinity);
+  const rows: (readonly [from: number, to: number])[][] = Array.from({ length: ROWS }, () => []);
   const bottom = box.top + box.height;
+  const named = (line: DepthLine): number => (/\p{L}/u.test(line.end) ? 0 : 1);
   const ends = lines
     .filter((line) => line.end !== "" && !line.ghost)
     .map((line) => ({ line, value: line.values.findLast(Number.isFinite) ?? NaN }))
     .filter(({ value }) => Number.isFinite(value))
-    .sort((a, b) => a.value - b.value);
+    .sort((a, b) => named(a.line) - named(b.line) || a.value - b.value);
   return ends.flatMap(({ line, value }) => {
     const wide = LETTER * line.end.length;
     const at = Math.min(Math.max(x(value), box.left + wide / 2), box.left + box.width - wide / 2);
-    const row = free.findIndex((from) => from <= at - wide / 2);
+    const room = [at - wide / 2 - 3, at + wide / 2 + 3] as const;
+    const row = rows.findIndex((taken) => taken.every(([from, to]) => room[1] < from || room[0] > to));
     if (row < 0) return [];
-    free[row] = at + wide / 2 + 6;
+    rows[row]?.push(room);
     const y = bottom + 14 + ROW * row;
     return [
       svg("line", { x1: x(value), x2: at, y1: bottom, y2: y - 9, stroke: line.colour, class: "leader" }),

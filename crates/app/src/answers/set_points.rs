@@ -69,13 +69,15 @@ fn weight(case: &Case) -> Option<SetPoint> {
 }
 
 fn speed(case: &Case) -> Option<SetPoint> {
-    let turns = case.operations.iter().find(|of| of.kind.rotates())?;
+    const REV_PER_MIN: f64 = TAU / 60.0;
+    let now = case.operations.iter().find(|of| of.kind.rotates())?.rotary_speed_rad_per_s;
     Some(SetPoint {
         key: "rpm",
         label: "Rotary speed",
         dimension: "rotary speed",
-        now: turns.rotary_speed_rad_per_s,
-        range: [0.0, (2.0 * turns.rotary_speed_rad_per_s).max(180.0 * TAU / 60.0)],
+        now,
+        // What turns may not stand still.
+        range: [now.min(10.0 * REV_PER_MIN), (2.0 * now).max(180.0 * REV_PER_MIN)],
     })
 }
 
