@@ -105,20 +105,25 @@ fn unchecked(case: &Case, found: &limits::Limits) -> Vec<Unchecked> {
 
 #[cfg(test)]
 mod tests {
-    use wholestring_case::parse;
+    use std::path::Path;
+
+    use wholestring::statics::soft;
+    use wholestring_case::load;
 
     use super::*;
+
+    fn slant() -> Case {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slant.toml");
+        load(&file, &[]).expect("a sound case")
+    }
 
     /// A hoist that carries twice what hangs on it has a reserve of two over its factor.
     #[test]
     fn the_reserve_is_capacity_over_load_and_factor() {
-        let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slant.toml");
-        let mut case = wholestring_case::load(&file, &[]).expect("a sound case");
+        let mut case = slant();
         let operation = case.operations[0];
-        let hangs_N = wholestring::statics::soft::solve(&case.model, &operation, &case.soft)
-            .expect("an answer")
-            .scalars
-            .hook_load_N;
+        let solved = soft::solve(&case.model, &operation, &case.soft).expect("an answer");
+        let hangs_N = solved.scalars.hook_load_N;
         case.model.rig.block_weight_N = None;
         case.model.rig.hoist_capacity_N = Some(2.0 * hangs_N);
         let found = of_operations(&case);
@@ -132,9 +137,7 @@ mod tests {
 
     #[test]
     fn what_is_not_known_is_told_once_for_all_components() {
-        let text = include_str!("../../../../cases/slant.toml");
-        let nothing = std::collections::BTreeMap::<String, Vec<u8>>::new();
-        let case = parse("slant.toml", text.as_bytes(), &nothing, &[]).expect("a sound case");
+        let case = slant();
         let found = of_operations(&case);
         let unchecked = &found[0].unchecked;
         let mut words: Vec<&str> = unchecked.iter().map(|one| one.missing).collect();
