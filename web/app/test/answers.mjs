@@ -271,6 +271,19 @@ await run({
     await served.stop();
   },
 
+  "an operation without an equilibrium says so in its place": async () => {
+    const served = await serve({ "rolls.toml": SLANT.replace('wob = "50 kN"', 'wob = "300 kN"') });
+    const page = await openAnswers(served, "rolls.toml");
+    await drawn(page);
+    const words = await page.locator("section[aria-labelledby=answers-title]").innerText();
+    check(words.includes("The stiff string has no answer: no equilibrium was found"), `it is said: ${words}`);
+    equal(await page.locator(".key-numbers thead th").allInnerTexts(), ["Quantity", "soft string"], "columns of the numbers");
+    await accessible(page, "an operation without an equilibrium");
+    equal(page.complaints, [], "complaints");
+    await page.context().close();
+    await served.stop();
+  },
+
   "a text that is not sound has no answer": async () => {
     const served = await serve({ "broken.toml": SLANT.replace("friction = 0.3", 'friction = "much"') });
     const page = await openAnswers(served, "broken.toml");
@@ -291,6 +304,32 @@ await run({
     await page.getByText("The server does not answer").waitFor();
     check(await page.getByRole("button", { name: "Try again" }).isVisible(), "one may try again");
     equal(await page.locator(".tracks svg").count() > 0, true, "the last answer stays");
+    await page.context().close();
+    await served.stop();
+  },
+
+  "the well stands in space with the string in it": async () => {
+    const served = await serve({ "slant.toml": SLANT });
+    const page = await openAnswers(served, "slant.toml", { flags: ["--use-angle=swiftshader"] });
+    await drawn(page);
+    await page.getByText("The well with the string in it").click();
+    await page.waitForSelector("canvas.space");
+    // The string alone has colours; hole, letters and lines are grey.
+    const painted = await page.evaluate(async () => {
+      await new Promise((wake) => setTimeout(wake, 500));
+      const canvas = document.querySelector("canvas.space");
+      const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
+      const pen = copy.getContext("2d");
+      pen.drawImage(canvas, 0, 0);
+      const { data } = pen.getImageData(0, 0, copy.width, copy.height);
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4) {
+        const rgb = data.subarray(i, i + 3);
+        if (data[i + 3] > 200 && Math.max(...rgb) - Math.min(...rgb) > 60) count++;
+      }
+      return count / (data.length / 4);
+    });
+    check(painted > 0.001, `${(100 * painted).toFixed(2)} % of the view are the colours of the string`);
     await page.context().close();
     await served.stop();
   },
