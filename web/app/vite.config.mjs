@@ -1,12 +1,26 @@
 import { svelte } from "@sveltejs/vite-plugin-svelte";
 import { defineConfig } from "vite";
+import { fileURLToPath } from "node:url";
 import { palette } from "./palette.plugin.mjs";
 
 // The address of a served app, for `npm run dev`: what it prints at its start.
 const served = process.env.WHOLESTRING_APP ?? "http://127.0.0.1:8480";
 
+// The components that the report's pages share have no packages of their own: theirs are those of this folder.
+const here = fileURLToPath(new URL("index.html", import.meta.url));
+const packagesOfComponents = {
+  name: "packages-of-components",
+  enforce: "pre",
+  resolveId: {
+    filter: { id: /^(three|uplot)($|\/)/ },
+    handler(source, importer, options) {
+      return importer?.includes("/web/components/") ? this.resolve(source, here, { ...options, skipSelf: true }) : null;
+    },
+  },
+};
+
 export default defineConfig({
-  plugins: [palette(), svelte()],
+  plugins: [palette(), packagesOfComponents, svelte()],
   build: {
     outDir: "../../crates/app/assets",
     emptyOutDir: true,

@@ -17,6 +17,8 @@ const { outputFiles } = await build({
   charset: "utf8",
   legalComments: "inline",
   write: false,
+  // The components beside the app have no packages of their own.
+  nodePaths: [`${here}node_modules`],
 });
 
 const files = new Map(outputFiles.map((file) => [file.path.split("/").pop(), file.text]));

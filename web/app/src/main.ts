@@ -1,6 +1,8 @@
 import { mount } from "svelte";
 import "virtual:palette.css";
 import "./styles/base.css";
+import "../../components/drawings.css";
+import "../../components/charts.css";
 import App from "./App.svelte";
 
 const target = document.getElementById("app");

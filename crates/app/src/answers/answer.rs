@@ -9,6 +9,8 @@ use wholestring_case::Case;
 use wholestring_runner::{CancellationToken, Error, Silent, run};
 
 use super::{
+    limits::{self, OperationLimits},
+    set_points::SetPoints,
     tracks::{Track, tracks},
     well::WellView,
 };
@@ -23,6 +25,11 @@ pub(crate) struct Answer {
     tracks: Vec<Track>,
     /// Path, hole and string.
     well: WellView,
+    /// How near its operations are to what pipe and rig bear; by the soft string, and so where that
+    /// was asked for.
+    limits: Vec<OperationLimits>,
+    /// What may be replaced without touching the text.
+    set_points: SetPoints,
     /// Time on the clock of the solving, s.
     took_s: f64,
 }
@@ -41,6 +48,8 @@ pub(crate) fn answer(
     case.records.frame_interval_s = None;
     let begun = Instant::now();
     let solved = run::answer(&case, None, &Silent, cancellation)?;
+    let by_soft = case.models.contains(&ModelKind::Soft);
+    let limits = if by_soft { limits::of_operations(&case) } else { Vec::new() };
     let took_s = begun.elapsed().as_secs_f64();
     if cancellation.is_cancelled() {
         return Err(Error::Interrupted);
@@ -52,6 +61,8 @@ pub(crate) fn answer(
         operations: operations.map_err(|error| Error::Failed(error.to_string()))?,
         tracks: nodes.map_or_else(Vec::new, |(_, table)| tracks(table)),
         well: WellView::of(&case),
+        limits,
+        set_points: SetPoints::of(&case),
         took_s,
     })
 }

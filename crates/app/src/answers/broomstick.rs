@@ -5,7 +5,7 @@ use std::time::Instant;
 use serde::Serialize;
 use utoipa::ToSchema;
 use wholestring_case::Case;
-use wholestring_plan::Statics;
+use wholestring_plan::{FrictionLevel, Statics};
 use wholestring_results::Table;
 use wholestring_runner::{CancellationToken, Error, plan};
 
@@ -19,8 +19,23 @@ const DEPTHS: usize = 15;
 pub(crate) struct Broomstick {
     /// A curve for each operation at each friction.
     curves: Vec<Curve>,
+    /// Levels of friction, from the least to the most.
+    frictions: Vec<Level>,
+    /// What the hoist carries at most beside the block, N; null where it is not known.
+    hoist_N: Option<f64>,
+    /// Torque that the top drive gives for as long as one wants, N·m; null where it is not known.
+    top_drive_N_m: Option<f64>,
     /// Time on the clock of the solving, s.
     took_s: f64,
+}
+
+/// A level of friction.
+#[derive(Debug, Serialize, ToSchema)]
+pub(crate) struct Level {
+    /// `low`, `expected` or `high`.
+    name: &'static str,
+    /// Kinetic coefficients of the hole's sections, from the surface down.
+    coefficients: Vec<f64>,
 }
 
 /// An operation at a friction, against the depth of the bit. Where there is no answer, its numbers are
@@ -60,7 +75,21 @@ pub(crate) fn broomstick(
     if found.missing > 0 {
         return Err(Error::Interrupted);
     }
-    Ok(Broomstick { curves: curves(&found.table), took_s: begun.elapsed().as_secs_f64() })
+    let rig = &case.model.rig;
+    let block_N = rig.block_weight_N.unwrap_or(0.0);
+    Ok(Broomstick {
+        curves: curves(&found.table),
+        frictions: FrictionLevel::ALL.iter().map(|level| level_of(case, *level)).collect(),
+        hoist_N: rig.hoist_capacity_N.map(|capacity_N| capacity_N - block_N),
+        top_drive_N_m: rig.top_drive_torque_N_m,
+        took_s: begun.elapsed().as_secs_f64(),
+    })
+}
+
+fn level_of(case: &Case, level: FrictionLevel) -> Level {
+    let of = case.plan.frictions.of(level);
+    let sections = case.model.well.hole.sections().iter();
+    Level { name: level.name(), coefficients: sections.map(|at| of.of(at).kinetic).collect() }
 }
 
 /// The first, the last, and evenly between them.
@@ -129,5 +158,9 @@ mod tests {
         };
         assert!(at_depth("trip_out", "high") > at_depth("trip_out", "low") + 1e4);
         assert!(at_depth("trip_in", "high") < at_depth("trip_in", "low") - 1e4);
+        let levels = found.frictions.iter().map(|of| of.coefficients[0]);
+        assert!(levels.is_sorted_by(|a, b| a < b));
+        assert_eq!(found.frictions[1].coefficients, [0.3, 0.3]);
+        assert_eq!((found.hoist_N, found.top_drive_N_m), (None, None));
     }
 }

@@ -6,19 +6,22 @@ use axum::extract::{Path, State};
 use serde::Deserialize;
 use utoipa::ToSchema;
 use utoipa_axum::{router::OpenApiRouter, routes};
-use wholestring::outcome::ModelKind;
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_case::{Case, Override, parse};
 use wholestring_runner::{CancellationToken, Error};
 
 use super::{Json, blocking, error::ApiError};
 use crate::{
-    answers::{self, Answer, Broomstick},
+    answers::{self, Answer, AssemblyView, Broomstick},
     app::App,
 };
 
 /// The requests of this noun.
 pub(crate) fn routes() -> OpenApiRouter<App> {
-    OpenApiRouter::new().routes(routes!(answer)).routes(routes!(broomstick))
+    OpenApiRouter::new()
+        .routes(routes!(answer))
+        .routes(routes!(broomstick))
+        .routes(routes!(assembly))
 }
 
 /// A text, with some values of it replaced.
@@ -30,9 +33,34 @@ pub(crate) struct Asked {
     /// Values by keys, as `--set KEY=VALUE` has them.
     #[serde(default)]
     set: BTreeMap<String, String>,
+}
+
+/// The same, and by which models.
+#[derive(Debug, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct AskedOfModels {
+    /// The text.
+    text: String,
+    /// Values by keys, as `--set KEY=VALUE` has them.
+    #[serde(default)]
+    set: BTreeMap<String, String>,
     /// The models: `soft`, `stiff`. Both where nothing is said.
     #[serde(default)]
     models: Vec<String>,
+}
+
+/// The same, and in which operation.
+#[derive(Debug, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct AskedOfOperation {
+    /// The text.
+    text: String,
+    /// Values by keys, as `--set KEY=VALUE` has them.
+    #[serde(default)]
+    set: BTreeMap<String, String>,
+    /// The operation: `drill`, ...; the first that drills, or the first, where nothing is said.
+    #[serde(default)]
+    operation: Option<String>,
 }
 
 impl Asked {
@@ -46,21 +74,29 @@ impl Asked {
         let set: Vec<Override> = set.collect::<Result<_, _>>()?;
         Ok(parse(&file.shown, self.text.as_bytes(), &app.workspace.beside(&file), &set)?)
     }
+}
 
-    fn models(&self) -> Result<Vec<ModelKind>, ApiError> {
-        let statics = || ModelKind::ALL.iter().copied().filter(|of| !of.method().in_time);
-        if self.models.is_empty() {
-            return Ok(statics().collect());
-        }
-        let named = |name: &String| {
-            statics().find(|of| of.name() == name).ok_or_else(|| {
-                let names: Vec<&str> = statics().map(ModelKind::name).collect();
-                let names = names.join(", ");
-                ApiError::bad_input(format!("no model `{name}` answers at once: {names} do"))
-            })
-        };
-        self.models.iter().map(named).collect()
+fn models(names: &[String]) -> Result<Vec<ModelKind>, ApiError> {
+    let statics = || ModelKind::ALL.iter().copied().filter(|of| !of.method().in_time);
+    if names.is_empty() {
+        return Ok(statics().collect());
     }
+    let named = |name: &String| {
+        statics().find(|of| of.name() == name).ok_or_else(|| {
+            let names: Vec<&str> = statics().map(ModelKind::name).collect();
+            let names = names.join(", ");
+            ApiError::bad_input(format!("no model `{name}` answers at once: {names} do"))
+        })
+    };
+    names.iter().map(named).collect()
+}
+
+fn operation(name: &str) -> Result<OperationKind, ApiError> {
+    let found = OperationKind::ALL.iter().copied().find(|of| of.name() == name);
+    found.ok_or_else(|| {
+        let names: Vec<&str> = OperationKind::ALL.iter().map(|of| of.name()).collect();
+        ApiError::bad_input(format!("no operation is called `{name}`: {} are", names.join(", ")))
+    })
 }
 
 /// Ends the work whose answer nobody waits for any more: a page that has asked anew closes the
@@ -99,17 +135,17 @@ fn refused(error: Error) -> ApiError {
 #[utoipa::path(
     post,
     path = "/api/cases/{id}/answer",
-    request_body = Asked,
+    request_body = AskedOfModels,
     responses((status = 200, body = Answer), (status = 422, body = ApiError))
 )]
 async fn answer(
     State(app): State<App>,
     Path(id): Path<String>,
-    Json(asked): Json<Asked>,
+    Json(AskedOfModels { text, set, models: names }): Json<AskedOfModels>,
 ) -> Result<Json<Answer>, ApiError> {
     while_waited_for(app, move |app, cancellation| {
-        let models = asked.models()?;
-        let case = asked.case(app, &id)?;
+        let models = models(&names)?;
+        let case = Asked { text, set }.case(app, &id)?;
         answers::answer(case, models, cancellation).map(Json).map_err(refused)
     })
     .await
@@ -131,6 +167,26 @@ async fn broomstick(
     while_waited_for(app, move |app, cancellation| {
         let case = asked.case(app, &id)?;
         answers::broomstick(&case, cancellation).map(Json).map_err(refused)
+    })
+    .await
+}
+
+/// The bottom-hole assembly at rest: how it lies in its hole, what it does to the bit.
+#[utoipa::path(
+    post,
+    path = "/api/cases/{id}/assembly",
+    request_body = AskedOfOperation,
+    responses((status = 200, body = AssemblyView), (status = 422, body = ApiError))
+)]
+async fn assembly(
+    State(app): State<App>,
+    Path(id): Path<String>,
+    Json(AskedOfOperation { text, set, operation: name }): Json<AskedOfOperation>,
+) -> Result<Json<AssemblyView>, ApiError> {
+    while_waited_for(app, move |app, cancellation| {
+        let kind = name.as_deref().map(operation).transpose()?;
+        let case = Asked { text, set }.case(app, &id)?;
+        answers::assembly(&case, kind, cancellation).map(Json).map_err(refused)
     })
     .await
 }

@@ -15,6 +15,7 @@ pub(crate) mod error;
 mod examples;
 mod schema;
 mod session;
+mod units;
 mod values;
 
 use axum::{
@@ -40,6 +41,7 @@ fn nouns() -> OpenApiRouter<App> {
         .merge(check::routes())
         .merge(edit::routes())
         .merge(schema::routes())
+        .merge(units::routes())
         .merge(catalogue::routes())
         .merge(answers::routes())
 }

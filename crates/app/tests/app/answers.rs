@@ -18,6 +18,13 @@ fn a_text_is_answered_by_both_models_and_written_nowhere() {
     let hook_load = |of: &serde_json::Value| of["operations"][0]["hook_load_N"].as_f64().unwrap();
     assert!(hook_load(&own) > hook_load(&answer) + 1e3);
     assert_eq!(answer["well"]["string"][0]["to_m"], 1000.0);
+    // What the sliders of the page begin with follows the text and what replaces it.
+    let friction = |of: &serde_json::Value| of["set_points"]["values"][0].clone();
+    assert_eq!(
+        (friction(&own)["key"].as_str(), friction(&own)["now"].as_f64()),
+        (Some("friction"), Some(0.3))
+    );
+    assert_eq!(friction(&answer)["now"], 0.2);
     let rows = answer["tracks"][0]["md_m"].as_array().unwrap().len();
     assert_eq!(answer["tracks"][0]["tension_N"].as_array().unwrap().len(), rows);
     assert_eq!(std::fs::read_dir(served.path()).unwrap().count(), 1);
@@ -51,4 +58,72 @@ fn a_broomstick_has_three_frictions() {
     let pulled = curves.iter().filter(|one| one["operation"] == "trip_out");
     let frictions: Vec<&str> = pulled.map(|one| one["friction"].as_str().unwrap()).collect();
     assert_eq!(frictions, ["low", "expected", "high"]);
+}
+
+#[test]
+fn limits_are_those_of_the_operation() {
+    let served = Served::with(&[("slant.toml", CASE)]);
+    let id = served.id("slant.toml");
+    let path = format!("/api/cases/{id}/answer");
+    let text = format!("{CASE}\n[rig]\nhoist_capacity = \"200 kN\"\n");
+    let found = served.post(&path, &json!({"text": text})).ok();
+    let all = found["limits"][0]["limits"].as_array().unwrap();
+    let hoist = all.iter().find(|one| one["kind"] == "hoist").unwrap();
+    let load_N = hoist["load"].as_f64().unwrap();
+    assert_eq!(found["limits"][0]["operation"], "trip_out");
+    let hook_load_N = found["operations"][0]["hook_load_N"].as_f64().unwrap();
+    assert!((load_N / hook_load_N - 1.0).abs() < 1e-9, "{load_N} {hook_load_N}");
+    assert_eq!(
+        (hoist["capacity"].as_f64(), hoist["dimension"].as_str()),
+        (Some(200e3), Some("force"))
+    );
+    // The stiff string alone has no limits.
+    let stiff = served.post(&path, &json!({"text": text, "models": ["stiff"]})).ok();
+    assert_eq!(stiff["limits"], json!([]));
+    let broomstick = format!("/api/cases/{id}/broomstick");
+    let found = served.post(&broomstick, &json!({"text": text})).ok();
+    assert_eq!(found["hoist_N"], 200e3);
+    assert_eq!(found["frictions"][1], json!({"name": "expected", "coefficients": [0.3]}));
+}
+
+#[test]
+fn an_assembly_lies_in_its_hole() {
+    let served = Served::with(&[("slant.toml", CASE)]);
+    let path = format!("/api/cases/{}/assembly", served.id("slant.toml"));
+    let found = served.post(&path, &json!({"text": CASE})).ok();
+    assert_eq!(found["operation"], "trip_out");
+    let axis = &found["axis"];
+    let numbers = |name: &str| -> Vec<f64> {
+        axis[name].as_array().unwrap().iter().map(|one| one.as_f64().unwrap()).collect()
+    };
+    let (high, right) = (numbers("offset_high_m"), numbers("offset_right_m"));
+    // No further from the middle than half of hole less string; that of a pipe in 8-1/2 in.
+    let room_m = 0.5 * (8.5 * 0.0254 - 0.127);
+    // Single precision, and a wall that yields a little.
+    let reach = high.iter().zip(&right).map(|(high, right)| high.hypot(*right));
+    assert!(reach.fold(0.0, f64::max) < room_m + 1e-3);
+    // In a hole that leans by 30 deg a string lies on its low side.
+    assert!(high.iter().copied().fold(0.0, f64::min) < -0.9 * room_m, "{high:?}");
+    assert!(!found["contacts"].as_array().unwrap().is_empty());
+    let asked = json!({"text": CASE, "operation": "drill"});
+    let refused = served.post(&path, &asked);
+    assert_eq!(refused.error(422), "bad_input");
+    assert!(refused.text().contains("it has trip_out"), "{}", refused.text());
+    let asked = json!({"text": CASE, "operation": "swim"});
+    assert_eq!(served.post(&path, &asked).error(422), "bad_input");
+    // What chooses models for an answer means nothing here.
+    let asked = json!({"text": CASE, "models": ["soft"]});
+    assert_eq!(served.post(&path, &asked).error(422), "bad_json");
+}
+
+#[test]
+fn every_dimension_has_units() {
+    let served = Served::new();
+    let units = served.get("/api/units").ok();
+    assert_eq!(units["force"]["shown"]["field"]["symbol"], "klbf");
+    assert_eq!(
+        units["force"]["shown"]["si"],
+        json!({"symbol": "kN", "label": "kN", "factor": 1000.0})
+    );
+    assert_eq!(units["dogleg severity"]["shown"]["si"]["label"], "°/30 m");
 }

@@ -1,8 +1,8 @@
 // The page of an assembly at rest: how it lies, what it does to the bit, how it bends, and what was varied.
 
+import { el } from "../../../../web/components/dom.ts";
 import { facts } from "./key_results.js";
 import { contents } from "./contents.js";
-import { el } from "./dom.js";
 import { downloads } from "./downloads.js";
 import { figure } from "./figure.js";
 import { licences } from "./footer.js";

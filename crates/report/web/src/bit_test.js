@@ -1,16 +1,16 @@
 // The page of a bit test: what the bit did at each weight and speed, and the bottoms that it left.
 
+import { el, select } from "../../../../web/components/dom.ts";
+import { quantity } from "../../../../web/components/units.ts";
 import { facts } from "./key_results.js";
 import { bottomView } from "./bottom.js";
 import { contents } from "./contents.js";
-import { el, select } from "./dom.js";
 import { downloads } from "./downloads.js";
 import { figure } from "./figure.js";
 import { licences } from "./footer.js";
 import { header } from "./header.js";
 import { pageTable, tableDownloads } from "./page_table.js";
 import { on } from "./state.js";
-import { quantity } from "./units.js";
 
 const section = (id, title, ...children) => el("section", { id }, el("h2", {}, title), children);
 

@@ -12,16 +12,16 @@ import {
   MeshLambertMaterial,
   Vector3,
 } from "three";
+import { colourKey } from "../../../../web/components/colour_key.ts";
+import { el } from "../../../../web/components/dom.ts";
+import { colour } from "../../../../web/components/palette.ts";
+import { label } from "../../../../web/components/reference.ts";
+import { LOOK_AROUND, noSpace, stage } from "../../../../web/components/stage.ts";
+import { ticks, tickText } from "../../../../web/components/ticks.ts";
+import { digits, shown, si, symbol } from "../../../../web/components/units.ts";
 import { deepestOf, depthScale, edgesOf } from "./cells.js";
-import { colourKey } from "./colour_key.js";
-import { el } from "./dom.js";
-import { colour } from "./palette.js";
 import { plan } from "./plan.js";
-import { label } from "./reference.js";
-import { LOOK_AROUND, noSpace, stage } from "./stage.js";
 import { on } from "./state.js";
-import { ticks, tickText } from "./ticks.js";
-import { digits, shown, si, symbol } from "./units.js";
 
 const HEIGHT = 460;
 

@@ -1,6 +1,6 @@
 // The cells of a bottom by rings and sectors, and their colours.
 
-import { colourScale } from "./palette.js";
+import { colourScale } from "../../../../web/components/palette.ts";
 
 /** From the shallow to the deep: what is deep is dark. */
 export const depthScale = () => {

@@ -1,9 +1,9 @@
 // A chart of curves or points as SVG: what uPlot paints, in lines and letters.
 
-import { svg } from "./dom.js";
+import { svg } from "../../../../web/components/dom.ts";
+import { colour } from "../../../../web/components/palette.ts";
+import { ticks, tickText } from "../../../../web/components/ticks.ts";
 import { svgFile } from "./downloads.js";
-import { colour } from "./palette.js";
-import { ticks, tickText } from "./ticks.js";
 
 const [WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM] = [720, 320, 78, 16, 46, 46];
 const LETTERS = { "font-family": "system-ui, sans-serif", "font-size": 12 };

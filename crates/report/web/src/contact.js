@@ -1,15 +1,15 @@
 // Contact over depth and time, as a map.
 
-import { choice, el } from "./dom.js";
+import { choice, el } from "../../../../web/components/dom.ts";
+import { colour, colourScale } from "../../../../web/components/palette.ts";
+import { isPrinting } from "../../../../web/components/printing.ts";
+import { ticks, tickText } from "../../../../web/components/ticks.ts";
+import { digits, quantity, shown, si, symbol } from "../../../../web/components/units.ts";
 import { csv, downloads } from "./downloads.js";
 import { nearest } from "./history.js";
-import { colour, colourScale } from "./palette.js";
 import { chosenRun } from "./solutions.js";
 import { choose, on, state } from "./state.js";
-import { isPrinting } from "./theme.js";
-import { ticks, tickText } from "./ticks.js";
 import { SvgPen } from "./svg_pen.js";
-import { digits, quantity, shown, si, symbol } from "./units.js";
 
 const LEFT = 58;
 const RIGHT = 96;

@@ -1,6 +1,6 @@
 // Where one finds what on the page.
 
-import { el } from "./dom.js";
+import { el } from "../../../../web/components/dom.ts";
 
 /** Links to the sections of a page; `redraw` leaves out those that are hidden. */
 export function contents(sections) {

@@ -1,6 +1,6 @@
 // Figures and tables as files: SVG with the colours that the page has now, CSV in the reader's units.
 
-import { el } from "./dom.js";
+import { el } from "../../../../web/components/dom.ts";
 
 /** Gives the reader a file. */
 export function save(name, content, type) {

@@ -1,15 +1,15 @@
 // What the bit takes away for what it is given: rate of penetration and torque against weight.
 
 import uPlot from "uplot";
-import { air, axes, LEGEND, legendText, widthOf } from "./chart.js";
+import { air, axes, LEGEND, legendText, widthOf } from "../../../../web/components/chart.ts";
+import { el } from "../../../../web/components/dom.ts";
+import { line } from "../../../../web/components/palette.ts";
+import { isPrinting } from "../../../../web/components/printing.ts";
+import { shownAll, symbol } from "../../../../web/components/units.ts";
 import { chartRows, chartSvg } from "./chart_svg.js";
-import { el } from "./dom.js";
 import { csv, downloads } from "./downloads.js";
-import { line } from "./palette.js";
 import { chosenRun } from "./solutions.js";
 import { on } from "./state.js";
-import { isPrinting } from "./theme.js";
-import { shownAll, symbol } from "./units.js";
 
 const HEIGHT = 260;
 

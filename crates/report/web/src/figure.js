@@ -1,9 +1,9 @@
 // A figure that the page holds in each set of units, alive: its legend hides curves, its points say what they show.
 
-import { el } from "./dom.js";
+import { el } from "../../../../web/components/dom.ts";
+import { hideTip, showTip } from "../../../../web/components/tip.ts";
 import { svgFile } from "./downloads.js";
 import { on, state } from "./state.js";
-import { hideTip, showTip } from "./tip.js";
 
 /** Points as the picture holds them: x, y and row, one after the other. */
 function spots(text) {

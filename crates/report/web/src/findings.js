@@ -1,10 +1,10 @@
 // Findings: what an engineer must know of the results, the gravest first.
 
-import { el } from "./dom.js";
+import { el } from "../../../../web/components/dom.ts";
+import { depthText, plain, quantity } from "../../../../web/components/units.ts";
 import { byLevel, countText, levelMark, LEVELS } from "./levels.js";
 import { modelName, readable } from "./solutions.js";
 import { choose, on, state } from "./state.js";
-import { depthText, plain, quantity } from "./units.js";
 
 /** Of more findings than these, those that are neither errors nor of the chosen operation are folded away. */
 const MOST = 8;

@@ -1,6 +1,6 @@
 // The end of a page.
 
-import { el } from "./dom.js";
+import { el } from "../../../../web/components/dom.ts";
 
 /** Whose programs the page is made with. */
 export const licences = () =>

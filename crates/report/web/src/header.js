@@ -1,6 +1,6 @@
 // The top of a page: its title, and the switches that hold for all of it.
 
-import { choice, el } from "./dom.js";
+import { choice, el } from "../../../../web/components/dom.ts";
 import { choose, state } from "./state.js";
 import { followTheme } from "./theme.js";
 

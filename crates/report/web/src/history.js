@@ -2,17 +2,17 @@
 
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { air, axes, followLegend, LEGEND, legendText, widthOf } from "./chart.js";
+import { air, axes, followLegend, LEGEND, legendText, widthOf } from "../../../../web/components/chart.ts";
+import { below } from "../../../../web/components/curve.ts";
+import { el } from "../../../../web/components/dom.ts";
+import { dashOf } from "../../../../web/components/marker.ts";
+import { colour, line } from "../../../../web/components/palette.ts";
+import { isPrinting } from "../../../../web/components/printing.ts";
+import { quantity, shown, shownAll, symbol } from "../../../../web/components/units.ts";
 import { chartRows, chartSvg } from "./chart_svg.js";
-import { below } from "./curve.js";
-import { el } from "./dom.js";
 import { csv, downloads } from "./downloads.js";
-import { colour, line } from "./palette.js";
-import { dashOf } from "./marker.js";
 import { chosenAtRest, chosenRun, modelName, readable } from "./solutions.js";
 import { choose, on, state } from "./state.js";
-import { isPrinting } from "./theme.js";
-import { quantity, shown, shownAll, symbol } from "./units.js";
 
 const SYNC = uPlot.sync("time");
 

@@ -1,12 +1,12 @@
 // The case in a few facts, and the five numbers that matter most, beside their limits.
 
-import { el } from "./dom.js";
+import { el } from "../../../../web/components/dom.ts";
+import { plain, quantity } from "../../../../web/components/units.ts";
 import { findingsOf } from "./findings.js";
 import { levelMark, LEVELS, worstOf } from "./levels.js";
 import { cellText } from "./page_table.js";
 import { chosen, chosenAtRest, modelName } from "./solutions.js";
 import { on, state } from "./state.js";
-import { plain, quantity } from "./units.js";
 
 export function facts(report) {
   const list = el("dl", { class: "facts" });

@@ -1,6 +1,6 @@
 // How grave findings are: a word, a shape and a colour for each level.
 
-import { el, svg } from "./dom.js";
+import { el, svg } from "../../../../web/components/dom.ts";
 
 /** From the gravest: word, colour of the page, outline of the shape in a square of 16. */
 export const LEVELS = {

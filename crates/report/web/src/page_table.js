@@ -1,9 +1,9 @@
 // Tables of numbers in the reader's units.
 
-import { el } from "./dom.js";
+import { el } from "../../../../web/components/dom.ts";
+import { digits, grouped, plain, quantity, shown, symbol } from "../../../../web/components/units.ts";
 import { csv, downloads } from "./downloads.js";
 import { on } from "./state.js";
-import { digits, grouped, plain, quantity, shown, symbol } from "./units.js";
 
 const bare = (value) => (Number.isInteger(value) && Math.abs(value) < 1e12 ? grouped(String(value)) : plain(value));
 

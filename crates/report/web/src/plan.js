@@ -1,14 +1,14 @@
 // The bottom of the hole from above, as a map in colours.
 
+import { el } from "../../../../web/components/dom.ts";
+import { colour } from "../../../../web/components/palette.ts";
+import { isPrinting } from "../../../../web/components/printing.ts";
+import { ticks, tickText } from "../../../../web/components/ticks.ts";
+import { quantity, shown, si, symbol } from "../../../../web/components/units.ts";
 import { deepestOf, depthAt, depthScale, edgesOf } from "./cells.js";
-import { el } from "./dom.js";
 import { csv, downloads } from "./downloads.js";
 import { SvgPen } from "./svg_pen.js";
-import { colour } from "./palette.js";
 import { on } from "./state.js";
-import { isPrinting } from "./theme.js";
-import { ticks, tickText } from "./ticks.js";
-import { quantity, shown, si, symbol } from "./units.js";
 
 const LEFT = 44;
 const BOTTOM = 34;

@@ -1,6 +1,6 @@
 // Where the string lies in the hole, and what colours it: at a moment where frames were kept, on average otherwise.
 
-import { below, valueAt } from "./curve.js";
+import { below, valueAt } from "../../../../web/components/curve.ts";
 import { chosen } from "./solutions.js";
 
 /** The string as the mean over the window has it. */

@@ -1,10 +1,10 @@
 // The page of a run.
 
+import { choice, el } from "../../../../web/components/dom.ts";
 import { facts, keyResults } from "./key_results.js";
 import { bottomView } from "./bottom.js";
 import { contactMap } from "./contact.js";
 import { contents } from "./contents.js";
-import { choice, el } from "./dom.js";
 import { drillOff } from "./drill_off.js";
 import { allFindings, findingList, findingsOf } from "./findings.js";
 import { licences } from "./footer.js";

@@ -1,20 +1,20 @@
 // The well in space with the string in it: across the hole everything is larger than along it.
 
-import { Color, DoubleSide, Mesh, MeshLambertMaterial } from "three";
-import { Course, Tube } from "./bore.js";
-import { colourKey } from "./colour_key.js";
-import { el, select } from "./dom.js";
+import { Course } from "../../../../web/components/bore.ts";
+import { colourKey } from "../../../../web/components/colour_key.ts";
+import { el, select } from "../../../../web/components/dom.ts";
+import { colourScale } from "../../../../web/components/palette.ts";
+import { reference } from "../../../../web/components/reference.ts";
+import { LOOK_AROUND, noSpace, stage } from "../../../../web/components/stage.ts";
+import { layString, stringMesh } from "../../../../web/components/string_tube.ts";
+import { digits, shown, symbol } from "../../../../web/components/units.ts";
+import { ABOVE, across, exaggerationFor, holeTubes, lookAtWell } from "../../../../web/components/well_in_space.ts";
 import { csv, downloads } from "./downloads.js";
-import { colour, colourScale } from "./palette.js";
 import { frameAt, poseOf, quantitiesOf, rangeOf } from "./pose.js";
-import { bounds, reference, walls } from "./reference.js";
 import { chosenRun, readable } from "./solutions.js";
-import { LOOK_AROUND, noSpace, stage } from "./stage.js";
 import { choose, on, state } from "./state.js";
-import { digits, shown, symbol } from "./units.js";
 
 const HEIGHT = 600;
-const SIDES = 10;
 
 export function scene(report) {
   const space = stage("The well in space, the string in it", HEIGHT);
@@ -23,7 +23,7 @@ export function scene(report) {
   const deepest = report.well.md_m.at(-1);
   const widest = Math.max(...report.hole.map((section) => section.diameter_m), 0.1);
   // So that the hole is as thick as an eye can tell the sides of.
-  let exaggeration = niceBelow((0.03 * deepest) / widest);
+  let exaggeration = exaggerationFor(deepest, widest);
   let quantity = null;
   let frame = null;
   let playing = null;
@@ -68,12 +68,12 @@ export function scene(report) {
   });
   const quantityHolder = el("span", {});
   const views = [
-    ["From the side", () => across(0.02)],
+    ["From the side", () => across(course, view(), 0.02)],
     ["From above", () => [0.001, 1, 0.001]],
   ].map(([name, from]) => el("button", { type: "button", onclick: () => look(from()) }, name));
   const whole = () => {
     choose({ depths: null });
-    look(across(0.3));
+    look(across(course, view(), ABOVE));
   };
   views.unshift(el("button", { type: "button", onclick: whole }, "Whole well"));
   const tools = el(
@@ -103,40 +103,12 @@ export function scene(report) {
 
   const view = () => state.depths ?? [report.well.md_m[0], deepest];
 
-  /** Depths at which rings of the hole stand. */
-  function depthsOf([from, to]) {
-    const within = Array.from(report.well.md_m).filter((depth) => depth > from && depth < to);
-    const step = (to - from) / 300;
-    const even = Array.from({ length: 301 }, (_, i) => from + i * step);
-    return [...even, ...within].sort((a, b) => a - b);
-  }
-
   /** Everything anew: hole, string, frame of reference. */
   function build() {
     space.remove();
     const [from, to] = view();
-    const out = {};
-    for (const section of report.hole) {
-      const range = [Math.max(section.from_m, from), Math.min(section.to_m, to)];
-      if (range[1] <= range[0]) continue;
-      const depths = depthsOf(range);
-      const tube = new Tube(depths.length, 28);
-      depths.forEach((depth, i) => {
-        course.at(depth, out);
-        tube.ring(i, out.place, out.high, out.right, (section.diameter_m / 2) * exaggeration);
-      });
-      tube.changed();
-      const casing = section.kind === "casing";
-      const material = new MeshLambertMaterial({
-        color: colour(casing ? "casing" : "rock"),
-        transparent: true,
-        opacity: casing ? 0.16 : 0.26,
-        side: DoubleSide,
-        depthWrite: false,
-      });
-      space.add(new Mesh(tube, material)).renderOrder = 2;
-    }
-    reference(course, [from, to], (widest / 2) * exaggeration, across(0.3)).forEach(space.add);
+    holeTubes(course, report.hole, [from, to], exaggeration).forEach(space.add);
+    reference(course, [from, to], (widest / 2) * exaggeration, across(course, [from, to], ABOVE)).forEach(space.add);
     string();
     factor.textContent = ` ${digits(exaggeration, 2)}`;
     space.render();
@@ -171,28 +143,26 @@ export function scene(report) {
     );
     if (!tube || drawn.geometry !== tube || tube.rings !== nodes.length) {
       if (drawn) space.remove([drawn]);
-      tube = new Tube(Math.max(nodes.length, 2), SIDES);
-      drawn = space.add(new Mesh(tube, new MeshLambertMaterial({ vertexColors: true })));
+      const made = stringMesh(nodes.length);
+      tube = made.tube;
+      drawn = space.add(made.mesh);
     }
     if (!space.has(drawn)) space.add(drawn);
     const values = pose.values(quantity);
     const range = rangeOf(pose, run, frame, quantity, signed);
     const scale = colourScale(signed);
-    const paint = (value) => scale((value - range[0]) / (range[1] - range[0])).map((of) => of / 255);
-    const out = {};
-    const tint = new Color();
     const parts = report.string;
-    nodes.forEach(([depth, i], ring) => {
-      course.at(Math.min(depth, deepest), out);
-      const [high, right] = [pose.high[i] * exaggeration || 0, pose.right[i] * exaggeration || 0];
-      const place = out.place.map((at, axis) => at + high * out.high[axis] + right * out.right[axis]);
+    const rings = nodes.map(([depth, i]) => {
       const part = parts.find((part) => depth <= part.to_m) ?? parts.at(-1);
-      tube.ring(ring, place, out.high, out.right, ((part?.od_m ?? 0.12) / 2) * exaggeration);
-      const [red, green, blue] = Number.isFinite(values[i]) ? paint(values[i]) : [0.5, 0.5, 0.5];
-      tint.setRGB(red, green, blue, "srgb");
-      tube.paint(ring, tint.r, tint.g, tint.b);
+      return {
+        depth: Math.min(depth, deepest),
+        high: pose.high[i],
+        right: pose.right[i],
+        radius: (part?.od_m ?? 0.12) / 2,
+        part: (values[i] - range[0]) / (range[1] - range[0]),
+      };
     });
-    tube.changed();
+    layString(tube, course, rings, exaggeration, scale);
     const unit = symbol(dimension) ? `, ${symbol(dimension)}` : "";
     const sides = signed ? " (low side −, high side +)" : "";
     key.replaceChildren(...colourKey(`${title}${unit}${sides}, ${readable(state.operation)}`, dimension, range, scale));
@@ -225,37 +195,12 @@ export function scene(report) {
     return [heads, rows];
   }
 
-  /** Places along the path in view. */
-  function along() {
-    const [from, to] = view();
-    return Array.from({ length: 41 }, (_, i) => course.at(from + ((to - from) * i) / 40, {}).place);
-  }
-
-  /** Across the vertical plane in which the well goes, so much from above. */
-  function across(above) {
-    const [a, b] = view().map((depth) => course.at(depth, {}).place);
-    const [x, z] = [b[0] - a[0], b[2] - a[2]];
-    const flat = Math.hypot(x, z);
-    if (flat < 1e-3) return [0.6, above, 0.8];
-    const side = x - z < 0 ? -1 : 1;
-    return [(-z / flat) * side, above, (x / flat) * side];
-  }
-
-  /** Looks at the depths in view from a direction. */
-  function look(direction) {
-    const { low, high } = bounds(course, view());
-    const middle = low.clone().add(high).multiplyScalar(0.5);
-    const corners = walls({ low, high }, across(0.3)).flatMap(([x, z]) => [low.y, high.y].map((y) => [x, y, z]));
-    const places = [...corners, ...along()];
-    // Depths stand to the right of the well, vertical depths to the left of the box.
-    space.lookAt(places, direction, middle, [84, 16]);
-    space.holder.dataset.spans = space.spans(places).map((part) => part.toFixed(2)).join(" ");
-  }
+  const look = (direction) => lookAtWell(space, course, view(), direction);
 
   function redraw() {
     space.size();
     build();
-    look(across(0.3));
+    look(across(course, view(), ABOVE));
   }
 
   on("units operation", () => {
@@ -271,10 +216,4 @@ export function scene(report) {
     space.render();
   });
   return { element: el("div", {}, tools, space.holder, moments, key), redraw };
-}
-
-/** 1, 2 or 5 times a power of ten that is not above. */
-function niceBelow(value) {
-  const power = 10 ** Math.floor(Math.log10(Math.max(value, 1)));
-  return [5, 2, 1].map((m) => m * power).find((m) => m <= Math.max(value, 1)) ?? 1;
 }

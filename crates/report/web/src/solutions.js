@@ -1,7 +1,7 @@
 // Which model and operation a curve belongs to, and how it looks.
 
-import { dashOf, shapeOf } from "./marker.js";
-import { line } from "./palette.js";
+import { dashOf, shapeOf } from "../../../../web/components/marker.ts";
+import { line } from "../../../../web/components/palette.ts";
 import { state } from "./state.js";
 
 /** `trip_out` as people write it. */

@@ -1,16 +1,16 @@
 // Power spectral densities of the signals that the case asks for.
 
 import uPlot from "uplot";
-import { axes, followLegend, LEGEND, legendText, widthOf } from "./chart.js";
+import { axes, followLegend, LEGEND, legendText, widthOf } from "../../../../web/components/chart.ts";
+import { el } from "../../../../web/components/dom.ts";
+import { dashOf } from "../../../../web/components/marker.ts";
+import { line } from "../../../../web/components/palette.ts";
+import { isPrinting } from "../../../../web/components/printing.ts";
+import { quantity, symbol, shown } from "../../../../web/components/units.ts";
 import { chartRows, chartSvg } from "./chart_svg.js";
-import { el } from "./dom.js";
 import { csv, downloads } from "./downloads.js";
-import { dashOf } from "./marker.js";
-import { line } from "./palette.js";
 import { chosenRun, readable } from "./solutions.js";
 import { on } from "./state.js";
-import { isPrinting } from "./theme.js";
-import { quantity, symbol, shown } from "./units.js";
 
 const HEIGHT = 260;
 

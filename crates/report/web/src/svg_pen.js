@@ -1,6 +1,6 @@
 // Draws on SVG as one draws on a canvas: the part of it that the maps of this page need.
 
-import { svg } from "./dom.js";
+import { svg } from "../../../../web/components/dom.ts";
 
 const BASE = { top: "hanging", middle: "central", bottom: "text-after-edge" };
 

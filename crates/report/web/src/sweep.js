@@ -1,17 +1,17 @@
 // The page of a sweep: its figure in the reader's units, and the table.
 
+import { el } from "../../../../web/components/dom.ts";
 import { facts } from "./key_results.js";
 import { contents } from "./contents.js";
 import { readReport } from "./data.js";
-import { el } from "./dom.js";
 import { downloads } from "./downloads.js";
 import { figure } from "./figure.js";
 import { header } from "./header.js";
 import { cellText, pageTable, tableDownloads } from "./page_table.js";
-import { useDimensions } from "./units.js";
+import { usePageUnits } from "./page_units.js";
 
 const report = readReport();
-useDimensions(report.dimensions, report.units);
+usePageUnits(report.dimensions, report.units);
 
 /** What a point shows: the case by its keys, what came out of it, and what was found. */
 function describe(row) {

@@ -1,16 +1,13 @@
 // Light and dark, and paper, which is light.
 
+import { isPrinting } from "../../../../web/components/printing.ts";
 import { remember, remembered } from "./memory.js";
 import { choose, state } from "./state.js";
 
 const system = matchMedia("(prefers-color-scheme: dark)");
-let printing = false;
-
-/** Whether the page is on its way to paper. */
-export const isPrinting = () => printing;
 
 /** Whether the page is dark now. */
-const isDark = () => !printing && (state.theme === "dark" || (state.theme === "auto" && system.matches));
+const isDark = () => !isPrinting() && (state.theme === "dark" || (state.theme === "auto" && system.matches));
 
 /** Sets the looks; `redraw` draws again what is drawn in colours of its own. */
 export function followTheme(redraw) {
@@ -24,7 +21,6 @@ export function followTheme(redraw) {
   };
   system.addEventListener("change", apply);
   const print = (now) => () => {
-    printing = now;
     for (const details of document.querySelectorAll("details.prints")) {
       if (now) {
         details.dataset.was = details.open ? "open" : "";

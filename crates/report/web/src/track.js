@@ -1,24 +1,9 @@
 // The curves of each track.
 
-import { largestNear, rowOfLargest } from "./curve.js";
+import { largestNear } from "../../../../web/components/curve.ts";
+import { fromAfar } from "../../../../web/components/from_afar.ts";
 import { curveId } from "./solutions.js";
 import { state } from "./state.js";
-
-const negative = (values) => values.map((value) => -value);
-
-/**
- * A curve that swings from joint to joint as it is from afar: its values at the joints, with their own band, and the least
- * of what lies between them where that is seen beside it.
- */
-function fromAfar({ depths, values, low, high }, { joint_reach_m, min_difference }) {
-  const joints = rowOfLargest(depths, values, joint_reach_m);
-  const atJoints = (column) => column && Float32Array.from(joints, (row) => column[row]);
-  const far = { values: atJoints(values), low: atJoints(low), high: atJoints(high) };
-  const between = negative(largestNear(depths, negative(values), joint_reach_m));
-  const most = far.values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
-  const visible = between.some((value, i) => Math.abs(value - far.values[i]) > min_difference * most);
-  return visible ? { ...far, between } : far;
-}
 
 /** Depths and values of a track's curves, with who drew them. */
 function curvesOf(report, track) {

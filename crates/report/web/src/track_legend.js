@@ -1,6 +1,6 @@
 // What is drawn in the tracks, in words; curves are hidden and shown there.
 
-import { el, svg } from "./dom.js";
+import { el, svg } from "../../../../web/components/dom.ts";
 import { placedOf } from "./findings.js";
 import { LEVELS } from "./levels.js";
 import { curveId, curveName, look, readable } from "./solutions.js";

@@ -1,14 +1,15 @@
 // One track: its curves, bands and marks in a frame with an axis of its own.
 
-import { area, extent, inView, path, valueAt } from "./curve.js";
-import { svg } from "./dom.js";
+import { area, extent, inView, path, valueAt } from "../../../../web/components/curve.ts";
+import { svg } from "../../../../web/components/dom.ts";
+import { beyond, withoutOutliers } from "../../../../web/components/outliers.ts";
+import { domain } from "../../../../web/components/ticks.ts";
+import { closeTrack, drawCurve, openTrack, shoeDepths } from "../../../../web/components/track.ts";
+import { si } from "../../../../web/components/units.ts";
 import { placedOf } from "./findings.js";
-import { beyond, withoutOutliers } from "./outliers.js";
 import { chosen, chosenInTime, look, operations } from "./solutions.js";
 import { state } from "./state.js";
-import { alignment, domain, roomyTicks, tickText } from "./ticks.js";
 import { drawnOf, isShown } from "./track.js";
-import { shown, si, symbol } from "./units.js";
 
 /** Markers of a curve over the height of a track. */
 const MARKERS = 5;
@@ -38,74 +39,19 @@ export function drawTrack(report, picture, track, box, [from, to], y) {
   const view = [from, to];
   const curves = drawnOf(report, track, view);
   const range = track.range ?? rangeOf(report, track, curves, view);
-  const x = (value) => box.left + ((value - range[0]) / (range[1] - range[0])) * box.width;
-  const clip = svg("svg", {
-    x: box.left,
-    y: box.top,
-    width: box.width,
-    height: box.height,
-    viewBox: `${box.left} ${box.top} ${box.width} ${box.height}`,
-  });
-  const scale = roomyTicks(shown(range[0], track.dimension), shown(range[1], track.dimension), box.width);
-  for (const value of scale.values) {
-    const at = x(si(value, track.dimension));
-    const place = alignment(at - box.left, box.width);
-    picture.append(
-      svg("line", { x1: at, x2: at, y1: box.top, y2: box.top + box.height, class: value === 0 ? "zero" : "grid" }),
-      svg("text", { x: at, y: box.top - 7, class: `tick ${place}` }, tickText(value, scale.step)),
-    );
-  }
-  for (const section of report.hole.filter(
-    (section) => section.kind === "casing" && section.to_m > from && section.to_m < to,
-  ))
-    clip.append(
-      svg("line", {
-        x1: box.left,
-        x2: box.left + box.width,
-        y1: y(section.to_m),
-        y2: y(section.to_m),
-        class: "shoe-depth",
-      }),
-    );
+  const inside = openTrack(picture, track.dimension, range, box);
+  const { x, clip } = inside;
+  shoeDepths(inside, report.hole, box, view, y);
   findingBands(report, clip, box, view, y);
   if (track.sides) fillSides(report, clip, track, view, x, y);
   for (const curve of curves) {
     const { colour, dash, shape, place, hollow } = curve.well ? { colour: "var(--text)" } : look(report, curve.solved);
     const faint = !curve.well && operations(report).length > 1 && curve.solved.operation !== state.operation;
-    if (curve.low && curve.high)
-      clip.append(
-        svg("path", {
-          d: area(curve.depths, curve.low, curve.high, view, x, y),
-          fill: colour,
-          class: faint ? "band faint" : "band",
-        }),
-      );
-    clip.append(
-      svg("path", {
-        d: path(curve.depths, curve.values, view, x, y),
-        stroke: colour,
-        class: `curve${faint ? " faint" : ""}`,
-        "stroke-dasharray": dash?.join(" "),
-      }),
-    );
-    if (curve.between)
-      clip.append(
-        svg("path", {
-          d: path(curve.depths, curve.between, view, x, y),
-          stroke: colour,
-          class: `curve between${faint ? " faint" : ""}`,
-        }),
-      );
+    drawCurve(inside, curve, { colour, dash, faint }, view, y);
     if (shape) clip.append(...markers(report, curve, { colour, shape, place, hollow, faint }, view, x, y));
   }
   if (track.touches) classStrip(report, clip, track, box, view, y);
-  const middle = box.left + box.width / 2;
-  picture.append(
-    clip,
-    svg("rect", { x: box.left, y: box.top, width: box.width, height: box.height, class: "frame" }),
-    svg("text", { x: middle, y: 16, class: "title middle" }, track.title),
-    svg("text", { x: middle, y: 31, class: "unit middle" }, symbol(track.dimension)),
-  );
+  closeTrack(picture, inside, track.title, track.dimension, box);
   if (track.sides)
     picture.append(
       svg("text", { x: box.left, y: box.top + box.height + 14, class: "side low" }, "◂ low side"),
@@ -129,7 +75,7 @@ export function drawTrack(report, picture, track, box, [from, to], y) {
         " at times",
       ),
     );
-  const text = svg("text", { x: middle, y: 48, class: "readout middle" });
+  const text = svg("text", { x: box.left + box.width / 2, y: 48, class: "readout middle" });
   picture.append(text);
   return { text, curves };
 }

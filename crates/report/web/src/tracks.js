@@ -1,21 +1,21 @@
 // Tracks against measured depth, which points down, side by side over one depth axis that zooms.
 
-import { valueAt } from "./curve.js";
-import { el, svg } from "./dom.js";
+import { valueAt } from "../../../../web/components/curve.ts";
+import { el, svg } from "../../../../web/components/dom.ts";
+import { listenToDepths } from "../../../../web/components/gestures.ts";
+import { isPrinting } from "../../../../web/components/printing.ts";
+import { schematic, lies } from "../../../../web/components/schematic.ts";
+import { hideTip, showTip } from "../../../../web/components/tip.ts";
+import { depthAxis } from "../../../../web/components/track.ts";
+import { digits, quantity, shown, si, symbol } from "../../../../web/components/units.ts";
 import { csv, downloads, svgFile } from "./downloads.js";
 import { kindText, placedOf } from "./findings.js";
-import { listenToDepths } from "./gestures.js";
-import { schematic, lies } from "./schematic.js";
 import { LEVELS } from "./levels.js";
 import { curveName, look } from "./solutions.js";
 import { choose, on, state } from "./state.js";
-import { isPrinting } from "./theme.js";
-import { hideTip, showTip } from "./tip.js";
-import { ticks, tickText } from "./ticks.js";
 import { isShown, sized, tracksOf } from "./track.js";
 import { trackLegend } from "./track_legend.js";
 import { drawTrack } from "./track_panel.js";
-import { digits, quantity, shown, si, symbol } from "./units.js";
 
 /** Width on paper, so that letters are of a size to be read there. */
 const PAPER = 700;
@@ -139,7 +139,7 @@ export function tracks(report) {
     });
     const left = AXIS + WELL + GAP;
     const wide = (width - left - GAP * (each - 1) - 2) / each;
-    depthAxis(picture, [from, to], y, width, left);
+    depthAxis(picture, [from, to], y, { axis: AXIS, left, right: width });
     const well = { left: AXIS, width: WELL, top: HEAD, height };
     const clipped = svg("svg", {
       x: 0,
@@ -163,23 +163,9 @@ export function tracks(report) {
     picture.append(band, chosenLine, cursor, flag, what, cover);
     cover.addEventListener("pointermove", (event) => showReadout(event, picture, readouts, [from, to], height));
     cover.addEventListener("pointerleave", hideTip);
-    listenToDepths({ cover, band, picture, head: HEAD, height, total, full, view, zoom });
+    const point = (pointer) => choose({ pointer });
+    listenToDepths({ cover, band, picture, head: HEAD, height, total, full, view, zoom, point, choose: (depth) => choose({ depth }) });
     return { picture, y, readouts, cursor, chosenLine, flag, what };
-  }
-
-  function depthAxis(picture, [from, to], y, width, left) {
-    const { values, step } = ticks(shown(from, "length"), shown(to, "length"), 12);
-    for (const value of values) {
-      const at = y(si(value, "length"));
-      picture.append(
-        svg("line", { x1: left, x2: width, y1: at, y2: at, class: "grid" }),
-        svg("text", { x: AXIS - 8, y: at + 4, class: "tick end" }, tickText(value, step)),
-      );
-    }
-    picture.append(
-      svg("text", { x: 0, y: 16, class: "title" }, "MD"),
-      svg("text", { x: 0, y: 31, class: "unit" }, symbol("length")),
-    );
   }
 
   /** Names and values of the track under the pointer, and what was found at its depth. */

@@ -8,4 +8,4 @@ mod points;
 mod request;
 
 pub use points::Sweeps;
-pub use request::{Outcome, Request, run};
+pub use request::{AtRest, Outcome, Request, at_rest, run};

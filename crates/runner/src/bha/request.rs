@@ -5,7 +5,7 @@ use std::{f64::consts::TAU, num::NonZeroUsize, path::PathBuf, time::Instant};
 use serde_json::json;
 use wholestring::{
     operation::{Operation, OperationKind},
-    statics::assembly::{self, Assembly, AssemblySettings, Extent, zeros},
+    statics::assembly::{self, Assembly, AssemblyNode, AssemblySettings, Extent, zeros},
 };
 use wholestring_case::Case;
 use wholestring_report::Bha;
@@ -78,6 +78,27 @@ pub struct Outcome {
     pub interrupted: bool,
 }
 
+/// The same in memory.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AtRest {
+    /// What was found, as `summary.json` has it.
+    pub summary: BhaSummary,
+    /// Nodes of all that was solved, from the bit up.
+    pub nodes: Vec<AssemblyNode>,
+    /// Time on the clock of the assembly itself, s.
+    pub alone_s: f64,
+}
+
+/// Solves the assembly of a case, and writes nothing. One that is cancelled while something is
+/// varied keeps the points that it has.
+///
+/// # Errors
+/// An operation that the case has not, something to vary that it has not, an assembly without an
+/// equilibrium, or a cancellation before it had one.
+pub fn at_rest(request: &Request<'_>, cancellation: &CancellationToken) -> Result<AtRest, Error> {
+    solve(request, operation(request.case, request.operation)?, cancellation)
+}
+
 /// Solves the assembly of a case, and writes its tables, its pictures and its page. One that is
 /// cancelled while something is varied keeps the points that it has.
 ///
@@ -91,12 +112,6 @@ pub fn run(
 ) -> Result<Outcome, Error> {
     let case = request.case;
     let operation = operation(case, request.operation)?;
-    let extent = if request.whole { Extent::Whole } else { AssemblySettings::default().extent };
-    let settings = AssemblySettings {
-        stiff: case.dynamics.stiff_string(),
-        extent,
-        ..AssemblySettings::default()
-    };
     let name = format!("{} bha", case.name);
     let occupant = Occupant {
         kind: "assembly".into(),
@@ -105,9 +120,35 @@ pub fn run(
     };
     let claimed = Claim::new(occupant, &request.output, observer).folder()?;
     let start = Instant::now();
+    let AtRest { summary, nodes, alone_s } = solve(request, operation, cancellation)?;
+    write(&claimed.folder, &summary, &nodes, request)?;
+    let units = request.units.unwrap_or(case.units);
+    Bha::gather(claimed.folder.path(), Some(units))?.write(&claimed.folder, false)?;
+    let took_s = [alone_s, start.elapsed().as_secs_f64()];
+    Ok(Outcome {
+        interrupted: summary.missing > 0,
+        summary,
+        folder: claimed.folder.path().to_owned(),
+        took_s,
+    })
+}
+
+fn solve(
+    request: &Request<'_>,
+    operation: &Operation,
+    cancellation: &CancellationToken,
+) -> Result<AtRest, Error> {
+    let case = request.case;
+    let extent = if request.whole { Extent::Whole } else { AssemblySettings::default().extent };
+    let settings = AssemblySettings {
+        stiff: case.dynamics.stiff_string(),
+        extent,
+        ..AssemblySettings::default()
+    };
     if cancellation.is_cancelled() {
         return Err(Error::Interrupted);
     }
+    let start = Instant::now();
     let found = assembly::solve(&case.model, operation, &settings).map_err(Error::failed)?;
     let alone_s = start.elapsed().as_secs_f64();
     let base = Base {
@@ -120,16 +161,7 @@ pub fn run(
     };
     let (points, missing) = base.points(&request.sweeps)?;
     let summary = BhaSummary { missing, ..summary(request, operation, &found, points) };
-    write(&claimed.folder, &summary, &found, request)?;
-    let units = request.units.unwrap_or(case.units);
-    Bha::gather(claimed.folder.path(), Some(units))?.write(&claimed.folder, false)?;
-    let took_s = [alone_s, start.elapsed().as_secs_f64()];
-    Ok(Outcome {
-        summary,
-        folder: claimed.folder.path().to_owned(),
-        took_s,
-        interrupted: missing > 0,
-    })
+    Ok(AtRest { summary, nodes: found.nodes, alone_s })
 }
 
 fn operation(case: &Case, wanted: Option<OperationKind>) -> Result<&Operation, Error> {
@@ -148,13 +180,13 @@ fn operation(case: &Case, wanted: Option<OperationKind>) -> Result<&Operation, E
 fn write(
     folder: &ResultsFolder,
     summary: &BhaSummary,
-    found: &Assembly,
+    nodes: &[AssemblyNode],
     request: &Request<'_>,
 ) -> Result<(), Error> {
     let components = request.case.model.string.components();
-    let nodes = bha_table(&found.nodes, |component| &components[component].name);
+    let nodes = bha_table(nodes, |component| &components[component].name);
     folder.write_table(NODES, &nodes, request.csv)?;
-    folder.write_table(CONTACTS, &bha_contacts_table(&found.contacts), request.csv)?;
+    folder.write_table(CONTACTS, &bha_contacts_table(&summary.state.contacts), request.csv)?;
     folder.write_table(SWEEP, &bha_sweep_table(&summary.sweep), request.csv)?;
     summary.write(&folder.path().join("summary.json"))?;
     Ok(())

@@ -1,26 +1,77 @@
 // A view in space: a scene with light from the reader's side that turns by hand, and a copy of it for paper.
 
-import { AmbientLight, Box3, DirectionalLight, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
+import {
+  AmbientLight,
+  Box3,
+  DirectionalLight,
+  LineSegments,
+  type Material,
+  Mesh,
+  type Object3D,
+  PerspectiveCamera,
+  Scene,
+  Sprite,
+  Vector3,
+  WebGLRenderer,
+} from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { el } from "./dom.js";
-import { isPrinting } from "./theme.js";
+import type { Vector } from "./bore.ts";
+import { el } from "./dom.ts";
+import { isPrinting } from "./printing.ts";
 
 /** Said where the browser gives no WebGL. */
-export const noSpace = () => el("p", { class: "warning" }, "This view needs WebGL, which this browser does not give.");
+export const noSpace = (): HTMLElement => el("p", { class: "warning" }, "This view needs WebGL, which this browser does not give.");
 
 /** The middle of the box around some places. */
-const centreOf = (places) => new Box3().setFromArray(places.flat()).getCenter(new Vector3());
+const centreOf = (places: readonly Vector[]): Vector3 => new Box3().setFromArray(places.flat()).getCenter(new Vector3());
 
 /** What one does to look around. */
 export const LOOK_AROUND = "drag to turn, right-drag to move, Ctrl + wheel to go nearer";
+
+/** Where a label stands, pixels. */
+interface Room {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+/** A stage, and what may be done on it. */
+export interface Stage {
+  holder: HTMLElement;
+  canvas: HTMLCanvasElement;
+  /** What these places span, in parts of the stage across and up. */
+  spans: (places: readonly Vector[]) => [number, number];
+  add: <T extends Object3D>(item: T) => T;
+  has: (item: Object3D) => boolean;
+  /** Takes these off the stage and out of memory; all where none is named. */
+  remove: (gone?: readonly Object3D[]) => void;
+  render: () => void;
+  lookAt: (places: readonly Vector[], direction: Vector, middle?: Vector3, margins?: [number, number]) => void;
+  /** Fits the picture to the room that there is. */
+  size: () => void;
+  /** From where the reader looks, as a vector from what is looked at. */
+  from: () => Vector3;
+  /** Gives back what the browser lends to few stages at a time. */
+  end: () => void;
+}
+
+/** What an item on the stage holds of the graphics card. */
+function release(item: Object3D): void {
+  if (!(item instanceof Mesh || item instanceof LineSegments || item instanceof Sprite)) return;
+  if (!(item instanceof Sprite)) item.geometry.dispose();
+  const material: Material = item.material;
+  if (item instanceof Sprite) item.material.map?.dispose();
+  material.dispose();
+}
 
 /**
  * A stage as wide as it is let be and so high in pixels; null where the browser has none. `aside` is how far the light comes
  * from above and from the left of the reader, in parts of the distance: what is rough throws no shade in light from the eye.
  */
-export function stage(what, height, aside = 0) {
+export function stage(what: string, height: number, aside = 0): Stage | null {
   const canvas = el("canvas", { class: "space", style: `height:${height}px`, role: "img", "aria-label": what });
-  let renderer;
+  let renderer: WebGLRenderer;
   try {
     renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
   } catch {
@@ -36,7 +87,7 @@ export function stage(what, height, aside = 0) {
   // Browsers print the picture that was last on the screen: paper gets a copy of the one that is meant for it.
   const paper = el("canvas", { class: "space-paper" });
   const holder = el("div", { class: "space-holder" }, canvas, paper);
-  let items = [];
+  let items: Object3D[] = [];
 
   canvas.addEventListener(
     "wheel",
@@ -54,24 +105,21 @@ export function stage(what, height, aside = 0) {
   );
   orbit.addEventListener("change", render);
 
-  function add(item) {
+  function add<T extends Object3D>(item: T): T {
     items.push(item);
     world.add(item);
     return item;
   }
 
-  /** Takes these off the stage and out of memory; all where none is named. */
-  function remove(gone = items) {
+  function remove(gone: readonly Object3D[] = items): void {
     for (const item of gone) {
       world.remove(item);
-      item.geometry?.dispose();
-      item.material.map?.dispose();
-      item.material.dispose();
+      release(item);
     }
     items = items.filter((item) => !gone.includes(item));
   }
 
-  function render() {
+  function render(): void {
     const off = aside * camera.position.distanceTo(orbit.target);
     sun.position.copy(camera.position).add(new Vector3(-off, off, 0).applyQuaternion(camera.quaternion));
     sun.target.position.copy(orbit.target);
@@ -80,19 +128,25 @@ export function stage(what, height, aside = 0) {
     renderer.render(world, camera);
     if (!isPrinting()) return;
     [paper.width, paper.height] = [canvas.width, canvas.height];
-    paper.getContext("2d").drawImage(canvas, 0, 0);
+    paper.getContext("2d")?.drawImage(canvas, 0, 0);
   }
 
   /**
    * Looks from a direction at places: as near as they allow, so that they fill the stage but for `margins`, pixels to the left
    * and right and above and below. `middle` is where to look first.
    */
-  function lookAt(places, direction, middle = centreOf(places), margins = [0.07 * (canvas.clientWidth || 1200), 0.04 * height]) {
+  function lookAt(
+    places: readonly Vector[],
+    direction: Vector,
+    middle = centreOf(places),
+    margins: [number, number] = [0.07 * (canvas.clientWidth || 1200), 0.04 * height],
+  ): void {
     const width = canvas.clientWidth || 1200;
     const towards = new Vector3(...direction).normalize();
     const points = places.map((place) => new Vector3(...place));
     const tall = Math.tan((camera.fov * Math.PI) / 360);
-    const room = [1 - (2 * margins[0]) / width, 1 - (2 * margins[1]) / height].map((part) => Math.max(part, 0.3));
+    const wide = Math.max(1 - (2 * margins[0]) / width, 0.3);
+    const high = Math.max(1 - (2 * margins[1]) / height, 0.3);
     const target = middle.clone();
     let far = 2 * Math.max(...points.map((point) => point.distanceTo(middle)), 1e-3);
     // Perspective bends the fit a little: each round is nearer by far than the last.
@@ -108,7 +162,7 @@ export function stage(what, height, aside = 0) {
       const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
       const up = new Vector3().setFromMatrixColumn(camera.matrixWorld, 1);
       target.addScaledVector(right, x * far * tall * (width / height)).addScaledVector(up, y * far * tall);
-      far *= Math.max((box.max.x - box.min.x) / 2 / room[0], (box.max.y - box.min.y) / 2 / room[1]) || 1;
+      far *= Math.max((box.max.x - box.min.x) / 2 / wide, (box.max.y - box.min.y) / 2 / high) || 1;
     }
     orbit.target.copy(target);
     camera.position.copy(target).addScaledVector(towards, far);
@@ -120,12 +174,13 @@ export function stage(what, height, aside = 0) {
   }
 
   /** Labels are as large as letters are to be read, and of two that would lie on each other the first stays. */
-  function arrangeLabels() {
+  function arrangeLabels(): Room[] {
     camera.updateMatrixWorld();
     const [width, tall] = [canvas.clientWidth || 1200, Math.tan((camera.fov * Math.PI) / 360)];
-    const taken = [];
-    for (const label of items.filter((item) => item.userData.pixels)) {
-      const [wide, high] = label.userData.pixels;
+    const taken: Room[] = [];
+    for (const label of items) {
+      if (!(label instanceof Sprite)) continue;
+      const [wide, high] = label.userData.pixels as [number, number];
       const away = -label.position.clone().applyMatrix4(camera.matrixWorldInverse).z;
       const pixel = (2 * tall * away) / height;
       label.scale.set(wide * pixel, high * pixel, 1);
@@ -133,7 +188,7 @@ export function stage(what, height, aside = 0) {
       const left = ((at.x + 1) / 2) * width - label.center.x * wide;
       const top = ((1 - at.y) / 2) * height - high / 2;
       const room = { left, top, right: left + wide, bottom: top + high };
-      const overlaps = (other) =>
+      const overlaps = (other: Room): boolean =>
         room.left < other.right + 4 && other.left < room.right + 4 && room.top < other.bottom && other.top < room.bottom;
       label.visible = away > 0 && room.left >= 0 && room.right <= width && !taken.some(overlaps);
       if (label.visible) taken.push(room);
@@ -142,7 +197,7 @@ export function stage(what, height, aside = 0) {
   }
 
   /** Fits the picture to the room that there is. */
-  function size() {
+  function size(): void {
     const width = holder.clientWidth || 1200;
     renderer.setPixelRatio(Math.min(devicePixelRatio * (devicePixelRatio < 1.5 ? 1.5 : 1), 2.5));
     renderer.setSize(width, height, false);
@@ -151,16 +206,16 @@ export function stage(what, height, aside = 0) {
   }
 
   let width = 0;
-  new ResizeObserver(() => {
+  const sizes = new ResizeObserver(() => {
     if (holder.clientWidth === width) return;
     width = holder.clientWidth;
     size();
     render();
-  }).observe(holder);
+  });
+  sizes.observe(holder);
   return {
     holder,
     canvas,
-    /** What these places span, in parts of the stage across and up. */
     spans: (places) => {
       const box = new Box3().setFromPoints(places.map((place) => new Vector3(...place).project(camera)));
       return [(box.max.x - box.min.x) / 2, (box.max.y - box.min.y) / 2];
@@ -171,7 +226,13 @@ export function stage(what, height, aside = 0) {
     render,
     lookAt,
     size,
-    /** From where the reader looks, as a vector from what is looked at. */
     from: () => camera.position.clone().sub(orbit.target),
+    end: () => {
+      sizes.disconnect();
+      remove();
+      orbit.dispose();
+      renderer.dispose();
+      renderer.forceContextLoss();
+    },
   };
 }

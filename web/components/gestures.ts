@@ -1,32 +1,51 @@
 // Zooming, moving and pointing along depth with mouse, pen and finger.
 
-import { choose } from "./state.js";
+import type { Interval } from "./ticks.ts";
 
 /** A pointer that has moved by less has only clicked, pixels. */
 const STILL = 4;
 
-/**
- * Listens to the pointer over `cover`, which lies over `height` of the `total` units of a picture from `head` down.
- * `view` gives the depths in view, `zoom` changes them within `full`, and `band` shows what is being chosen.
- */
-export function listenToDepths({ cover, band, picture, head, height, total, full, view, zoom }) {
-  const place = (depth) => {
+/** Where depth is in a picture, and what becomes of it. */
+export interface DepthPicture {
+  /** Lies over `height` of the `total` units of `picture` from `head` down. */
+  cover: SVGElement;
+  /** Shows what is being chosen. */
+  band: SVGElement;
+  picture: SVGElement;
+  head: number;
+  height: number;
+  total: number;
+  /** All depths, and those in view. */
+  full: Interval;
+  view: () => Interval;
+  /** Changes what is in view, within all of it. */
+  zoom: (view: Interval) => void;
+  /** A depth is pointed at; null: none any more. */
+  point: (depth: number | null) => void;
+  /** A depth is chosen. */
+  choose: (depth: number) => void;
+}
+
+/** Listens to the pointer. */
+export function listenToDepths(of: DepthPicture): void {
+  const { cover, band, picture, head, height, total, full, view, zoom, point, choose } = of;
+  const place = (depth: number): number => {
     const [from, to] = view();
     return head + ((depth - from) / (to - from)) * height;
   };
-  const depthAt = (event) => {
+  const depthAt = (event: MouseEvent): number => {
     const box = picture.getBoundingClientRect();
     const [from, to] = view();
     const at = ((event.clientY - box.top) / box.height) * total;
     return from + ((at - head) / height) * (to - from);
   };
-  let begun = null;
+  let begun: { depth: number; y: number } | null = null;
 
   /** Moves the view until the pointer is let go; the picture under it is drawn anew meanwhile. */
-  function drag(begin) {
+  function drag(begin: PointerEvent): void {
     const [from, to] = view();
     const perPixel = ((total / picture.getBoundingClientRect().height) * (to - from)) / height;
-    const move = (event) => {
+    const move = (event: PointerEvent): void => {
       const by = (begin.clientY - event.clientY) * perPixel;
       const kept = Math.min(Math.max(by, full[0] - from), full[1] - to);
       zoom([from + kept, to + kept]);
@@ -44,12 +63,12 @@ export function listenToDepths({ cover, band, picture, head, height, total, full
   cover.addEventListener("pointermove", (event) => {
     const depth = depthAt(event);
     if (begun && Math.abs(event.clientY - begun.y) > STILL) {
-      const ends = [place(begun.depth), place(depth)].sort((a, b) => a - b);
-      band.setAttribute("y", ends[0]);
-      band.setAttribute("height", ends[1] - ends[0]);
+      const ends = [place(begun.depth), place(depth)];
+      band.setAttribute("y", String(Math.min(...ends)));
+      band.setAttribute("height", String(Math.max(...ends) - Math.min(...ends)));
       band.setAttribute("visibility", "visible");
     }
-    choose({ pointer: depth });
+    point(depth);
   });
   cover.addEventListener("pointerup", (event) => {
     if (!begun) return;
@@ -57,9 +76,9 @@ export function listenToDepths({ cover, band, picture, head, height, total, full
     begun = null;
     band.setAttribute("visibility", "hidden");
     if (Math.abs(event.clientY - y) > STILL) zoom([depth, depthAt(event)]);
-    else choose({ depth: Math.min(Math.max(depth, full[0]), full[1]) });
+    else choose(Math.min(Math.max(depth, full[0]), full[1]));
   });
-  cover.addEventListener("pointerleave", () => choose({ pointer: null }));
+  cover.addEventListener("pointerleave", () => point(null));
   cover.addEventListener("dblclick", () => zoom(full));
   cover.addEventListener(
     "wheel",
@@ -68,7 +87,8 @@ export function listenToDepths({ cover, band, picture, head, height, total, full
       event.preventDefault();
       const depth = depthAt(event);
       const by = Math.exp(event.deltaY * 0.002);
-      zoom(view().map((end) => depth + (end - depth) * by));
+      const [from, to] = view();
+      zoom([depth + (from - depth) * by, depth + (to - depth) * by]);
     },
     { passive: false },
   );

@@ -11,18 +11,29 @@ import {
   SpriteMaterial,
   Vector3,
 } from "three";
-import { el } from "./dom.js";
-import { colour } from "./palette.js";
-import { ticks, tickText } from "./ticks.js";
-import { shown, si, symbol } from "./units.js";
+import type { Course, Vector } from "./bore.ts";
+import { el } from "./dom.ts";
+import { colour } from "./palette.ts";
+import { type Interval, ticks, tickText } from "./ticks.ts";
+import { shown, si, symbol } from "./units.ts";
+
+/** A box around a part of the path. */
+export interface Bounds {
+  low: Vector3;
+  high: Vector3;
+}
+
+/** East and south. */
+type Across = [number, number];
 
 /** Height of a label, of which its letters are three quarters, pixels. */
 const LETTERS = 17;
 
 /** Words that face the reader, so many pixels high; `anchor` is the part of them that lies left of their place. */
-export function label(text, place, high, ink = "text", anchor = 0.5) {
+export function label(text: string, place: Vector, high: number, ink = "text", anchor = 0.5): Sprite {
   const buffer = el("canvas", {});
   const pen = buffer.getContext("2d");
+  if (!pen) throw new Error("the browser gives no canvas to write on");
   const font = "600 44px system-ui, sans-serif";
   pen.font = font;
   buffer.width = Math.ceil(pen.measureText(text).width) + 8;
@@ -43,16 +54,16 @@ export function label(text, place, high, ink = "text", anchor = 0.5) {
 }
 
 /** Corners of a box around the path between two depths, never flat. */
-export function bounds(course, [from, to]) {
+export function bounds(course: Course, [from, to]: Interval): Bounds {
   const low = new Vector3(Infinity, Infinity, Infinity);
   const high = low.clone().negate();
   for (let i = 0; i <= 100; i++) {
-    const at = new Vector3(...course.at(from + ((to - from) * i) / 100, {}).place);
+    const at = new Vector3(...course.at(from + ((to - from) * i) / 100).place);
     low.min(at);
     high.max(at);
   }
   const least = 0.22 * high.clone().sub(low).length();
-  for (const axis of ["x", "y", "z"]) {
+  for (const axis of ["x", "y", "z"] as const) {
     const short = Math.max(least - (high[axis] - low[axis]), 0) / 2;
     const air = short + (axis === "y" ? 0 : 0.03 * least);
     low[axis] -= air;
@@ -62,9 +73,9 @@ export function bounds(course, [from, to]) {
 }
 
 /** Corners, across, of the two walls of the box that lie behind the well to a reader who looks from there. */
-export function walls({ low, high }, [x, , z]) {
-  const [west, east] = x >= 0 ? [low.x, high.x] : [high.x, low.x];
-  const [north, south] = z >= 0 ? [low.z, high.z] : [high.z, low.z];
+export function walls({ low, high }: Bounds, [x, , z]: Vector): [Across, Across, Across] {
+  const [west, east] = x >= 0 ? ([low.x, high.x] as const) : ([high.x, low.x] as const);
+  const [north, south] = z >= 0 ? ([low.z, high.z] as const) : ([high.z, low.z] as const);
   return [
     [west, north],
     [east, north],
@@ -73,47 +84,55 @@ export function walls({ low, high }, [x, , z]) {
 }
 
 /** How far the well is from an edge of the box at a height, seen from the reader's side; endless where it does not pass. */
-function gap(course, [from, to], height, along, edge) {
+function gap(
+  course: Course,
+  [from, to]: Interval,
+  height: number,
+  along: (at: Across) => number,
+  edge: Across,
+): number {
   const steps = 100;
   let least = Infinity;
   for (let i = 0; i <= steps; i++) {
-    const [x, y, z] = course.at(from + ((to - from) * i) / steps, {}).place;
+    const [x, y, z] = course.at(from + ((to - from) * i) / steps).place;
     if (Math.abs(y - height) <= (to - from) / steps) least = Math.min(least, Math.abs(along([x, z]) - along(edge)));
   }
   return least;
 }
 
 /** The signs for the depths in view, beside a hole of this radius in the scene, to a reader who looks from there. */
-export function reference(course, range, radius, from) {
+export function reference(course: Course, range: Interval, radius: number, from: Vector): (LineSegments | Sprite)[] {
   const box = bounds(course, range);
   const { low, high } = box;
-  const [behind, ...sides] = walls(box, from);
+  const [behind, one, other] = walls(box, from);
   // What the reader sees to the left: up crosses the way to the reader to the right.
-  const along = ([x, z]) => x * from[2] - z * from[0];
-  const [left, right] = sides.sort((a, b) => along(a) - along(b));
+  const along = ([x, z]: Across): number => x * from[2] - z * from[0];
+  const [left, right] = along(one) <= along(other) ? [one, other] : [other, one];
   const size = high.clone().sub(low).length();
   const unit = symbol("length");
   const marks = ticks(shown(range[0], "length"), shown(range[1], "length"), 8);
   const depths = marks.values.map((value) => {
-    const { place, high } = course.at(si(value, "length"), {});
+    const { place, high } = course.at(si(value, "length"));
     const away = radius + 0.012 * size;
     return label(
       `${tickText(value, marks.step)} ${unit}`,
-      place.map((at, axis) => at + away * high[axis]),
+      [place[0] + away * high[0], place[1] + away * high[1], place[2] + away * high[2]],
       LETTERS,
       "text",
       0,
     );
   });
-  const lines = [];
-  const edge = (a, b) => lines.push(...a, ...b);
+  const lines: number[] = [];
+  const edge = (a: Vector, b: Vector): void => {
+    lines.push(...a, ...b);
+  };
   const down = ticks(shown(-high.y, "length"), shown(-low.y, "length"), 5);
   // Vertical depths stand to the left, or to the right where the well is much nearer to the left.
-  const near = (edge) => Math.min(...down.values.map((value) => gap(course, range, -si(value, "length"), along, edge)));
+  const near = (edge: Across): number => Math.min(...down.values.map((value) => gap(course, range, -si(value, "length"), along, edge)));
   const beside = near(right) > near(left) + 0.1 * size ? right : left;
   const levels = down.values.map((value) => {
     const y = -si(value, "length");
-    const at = ([x, z]) => [x, y, z];
+    const at = ([x, z]: Across): Vector => [x, y, z];
     edge(at(behind), at(right));
     edge(at(behind), at(left));
     return label(`TVD ${tickText(value, down.step)} ${unit}`, at(beside), LETTERS, "muted", beside === left ? 1.06 : -0.06);

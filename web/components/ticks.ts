@@ -1,44 +1,57 @@
 // Round numbers along an axis.
 
-import { grouped } from "./units.js";
+import { grouped } from "./units.ts";
+
+/** Round numbers and what lies between two of them. */
+export interface Scale {
+  values: number[];
+  step: number;
+}
+
+/** The two ends of an interval. */
+export type Interval = readonly [number, number];
 
 /** Round numbers from `from` to `to`, about `count` of them. */
-export function ticks(from, to, count) {
+export function ticks(from: number, to: number, count: number): Scale {
   const span = to - from;
   if (!(span > 0) || !Number.isFinite(span)) return { values: [from], step: 1 };
   const rough = span / Math.max(count, 1);
   const power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 2.5, 5, 10].map((m) => m * power).find((s) => s >= rough * 0.999);
+  const step = [1, 2, 2.5, 5, 10].map((m) => m * power).find((s) => s >= rough * 0.999) ?? 10 * power;
   const values = [];
   for (let k = Math.ceil(from / step - 1e-9); k * step <= to + step * 1e-9; k++) values.push(k * step);
   return { values, step };
 }
 
-/** How a number over a track so many pixels wide is aligned: what stands at an edge goes inwards. */
-export const alignment = (at, width) => (at < 8 ? "start" : at > width - 8 ? "end" : "middle");
-
 /** Parts of a text to the left of its place. */
 const LEFT_OF = { start: 0, middle: 0.5, end: 1 };
 
+/** How a number over a track so many pixels wide is aligned: what stands at an edge goes inwards. */
+export const alignment = (at: number, width: number): keyof typeof LEFT_OF =>
+  at < 8 ? "start" : at > width - 8 ? "end" : "middle";
+
 /** As many round numbers as stand side by side over so many pixels, in letters of a track. */
-export function roomyTicks(from, to, width) {
+export function roomyTicks(from: number, to: number, width: number): Scale {
   const LETTER = 6.2;
   const APART = 5;
   for (let count = Math.floor(width / 24); count > 1; count--) {
     const scale = ticks(from, to, count);
-    const spans = scale.values.map((value) => {
+    let free = -Infinity;
+    const fits = scale.values.every((value) => {
       const at = ((value - from) / (to - from)) * width;
       const wide = LETTER * tickText(value, scale.step).length;
       const left = at - LEFT_OF[alignment(at, width)] * wide;
-      return [left, left + wide];
+      const room = free <= left;
+      free = left + wide + APART;
+      return room;
     });
-    if (spans.every(([left], i) => i === 0 || spans[i - 1][1] + APART <= left)) return scale;
+    if (fits) return scale;
   }
   return ticks(from, to, 1);
 }
 
 /** A tick as text, with no more decimals than the step needs. */
-export function tickText(value, step) {
+export function tickText(value: number, step: number): string {
   const rounded = Math.abs(value) < step * 1e-6 ? 0 : value;
   let decimals = 0;
   while (decimals < 8 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) decimals++;
@@ -49,7 +62,7 @@ export function tickText(value, step) {
  * The interval with some air, and round zero where values keep to one side of it and come near; of nothing, or nothing
  * but zeros, the interval up to `one`. It is no shorter than `least`, so that what hardly changes looks so.
  */
-export function domain(low, high, withZero, one, least) {
+export function domain(low: number, high: number, withZero: boolean, one: number, least: number): Interval {
   if (!(low <= high) || (low === 0 && high === 0)) return [0, one];
   if (withZero || (low > 0 && low < 0.35 * high)) low = Math.min(low, 0);
   if (withZero || (high < 0 && high > 0.35 * low)) high = Math.max(high, 0);

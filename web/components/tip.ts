@@ -1,11 +1,18 @@
 // What a chart says beside the pointer: names and values.
 
-import { el } from "./dom.js";
+import { el } from "./dom.ts";
+
+/** A line of it: a colour, or none, and its text. */
+export interface TipRow {
+  colour?: string | null;
+  text: string;
+  class?: string | null;
+}
 
 const box = el("div", { class: "tip noprint", role: "status", hidden: true });
 
-/** Shows a title and rows beside the pointer; each row has a colour, or none, and its text. */
-export function showTip(event, title, rows) {
+/** Shows a title and rows beside the pointer. */
+export function showTip(at: { clientX: number; clientY: number }, title: string, rows: readonly TipRow[]): void {
   if (!box.isConnected) document.body.append(box);
   box.replaceChildren(
     el("strong", {}, title),
@@ -15,10 +22,12 @@ export function showTip(event, title, rows) {
   );
   box.hidden = false;
   const { width, height } = box.getBoundingClientRect();
-  const left = event.clientX + 16 + width > innerWidth ? event.clientX - 16 - width : event.clientX + 16;
-  const top = Math.min(event.clientY + 12, innerHeight - height - 4);
+  const left = at.clientX + 16 + width > innerWidth ? at.clientX - 16 - width : at.clientX + 16;
+  const top = Math.min(at.clientY + 12, innerHeight - height - 4);
   box.style.left = `${Math.max(left, 4)}px`;
   box.style.top = `${Math.max(top, 4)}px`;
 }
 
-export const hideTip = () => (box.hidden = true);
+export const hideTip = (): void => {
+  box.hidden = true;
+};

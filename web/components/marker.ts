@@ -1,7 +1,7 @@
 // Shapes and strokes that distinguish curves where colours do not.
 
 /** Lengths of dashes and gaps by the place of a curve; null of a full line. */
-const DASHES = [null, [6, 4], [1.5, 3], [13, 4], [3.5, 2.5], [6, 7], [1.5, 6]];
+const DASHES = [null, [6, 4], [1.5, 3], [13, 4], [3.5, 2.5], [6, 7], [1.5, 6]] as const;
 
 /** Outlines about the origin, by the place of a curve. */
 const SHAPES = [
@@ -12,7 +12,10 @@ const SHAPES = [
   "M0 4.2L4 -3.2H-4z",
   "M-4 -1.2h2.8v-2.8h2.4v2.8h2.8v2.4h-2.8v2.8h-2.4v-2.8h-2.8z",
   "M-4 -2.4L-2.4 -4L0 -1.6L2.4 -4L4 -2.4L1.6 0L4 2.4L2.4 4L0 1.6L-2.4 4L-4 2.4L-1.6 0z",
-];
+] as const;
 
-export const dashOf = (place) => DASHES[place % DASHES.length];
-export const shapeOf = (place) => SHAPES[place % SHAPES.length];
+/** Lengths of dashes and gaps, pixels; null of a full line. */
+export type Dash = readonly number[] | null;
+
+export const dashOf = (place: number): Dash => DASHES[place % DASHES.length] ?? null;
+export const shapeOf = (place: number): string => SHAPES[place % SHAPES.length] ?? SHAPES[0];

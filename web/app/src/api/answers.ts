@@ -1,0 +1,145 @@
+// What a text comes to while it is written. Numbers are SI; what is missing is null.
+
+import type { AssemblyAtRest } from "../../../components/assembly_views.ts";
+import type { HoleSection, StringPart } from "../../../components/schematic.ts";
+import { part, request } from "./client";
+
+/** Numbers of a column. */
+export type Numbers = (number | null)[];
+
+/** Something that an engineer must know. */
+export interface Finding {
+  kind: string;
+  level: "error" | "warning" | "note";
+  md_m: number | null;
+  to_md_m: number | null;
+  message: string;
+}
+
+export type Model = "soft" | "stiff";
+
+/** An operation by a model. */
+export interface Solved {
+  model: Model;
+  operation: string;
+  status: "complete" | "interrupted" | "failed";
+  /** Why it has no answer. */
+  message?: string;
+  findings: Finding[];
+  hook_load_N: number | null;
+  surface_torque_N_m: number | null;
+  axial_friction_N: number | null;
+  side_force_total_N: number | null;
+  neutral_point_m: number | null;
+  stretch_m: number | null;
+}
+
+/** Columns along the string that a track may draw. */
+export const COLUMNS = [
+  "tension_N",
+  "torque_N_m",
+  "side_force_N_per_m",
+  "bending_moment_N_m",
+  "von_mises_stress_Pa",
+] as const;
+export type ColumnName = (typeof COLUMNS)[number];
+
+/** Values along the string; a model leaves out what it does not know. */
+export interface Along extends Partial<Record<ColumnName, Numbers>> {
+  model: Model;
+  operation: string;
+  md_m: Numbers;
+}
+
+export interface Well {
+  md_m: Numbers;
+  north_m: Numbers;
+  east_m: Numbers;
+  tvd_m: Numbers;
+  inclination_rad: Numbers;
+  azimuth_rad: Numbers;
+  dogleg_severity_rad_per_m: Numbers;
+  hole: HoleSection[];
+  string: StringPart[];
+}
+
+/** A load against what bears it; the load may grow by `reserve`. */
+export interface Limit {
+  kind: string;
+  label: string;
+  component: string | null;
+  md_m: number | null;
+  dimension: string;
+  load: number;
+  capacity: number;
+  required: number;
+  reserve: number;
+  standing: "kept" | "near" | "short" | "passed";
+}
+
+export interface OperationLimits {
+  operation: string;
+  limits: Limit[];
+  unchecked: { missing: string; components: string[] }[];
+}
+
+/** A value that may be replaced without touching the text. */
+export interface SetPoint {
+  key: string;
+  label: string;
+  dimension: string;
+  now: number;
+  range: [number, number];
+}
+
+export interface Answer {
+  operations: Solved[];
+  tracks: Along[];
+  well: Well;
+  limits: OperationLimits[];
+  set_points: { values: SetPoint[]; sections: number };
+  took_s: number;
+}
+
+export interface BroomstickCurve {
+  operation: string;
+  friction: "low" | "expected" | "high";
+  bit_depth_m: Numbers;
+  hook_load_N: Numbers;
+  surface_torque_N_m: Numbers;
+}
+
+export interface Broomstick {
+  curves: BroomstickCurve[];
+  frictions: { name: string; coefficients: number[] }[];
+  hoist_N: number | null;
+  top_drive_N_m: number | null;
+  took_s: number;
+}
+
+export interface Assembly extends AssemblyAtRest {
+  operation: string;
+  bit_depth_m: number;
+  weight_on_bit_N: number;
+  inclination_rad: number;
+  toolface_rad: number | null;
+  side_force_N: [number, number];
+  tilt_rad: [number, number];
+  took_s: number;
+}
+
+/** A text with values replaced, as `--set KEY=VALUE` has them. */
+export interface Changed {
+  text: string;
+  set: Record<string, string>;
+}
+
+const ask = <T>(id: string, what: string, body: object, signal: AbortSignal): Promise<T> =>
+  request("POST", `/cases/${part(id)}/${what}`, body, signal);
+
+export const answerCase = (id: string, of: Changed, models: Model[], signal: AbortSignal): Promise<Answer> =>
+  ask(id, "answer", { ...of, models }, signal);
+export const broomstickOf = (id: string, of: Changed, signal: AbortSignal): Promise<Broomstick> =>
+  ask(id, "broomstick", of, signal);
+export const assemblyOf = (id: string, of: Changed, operation: string | null, signal: AbortSignal): Promise<Assembly> =>
+  ask(id, "assembly", { ...of, operation }, signal);
