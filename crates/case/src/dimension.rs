@@ -81,6 +81,7 @@ pub fn dimension_of(key: &str) -> Option<(Dimension, &str)> {
 ///
 /// assert_eq!(dimension_at("well.hole.0.diameter"), Some(Dimension::Diameter));
 /// assert_eq!(dimension_at("wob"), Some(Dimension::Force));
+/// assert_eq!(dimension_at("well.stations.3.1"), Some(Dimension::Angle));
 /// assert_eq!(dimension_at("well.hole.0.friction"), None);
 /// ```
 pub fn dimension_at(path: &str) -> Option<Dimension> {
@@ -95,15 +96,18 @@ fn at<'a>(schema: &'a Json, keys: &mut dyn Iterator<Item = &str>) -> Option<&'a 
     let either = schema["anyOf"].as_array().into_iter().flatten();
     std::iter::once(schema).chain(either).find_map(|schema| {
         let below = match &schema["properties"][key] {
-            Json::Null => schema.get("items").filter(|_| is_index(key))?,
+            Json::Null => in_list(schema, key)?,
             below => below,
         };
         at(below, &mut rest.iter().copied())
     })
 }
 
-fn is_index(key: &str) -> bool {
-    key == "*" || key.bytes().all(|byte| byte.is_ascii_digit())
+/// What a schema says of an item of a list.
+fn in_list<'a>(schema: &'a Json, key: &str) -> Option<&'a Json> {
+    let is_index = key == "*" || key.bytes().all(|byte| byte.is_ascii_digit());
+    let of_place = || schema["prefixItems"].get(key.parse::<usize>().ok()?);
+    of_place().or_else(|| schema.get("items").filter(|_| is_index))
 }
 
 /// The name before a dimension's unit.

@@ -104,8 +104,11 @@ impl Rule for Quantity {
 
     fn schema(&self) -> Json {
         let (unit, worth) = self.bare;
-        let mut number =
-            json!({ "type": "number", "description": format!("A bare number is in {unit}.") });
+        let mut number = json!({
+            "type": "number",
+            "description": format!("A bare number is in {unit}."),
+            "x-unit": unit,
+        });
         self.range.describe(&mut number, worth);
         let text = json!({
             "type": "string",

@@ -14,6 +14,8 @@ pub fn users_of(used: &[Used], name: &str) -> Vec<&'static str> {
 #[derive(Default)]
 pub struct TableSchema {
     properties: Map<String, Json>,
+    /// Their names as they were declared: what belongs together stands together.
+    order: Vec<String>,
     required: Vec<String>,
     /// A key that chooses among words, and the keys that each word uses.
     tag: Option<(&'static str, Vec<Used>)>,
@@ -27,6 +29,7 @@ impl TableSchema {
             "title": heading,
             "description": doc.trim(),
             "properties": self.properties,
+            "x-order": self.order,
             "additionalProperties": false,
         });
         if !self.required.is_empty() {
@@ -42,6 +45,9 @@ impl TableSchema {
         }
         let known = self.properties.get(name);
         debug_assert!(known.is_none_or(|known| *known == schema), "`{name}` is declared twice");
+        if known.is_none() {
+            self.order.push(name.to_owned());
+        }
         self.properties.insert(name.to_owned(), schema);
     }
 

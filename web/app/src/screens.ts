@@ -12,6 +12,7 @@ export interface ScreenProps {
 const SCREENS = {
   cases: () => import("./cases/CasesScreen.svelte"),
   answers: () => import("./answers/AnswersScreen.svelte"),
+  case: () => import("./case/CaseScreen.svelte"),
 } satisfies Record<string, () => Promise<{ default: Component<ScreenProps> | Component }>>;
 
 export type Screen = keyof typeof SCREENS;

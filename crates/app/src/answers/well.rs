@@ -4,7 +4,7 @@ use serde::Serialize;
 use utoipa::ToSchema;
 use wholestring::{
     outcome::WellPath,
-    string::Component as StringComponent,
+    string::{Component as StringComponent, DrillString},
     well::{HoleKind, HoleSection, Path},
 };
 use wholestring_case::Case;
@@ -17,6 +17,18 @@ const POINTS: usize = 200;
 /// Path, hole and string.
 #[derive(Debug, Serialize, ToSchema)]
 pub(crate) struct WellView {
+    /// The path.
+    #[serde(flatten)]
+    path: PathView,
+    /// Sections of the hole, from the surface down.
+    hole: Vec<Section>,
+    /// Components of the string, from the surface down, at the depth of the case's first operation.
+    string: Vec<Component>,
+}
+
+/// A path, at its stations and between them.
+#[derive(Debug, Serialize, ToSchema)]
+pub(crate) struct PathView {
     /// Measured depths of the stations and evenly between them, m.
     md_m: Column,
     /// North, m.
@@ -33,10 +45,6 @@ pub(crate) struct WellView {
     azimuth_rad: Column,
     /// Dogleg severity, rad/m.
     dogleg_severity_rad_per_m: Column,
-    /// Sections of the hole, from the surface down.
-    hole: Vec<Section>,
-    /// Components of the string, from the surface down, at the depth of the case's first operation.
-    string: Vec<Component>,
 }
 
 /// A section of the hole.
@@ -75,17 +83,20 @@ impl WellView {
     /// Those of a case.
     pub(crate) fn of(case: &Case) -> Self {
         let (model, path) = (&case.model, &case.model.well.path);
+        let bit_m = case.operations.first().map_or(path.last_md_m(), |of| of.bit_depth_m);
+        Self {
+            path: PathView::of(path),
+            hole: model.well.hole.sections().iter().map(Section::of).collect(),
+            string: Component::all(&model.string, bit_m),
+        }
+    }
+}
+
+impl PathView {
+    /// That of a path.
+    pub(crate) fn of(path: &Path) -> Self {
         let well = WellPath::at(path, depths(path));
         let column = |numbers: Vec<f64>| numbers.into_iter().collect();
-        let bit_m = case.operations.first().map_or(path.last_md_m(), |of| of.bit_depth_m);
-        let components = model.string.spans().rev().map(|span| Component {
-            name: span.component.name.clone(),
-            from_m: bit_m - span.to_bit_m,
-            to_m: bit_m - span.from_bit_m,
-            od_m: span.component.od_m,
-            id_m: span.component.id_m,
-            contact_od_m: contact_od_m(span.component),
-        });
         Self {
             md_m: column(well.md_m),
             north_m: column(well.north_m),
@@ -95,8 +106,6 @@ impl WellView {
             inclination_rad: column(well.inclination_rad),
             azimuth_rad: column(well.azimuth_rad),
             dogleg_severity_rad_per_m: column(well.dogleg_severity_rad_per_m),
-            hole: model.well.hole.sections().iter().map(section).collect(),
-            string: components.collect(),
         }
     }
 }
@@ -111,16 +120,34 @@ fn depths(path: &Path) -> Vec<f64> {
     depths
 }
 
-fn section(of: &HoleSection) -> Section {
-    Section {
-        kind: match of.kind {
-            HoleKind::Casing => "casing",
-            HoleKind::Open => "open",
-        },
-        from_m: of.from_md_m.max(0.0),
-        to_m: of.to_md_m,
-        diameter_m: of.diameter_m,
-        friction: of.friction.kinetic,
+impl Section {
+    /// That of a hole.
+    pub(crate) fn of(section: &HoleSection) -> Self {
+        Self {
+            kind: match section.kind {
+                HoleKind::Casing => "casing",
+                HoleKind::Open => "open",
+            },
+            from_m: section.from_md_m.max(0.0),
+            to_m: section.to_md_m,
+            diameter_m: section.diameter_m,
+            friction: section.friction.kinetic,
+        }
+    }
+}
+
+impl Component {
+    /// Those of a string, from the surface down, its bit at this depth, m.
+    pub(crate) fn all(string: &DrillString, bit_m: f64) -> Vec<Self> {
+        let components = string.spans().rev().map(|span| Self {
+            name: span.component.name.clone(),
+            from_m: bit_m - span.to_bit_m,
+            to_m: bit_m - span.from_bit_m,
+            od_m: span.component.od_m,
+            id_m: span.component.id_m,
+            contact_od_m: contact_od_m(span.component),
+        });
+        components.collect()
     }
 }
 

@@ -4,13 +4,15 @@ use axum::extract::{Path, State};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 use utoipa_axum::{router::OpenApiRouter, routes};
-use wholestring_case::parse;
+use wholestring_case::{Parts, parse};
 use wholestring_config::node;
 
 use super::{
     Json, blocking,
     diagnostic::{self, Diagnostic, Level},
     error::ApiError,
+    layout::Layout,
+    quantities::{self, Quantities},
     values,
 };
 use crate::app::App;
@@ -36,6 +38,11 @@ pub(crate) struct Checked {
     /// The text as JSON, numbers and texts as they stand; null where it is no TOML.
     #[schema(value_type = Option<Object>)]
     values: Option<serde_json::Value>,
+    /// What its texts are worth in SI, by dimension and text: `{"length": {"10 ft": 3.048}}`.
+    #[schema(value_type = Object)]
+    quantities: Quantities,
+    /// What can be drawn of it.
+    layout: Layout,
 }
 
 /// Says what the command line says of the text, as if it stood in the file of the case.
@@ -66,8 +73,10 @@ async fn check(
             }
         };
         let tree = node::parse_text(&text, 0).ok();
+        let quantities = tree.as_ref().map(quantities::of_table).unwrap_or_default();
         let values = tree.map(|entries| values::of_table(&entries, &text));
-        Ok(Json(Checked { diagnostics, values }))
+        let parts = Parts::read(&case.shown, text.as_bytes(), &app.workspace.beside(&case));
+        Ok(Json(Checked { diagnostics, values, quantities, layout: Layout::of(parts) }))
     })
     .await
 }

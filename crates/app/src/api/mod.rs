@@ -2,6 +2,7 @@
 //! document `/api/openapi.json` is made of the same declarations.
 
 mod answers;
+mod arrange;
 mod blocking;
 mod body;
 mod cases;
@@ -13,8 +14,11 @@ mod drafts;
 mod edit;
 pub(crate) mod error;
 mod examples;
+mod layout;
+mod quantities;
 mod schema;
 mod session;
+mod survey;
 mod units;
 mod values;
 
@@ -37,11 +41,13 @@ fn nouns() -> OpenApiRouter<App> {
         .merge(session::routes())
         .merge(examples::routes())
         .merge(cases::routes())
+        .merge(arrange::routes())
         .merge(drafts::routes())
         .merge(check::routes())
         .merge(edit::routes())
         .merge(schema::routes())
         .merge(units::routes())
+        .merge(survey::routes())
         .merge(catalogue::routes())
         .merge(answers::routes())
 }

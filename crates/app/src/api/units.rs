@@ -46,7 +46,7 @@ async fn units() -> Json<BTreeMap<String, DimensionUnits>> {
     let named = display_units().into_iter().map(|(name, shown)| {
         let dimension = Dimension::ALL.iter().find(|of| of.name() == name);
         let units = dimension.map_or(&[][..], |of| of.units());
-        let spelt = units.iter().flat_map(|unit| unit.spellings().map(|of| (of, unit.factor)));
+        let spelt = units.iter().flat_map(|unit| unit.spellings().map(move |of| (of, unit.factor)));
         let sets = UnitSet::ALL.iter().zip(shown).map(|(set, shown)| {
             let symbol = dimension.map(|of| of.unit_in(*set).symbol);
             (set.name(), ShownUnit { symbol, label: shown.symbol, factor: shown.factor })

@@ -94,11 +94,7 @@ impl Workspace {
         case: NewFile<'_>,
         beside: &[NewFile<'_>],
     ) -> Result<String, WorkspaceError> {
-        name::check(case.name)?;
-        if !case.name.to_ascii_lowercase().ends_with(".toml") {
-            let (name, why) = (case.name.to_owned(), "a case file ends in `.toml`");
-            return Err(WorkspaceError::Name { name, why });
-        }
+        name::check_case(case.name)?;
         beside.iter().try_for_each(|file| name::check(file.name))?;
         let _alone = self.writing();
         let mut made = Vec::new();

@@ -2,6 +2,7 @@
 //!
 //! What lies in it is named by ids, which are found among what is there and never made into a path.
 
+mod arrange;
 mod beside;
 mod case_file;
 mod draft;

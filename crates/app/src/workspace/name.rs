@@ -19,6 +19,21 @@ pub(super) fn check(name: &str) -> Result<(), WorkspaceError> {
     }
 }
 
+/// The same, and what is no name of a case file.
+///
+/// # Errors
+/// What is wrong with the name.
+pub(super) fn check_case(name: &str) -> Result<(), WorkspaceError> {
+    check(name)?;
+    match name.to_ascii_lowercase().ends_with(".toml") {
+        true => Ok(()),
+        false => {
+            let why = "a case file ends in `.toml`";
+            Err(WorkspaceError::Name { name: name.to_owned(), why })
+        }
+    }
+}
+
 fn wrong(name: &str) -> Option<&'static str> {
     if name.is_empty() {
         return Some("it is empty");

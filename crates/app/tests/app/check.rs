@@ -70,3 +70,44 @@ fn warnings_and_notes_are_said_too() {
     assert_eq!(said["diagnostics"][0]["key"], "well.survey", "{said}");
     assert_eq!(said["diagnostics"][0]["line"], 3, "{said}");
 }
+
+#[test]
+fn what_can_be_drawn_is_there_though_the_rest_is_not_sound() {
+    let served = Served::with(&[("a.toml", CASE)]);
+    let said = check(&served, &CASE.replace("1.2 sg", "1.2 bar"));
+    assert_eq!(said["diagnostics"][0]["level"], "error");
+    let stations = &said["layout"]["stations"];
+    assert_eq!(stations["md_m"], json!([0.0, 1000.0]));
+    let dogleg = stations["dogleg_severity_rad_per_m"][1].as_f64().unwrap();
+    // 30 deg in 1000 m.
+    assert!((dogleg - 30_f64.to_radians() / 1000.0).abs() < 1e-15);
+    let path = &said["layout"]["path"];
+    // A single arc of radius L/angle in the plane of the azimuth, which is north.
+    let last = path["md_m"].as_array().unwrap().len() - 1;
+    let radius_m = 1000.0 / 30_f64.to_radians();
+    let tvd_m = path["tvd_m"][last].as_f64().unwrap();
+    assert!((tvd_m - radius_m * 30_f64.to_radians().sin()).abs() < 0.5, "{tvd_m}");
+    assert_eq!(said["layout"]["hole"][0]["to_m"], 1000.0);
+    let pipe = &said["layout"]["string"][0];
+    assert_eq!((&pipe["name"], &pipe["to_m"]), (&json!("drill pipe"), &json!(1000.0)));
+    let nothing = check(&served, "[well");
+    assert_eq!(nothing["layout"]["path"], Value::Null);
+    assert_eq!(nothing["layout"]["stations"]["md_m"], json!([]));
+}
+
+#[test]
+fn texts_are_told_in_si() {
+    let served = Served::with(&[("a.toml", CASE)]);
+    let text = CASE.replace("\"1000 m\", \"30 deg\"", "\"3280.84 ft\", \"30 degrees\"");
+    let quantities = &check(&served, &text)["quantities"];
+    let hole_m = quantities["diameter"]["8-1/2 in"].as_f64().unwrap();
+    assert!((hole_m - 0.2159).abs() < 1e-12);
+    let length_m = quantities["length"]["3280.84 ft"].as_f64().unwrap();
+    assert!((length_m - 1000.000_032).abs() < 1e-6);
+    assert_eq!(quantities["density"]["1.2 sg"], 1200.0);
+    assert_eq!(quantities["angle"]["0 deg"], 0.0);
+    // No quantity, no number; and a text that is no quantity of its key is none.
+    assert_eq!(quantities["length"]["to surface"], Value::Null);
+    let wrong = check(&served, &CASE.replace("1.2 sg", "1.2 bar"));
+    assert_eq!(wrong["quantities"]["density"], Value::Null);
+}

@@ -54,3 +54,51 @@ fn the_catalogue_is_found_by_words() {
     }
     assert_eq!(served.get("/api/catalogue?word=zzz").ok()["string"], json!([]));
 }
+
+#[test]
+fn units_are_known_by_dimension() {
+    let served = Served::new();
+    let units = served.get("/api/units").ok();
+    let diameter = &units["diameter"];
+    assert_eq!(diameter["factors"]["in"], 0.0254);
+    assert_eq!(
+        diameter["shown"]["field"],
+        json!({"symbol": "in", "label": "in", "factor": 0.0254})
+    );
+    assert_eq!(diameter["shown"]["si"]["symbol"], "mm");
+    assert_eq!(units["angle"]["shown"]["si"]["label"], "°");
+    assert_eq!(units["percent"]["shown"]["si"]["symbol"], json!(null));
+    // Every unit that the schema names for a bare number is known.
+    fn bare(schema: &serde_json::Value, units: &serde_json::Value, found: &mut usize) {
+        if let Some(name) = schema["x-dimension"].as_str() {
+            let unit = schema["anyOf"][0]["x-unit"].as_str().unwrap();
+            assert!(units[name]["factors"][unit].is_number(), "{unit} of {name}");
+            *found += 1;
+        }
+        let all = schema.as_object().into_iter().flat_map(|of| of.values());
+        all.chain(schema.as_array().into_iter().flatten()).for_each(|of| bare(of, units, found));
+    }
+    let mut found = 0;
+    bare(&served.get("/api/schema").ok(), &units, &mut found);
+    assert!(found > 100, "{found}");
+}
+
+#[test]
+fn rows_of_a_spreadsheet_are_a_survey() {
+    let served = Served::new();
+    let read = |text: &str, unit: serde_json::Value| {
+        served.post("/api/survey", &json!({"text": text, "length_unit": unit}))
+    };
+    let rows = "MD (ft)\tInc (deg)\tAzi (deg)\n0\t0\t0\n1000\t0\t0\n1100\t3\t45\n";
+    let survey = read(rows, json!(null)).ok();
+    let md_m = survey["stations"]["md_m"].as_array().unwrap();
+    assert!((md_m[1].as_f64().unwrap() - 304.8).abs() < 1e-9);
+    let dogleg = survey["stations"]["dogleg_severity_rad_per_m"][2].as_f64().unwrap();
+    assert!((dogleg - 3_f64.to_radians() / 30.48).abs() < 1e-12);
+    // Without any unit of the lengths it is refused, until one is said.
+    let bare = "MD,Inc,Azi\n0,0,0\n1000,0,0\n";
+    assert_eq!(read(bare, json!(null)).error(422), "bad_input");
+    assert_eq!(read(bare, json!("m")).ok()["stations"]["md_m"][1], 1000.0);
+    assert_eq!(read(bare, json!("bar")).error(422), "bad_input");
+    assert_eq!(read("nothing", json!(null)).error(422), "bad_input");
+}

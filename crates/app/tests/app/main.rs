@@ -1,6 +1,7 @@
 //! A server over TCP, as a browser and as somebody who means no good meet it.
 
 mod answers;
+mod arrange;
 #[path = "../common/mod.rs"]
 mod common;
 

@@ -106,6 +106,17 @@ fn a_key_is_set_where_it_stands() {
 }
 
 #[test]
+fn a_list_of_lists_has_a_line_for_each() {
+    let stations = set("well.stations", json!([[0, 0, 0], ["1000 ft", 3.5, 45]]));
+    let edited = edit("[well]\nsurvey = \"a.csv\"  # ours\n", &[stations]).unwrap();
+    let list = "stations = [\n    [0, 0, 0],\n    [\"1000 ft\", 3.5, 45],\n]\n";
+    assert_eq!(edited, format!("[well]\nsurvey = \"a.csv\"  # ours\n{list}"));
+    // Another one goes in on a line of its own.
+    let edited = edit(&edited, &[insert("well.stations", 1, json!([100, 0, 0]))]).unwrap();
+    assert!(edited.contains("    [0, 0, 0],\n    [100, 0, 0],\n    [\"1000 ft\""), "{edited}");
+}
+
+#[test]
 fn missing_tables_are_made() {
     check(
         &[set("rig.block_weight", json!("200 kN")), set("rig.hoist.sheaves", json!(12))],

@@ -27,7 +27,7 @@ pub(super) fn table_of(of: &Map<String, Json>) -> Result<Table, String> {
     pairs.collect()
 }
 
-/// A value on one line.
+/// A value on one line; a list of lists has a line for each.
 pub(super) fn value(of: &Json) -> Result<Value, String> {
     Ok(match of {
         Json::Null => return Err("TOML has no null; remove the key".to_owned()),
@@ -38,10 +38,22 @@ pub(super) fn value(of: &Json) -> Result<Value, String> {
             (None, Some(number)) => number.into(),
             (None, None) => return Err(format!("{number} is no number of TOML")),
         },
-        Json::Array(items) => Value::Array(items.iter().map(value).collect::<Result<Array, _>>()?),
+        Json::Array(items) => Value::Array(array(items)?),
         Json::Object(of) => {
             let pairs = of.iter().map(|(key, of)| Ok::<_, String>((key, value(of)?)));
             Value::InlineTable(pairs.collect::<Result<InlineTable, _>>()?)
         }
     })
+}
+
+fn array(items: &[Json]) -> Result<Array, String> {
+    let mut array = items.iter().map(value).collect::<Result<Array, _>>()?;
+    if !items.is_empty() && items.iter().all(Json::is_array) {
+        for item in array.iter_mut() {
+            item.decor_mut().set_prefix("\n    ");
+        }
+        array.set_trailing_comma(true);
+        array.set_trailing("\n");
+    }
+    Ok(array)
 }

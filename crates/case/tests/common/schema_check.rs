@@ -43,7 +43,7 @@ fn check(schema: &Json, value: &Json, at: &str, problems: &mut Vec<String>) {
     for (word, rule) in schema.as_object().expect("a schema is an object") {
         let valid = match word.as_str() {
             "$schema" | "title" | "description" | "default" | "examples" | "x-usual"
-            | "x-dimension" => true,
+            | "x-dimension" | "x-order" | "x-unit" => true,
             "required" | "additionalProperties" | "prefixItems" => true,
             "anyOf" => any_of(rule, value, at),
             "type" => is_of_type(rule.as_str().expect("a type"), value),

@@ -47,6 +47,74 @@ export type Table = { [key: string]: Value };
 export interface Checked {
   diagnostics: Diagnostic[];
   values: Table | null;
+  /** What texts are worth in SI, by dimension and text. */
+  quantities: Quantities;
+  layout: Layout;
+}
+
+export type Quantities = { [dimension: string]: { [text: string]: number } };
+
+/** Stations, column by column. */
+export interface Stations {
+  md_m: number[];
+  inclination_rad: number[];
+  azimuth_rad: number[];
+  dogleg_severity_rad_per_m: number[];
+}
+
+/** Where the first station lies. */
+export interface Start {
+  north_m: number;
+  east_m: number;
+  tvd_m: number;
+}
+
+/** A path at its stations and between them; null is no number. */
+export interface PathView {
+  md_m: number[];
+  north_m: number[];
+  east_m: number[];
+  tvd_m: number[];
+  vertical_section_m: number[];
+  inclination_rad: number[];
+  azimuth_rad: number[];
+  dogleg_severity_rad_per_m: (number | null)[];
+}
+
+export interface HoleSection {
+  kind: "casing" | "open";
+  from_m: number;
+  to_m: number;
+  diameter_m: number;
+  friction: number;
+}
+
+/** A component of the string and where it lies. */
+export interface Span {
+  name: string;
+  from_m: number;
+  to_m: number;
+  od_m: number;
+  id_m: number;
+  /** Over joints or blades. */
+  contact_od_m: number;
+}
+
+/** What can be drawn of a case, sound or not. */
+export interface Layout {
+  stations: Stations;
+  tie_in: Start | null;
+  path: PathView | null;
+  /** From the surface down, both. */
+  hole: HoleSection[];
+  string: Span[];
+}
+
+/** A survey out of a spreadsheet. */
+export interface PastedSurvey {
+  stations: Stations;
+  tie_in: Start | null;
+  notes: string[];
 }
 
 /** A change of a case; keys are dotted: `well.hole.0.friction`. */
@@ -62,8 +130,14 @@ export const createCase = (file_name: string, text: string, beside: BesideFile[]
   request("POST", "/cases", { file_name, text, beside });
 export const saveCase = (id: string, text: string, revision: string): Promise<{ revision: string }> =>
   request("PUT", `/cases/${part(id)}`, { text, revision });
-export const saveDraft = (id: string, text: string, revision: string): Promise<void> =>
-  request("PUT", `/cases/${part(id)}/draft`, { text, revision });
+export const deleteCase = (id: string, revision: string): Promise<void> =>
+  request("DELETE", `/cases/${part(id)}?revision=${part(revision)}`);
+export const renameCase = (id: string, file_name: string): Promise<{ id: string }> =>
+  request("POST", `/cases/${part(id)}/rename`, { file_name });
+export const copyCase = (id: string, file_name: string): Promise<{ id: string }> =>
+  request("POST", `/cases/${part(id)}/copy`, { file_name });
+export const saveDraft = (id: string, text: string, revision: string, closing = false): Promise<void> =>
+  request("PUT", `/cases/${part(id)}/draft`, { text, revision }, undefined, closing);
 export const dropDraft = (id: string): Promise<void> => request("DELETE", `/cases/${part(id)}/draft`);
 export const checkCase = (id: string, text: string, signal?: AbortSignal): Promise<Checked> =>
   request("POST", `/cases/${part(id)}/check`, { text }, signal);
@@ -71,3 +145,6 @@ export const editCase = (id: string, text: string, changes: Change[]): Promise<{
   request("POST", `/cases/${part(id)}/edit`, { text, changes });
 export const listExamples = (): Promise<Omit<Example, "text" | "beside">[]> => request("GET", "/examples");
 export const readExample = (name: string): Promise<Example> => request("GET", `/examples/${part(name)}`);
+/** Reads rows with a heading as a survey; `length_unit` where the heading tells none. */
+export const readSurvey = (text: string, length_unit: string | null): Promise<PastedSurvey> =>
+  request("POST", "/survey", { text, length_unit });

@@ -4,8 +4,10 @@
 export interface Diagnostic {
   level: "error" | "warning" | "note" | "help";
   message: string;
-  label: string | null;
-  help: string | null;
+  /** What stands beside the place; may be empty. */
+  label: string;
+  /** What was expected, how to put it right. */
+  help: string[];
   /** The dotted key that the place belongs to. */
   key: string | null;
   /** The file, where it is not the case itself. */
@@ -52,12 +54,16 @@ async function failure(response: Response): Promise<ApiError> {
 
 type Method = "GET" | "POST" | "PUT" | "DELETE";
 
-/** Asks the server; `body` goes as JSON, or as it is where it is a form. */
+/**
+ * Asks the server; `body` goes as JSON, or as it is where it is a form. With `keepalive` it arrives though the page
+ * is closed.
+ */
 export async function request<T>(
   method: Method,
   path: string,
   body?: unknown,
   signal?: AbortSignal,
+  keepalive = false,
 ): Promise<T> {
   const form = body instanceof FormData;
   let response: Response;
@@ -67,6 +73,7 @@ export async function request<T>(
       headers: body === undefined || form ? {} : { "content-type": "application/json" },
       body: body === undefined ? null : form ? body : JSON.stringify(body),
       signal: signal ?? null,
+      keepalive,
     });
   } catch (problem) {
     if (wasAborted(problem)) throw problem;

@@ -1,0 +1,45 @@
+//! What the texts of a case are worth in SI.
+
+use std::collections::BTreeMap;
+
+use wholestring_case::dimension_at;
+use wholestring_config::node::{Entries, Node, Value};
+
+/// By dimension and text, what each quantity is worth in SI: `{"length": {"10 ft": 3.048}}`. A text
+/// that is none is left out.
+pub(super) type Quantities = BTreeMap<&'static str, BTreeMap<String, f64>>;
+
+/// The quantities of a case's tables.
+pub(super) fn of_table(entries: &Entries) -> Quantities {
+    let mut found = Quantities::new();
+    table(entries, "", &mut found);
+    found
+}
+
+fn table(entries: &Entries, before: &str, found: &mut Quantities) {
+    for (key, value) in &entries.0 {
+        match before {
+            "" => node(value, &key.name, found),
+            before => node(value, &format!("{before}.{}", key.name), found),
+        }
+    }
+}
+
+fn node(of: &Node, key: &str, found: &mut Quantities) {
+    match &of.value {
+        Value::Text { text, .. } => {
+            if let Some(dimension) = dimension_at(key)
+                && let Ok(si) = dimension.parse(text)
+            {
+                found.entry(dimension.name()).or_default().insert(text.clone(), si);
+            }
+        }
+        Value::List(items) => {
+            for (index, item) in items.iter().enumerate() {
+                node(item, &format!("{key}.{index}"), found);
+            }
+        }
+        Value::Table(entries) => table(entries, key, found),
+        _ => {}
+    }
+}

@@ -1,0 +1,349 @@
+// The case that is open: its text, what the text says, and what was not saved. Form and text both change it here.
+
+import {
+  checkCase,
+  dropDraft,
+  editCase,
+  readCase,
+  saveCase,
+  saveDraft,
+  type CaseText,
+  type Change,
+  type Checked,
+  type Table,
+} from "../api/cases";
+import { ApiError, wasAborted, type Diagnostic } from "../api/client";
+import { History, type Origin } from "./history";
+import { applied } from "./values";
+
+/** Typing rests for so long before the text is checked, ms. */
+const CHECK_MS = 120;
+/** The same before the draft is kept. */
+const DRAFT_MS = 700;
+
+/** Line ends as the text here has them; a file of Windows gets its own back when it is saved. */
+const plain = (text: string): string => text.replaceAll("\r\n", "\n");
+const hasWindowsLines = (text: string): boolean => text.includes("\r\n");
+
+const NOTHING: Checked = {
+  diagnostics: [],
+  values: null,
+  quantities: {},
+  layout: {
+    stations: { md_m: [], inclination_rad: [], azimuth_rad: [], dogleg_severity_rad_per_m: [] },
+    tie_in: null,
+    path: null,
+    hole: [],
+    string: [],
+  },
+};
+
+export class OpenCase {
+  readonly id: string;
+  readonly path: string;
+  #text = $state.raw("");
+  /** What stands in the file, as far as we know. */
+  #saved = $state.raw("");
+  #revision = "";
+  #windowsLines = false;
+  #values = $state.raw<Table>({});
+  #checked = $state.raw(NOTHING);
+  /** The text that `#checked` is about. */
+  #checkedText = $state.raw<string | null>(null);
+  /** What the file has become and nobody wants to decide about yet. */
+  #postponed: string | null = null;
+  #history = new History();
+  #steps = $state({ undo: false, redo: false });
+  #edits: Promise<void> = Promise.resolve();
+  #drafts: Promise<void> = Promise.resolve();
+  /** Changes that are shown and not yet in the text. */
+  #pending = 0;
+  #checking: AbortController | null = null;
+  #checkTimer = 0;
+  #draftTimer = 0;
+  #closed = false;
+
+  /** When the text was kept as a draft, ms; null where nothing is unsaved or kept yet. */
+  keptAt = $state<number | null>(null);
+  saving = $state(false);
+  /** A draft of another time that was taken up again. */
+  restored = $state.raw<{ modified_ms: number; fileIsOther: boolean } | null>(null);
+  /** What the file has become while it was open here. */
+  conflict = $state.raw<CaseText | null>(null);
+  /** The file was changed elsewhere, and nothing here was lost. */
+  renewed = $state(false);
+  problem = $state.raw<unknown>(null);
+
+  private constructor(file: CaseText) {
+    this.id = file.id;
+    this.path = file.path;
+    this.#saved = plain(file.text);
+    this.#revision = file.revision;
+    this.#windowsLines = hasWindowsLines(file.text);
+    this.#text = this.#saved;
+    const { draft } = file;
+    if (draft && draft.text !== this.#saved) {
+      this.#text = draft.text;
+      this.keptAt = draft.modified_ms;
+      const fileIsOther = draft.base_revision !== file.revision;
+      this.restored = { modified_ms: draft.modified_ms, fileIsOther };
+    }
+  }
+
+  static async open(id: string): Promise<OpenCase> {
+    const opened = new OpenCase(await readCase(id));
+    await opened.#check();
+    return opened;
+  }
+
+  get text(): string {
+    return this.#text;
+  }
+
+  get values(): Table {
+    return this.#values;
+  }
+
+  get checked(): Checked {
+    return this.#checked;
+  }
+
+  get diagnostics(): Diagnostic[] {
+    return this.#checked.diagnostics;
+  }
+
+  /** Whether the text is TOML, so that the form can change it. */
+  get isToml(): boolean {
+    return this.#checked.values !== null;
+  }
+
+  /** Whether what stands here now was checked, and no error was found. */
+  get sound(): boolean {
+    return this.#checkedText === this.#text && !this.diagnostics.some(({ level }) => level === "error");
+  }
+
+  get dirty(): boolean {
+    return this.#text !== this.#saved;
+  }
+
+  get canUndo(): boolean {
+    return this.#steps.undo;
+  }
+
+  get canRedo(): boolean {
+    return this.#steps.redo;
+  }
+
+  /** Takes what was typed into the text. */
+  type(text: string): void {
+    this.#put(text, "typing");
+  }
+
+  /** Changes keys: shown at once, then made in the text by the server, which keeps comments. */
+  change(...changes: Change[]): Promise<void> {
+    if (changes.length === 0) return this.#edits;
+    this.#values = changes.reduce(applied, this.#values);
+    this.#pending += 1;
+    this.#edits = this.#edits.then(() => this.#edit(changes));
+    return this.#edits;
+  }
+
+  async #edit(changes: Change[]): Promise<void> {
+    try {
+      for (;;) {
+        const base = this.#text;
+        const { text } = await editCase(this.id, base, changes);
+        // What was typed meanwhile is not lost: the change is made in it.
+        if (this.#text !== base) continue;
+        this.#pending -= 1;
+        this.#put(text, "edit");
+        this.problem = null;
+        return;
+      }
+    } catch (problem) {
+      this.#pending -= 1;
+      this.problem = problem;
+      this.#checkSoon(0);
+    }
+  }
+
+  undo(): void {
+    this.#edits = this.#edits.then(() => this.#step(this.#history.undo(this.#text)));
+  }
+
+  redo(): void {
+    this.#edits = this.#edits.then(() => this.#step(this.#history.redo(this.#text)));
+  }
+
+  #step(text: string | undefined): void {
+    if (text === undefined) return;
+    this.#text = text;
+    this.#noteSteps();
+    this.#checkSoon(0);
+    this.#draftSoon();
+  }
+
+  #put(text: string, origin: Origin): void {
+    if (text === this.#text) return;
+    this.#history.leave(this.#text, origin, Date.now());
+    this.#text = text;
+    this.#noteSteps();
+    this.#checkSoon(origin === "typing" ? CHECK_MS : 0);
+    this.#draftSoon();
+  }
+
+  #noteSteps(): void {
+    this.#steps.undo = this.#history.canUndo;
+    this.#steps.redo = this.#history.canRedo;
+  }
+
+  #checkSoon(after_ms: number): void {
+    clearTimeout(this.#checkTimer);
+    this.#checkTimer = window.setTimeout(() => void this.#check(), after_ms);
+  }
+
+  async #check(): Promise<void> {
+    this.#checking?.abort();
+    const asked = new AbortController();
+    this.#checking = asked;
+    const text = this.#text;
+    try {
+      const checked = await checkCase(this.id, text, asked.signal);
+      if (text !== this.#text || this.#closed) return;
+      // Of a text that is no TOML the last that was is still drawn.
+      const drawn = checked.values === null ? { ...checked, layout: this.#checked.layout } : checked;
+      this.#checked = drawn;
+      this.#checkedText = text;
+      if (checked.values !== null && this.#pending === 0) this.#values = checked.values;
+    } catch (problem) {
+      if (!wasAborted(problem)) this.problem = problem;
+    }
+  }
+
+  #draftSoon(): void {
+    clearTimeout(this.#draftTimer);
+    this.#draftTimer = window.setTimeout(() => void this.keepDraft(), DRAFT_MS);
+  }
+
+  /** Keeps the text as a draft, one after the other; where it is what stands in the file, there is none. */
+  keepDraft(closing = false): Promise<void> {
+    clearTimeout(this.#draftTimer);
+    // A page that is being closed waits for nothing.
+    if (closing) return this.#keep(true);
+    this.#drafts = this.#drafts.then(() => this.#keep(false));
+    return this.#drafts;
+  }
+
+  async #keep(closing: boolean): Promise<void> {
+    const text = this.#text;
+    try {
+      if (this.dirty) await saveDraft(this.id, text, this.#revision, closing);
+      else await dropDraft(this.id);
+      if (text === this.#text) this.keptAt = this.dirty ? Date.now() : null;
+      if (!this.dirty) this.restored = null;
+    } catch (problem) {
+      this.problem = problem;
+    }
+  }
+
+  /** Goes back to what stands in the file; undo brings the draft back. */
+  async discardDraft(): Promise<void> {
+    this.restored = null;
+    this.#put(this.#saved, "edit");
+    await this.keepDraft();
+  }
+
+  /** Saves to the file, unless it has become another: then `conflict` says what stands there. */
+  async save(): Promise<void> {
+    await this.#edits;
+    // A draft that is on its way would stay behind what is saved.
+    await this.#drafts;
+    await this.#saveOver(this.#revision);
+  }
+
+  /** Saves over what the file has become. */
+  async saveMine(): Promise<void> {
+    if (this.conflict) await this.#saveOver(this.conflict.revision);
+  }
+
+  async #saveOver(revision: string): Promise<void> {
+    const text = this.#text;
+    this.saving = true;
+    clearTimeout(this.#draftTimer);
+    try {
+      const lines = this.#windowsLines ? text.replaceAll("\n", "\r\n") : text;
+      const saved = await saveCase(this.id, lines, revision);
+      this.#revision = saved.revision;
+      this.#postponed = null;
+      this.#saved = text;
+      this.keptAt = null;
+      this.restored = null;
+      this.conflict = null;
+      this.problem = null;
+      if (this.dirty) this.#draftSoon();
+    } catch (problem) {
+      if (problem instanceof ApiError && problem.kind === "conflict") await this.#meet();
+      else this.problem = problem;
+    } finally {
+      this.saving = false;
+    }
+  }
+
+  async #meet(): Promise<void> {
+    try {
+      this.conflict = await readCase(this.id);
+    } catch (problem) {
+      this.problem = problem;
+    }
+  }
+
+  /** Takes what the file has become; undo brings back what stood here. */
+  async takeTheirs(): Promise<void> {
+    const theirs = this.conflict;
+    if (!theirs) return;
+    this.conflict = null;
+    this.restored = null;
+    this.#follow(theirs);
+    await this.keepDraft();
+  }
+
+  #follow(file: CaseText): void {
+    this.#saved = plain(file.text);
+    this.#revision = file.revision;
+    this.#windowsLines = hasWindowsLines(file.text);
+    this.#postponed = null;
+    this.#put(this.#saved, "edit");
+  }
+
+  /** Leaves both as they are; it is asked again at the next saving. */
+  decideLater(): void {
+    this.#postponed = this.conflict?.revision ?? null;
+    this.conflict = null;
+  }
+
+  /** Looks whether the file has become another; where nothing is unsaved here, what stands there is shown. */
+  async lookAgain(): Promise<void> {
+    if (this.saving || this.conflict || this.#closed) return;
+    try {
+      const file = await readCase(this.id);
+      if (file.revision === this.#revision || file.revision === this.#postponed || this.saving) return;
+      if (this.dirty) this.conflict = file;
+      else {
+        this.#follow(file);
+        this.renewed = true;
+      }
+    } catch {
+      // What cannot be read will be said when it is saved.
+    }
+  }
+
+  /** Ends what goes on for it; what is unsaved is kept as a draft. */
+  close(): void {
+    if (this.#closed) return;
+    this.#closed = true;
+    clearTimeout(this.#checkTimer);
+    this.#checking?.abort();
+    if (this.dirty) void this.keepDraft();
+    else clearTimeout(this.#draftTimer);
+  }
+}
