@@ -13,6 +13,9 @@ mod drafts;
 mod edit;
 pub(crate) mod error;
 mod examples;
+mod kept;
+mod live;
+mod live_socket;
 mod schema;
 mod session;
 mod values;
@@ -42,6 +45,9 @@ fn nouns() -> OpenApiRouter<App> {
         .merge(schema::routes())
         .merge(catalogue::routes())
         .merge(answers::routes())
+        .merge(live::routes())
+        .merge(live_socket::routes())
+        .merge(kept::routes())
 }
 
 /// All that is served: the API, what describes it, and the page.

@@ -8,6 +8,7 @@ mod draft;
 mod error;
 mod find;
 mod folder;
+mod kept;
 mod name;
 mod write;
 
