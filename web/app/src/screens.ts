@@ -11,6 +11,7 @@ export interface ScreenProps {
 /** Every screen by its name in the address: `#/NAME/ID`. */
 const SCREENS = {
   cases: () => import("./cases/CasesScreen.svelte"),
+  seat: () => import("./seat/SeatScreen.svelte"),
 } satisfies Record<string, () => Promise<{ default: Component<ScreenProps> | Component }>>;
 
 export type Screen = keyof typeof SCREENS;
