@@ -103,6 +103,7 @@ impl Engine {
         // One that cannot be written is said when it is asked for.
         let _ = engine.put_checkpoint();
         engine.show();
+        engine.tell();
         engine
     }
 
