@@ -1,5 +1,7 @@
 // Keys that the screen in view answers to; `?` lists them.
 
+import { untrack } from "svelte";
+
 /** A key as people read it, and what it does. */
 export interface KeyHelp {
   keys: string;
@@ -33,7 +35,8 @@ export function onKey(key: string, does: string, run: () => void, ctrl = false, 
       event.key.toLowerCase() === key.toLowerCase() &&
       (ctrl ? command(event) && event.shiftKey === shift : !command(event) && !event.altKey && !typing(event)),
   };
-  shortcuts = [...shortcuts, shortcut];
+  // The effect that adds it does not follow the others.
+  shortcuts = [...untrack(() => shortcuts), shortcut];
   return () => {
     shortcuts = shortcuts.filter((other) => other !== shortcut);
   };
@@ -41,7 +44,7 @@ export function onKey(key: string, does: string, run: () => void, ctrl = false, 
 
 /** Tells `?` of keys that a part of the screen answers to by itself. */
 export function tellKeys(told: KeyHelp[]): () => void {
-  notes = [...notes, ...told];
+  notes = [...untrack(() => notes), ...told];
   return () => {
     notes = notes.filter((note) => !told.includes(note));
   };
