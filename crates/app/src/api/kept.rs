@@ -15,7 +15,7 @@ use super::{
 };
 use crate::{
     app::App,
-    live::{Beginning, KeptEntry, Start},
+    live::{Beginning, KeptEntry, KeptString, Start},
 };
 
 /// The requests of this noun.
@@ -26,7 +26,7 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
 /// The strings that are kept, the latest first.
 #[utoipa::path(get, path = "/api/kept-strings", responses((status = 200, body = Vec<KeptEntry>)))]
 async fn list(State(app): State<App>) -> Result<Json<Vec<KeptEntry>>, ApiError> {
-    blocking(move || Ok(Json(app.workspace.kept_strings()))).await
+    blocking(move || Ok(Json(KeptString::all(&app.workspace)))).await
 }
 
 /// Continues a string that is kept, as a live string. It waits to be run.
@@ -42,7 +42,7 @@ async fn list(State(app): State<App>) -> Result<Json<Vec<KeptEntry>>, ApiError> 
 )]
 async fn go_on(State(app): State<App>, Path(name): Path<String>) -> Result<Json<LiveId>, ApiError> {
     blocking(move || {
-        let kept = app.workspace.kept_string(&name)?;
+        let kept = KeptString::of_name(&app.workspace, &name)?;
         let (text, case) = case_of(&app, &kept.case_id, Some(kept.text))?;
         let start = Start::At { bytes: Arc::new(kept.checkpoint), events: kept.events };
         let from = Beginning { case_id: kept.case_id, text, case: Arc::new(case), start };
@@ -59,7 +59,7 @@ async fn go_on(State(app): State<App>, Path(name): Path<String>) -> Result<Json<
 )]
 async fn remove(State(app): State<App>, Path(name): Path<String>) -> Result<StatusCode, ApiError> {
     blocking(move || {
-        app.workspace.remove_kept_string(&name)?;
+        app.workspace.remove_kept(&name)?;
         Ok(StatusCode::NO_CONTENT)
     })
     .await

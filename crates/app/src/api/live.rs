@@ -260,7 +260,7 @@ async fn keep(
 ) -> Result<Json<KeptName>, ApiError> {
     let string = app.live.string(&id)?;
     let kept = app.live.moment(&string, at.checkpoint).await?;
-    blocking(move || Ok(Json(KeptName { name: app.workspace.keep_string(&kept)? }))).await
+    blocking(move || Ok(Json(KeptName { name: kept.keep(&app.workspace)? }))).await
 }
 
 /// What was set so far, and when.

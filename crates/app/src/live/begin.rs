@@ -100,7 +100,15 @@ pub(super) fn controllers(case: &Case) -> Vec<(&'static str, SpeedController)> {
 }
 
 /// The word of the controller that a case begins with.
-pub(super) fn own_controller(case: &Case) -> Option<&'static str> {
+fn own_controller(case: &Case) -> Option<&'static str> {
     let TopDriveSettings::Driven { controller, .. } = case.dynamics.top_drive else { return None };
     controllers(case).into_iter().find(|(_, of)| *of == controller).map(|(word, _)| word)
+}
+
+/// The word of the controller that a case has after what was set.
+pub(super) fn last_controller(case: &Case, events: &[RecordedEvent]) -> Option<&'static str> {
+    let last = events.iter().rev().find_map(|of| of.set.controller.as_deref());
+    let known = controllers(case).into_iter();
+    let found = known.map(|(word, _)| word).find(|word| Some(*word) == last);
+    found.or_else(|| own_controller(case))
 }

@@ -6,20 +6,15 @@ use std::{
     time::{Duration, Instant},
 };
 
-use wholestring_runner::{
-    CancellationToken, Silent,
-    run::{Live, OwnLaws},
-};
+use wholestring_runner::{CancellationToken, Silent, run::Live};
 
 use super::{
-    begin::{Begun, controllers, own_controller, refused},
+    begin::{Begun, last_controller},
     channels,
-    command::{Command, LiveError},
     lamps::{Lamps, Watched},
     live_string::{FrameNow, LiveString, held},
     pace::{Next, Pace, Pacer},
-    recording::{MOST_EVENTS, RecordedEvent},
-    set_points::SetPoints,
+    recording::RecordedEvent,
     status::{LiveState, Status},
 };
 
@@ -45,28 +40,28 @@ pub(super) struct End {
 
 /// A string and what takes it forward.
 pub(super) struct Engine {
-    string: Arc<LiveString>,
-    live: Live,
-    pacer: Pacer,
-    runs: bool,
-    step_s: f64,
-    failed: Option<String>,
+    pub(super) string: Arc<LiveString>,
+    pub(super) live: Live,
+    pub(super) pacer: Pacer,
+    pub(super) runs: bool,
+    pub(super) step_s: f64,
+    pub(super) failed: Option<String>,
     /// What was refused last.
-    refused: Option<String>,
-    controller: Option<&'static str>,
-    watched: Watched,
-    lamps: Lamps,
+    pub(super) refused: Option<String>,
+    pub(super) controller: Option<&'static str>,
+    pub(super) watched: Watched,
+    pub(super) lamps: Lamps,
     /// Rows of the series that are sent.
-    rows: usize,
-    epoch: u32,
-    replay: VecDeque<RecordedEvent>,
+    pub(super) rows: usize,
+    pub(super) epoch: u32,
+    pub(super) replay: VecDeque<RecordedEvent>,
     /// Simulated time and time on the clock of the last checkpoint.
-    checkpoint: (f64, Instant),
-    told: Instant,
-    idle: Duration,
+    pub(super) checkpoint: (f64, Instant),
+    pub(super) told: Instant,
+    pub(super) idle: Duration,
 }
 
-fn watched(live: &Live, string: &LiveString) -> Watched {
+pub(super) fn watched(live: &Live, string: &LiveString) -> Watched {
     let (case, operation) = (&string.case, &string.operation);
     let limit = case.dynamics.top_drive.torque_limit_N_m();
     let limit = limit.or(case.model.rig.top_drive_torque_N_m);
@@ -86,7 +81,7 @@ impl Engine {
             step_s: 0.0,
             failed: None,
             refused: None,
-            controller: own_controller(&string.case),
+            controller: last_controller(&string.case, &string.events()),
             watched: watched(&live, &string),
             lamps: Lamps::default(),
             rows: live.simulation().series().time_s.len(),
@@ -98,8 +93,6 @@ impl Engine {
             live,
             string,
         };
-        let events = engine.string.events();
-        engine.controller = last_controller(&events, engine.controller, &engine.string);
         // One that cannot be written is said when it is asked for.
         let _ = engine.put_checkpoint();
         engine.show();
@@ -107,11 +100,11 @@ impl Engine {
         engine
     }
 
-    fn time_s(&self) -> f64 {
+    pub(super) fn time_s(&self) -> f64 {
         self.live.simulation().time_s()
     }
 
-    fn sample_s(&self) -> f64 {
+    pub(super) fn sample_s(&self) -> f64 {
         self.string.layout.sample_interval_s
     }
 
@@ -220,7 +213,7 @@ impl Engine {
     }
 
     /// Gives viewers what is new.
-    fn show(&mut self) {
+    pub(super) fn show(&mut self) {
         let simulation = self.live.simulation();
         let series = simulation.series();
         if series.time_s.len() > self.rows {
@@ -262,107 +255,8 @@ impl Engine {
         self.string.status.send_replace(Arc::new(status));
     }
 
-    fn restart_pace(&mut self, pace: Pace) {
+    pub(super) fn restart_pace(&mut self, pace: Pace) {
         self.pacer.restart(pace, Instant::now(), self.time_s());
-    }
-
-    /// Sets something now, and records it.
-    fn set(&mut self, set: SetPoints) {
-        let at_s = self.time_s();
-        if held(&self.string.recording).events().len() >= MOST_EVENTS {
-            self.refused = Some(format!(
-                "{MOST_EVENTS} changes are recorded: rewind, or begin anew, to make more"
-            ));
-            return;
-        }
-        let before = self.standing();
-        match self.apply(&set, at_s) {
-            Ok(()) => {
-                self.refused = None;
-                held(&self.string.recording).add(RecordedEvent { at_s, set, before });
-            }
-            Err(error) => self.refused = Some(error.to_string()),
-        }
-    }
-
-    fn apply(&mut self, set: &SetPoints, at_s: f64) -> Result<(), LiveError> {
-        if let Some(word) = &set.controller {
-            let known = controllers(&self.string.case);
-            let found = known.iter().find(|(of, _)| of == word);
-            let (word, controller) = found.ok_or_else(|| {
-                let words: Vec<&str> = known.iter().map(|(word, _)| *word).collect();
-                LiveError::Refused(match words[..] {
-                    [] => "the top drive of this case has no controller".to_owned(),
-                    _ => format!("no controller is called `{word}`: {}", words.join(", ")),
-                })
-            })?;
-            self.live.set_speed_controller(*controller).map_err(refused)?;
-            self.controller = Some(word);
-        }
-        if let Some(friction) = set.friction {
-            self.live.set_friction(&[friction], set.ramp_s).map_err(refused)?;
-        }
-        match set.line(at_s) {
-            Some(line) => self.live.add_to_schedule(line).map_err(refused),
-            None => Ok(()),
-        }
-    }
-
-    /// Where the set points stand, as the last sample has them.
-    fn standing(&self) -> SetPoints {
-        let series = self.live.simulation().series();
-        SetPoints {
-            rotary_speed_rad_per_s: series.rotary_speed_set_rad_per_s.last().copied(),
-            block_velocity_m_per_s: series.block_velocity_set_m_per_s.last().copied().flatten(),
-            weight_on_bit_N: series.weight_on_bit_set_N.last().copied().flatten(),
-            flow_rate_m3_per_s: series.flow_rate_m3_per_s.last().copied(),
-            ..SetPoints::default()
-        }
-    }
-
-    fn put_checkpoint(&mut self) -> Result<u64, LiveError> {
-        let bytes = self.live.checkpoint().map_err(refused)?;
-        let time_s = self.time_s();
-        self.checkpoint.1 = Instant::now();
-        Ok(held(&self.string.checkpoints).put(time_s, bytes))
-    }
-
-    // Who asked may have gone: nobody misses the answer.
-    fn command(&mut self, command: Command) {
-        match command {
-            Command::Rewind { number, replay, reply } => {
-                let _ = reply.send(self.rewind(number, replay));
-            }
-            Command::Checkpoint { reply } => {
-                let made = match &self.failed {
-                    Some(sentence) => Err(LiveError::Refused(sentence.clone())),
-                    None => self.put_checkpoint(),
-                };
-                let _ = reply.send(made);
-            }
-        }
-    }
-
-    fn rewind(&mut self, number: u64, replay: bool) -> Result<(), LiveError> {
-        let found = held(&self.string.checkpoints).get(number);
-        let (entry, bytes) = found.ok_or(LiveError::Nothing("checkpoint"))?;
-        let laws = OwnLaws::default();
-        self.live = Live::resume(self.string.case.clone(), &laws, &bytes).map_err(refused)?;
-        (self.failed, self.refused, self.step_s) = (None, None, 0.0);
-        let (now, time_s) = (Instant::now(), self.time_s());
-        let later = held(&self.string.recording).split_from(time_s);
-        self.replay = if replay { later.into() } else { VecDeque::new() };
-        let own = own_controller(&self.string.case);
-        self.controller = last_controller(&self.string.events(), own, &self.string);
-        held(&self.string.checkpoints).rewind(entry.number);
-        held(&self.string.ring).rewind((time_s / self.sample_s()).round() as u64);
-        self.epoch += 1;
-        self.watched = watched(&self.live, &self.string);
-        self.rows = self.live.simulation().series().time_s.len();
-        self.checkpoint = (time_s, now);
-        self.restart_pace(self.pacer.pace());
-        self.show();
-        Ok(())
     }
 
     fn end(self, sentence: String, keeps: bool) -> End {
@@ -370,16 +264,4 @@ impl Engine {
         let checkpoint = whole.then(|| self.live.checkpoint().ok()).flatten();
         End { sentence, checkpoint }
     }
-}
-
-/// The controller after what was set.
-fn last_controller(
-    events: &[RecordedEvent],
-    own: Option<&'static str>,
-    string: &LiveString,
-) -> Option<&'static str> {
-    let last = events.iter().rev().find_map(|of| of.set.controller.as_deref());
-    let known = controllers(&string.case);
-    last.and_then(|last| known.iter().find(|(word, _)| *word == last))
-        .map_or(own, |(word, _)| Some(*word))
 }

@@ -5,7 +5,8 @@ use std::io;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-use super::recording::RecordedEvent;
+use super::{command::LiveError, recording::RecordedEvent};
+use crate::workspace::{KeptFile, Workspace};
 
 /// What a kept string begins with.
 const MARK: &[u8; 8] = b"WSLIVE1\n";
@@ -58,11 +59,48 @@ pub(crate) struct KeptEntry {
 }
 
 impl KeptString {
+    /// Keeps it in the folder, and gives what requests call it.
+    ///
+    /// # Errors
+    /// Whatever the system says.
+    pub(crate) fn keep(&self, workspace: &Workspace) -> Result<String, LiveError> {
+        let failed = |error: &dyn std::fmt::Display| LiveError::Failed(error.to_string());
+        let bytes = self.bytes().map_err(|error| failed(&error))?;
+        workspace.keep(&bytes).map_err(|error| failed(&error))
+    }
+
+    /// Those that are kept in the folder, the latest first; files that are damaged are left out.
+    pub(crate) fn all(workspace: &Workspace) -> Vec<KeptEntry> {
+        let entry = |file: KeptFile| {
+            let kept = Self::of_bytes(&file.read().ok()?)?;
+            Some(KeptEntry {
+                name: file.name,
+                case: kept.case_id,
+                title: kept.name,
+                operation: kept.operation,
+                time_s: kept.time_s,
+                modified_ms: file.modified_ms,
+            })
+        };
+        workspace.kept().into_iter().filter_map(entry).collect()
+    }
+
+    /// The one of a name.
+    ///
+    /// # Errors
+    /// Where none has it, and a file that is damaged.
+    pub(crate) fn of_name(workspace: &Workspace, name: &str) -> Result<Self, LiveError> {
+        let file = workspace.kept_file(name).map_err(|_| LiveError::Nothing("kept string"))?;
+        let bytes = file.read().map_err(|error| LiveError::Failed(error.to_string()))?;
+        let damaged = || LiveError::Refused("the string that was kept is damaged".to_owned());
+        Self::of_bytes(&bytes).ok_or_else(damaged)
+    }
+
     /// As the bytes of a file.
     ///
     /// # Errors
     /// None that a string gives.
-    pub(crate) fn bytes(&self) -> io::Result<Vec<u8>> {
+    fn bytes(&self) -> io::Result<Vec<u8>> {
         let Self { case_id, name, operation, time_s, text, events, checkpoint } = self.clone();
         let head = Head { case_id, name, operation, time_s, text, events };
         let head = serde_json::to_vec(&head)?;
@@ -75,7 +113,7 @@ impl KeptString {
     }
 
     /// Of the bytes of a file; none of what is no such file.
-    pub(crate) fn of_bytes(bytes: &[u8]) -> Option<Self> {
+    fn of_bytes(bytes: &[u8]) -> Option<Self> {
         let rest = bytes.strip_prefix(MARK)?;
         let (length, rest) = rest.split_first_chunk::<4>()?;
         let (head, checkpoint) = rest.split_at_checked(u32::from_le_bytes(*length) as usize)?;

@@ -10,6 +10,8 @@ mod channels;
 mod checkpoints;
 mod command;
 mod engine;
+mod engine_moments;
+mod engine_set;
 mod kept;
 mod lamps;
 mod layout;

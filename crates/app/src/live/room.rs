@@ -201,7 +201,7 @@ fn ended(strings: &Mutex<Strings>, workspace: &Workspace, string: &LiveString, e
         Some(End { mut sentence, checkpoint }) => {
             if let Some(checkpoint) = checkpoint {
                 let kept = KeptString { checkpoint, ..kept_of(string) };
-                if let Err(error) = workspace.keep_string(&kept) {
+                if let Err(error) = kept.keep(workspace) {
                     sentence = format!("{sentence} ({error})");
                 }
             }
@@ -264,7 +264,7 @@ mod tests {
             assert!(since.elapsed() < Duration::from_secs(20), "it goes on");
             thread::sleep(Duration::from_millis(20));
         }
-        assert_eq!(room.workspace.kept_strings().len(), 1);
+        assert_eq!(KeptString::all(&room.workspace).len(), 1);
         // The list follows within a moment.
         thread::sleep(Duration::from_millis(100));
         let Err(LiveError::Ended(sentence)) = room.string(&id) else { panic!("it has ended") };
@@ -277,7 +277,7 @@ mod tests {
         let (_folder, room, id) = room(Duration::from_secs(60));
         room.string(&id).expect("it is there").run(true);
         room.close();
-        assert_eq!(room.workspace.kept_strings().len(), 1);
+        assert_eq!(KeptString::all(&room.workspace).len(), 1);
         assert!(matches!(room.string(&id), Err(LiveError::Ended(_))));
     }
 }

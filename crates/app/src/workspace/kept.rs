@@ -1,17 +1,14 @@
-//! Live strings that are kept to be continued: in `.wholestring/live`, a file each.
+//! What is kept of live strings: in `.wholestring/live`, a file each.
 
 use std::{fs, io, path::PathBuf, time::SystemTime};
 
 use super::{draft::millis, error::WorkspaceError, folder::Workspace, write};
-use crate::{
-    fingerprint::fingerprint,
-    live::{KeptEntry, KeptString},
-};
+use crate::fingerprint::fingerprint;
 
-/// Where they are kept in the folder.
+/// Where it is kept in the folder.
 const KEPT: [&str; 2] = [".wholestring", "live"];
 
-/// The ending of their names.
+/// The ending of the names.
 const ENDING: &str = ".live";
 
 /// Files that are listed.
@@ -20,15 +17,34 @@ const MOST: usize = 200;
 /// A file that is longer is none of ours, bytes.
 const LARGEST: u64 = 256 << 20;
 
-impl Workspace {
-    /// Keeps a string, and gives what requests call it.
+/// A file that is kept.
+#[derive(Debug, Clone)]
+pub(crate) struct KeptFile {
+    /// What requests call it.
+    pub(crate) name: String,
+    /// When it was kept, milliseconds since 1970.
+    pub(crate) modified_ms: u64,
+    path: PathBuf,
+}
+
+impl KeptFile {
+    /// What is in it.
     ///
     /// # Errors
     /// Whatever the system says.
-    pub(crate) fn keep_string(&self, kept: &KeptString) -> Result<String, WorkspaceError> {
+    pub(crate) fn read(&self) -> Result<Vec<u8>, WorkspaceError> {
+        fs::read(&self.path).map_err(WorkspaceError::system("what was kept cannot be read"))
+    }
+}
+
+impl Workspace {
+    /// Keeps these bytes, and gives what requests call them.
+    ///
+    /// # Errors
+    /// Whatever the system says.
+    pub(crate) fn keep(&self, bytes: &[u8]) -> Result<String, WorkspaceError> {
         let failed = WorkspaceError::system("the string cannot be kept");
-        let bytes = kept.bytes().map_err(&failed)?;
-        let name = fingerprint(&bytes);
+        let name = fingerprint(bytes);
         let _alone = self.writing();
         let mut folder = self.root().to_owned();
         for part in KEPT {
@@ -41,12 +57,12 @@ impl Workspace {
                 _ => folder = self.inside(&folder).map_err(&failed)?,
             }
         }
-        write::replace(&folder.join(format!("{name}{ENDING}")), &bytes).map_err(&failed)?;
+        write::replace(&folder.join(format!("{name}{ENDING}")), bytes).map_err(&failed)?;
         Ok(name)
     }
 
-    /// The files of kept strings: name, place and when they were changed.
-    fn kept_files(&self) -> Vec<(String, PathBuf, SystemTime)> {
+    /// What is kept, the latest first.
+    pub(crate) fn kept(&self) -> Vec<KeptFile> {
         let folder = KEPT.iter().fold(self.root().to_owned(), |path, name| path.join(name));
         let Ok(entries) = self.inside(&folder).and_then(fs::read_dir) else { return Vec::new() };
         let file = |entry: fs::DirEntry| {
@@ -54,51 +70,33 @@ impl Workspace {
             let name = name.strip_suffix(ENDING)?.to_owned();
             let path = self.inside(&entry.path()).ok()?;
             let about = fs::metadata(&path).ok()?;
+            let modified_ms = millis(about.modified().unwrap_or(SystemTime::UNIX_EPOCH));
             let is_ours = about.is_file() && about.len() <= LARGEST;
-            is_ours.then(|| (name, path, about.modified().unwrap_or(SystemTime::UNIX_EPOCH)))
+            is_ours.then_some(KeptFile { name, modified_ms, path })
         };
-        let mut files: Vec<_> = entries.flatten().filter_map(file).collect();
-        files.sort_by(|one, other| other.2.cmp(&one.2).then_with(|| one.0.cmp(&other.0)));
+        let mut files: Vec<KeptFile> = entries.flatten().filter_map(file).collect();
+        files.sort_by(|one, other| {
+            other.modified_ms.cmp(&one.modified_ms).then_with(|| one.name.cmp(&other.name))
+        });
         files.truncate(MOST);
         files
     }
 
-    /// The kept strings, the latest first.
-    pub(crate) fn kept_strings(&self) -> Vec<KeptEntry> {
-        let entry = |(name, path, modified): (String, PathBuf, SystemTime)| {
-            let kept = KeptString::of_bytes(&fs::read(path).ok()?)?;
-            Some(KeptEntry {
-                name,
-                case: kept.case_id,
-                title: kept.name,
-                operation: kept.operation,
-                time_s: kept.time_s,
-                modified_ms: millis(modified),
-            })
-        };
-        self.kept_files().into_iter().filter_map(entry).collect()
-    }
-
-    /// The kept string of a name.
+    /// The kept file of a name.
     ///
     /// # Errors
-    /// Where none has it, and a file that is damaged.
-    pub(crate) fn kept_string(&self, name: &str) -> Result<KeptString, WorkspaceError> {
-        let failed = WorkspaceError::system("the string cannot be read");
-        let found = self.kept_files().into_iter().find(|file| file.0 == name);
-        let (_, path, _) = found.ok_or(WorkspaceError::Nothing("kept string"))?;
-        let bytes = fs::read(path).map_err(&failed)?;
-        let damaged = || failed(io::Error::other("the file is damaged"));
-        KeptString::of_bytes(&bytes).ok_or_else(damaged)
+    /// Where none has it.
+    pub(crate) fn kept_file(&self, name: &str) -> Result<KeptFile, WorkspaceError> {
+        let found = self.kept().into_iter().find(|file| file.name == name);
+        found.ok_or(WorkspaceError::Nothing("kept string"))
     }
 
-    /// Removes a kept string.
+    /// Removes a kept file.
     ///
     /// # Errors
     /// Where none has the name, and whatever the system says.
-    pub(crate) fn remove_kept_string(&self, name: &str) -> Result<(), WorkspaceError> {
-        let found = self.kept_files().into_iter().find(|file| file.0 == name);
-        let (_, path, _) = found.ok_or(WorkspaceError::Nothing("kept string"))?;
+    pub(crate) fn remove_kept(&self, name: &str) -> Result<(), WorkspaceError> {
+        let path = self.kept_file(name)?.path;
         fs::remove_file(path).map_err(WorkspaceError::system("the string cannot be removed"))
     }
 }

@@ -16,3 +16,4 @@ pub(crate) use case_file::{CaseFile, NewFile};
 pub(crate) use draft::{Draft, millis};
 pub(crate) use error::WorkspaceError;
 pub(crate) use folder::Workspace;
+pub(crate) use kept::KeptFile;
