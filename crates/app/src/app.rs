@@ -4,7 +4,7 @@ use std::{ops::Deref, sync::Arc, thread};
 
 use tokio::sync::Semaphore;
 
-use crate::{limits::Limits, workspace::Workspace};
+use crate::{limits::Limits, live::EngineRoom, workspace::Workspace};
 
 /// The state of the router: clones are the same.
 #[derive(Debug, Clone)]
@@ -14,9 +14,13 @@ pub(crate) struct App(Arc<Shared>);
 #[derive(Debug)]
 pub(crate) struct Shared {
     /// The folder of the cases.
-    pub(crate) workspace: Workspace,
+    pub(crate) workspace: Arc<Workspace>,
     /// How much is taken at once.
     pub(crate) limits: Limits,
+    /// Strings in motion.
+    pub(crate) live: EngineRoom,
+    /// Turns at looking at them.
+    pub(crate) live_viewers: Arc<Semaphore>,
     /// Turns at solving a case while it is written: as many as there are cores.
     pub(crate) solving: Arc<Semaphore>,
 }
@@ -25,12 +29,17 @@ impl App {
     pub(crate) fn new(workspace: Workspace, limits: Limits) -> Self {
         let cores = thread::available_parallelism().map_or(1, usize::from);
         let solving = Arc::new(Semaphore::new(cores));
-        Self(Arc::new(Shared { workspace, limits, solving }))
+        let workspace = Arc::new(workspace);
+        let live = EngineRoom::new(limits, workspace.clone());
+        let live_viewers = Arc::new(Semaphore::new(limits.live_viewers));
+        Self(Arc::new(Shared { workspace, limits, live, live_viewers, solving }))
     }
 
     /// Ends what goes on in the background, and keeps what it has computed. Called once, after the
     /// last request.
-    pub(crate) fn close(&self) {}
+    pub(crate) fn close(&self) {
+        self.live.close();
+    }
 }
 
 impl Deref for App {

@@ -17,6 +17,7 @@ mod examples;
 mod fingerprint;
 mod guard;
 mod limits;
+mod live;
 mod server;
 mod stop;
 mod workspace;

@@ -23,6 +23,16 @@ pub(crate) struct Limits {
     pub(crate) head_time: Duration,
     /// Time for the body of a request to arrive and the answer to begin.
     pub(crate) request_time: Duration,
+    /// Strings that are live at once.
+    pub(crate) live_strings: usize,
+    /// Memory of the checkpoints of one of them, bytes.
+    pub(crate) live_checkpoint_bytes: usize,
+    /// Samples that one of them keeps for who comes late.
+    pub(crate) live_samples: usize,
+    /// Time after which one ends that nobody looks at.
+    pub(crate) live_idle: Duration,
+    /// Pages that look at live strings at once.
+    pub(crate) live_viewers: usize,
     /// Time for open answers to end once the server is to stop.
     pub(crate) closing_time: Duration,
 }
@@ -39,6 +49,11 @@ impl Default for Limits {
             connections: 64,
             head_time: Duration::from_secs(10),
             request_time: Duration::from_secs(120),
+            live_strings: 4,
+            live_checkpoint_bytes: 48 << 20,
+            live_samples: 1 << 16,
+            live_idle: Duration::from_secs(600),
+            live_viewers: 16,
             closing_time: Duration::from_secs(2),
         }
     }

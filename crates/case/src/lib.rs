@@ -102,6 +102,7 @@ pub use records::Records;
 pub use schema::schema;
 pub use steel::STEEL_DENSITY_KG_PER_M3;
 pub use template::{Template, load};
+pub use top_drive::usual_speed_controllers;
 pub use uncertain::{Uncertain, UncertainInput};
 pub use vary::{Variation, read_values};
 pub use wholestring_config::{

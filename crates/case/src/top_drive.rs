@@ -28,6 +28,32 @@ const Z_TORQUE: &str = "z-torque";
 const SOFT_RATIO: f64 = 4.0;
 const MATCHED_RATIO: f64 = 1.0;
 
+/// Gains where the case does not say, N·m·s and N·m: a stiff drive.
+const PROPORTIONAL_N_M_S: f64 = 38e3;
+const INTEGRAL_N_M: f64 = 100e3;
+
+/// The controllers that a drive with inertia can have, by the words of a case, with the numbers
+/// that they have where it gives none.
+pub fn usual_speed_controllers() -> [(&'static str, SpeedController); 3] {
+    let (proportional_N_m_s, integral_N_m) = (PROPORTIONAL_N_M_S, INTEGRAL_N_M);
+    [
+        (PI, SpeedController::Pi { proportional_N_m_s, integral_N_m }),
+        (
+            SOFT_TORQUE,
+            SpeedController::SoftTorque { impedance_ratio: SOFT_RATIO, frequency_Hz: None },
+        ),
+        (
+            Z_TORQUE,
+            SpeedController::ZTorque {
+                impedance_ratio: MATCHED_RATIO,
+                frequency_Hz: None,
+                proportional_N_m_s,
+                integral_N_m,
+            },
+        ),
+    ]
+}
+
 table! {
     /// What turns the top of the string in the dynamic model.
     TopDriveTable in "[top_drive]" {
@@ -48,13 +74,13 @@ table! {
         /// "z-torque".
         proportional: f64 = default(
             Quantity::si(Dimension::RotaryDamping, Range::positive_to(1e9).usual(10.0, 1e7), "38 kN.m.s"),
-            38e3,
+            PROPORTIONAL_N_M_S,
         ).used_with(&[PI, Z_TORQUE]);
         /// Torque per radian that is missing. Raising it brings the mean speed back sooner. Used by
         /// "pi" and "z-torque".
         integral: f64 = default(
             Quantity::si(Dimension::Torque, Range::from_to(0.0, 1e9).usual(10.0, 1e7), "100 kN.m"),
-            100e3,
+            INTEGRAL_N_M,
         ).used_with(&[PI, Z_TORQUE]);
         /// Impedance that the drive shows over that of the uppermost pipe: at 1 it takes all of a
         /// wave, above it sends more of it back and keeps its speed better. Default: 4 with

@@ -13,6 +13,7 @@ const SCREENS = {
   cases: () => import("./cases/CasesScreen.svelte"),
   answers: () => import("./answers/AnswersScreen.svelte"),
   case: () => import("./case/CaseScreen.svelte"),
+  seat: () => import("./seat/SeatScreen.svelte"),
 } satisfies Record<string, () => Promise<{ default: Component<ScreenProps> | Component }>>;
 
 export type Screen = keyof typeof SCREENS;

@@ -16,6 +16,9 @@ pub(crate) mod error;
 mod examples;
 mod layout;
 mod quantities;
+mod kept;
+mod live;
+mod live_socket;
 mod schema;
 mod session;
 mod survey;
@@ -50,6 +53,9 @@ fn nouns() -> OpenApiRouter<App> {
         .merge(survey::routes())
         .merge(catalogue::routes())
         .merge(answers::routes())
+        .merge(live::routes())
+        .merge(live_socket::routes())
+        .merge(kept::routes())
 }
 
 /// All that is served: the API, what describes it, and the page.

@@ -9,6 +9,7 @@ mod draft;
 mod error;
 mod find;
 mod folder;
+mod kept;
 mod name;
 mod write;
 
@@ -16,3 +17,4 @@ pub(crate) use case_file::{CaseFile, NewFile};
 pub(crate) use draft::{Draft, millis};
 pub(crate) use error::WorkspaceError;
 pub(crate) use folder::Workspace;
+pub(crate) use kept::KeptFile;

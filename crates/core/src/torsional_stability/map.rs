@@ -18,7 +18,7 @@ use crate::{
     dynamics::{DynamicsSettings, Effort, SpeedController, TorsionalString, hoisting},
     model::Model,
     operation::{Operation, OperationKind},
-    rod::{mesh::Mesh, stability::StepPlan, torsion},
+    rod::{mesh::Mesh, stability::StepPlan},
 };
 
 /// What is slower than this part of the string's lowest torsional frequency is the hoist's matter.
@@ -72,10 +72,7 @@ impl<'a> TorsionalStability<'a> {
         }
         let operation = settings.bit.drilling_steadily(*operation);
         let Effort { mesh, plan, .. } = Effort::of(model, &operation, settings)?;
-        let string = TorsionalString {
-            impedance_N_m_s: torsion::impedance_N_m_s(&mesh.elements[0].section),
-            frequency_Hz: torsion::lowest_frequency_Hz(&mesh),
-        };
+        let string = TorsionalString::of(&mesh);
         let [torsion, axial] = chains(&mesh, &plan, settings);
         let drive = LinearDrive::new(&settings.top_drive, string, torsion.inertia[0])
             .ok_or(StabilityError::Custom("a controller of the top drive"))?;

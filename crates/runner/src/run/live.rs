@@ -9,7 +9,7 @@ use std::{
 
 use serde::{Deserialize, Serialize};
 use wholestring::{
-    dynamics::{Checkpoint, ScheduleStep, SetupError, Simulation},
+    dynamics::{Checkpoint, ScheduleStep, SetupError, Simulation, SpeedController},
     operation::Operation,
     outcome::Solution,
 };
@@ -200,6 +200,25 @@ impl Live {
             several => self.simulation.set_friction(several, ramp_s),
         };
         changed.map_err(Error::bad_input)
+    }
+
+    /// Gives the top drive another controller; its torque goes on from where it is.
+    ///
+    /// # Errors
+    /// A drive that follows its set point whatever torque that takes, which has none.
+    pub fn set_speed_controller(&mut self, controller: SpeedController) -> Result<(), Error> {
+        if self.simulation.set_speed_controller(controller) {
+            return Ok(());
+        }
+        let message = "the top drive follows its set point whatever torque that takes: it has no \
+                       controller unless [top_drive] names one";
+        Err(Error::BadInput(message.to_owned()))
+    }
+
+    /// Begins the window anew and forgets what was sampled before, so that memory does not grow
+    /// with the time that a run goes on.
+    pub fn restart_window(&mut self) {
+        self.simulation.restart_window();
     }
 
     /// The simulation as it stands.

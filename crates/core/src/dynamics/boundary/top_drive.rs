@@ -20,6 +20,7 @@ use crate::{
         kernel::chain::{Chain, element, node},
         settings::{SpeedController, TopDriveSettings},
     },
+    rod::{mesh::Mesh, torsion},
     simd::number::Real,
 };
 
@@ -53,6 +54,16 @@ pub struct Shown {
     pub impedance_N_m_s: f64,
     /// `ω₁`, rad/s: what varies more slowly is left to the speed control.
     pub corner_rad_per_s: f64,
+}
+
+impl TorsionalString {
+    /// The string of a mesh.
+    pub fn of(mesh: &Mesh) -> Self {
+        Self {
+            impedance_N_m_s: torsion::impedance_N_m_s(&mesh.elements[0].section),
+            frequency_Hz: torsion::lowest_frequency_Hz(mesh),
+        }
+    }
 }
 
 impl Gains {
@@ -179,6 +190,30 @@ impl TopDrive {
                 | (Kind::Custom(_), TopDriveSettings::Custom(_))
         );
         ensure(fits, "the top drive")
+    }
+
+    /// Gives a drive with gains others. The integral part takes up what the proportional part gives
+    /// less or more, so that the torque goes on from where it is.
+    pub fn change(&mut self, gains: Gains, chain: &Chain<impl Real>, set_rad_per_s: f64) {
+        let Kind::Tuned(drive) = &mut self.drive else { return };
+        let string = -element!(chain, 0, torsion) * element!(chain, 0, twist);
+        let missing = |of: &Gains, slow_N_m: f64| {
+            let heard = of.shown.map_or(0.0, |shown| (string - slow_N_m) / shown.impedance_N_m_s);
+            set_rad_per_s - heard - node!(chain, 0, spin)
+        };
+        let before = drive.gains.proportional_N_m_s * missing(&drive.gains, drive.slow_N_m);
+        if drive.gains.shown.is_none() {
+            // What follows the string's torque begins there.
+            drive.slow_N_m = string;
+        }
+        let after = gains.proportional_N_m_s * missing(&gains, drive.slow_N_m);
+        drive.integral_N_m += before - after;
+        drive.gains = gains;
+    }
+
+    /// Whether the last step asked for more torque than it gives.
+    pub fn is_stalled(&self) -> bool {
+        self.stalled
     }
 
     /// Spin of the rigid motion that the string is to have at this set point, rad/s: a drive at its

@@ -89,14 +89,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
             &nodes.side_force_N_per_m,
         ),
     };
-    let indicators = Indicators::of(&Motion {
-        mesh: s.mesh,
-        nodes: &nodes,
-        series,
-        from,
-        rotates: s.operation.kind.rotates(),
-        rated_torque_N_m: s.model.rig.top_drive_torque_N_m,
-    });
+    let indicators = indicators_of(s, &nodes);
     DynamicOutcome {
         scalars,
         statistics,
@@ -121,7 +114,10 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
                     series.time_s.last().copied().unwrap_or(0.0)
                 }
             },
-            settled: s.settled.map(|settled| settled.steady),
+            settled: match s.settling {
+                Settling::Fixed(_) => None,
+                Settling::UntilSteady { .. } => s.settled.map(|settled| settled.steady),
+            },
             mean_bit_depth_m,
             bit_travel_m,
         },
@@ -134,14 +130,48 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
     }
 }
 
+/// The indicators alone, at a hundredth of the time that the whole answer takes.
+pub fn indicators(s: &Sources<'_>) -> Indicators {
+    let mut nodes = Profile::default();
+    let back_m = back_m(s, s.record.window_row);
+    for (i, anchor) in s.anchors.iter().enumerate() {
+        nodes.md_m.push(anchor.md_m - back_m);
+        push_circling(&mut nodes, s.record, i);
+    }
+    indicators_of(s, &nodes)
+}
+
+fn indicators_of(s: &Sources<'_>, nodes: &Profile) -> Indicators {
+    Indicators::of(&Motion {
+        mesh: s.mesh,
+        nodes,
+        series: &s.record.series,
+        from: s.record.window_row,
+        rotates: s.operation.kind.rotates(),
+        rated_torque_N_m: s.model.rig.top_drive_torque_N_m,
+    })
+}
+
+/// How a node goes round the hole.
+fn push_circling(p: &mut Profile, record: &Record, i: usize) {
+    let circling = record.circling(i);
+    p.lateral_offset_m.push(record.offset(i));
+    p.whirl_rate_rad_per_s.push(circling.rate_rad_per_s);
+    p.whirl_coherence.push(circling.coherence);
+}
+
+/// How far above its anchors the string was, on average over the samples from row `from` on, m: they
+/// stand where the run ended, the string was where its bit was.
+fn back_m(s: &Sources<'_>, from: usize) -> f64 {
+    let bit_depths_m = &s.record.series.bit_depth_m[from..];
+    let mean_m = bit_depths_m.iter().sum::<f64>() / bit_depths_m.len() as f64;
+    bit_depths_m.last().map_or(0.0, |last| last - mean_m)
+}
+
 /// The profile over the samples from row `from` of the series on.
 fn profile(s: &Sources<'_>, from: usize) -> Profile {
     let n = s.mesh.nodes.len();
-    // The anchors stand where the run ended; the string was there, on average, where its bit was.
-    let bit_depths_m = &s.record.series.bit_depth_m[from..];
-    let back_m = bit_depths_m
-        .last()
-        .map_or(0.0, |last| last - bit_depths_m.iter().sum::<f64>() / bit_depths_m.len() as f64);
+    let back_m = back_m(s, from);
     let record = s.record;
     // Tension and torque live in elements, everything else at nodes.
     let ends = |i: usize| [i.saturating_sub(1), i.min(n - 2)];
@@ -187,11 +217,8 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
         p.contact_force_p95_N.push(high);
         p.contact_fraction.push(record.touched(i));
         p.climb_rad.push(record.climb_rad(i));
-        p.lateral_offset_m.push(record.offset(i));
         p.lateral_speed_rms_m_per_s.push(record.lateral_speed(i));
-        let circling = record.circling(i);
-        p.whirl_rate_rad_per_s.push(circling.rate_rad_per_s);
-        p.whirl_coherence.push(circling.coherence);
+        push_circling(&mut p, record, i);
     }
     // At the ends the neighbours are half an element off; hoist and bit are there.
     let end =

@@ -29,7 +29,6 @@ use crate::{
     },
     model::Model,
     operation::Operation,
-    rod::torsion,
     simd::wide::Registers,
 };
 
@@ -128,10 +127,7 @@ impl<R: Registers> Run<R> {
             initial.hook_load_N,
         )
         .pushing(model.rig.push_N());
-        let string = TorsionalString {
-            impedance_N_m_s: torsion::impedance_N_m_s(&mesh.elements[0].section),
-            frequency_Hz: torsion::lowest_frequency_Hz(mesh),
-        };
+        let string = TorsionalString::of(mesh);
         let top_drive = TopDrive::new(&settings.top_drive, string, &mut chain);
         // The front on which the bit stands with its first weight.
         let lighter_N = operation.weight_on_bit_now_N() - pressed_N;

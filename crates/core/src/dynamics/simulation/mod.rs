@@ -23,14 +23,14 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::settings::{
-    DynamicsSettings, HoistControl, Precision,
+    DynamicsSettings, HoistControl, Precision, SpeedController,
     schedule::{ScheduleFault, ScheduleStep},
 };
 use crate::{
     dynamics::{
         assemble::error::SetupError,
         boundary::{executor::RockExecutor, hole_friction::FrictionFault},
-        output::{frame::Frame, outcome::DynamicOutcome},
+        output::{frame::Frame, indicators::Indicators, outcome::DynamicOutcome},
         simulation::{
             checkpoint::{Checkpoint, ResumeError},
             diverged::Diverged,
@@ -220,6 +220,21 @@ impl Simulation {
         either!(&mut self.0, run => run.set_friction(kinetic, ramp_s))
     }
 
+    /// Begins the window anew and forgets what was sampled before, so that a run of hours takes no
+    /// more memory than one of minutes: the next sample is the window's first, and the first of
+    /// [`series`](Self::series). What moves does not notice. Called between two calls of
+    /// [`Simulation::advance`].
+    pub fn restart_window(&mut self) {
+        either!(&mut self.0, run => run.restart_window());
+    }
+
+    /// Gives the top drive another controller from now on; its torque goes on from where it is.
+    /// Checkpoints hold it. False where the drive has no controller of ours: where it follows its
+    /// set point whatever torque that takes, or under a controller of the caller's own.
+    pub fn set_speed_controller(&mut self, controller: SpeedController) -> bool {
+        either!(&mut self.0, run => run.set_speed_controller(controller))
+    }
+
     /// Changes the hoist from now on: a connection, a stop, a lift.
     pub fn set_hoist(&mut self, control: HoistControl) {
         either!(&mut self.0, run => run.set_hoist(control));
@@ -253,7 +268,11 @@ accessors! {
     checkpoint: Checkpoint<'_>,
     /// The answer so far: over the window if it has begun, over everything sampled otherwise.
     outcome: DynamicOutcome,
-    /// What was sampled so far, from time zero: the last row is that of the last sample.
+    /// Indicators of [`outcome`](Self::outcome), without the rest of it: what takes time there are
+    /// the percentiles.
+    indicators: Indicators,
+    /// What was sampled so far, from time zero or where the window was
+    /// [restarted](Self::restart_window): the last row is that of the last sample.
     series: &TimeSeries,
     /// Mean weight on bit of [`outcome`](Self::outcome), N, without the rest of it.
     mean_weight_on_bit_N: f64,
@@ -271,6 +290,8 @@ accessors! {
     end_time_s: f64,
     /// Whether the window is yet to begin.
     is_settling: bool,
+    /// Whether the last step asked the top drive for more torque than it gives.
+    is_top_drive_stalled: bool,
     /// Step, s.
     time_step_s: f64,
     /// Time between two samples, s: the setting, rounded to whole steps.

@@ -12,15 +12,20 @@ use crate::{
             executor::{RockExecutor, SharedExecutor},
             hole::Borehole,
             mud::{squeezed::Squeezed, viscous::Viscous},
+            top_drive::{Gains, TorsionalString},
         },
         kernel::{
             chain::{Chain, node},
             step::{Abilities, MassDamping, StepInput, Stepper},
         },
         output::{
-            frame::Frame, outcome::DynamicOutcome, scene::Scene, statistic::Statistic, summary,
+            frame::Frame, indicators::Indicators, outcome::DynamicOutcome, scene::Scene,
+            statistic::Statistic, summary,
         },
-        settings::{DynamicsSettings, HoistControl, Start, schedule::ScheduleStep},
+        settings::{
+            DynamicsSettings, HoistControl, SpeedController, Start, TopDriveSettings,
+            schedule::ScheduleStep,
+        },
     },
     ends::{BitEnd, TopEnd},
     model::{Model, MudColumn},
@@ -108,6 +113,11 @@ impl<R: Real> Run<R> {
         settle_s + self.settings.duration_s
     }
 
+    /// Whether the top drive was asked for more torque than it gives.
+    pub fn is_top_drive_stalled(&self) -> bool {
+        self.state.top_drive.is_stalled()
+    }
+
     /// Whether the window is yet to begin.
     pub fn is_settling(&self) -> bool {
         !self.state.window_open
@@ -154,6 +164,17 @@ impl<R: Real> Run<R> {
             self.state.rigid_velocity_m_per_s = velocity;
         }
         self.state.hoist.set_control(control);
+    }
+
+    /// Gives the top drive another controller from now on; false where it has none of ours.
+    pub fn set_speed_controller(&mut self, controller: SpeedController) -> bool {
+        let TopDriveSettings::Driven { inertia_kg_m2, .. } = self.settings.top_drive else {
+            return false;
+        };
+        let gains = Gains::of(controller, inertia_kg_m2, TorsionalString::of(&self.mesh));
+        let set_rad_per_s = self.state.set_points.rotary_speed_rad_per_s(self.time_s());
+        self.state.top_drive.change(gains, &self.chain, set_rad_per_s);
+        true
     }
 
     /// Changes what the pumps deliver from now on, m³/s; the pressure drop of the bit and the speed
@@ -329,8 +350,17 @@ impl<R: Real> Run<R> {
 
     /// The answer so far: over the window if it has begun, over everything sampled otherwise.
     pub fn outcome(&self) -> DynamicOutcome {
+        summary::outcome(&self.sources())
+    }
+
+    /// The indicators of the outcome so far, without the rest of it.
+    pub fn indicators(&self) -> Indicators {
+        summary::indicators(&self.sources())
+    }
+
+    fn sources(&self) -> summary::Sources<'_> {
         let diverged = self.check_numbers().is_err();
-        summary::outcome(&summary::Sources {
+        summary::Sources {
             model: &self.model,
             operation: &self.operation,
             mesh: &self.mesh,
@@ -348,7 +378,7 @@ impl<R: Real> Run<R> {
             instructions: self.stepper.instructions,
             settling: self.settling,
             settled: self.state.settled,
-        })
+        }
     }
 }
 

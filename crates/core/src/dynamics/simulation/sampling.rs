@@ -1,6 +1,9 @@
 //! What a run notes of itself at each sample.
 
-use super::{run::Run, settling::Settling};
+use super::{
+    run::Run,
+    settling::{Settled, Settling},
+};
 use crate::{
     dynamics::{
         boundary::mud::viscous::Viscous,
@@ -113,10 +116,25 @@ impl<R: Real> Run<R> {
         self.state.settled.is_some()
     }
 
+    /// Begins the window anew, whether it had begun or not, and forgets what was sampled before:
+    /// the next sample is its first. A schedule, and all that moves, goes on.
+    pub fn restart_window(&mut self) {
+        let time_s = self.time_s();
+        self.open_window_after(time_s);
+        let steady = self.state.settled.is_some_and(|settled| settled.steady);
+        let settle_s = time_s + self.sample_interval_s();
+        self.state.settled = Some(Settled { settle_s, steady });
+        self.state.record.forget_samples();
+    }
+
     /// From now on statistics and the ledger of energy count.
     fn open_window(&mut self) {
+        self.open_window_after(self.time_s() - self.sample_interval_s());
+    }
+
+    /// The same where the last sample before the window is that of `before_s`.
+    fn open_window_after(&mut self, before_s: f64) {
         let (energies, flow_work_J) = (self.energies(), self.flow_work_J());
-        let before_s = self.time_s() - self.sample_interval_s();
         let state = &mut self.state;
         state.window_open = true;
         state.record.close_contact_row(&state.anchors, before_s);

@@ -88,6 +88,11 @@ impl MapKeeper {
         self.before.fill([0.0; 2]);
     }
 
+    /// Forgets the rows.
+    pub(super) fn forget(&mut self) {
+        self.map = ContactMap::default();
+    }
+
     /// Counts a sample of a run that takes `run_samples`; whether a row of the map is full.
     pub(super) fn count(&mut self, run_samples: u64) -> bool {
         self.samples += 1;

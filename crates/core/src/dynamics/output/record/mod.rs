@@ -134,6 +134,15 @@ impl Record {
         self.window_row = self.series.time_s.len();
     }
 
+    /// Forgets the samples of before a window that has just been opened.
+    pub fn forget_samples(&mut self) {
+        let mut probes = std::mem::take(&mut self.series.probes);
+        probes.iter_mut().for_each(|probe| probe.samples.clear());
+        self.series = TimeSeries { probes, ..TimeSeries::default() };
+        self.window_row = 0;
+        self.contact.forget();
+    }
+
     /// Takes a sample of every node: contact quantities as averages over the `steps` since the last
     /// one, which the chain has summed. `high` holds each node's high side, block by block; `body`
     /// has the bends.

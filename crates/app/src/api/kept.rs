@@ -1,0 +1,66 @@
+//! Live strings that are kept in the folder.
+
+use std::sync::Arc;
+
+use axum::{
+    extract::{Path, State},
+    http::StatusCode,
+};
+use utoipa_axum::{router::OpenApiRouter, routes};
+
+use super::{
+    Json, blocking,
+    error::ApiError,
+    live::{LiveId, case_of},
+};
+use crate::{
+    app::App,
+    live::{Beginning, KeptEntry, KeptString, Start},
+};
+
+/// The requests of this noun.
+pub(crate) fn routes() -> OpenApiRouter<App> {
+    OpenApiRouter::new().routes(routes!(list)).routes(routes!(go_on, remove))
+}
+
+/// The strings that are kept, the latest first.
+#[utoipa::path(get, path = "/api/kept-strings", responses((status = 200, body = Vec<KeptEntry>)))]
+async fn list(State(app): State<App>) -> Result<Json<Vec<KeptEntry>>, ApiError> {
+    blocking(move || Ok(Json(KeptString::all(&app.workspace)))).await
+}
+
+/// Continues a string that is kept, as a live string. It waits to be run.
+#[utoipa::path(
+    post,
+    path = "/api/kept-strings/{name}",
+    responses(
+        (status = 200, body = LiveId),
+        (status = 404, body = ApiError),
+        (status = 422, body = ApiError),
+        (status = 429, body = ApiError)
+    )
+)]
+async fn go_on(State(app): State<App>, Path(name): Path<String>) -> Result<Json<LiveId>, ApiError> {
+    blocking(move || {
+        let kept = KeptString::of_name(&app.workspace, &name)?;
+        let (text, case) = case_of(&app, &kept.case_id, Some(kept.text))?;
+        let start = Start::At { bytes: Arc::new(kept.checkpoint), events: kept.events };
+        let from = Beginning { case_id: kept.case_id, text, case: Arc::new(case), start };
+        Ok(Json(LiveId { id: app.live.begin(from)? }))
+    })
+    .await
+}
+
+/// Removes a string that is kept.
+#[utoipa::path(
+    delete,
+    path = "/api/kept-strings/{name}",
+    responses((status = 204), (status = 404, body = ApiError))
+)]
+async fn remove(State(app): State<App>, Path(name): Path<String>) -> Result<StatusCode, ApiError> {
+    blocking(move || {
+        app.workspace.remove_kept(&name)?;
+        Ok(StatusCode::NO_CONTENT)
+    })
+    .await
+}

@@ -1,0 +1,283 @@
+//! The engine room: all live strings, few at a time.
+
+use std::{
+    collections::VecDeque,
+    fmt,
+    panic::{AssertUnwindSafe, catch_unwind},
+    sync::{Arc, Mutex},
+    thread::{self, JoinHandle},
+};
+
+use super::{
+    begin::{Beginning, Begun, begin},
+    command::LiveError,
+    engine::{End, Engine},
+    kept::KeptString,
+    live_string::{LiveString, held},
+    status::{LiveState, Status},
+};
+use crate::{limits::Limits, workspace::Workspace};
+
+/// Strings that have ended and of which it is still said why.
+const MOST_ENDED: usize = 16;
+
+struct Running {
+    string: Arc<LiveString>,
+    thread: JoinHandle<()>,
+}
+
+/// A string that has ended.
+#[derive(Debug, Clone)]
+pub(crate) struct Ended {
+    pub(crate) id: String,
+    pub(crate) case: String,
+    pub(crate) name: String,
+    pub(crate) operation: &'static str,
+    pub(crate) status: Status,
+}
+
+#[derive(Default)]
+struct Strings {
+    running: Vec<Running>,
+    /// Strings that are being initialised.
+    beginning: usize,
+    ended: VecDeque<Ended>,
+    closed: bool,
+}
+
+/// All live strings.
+pub(crate) struct EngineRoom {
+    limits: Limits,
+    workspace: Arc<Workspace>,
+    strings: Arc<Mutex<Strings>>,
+}
+
+impl fmt::Debug for EngineRoom {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(to, "EngineRoom({} strings)", held(&self.strings).running.len())
+    }
+}
+
+/// Gives the place of a string back that does not come to be.
+struct Place<'a>(&'a Mutex<Strings>);
+
+impl Drop for Place<'_> {
+    fn drop(&mut self) {
+        held(self.0).beginning -= 1;
+    }
+}
+
+impl EngineRoom {
+    pub(crate) fn new(limits: Limits, workspace: Arc<Workspace>) -> Self {
+        Self { limits, workspace, strings: Arc::default() }
+    }
+
+    /// Begins a string, which waits; its id. This takes a second or more.
+    ///
+    /// # Errors
+    /// Where there are too many, and a string that cannot be.
+    pub(crate) fn begin(&self, from: Beginning) -> Result<String, LiveError> {
+        let most = self.limits.live_strings;
+        let _place = {
+            let mut strings = held(&self.strings);
+            if strings.closed {
+                return Err(LiveError::Ended("the program is about to end".to_owned()));
+            }
+            if strings.running.len() + strings.beginning >= most {
+                let message = format!("{most} strings are live already: end one of them first");
+                return Err(LiveError::TooMany(message));
+            }
+            strings.beginning += 1;
+            Place(&self.strings)
+        };
+        let mut random = [0; 8];
+        getrandom::fill(&mut random).map_err(|error| LiveError::Failed(error.to_string()))?;
+        let id: String = random.iter().map(|byte| format!("{byte:02x}")).collect();
+        let Begun { live, string } = begin(&id, from, &self.limits)?;
+        let engine = Engine::new(Begun { live, string: string.clone() }, self.limits.live_idle);
+        if let Some(large) = too_large(&string, &self.limits) {
+            return Err(large);
+        }
+        let (all, workspace, of) = (self.strings.clone(), self.workspace.clone(), string.clone());
+        // The string is in the list before its thread may want to take it out.
+        let mut strings = held(&self.strings);
+        let thread = thread::Builder::new().name("live string".to_owned()).spawn(move || {
+            let end = catch_unwind(AssertUnwindSafe(|| engine.run()));
+            ended(&all, &workspace, &of, end.ok());
+        });
+        let thread = thread.map_err(|error| LiveError::Failed(error.to_string()))?;
+        strings.running.push(Running { string, thread });
+        Ok(id)
+    }
+
+    /// The string of an id.
+    ///
+    /// # Errors
+    /// Where it has ended, why; where there never was one, that.
+    pub(crate) fn string(&self, id: &str) -> Result<Arc<LiveString>, LiveError> {
+        let strings = held(&self.strings);
+        let found = strings.running.iter().find(|one| one.string.layout.id == id);
+        if let Some(found) = found {
+            return Ok(found.string.clone());
+        }
+        let ended = strings.ended.iter().find(|one| one.id == id);
+        match ended.and_then(|one| one.status.sentence.clone()) {
+            Some(sentence) => Err(LiveError::Ended(sentence)),
+            None => Err(LiveError::Nothing("live string")),
+        }
+    }
+
+    /// All that are live, and those that have ended.
+    pub(crate) fn all(&self) -> (Vec<Arc<LiveString>>, Vec<Ended>) {
+        let strings = held(&self.strings);
+        let running = strings.running.iter().map(|one| one.string.clone()).collect();
+        (running, strings.ended.iter().cloned().collect())
+    }
+
+    /// A string as it is to be kept: at a checkpoint, or now.
+    ///
+    /// # Errors
+    /// Where it has ended, or the checkpoint is not there.
+    pub(crate) async fn moment(
+        &self,
+        string: &LiveString,
+        checkpoint: Option<u64>,
+    ) -> Result<KeptString, LiveError> {
+        let moment = string.moment(checkpoint).await?;
+        Ok(KeptString {
+            time_s: moment.time_s,
+            events: moment.events,
+            checkpoint: moment.bytes.to_vec(),
+            ..kept_of(string)
+        })
+    }
+
+    /// Ends all of them and keeps them. Called once, when nobody asks any more.
+    pub(crate) fn close(&self) {
+        let running = {
+            let mut strings = held(&self.strings);
+            strings.closed = true;
+            std::mem::take(&mut strings.running)
+        };
+        let sentence = "the program was ended; the string is kept as it was and can be continued";
+        running.iter().for_each(|one| one.string.end(sentence, true));
+        for one in running {
+            // A thread that panicked has said so.
+            let _ = one.thread.join();
+        }
+    }
+}
+
+/// Why a string is not to be live, where its state takes too much memory.
+fn too_large(string: &LiveString, limits: &Limits) -> Option<LiveError> {
+    let bytes = held(&string.checkpoints).bytes();
+    let most = limits.live_checkpoint_bytes / 4;
+    (bytes > most).then(|| {
+        let message = format!(
+            "the state of this string takes {} MB and may take {}: give it a coarser mesh",
+            bytes >> 20,
+            most >> 20
+        );
+        LiveError::Refused(message)
+    })
+}
+
+fn kept_of(string: &LiveString) -> KeptString {
+    KeptString {
+        case_id: string.layout.case.clone(),
+        name: string.layout.name.clone(),
+        operation: string.layout.operation.to_owned(),
+        time_s: string.status.borrow().time_s,
+        text: string.text.clone(),
+        events: string.events(),
+        checkpoint: Vec::new(),
+    }
+}
+
+/// What is done when an engine has ended; without an `end` it has panicked.
+fn ended(strings: &Mutex<Strings>, workspace: &Workspace, string: &LiveString, end: Option<End>) {
+    let sentence = match end {
+        None => "the program has met a mistake of its own, and the string has ended".to_owned(),
+        Some(End { mut sentence, checkpoint }) => {
+            if let Some(checkpoint) = checkpoint {
+                let kept = KeptString { checkpoint, ..kept_of(string) };
+                if let Err(error) = kept.keep(workspace) {
+                    sentence = format!("{sentence} ({error})");
+                }
+            }
+            sentence
+        }
+    };
+    let status = string.status.borrow().clone();
+    let status = Status { state: LiveState::Ended, sentence: Some(sentence), ..(*status).clone() };
+    string.status.send_replace(Arc::new(status.clone()));
+    let mut strings = held(strings);
+    let layout = &string.layout;
+    strings.running.retain(|one| one.string.layout.id != layout.id);
+    strings.ended.push_front(Ended {
+        id: layout.id.clone(),
+        case: layout.case.clone(),
+        name: layout.name.clone(),
+        operation: layout.operation,
+        status,
+    });
+    strings.ended.truncate(MOST_ENDED);
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::{Duration, Instant};
+
+    use wholestring_case::{InMemory, parse};
+
+    use super::*;
+    use crate::live::begin::Start;
+
+    const TEXT: &str = include_str!("../../../../cases/slant.toml");
+
+    fn room(live_idle: Duration) -> (tempfile::TempDir, EngineRoom, String) {
+        let folder = tempfile::tempdir().expect("a folder");
+        let workspace = Workspace::open(folder.path()).expect("a workspace");
+        let limits = Limits { live_idle, ..Limits::default() };
+        let room = EngineRoom::new(limits, Arc::new(workspace));
+        let case = parse("slant.toml", TEXT.as_bytes(), &InMemory::default(), &[]);
+        let case = Arc::new(case.unwrap_or_else(|report| panic!("{}", report.render(false))));
+        let operation = Some(case.operations[0].kind.name().to_owned());
+        let start = Start::New { operation };
+        let text = TEXT.to_owned();
+        let from = Beginning { case_id: "0".to_owned(), text, case, start };
+        let id = room.begin(from).expect("a live string");
+        (folder, room, id)
+    }
+
+    /// A string that nobody looks at ends, says so and is kept; one that is looked at goes on.
+    #[test]
+    fn what_nobody_looks_at_ends_and_is_kept() {
+        let (_folder, room, id) = room(Duration::from_millis(400));
+        let string = room.string(&id).expect("it is there");
+        let viewer = string.view();
+        thread::sleep(Duration::from_millis(1200));
+        assert!(!string.has_ended() && room.string(&id).is_ok());
+        drop(viewer);
+        let since = Instant::now();
+        while !string.has_ended() {
+            assert!(since.elapsed() < Duration::from_secs(20), "it goes on");
+            thread::sleep(Duration::from_millis(20));
+        }
+        assert_eq!(KeptString::all(&room.workspace).len(), 1);
+        // The list follows within a moment.
+        thread::sleep(Duration::from_millis(100));
+        let Err(LiveError::Ended(sentence)) = room.string(&id) else { panic!("it has ended") };
+        assert!(sentence.starts_with("nobody has looked at this string"), "{sentence}");
+        assert!(room.all().0.is_empty() && room.all().1.len() == 1);
+    }
+
+    #[test]
+    fn a_room_that_closes_keeps_what_is_live() {
+        let (_folder, room, id) = room(Duration::from_secs(60));
+        room.string(&id).expect("it is there").run(true);
+        room.close();
+        assert_eq!(KeptString::all(&room.workspace).len(), 1);
+        assert!(matches!(room.string(&id), Err(LiveError::Ended(_))));
+    }
+}

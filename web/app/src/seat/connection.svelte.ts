@@ -1,0 +1,114 @@
+// A page's connection to a live string: what comes down, and what goes up.
+
+import { socketAddress, type Layout, type Pace, type SetPoints, type Status } from "../api/live";
+import { Samples } from "./samples";
+
+const SAMPLES = 1;
+const HEAD_BYTES = 24;
+
+/** How long a page waits before it asks again, ms. */
+const AGAIN = [250, 500, 1000, 2000, 4000];
+
+/** The whole string at one moment. */
+export interface Frame {
+  time_s: number;
+  nodes: number;
+  epoch: number;
+  /** Column after column. */
+  values: Float32Array;
+}
+
+/** A live string as this page sees it. */
+export class Connection {
+  layout = $state.raw<Layout | null>(null);
+  status = $state.raw<Status | null>(null);
+  connected = $state(false);
+  /** What was refused last. */
+  refused = $state<string | null>(null);
+  samples: Samples | null = null;
+  frame: Frame | null = null;
+  /** How many frames have come. */
+  frames = 0;
+  readonly id: string;
+  #socket: WebSocket | null = null;
+  #tries = 0;
+  #timer = 0;
+  #closed = false;
+
+  constructor(id: string) {
+    this.id = id;
+    this.#open();
+  }
+
+  #open(): void {
+    const socket = new WebSocket(socketAddress(this.id));
+    socket.binaryType = "arraybuffer";
+    this.#socket = socket;
+    socket.onopen = () => {
+      this.connected = true;
+      this.#tries = 0;
+      if (this.samples) this.#say({ have: { epoch: this.samples.epoch, next: this.samples.next } });
+    };
+    socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
+      if (typeof data === "string") this.#hear(data);
+      else this.#take(data);
+    };
+    socket.onclose = () => {
+      this.connected = false;
+      if (this.#closed || this.status?.state === "ended") return;
+      this.#timer = window.setTimeout(() => this.#open(), AGAIN[Math.min(this.#tries++, AGAIN.length - 1)]);
+    };
+  }
+
+  #hear(text: string): void {
+    const told = JSON.parse(text) as
+      | ({ type: "layout" } & Layout)
+      | ({ type: "status" } & Status)
+      | { type: "refused"; message: string };
+    if (told.type === "status") this.status = told;
+    else if (told.type === "refused") this.refused = told.message;
+    else if (!this.layout) {
+      this.samples = new Samples(told.samples.length, told.samples_kept, told.sample_interval_s);
+      this.layout = told;
+    }
+  }
+
+  #take(data: ArrayBuffer): void {
+    const head = new DataView(data, 0, HEAD_BYTES);
+    const [kind, count, epoch] = [head.getUint32(0, true), head.getUint32(4, true), head.getUint32(8, true)];
+    const place = head.getFloat64(16, true);
+    const values = new Float32Array(data, HEAD_BYTES);
+    if (kind === SAMPLES) this.samples?.add(epoch, place, count, values);
+    else {
+      this.frame = { time_s: place, nodes: count, epoch, values };
+      this.frames++;
+    }
+  }
+
+  #say(asked: object): void {
+    this.refused = null;
+    if (this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(JSON.stringify(asked));
+  }
+
+  set(set: SetPoints): void {
+    this.#say({ set });
+  }
+
+  pace(pace: Pace): void {
+    this.#say({ pace });
+  }
+
+  run(runs: boolean): void {
+    this.#say({ run: runs });
+  }
+
+  step(seconds: number): void {
+    this.#say({ step: seconds });
+  }
+
+  close(): void {
+    this.#closed = true;
+    clearTimeout(this.#timer);
+    this.#socket?.close();
+  }
+}

@@ -1,0 +1,67 @@
+// A canvas with a pen in the page's colours, as sharp as the screen.
+
+/** The value of a colour of the page. */
+export const colour = (name: string): string =>
+  getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+
+/** A canvas that keeps to the room that it has. */
+export class Pen {
+  readonly canvas: HTMLCanvasElement;
+  readonly to: CanvasRenderingContext2D;
+  width = 0;
+  height = 0;
+  readonly #watch: ResizeObserver;
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.canvas = canvas;
+    const context = canvas.getContext("2d");
+    if (!context) throw new Error("this browser draws on no canvas");
+    this.to = context;
+    this.#watch = new ResizeObserver(() => this.#fit());
+    this.#watch.observe(canvas);
+    this.#fit();
+  }
+
+  #fit(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    const sharp = Math.min(devicePixelRatio, 2);
+    [this.width, this.height] = [clientWidth, clientHeight];
+    this.canvas.width = Math.round(clientWidth * sharp);
+    this.canvas.height = Math.round(clientHeight * sharp);
+    this.to.setTransform(sharp, 0, 0, sharp, 0, 0);
+  }
+
+  close(): void {
+    this.#watch.disconnect();
+  }
+}
+
+/** From where to where values are shown: wider at once, narrower only when most of it is empty. */
+export class Range {
+  low = NaN;
+  high = NaN;
+  readonly least: number;
+
+  constructor(least: number) {
+    this.least = least;
+  }
+
+  /** Holds these; gives whether it has changed. */
+  hold(low: number, high: number): boolean {
+    if (!(low <= high)) return false;
+    const span = Math.max(high - low, this.least);
+    const fits = low >= this.low && high <= this.high;
+    if (fits && span > 0.35 * (this.high - this.low)) return false;
+    const middle = 0.5 * (low + high);
+    const step = 10 ** Math.floor(Math.log10(span)) / 2;
+    const [from, to] = [
+      Math.floor((middle - 0.6 * span) / step) * step,
+      Math.ceil((middle + 0.6 * span) / step) * step,
+    ];
+    // What is never negative has its scale begin at zero where that is near.
+    const begin = from < 0 && low >= 0 ? 0 : from > 0 && from < 0.4 * to ? 0 : from;
+    if (begin === this.low && to === this.high) return false;
+    [this.low, this.high] = [begin, to];
+    return true;
+  }
+}

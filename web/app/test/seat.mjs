@@ -1,0 +1,408 @@
+// The driller's seat: a string is begun, driven and seen; a wave runs down it in its time; two tabs, a reload, a restart.
+import { readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { accessible, check, equal, openPage, picture, run, serve, until } from "./harness.mjs";
+
+const CASES = join(dirname(fileURLToPath(import.meta.url)), "../../../cases");
+const read = (name) => readFileSync(join(CASES, name), "utf8");
+// A page that is taken from a folder counts as one from elsewhere, which Chromium would not let open a socket to here.
+const FLAGS = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-features=LocalNetworkAccessChecks"];
+
+/*
+ * A wave of twist in a plain pipe. A pipe of one section, of shear modulus G and density ρ, without joints, hangs free in a
+ * vertical hole without friction and turns. Of its angle φ(s, t) the motion is
+ *
+ *     ρ J φ_tt = G J φ_ss,    so that    c = √(G/ρ),
+ *
+ * whatever the section: J is on both sides. Its top is turned by Δ rad/s faster from the time t₀ on (a drive that follows its
+ * set point whatever torque that takes). Down the pipe runs Δ·H(t − t₀ − s/c), which the free end, where φ_s = 0, sends back
+ * with its sign: the bit stays as fast as it was until t₀ + L/c, and turns by 2Δ faster then, until the wave comes back from the
+ * top at 3 L/c. With G = 76.923 GPa and ρ = 7860 kg/m³, c = 3128.4 m/s; L = 4000 m takes 1.2786 s.
+ *
+ * The front is as steep as the mesh lets it be. Of a chain of n elements a step's front is an Airy function: half of its height
+ * comes 1.0 (n/8)^(1/3) element travel times late at most where steps in time are small, 0.6 % of L/c at the 200 elements of
+ * 20 m here; samples are 10 ms apart, 0.8 %, and straight lines between them. Together within the 2 % that are asked for.
+ * Damping by mass, which would take the bit along before the wave comes, and by stiffness are off, and the extra damping of a
+ * start, which fades within 5 s, is over.
+ */
+const LENGTH_M = 4000;
+const SHEAR_MODULUS_PA = 76.923e9;
+const DENSITY_KG_PER_M3 = 7860;
+const TRAVEL_S = LENGTH_M / Math.sqrt(SHEAR_MODULUS_PA / DENSITY_KG_PER_M3);
+const PLAIN = `name = "A plain pipe"
+model = ["dynamic"]
+
+[well]
+stations = [["0 m", "0 deg", "0 deg"], ["${LENGTH_M} m", "0 deg", "0 deg"]]
+
+[[well.hole]]
+kind = "open"
+to = "${LENGTH_M} m"
+diameter = "8.5 in"
+friction = 0
+
+[mud]
+density = "1.2 sg"
+
+[steel]
+density = "${DENSITY_KG_PER_M3} kg/m3"
+youngs_modulus = "200 GPa"
+shear_modulus = "${SHEAR_MODULUS_PA / 1e9} GPa"
+
+[[string]]
+component = "pipe"
+od = "127 mm"
+id = "108.6 mm"
+length = "to surface"
+
+[operation]
+kind = "rotate_off_bottom"
+rpm = 60
+
+[dynamics]
+settle = "5 s"
+
+[mesh]
+element_length = "20 m"
+
+[dynamics.damping]
+mass = 0
+stiffness = 0
+`;
+
+/** A well that drills, fast to compute. */
+const SLANT = `name = "A slant well"
+model = ["dynamic"]
+
+[well]
+stations = [["0 m", "0 deg", "0 deg"], ["400 m", "0 deg", "0 deg"], ["1000 m", "40 deg", "30 deg"], ["1600 m", "40 deg", "30 deg"]]
+
+[[well.hole]]
+kind = "casing"
+to = "800 m"
+diameter = "8.835 in"
+friction = 0.2
+
+[[well.hole]]
+kind = "open"
+to = "1600 m"
+diameter = "8.5 in"
+friction = 0.3
+
+[mud]
+density = "1.2 sg"
+
+[[string]]
+component = "bit"
+od = "8.5 in"
+length = "0.3 m"
+
+[[string]]
+component = "drill collars"
+catalogue = "6-1/2 in x 2-13/16 in collar"
+length = "110 m"
+
+[[string]]
+component = "drill pipe"
+catalogue = "5 in 19.50 lb/ft G-105"
+length = "to surface"
+
+[bit]
+torque = "3 kN.m"
+
+[top_drive]
+control = "pi"
+torque_limit = "40 kN.m"
+
+[operation]
+kind = "drill"
+rpm = 90
+wob = "60 kN"
+rop = "15 m/h"
+
+[dynamics]
+duration = "10 s"
+settle = "5 s"
+`;
+
+/** The id of the only case. */
+async function caseId(page) {
+  return page.evaluate(async () => (await (await fetch("/api/cases")).json())[0].id);
+}
+
+/** Goes to the seat of the only case; begins its string where none is live. */
+async function sit(page, begins = true) {
+  const id = await caseId(page);
+  await page.evaluate((id) => (location.hash = `#/seat/${id}`), id);
+  if (begins) {
+    await page.getByRole("button", { name: /^Begin/ }).first().click();
+  }
+  await page.getByRole("button", { name: "Run", exact: true }).or(page.getByRole("button", { name: "Pause" })).waitFor({ timeout: 60_000 });
+  return id;
+}
+
+const time = async (page) => Number(await page.locator(".clock").getAttribute("data-time"));
+const runs = (page) => page.getByRole("button", { name: "Run", exact: true }).click();
+const pause = async (page) => {
+  await page.getByRole("button", { name: "Pause" }).click();
+  await page.getByRole("button", { name: "Run", exact: true }).waitFor();
+};
+const knob = (page, name) => page.getByRole("slider", { name });
+const pace = (page, name) => page.getByRole("group", { name: "Pace" }).getByRole("button", { name, exact: true }).click();
+
+/** What the strip charts show, as the page gives it for a spreadsheet: rows by the names of the columns. */
+async function strips(page) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "CSV" }).click()]);
+  const [head, ...lines] = readFileSync(await download.path(), "utf8").trim().split("\n");
+  const names = head.split(",");
+  return lines.map((line) => Object.fromEntries(line.split(",").map((value, k) => [names[k], value === "" ? NaN : Number(value)])));
+}
+
+async function seated(text, { width, height, theme, flags = FLAGS, files = {} } = {}) {
+  const served = await serve({ "case.toml": text, ...files });
+  const page = await openPage(served, { width, height, theme, flags });
+  await sit(page);
+  return { served, page };
+}
+
+await run({
+  "a step of rotary speed comes to the bit after its time": async () => {
+    const { served, page } = await seated(PLAIN);
+    await pace(page, "5×");
+    await runs(page);
+    await until(async () => (await time(page)) > 5.5, "the string goes on", 60_000);
+    await pause(page);
+    const field = page.getByRole("textbox", { name: "Rotary speed, set" });
+    await field.fill("90");
+    await field.press("Enter");
+    const from = await time(page);
+    await runs(page);
+    await until(async () => (await time(page)) > from + 2.5 * TRAVEL_S, "the wave has come", 60_000);
+    await pause(page);
+    const rows = await strips(page);
+    const [set, bit] = ["rotary_speed_set_rad_per_s", "bit_rotary_speed_rad_per_s"];
+    const change = rows.findIndex((row, i) => i > 0 && row[set] > rows[i - 1][set] + 1);
+    check(change > 0, "the set point has a step");
+    const [before, step] = [rows[change - 1][set], rows[change][set] - rows[change - 1][set]];
+    check(Math.abs(step - Math.PI) < 1e-3, `the step is ${step} rad/s`);
+    // The set point is another from the end of the sample before on.
+    const begun = rows[change - 1].time_s;
+    const half = rows.findIndex((row, i) => i > change && row[bit] > before + step);
+    check(half > 0, "the bit turns faster");
+    const [a, b] = [rows[half - 1], rows[half]];
+    const arrived = a.time_s + ((before + step - a[bit]) / (b[bit] - a[bit])) * (b.time_s - a.time_s);
+    const error = (arrived - begun) / TRAVEL_S - 1;
+    console.log(`     L/c = ${TRAVEL_S.toFixed(4)} s, seen after ${(arrived - begun).toFixed(4)} s: ${(100 * error).toFixed(2)} %`);
+    check(Math.abs(error) < 0.02, `the wave comes after ${arrived - begun} s, expected ${TRAVEL_S} s within 2 %`);
+    // Until just before, the bit knows nothing of it; after it, it turns by twice the step faster.
+    for (const row of rows) {
+      if (row.time_s < begun + 0.95 * TRAVEL_S) check(Math.abs(row[bit] - before) < 0.05 * step, `at ${row.time_s} s the bit turns by ${row[bit]} rad/s`);
+    }
+    const after = rows.filter((row) => row.time_s > begun + 1.3 * TRAVEL_S && row.time_s < begun + 2.3 * TRAVEL_S);
+    const mean = after.reduce((sum, row) => sum + row[bit], 0) / after.length;
+    check(Math.abs((mean - before) / (2 * step) - 1) < 0.02, `the bit turns by ${mean - before} rad/s faster, expected ${2 * step}`);
+    equal(page.complaints, [], "complaints");
+    await served.stop();
+  },
+
+  "knobs turn by key, wheel and pointer, and numbers are typed": async () => {
+    const { served, page } = await seated(SLANT);
+    const dial = knob(page, "Rotary speed");
+    const value = async () => Math.round(Number(await dial.getAttribute("aria-valuenow")));
+    await dial.focus();
+    const before = await value();
+    await page.keyboard.press("ArrowUp");
+    await until(async () => (await value()) === before + 1, "one more by key");
+    await page.keyboard.press("PageUp");
+    await until(async () => (await value()) === before + 11, "ten more by key");
+    await dial.hover();
+    await page.mouse.wheel(0, 100);
+    await until(async () => (await value()) === before + 10, "one less by wheel");
+    const box = await dial.boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width / 2, box.y - 20, { steps: 4 });
+    await page.mouse.up();
+    const turned = await value();
+    check(turned > before + 20, `the pointer turned it to ${turned}`);
+    await page.getByRole("button", { name: "Step 0.1 s" }).click();
+    await until(async () => (await time(page)) > 0.05, "it steps");
+    const recording = await page.evaluate(async () => {
+      const [{ id }] = await (await fetch("/api/live")).json();
+      return (await fetch(`/api/live/${id}/recording`)).json();
+    });
+    const set = (recording.at(-1).set.rotary_speed_rad_per_s * 30) / Math.PI;
+    check(Math.abs(set - turned) < 1e-6, `the engine was set to ${set} rev/min, the knob stands at ${turned}`);
+    // Weight and block replace each other.
+    const block = page.getByRole("textbox", { name: "Block, down, set" });
+    await block.fill("-0.05");
+    await block.press("Enter");
+    await page.keyboard.press("Escape");
+    await page.getByRole("button", { name: "Step 0.1 s" }).click();
+    await page.locator(".knob.idle", { hasText: "Weight on bit" }).waitFor();
+    // Friction goes up, the controller changes.
+    const friction = page.getByRole("textbox", { name: "Friction, set" });
+    await friction.fill("0.35");
+    await friction.press("Enter");
+    await page.getByLabel("Top drive").selectOption("soft-torque");
+    await page.getByRole("button", { name: "Step 0.1 s" }).click();
+    await page.getByText("4 changes recorded").or(page.getByText("3 changes recorded")).waitFor();
+    await page.locator(".knob", { hasText: "Friction" }).locator("output", { hasText: "0.350" }).waitFor();
+    equal(page.complaints, [], "complaints");
+    await served.stop();
+  },
+
+  "space runs and pauses, a dot steps, rewind and branch go back": async () => {
+    const { served, page } = await seated(SLANT);
+    await page.locator("h1").click();
+    await page.keyboard.press(" ");
+    await pace(page, "10×");
+    await until(async () => (await time(page)) > 12, "it runs", 60_000);
+    await page.locator("h1").click();
+    await page.keyboard.press(" ");
+    await page.getByRole("button", { name: "Run", exact: true }).waitFor();
+    const there = await time(page);
+    await page.keyboard.press(".");
+    await until(async () => (await time(page)) > there + 0.05, "it steps");
+    check((await time(page)) < there + 0.2, "a step is a step");
+    const moments = page.getByLabel("Checkpoint");
+    check((await moments.locator("option").count()) >= 2, "there are checkpoints");
+    await moments.selectOption({ index: 0 });
+    await page.getByRole("button", { name: "Branch" }).click();
+    await page.waitForURL(/string=/);
+    await until(async () => (await time(page)) === 0, "the branch begins at the checkpoint", 30_000);
+    await page.goBack();
+    await until(async () => (await time(page)) > 12, "the string that it came from is as it was", 30_000);
+    await page.getByLabel("Checkpoint").selectOption({ index: 0 });
+    await page.getByRole("button", { name: "Rewind" }).click();
+    await until(async () => (await time(page)) === 0, "it is taken back");
+    equal(page.complaints, [], "complaints");
+    await served.stop();
+  },
+
+  "what was done is done again, and becomes the schedule of the case": async () => {
+    const { served, page } = await seated(SLANT);
+    const field = page.getByRole("textbox", { name: "Rotary speed, set" });
+    await page.getByRole("button", { name: "Step 0.1 s" }).click();
+    await until(async () => (await time(page)) > 0.05, "it steps");
+    await field.fill("120");
+    await field.press("Enter");
+    await page.getByText("1 change recorded").waitFor();
+    await page.getByRole("button", { name: "Save as schedule" }).click();
+    await page.getByText("1 line written into the schedule").waitFor();
+    const draft = await page.evaluate(async () => {
+      const [{ id }] = await (await fetch("/api/cases")).json();
+      return (await (await fetch(`/api/cases/${id}`)).json()).draft.text;
+    });
+    check(/\[\[operation\.schedule\]\][\s\S]*rpm = 120/.test(draft), draft);
+    equal(served.read("case.toml"), SLANT, "the file, which is not saved");
+    await page.getByLabel("Checkpoint").selectOption({ index: 0 });
+    await page.getByRole("button", { name: "Replay from it" }).click();
+    await page.getByText("1 to be done again").waitFor();
+    await runs(page);
+    await until(async () => (await time(page)) > 0.6, "it runs");
+    await pause(page);
+    const rows = await strips(page);
+    check(rows.some((row) => Math.abs(row.rotary_speed_set_rad_per_s - 4 * Math.PI) < 1e-3), "the speed is set again");
+    equal(page.complaints, [], "complaints");
+    await served.stop();
+  },
+
+  "a reload finds the string, and two tabs see one": async () => {
+    const { served, page } = await seated(SLANT);
+    await runs(page);
+    await until(async () => (await time(page)) > 2, "it runs", 30_000);
+    await page.reload();
+    await page.getByRole("button", { name: "Pause" }).waitFor({ timeout: 30_000 });
+    check((await time(page)) > 2, "it went on meanwhile");
+    const rows = await strips(page);
+    check(rows[0].time_s < 0.1, `the first that is seen after the reload is of ${rows[0].time_s} s`);
+    const times = rows.map((row) => row.time_s);
+    check(times.every((of, i) => i === 0 || of > times[i - 1]), "no sample is there twice");
+    const other = await page.context().newPage();
+    await other.goto(page.url());
+    await other.getByRole("button", { name: "Pause" }).waitFor({ timeout: 30_000 });
+    await page.getByText("seen on 2 pages").waitFor();
+    await pause(other);
+    await page.getByRole("button", { name: "Run", exact: true }).waitFor();
+    await until(async () => (await time(page)) === (await time(other)), "both stand at the same time");
+    const field = other.getByRole("textbox", { name: "Rotary speed, set" });
+    await field.fill("130");
+    await field.press("Enter");
+    await other.getByRole("button", { name: "Step 0.1 s" }).click();
+    // It comes back in single precision.
+    const shown = async () => Number(await knob(page, "Rotary speed").getAttribute("aria-valuenow"));
+    await until(async () => Math.abs((await shown()) - 130) < 1e-3, "the other tab's knob follows");
+    await other.close();
+    equal(page.complaints, [], "complaints");
+    await served.stop();
+  },
+
+  "a program that was ended has kept the string": async () => {
+    const { served, page } = await seated(SLANT);
+    await runs(page);
+    await until(async () => (await time(page)) > 1, "it runs", 30_000);
+    await served.restart("SIGTERM");
+    const again = await openPage(served, { flags: FLAGS });
+    await sit(again, false).catch(() => {});
+    await again.getByRole("button", { name: "Continue" }).click();
+    await again.getByRole("button", { name: "Run", exact: true }).waitFor({ timeout: 30_000 });
+    check((await time(again)) > 1, "it goes on from where it was");
+    await served.stop();
+  },
+
+  "thirty frames and twenty updates in a second at ten times real time": async () => {
+    const text = read("np13-x1042.toml").replace("[dynamics]", '[mesh]\nelement_length = "3.2 m"\n\n[dynamics]');
+    const files = { "np13-x1042-survey.csv": read("np13-x1042-survey.csv") };
+    const { served, page } = await seated(text, { files });
+    await pace(page, "10×");
+    await runs(page);
+    await page.getByRole("button", { name: "Count" }).click();
+    await until(async () => (await time(page)) > 40, "it runs", 120_000);
+    const found = [];
+    for (let second = 0; second < 10; second++) {
+      await page.waitForTimeout(1000);
+      found.push(
+        await page.evaluate(() => {
+          const { frames, updates, drawing } = document.documentElement.dataset;
+          const reached = document.querySelector("[data-reached]").dataset.reached;
+          return { frames: Number(frames), updates: Number(updates), drawing: Number(drawing), reached: Number(reached) };
+        }),
+      );
+    }
+    const middle = (of) => found.map((one) => one[of]).sort((a, b) => a - b)[Math.floor(found.length / 2)];
+    const [frames, updates, drawing, reached] = ["frames", "updates", "drawing", "reached"].map(middle);
+    console.log(`     ${frames} frames and ${updates} updates in a second, ${drawing} ms each, at ${reached.toFixed(2)} × real time`);
+    await picture(page, "seat-np13");
+    if (process.env.MEASURE !== "0") {
+      check(frames >= 30, `${frames} frames in a second`);
+      check(updates >= 20, `${updates} updates in a second`);
+      check(reached > 9.5, `${reached} × real time`);
+    }
+    await served.stop();
+  },
+
+  "the seat is accessible and has its looks at every width": async () => {
+    const served = await serve({ "case.toml": SLANT });
+    for (const [theme, width, height] of [
+      ["light", 1440, 900], ["dark", 1440, 900], ["light", 900, 900], ["dark", 900, 900], ["light", 420, 900], ["dark", 420, 900],
+    ]) {
+      const page = await openPage(served, { width, height, theme, flags: FLAGS });
+      await sit(page, theme === "light" && width === 1440);
+      if (theme === "light" && width === 1440) {
+        await pace(page, "5×");
+        await runs(page);
+        await until(async () => (await time(page)) > 15, "it runs", 60_000);
+      }
+      await page.waitForTimeout(1500);
+      await accessible(page, `${theme}, ${width}`);
+      const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+      check(over <= 0, `at ${width} px the page is ${over} px too wide`);
+      await picture(page, `seat-${width}-${theme}`);
+      equal(page.complaints, [], "complaints");
+      await page.context().close();
+    }
+    await served.stop();
+  },
+});
