@@ -4,7 +4,7 @@ use std::{ops::Deref, sync::Arc, thread};
 
 use tokio::sync::Semaphore;
 
-use crate::{limits::Limits, workspace::Workspace};
+use crate::{jobs::Jobs, limits::Limits, workspace::Workspace};
 
 /// The state of the router: clones are the same.
 #[derive(Debug, Clone)]
@@ -14,23 +14,29 @@ pub(crate) struct App(Arc<Shared>);
 #[derive(Debug)]
 pub(crate) struct Shared {
     /// The folder of the cases.
-    pub(crate) workspace: Workspace,
+    pub(crate) workspace: Arc<Workspace>,
     /// How much is taken at once.
     pub(crate) limits: Limits,
     /// Turns at solving a case while it is written: as many as there are cores.
     pub(crate) solving: Arc<Semaphore>,
+    /// Work that was started.
+    pub(crate) jobs: Arc<Jobs>,
 }
 
 impl App {
     pub(crate) fn new(workspace: Workspace, limits: Limits) -> Self {
         let cores = thread::available_parallelism().map_or(1, usize::from);
         let solving = Arc::new(Semaphore::new(cores));
-        Self(Arc::new(Shared { workspace, limits, solving }))
+        let workspace = Arc::new(workspace);
+        let jobs = Jobs::new(workspace.clone());
+        Self(Arc::new(Shared { workspace, limits, solving, jobs }))
     }
 
     /// Ends what goes on in the background, and keeps what it has computed. Called once, after the
     /// last request.
-    pub(crate) fn close(&self) {}
+    pub(crate) fn close(&self) {
+        self.jobs.close();
+    }
 }
 
 impl Deref for App {

@@ -8,3 +8,4 @@ mod well;
 
 pub(crate) use answer::{Answer, answer};
 pub(crate) use broomstick::{Broomstick, broomstick};
+pub(crate) use column::Column;

@@ -7,12 +7,17 @@ mod body;
 mod cases;
 mod catalogue;
 mod check;
+mod compare;
 pub(crate) mod diagnostic;
 mod document;
 mod drafts;
 mod edit;
 pub(crate) mod error;
 mod examples;
+mod import;
+mod jobs;
+mod other_files;
+mod results;
 mod schema;
 mod session;
 mod values;
@@ -42,6 +47,11 @@ fn nouns() -> OpenApiRouter<App> {
         .merge(schema::routes())
         .merge(catalogue::routes())
         .merge(answers::routes())
+        .merge(other_files::routes())
+        .merge(jobs::routes())
+        .merge(results::routes())
+        .merge(compare::routes())
+        .merge(import::routes())
 }
 
 /// All that is served: the API, what describes it, and the page.

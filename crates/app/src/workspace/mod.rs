@@ -8,10 +8,17 @@ mod draft;
 mod error;
 mod find;
 mod folder;
+mod job_file;
 mod name;
+mod other_file;
+mod own;
+mod results_folder;
+mod walk;
 mod write;
 
 pub(crate) use case_file::{CaseFile, NewFile};
 pub(crate) use draft::{Draft, millis};
 pub(crate) use error::WorkspaceError;
 pub(crate) use folder::Workspace;
+pub(crate) use other_file::OtherFile;
+pub(crate) use results_folder::{ResultsFile, ResultsPlace};
