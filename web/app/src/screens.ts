@@ -11,6 +11,10 @@ export interface ScreenProps {
 /** Every screen by its name in the address: `#/NAME/ID`. */
 const SCREENS = {
   cases: () => import("./cases/CasesScreen.svelte"),
+  work: () => import("./work/WorkScreen.svelte"),
+  results: () => import("./work/ResultScreen.svelte"),
+  compare: () => import("./work/CompareScreen.svelte"),
+  import: () => import("./work/ImportScreen.svelte"),
 } satisfies Record<string, () => Promise<{ default: Component<ScreenProps> | Component }>>;
 
 export type Screen = keyof typeof SCREENS;
