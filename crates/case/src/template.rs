@@ -58,11 +58,7 @@ impl Template {
 
     /// A case from its text; the files that it names are read when they are first asked for, and
     /// then kept. `name` is what diagnostics call it.
-    pub fn with_files(
-        name: &str,
-        text: &str,
-        files: impl Files + Send + Sync + 'static,
-    ) -> Self {
+    pub fn with_files(name: &str, text: &str, files: impl Files + Send + Sync + 'static) -> Self {
         let files = Remembered { disk: Some(Box::new(files)), read: Mutex::default() };
         Self { name: name.to_owned(), text: text.as_bytes().to_owned(), files }
     }

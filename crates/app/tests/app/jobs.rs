@@ -16,15 +16,12 @@ use crate::common::{CASE, Served};
 /// A vertical well that dynamics solve for so long, with a checkpoint whenever one may be written.
 fn dynamic(duration: &str) -> String {
     let case = fs::read_to_string("../../cases/vertical.toml").unwrap();
+    let time = format!("duration = \"{duration}\"\ncheckpoint_interval = \"1 s\"");
     case.replace(
-        "[\"soft\", \"dynamic\"]",
-        "[\"soft\", \"dynamic\"]\ncheckpoint_interval = \"1 s\"",
-    )
-    .replace(
         "[\"trip_out\", \"trip_in\", \"rotate_off_bottom\", \"drill\", \"slide\"]",
         "\"rotate_off_bottom\"",
     )
-    .replace("duration = \"10 s\"", &format!("duration = \"{duration}\""))
+    .replace("duration = \"10 s\"", &time)
 }
 
 fn start(served: &Served, request: &Value) -> String {

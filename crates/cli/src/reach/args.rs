@@ -67,6 +67,10 @@ pub(crate) struct ReachArgs {
 impl ReachArgs {
     /// Where the results go.
     pub(crate) fn output(&self) -> Output {
-        Output { folder: self.output.clone(), existing: existing(self.resume, self.overwrite), ..Output::default() }
+        Output {
+            folder: self.output.clone(),
+            existing: existing(self.resume, self.overwrite),
+            ..Output::default()
+        }
     }
 }

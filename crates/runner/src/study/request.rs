@@ -6,7 +6,12 @@ use wholestring_case::{Override, Report};
 use wholestring_results::ResultsFolder;
 use wholestring_study::Study;
 
-use super::{cases::{CaseFiles, Templates}, columns, page::show, results::CaseResults};
+use super::{
+    cases::{CaseFiles, Templates},
+    columns,
+    page::show,
+    results::CaseResults,
+};
 use crate::{
     batch::{BatchOptions, BatchOutcome},
     cancellation::CancellationToken,
