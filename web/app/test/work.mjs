@@ -98,7 +98,7 @@ await run({
   },
 
   async "a job is followed over a reload, stopped and resumed"() {
-    const { page, end } = await open({ "a.toml": dynamic("1000000 s") });
+    const { page, end } = await open({ "a.toml": dynamic("15000 s") });
     await show(page, "#/work");
     await start(page, "Run");
     const bar = page.locator("progress[value]").first();
@@ -133,7 +133,7 @@ await run({
   },
 
   async "two tabs see the same job"() {
-    const { served, page, end } = await open({ "a.toml": dynamic("1000000 s") });
+    const { served, page, end } = await open({ "a.toml": dynamic("15000 s") });
     await show(page, "#/work");
     const other = await openPage(served);
     await show(other, "#/work");
@@ -146,7 +146,7 @@ await run({
   },
 
   async "what a killed program has begun is offered and comes to its end"() {
-    const { served, page } = await open({ "a.toml": dynamic("40 s") });
+    const { served, page } = await open({ "a.toml": dynamic("3000 s") });
     await show(page, "#/work");
     await start(page, "Run");
     await until(() => existsSync(join(served.folder, "out/Vertical well/checkpoint.bin")), "a checkpoint is written", 60_000);

@@ -209,7 +209,7 @@ fn events(served: &Served, id: &str) -> Vec<Value> {
 
 #[test]
 fn a_job_is_followed_stopped_and_resumed() {
-    let mut served = Served::with(&[("a.toml", &dynamic("1000000 s"))]);
+    let mut served = Served::with(&[("a.toml", &dynamic("15000 s"))]);
     let case = served.id("a.toml");
     let id = start(&served, &json!({"case": case, "work": {"kind": "run"}}));
     let next = start(&served, &json!({"case": case, "work": {"kind": "modes"}}));
@@ -274,7 +274,7 @@ fn as_if_killed(folder: &Path, id: &str) {
 
 #[test]
 fn what_a_killed_server_has_begun_comes_to_the_same_end() {
-    let case = dynamic("30 s");
+    let case = dynamic("2000 s");
     let mut served = Served::with(&[("a.toml", &case)]);
     let id = start(&served, &json!({"case": served.id("a.toml"), "work": {"kind": "run"}}));
     until(&served, &id, moves);
@@ -308,7 +308,7 @@ fn what_a_killed_server_has_begun_comes_to_the_same_end() {
 
 #[test]
 fn only_so_many_wait_and_one_server_works() {
-    let served = Served::with(&[("a.toml", &dynamic("1000000 s"))]);
+    let served = Served::with(&[("a.toml", &dynamic("15000 s"))]);
     let request = json!({"case": served.id("a.toml"), "work": {"kind": "run"}});
     let first = start(&served, &request);
     until(&served, &first, |job| job["state"] == "running");
