@@ -4,7 +4,7 @@ use std::{ops::Deref, sync::Arc, thread};
 
 use tokio::sync::Semaphore;
 
-use crate::{limits::Limits, live::EngineRoom, workspace::Workspace};
+use crate::{jobs::Jobs, limits::Limits, live::EngineRoom, workspace::Workspace};
 
 /// The state of the router: clones are the same.
 #[derive(Debug, Clone)]
@@ -23,6 +23,8 @@ pub(crate) struct Shared {
     pub(crate) live_viewers: Arc<Semaphore>,
     /// Turns at solving a case while it is written: as many as there are cores.
     pub(crate) solving: Arc<Semaphore>,
+    /// Work that was started.
+    pub(crate) jobs: Arc<Jobs>,
 }
 
 impl App {
@@ -32,13 +34,15 @@ impl App {
         let workspace = Arc::new(workspace);
         let live = EngineRoom::new(limits, workspace.clone());
         let live_viewers = Arc::new(Semaphore::new(limits.live_viewers));
-        Self(Arc::new(Shared { workspace, limits, live, live_viewers, solving }))
+        let jobs = Jobs::new(workspace.clone());
+        Self(Arc::new(Shared { workspace, limits, live, live_viewers, solving, jobs }))
     }
 
     /// Ends what goes on in the background, and keeps what it has computed. Called once, after the
     /// last request.
     pub(crate) fn close(&self) {
         self.live.close();
+        self.jobs.close();
     }
 }
 

@@ -14,14 +14,18 @@ fn most_memory_MB() -> u64 {
 
 /// Sends a gigabyte in chunks, as far as it is taken. The status of the answer; 0 where the
 /// connection was closed on what was still to come.
-fn upload(served: &Served, path: &str) -> (u16, u64) {
+fn upload(served: &Served, path: &str, content_type: &str, begin: &[u8]) -> (u16, u64) {
     let mut stream = TcpStream::connect(("127.0.0.1", served.port)).unwrap();
     let headers = served.headers();
     let head = format!(
-        "POST {path} HTTP/1.1\r\n{headers}Content-Type: application/json\r\n\
+        "POST {path} HTTP/1.1\r\n{headers}Content-Type: {content_type}\r\n\
          Transfer-Encoding: chunked\r\n\r\n"
     );
     stream.write_all(head.as_bytes()).unwrap();
+    if !begin.is_empty() {
+        stream.write_all(format!("{:x}\r\n", begin.len()).as_bytes()).unwrap();
+        stream.write_all(&[begin, b"\r\n"].concat()).unwrap();
+    }
     let mut chunk = b"100000\r\n".to_vec();
     chunk.resize(chunk.len() + (1 << 20), b' ');
     chunk.extend_from_slice(b"\r\n");
@@ -37,7 +41,20 @@ fn it_stays_below_300_MB() {
     std::thread::scope(|scope| {
         for _ in 0..8 {
             scope.spawn(|| {
-                let (status, taken_MB) = upload(&served, "/api/cases");
+                let (status, taken_MB) = upload(&served, "/api/cases", "application/json", b"");
+                assert!(matches!(status, 413 | 0), "{status}");
+                assert!(taken_MB < 100, "{taken_MB} MB were taken");
+            });
+        }
+    });
+    // The same as a file that is imported: that is kept on the disk.
+    std::thread::scope(|scope| {
+        for _ in 0..8 {
+            scope.spawn(|| {
+                let form = "multipart/form-data; boundary=X";
+                let begin = b"--X\r\nContent-Disposition: form-data; name=\"file\"; \
+                    filename=\"log.las\"\r\n\r\n";
+                let (status, taken_MB) = upload(&served, "/api/import", form, begin);
                 assert!(matches!(status, 413 | 0), "{status}");
                 assert!(taken_MB < 100, "{taken_MB} MB were taken");
             });

@@ -2,7 +2,7 @@
 
 use std::{
     collections::BTreeMap,
-    io,
+    fmt, io,
     path::Path,
     sync::{Mutex, MutexGuard, PoisonError},
 };
@@ -45,7 +45,7 @@ impl Template {
     /// A report that says why it cannot be read.
     pub fn read(path: &Path) -> Result<Self, Report> {
         let (name, text) = read_file(path, "case")?;
-        let files = Remembered { disk: Some(Disk::beside(path)), read: Mutex::default() };
+        let files = Remembered { disk: Some(Box::new(Disk::beside(path))), read: Mutex::default() };
         Ok(Self { name, text, files })
     }
 
@@ -53,6 +53,13 @@ impl Template {
     /// `name` is what diagnostics call it. Nothing is read from the disk.
     pub fn in_memory(name: &str, text: &str, files: BTreeMap<String, Vec<u8>>) -> Self {
         let files = Remembered { disk: None, read: Mutex::new(files) };
+        Self { name: name.to_owned(), text: text.as_bytes().to_owned(), files }
+    }
+
+    /// A case from its text; the files that it names are read when they are first asked for, and
+    /// then kept. `name` is what diagnostics call it.
+    pub fn with_files(name: &str, text: &str, files: impl Files + Send + Sync + 'static) -> Self {
+        let files = Remembered { disk: Some(Box::new(files)), read: Mutex::default() };
         Self { name: name.to_owned(), text: text.as_bytes().to_owned(), files }
     }
 
@@ -97,12 +104,17 @@ impl Template {
     }
 }
 
-/// Files that are read from the disk when they are first requested.
-#[derive(Debug)]
+/// Files that are read when they are first requested.
 struct Remembered {
     /// Nothing where all that there is was given.
-    disk: Option<Disk>,
+    disk: Option<Box<dyn Files + Send + Sync>>,
     read: Mutex<BTreeMap<String, Vec<u8>>>,
+}
+
+impl fmt::Debug for Remembered {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_set().entries(self.held().keys()).finish()
+    }
 }
 
 impl Remembered {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use wholestring_case::Override;
-use wholestring_runner::study::{self, Request};
+use wholestring_runner::study::{self, CaseFiles, Request};
 
 use crate::{
     color::color,
@@ -51,7 +51,7 @@ pub(crate) fn study(args: &StudyArgs) -> Result<(), Failure> {
     }
     let request = Request {
         study: &study,
-        cases: args.study.parent().unwrap_or(Path::new("")),
+        cases: CaseFiles::Beside(args.study.parent().unwrap_or(Path::new(""))),
         overrides: &args.overrides,
         keep: args.kept.keep(),
         png: args.png,

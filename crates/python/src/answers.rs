@@ -135,7 +135,7 @@ impl Answers {
         listener: &Bound<'_, PyAny>,
     ) -> PyResult<PathBuf> {
         let word = if overwrite { "overwrite" } else { "protect" };
-        let output = Output { folder, existing: existing_of(word) };
+        let output = Output { folder, existing: existing_of(word), ..Output::default() };
         let saved = attended(py, listener, |observer, _| match &self.0 {
             Place::Memory(answers) => answers.save(&output, csv, observer),
             Place::Folder(folder) => {

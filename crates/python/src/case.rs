@@ -258,7 +258,8 @@ impl Case {
     ) -> PyResult<(Answers, Option<Py<PyAny>>)> {
         let case = self.with_models(py, models, operation)?;
         let mut request = run::Request::new(&case);
-        request.output = Output { folder: Some(folder), existing: existing_of(existing) };
+        request.output =
+            Output { folder: Some(folder), existing: existing_of(existing), ..Output::default() };
         request.csv = csv;
         request.jobs = jobs;
         let work = attended(py, listener, |observer, cancellation| {

@@ -102,7 +102,7 @@ impl Sweep {
             together,
             keep: keep(keep_).map_err(|error| error::of_work(py, &error))?,
             batch: BatchOptions {
-                output: Output { folder, existing: existing_of(existing) },
+                output: Output { folder, existing: existing_of(existing), ..Output::default() },
                 jobs,
                 checkpoint_every: checkpoint_every("checkpoint_every", checkpoint_s)
                     .map_err(|error| error::of_work(py, &error))?,

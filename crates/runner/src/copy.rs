@@ -107,7 +107,7 @@ mod tests {
         put("one", "1");
         put("other", "2");
         let copy = |from: &str, to: &str, existing: Existing| {
-            let output = Output { folder: Some(at(to)), existing };
+            let output = Output { folder: Some(at(to)), existing, ..Output::default() };
             copy_results(&at(from), &output, &Silent)
         };
         copy("one", "here", Existing::Protect).unwrap();

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-/// `out/<case name>`.
-pub(crate) fn default_output(name: &str) -> PathBuf {
-    Path::new("out").join(file_name(name))
+/// `out/<case name>` of a folder.
+pub(crate) fn default_output(root: &Path, name: &str) -> PathBuf {
+    root.join("out").join(file_name(name))
 }
 
 /// The name without what some system does not take in a file's name.
@@ -71,8 +71,11 @@ mod tests {
             ("common", "common"),
             ("Bohrung Süd\n", "Bohrung Süd-"),
         ] {
-            assert_eq!(default_output(name), Path::new("out").join(folder), "{name}");
+            let here = default_output(Path::new(""), name);
+            assert_eq!(here, Path::new("out").join(folder), "{name}");
         }
-        assert_eq!(default_output(&"é".repeat(500)).as_os_str().len(), 4 + 200);
+        let long = default_output(Path::new(""), &"é".repeat(500));
+        assert_eq!(long.as_os_str().len(), 4 + 200);
+        assert_eq!(default_output(Path::new("wells"), "a"), Path::new("wells/out/a"));
     }
 }

@@ -33,13 +33,11 @@ pub fn contents(file: &Path) -> Result<Contents, Error> {
 /// # Errors
 /// A file is there already, or cannot be written.
 pub fn write(imported: &Imported, case: &Path) -> Result<Vec<PathBuf>, Error> {
-    let beside = imported.beside.iter().map(|file| (sibling(case, file.ending), &file.text));
     let stem = case.file_stem().unwrap_or_default().to_string_lossy();
     let text = imported.text_as(&stem);
-    let pages: Vec<(PathBuf, String)> = pages(imported, case);
-    let pages = pages.iter().map(|(path, page)| (path.clone(), page));
-    let case = std::iter::once((case.to_owned(), &text));
-    let all: Vec<(PathBuf, &String)> = case.chain(beside).chain(pages).collect();
+    let beside = beside(imported).into_iter().map(|(ending, text)| (sibling(case, &ending), text));
+    let case = std::iter::once((case.to_owned(), text));
+    let all: Vec<(PathBuf, String)> = case.chain(beside).collect();
     if let Some((there, _)) = all.iter().find(|(path, _)| path.exists()) {
         return Err(Error::BadInput(format!("{} is there already", there.display())));
     }
@@ -51,16 +49,18 @@ pub fn write(imported: &Imported, case: &Path) -> Result<Vec<PathBuf>, Error> {
     Ok(all.into_iter().map(|(path, _)| path).collect())
 }
 
-/// A page of each log that weights were picked from, on which the windows are seen.
-fn pages(imported: &Imported, case: &Path) -> Vec<(PathBuf, String)> {
+/// What stands beside a case, by what the names of the files have after the case's: readings, and a
+/// page of each log that weights were picked from, on which the windows are seen.
+pub fn beside(imported: &Imported) -> Vec<(String, String)> {
+    let files = imported.beside.iter().map(|file| (file.ending.to_owned(), file.text.clone()));
     let page = |(index, picks)| {
         let ending = match index {
             0 => "-picks.html".to_owned(),
             index => format!("-picks-{}.html", index + 1),
         };
-        (sibling(case, &ending), picks_html(picks, imported.units))
+        (ending, picks_html(picks, imported.units))
     };
-    imported.picks.iter().enumerate().map(page).collect()
+    files.chain(imported.picks.iter().enumerate().map(page)).collect()
 }
 
 /// `well-measured.csv` beside `well.toml`.

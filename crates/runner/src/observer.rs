@@ -1,5 +1,7 @@
 //! What an observer of the work learns while it goes on.
 
+use std::path::Path;
+
 use wholestring_case::Report;
 
 /// Learns what happens while cases are solved: a progress bar, a log, a page that follows.
@@ -16,6 +18,9 @@ pub trait Observer: Sync {
     /// Something that went wrong and does not end the work, such as a checkpoint that cannot be
     /// written.
     fn warning(&self, _text: &str) {}
+
+    /// The folder that the results go to, once it is held.
+    fn folder(&self, _path: &Path) {}
 
     /// What is done before the first step of an operation: seconds, or minutes on rock.
     fn preparing(&self, _task: &Task<'_>, _what: &str) {}

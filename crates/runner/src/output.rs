@@ -8,6 +8,8 @@ pub struct Output {
     /// The folder; where none is named, `out/<name>`, or the next one like it that does not hold
     /// other results.
     pub folder: Option<PathBuf>,
+    /// Where `out` lies, where no folder is named; here where nothing is said.
+    pub root: PathBuf,
     /// What becomes of what lies there.
     pub existing: Existing,
 }

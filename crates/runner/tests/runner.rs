@@ -26,7 +26,7 @@ fn slant(changes: &[&str]) -> Case {
 
 fn request<'a>(case: &'a Case, folder: &Path, existing: Existing) -> run::Request<'a> {
     run::Request {
-        output: Output { folder: Some(folder.to_owned()), existing },
+        output: Output { folder: Some(folder.to_owned()), existing, ..Output::default() },
         ..run::Request::new(case)
     }
 }
@@ -178,7 +178,11 @@ fn swept(frictions: &str, folder: &Path, observer: &dyn Observer) -> Result<usiz
         together: false,
         keep: None,
         batch: BatchOptions {
-            output: Output { folder: Some(folder.to_owned()), existing: Existing::Protect },
+            output: Output {
+                folder: Some(folder.to_owned()),
+                existing: Existing::Protect,
+                ..Output::default()
+            },
             ..BatchOptions::default()
         },
     };
@@ -248,6 +252,34 @@ fn answers_in_memory_are_those_of_a_run() {
     let other = run::answer(&other, None, &Silent, &CancellationToken::new()).expect("answers");
     let refused = other.answers.save(&output, false, &Silent).expect_err("they are others");
     assert!(matches!(refused, Error::Folder(_)), "{refused}");
+}
+
+/// A front that serves a folder puts `out` there, and learns which folder it became before the first
+/// answer.
+#[test]
+fn out_lies_where_it_is_said() {
+    #[derive(Default)]
+    struct Folders(Mutex<Vec<std::path::PathBuf>>);
+    impl Observer for Folders {
+        fn folder(&self, path: &Path) {
+            assert!(!path.join("summary.json").is_file() || path.join(".wholestring").is_file());
+            self.0.lock().expect("no panic").push(path.to_owned());
+        }
+    }
+    let place = tempfile::tempdir().expect("a folder");
+    let out = place.path().join("out");
+    let told = Folders::default();
+    for changes in [["model=soft", "friction=0.2"], ["model=soft", "friction=0.3"]] {
+        let case = slant(&changes);
+        let mut request = run::Request::new(&case);
+        request.output.root = place.path().to_owned();
+        let outcome = run::run(&request, &told, &CancellationToken::new()).expect("an outcome");
+        let folder = outcome.finished().expect("a finished run").folder;
+        assert!(folder.starts_with(&out), "{}", folder.display());
+    }
+    let told = told.0.into_inner().expect("no panic");
+    let name = slant(&[]).name;
+    assert_eq!(told, [out.join(&name), out.join(format!("{name}-2"))]);
 }
 
 #[test]

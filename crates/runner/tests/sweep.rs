@@ -37,7 +37,7 @@ impl Swept {
             together: self.together,
             keep: None,
             batch: BatchOptions {
-                output: Output { folder: Some(folder.to_owned()), existing },
+                output: Output { folder: Some(folder.to_owned()), existing, ..Output::default() },
                 ..BatchOptions::default()
             },
         }

@@ -204,7 +204,7 @@ fn a_reach_has_bands_and_goes_on() {
         Slant::with(&[&FEW[..], &["rig.hoist_capacity=300 kN", "rig.block_weight=50 kN"]].concat());
     let request = |folder: &Path, existing| reach::Request {
         to_m: Some(6000.0),
-        output: Output { folder: Some(folder.to_owned()), existing },
+        output: Output { folder: Some(folder.to_owned()), existing, ..Output::default() },
         operations: vec![wholestring::operation::OperationKind::TripOut],
         jobs: std::num::NonZeroUsize::new(1),
         ..reach::Request::new(&of.case, &of.template, &of.overrides)

@@ -62,7 +62,11 @@ fn every_cell_is_that_of_a_table() {
         template: &template,
         overrides: &overrides,
         units: Some(UnitSet::Field),
-        output: Output { folder: Some(folder.clone()), existing: Existing::Protect },
+        output: Output {
+            folder: Some(folder.clone()),
+            existing: Existing::Protect,
+            ..Output::default()
+        },
         jobs: std::num::NonZeroUsize::new(1),
         checkpoint_every: None,
         overlay: None,

@@ -14,6 +14,10 @@ const SCREENS = {
   answers: () => import("./answers/AnswersScreen.svelte"),
   case: () => import("./case/CaseScreen.svelte"),
   seat: () => import("./seat/SeatScreen.svelte"),
+  work: () => import("./work/WorkScreen.svelte"),
+  results: () => import("./work/ResultScreen.svelte"),
+  compare: () => import("./work/CompareScreen.svelte"),
+  import: () => import("./work/ImportScreen.svelte"),
 } satisfies Record<string, () => Promise<{ default: Component<ScreenProps> | Component }>>;
 
 export type Screen = keyof typeof SCREENS;

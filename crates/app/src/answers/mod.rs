@@ -13,4 +13,5 @@ mod well;
 pub(crate) use answer::{Answer, answer};
 pub(crate) use assembly::{AssemblyView, assembly};
 pub(crate) use broomstick::{Broomstick, broomstick};
+pub(crate) use column::Column;
 pub(crate) use well::{Component, PathView, Section};

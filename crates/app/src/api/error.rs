@@ -11,7 +11,7 @@ use utoipa::ToSchema;
 use wholestring_case::Report;
 
 use super::diagnostic::{self, Diagnostic};
-use crate::workspace::WorkspaceError;
+use crate::{jobs::JobError, workspace::WorkspaceError};
 
 /// A request that is not answered as it was meant: `{"error": {...}}`.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
@@ -70,6 +70,18 @@ impl From<WorkspaceError> for ApiError {
             WorkspaceError::Name { .. } => Self::bad_input(message),
             WorkspaceError::Exists(_) | WorkspaceError::Changed => Self::conflict(message),
             WorkspaceError::Folder { .. } | WorkspaceError::System { .. } => Self::failed(message),
+        }
+    }
+}
+
+/// Work that is not taken on.
+impl From<JobError> for ApiError {
+    fn from(error: JobError) -> Self {
+        match error {
+            JobError::Unsound(report) => Self::from(report),
+            JobError::BadInput(message) => Self::bad_input(message),
+            JobError::Conflict(message) => Self::conflict(message),
+            JobError::Workspace(error) => Self::from(error),
         }
     }
 }

@@ -8,17 +8,22 @@ mod body;
 mod cases;
 mod catalogue;
 mod check;
+mod compare;
 pub(crate) mod diagnostic;
 mod document;
 mod drafts;
 mod edit;
 pub(crate) mod error;
 mod examples;
-mod layout;
-mod quantities;
+mod import;
+mod jobs;
 mod kept;
+mod layout;
 mod live;
 mod live_socket;
+mod other_files;
+mod quantities;
+mod results;
 mod schema;
 mod session;
 mod survey;
@@ -56,6 +61,11 @@ fn nouns() -> OpenApiRouter<App> {
         .merge(live::routes())
         .merge(live_socket::routes())
         .merge(kept::routes())
+        .merge(other_files::routes())
+        .merge(jobs::routes())
+        .merge(results::routes())
+        .merge(compare::routes())
+        .merge(import::routes())
 }
 
 /// All that is served: the API, what describes it, and the page.

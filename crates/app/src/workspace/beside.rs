@@ -3,13 +3,16 @@
 use std::{
     collections::BTreeMap,
     io,
-    path::PathBuf,
+    path::{Path, PathBuf},
     sync::{Mutex, PoisonError},
 };
 
 use wholestring_case::{Files, read_file};
 
-use super::{case_file::CaseFile, folder::Workspace};
+use super::{
+    case_file::CaseFile,
+    folder::{Workspace, inside},
+};
 
 /// Files that a case names, from the folder that it stands in; none from outside the workspace.
 #[derive(Debug)]
@@ -36,7 +39,26 @@ impl Files for Beside<'_> {
     }
 }
 
+/// The same for as long as it is held: work reads what its case names when it comes to it.
+#[derive(Debug)]
+pub(crate) struct OwnBeside {
+    root: PathBuf,
+    folder: PathBuf,
+}
+
+impl Files for OwnBeside {
+    fn read(&self, name: &str) -> io::Result<Vec<u8>> {
+        read_file(&inside(&self.root, &self.folder.join(name))?)
+    }
+}
+
 impl Workspace {
+    /// The files in the folder of a file, for as long as it is held.
+    pub(crate) fn own_beside(&self, file: &Path) -> OwnBeside {
+        let folder = file.parent().unwrap_or(self.root()).to_owned();
+        OwnBeside { root: self.root().to_owned(), folder }
+    }
+
     /// The files beside a case.
     pub(crate) fn beside(&self, case: &CaseFile) -> Beside<'_> {
         let folder = case.path.parent().unwrap_or(self.root()).to_owned();

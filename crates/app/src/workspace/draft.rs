@@ -21,8 +21,8 @@ pub(crate) struct Draft {
     pub(crate) modified_ms: u64,
 }
 
-/// Where drafts are kept in the folder.
-const DRAFTS: [&str; 2] = [".wholestring", "drafts"];
+/// The folder of the drafts.
+const DRAFTS: &str = "drafts";
 
 impl Workspace {
     /// The draft of a case, if there is one that can be read.
@@ -45,17 +45,7 @@ impl Workspace {
         let draft = Draft { text, base_revision, modified_ms: millis(SystemTime::now()) };
         let bytes = serde_json::to_vec(&draft).map_err(io::Error::from).map_err(&failed)?;
         let _alone = self.writing();
-        let mut folder = self.root().to_owned();
-        for name in DRAFTS {
-            folder.push(name);
-            match fs::create_dir(&folder) {
-                Err(error) if error.kind() != io::ErrorKind::AlreadyExists => {
-                    return Err(failed(error));
-                }
-                // A link that leads out is no place to write to.
-                _ => folder = self.inside(&folder).map_err(&failed)?,
-            }
-        }
+        let folder = self.own_folder(DRAFTS).map_err(&failed)?;
         let path = folder.join(format!("{}.json", case.id));
         write::replace(&path, &bytes).map_err(&failed)
     }
@@ -70,8 +60,7 @@ impl Workspace {
     }
 
     fn draft_path(&self, case: &CaseFile) -> PathBuf {
-        let folder = DRAFTS.iter().fold(self.root().to_owned(), |path, name| path.join(name));
-        folder.join(format!("{}.json", case.id))
+        self.own_path(DRAFTS).join(format!("{}.json", case.id))
     }
 }
 

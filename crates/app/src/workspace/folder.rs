@@ -53,11 +53,16 @@ impl Workspace {
     /// # Errors
     /// What the system says of a path that leads nowhere, and of one that leads out a sentence.
     pub(crate) fn inside(&self, path: &Path) -> io::Result<PathBuf> {
-        let real = path.canonicalize()?;
-        match real.starts_with(&self.root) {
-            true => Ok(real),
-            false => Err(outside()),
-        }
+        inside(&self.root, path)
+    }
+}
+
+/// The same of a folder that is known without links.
+pub(super) fn inside(root: &Path, path: &Path) -> io::Result<PathBuf> {
+    let real = path.canonicalize()?;
+    match real.starts_with(root) {
+        true => Ok(real),
+        false => Err(outside()),
     }
 }
 

@@ -12,5 +12,8 @@ mod document;
 mod edit;
 mod folder;
 mod guard;
+mod import;
+mod jobs;
 mod lookup;
+mod results;
 mod strain;

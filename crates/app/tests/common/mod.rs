@@ -76,6 +76,22 @@ impl Served {
         Self { folder, port, token: token.to_owned(), stop, thread: Some(thread) }
     }
 
+    /// Ends the server, and starts another on the same folder after `between`.
+    pub fn restart(&mut self, between: impl FnOnce(&Path)) {
+        self.end();
+        between(self.folder.path());
+        let folder = std::mem::replace(&mut self.folder, tempfile::tempdir().unwrap());
+        *self = Self::of(folder);
+    }
+
+    fn end(&mut self) {
+        self.stop.stop();
+        if let Some(thread) = self.thread.take() {
+            let ended = thread.join();
+            assert!(ended.is_ok() || std::thread::panicking(), "the server panicked");
+        }
+    }
+
     pub fn path(&self) -> &Path {
         self.folder.path()
     }
@@ -141,10 +157,6 @@ impl Served {
 
 impl Drop for Served {
     fn drop(&mut self) {
-        self.stop.stop();
-        if let Some(thread) = self.thread.take() {
-            let ended = thread.join();
-            assert!(ended.is_ok() || std::thread::panicking(), "the server panicked");
-        }
+        self.end();
     }
 }

@@ -50,6 +50,10 @@ pub(crate) struct PlanArgs {
 impl PlanArgs {
     /// Where the results go.
     pub(crate) fn output(&self) -> Output {
-        Output { folder: self.output.clone(), existing: existing(self.resume, self.overwrite) }
+        Output {
+            folder: self.output.clone(),
+            existing: existing(self.resume, self.overwrite),
+            ..Output::default()
+        }
     }
 }

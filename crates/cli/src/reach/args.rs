@@ -68,6 +68,10 @@ pub(crate) struct ReachArgs {
 impl ReachArgs {
     /// Where the results go.
     pub(crate) fn output(&self) -> Output {
-        Output { folder: self.output.clone(), existing: existing(self.resume, self.overwrite) }
+        Output {
+            folder: self.output.clone(),
+            existing: existing(self.resume, self.overwrite),
+            ..Output::default()
+        }
     }
 }

@@ -70,6 +70,7 @@ impl RunArgs {
         Output {
             folder: self.resume.clone().or_else(|| self.output.clone()),
             existing: existing(self.resume.is_some(), self.overwrite),
+            ..Output::default()
         }
     }
 }

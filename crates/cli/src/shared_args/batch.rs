@@ -49,6 +49,7 @@ impl BatchArgs {
             output: Output {
                 folder: self.output.clone(),
                 existing: existing(self.resume, self.overwrite),
+                ..Output::default()
             },
             jobs: self.jobs,
             shard: self.shard.unwrap_or_default(),

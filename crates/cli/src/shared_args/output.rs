@@ -19,7 +19,11 @@ pub(crate) struct OutputArgs {
 impl OutputArgs {
     /// What they ask for.
     pub(crate) fn output(&self) -> Output {
-        Output { folder: self.output.clone(), existing: existing(false, self.overwrite) }
+        Output {
+            folder: self.output.clone(),
+            existing: existing(false, self.overwrite),
+            ..Output::default()
+        }
     }
 }
 

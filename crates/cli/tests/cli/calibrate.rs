@@ -551,7 +551,11 @@ fn a_check_that_is_interrupted_leaves_the_calibration() {
         },
         check: Some(CheckDynamics { bit_depths_m: Vec::new(), jobs: None }),
         units: None,
-        output: Output { folder: Some(desk.path("out")), existing: Existing::Protect },
+        output: Output {
+            folder: Some(desk.path("out")),
+            existing: Existing::Protect,
+            ..Output::default()
+        },
         png: false,
     };
     let stops = Stops(CancellationToken::new());

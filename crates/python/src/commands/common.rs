@@ -25,7 +25,11 @@ pub(crate) struct Common {
 
 impl Common {
     pub(super) fn output(&self) -> Output {
-        Output { folder: Some(self.folder.clone()), existing: existing_of(&self.existing) }
+        Output {
+            folder: Some(self.folder.clone()),
+            existing: existing_of(&self.existing),
+            ..Output::default()
+        }
     }
 
     pub(super) fn units(&self) -> Result<Option<UnitSet>, Error> {

@@ -38,7 +38,7 @@ pub(crate) fn study_of(
         }
         let request = study::Request {
             study: &study,
-            cases: path.parent().unwrap_or(std::path::Path::new("")),
+            cases: study::CaseFiles::Beside(path.parent().unwrap_or(std::path::Path::new(""))),
             overrides: &overrides,
             keep,
             png: common.png,

@@ -67,7 +67,7 @@ impl<'a> Claim<'a> {
     /// A claim for work that one program does at once, in the folder that is called like it.
     pub(crate) fn new(occupant: Occupant, output: &'a Output, observer: &'a dyn Observer) -> Self {
         Self {
-            default: default_output(&occupant.name),
+            default: default_output(&output.root, &occupant.name),
             occupant,
             output,
             shared: false,
@@ -200,6 +200,7 @@ impl Claim<'_> {
                 thread::sleep(pause);
             }
         }
+        self.observer.folder(folder.path());
         Ok(Claimed { folder, hold })
     }
 

@@ -53,10 +53,17 @@ impl Overlay {
     /// # Errors
     /// A file that cannot be read, or has none.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        let bytes = survey::bytes(path, "curves")?;
-        let name = path.display().to_string();
-        let imported = read_readings(&bytes, &name).map_err(|error| survey::explained(&error))?;
-        let file = path.file_name().map_or(name, |name| name.to_string_lossy().into_owned());
+        Self::of_bytes(&path.display().to_string(), &survey::bytes(path, "curves")?)
+    }
+
+    /// Reads the bytes of such a file, which is called so.
+    ///
+    /// # Errors
+    /// Bytes that are no such file.
+    pub fn of_bytes(name: &str, bytes: &[u8]) -> Result<Self, Error> {
+        let imported = read_readings(bytes, name).map_err(|error| survey::explained(&error))?;
+        let file = Path::new(name).file_name();
+        let file = file.map_or_else(|| name.to_owned(), |name| name.to_string_lossy().into_owned());
         Ok(Self { file, readings: imported.readings, notes: imported.notes })
     }
 

@@ -137,11 +137,12 @@ fn begin(
         identity: digest(&case.identity()),
     };
     if request.output.existing == Existing::Resume {
-        let default = default_output(&case.name);
+        let default = default_output(&request.output.root, &case.name);
         let folder = existing(request.output.folder.as_ref().unwrap_or(&default))?;
         let claimed = claim::hold(&folder)?;
         let stored = read_checkpoint(&folder, case)?;
         let record = Record::resume(case, units, &folder, stored.solved).map_err(anew)?;
+        observer.folder(folder.path());
         return Ok((claimed.occupy(&occupant)?, record, stored.under_way));
     }
     // Before anything is solved, so that a long run does not end on a folder it may not write to.

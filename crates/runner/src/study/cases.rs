@@ -1,6 +1,10 @@
 //! The cases of a study.
 
-use std::{collections::BTreeMap, path::Path, sync::Arc};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    path::Path,
+    sync::Arc,
+};
 
 use wholestring_case::{Override, Template};
 use wholestring_study::{Study, Sweep};
@@ -10,20 +14,39 @@ use crate::{
     sweep::{Point, points},
 };
 
+/// Where the case files of a study are.
+#[derive(Debug, Clone, Copy)]
+pub enum CaseFiles<'a> {
+    /// On the disk, as seen from a folder: that of the study's own file.
+    Beside(&'a Path),
+    /// In memory, by the names that the study has for them.
+    Given(&'a BTreeMap<String, Arc<Template>>),
+}
+
+impl CaseFiles<'_> {
+    fn read(self, name: &str) -> Result<Arc<Template>, Error> {
+        match self {
+            Self::Beside(folder) => Ok(Arc::new(Template::read(&folder.join(name))?)),
+            Self::Given(all) => all.get(name).cloned().ok_or_else(|| {
+                Error::BadInput(format!("the study names the case `{name}`, which is not given"))
+            }),
+        }
+    }
+}
+
+/// The names of the case files that a study needs, each once.
+pub fn case_files(study: &Study) -> BTreeSet<&str> {
+    study.sweeps.iter().flat_map(files).collect()
+}
+
 /// The case files of a study, each read once.
 pub(super) struct Templates(BTreeMap<String, Arc<Template>>);
 
 impl Templates {
-    /// Reads every case file that the study names, as seen from the folder.
-    pub(super) fn read(study: &Study, folder: &Path) -> Result<Self, Error> {
-        let mut templates = BTreeMap::new();
-        for name in study.sweeps.iter().flat_map(files) {
-            if !templates.contains_key(name) {
-                let template = Template::read(&folder.join(name))?;
-                templates.insert(name.to_owned(), Arc::new(template));
-            }
-        }
-        Ok(Self(templates))
+    /// Reads every case file that the study names.
+    pub(super) fn read(study: &Study, from: CaseFiles<'_>) -> Result<Self, Error> {
+        let read = |name: &str| Ok((name.to_owned(), from.read(name)?));
+        Ok(Self(case_files(study).into_iter().map(read).collect::<Result<_, Error>>()?))
     }
 
     /// The cases of all sweeps, with these changes of every one of them.

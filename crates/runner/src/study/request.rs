@@ -6,7 +6,12 @@ use wholestring_case::{Override, Report};
 use wholestring_results::ResultsFolder;
 use wholestring_study::Study;
 
-use super::{cases::Templates, columns, page::show, results::CaseResults};
+use super::{
+    cases::{CaseFiles, Templates},
+    columns,
+    page::show,
+    results::CaseResults,
+};
 use crate::{
     batch::{BatchOptions, BatchOutcome},
     cancellation::CancellationToken,
@@ -22,8 +27,8 @@ use crate::{
 pub struct Request<'a> {
     /// The study, as [`load`] reads it.
     pub study: &'a Study,
-    /// The folder from which the study names its case files: that of its own file.
-    pub cases: &'a Path,
+    /// The case files that it names.
+    pub cases: CaseFiles<'a>,
     /// What is changed in every case.
     pub overrides: &'a [Override],
     /// What is kept of each case. Where nothing is said: its tables where dynamics solve it, or
@@ -41,6 +46,14 @@ pub struct Request<'a> {
 /// Every mistake in it, each with its place.
 pub fn load(path: &Path) -> Result<Study, Report> {
     wholestring_study::load(path, &columns::all())
+}
+
+/// Reads a study from its text; `name` is what diagnostics call it.
+///
+/// # Errors
+/// As [`load`].
+pub fn parse(name: &str, text: &[u8]) -> Result<Study, Report> {
+    wholestring_study::parse(name, text, &columns::all())
 }
 
 /// Checks every case of a study, solves them, and makes its figures, its tables and its page.

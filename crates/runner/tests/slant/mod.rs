@@ -35,7 +35,7 @@ impl Slant {
             template: &self.template,
             overrides: &self.overrides,
             units: None,
-            output: Output { folder: Some(folder.to_owned()), existing },
+            output: Output { folder: Some(folder.to_owned()), existing, ..Output::default() },
             jobs: std::num::NonZeroUsize::new(1),
             checkpoint_every: None,
             overlay: None,

@@ -1,0 +1,143 @@
+//! A case from the files of other programs.
+
+use axum::{
+    extract::{
+        DefaultBodyLimit, FromRequest, Multipart, Request, State,
+        multipart::{Field, MultipartError},
+    },
+    http::StatusCode,
+};
+use utoipa::ToSchema;
+use utoipa_axum::{router::OpenApiRouter, routes};
+
+use super::{Json, blocking, error::ApiError};
+use crate::{
+    app::App,
+    import::{Reading, Said, Uploads, read},
+};
+
+/// The requests of this noun.
+pub(crate) fn routes() -> OpenApiRouter<App> {
+    // What arrives is counted here, as it does, and kept on the disk.
+    OpenApiRouter::new().routes(routes!(import)).layer(DefaultBodyLimit::disable())
+}
+
+/// A text of the form is no longer, bytes.
+const LONGEST_TEXT: usize = 64 << 10;
+
+/// What is imported, as a form of several parts.
+#[derive(ToSchema)]
+#[allow(dead_code, reason = "the document describes by it what is read part by part")]
+pub(crate) struct ImportForm {
+    /// The files.
+    #[schema(value_type = Vec<String>, format = Binary)]
+    file: Vec<Vec<u8>>,
+    /// What they do not tell themselves, as JSON.
+    choices: Option<Said>,
+    /// The name of the case file.
+    name: String,
+    /// `true` where it is to be written; without it, nothing is.
+    write: Option<bool>,
+}
+
+/// What has arrived of a form.
+#[derive(Default)]
+struct Form {
+    uploads: Uploads,
+    said: Said,
+    name: String,
+    write: bool,
+    /// Bytes until now.
+    bytes: usize,
+}
+
+fn refused(error: &MultipartError) -> ApiError {
+    ApiError::new(error.status(), "bad_form", error.body_text())
+}
+
+impl Form {
+    async fn take(&mut self, mut field: Field<'_>, app: &App) -> Result<(), ApiError> {
+        let name = field.name().unwrap_or_default().to_owned();
+        if name == "file" {
+            let file_name = field.file_name().unwrap_or_default().to_owned();
+            let file = app.workspace.temporary_file()?;
+            let upload = self.uploads.begin(&file_name, file).map_err(ApiError::bad_input)?;
+            while let Some(bytes) = field.chunk().await.map_err(|error| refused(&error))? {
+                self.bytes += bytes.len();
+                most(self.bytes, app.limits.body_bytes)?;
+                tokio::task::block_in_place(|| upload.write(&bytes)).map_err(ApiError::failed)?;
+            }
+            return Ok(());
+        }
+        let mut text = Vec::new();
+        while let Some(bytes) = field.chunk().await.map_err(|error| refused(&error))? {
+            text.extend_from_slice(&bytes);
+            most(text.len(), LONGEST_TEXT)?;
+        }
+        let text =
+            String::from_utf8(text).map_err(|error| ApiError::bad_input(error.to_string()))?;
+        match name.as_str() {
+            "choices" => {
+                self.said = serde_json::from_str(&text)
+                    .map_err(|error| ApiError::bad_input(format!("choices: {error}")))?;
+            }
+            "name" => self.name = text,
+            "write" => {
+                self.write =
+                    text.parse().map_err(|error| ApiError::bad_input(format!("write: {error}")))?;
+            }
+            _ => {
+                let message = format!("`{}` is no part of an import", name.escape_debug());
+                return Err(ApiError::bad_input(message));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn most(bytes: usize, most: usize) -> Result<(), ApiError> {
+    match bytes <= most {
+        true => Ok(()),
+        false => {
+            let message = format!(
+                "more than {} MB are not imported by the page: `wholestring import` reads larger files",
+                (most >> 20).max(1)
+            );
+            Err(ApiError::new(StatusCode::PAYLOAD_TOO_LARGE, "too_long", message))
+        }
+    }
+}
+
+/// Says what files hold and what case they make, or what must be said of them first. Nothing is
+/// written but by `write`, and nothing over a file that is there.
+#[utoipa::path(
+    post,
+    path = "/api/import",
+    request_body(content = ImportForm, content_type = "multipart/form-data"),
+    responses(
+        (status = 200, body = Reading),
+        (status = 409, body = ApiError),
+        (status = 413, body = ApiError),
+        (status = 422, body = ApiError)
+    )
+)]
+async fn import(State(app): State<App>, request: Request) -> Result<Json<Reading>, ApiError> {
+    let parts = Multipart::from_request(request, &app).await;
+    let mut parts =
+        parts.map_err(|error| ApiError::new(error.status(), "no_form", error.body_text()))?;
+    let mut form = Form::default();
+    while let Some(field) = parts.next_field().await.map_err(|error| refused(&error))? {
+        form.take(field, &app).await?;
+    }
+    if form.uploads.is_empty() {
+        return Err(ApiError::bad_input("no file is given"));
+    }
+    if form.name.is_empty() {
+        return Err(ApiError::bad_input("the case has no name"));
+    }
+    blocking(move || {
+        let Form { uploads, said, name, write, .. } = form;
+        Ok(Json(read(&uploads, &said, &name, write, &app.workspace)?))
+    })
+    .await
+}

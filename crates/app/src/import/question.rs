@@ -1,0 +1,70 @@
+//! What files do not tell, asked of the reader: what `--unit`, `--value` and `--pick` say.
+
+use serde::Serialize;
+use utoipa::ToSchema;
+use wholestring_import::{ImportError, ImportErrorKind};
+use wholestring_units::Dimension;
+
+/// A choice that is missing, or cannot be as it was said.
+#[derive(Debug, PartialEq, Serialize, ToSchema)]
+pub(crate) struct Question {
+    /// `unit`, `value` or `pick`: which of the choices answers it.
+    ask: &'static str,
+    /// The name under which it is answered: `md`, `block-weight`, `tubular`.
+    name: String,
+    /// What may be answered; of a value, how one may be written.
+    options: Vec<String>,
+    /// What is asked, in a sentence, with the file and the place in it.
+    message: String,
+}
+
+fn units(of: Dimension) -> Vec<String> {
+    of.units().iter().map(|unit| unit.symbol.to_owned()).collect()
+}
+
+impl Question {
+    /// The question that a refusal comes to; none where no choice helps.
+    pub(super) fn of(error: &ImportError) -> Option<Self> {
+        let (ask, name, options) = match error.kind() {
+            ImportErrorKind::MissingUnit { name, dimension, .. }
+            | ImportErrorKind::SaidUnit { name, dimension, .. } => {
+                ("unit", name.clone(), units(*dimension))
+            }
+            ImportErrorKind::MissingValue { name, example, .. } => {
+                ("value", name.clone(), vec![example.clone()])
+            }
+            ImportErrorKind::SaidValue { name, .. } => ("value", name.clone(), Vec::new()),
+            ImportErrorKind::Ambiguous { what, names }
+            | ImportErrorKind::NoSuch { what, names, .. } => ("pick", what.clone(), names.clone()),
+            ImportErrorKind::InTwoFiles { what, first } => {
+                let files = vec![first.clone(), error.file().to_owned()];
+                ("pick", (*what).to_owned(), files)
+            }
+            _ => return None,
+        };
+        Some(Self { ask, name, options, message: message(error) })
+    }
+}
+
+/// The sentence without what only the command line takes.
+fn message(error: &ImportError) -> String {
+    let said = match error.kind() {
+        ImportErrorKind::MissingUnit { what, .. } => format!("the {what} has no unit"),
+        ImportErrorKind::MissingValue { what, hint, .. } => {
+            format!("the {what} is not told{hint}")
+        }
+        ImportErrorKind::SaidUnit { said, dimension, .. } => {
+            format!("'{said}' is no unit of {}", dimension.name())
+        }
+        ImportErrorKind::SaidValue { said, reason, .. } => format!("'{said}': {reason}"),
+        ImportErrorKind::Ambiguous { what, names } => {
+            format!("it holds {} of the kind '{what}'", names.len())
+        }
+        ImportErrorKind::InTwoFiles { what, first } => {
+            format!("it holds the {what}, and so does {first}")
+        }
+        kind => kind.to_string(),
+    };
+    let place = error.place().map_or_else(String::new, |place| format!(", {place}"));
+    format!("{}{place}: {said}", error.file())
+}

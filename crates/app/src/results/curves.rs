@@ -1,0 +1,140 @@
+//! Curves against depth, to be drawn over those of other results.
+
+use std::{fs, path::Path};
+
+use serde::Serialize;
+use utoipa::ToSchema;
+use wholestring::outcome::{PROFILE, QuantityKind};
+use wholestring_results::{PlanSummary, Table};
+use wholestring_runner::findings::quantities::{shown, symbol};
+use wholestring_units::UnitSet;
+
+use crate::answers::Column;
+
+/// Larger tables are not drawn, bytes.
+const LARGEST: u64 = 64 << 20;
+
+/// Columns along the string that are drawn.
+const DRAWN: [&str; 6] = [
+    "tension_N",
+    "torque_N_m",
+    "side_force_N_per_m",
+    "bending_moment_N_m",
+    "von_mises_stress_Pa",
+    "contact_fraction",
+];
+
+/// A curve against depth.
+#[derive(Debug, Serialize, ToSchema)]
+pub(crate) struct Curve {
+    /// Which of the results it is of, from 0.
+    pub(super) result: usize,
+    /// What it is of: `trip out (soft)`.
+    pub(super) of: String,
+    /// What it is: `Effective tension`.
+    quantity: String,
+    /// The symbol of its unit.
+    unit: String,
+    /// The symbol of the unit of the depths.
+    depth_unit: String,
+    /// What depths they are: `Measured depth`, `Depth of the bit`.
+    against: &'static str,
+    depth: Column,
+    value: Column,
+}
+
+/// Curves of a result as many as it has.
+pub(super) fn curves(folder: &Path, result: usize, units: UnitSet) -> Vec<Curve> {
+    if let Ok(plan) = PlanSummary::read(&folder.join("summary.json")) {
+        return of_plan(&plan, result, units);
+    }
+    let path = folder.join("nodes.parquet");
+    if fs::metadata(&path).is_ok_and(|about| about.len() <= LARGEST)
+        && let Ok(nodes) = Table::read_parquet(&path)
+    {
+        return of_nodes(&nodes, result, units);
+    }
+    Vec::new()
+}
+
+fn depths(si: impl Iterator<Item = f64>, units: UnitSet) -> (String, Column) {
+    let kind = QuantityKind::Depth;
+    (symbol(kind, units).to_owned(), si.map(|si| shown(kind, si, units)).collect())
+}
+
+fn of_nodes(nodes: &Table, result: usize, units: UnitSet) -> Vec<Curve> {
+    let (Some(models), Some(operations), Some(md_m)) =
+        (nodes.words("model"), nodes.words("operation"), nodes.numbers("md_m"))
+    else {
+        return Vec::new();
+    };
+    let mut curves = Vec::new();
+    let mut from = 0;
+    while from < nodes.rows() {
+        let key = (&models[from], &operations[from]);
+        let rows = (from..nodes.rows()).take_while(|row| (&models[*row], &operations[*row]) == key);
+        let rows = from..from + rows.count();
+        let of = format!("{} ({})", key.1.replace('_', " "), key.0);
+        for quantity in PROFILE.iter().map(|column| column.quantity) {
+            let numbers = match nodes.numbers(quantity.name) {
+                Some(numbers) if DRAWN.contains(&quantity.name) => &numbers[rows.clone()],
+                _ => continue,
+            };
+            let si = numbers.iter().map(|number| number.unwrap_or(f64::NAN));
+            let value: Column = si.map(|si| shown(quantity.kind, si, units)).collect();
+            if value.is_blank() {
+                continue;
+            }
+            let depth = md_m[rows.clone()].iter().map(|depth| depth.unwrap_or(f64::NAN));
+            let (depth_unit, depth) = depths(depth, units);
+            curves.push(Curve {
+                result,
+                of: of.clone(),
+                quantity: quantity.label(),
+                unit: symbol(quantity.kind, units).to_owned(),
+                depth_unit,
+                against: "Measured depth",
+                depth,
+                value,
+            });
+        }
+        from = rows.end;
+    }
+    curves
+}
+
+fn of_plan(plan: &PlanSummary, result: usize, units: UnitSet) -> Vec<Curve> {
+    let mut curves = Vec::new();
+    for model in &plan.models {
+        for operation in &plan.operations {
+            for friction in ["low", "expected", "high"] {
+                let points: Vec<_> = plan
+                    .curve(model, operation, friction)
+                    .filter_map(|of| Some((of.bit_depth_m, of.scalars?)))
+                    .collect();
+                if points.is_empty() {
+                    continue;
+                }
+                let of = format!("{} ({model}), {friction} friction", operation.replace('_', " "));
+                let mut push = |quantity: &str, kind, values: Vec<f64>| {
+                    let (depth_unit, depth) = depths(points.iter().map(|of| of.0), units);
+                    curves.push(Curve {
+                        result,
+                        of: of.clone(),
+                        quantity: quantity.to_owned(),
+                        unit: symbol(kind, units).to_owned(),
+                        depth_unit,
+                        against: "Depth of the bit",
+                        depth,
+                        value: values.into_iter().map(|si| shown(kind, si, units)).collect(),
+                    });
+                };
+                let hook_loads = points.iter().map(|of| of.1.hook_load_N).collect();
+                push("Hook load", QuantityKind::Force, hook_loads);
+                let torques = points.iter().map(|of| of.1.surface_torque_N_m).collect();
+                push("Surface torque", QuantityKind::Torque, torques);
+            }
+        }
+    }
+    curves
+}

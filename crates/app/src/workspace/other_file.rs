@@ -1,0 +1,90 @@
+//! Files that work is done with beside a case: studies, and readings at the surface.
+
+use std::{fs, io, path::PathBuf};
+
+use super::{case_file::id_of, error::WorkspaceError, find::is_toml, folder::Workspace};
+
+/// Files that are listed.
+const FILES: usize = 2000;
+
+/// Endings of files of readings.
+const READINGS: [&str; 6] = [".csv", ".txt", ".tsv", ".xlsx", ".xls", ".ods"];
+
+/// A study file is no longer, bytes: the reader refuses more.
+const LARGEST: u64 = 8 << 20;
+
+/// A file of the folder.
+#[derive(Debug, Clone)]
+pub(crate) struct OtherFile {
+    /// What requests call it.
+    pub(crate) id: String,
+    /// Its place in the folder, with forward slashes.
+    pub(crate) shown: String,
+    /// Where it is.
+    pub(crate) path: PathBuf,
+}
+
+impl OtherFile {
+    /// What it holds.
+    ///
+    /// # Errors
+    /// Whatever the system says, and a file that is too long.
+    pub(crate) fn read(&self) -> Result<Vec<u8>, WorkspaceError> {
+        wholestring_case::read_file(&self.path)
+            .map_err(WorkspaceError::system("the file cannot be read"))
+    }
+}
+
+impl Workspace {
+    /// The study files, by their places.
+    pub(crate) fn studies(&self) -> Vec<OtherFile> {
+        let is_study = |file: &OtherFile| {
+            let text = file.path.metadata().and_then(|about| match about.len() > LARGEST {
+                true => Err(io::Error::other("it is too long")),
+                false => fs::read(&file.path),
+            });
+            text.is_ok_and(|text| has_sweep(&String::from_utf8_lossy(&text)))
+        };
+        self.files(is_toml).into_iter().filter(is_study).collect()
+    }
+
+    /// Files that may hold readings, by their places.
+    pub(crate) fn readings(&self) -> Vec<OtherFile> {
+        self.files(|name| {
+            let name = name.to_ascii_lowercase();
+            READINGS.iter().any(|ending| name.ends_with(ending))
+        })
+    }
+
+    /// The one of these files that has an id.
+    ///
+    /// # Errors
+    /// Where none has it; `noun` is what they are.
+    pub(crate) fn one_of(
+        files: Vec<OtherFile>,
+        id: &str,
+        noun: &'static str,
+    ) -> Result<OtherFile, WorkspaceError> {
+        let mut files = files.into_iter();
+        files.find(|file| file.id == id).ok_or(WorkspaceError::Nothing(noun))
+    }
+
+    fn files(&self, is_wanted: impl Fn(&str) -> bool) -> Vec<OtherFile> {
+        let places = self.walk().into_iter();
+        let files = places.filter(|place| !place.holds_results && is_wanted(&place.shown));
+        let files = files.take(FILES).filter_map(|place| {
+            let path = self.inside(&place.path).ok().filter(|path| path.is_file())?;
+            Some(OtherFile { id: id_of(&place.shown), shown: place.shown, path })
+        });
+        let mut found: Vec<OtherFile> = files.collect();
+        found.sort_by(|one, other| one.shown.cmp(&other.shown));
+        found
+    }
+}
+
+/// Whether a text has a sweep, as every study has.
+fn has_sweep(text: &str) -> bool {
+    let lines = text.lines().map(str::trim_start);
+    let mut headings = lines.filter_map(|line| line.strip_prefix("[["));
+    headings.any(|heading| heading.trim_start().starts_with("sweep"))
+}

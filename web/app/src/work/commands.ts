@@ -1,0 +1,151 @@
+// The commands that are started from the page, and how each is asked for.
+
+import type { Work } from "../api/jobs";
+
+export type Command = Work["kind"];
+
+/** What each does, in the order in which a well is planned. */
+export const COMMANDS: readonly { kind: Command; title: string; does: string }[] = [
+  { kind: "plan", title: "Plan", does: "Torque and drag at every depth of the bit, with low, expected and high friction" },
+  { kind: "run", title: "Run", does: "Every operation of the case, by soft string, stiff string or dynamics" },
+  { kind: "reach", title: "Reach", does: "How far the well can go, and what stops it" },
+  { kind: "bha", title: "Assembly", does: "The bottom-hole assembly at rest: contacts, side force, tilt" },
+  { kind: "modes", title: "Modes", does: "Natural frequencies, critical speeds and torsional stability" },
+  { kind: "calibrate", title: "Calibrate", does: "Friction factors from what was read at the surface" },
+  { kind: "sweep", title: "Sweep", does: "The case with all combinations of some values" },
+  { kind: "bit_test", title: "Bit test", does: "The bit alone on its rock, under every weight at every speed" },
+  { kind: "study", title: "Study", does: "The cases of a study file, with its figures and tables" },
+];
+
+/** Everything that the form has, whichever command is chosen. */
+export interface Filled {
+  models: string[];
+  csv: boolean;
+  overlay: string;
+  from: string;
+  to: string;
+  frictions: string;
+  operations: string[];
+  no_helix_friction: boolean;
+  operation: string;
+  whole: boolean;
+  toolface: string;
+  weight: string;
+  inclination: string;
+  build: string;
+  data: string;
+  one_factor: boolean;
+  friction_around: boolean;
+  block_weight: boolean;
+  bit_torque: boolean;
+  hold: string;
+  predicts: string;
+  check_dynamics: boolean;
+  vary: string;
+  keep: string;
+  study: string;
+}
+
+export const unfilled = (): Filled => ({
+  models: [],
+  csv: false,
+  overlay: "",
+  from: "",
+  to: "",
+  frictions: "",
+  operations: [],
+  no_helix_friction: false,
+  operation: "",
+  whole: false,
+  toolface: "",
+  weight: "",
+  inclination: "",
+  build: "",
+  data: "",
+  one_factor: false,
+  friction_around: false,
+  block_weight: false,
+  bit_torque: false,
+  hold: "",
+  predicts: "soft",
+  check_dynamics: false,
+  vary: "",
+  keep: "",
+  study: "",
+});
+
+const given = (text: string): string | null => (text.trim() === "" ? null : text.trim());
+const lines = (text: string): string[] => text.split("\n").map((line) => line.trim()).filter((line) => line !== "");
+
+/** `0.2, 0.3` as numbers. */
+function numbers(text: string): number[] {
+  const words = text.split(",").map((word) => word.trim()).filter((word) => word !== "");
+  return words.map((word) => {
+    const number = Number(word);
+    if (!Number.isFinite(number)) throw new Error(`${word} is no friction factor: such as 0.3 is expected`);
+    return number;
+  });
+}
+
+/** What is asked for; throws a sentence where the form cannot be so. */
+export function workOf(kind: Command, filled: Filled): Work {
+  const { operation, data, study } = filled;
+  switch (kind) {
+    case "run":
+      return { kind, models: filled.models, csv: filled.csv };
+    case "plan":
+      return { kind, overlay: given(filled.overlay) };
+    case "reach":
+      return {
+        kind,
+        from: given(filled.from),
+        to: given(filled.to),
+        frictions: numbers(filled.frictions),
+        operations: filled.operations,
+        no_helix_friction: filled.no_helix_friction,
+      };
+    case "bha":
+      return {
+        kind,
+        operation: given(operation),
+        whole: filled.whole,
+        toolface: given(filled.toolface),
+        weight: given(filled.weight),
+        inclination: given(filled.inclination),
+        build: given(filled.build),
+      };
+    case "modes":
+      return { kind, operation: given(operation) };
+    case "calibrate":
+      if (data === "") throw new Error("Choose the file of the readings.");
+      return {
+        kind,
+        data,
+        one_factor: filled.one_factor,
+        friction_around: filled.friction_around,
+        block_weight: filled.block_weight,
+        bit_torque: filled.bit_torque,
+        hold: lines(filled.hold),
+        model: filled.predicts,
+        check_dynamics: filled.check_dynamics,
+      };
+    case "sweep":
+      return { kind, vary: lines(filled.vary), keep: given(filled.keep) };
+    case "study":
+      if (study === "") throw new Error("Choose the study.");
+      return { kind, study };
+    case "bit_test":
+      return { kind };
+  }
+}
+
+/** `friction=0.3`, a line each, as values by keys. */
+export function setOf(text: string): Record<string, string> {
+  return Object.fromEntries(
+    lines(text).map((line) => {
+      const [key = "", ...value] = line.split("=");
+      if (value.length === 0) throw new Error(`${line}: a key, = and a value are expected`);
+      return [key.trim(), value.join("=").trim()];
+    }),
+  );
+}
