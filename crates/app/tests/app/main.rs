@@ -11,5 +11,6 @@ mod document;
 mod edit;
 mod folder;
 mod guard;
+mod live;
 mod lookup;
 mod strain;
