@@ -49,8 +49,8 @@ impl Parts {
             .and_then(|(at, stations)| at.value.path(stations, units, reader));
         let sections = well.and_then(|at| at.value.hole.get());
         let rough = well.and_then(|at| at.value.roughness.given());
-        let hole =
-            sections.and_then(|sections| hole::build(sections, rough.map(|at| &at.value), reader));
+        let rough = rough.map(|at| &at.value);
+        let hole = sections.and_then(|sections| hole::build(sections, rough, own.as_ref(), reader));
         let last_md_m = path.as_ref().map(Path::last_md_m);
         let operation = case.operation.get();
         let bit_depth_m = match operation {

@@ -122,7 +122,11 @@ fn calibrated(folder: &Path, name: &str, fit: Fit) -> CalibrationSummary {
         fit,
         check: None,
         units: None,
-        output: Output { folder: Some(folder.join(name)), existing: Existing::Overwrite },
+        output: Output {
+            folder: Some(folder.join(name)),
+            existing: Existing::Overwrite,
+            ..Output::default()
+        },
         png: false,
     };
     let found = calibrate::run(&request, &Silent, &CancellationToken::new());

@@ -345,7 +345,8 @@ await run({
     await until(async () => (await time(page)) > 1, "it runs", 30_000);
     await served.restart("SIGTERM");
     const again = await openPage(served, { flags: FLAGS });
-    await sit(again, false).catch(() => {});
+    const id = await caseId(again);
+    await again.evaluate((id) => (location.hash = `#/seat/${id}`), id);
     await again.getByRole("button", { name: "Continue" }).click();
     await again.getByRole("button", { name: "Run", exact: true }).waitFor({ timeout: 30_000 });
     check((await time(again)) > 1, "it goes on from where it was");

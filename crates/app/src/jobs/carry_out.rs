@@ -90,7 +90,8 @@ fn done(
         Task::Modes { case, operation } => {
             observer.diagnostics(&case.warnings);
             let operation = operation.as_deref();
-            let request = modes::Request { case, operation, units: None, output, png: false };
+            let request =
+                modes::Request { case, operation, units: None, jobs: None, output, png: false };
             let outcome = modes::run(&request, observer, token)?;
             Ok(at_once(outcome.folder, outcome.interrupted))
         }

@@ -232,6 +232,7 @@ fn calibration(work: &Work, stem: &str, workspace: &Workspace) -> Result<Calibra
     let Work::Calibrate {
         data,
         one_factor,
+        by_section,
         friction_around,
         block_weight,
         bit_torque,
@@ -255,6 +256,7 @@ fn calibration(work: &Work, stem: &str, workspace: &Workspace) -> Result<Calibra
         content: file.read()?,
         fit: Fit {
             one_factor: *one_factor,
+            by_section: *by_section,
             friction_around: *friction_around,
             block_weight: *block_weight,
             bit_torque: *bit_torque,

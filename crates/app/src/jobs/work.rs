@@ -107,6 +107,9 @@ pub(crate) enum Work {
         /// One friction factor for casing and open hole.
         #[serde(default)]
         one_factor: bool,
+        /// A factor for each section of the hole in place of casing and open hole.
+        #[serde(default)]
+        by_section: bool,
         /// Friction around the hole apart from that along it.
         #[serde(default)]
         friction_around: bool,

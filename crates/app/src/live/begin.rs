@@ -66,11 +66,12 @@ pub(super) fn begin(id: &str, from: Beginning, limits: &Limits) -> Result<Begun,
     let (live, events) = match start {
         Start::New { operation } => {
             let none = CancellationToken::new();
-            let begun = Live::begin(case.clone(), operation.as_deref(), &laws, &Silent, &none);
+            let begun =
+                Live::begin(case.clone(), operation.as_deref(), &laws, None, &Silent, &none);
             (begun.map_err(refused)?, Vec::new())
         }
         Start::At { bytes, events } => {
-            (Live::resume(case.clone(), &laws, &bytes).map_err(refused)?, events)
+            (Live::resume(case.clone(), &laws, None, &bytes).map_err(refused)?, events)
         }
     };
     let (operation, simulation) = (*live.operation(), live.simulation());

@@ -155,16 +155,11 @@ impl Engine {
     /// Goes on as far as is due; how long nothing is due then.
     fn go(&mut self, news: &mut bool) -> Duration {
         let (time_s, sample_s) = (self.time_s(), self.sample_s());
-        let samples = if self.step_s > 0.0 {
+        let steps = self.step_s > 0.0;
+        let samples = if steps {
             let left = ((self.step_s / sample_s).round() as u64).max(1);
             // In slices, so that what is seen moves.
-            let slice = left.min(((0.02 * self.pacer.able()) / sample_s).max(1.0) as u64);
-            self.step_s -= slice as f64 * sample_s;
-            if left == slice {
-                self.step_s = 0.0;
-                *news = true;
-            }
-            slice
+            left.min(((0.02 * self.pacer.able()) / sample_s).max(1.0) as u64)
         } else if self.runs {
             match self.pacer.next(Instant::now(), time_s, sample_s) {
                 Next::Go(samples) => samples,
@@ -173,11 +168,19 @@ impl Engine {
         } else {
             return IDLE;
         };
-        self.advance(samples, news);
+        let went_s = self.advance(samples, news);
+        if steps {
+            self.step_s -= went_s;
+            if self.step_s < 0.5 * sample_s || self.failed.is_some() {
+                self.step_s = 0.0;
+                *news = true;
+            }
+        }
         Duration::ZERO
     }
 
-    fn advance(&mut self, samples: u64, news: &mut bool) {
+    /// Goes on by so many samples, or to what is to be done again before; how far, s.
+    fn advance(&mut self, samples: u64, news: &mut bool) -> f64 {
         let (sample_s, before_s) = (self.sample_s(), self.time_s());
         while self.replay.front().is_some_and(|of| of.at_s <= before_s + 0.5 * sample_s) {
             if let Some(event) = self.replay.pop_front() {
@@ -210,6 +213,7 @@ impl Engine {
             }
             self.checkpoint.0 = time_s;
         }
+        time_s - before_s
     }
 
     /// Gives viewers what is new.

@@ -39,7 +39,7 @@ impl Engine {
         let found = held(&self.string.checkpoints).get(number);
         let (entry, bytes) = found.ok_or(LiveError::Nothing("checkpoint"))?;
         let laws = OwnLaws::default();
-        self.live = Live::resume(self.string.case.clone(), &laws, &bytes).map_err(refused)?;
+        self.live = Live::resume(self.string.case.clone(), &laws, None, &bytes).map_err(refused)?;
         (self.failed, self.refused, self.step_s) = (None, None, 0.0);
         let (now, time_s) = (Instant::now(), self.time_s());
         let later = held(&self.string.recording).split_from(time_s);

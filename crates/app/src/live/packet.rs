@@ -46,7 +46,7 @@ mod tests {
         assert_eq!(&bytes[..12], &[1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0]);
         assert_eq!(&bytes[16..24], &7.0_f64.to_le_bytes());
         assert_eq!(&bytes[24..28], &1.5_f32.to_le_bytes());
-        let frame = frame_packet(0, 2.5, &vec![0.0; 5 * FRAME_COLUMNS]);
+        let frame = frame_packet(0, 2.5, &[0.0; 5 * FRAME_COLUMNS]);
         assert_eq!(&frame[..8], &[2, 0, 0, 0, 5, 0, 0, 0]);
     }
 }

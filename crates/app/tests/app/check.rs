@@ -103,7 +103,7 @@ fn texts_are_told_in_si() {
     let hole_m = quantities["diameter"]["8-1/2 in"].as_f64().unwrap();
     assert!((hole_m - 0.2159).abs() < 1e-12);
     let length_m = quantities["length"]["3280.84 ft"].as_f64().unwrap();
-    assert!((length_m - 1000.000_032).abs() < 1e-6);
+    assert!((length_m - 1_000.000_032).abs() < 1e-6);
     assert_eq!(quantities["density"]["1.2 sg"], 1200.0);
     assert_eq!(quantities["angle"]["0 deg"], 0.0);
     // No quantity, no number; and a text that is no quantity of its key is none.

@@ -14,6 +14,7 @@ mod folder;
 mod guard;
 mod import;
 mod jobs;
+mod live;
 mod lookup;
 mod results;
 mod strain;

@@ -366,7 +366,7 @@ fn friction_by_the_stiff_string() {
         },
         check: None,
         units: None,
-        output: Output { folder: Some(desk.path("out")), existing: Existing::Protect },
+        output: Output { folder: Some(desk.path("out")), ..Output::default() },
         png: false,
     };
     let counts = Counts::default();

@@ -2,6 +2,7 @@
 
 import type { SetPoint } from "../api/answers";
 import { written } from "./units";
+import type { Change } from "../api/cases";
 
 /** A key of the case and the value that it would get. */
 export type KeyValue = readonly [key: string, value: string];
@@ -51,3 +52,9 @@ export class WhatIf {
     });
   }
 }
+
+/** A bare number is a number in the file, too. */
+const asValue = (text: string): string | number => (/^-?[\d.]+(e[-+]?\d+)?$/i.test(text) ? Number(text) : text);
+
+/** The changes of a case's text that give it these values. */
+export const editsOf = (changes: readonly KeyValue[]): Change[] => changes.map(([set, to]) => ({ set, to: asValue(to) }));

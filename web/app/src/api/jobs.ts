@@ -27,6 +27,7 @@ export type Work =
       kind: "calibrate";
       data: string;
       one_factor: boolean;
+      by_section: boolean;
       friction_around: boolean;
       block_weight: boolean;
       bit_torque: boolean;

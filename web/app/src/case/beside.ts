@@ -23,7 +23,11 @@ export interface Panel {
 }
 
 /** The panels, from left to right; the first is shown until one says otherwise. */
-export const PANELS: Panel[] = [{ name: "text", title: "TOML", load: () => import("./text/TextEditor.svelte") }];
+export const PANELS: Panel[] = [
+  { name: "text", title: "TOML", load: () => import("./text/TextEditor.svelte") },
+  { name: "answers", title: "Answers", load: () => import("./AnswersPanel.svelte") },
+  { name: "work", title: "Run", load: () => import("./WorkPanel.svelte") },
+];
 
 export async function panelOf(panel: Panel): Promise<Component<PanelProps>> {
   const found: unknown = (await panel.load()).default;

@@ -35,6 +35,7 @@ export interface Filled {
   build: string;
   data: string;
   one_factor: boolean;
+  by_section: boolean;
   friction_around: boolean;
   block_weight: boolean;
   bit_torque: boolean;
@@ -63,6 +64,7 @@ export const unfilled = (): Filled => ({
   build: "",
   data: "",
   one_factor: false,
+  by_section: false,
   friction_around: false,
   block_weight: false,
   bit_torque: false,
@@ -122,6 +124,7 @@ export function workOf(kind: Command, filled: Filled): Work {
         kind,
         data,
         one_factor: filled.one_factor,
+        by_section: filled.by_section,
         friction_around: filled.friction_around,
         block_weight: filled.block_weight,
         bit_torque: filled.bit_torque,

@@ -1,0 +1,1 @@
+import{at as e,ot as t}from"./disclose-version.js";import{n,t as r}from"./Answers.js";function i(i,a){t(a,!0),r(i,{get id(){return a.id},get text(){return a.text},get sound(){return a.sound},takeOver:e=>a.change(...n(e))}),e()}export{i as default};

@@ -1,0 +1,1 @@
+import{B as e,at as t,ot as n,tt as r}from"./disclose-version.js";import{t as i}from"./StartWork.js";import{n as a}from"./CaseScreen.js";function o(o,s){n(s,!0);let{opened:c}=a();{let t=r(()=>!c.dirty);i(o,{get id(){return s.id},get saved(){return e(t)}})}t()}export{o as default};

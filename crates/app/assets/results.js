@@ -1,0 +1,1 @@
+import{c as e,l as t}from"./app.js";var n=()=>t(`GET`,`/results`),r=n=>t(`GET`,`/results/${e(n)}`),i=(e,n,r)=>t(`GET`,`/compare?${new URLSearchParams({ids:e.join(`,`),units:n})}`,void 0,r),a=(t,n)=>`/api/results/${e(t)}/files/${e(n)}`,o=(t,n)=>`/api/results/${e(t)}/pages/${e(n)}`;export{r as a,o as i,a as n,n as r,i as t};
