@@ -122,7 +122,7 @@ await run({
     await button(page, "Stop").click();
     await ends(page, "stopped");
     // Begun anew it is refused as by the command line, with the ways on.
-    await button(page, "Start").click();
+    await start(page, "Run");
     await until(async () => (await jobs(page).count()) === 2, "a second job is listed");
     await until(async () => (await page.getByText("holds an unfinished run of this case").count()) === 1, "the refusal is said");
     await button(page, "Begin anew…").click();
