@@ -300,7 +300,7 @@ fn friction_by_the_stiff_string() {
     use wholestring::statics::stiff;
     use wholestring_case::{Override, Template};
     use wholestring_runner::{
-        BatchSize, CancellationToken, CaseEnded, Existing, Observer, Output,
+        BatchSize, CancellationToken, CaseEnded, Observer, Output,
         calibrate::{self, Fit, NamedCase, Request},
     };
 
