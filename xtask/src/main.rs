@@ -4,6 +4,7 @@
 //! programs beside this one, `cargo xtask accuracy` what the accuracies of the mesh err by.
 
 mod accuracy;
+mod app;
 mod book;
 mod changes;
 mod command;
@@ -16,6 +17,7 @@ mod peers;
 mod python;
 mod python_package;
 mod verification;
+mod web;
 
 use std::{
     env,
@@ -58,6 +60,7 @@ const TEST: &[Step] = &[
     ("Table of changes", changes::check_table),
     ("Table of accuracy", accuracy::check_table),
     ("Bundle of the report", page::bundle),
+    ("Bundle of the app", app::bundle),
     ("Lints", lints),
     ("Tests", tests),
     ("Table of verification", verification::check_table),
@@ -68,6 +71,7 @@ const TEST: &[Step] = &[
     ("Python example", python::example),
     ("Python package", python_package::package),
     ("Report in a browser", page::browser),
+    ("App in a browser", app::browser),
 ];
 
 const VERIFY: &[Step] =

@@ -1,23 +1,20 @@
 //! The pages of a run, a sweep, an assembly, a study, a plan, a reach, a calibration and a bit test: whether their committed bundle is what its
 //! sources make, and whether they work in a browser.
 
-use std::{
-    env, fs,
-    path::{Path, PathBuf},
-    process::Command,
-};
+use std::{path::Path, process::Command};
 
 use crate::{
-    command::{Failure, program, run, succeeds},
+    command::{Failure, program, run},
     finding::Finding,
     folders::{root, target},
+    web::{Web, installed_browser, unable},
 };
+
+/// What the pages are made from.
+const WEB: Web = Web("crates/report/web");
 
 /// A name that would break out of its element if anything could, and a text that looks like code.
 const NASTY: &str = r#"name="Slant </script><script>window.harmed = 1</script> & <b>co</b>""#;
-
-/// Names under which a browser of the Chromium family may be installed.
-const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 
 /// A plan with something in every part of its page: a mud that flows, a rig whose limits are near,
 /// numbers that are not known exactly, peaks, and, of [`READ`], what was measured and what another
@@ -62,11 +59,11 @@ const READ: &str = "crates/cli/tests/data/slant-read.csv";
 
 /// The bundle in `crates/report/assets` is what `crates/report/web` makes.
 pub(crate) fn bundle() -> Result<Finding, Failure> {
-    if let Err(reason) = install() {
+    if let Err(reason) = WEB.install() {
         return unable(reason);
     }
     run(
-        npm().args(["run", "--silent", "check"]),
+        WEB.npm().args(["run", "--silent", "check"]),
         "the program embeds the bundle, so that it needs no Node",
     )?;
     Ok(Finding::Done)
@@ -74,11 +71,12 @@ pub(crate) fn bundle() -> Result<Finding, Failure> {
 
 /// Every plot of a page draws, what can be switched switches, and nothing is fetched.
 pub(crate) fn browser() -> Result<Finding, Failure> {
-    if let Err(reason) = install() {
+    if let Err(reason) = WEB.install() {
         return unable(reason);
     }
-    let Some(browser) = find().or_else(fetch) else {
-        return unable("there is no Chromium, and it cannot be installed here".into());
+    let browser = match installed_browser() {
+        Ok(browser) => browser,
+        Err(reason) => return unable(reason),
     };
     const SLANT: &str = "crates/cli/tests/data/slant.toml";
     let frames = [
@@ -138,66 +136,10 @@ fn page(
 fn works(folder: &Path, browser: &Path, test: &str) -> Result<(), Failure> {
     run(
         Command::new("node")
-            .current_dir(web())
+            .current_dir(WEB.folder())
             .arg(Path::new("test").join(test))
             .arg(browser)
             .arg(folder.join("report.html")),
         "the page must work in a browser",
     )
-}
-
-/// Where nothing can be tested: a reason to skip, but not where every change is tested.
-fn unable(reason: String) -> Result<Finding, Failure> {
-    if env::var_os("CI").is_some() {
-        return Err(Failure::new(reason));
-    }
-    Ok(Finding::Skipped(reason))
-}
-
-fn web() -> PathBuf {
-    root().join("crates/report/web")
-}
-
-fn npm() -> Command {
-    let mut npm = Command::new(if cfg!(windows) { "npm.cmd" } else { "npm" });
-    npm.current_dir(web());
-    npm
-}
-
-/// Installs what the page is made from, as the lock file has it; once.
-fn install() -> Result<(), String> {
-    if !succeeds(npm().arg("--version")) {
-        return Err("there is no Node with npm here".into());
-    }
-    let modified = |path: &Path| fs::metadata(path).and_then(|data| data.modified()).ok();
-    let wanted = modified(&web().join("package-lock.json"));
-    let installed = modified(&web().join("node_modules/.package-lock.json"));
-    if installed.is_some() && installed >= wanted {
-        return Ok(());
-    }
-    if succeeds(npm().args(["ci", "--no-audit", "--no-fund"])) {
-        Ok(())
-    } else {
-        Err("`npm ci` in crates/report/web does not work here".into())
-    }
-}
-
-/// A browser in one of the folders where programs are.
-fn find() -> Option<PathBuf> {
-    let folders = env::var_os("PATH")?;
-    env::split_paths(&folders)
-        .flat_map(|folder| BROWSERS.map(|name| folder.join(name)))
-        .find(|path| path.is_file())
-}
-
-/// Installs Debian's Chromium, where that can be done without asking.
-fn fetch() -> Option<PathBuf> {
-    let apt = |words: &[&str]| {
-        let mut command = Command::new("apt-get");
-        command.env("DEBIAN_FRONTEND", "noninteractive").args(words);
-        succeeds(&mut command)
-    };
-    let install = ["install", "--yes", "--no-install-recommends", "chromium"];
-    let done = apt(&install) || (apt(&["update"]) && apt(&install));
-    done.then(find).flatten()
 }

@@ -1,0 +1,86 @@
+//! Folders of pages' sources, which npm installs, and the browser that tries the pages.
+
+use std::{
+    env, fs,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+use crate::{
+    command::{Failure, succeeds},
+    finding::Finding,
+    folders::root,
+};
+
+/// Names under which a browser of the Chromium family may be installed.
+const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
+
+/// A folder with a `package.json`, from the root of the repository.
+pub(crate) struct Web(pub(crate) &'static str);
+
+impl Web {
+    /// The folder.
+    pub(crate) fn folder(&self) -> PathBuf {
+        root().join(self.0)
+    }
+
+    /// npm in it.
+    pub(crate) fn npm(&self) -> Command {
+        let mut npm = Command::new(if cfg!(windows) { "npm.cmd" } else { "npm" });
+        npm.current_dir(self.folder());
+        npm
+    }
+
+    /// Installs what the pages are made from, as the lock file has it; once.
+    pub(crate) fn install(&self) -> Result<(), String> {
+        if !succeeds(self.npm().arg("--version")) {
+            return Err("there is no Node with npm here".into());
+        }
+        let modified = |path: &Path| fs::metadata(path).and_then(|data| data.modified()).ok();
+        let wanted = modified(&self.folder().join("package-lock.json"));
+        let installed = modified(&self.folder().join("node_modules/.package-lock.json"));
+        if installed.is_some() && installed >= wanted {
+            return Ok(());
+        }
+        if succeeds(self.npm().args(["ci", "--no-audit", "--no-fund"])) {
+            Ok(())
+        } else {
+            Err(format!("`npm ci` in {} does not work here", self.0))
+        }
+    }
+}
+
+/// Where nothing can be tested: a reason to skip, but not where every change is tested.
+pub(crate) fn unable(reason: String) -> Result<Finding, Failure> {
+    if env::var_os("CI").is_some() {
+        return Err(Failure::new(reason));
+    }
+    Ok(Finding::Skipped(reason))
+}
+
+/// A browser of the Chromium family, installed on Debian where there is none and it may be; else why
+/// there is none.
+pub(crate) fn installed_browser() -> Result<PathBuf, String> {
+    let browser = find().or_else(fetch);
+    browser.ok_or_else(|| "there is no Chromium, and it cannot be installed here".into())
+}
+
+/// A browser in one of the folders where programs are.
+fn find() -> Option<PathBuf> {
+    let folders = env::var_os("PATH")?;
+    env::split_paths(&folders)
+        .flat_map(|folder| BROWSERS.map(|name| folder.join(name)))
+        .find(|path| path.is_file())
+}
+
+/// Installs Debian's Chromium, where that can be done without asking.
+fn fetch() -> Option<PathBuf> {
+    let apt = |words: &[&str]| {
+        let mut command = Command::new("apt-get");
+        command.env("DEBIAN_FRONTEND", "noninteractive").args(words);
+        succeeds(&mut command)
+    };
+    let install = ["install", "--yes", "--no-install-recommends", "chromium"];
+    let done = apt(&install) || (apt(&["update"]) && apt(&install));
+    done.then(find).flatten()
+}
