@@ -3,6 +3,7 @@
 mod body;
 mod contact_map;
 mod imbalance;
+mod in_hand;
 mod initialise;
 mod regions;
 mod top;
