@@ -21,6 +21,10 @@ fn read(template: &Template, models: &[ModelKind], only: Option<OperationKind>) 
     let names: Vec<String> = models.iter().map(|of| format!("{:?}", of.name())).collect();
     let mut changes = vec![change(&format!("model=[{}]", names.join(", ")))];
     changes.extend(only.map(|only| change(&format!("operation.kind={:?}", only.name()))));
+    // A plan of operations that the case has no more would not be sound.
+    if let Some(only) = only {
+        changes.push(change(&format!("plan.operations=[{:?}]", only.name())));
+    }
     template.case(&changes).expect("a sound case")
 }
 
