@@ -303,7 +303,7 @@ fn nothing_stale_is_left() {
         ),
         ("modes slant.toml --png --set modes.count=3", "mode_shapes.png"),
         ("plan slant.toml --png --set plan.depths=4", "plan.xlsx"),
-        ("reach slant.toml --png --csv --to 1500m --operation drill", "reach.png"),
+        ("reach slant.toml --png --to 1500m --operation drill", "reach.png"),
         (
             "bit-test rock.toml --csv --set bit_test.wob=[\"10kN\"] --set bit_test.rpm=[240]",
             "drill-off.svg",
