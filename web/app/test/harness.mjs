@@ -46,6 +46,8 @@ export async function serve(files = {}) {
   served.start = async () => {
     const child = spawn(program(), ["app", folder, "--no-browser", "--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
     served.child = child;
+    children.add(child);
+    child.once("exit", () => children.delete(child));
     const lines = createInterface({ input: child.stdout });
     served.url = await new Promise((found, lost) => {
       lines.once("line", (line) => found(/http:\/\/\S+/.exec(line)?.[0] ?? lost(new Error(`no address in: ${line}`))));
@@ -71,6 +73,10 @@ export async function serve(files = {}) {
   await served.start();
   return served;
 }
+
+/** Programs that serve; none outlives the test. */
+const children = new Set();
+process.once("exit", () => children.forEach((child) => child.kill("SIGKILL")));
 
 let launched = null;
 /** Pages that are open, for the picture of a failure. */
