@@ -314,22 +314,28 @@ await run({
     await drawn(page);
     await page.getByText("The well with the string in it").click();
     await page.waitForSelector("canvas.space");
-    // The string alone has colours; hole, letters and lines are grey.
-    const painted = await page.evaluate(async () => {
-      await new Promise((wake) => setTimeout(wake, 500));
-      const canvas = document.querySelector("canvas.space");
-      const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
-      const pen = copy.getContext("2d");
-      pen.drawImage(canvas, 0, 0);
-      const { data } = pen.getImageData(0, 0, copy.width, copy.height);
-      let count = 0;
-      for (let i = 0; i < data.length; i += 4) {
-        const rgb = data.subarray(i, i + 3);
-        if (data[i + 3] > 200 && Math.max(...rgb) - Math.min(...rgb) > 60) count++;
-      }
-      return count / (data.length / 4);
+    // Another quantity is other colours on the string, and on nothing else.
+    const keep = (name) =>
+      page.evaluate(async (name) => {
+        await new Promise((wake) => setTimeout(wake, 500));
+        const canvas = document.querySelector("canvas.space");
+        const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
+        const pen = copy.getContext("2d");
+        pen.drawImage(canvas, 0, 0);
+        globalThis[name] = pen.getImageData(0, 0, copy.width, copy.height).data;
+      }, name);
+    await keep("sideForce");
+    await page.getByLabel("Colour").selectOption("tension_N");
+    await keep("tension");
+    const percent = await page.evaluate(() => {
+      const { sideForce, tension } = globalThis;
+      const differs = (i) => [0, 1, 2].some((k) => Math.abs(tension[i + k] - sideForce[i + k]) > 24);
+      let other = 0;
+      for (let i = 0; i < tension.length; i += 4) if (differs(i)) other++;
+      return (400 * other) / tension.length;
     });
-    check(painted > 0.001, `${(100 * painted).toFixed(2)} % of the view are the colours of the string`);
+    check(percent > 0.1 && percent < 20, `another quantity changes ${percent.toFixed(2)} % of the view`);
+    equal(page.complaints, [], "complaints");
     await page.context().close();
     await served.stop();
   },
