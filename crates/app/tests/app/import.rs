@@ -68,8 +68,8 @@ fn what_a_file_does_not_tell_is_asked() {
         assert_eq!(import(&served, &files, &choices, Some(name)).error(422), "bad_input", "{name}");
     }
     // A choice that nothing asks for is said, not dropped.
-    let unused = import(&served, &[("s.csv", SURVEY)], &choices, None).ok();
-    assert!(unused["problem"].as_str().unwrap().contains("--unit md"), "{unused}");
+    let unused = import(&served, &[("s.csv", SURVEY)], &json!({"units": {"wob": "kN"}}), None).ok();
+    assert!(unused["problem"].as_str().unwrap().contains("--unit wob"), "{unused}");
 }
 
 #[test]

@@ -87,7 +87,7 @@ fn work_goes_where_the_command_line_puts_it() {
 #[test]
 fn every_command_comes_to_its_end() {
     let study = "name = \"two\"\n[[sweep]]\nname = \"friction\"\ncase = \"a.toml\"\n\
-        vary = { friction = \"0.1,0.3\" }\n[[figure]]\ntitle = \"Hook load\"\nx = \"friction\"\n\
+        vary = { friction = [0.1, 0.3] }\n[[figure]]\ntitle = \"Hook load\"\nx = \"friction\"\n\
         y = \"hook_load_N\"\n";
     let readings = "bit depth (m),pick-up weight (kN),slack-off weight (kN)\n\
         800,290,215\n1000,345,240\n1200,400,265\n";
@@ -134,7 +134,7 @@ fn every_command_comes_to_its_end() {
 #[test]
 fn what_cannot_be_is_refused_at_once() {
     let unsound = CASE.replace("friction = 0.3", "friction = -1");
-    let outside = "[[sweep]]\nname = \"s\"\ncase = \"../secret.toml\"\nvary = { friction = \"0.1\" }\n\
+    let outside = "[[sweep]]\nname = \"s\"\ncase = \"../secret.toml\"\nvary = { friction = [0.1] }\n\
         [[figure]]\ntitle = \"t\"\nx = \"friction\"\ny = \"hook_load_N\"\n";
     let served = Served::with(&[("a.toml", CASE), ("bad.toml", &unsound), ("study.toml", outside)]);
     let (case, bad) = (served.id("a.toml"), served.id("bad.toml"));
