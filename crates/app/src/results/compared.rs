@@ -58,11 +58,11 @@ pub(crate) fn compare(places: &[ResultsPlace], units: UnitSet) -> Compared {
             rows[row].values[place] = Some(value);
         }
     }
-    let places = places.iter().enumerate();
+    let drawn = places.iter().enumerate().flat_map(|(k, of)| curves(&of.path, k, units));
     Compared {
         inputs: differing(&settings),
         scalars: rows,
-        curves: places.clone().flat_map(|(k, of)| curves(&of.path, k, units)).collect(),
-        results: places.map(|(_, of)| ResultsEntry::of(of)).collect(),
+        curves: drawn.collect(),
+        results: places.iter().map(ResultsEntry::of).collect(),
     }
 }
