@@ -33,5 +33,7 @@ pub(crate) fn si_unit(dimension: &str) -> PyResult<&'static str> {
 /// key that there is not.
 #[pyfunction]
 pub(crate) fn unit_of(key: &str) -> Option<&'static str> {
-    wholestring_case::dimension_at(key).map(Dimension::si_symbol)
+    // Stations are in metres and degrees, as in the case file.
+    let bare = key.starts_with("well.stations.");
+    wholestring_case::dimension_at(key).filter(|_| !bare).map(Dimension::si_symbol)
 }

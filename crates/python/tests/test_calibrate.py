@@ -103,10 +103,12 @@ def test_whatever_the_readings_come_in(
         for name in ours.tables:
             written = polars.read_parquet(tmp_path / "out" / f"{name}.parquet")
             assert at == 0 or written.equals(ours.table(name).to_polars()), name
-    # The same readings may be fitted again there, others may not.
-    rig.calibrate(frame, tmp_path / "out", one_factor=True)
-    with pytest.raises(ws.FolderError, match="out"):
-        rig.calibrate(frame.head(7), tmp_path / "out")
+    # The same fit of the same readings may be made again there, no other may.
+    rig.calibrate(frame, tmp_path / "out", **ERRORS)
+    with pytest.raises(ws.FolderError, match="other settings or data"):
+        rig.calibrate(frame, tmp_path / "out", one_factor=True)
+    with pytest.raises(ws.FolderError, match="other settings or data"):
+        rig.calibrate(frame.head(7), tmp_path / "out", **ERRORS)
 
 
 def test_what_is_held_and_looked_for(rig: ws.Case, data: dict[str, Any]) -> None:

@@ -170,7 +170,7 @@ def modes(
     Raises
     ------
     ValueError
-        If a column or the family is missing.
+        If a column or the family is missing, or no mode is asked for.
 
     Examples
     --------
@@ -185,6 +185,8 @@ def modes(
     >>> first.get_xlabel(), bool(first.yaxis_inverted())
     ('Mode 1', True)
     """
+    if count < 1:
+        raise ValueError(f"`count` was given {count!r}: expected at least 1")
     what = "a picture of modes"
     shown = Shown(units, results)
     columns = Columns(results, "mode_shapes", what)
