@@ -277,7 +277,10 @@ def test_without_resume_all_is_solved_again(soft: ws.Case, tmp_path: Path) -> No
     with pytest.raises(AssertionError, match="written twice"):
         looked.none_done_twice()
     assert contents(tmp_path / "a") == contents(tmp_path / "b")
-    with ThreadPoolExecutor(2) as threads, pytest.raises(ws.FolderError, match="other settings or data"):
+    with (
+        ThreadPoolExecutor(2) as threads,
+        pytest.raises(ws.FolderError, match="other settings or data"),
+    ):
         ws.sweep(soft, {"wob": ["1 kN"]}, folder=tmp_path / "a", executor=threads)
     replaced = ws.sweep(soft, {"wob": ["1 kN"]}, folder=tmp_path / "a", overwrite=True)
     assert [of.name for of in replaced.folder.iterdir() if of.is_dir()] == ["wob=1 kN"]
