@@ -190,8 +190,8 @@ fn readings(of: &Calibration, shown: Shown<'_>) -> StudyPart {
             shown.quantity(point.bit_depth_m, "length"),
             load(point.measured),
             load(point.predicted),
-            format!("{} to {}", number(point.reading_band[0]), number(point.reading_band[1])),
-            number(point.residual),
+            format!("{} to {}", load(point.reading_band[0]), load(point.reading_band[1])),
+            load(point.residual),
             format!("{:.2}", point.standardised).replace('-', "\u{2212}"),
             if point.used { "yes" } else { "held out" }.to_owned(),
         ]);
