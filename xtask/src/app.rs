@@ -17,14 +17,7 @@ const SCREENS: [&str; 4] = ["case.mjs", "answers.mjs", "seat.mjs", "work.mjs"];
 
 /// The bundle in `crates/app/assets` is what `web/app` makes, whose types fit.
 pub(crate) fn bundle() -> Result<Finding, Failure> {
-    if let Err(reason) = WEB.install() {
-        return unable(reason);
-    }
-    run(
-        WEB.npm().args(["run", "--silent", "check"]),
-        "the program embeds the bundle, so that it needs no Node",
-    )?;
-    Ok(Finding::Done)
+    WEB.bundle()
 }
 
 /// Each screen does what it is for, by mouse and keyboard.

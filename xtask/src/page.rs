@@ -59,14 +59,7 @@ const READ: &str = "crates/cli/tests/data/slant-read.csv";
 
 /// The bundle in `crates/report/assets` is what `crates/report/web` makes.
 pub(crate) fn bundle() -> Result<Finding, Failure> {
-    if let Err(reason) = WEB.install() {
-        return unable(reason);
-    }
-    run(
-        WEB.npm().args(["run", "--silent", "check"]),
-        "the program embeds the bundle, so that it needs no Node",
-    )?;
-    Ok(Finding::Done)
+    WEB.bundle()
 }
 
 /// Every plot of a page draws, what can be switched switches, and nothing is fetched.

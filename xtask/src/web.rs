@@ -7,7 +7,7 @@ use std::{
 };
 
 use crate::{
-    command::{Failure, succeeds},
+    command::{Failure, run, succeeds},
     finding::Finding,
     folders::root,
 };
@@ -29,6 +29,18 @@ impl Web {
         let mut npm = Command::new(if cfg!(windows) { "npm.cmd" } else { "npm" });
         npm.current_dir(self.folder());
         npm
+    }
+
+    /// Whether the committed bundle is what the sources make.
+    pub(crate) fn bundle(&self) -> Result<Finding, Failure> {
+        if let Err(reason) = self.install() {
+            return unable(reason);
+        }
+        run(
+            self.npm().args(["run", "--silent", "check"]),
+            "the program embeds the bundle, so that it needs no Node",
+        )?;
+        Ok(Finding::Done)
     }
 
     /// Installs what the pages are made from, as the lock file has it; once.

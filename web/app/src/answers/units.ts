@@ -1,24 +1,15 @@
 // The units of the answers: those that the header says.
 
 import { type Dimensions, UNIT_SETS, useDimensions } from "../../../components/units.ts";
-import { request } from "../api/client";
-import { settings, type UnitSet } from "../settings.svelte";
-
-/** A unit in which numbers are shown. */
-interface ShownUnit {
-  /** As it is written in a case; null where nobody writes the dimension. */
-  symbol: string | null;
-  label: string;
-  factor: number;
-}
-type Units = Record<string, { shown: Record<UnitSet, ShownUnit> }>;
+import { readUnits, type Units } from "../api/lookup";
+import { settings } from "../settings.svelte";
 
 let units: Units = {};
 let asked: Promise<void> | null = null;
 
 /** Fetches the units, once; what shows numbers waits for it. */
 export function loadUnits(): Promise<void> {
-  asked ??= request<Units>("GET", "/units").then(
+  asked ??= readUnits().then(
     (found) => {
       units = found;
       const shown = Object.entries(found).map(([name, { shown }]) => {
