@@ -62,6 +62,8 @@ export class OpenCase {
   #checkTimer = 0;
   #draftTimer = 0;
   #closed = false;
+  /** Somebody asked to look at the file while it was being saved. */
+  #lookDue = false;
 
   /** When the text was kept as a draft, ms; null where nothing is unsaved or kept yet. */
   keptAt = $state<number | null>(null);
@@ -286,6 +288,7 @@ export class OpenCase {
       else this.problem = problem;
     } finally {
       this.saving = false;
+      if (this.#lookDue) void this.lookAgain();
     }
   }
 
@@ -323,6 +326,7 @@ export class OpenCase {
 
   /** Looks whether the file has become another; where nothing is unsaved here, what stands there is shown. */
   async lookAgain(): Promise<void> {
+    this.#lookDue = this.saving;
     if (this.saving || this.conflict || this.#closed) return;
     try {
       const file = await readCase(this.id);

@@ -16,13 +16,46 @@ use crate::{
 #[derive(Debug, Clone, Copy)]
 struct Bent {
     /// Moment at the upper and at the lower end and half-way, N·m, towards the centre of curvature.
-    upper_N_m: Vector3<f64>,
-    lower_N_m: Vector3<f64>,
-    half_way_N_m: f64,
+    ends_N_m: [Vector3<f64>; 2],
+    half_way_N_m: Vector3<f64>,
     sag_m: f64,
     touches: f64,
-    /// How much it holds its ends with, N·m.
-    holds_N_m: f64,
+    /// How much it holds its upper and its lower end with, N·m.
+    holds_N_m: [f64; 2],
+    /// Part of what turns one end that comes to the other.
+    carry_over: f64,
+    /// Moment half-way as one end is turned, over what turns it.
+    to_half_way: f64,
+}
+
+/// An element's ends.
+const UPPER: usize = 0;
+const LOWER: usize = 1;
+
+/// Releases the ends of the string that are free to tilt: what the element there would bear is
+/// carried over to its other end, and what that differs by from the next element to the far end of
+/// that one, as in the [dynamics](crate::dynamics).
+fn release(elements: &mut [Bent], ends: &crate::ends::Ends) {
+    if ends.top != TopEnd::Clamped {
+        release_end(elements.iter_mut(), UPPER);
+    }
+    if ends.bit != BitEnd::Clamped {
+        release_end(elements.iter_mut().rev(), LOWER);
+    }
+}
+
+/// Releases an end of the first of elements, from that end on.
+fn release_end<'a>(mut elements: impl Iterator<Item = &'a mut Bent>, end: usize) {
+    let other = 1 - end;
+    let Some(own) = elements.next() else { return };
+    let released = std::mem::take(&mut own.ends_N_m[end]);
+    own.ends_N_m[other] += released * own.carry_over;
+    own.half_way_N_m -= released * own.to_half_way;
+    own.holds_N_m[other] *= 1.0 - own.carry_over * own.carry_over;
+    let Some(next) = elements.next() else { return };
+    let takes = next.holds_N_m[end] / (next.holds_N_m[end] + own.holds_N_m[other]);
+    let differs = own.ends_N_m[other] - next.ends_N_m[end];
+    next.ends_N_m[other] -= differs * (takes * next.carry_over);
 }
 
 /// What the nodes and the stretches below them bear, from the top down.
@@ -51,9 +84,10 @@ impl Bending {
         mesh: &Mesh,
         mud_kg_per_m3: f64,
     ) -> Self {
-        let elements: Vec<Bent> = (0..string.elements.len())
+        let mut elements: Vec<Bent> = (0..string.elements.len())
             .map(|index| bent(string, state, mesh, index, mud_kg_per_m3))
             .collect();
+        release(&mut elements, &string.ends);
         let mut bending = Self::default();
         for index in 0..string.nodes.len() {
             let above = index.checked_sub(1).map(|above| &elements[above]);
@@ -62,19 +96,22 @@ impl Bending {
             // it.
             let moment = match (above, below) {
                 (Some(above), Some(below)) => {
-                    let part = above.holds_N_m / (above.holds_N_m + below.holds_N_m);
-                    below.upper_N_m * part + above.lower_N_m * (1.0 - part)
+                    let [above_N_m, below_N_m] = [above.holds_N_m[LOWER], below.holds_N_m[UPPER]];
+                    let part = above_N_m / (above_N_m + below_N_m);
+                    below.ends_N_m[UPPER] * part + above.ends_N_m[LOWER] * (1.0 - part)
                 }
-                (None, Some(below)) if string.ends.top == TopEnd::Clamped => below.upper_N_m,
-                (Some(above), None) if string.ends.bit == BitEnd::Clamped => above.lower_N_m,
+                (None, Some(below)) if string.ends.top == TopEnd::Clamped => below.ends_N_m[UPPER],
+                (Some(above), None) if string.ends.bit == BitEnd::Clamped => above.ends_N_m[LOWER],
                 // An end that is free to tilt carries none.
                 _ => Vector3::zeros(),
             };
-            let jump = above.zip(below).map(|(above, below)| below.upper_N_m - above.lower_N_m);
+            let jump = above
+                .zip(below)
+                .map(|(above, below)| below.ends_N_m[UPPER] - above.ends_N_m[LOWER]);
             bending.at_node_N_m.push(moment.norm());
             bending.jump_N_m.push(jump.map_or(0.0, |jump| jump.norm()));
             bending.towards_N_m.push(moment);
-            bending.between_N_m.push(below.map_or(0.0, |of| of.half_way_N_m));
+            bending.between_N_m.push(below.map_or(0.0, |of| of.half_way_N_m.norm()));
             bending.sag_m.push(below.map_or(0.0, |of| of.sag_m));
             bending.touches.push(below.map_or(0.0, |of| of.touches));
         }
@@ -118,12 +155,15 @@ fn bent(
     // `EI/L`, of which shear takes its part.
     let turned = (k.bending_far + k.bending) / 3.0 * column.odd();
     let (at_ends, off) = (by(shape.at_ends), odd * turned);
+    let stiff = |part: f64| k.bending + pull_N_per_m * part;
+    let holds_N_m = stiff(shape.at_ends) + turned;
     Bent {
-        upper_N_m: at_ends - off,
-        lower_N_m: at_ends + off,
-        half_way_N_m: by(shape.half_way).norm(),
+        ends_N_m: [at_ends - off, at_ends + off],
+        half_way_N_m: by(shape.half_way),
         sag_m: shape.sag,
         touches: shape.touches,
-        holds_N_m: k.bending + pull_N_per_m * shape.at_ends + turned,
+        holds_N_m: [holds_N_m; 2],
+        carry_over: (turned - stiff(shape.at_ends)) / holds_N_m,
+        to_half_way: stiff(shape.half_way) / holds_N_m,
     }
 }

@@ -4,11 +4,14 @@ mod above;
 mod contact_map;
 mod deflection;
 mod depths;
+mod end_stiffness;
 mod lane;
 mod node_sample;
 mod reservoir;
+mod shape_block;
 mod shapes;
 mod strength;
+mod string_end;
 mod sums;
 #[cfg(test)]
 mod tests;

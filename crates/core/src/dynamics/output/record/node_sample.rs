@@ -257,7 +257,7 @@ impl<R: Real> Source<'_, R> {
         let elements = &self.ends.chain.element_blocks[row];
         let metal: &Metal = self.strength.block(block);
         let shape = self.shapes.block(block);
-        let moments = shape.moments::<N, R>(&self.ends, block, lane);
+        let moments = self.shapes.moments::<N, R>(&self.ends, block, lane);
         // What one side has more than the other the node hands on by its turning: each takes of it
         // what it resists that with.
         let above = Vector(x, y, z);
@@ -302,7 +302,7 @@ impl<R: Real> Source<'_, R> {
     /// The moments of elements at their lower ends.
     #[inline(always)]
     fn lower<N: Doubles>(&self, block: usize, lane: usize) -> [N; 3] {
-        let moments = self.shapes.block(block).moments::<N, R>(&self.ends, block, lane);
+        let moments = self.shapes.moments::<N, R>(&self.ends, block, lane);
         let Vector(x, y, z) = moments.lower;
         [x, y, z]
     }

@@ -4,23 +4,20 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     above::Above,
-    deflection::{Deflection, Ends},
-    lane::{Lane, add, at, put},
+    deflection::Ends,
+    shape_block::{Moments, NONE, ShapeBlock},
+    string_end::StringEnd,
 };
 use crate::{
     damage::{Damaged, ensure},
     dynamics::kernel::layout::Layout,
     model::Model,
-    rod::{
-        beam_column::{BeamColumn, Middle},
-        mesh::Mesh,
-    },
+    rod::mesh::Mesh,
     simd::{
         apart::Apart,
         dispatch::{for_each_instruction_set, with_fastest_instruction_set},
         lanes::DOUBLES,
         number::{Doubles, Real},
-        vector::Vector,
     },
 };
 
@@ -28,75 +25,14 @@ use crate::{
 /// changes slowly, the load itself and the ends are those of every sample.
 const SAMPLES: u64 = 32;
 
-/// The elements below a block of nodes.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[repr(C, align(64))]
-pub struct ShapeBlock {
-    /// Inverse of the rest length, 1/m.
-    pub per_length: Lane,
-    /// Buoyed weight, N/m.
-    pub weight: Lane,
-    /// Moment at the ends over the load, m².
-    pub at_ends: Lane,
-    /// Moment half-way over the load, m².
-    pub half_way: Lane,
-    /// Moment at the ends over the sum of the angles by which both are turned, N·m.
-    pub odd: Lane,
-    /// Part of the node's moment that is that of the element below; of the element above the rest.
-    pub below: Lane,
-    /// `L²/64EI`, 1/N.
-    column: Lane,
-    /// `EI`, N·m².
-    stiffness: Lane,
-    /// Radius of the body, m.
-    radius: Lane,
-    /// Sum of the sag, m.
-    sag: Lane,
-    /// How often the body touched.
-    touched: Lane,
-}
-
-const NONE: Lane = [0.0; DOUBLES];
-
-impl ShapeBlock {
-    const EMPTY: Self = Self {
-        per_length: NONE,
-        weight: NONE,
-        at_ends: NONE,
-        half_way: NONE,
-        odd: NONE,
-        below: NONE,
-        column: NONE,
-        stiffness: NONE,
-        radius: NONE,
-        sag: NONE,
-        touched: NONE,
-    };
-
-    /// What moments at the lower ends are made with.
-    fn handed_on(&mut self) -> [&mut Lane; 8] {
-        let Self { per_length, weight, at_ends, half_way, odd, column, stiffness, radius, .. } =
-            self;
-        [per_length, weight, at_ends, half_way, odd, column, stiffness, radius]
-    }
-}
-
-/// What elements bear, N·m, towards the centre of curvature.
-#[derive(Debug, Clone, Copy)]
-pub struct Moments<N> {
-    /// At their upper ends.
-    pub upper: Vector<N>,
-    /// At their lower ends.
-    pub lower: Vector<N>,
-    /// Half-way.
-    pub half_way: Vector<N>,
-}
-
 /// The shapes of all elements.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Shapes {
     layout: Layout,
     blocks: Vec<ShapeBlock>,
+    ends_of_string: Vec<StringEnd>,
+    /// Blocks with elements that carry moments over from the string's ends.
+    carry: Vec<bool>,
     /// How many looks the sums hold.
     looks: u64,
     /// Samples since the last look.
@@ -117,7 +53,12 @@ impl Shapes {
             of.stiffness[lane] = stiffness;
             of.radius[lane] = 0.5 * section.od_m;
         }
-        let mut shapes = Self { layout, blocks, looks: 0, samples: 0 };
+        let ends_of_string = StringEnd::both(layout, mesh.elements.len());
+        let mut carry = vec![false; layout.blocks()];
+        for of in ends_of_string.iter().flat_map(StringEnd::carry_overs) {
+            carry[of.block()] = true;
+        }
+        let mut shapes = Self { layout, blocks, ends_of_string, carry, looks: 0, samples: 0 };
         shapes.share();
         shapes
     }
@@ -136,7 +77,10 @@ impl Shapes {
 
     /// Whether stored ones are in this layout.
     pub(super) fn check(&self, layout: Layout) -> Result<(), Damaged> {
-        let fits = self.layout == layout && self.blocks.len() == layout.blocks();
+        let fits = self.layout == layout
+            && self.blocks.len() == layout.blocks()
+            && self.carry.len() == layout.blocks()
+            && self.ends_of_string.iter().all(|end| end.is_of(layout));
         ensure(fits, "the shapes of the elements")
     }
 
@@ -159,6 +103,7 @@ impl Shapes {
     pub fn look(&mut self, ends: &Ends<'_, impl Real>) {
         with_fastest_instruction_set!(look(self, ends));
         self.share();
+        self.carry_on(ends);
         self.looks += 1;
     }
 
@@ -196,9 +141,18 @@ impl Shapes {
                     for lane in (0..DOUBLES).step_by(N::WIDTH) {
                         let [held] = above.at::<N>(part, lane);
                         let block = row * parts + part;
-                        let holds =
-                            self.blocks[block].look::<N, R>(ends, (block, lane), held, counts);
-                        above.put(part, lane, [holds]);
+                        let place = (block, lane);
+                        let stiffness = self.blocks[block].look::<N, R>(ends, place, counts);
+                        let mut holds = [stiffness.held(); 2];
+                        if self.carry[block] {
+                            for end in &mut self.ends_of_string {
+                                end.look(ends, place, &stiffness, &mut holds);
+                            }
+                        }
+                        let [upper, lower] = holds;
+                        let tilts = ends.tilts::<N>(block, lane);
+                        self.blocks[block].distribute(lane, [held, upper], tilts);
+                        above.put(part, lane, [lower]);
                     }
                 }
                 if !counts {
@@ -209,7 +163,7 @@ impl Shapes {
     }
 }
 
-impl ShapeBlock {
+impl Shapes {
     /// What the elements at lanes of a block bear, in the shape that they had when last looked at.
     #[inline(always)]
     pub fn moments<N: Doubles, R: Real>(
@@ -218,65 +172,47 @@ impl ShapeBlock {
         block: usize,
         lane: usize,
     ) -> Moments<N> {
-        let deflection = self.deflection::<N, R>(ends, block, lane);
-        let even = deflection.by(at(&self.at_ends, lane));
-        let odd = deflection.odd.scaled(at(&self.odd, lane));
-        let half_way = deflection.by(at(&self.half_way, lane));
-        Moments { upper: even - odd, lower: even + odd, half_way }
-    }
-
-    #[inline(always)]
-    fn deflection<N: Doubles, R: Real>(
-        &self,
-        ends: &Ends<'_, R>,
-        block: usize,
-        lane: usize,
-    ) -> Deflection<N> {
-        ends.deflection(block, lane, [at(&self.per_length, lane), at(&self.weight, lane)])
-    }
-
-    /// Looks at the elements at lanes of a block; `held` is what the elements above hold the nodes
-    /// with. What these ones hold their ends with, N·m.
-    #[inline(always)]
-    fn look<N: Doubles, R: Real>(
-        &mut self,
-        ends: &Ends<'_, R>,
-        (block, lane): (usize, usize),
-        held: N,
-        counts: bool,
-    ) -> N {
-        let deflection = self.deflection::<N, R>(ends, block, lane);
-        let around = ends.around(block, lane, at(&self.per_length, lane));
-        let (row, part) = Layout::row_of::<R>(block);
-        let elements = &ends.chain.element_blocks[row];
-        let [length, far] =
-            [&elements.length, &elements.bending_far].map(|of| at::<N, R>(of.part(part), lane));
-        let tension = deflection.pull * length;
-        let column = BeamColumn::of(tension * at(&self.column, lane));
-        let middle = Middle {
-            load: deflection.load(),
-            // The parabola's middle, off the chord's.
-            offset: around.offset.minus(deflection.even, N::splat(0.125) * length),
-            clearance: around.radius - at(&self.radius, lane),
-        };
-        let shape = column.bent(length, at(&self.stiffness, lane), &middle);
-        // `EI/L`, of which shear takes its part.
-        let odd = N::splat(1.0 / 3.0) * (far + deflection.bending) * column.odd();
-        let holds = deflection.bending + deflection.pull * shape.at_ends + odd;
-        let below = held / (held + holds).max(N::splat(N::TINY));
-        // A node that may not tilt hands nothing on from the one side to the other: the top has the
-        // element below it, a clamped bit, below which there is none, that above.
-        let clamped = holds.if_positive(N::splat(1.0), N::zero());
-        let below = ends.tilts::<N>(block, lane).if_positive(below, clamped);
-        put(&mut self.at_ends, lane, shape.at_ends);
-        put(&mut self.half_way, lane, shape.half_way);
-        put(&mut self.odd, lane, odd);
-        put(&mut self.below, lane, below);
-        if counts {
-            add(&mut self.sag, lane, shape.sag);
-            add(&mut self.touched, lane, shape.touches);
+        let mut moments = self.blocks[block].moments::<N, R>(ends, block, lane);
+        if self.carry[block] {
+            let all = self.ends_of_string.iter().flat_map(StringEnd::carry_overs);
+            for of in all.filter(|of| of.is_at::<N>(block, lane)) {
+                of.act(&mut moments, lane);
+            }
         }
-        holds
+        moments
+    }
+
+    /// Where the top is free to tilt, what the first element and the second differ by at the node
+    /// between them is carried over to the far end of the second, as a part of what that one has at
+    /// the node, so that it turns with it; at the bit likewise.
+    fn carry_on(&mut self, ends: &Ends<'_, impl Real>) {
+        let mut ends_of_string = std::mem::take(&mut self.ends_of_string);
+        for end in &mut ends_of_string {
+            let (Some(own), Some(next)) = (end.own.first(), end.next.first()) else { continue };
+            if !end.is_free(ends) {
+                continue;
+            }
+            let mut beside = self.blocks[own.block()].moments(ends, own.block(), own.lane());
+            own.act(&mut beside, own.lane());
+            let (block, lane) = (next.block(), next.lane());
+            let moments = self.blocks[block].moments::<f64, _>(ends, block, lane);
+            let stiffness = self.blocks[block].end_stiffness::<f64, _>(ends, block, lane);
+            // Part of the difference that the inner element takes.
+            let (has, differs, takes) = if end.is_upper {
+                let has = moments.upper;
+                (has, beside.lower - has, 1.0 - self.blocks[block].below[lane])
+            } else {
+                let has = moments.lower;
+                (has, beside.upper - has, self.blocks[own.block()].below[own.lane()])
+            };
+            let square = has.dot(has).max(f64::MIN_POSITIVE);
+            let part = (differs.dot(has) / square).clamp(-1.0, 1.0);
+            let carried = -stiffness.carry_over() * takes * part;
+            for next in &mut end.next {
+                next.carry_on(carried);
+            }
+        }
+        self.ends_of_string = ends_of_string;
     }
 }
 

@@ -122,22 +122,22 @@ fn s1a_elements_from_joint_to_joint() {
         let hole_per_m = input("dls_deg_30m").to_radians() / 30.0;
         // With the file's inclination so many elements down.
         let at = |elements: f64| {
-            let nodes: Vec<f64> = (0..5).map(|i| SPACING_M * f64::from(i)).collect();
+            let nodes: Vec<f64> = (0..9).map(|i| SPACING_M * f64::from(i)).collect();
             let mut piece = Piece::new(&data, &nodes);
             let top_rad = input("inc_deg").to_radians() - hole_per_m * elements * SPACING_M;
             let wall_m = 0.5 * (piece.hole_m - piece.joint_m);
-            piece.lie(hole_per_m, top_rad, &[wall_m; 5], &[0.0; 5]);
-            for index in 0..4 {
+            piece.lie(hole_per_m, top_rad, &[wall_m; 9], &[0.0; 9]);
+            for index in 0..8 {
                 element!(piece.chain, index, tension = input("T_N"));
             }
             piece.record()
         };
-        let (joint, record) = (at(2.0), at(2.5));
+        let (joint, record) = (at(4.0), at(4.5));
         let inputs = &data["inputs"];
         let standoff_m = 0.5 * (number(&inputs["tool_joint_od_m"]) - number(&inputs["pipe"]["od"]));
         let number = |key: &str| number(&expected[key]);
         let touches = expected["body_contact"].as_bool().expect("a truth");
-        assert_eq!(record.shapes().touched(2), f64::from(u8::from(touches)), "{row}");
+        assert_eq!(record.shapes().touched(4), f64::from(u8::from(touches)), "{row}");
         let name = format!(
             "{:.0} kN in {} deg/30 m at {} deg, one element",
             input("T_N") / 1e3,
@@ -146,9 +146,9 @@ fn s1a_elements_from_joint_to_joint() {
         );
         let sag_m = number("body_relative_sag_towards_wall_m").min(standoff_m);
         for (what, found, expected) in [
-            ("curvature at the joints", joint.bending(2) / stiffness, number("curvature_at_TJ")),
-            ("curvature half-way", record.between(2) / stiffness, number("curvature_mid")),
-            ("sag", record.shapes().sag_m(2), sag_m),
+            ("curvature at the joints", joint.bending(4) / stiffness, number("curvature_at_TJ")),
+            ("curvature half-way", record.between(4) / stiffness, number("curvature_mid")),
+            ("sag", record.shapes().sag_m(4), sag_m),
         ] {
             let unit = if what == "sag" { "m" } else { "1/m" };
             compared.push((format!("{what} at {name}, {unit}"), found, expected));
@@ -195,14 +195,16 @@ fn a_divided_string_bears_what_the_whole_does() {
 /// A piece of twelve joints whose ends are pinned, its joints where the file has them and its
 /// directors where the coarse chain's own moments balance, without those that the load has between
 /// the joints: they are out by as much as the load changes from element to element, which is what a
-/// node hands on. Most at the ends, where half an element meets a whole one.
+/// node hands on. Most at the ends, where half an element meets a whole one, and where one step of
+/// moment distribution goes on by another: without it the joint before the last was 2.9 % out.
+/// Found are 0.22 % under 400 kN, 0.70 % under 20 kN.
 #[test]
 fn s1a_a_piece_of_twelve_elements() {
     let data = verification(DOWN);
     let inputs = &data["inputs"]["pipe"];
     let (stiffness, weight) = (number(&inputs["EI"]), number(&inputs["w"]));
     let mut compared = Vec::new();
-    for (piece, most) in data["finite"].as_array().expect("pieces").iter().zip([1.5e-2, 3e-2]) {
+    for (piece, most) in data["finite"].as_array().expect("pieces").iter().zip([3e-3, 8e-3]) {
         let input = |key: &str| number(&piece["inputs"][key]);
         let joints = piece["expected"]["tool_joints"].as_array().expect("joints");
         let at = |key: &str| joints.iter().map(|joint| number(&joint[key])).collect::<Vec<f64>>();
@@ -238,7 +240,10 @@ fn s1a_a_piece_of_twelve_elements() {
     }
     report_worst(compared.iter().map(|(what, computed, expected, most)| {
         verify("S1a", what)
-            .relative(*most, "the directors of a coarse chain: one step of moment distribution")
+            .relative(
+                *most,
+                "the directors of a coarse chain: a step of moment distribution, two at the ends",
+            )
             .row(*expected, *computed)
     }));
 }
