@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 use wholestring::{
     model::Model,
     operation::OperationKind,
-    statics::soft::{SoftProfile, SoftSettings, solve},
+    statics::soft::{SoftProfile, SoftSettings, SoftString},
     string::{ComponentLength, ComponentSpec, Material},
 };
 
@@ -70,7 +70,7 @@ fn surveyed(corners: &[[f64; 3]], spacing_m: f64) -> Vec<[f64; 3]> {
 fn solved(model: &Model, spacing_m: f64) -> Value {
     let usual = SoftSettings::default();
     let coarse = SoftSettings { step_m: spacing_m, ..SoftSettings::default() };
-    let [out, into, turning] = OPERATIONS.map(|kind| solution(model, kind, &usual).scalars);
+    let [out, into, turning] = solutions(model, &usual).map(|solution| solution.scalars);
     json!({
         "pick_up_N": out.hook_load_N,
         "slack_off_N": into.hook_load_N,
@@ -81,18 +81,18 @@ fn solved(model: &Model, spacing_m: f64) -> Value {
     })
 }
 
-fn solution(model: &Model, kind: OperationKind, settings: &SoftSettings) -> SoftProfile {
-    let operation = operation(kind, model.well.path.last_md_m());
-    solve(model, &operation, settings).expect("a solution")
+/// All three, with what they have in common made once.
+fn solutions(model: &Model, settings: &SoftSettings) -> [SoftProfile; 3] {
+    let bit_depth_m = model.well.path.last_md_m();
+    let string = SoftString::new(model, bit_depth_m, settings).expect("a string");
+    OPERATIONS.map(|kind| string.solve(&operation(kind, bit_depth_m)).expect("a solution"))
 }
 
 /// What disturbs a measurement only adds to it.
 fn least_s(model: &Model, settings: &SoftSettings) -> f64 {
     let once = |_| {
         let begin = Instant::now();
-        for kind in OPERATIONS {
-            black_box(solution(black_box(model), kind, settings));
-        }
+        black_box(solutions(black_box(model), settings));
         begin.elapsed().as_secs_f64()
     };
     (0..REPEATS).map(once).fold(f64::INFINITY, f64::min)
