@@ -175,8 +175,8 @@ pub(super) fn longest(
 ) -> Longest {
     let fits = |dt: f64| scaled_kg(elements, dt, beta).is_some_and(&affords);
     let cap = half_carries_s(elements, beta);
-    let (mut low, mut high) = (0.0, cap);
-    for _ in 0..60 {
+    let (mut low, mut high) = if fits(cap) { (cap, cap) } else { (0.0, cap) };
+    while high - low > f64::EPSILON * high {
         let middle = 0.5 * (low + high);
         if fits(middle) {
             low = middle;

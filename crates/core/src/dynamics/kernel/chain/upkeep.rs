@@ -74,15 +74,18 @@ impl<R: Real> Chain<R> {
             let rubbed = &rubbed[up_to(rows.start)..up_to(rows.end)];
             for lane in 0..R::LANES {
                 let first = lane * rows.len();
+                // A sum for each lane: none waits for another's.
+                let mut of_lane_J = 0.0;
                 for row in rubbed {
                     // No node of the region's before the first of its places, and after the last.
                     let node = (first + row - rows.start).wrapping_sub(places.start);
                     if let Some(of_node_J) = each_J.get_mut(node) {
                         let work = self.node_blocks[*row].sum_wear.0[lane].to_f64();
                         *of_node_J += work;
-                        all += work;
+                        of_lane_J += work;
                     }
                 }
+                all += of_lane_J;
             }
         }
         all

@@ -236,15 +236,15 @@ fn filled(samples: u32, value: impl Fn(u32) -> f64) -> Reservoir {
 /// While all samples are kept the percentiles are exact but for the rounding of single precision.
 #[test]
 fn percentiles_of_few_samples_are_exact() {
-    let reservoir = filled(4001, |sample| f64::from((sample * 1234) % 4001));
+    let reservoir = filled(601, |sample| f64::from((sample * 123) % 601));
     let found = reservoir.percentiles(Quantity::Bending)[0][5];
-    assert_eq!(found, [200.0, 2000.0, 3800.0]);
+    assert_eq!(found, [30.0, 300.0, 570.0]);
     assert_eq!(Reservoir::new(1, 0).percentiles(Quantity::Torque)[0][0], [0.0; 3]);
 }
 
-/// Whatever the length of a run, 2048 to 4096 samples of each node of a short string are kept. A
-/// percentile `p` from `n` of them has the standard error `√(p(1 − p)/n)` in rank: 0.5 % for the
-/// 5th, 1.1 % for the median. Three of these are allowed. The period of the sine is a multiple of
+/// Whatever the length of a run, 320 to 640 samples of each node of a short string are kept. A
+/// percentile `p` from `n` of them has the standard error `√(p(1 − p)/n)` in rank: 1.2 % at most
+/// for the 5th, 2.8 % for the median. Three of these are allowed. The period of the sine is a multiple of
 /// every stride: kept at even spacing, it would be met at one or two phases only.
 #[test]
 fn percentiles_of_many_samples_do_not_beat_with_a_period() {
@@ -252,7 +252,7 @@ fn percentiles_of_many_samples_do_not_beat_with_a_period() {
     let sine = |sample: u32| (TAU * f64::from(sample) / 64.0 + 0.3).sin();
     let found = filled(SAMPLES, sine).percentiles(Quantity::Tension)[0][0];
     for (value, part, error) in
-        [(found[0], 0.05, 0.005), (found[1], 0.5, 0.011), (found[2], 0.95, 0.005)]
+        [(found[0], 0.05, 0.012), (found[1], 0.5, 0.028), (found[2], 0.95, 0.012)]
     {
         // Single precision may have moved it by a ten-millionth.
         let below = |value: f64| {
