@@ -160,3 +160,30 @@ fn a_buckled_string_that_turns_rolls() {
         assert!(found.convergence.stable, "{:?}", found.convergence);
     }
 }
+
+/// 500 m of level hole in elements of 12.2 m, which 82.8 kN buckle between their nodes
+/// (`π² EI/h²`), pushed with 100 kN: the error names the element, the compression, which friction
+/// brings to `100 kN + μ w L` at the top, and the length. With half of that length it is found.
+#[test]
+fn elements_of_a_length_that_buckles_between_its_nodes_are_named() {
+    let path = common::arcs(&[[0.0, 90.0, 0.0], [500.0, 90.0, 0.0]]);
+    let pipe =
+        ComponentSpec::uniform("pipe", 0.127, 0.1086, ComponentLength::ToSurface, common::steel());
+    let hole = common::open_hole(0.2159, 0.2, 500.0);
+    let model = common::model(path, hole, vec![pipe], common::mud(1200.0), 500.0);
+    let slide = Operation { weight_on_bit_N: 100e3, ..Operation::slide(500.0) };
+    let solve = |length_m: f64| stiff::solve(&model, &slide, &settings(length_m));
+    let buckles = solve(12.0).expect_err("no equilibrium");
+    let StiffError::ElementBuckles { md_m, compression_N, length_m } = buckles else {
+        panic!("{buckles}")
+    };
+    // Steel of 7850 kg/m3 in mud of 1200.
+    let area_m2 = std::f64::consts::FRAC_PI_4 * (0.127_f64.powi(2) - 0.1086_f64.powi(2));
+    let weight_N = (7850.0 - 1200.0) * area_m2 * wholestring::GRAVITY_M_PER_S2 * 500.0;
+    let expected_N = 100e3 + 0.2 * weight_N;
+    assert!((length_m - 500.0 / 41.0).abs() < 1e-9, "{length_m}");
+    assert!(md_m < length_m, "{md_m}");
+    assert!((compression_N / expected_N - 1.0).abs() < 0.02, "{compression_N} {expected_N}");
+    assert!(buckles.to_string().contains("shorter elements are needed"), "{buckles}");
+    assert!(solve(6.0).expect("an equilibrium").convergence.stable);
+}

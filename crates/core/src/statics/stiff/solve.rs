@@ -33,6 +33,10 @@ const FINE_ENOUGH: [(Accuracy, f64, usize); 2] =
 const GROWS: f64 = 2.0;
 const HALVED: usize = 3;
 
+/// Helical loads beyond which a string that locks up by the wall load of its helix is not looked
+/// for: of those of a thousand random wells none rests in a state that would stay.
+const FAR_BEYOND: f64 = 25.0;
+
 /// Steps of the soft string with which it begins, m. That says where the nodes stand, and a kink
 /// where the pipe changes sides costs it some 15 N, by which a kilometre of pipe stretches 0.01 mm;
 /// no force comes of it.
@@ -138,13 +142,18 @@ impl Task<'_> {
         });
         let (convergence, state) = match warm {
             Some(found) => found,
-            None => match from_the_middle(&string, &mut equations, iterations) {
-                Ok(found) => found,
-                Err(lost) => {
+            None => {
+                if self.is_far_beyond() {
                     self.locks_up()?;
-                    return self.found_finer(mesh, &string, lost);
                 }
-            },
+                match from_the_middle(&string, &mut equations, iterations) {
+                    Ok(found) => found,
+                    Err(lost) => {
+                        self.locks_up()?;
+                        return self.found_finer(mesh, &string, lost);
+                    }
+                }
+            }
         };
         Ok(self.equilibrium(mesh, string, state, &equations, convergence))
     }
@@ -204,6 +213,15 @@ impl Task<'_> {
     ) -> Equilibrium {
         let (settings, hook_load_N) = (*self.settings, equations.hook_load_N);
         Equilibrium { settings, mesh, string, state, hook_load_N, convergence }
+    }
+
+    /// Whether the soft string bears so many times its helical load that nothing is looked for where
+    /// it [locks up](Self::locks_up).
+    fn is_far_beyond(&self) -> bool {
+        let loads_N = self.soft.tension_N.iter().zip(&self.soft.helical_load_N);
+        loads_N.into_iter().any(|(tension_N, load_N)| {
+            load_N.is_some_and(|load_N| -tension_N > FAR_BEYOND * load_N)
+        })
     }
 
     /// An error where the string cannot be pushed that far by the wall load of its helix: there is
