@@ -171,7 +171,7 @@ fn what_would_break_first_is_said() {
             assert!(least_of_all < least, "{first:?}");
         }
     }
-    let drilling = "drilling: top drive, continuous would be passed first, with high friction";
+    let drilling = "drilling: top drive, continuous comes first, with high friction";
     assert!(said.contains(drilling), "{said}");
     assert!(desk.text("out/report.html").contains(drilling));
     let pick_up = summary.breaks_first.iter().find(|of| of.operation == "trip_out").unwrap();

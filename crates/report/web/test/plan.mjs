@@ -59,7 +59,7 @@ await check("a light has a word and a mark", async () => {
     assert.ok(known.every((reserve, i) => i === 0 || reserve >= known[i - 1] - 0.02), `${known}`);
   }
   const said = await page.locator("header .in-si p", { hasText: "What would break first." }).textContent();
-  assert.match(said, /pick-up: hoist would be passed first, with high friction and the bit at \d+ m/);
+  assert.match(said, /pick-up: hoist comes first, with high friction and the bit at \d+ m/);
 });
 
 await check("what was measured, another program, peaks and samples have their sections", async () => {

@@ -44,8 +44,8 @@ fn sentence(of: &PlanLimit, units: UnitSet) -> String {
     };
     let load = load(of, units);
     format!(
-        "{operation}: {limit}{place} would be passed first, with {} friction and the bit at {}: \
-         {load}, factor {:.2}, required {:.2} ({}).",
+        "{operation}: {limit}{place} comes first, with {} friction and the bit at {}: \
+         {load}, factor {:.2}, required {:.2}: {}.",
         of.friction,
         depth(of.bit_depth_m),
         of.factor,
