@@ -198,6 +198,8 @@ def test_a_reach_says_what_stops_the_well(small: ws.Case) -> None:
     assert reach.from_m == 1200.0
     far = small.reach(to=6000.0, friction=[0.4], operation="slide", no_helix_friction=True)
     assert far.summary["helix_side_force"] is False
+    helix = small.reach(to=6000.0, friction=[0.4], operation="slide", stop_at_helix=True)
+    assert helix.summary["stop_at_helix"] is True
 
 
 def test_an_assembly_says_what_the_bit_does(small: ws.Case) -> None:

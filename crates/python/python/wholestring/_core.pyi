@@ -180,6 +180,7 @@ class ReachOptions(TypedDict):
     frictions: list[float]
     operations: list[str]
     no_helix_friction: bool
+    stop_at_helix: bool
 
 class CalibrateOptions(TypedDict):
     data: str

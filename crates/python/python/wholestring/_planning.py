@@ -167,6 +167,7 @@ class Planning(Checked):
         friction: str | float | Sequence[float] | None = None,
         operation: str | Sequence[str] | None = None,
         no_helix_friction: bool = False,
+        stop_at_helix: bool = False,
         resume: bool = False,
         overwrite: bool = False,
         units: Units | None = None,
@@ -192,6 +193,9 @@ class Planning(Checked):
             Operations; the usual ones and those of the case, as far as it has their set points.
         no_helix_friction
             Whether to leave out the friction of what a helix presses to the wall: nothing locks up.
+        stop_at_helix
+            Whether the depth where a helix begins counts as a stop, but in vertical hole: the
+            string goes on buckled otherwise.
         resume
             Whether to leave out samples of uncertain numbers that are solved.
         overwrite
@@ -228,6 +232,7 @@ class Planning(Checked):
             "frictions": factors("friction", friction),
             "operations": words(operation),
             "no_helix_friction": no_helix_friction,
+            "stop_at_helix": stop_at_helix,
         }
         return carry_out(
             Reach,

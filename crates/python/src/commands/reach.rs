@@ -19,6 +19,7 @@ pub(crate) struct ReachOptions {
     frictions: Vec<f64>,
     operations: Vec<String>,
     no_helix_friction: bool,
+    stop_at_helix: bool,
 }
 
 #[pyfunction]
@@ -37,6 +38,7 @@ pub(crate) fn reach_of(
             frictions: options.frictions,
             operations: operations.collect::<Result<_, _>>()?,
             helix_side_force: !options.no_helix_friction,
+            stop_at_helix: options.stop_at_helix,
             units: common.units()?,
             output: common.output(),
             png: common.png,
