@@ -261,6 +261,7 @@ await run({
     check(ends.includes("rotating") && ends.some((end) => end.startsWith("pick-up")) && ends.some((end) => end.startsWith("slack-off")), `ends of lines: ${ends}`);
     // Slack-off hangs on less than rotating, pick-up on more.
     await page.getByText("Hook load, without block in numbers").click();
+    await page.locator(".depth-chart + details table td").first().waitFor();
     const last = await page.locator(".depth-chart + details table tr").last().locator("td").allInnerTexts();
     const heads = await page.locator(".depth-chart + details table th").allInnerTexts();
     const value = (name) => parseFloat(last[heads.findIndex((head) => head.startsWith(name))]);
