@@ -29,8 +29,8 @@ use crate::random::Random;
 /// take for ever, but no fewer than that. What comes to rest took 210 at most, and 260 000 times its
 /// elements, in hundreds of wells.
 const MOST: usize = 400;
-const MOST_OF_ELEMENTS: usize = 400_000;
-const AT_LEAST: usize = 150;
+const MOST_OF_ELEMENTS: usize = 350_000;
+const AT_LEAST: usize = 90;
 
 /// Seeded disturbance, as a part of the room of each node: a straight string under too much
 /// compression would stay so for ever.
