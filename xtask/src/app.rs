@@ -1,5 +1,5 @@
-//! The page of the local web app: whether its committed bundle is what its sources make, and whether
-//! its screens work in a browser.
+//! The page of the local web app: whether its committed bundle is what its sources make, and
+//! whether its screens work in a browser.
 
 use std::process::Command;
 

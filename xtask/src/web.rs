@@ -70,8 +70,8 @@ pub(crate) fn unable(reason: String) -> Result<Finding, Failure> {
     Ok(Finding::Skipped(reason))
 }
 
-/// A browser of the Chromium family, installed on Debian where there is none and it may be; else why
-/// there is none.
+/// A browser of the Chromium family, installed on Debian where there is none and it may be; else
+/// why there is none.
 pub(crate) fn installed_browser() -> Result<PathBuf, String> {
     let browser = find().or_else(fetch);
     browser.ok_or_else(|| "there is no Chromium, and it cannot be installed here".into())

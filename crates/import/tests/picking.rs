@@ -363,23 +363,3 @@ proptest! {
         }
     }
 }
-
-/// Ten million rows, made as they are taken: `cargo test --release -- --ignored`.
-#[test]
-#[ignore = "measures speed; the test harness is too slow for it without optimisation"]
-fn ten_million_rows() {
-    let day = a_day(Manner { faults: Some(400), ..Manner::default() });
-    let lasts_s = day.records.len() as f64;
-    let rows = (0..10_000_000).map(|at| {
-        let of = &day.records[at % day.records.len()];
-        let time_s = of.time_s + lasts_s * (at / day.records.len()) as f64;
-        Ok(Record { time_s, ..*of })
-    });
-    let begins = std::time::Instant::now();
-    let picks = pick(rows, "rig.csv", kN(), &Thresholds::default(), &said("245 kN")).unwrap();
-    let took_s = begins.elapsed().as_secs_f64();
-    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let peak = status.lines().find(|line| line.starts_with("VmHWM")).unwrap_or("").to_owned();
-    println!("{took_s:.1} s, {} windows, {peak}", picks.windows.len());
-    assert!(took_s < 60.0);
-}

@@ -215,8 +215,8 @@ impl Task<'_> {
         Equilibrium { settings, mesh, string, state, hook_load_N, convergence }
     }
 
-    /// Whether the soft string bears so many times its helical load that nothing is looked for where
-    /// it [locks up](Self::locks_up).
+    /// Whether the soft string bears so many times its helical load that nothing is looked for
+    /// where it [locks up](Self::locks_up).
     fn is_far_beyond(&self) -> bool {
         let loads_N = self.soft.tension_N.iter().zip(&self.soft.helical_load_N);
         loads_N.into_iter().any(|(tension_N, load_N)| {

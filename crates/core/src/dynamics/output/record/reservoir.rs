@@ -31,7 +31,8 @@ const PARTS: [f64; 3] = [0.05, 0.5, 0.95];
 /// Numbers kept of one quantity: 3 MB.
 const MAX_NUMBERS: usize = 3 << 18;
 
-/// Samples kept at least, and at most: more of them, a few milliseconds apart, would tell little more.
+/// Samples kept at least, and at most: more of them, a few milliseconds apart, would tell little
+/// more.
 const ROWS: [usize; 2] = [64, 640];
 
 /// Kept samples.

@@ -244,8 +244,8 @@ fn percentiles_of_few_samples_are_exact() {
 
 /// Whatever the length of a run, 320 to 640 samples of each node of a short string are kept. A
 /// percentile `p` from `n` of them has the standard error `√(p(1 − p)/n)` in rank: 1.2 % at most
-/// for the 5th, 2.8 % for the median. Three of these are allowed. The period of the sine is a multiple of
-/// every stride: kept at even spacing, it would be met at one or two phases only.
+/// for the 5th, 2.8 % for the median. Three of these are allowed. The period of the sine is a
+/// multiple of every stride: kept at even spacing, it would be met at one or two phases only.
 #[test]
 fn percentiles_of_many_samples_do_not_beat_with_a_period() {
     const SAMPLES: u32 = 100_000;
