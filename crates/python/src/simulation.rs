@@ -11,9 +11,15 @@ use wholestring::{
     outcome::{Column as Declared, TIME_SERIES, Values},
 };
 use wholestring_results::{Column, Data, Table as StoredTable};
-use wholestring_runner::{Error, run::Live};
+use wholestring_runner::{CancellationToken, Error, Observer, run::Live};
 
-use crate::{answers::Answers, attended::attended_here, error, law::Raised, table::Table};
+use crate::{
+    answers::Answers,
+    attended::{attended, attended_here},
+    error,
+    law::Raised,
+    table::Table,
+};
 
 /// A dynamic run that Python takes forward.
 #[pyclass(frozen, module = "wholestring._core")]
@@ -91,12 +97,18 @@ impl Simulation {
     /// Advances by so many seconds.
     fn advance(&self, py: Python<'_>, seconds: f64, listener: &Bound<'_, PyAny>) -> PyResult<()> {
         // Refused before a thread waits for it.
-        self.asked(py, |_| ())?;
-        let work = attended_here(py, listener, |observer, cancellation| {
+        let on_rock = self.asked(py, |live| live.is_on_rock())?;
+        let advance = |observer: &dyn Observer, cancellation: &CancellationToken| {
             let mut live = self.live();
             let _advancing = Advancing::new(self);
             live.advance(seconds, observer, cancellation)
-        });
+        };
+        // On rock a sample may take longer than an interrupt waits.
+        let work = if on_rock {
+            attended(py, listener, advance)?
+        } else {
+            attended_here(py, listener, advance)
+        };
         match (work.raised.or(self.raised.take()), work.result) {
             (Some(raised), _) => Err(raised),
             (None, result) => result.map_err(|error| error::of_work(py, &error)),

@@ -28,10 +28,26 @@ fn threads_of(case: &Case, threads: Option<NonZeroUsize>, solves: bool) -> Optio
 }
 
 /// Who works on the rock of a run: its own thread, and others where there are any. A cancellation
-/// stops what has nothing to keep.
+/// stops it between two steps.
 struct Workers {
-    threads: Option<ThreadPool>,
+    threads: RockThreads,
     cancellation: CancellationToken,
+}
+
+/// The threads that work on the rock of a run.
+#[derive(Clone, Default)]
+pub(crate) struct RockThreads(Option<Arc<ThreadPool>>);
+
+impl RockThreads {
+    /// So many for the rock of a case that other threads solve, one per core where nothing is said.
+    pub(crate) fn of_others(case: &Case, threads: Option<NonZeroUsize>) -> Self {
+        Self(threads_of(case, threads, false).map(Arc::new))
+    }
+
+    /// They as an executor that a cancellation stops.
+    pub(crate) fn executor(&self, cancellation: &CancellationToken) -> SharedExecutor {
+        Arc::new(Workers { threads: self.clone(), cancellation: cancellation.clone() })
+    }
 }
 
 /// So many threads for the rock of a case that the calling thread solves, one per core where nothing
@@ -41,28 +57,17 @@ pub(crate) fn for_rock(
     threads: Option<NonZeroUsize>,
     cancellation: &CancellationToken,
 ) -> SharedExecutor {
-    let threads = threads_of(case, threads, true);
-    Arc::new(Workers { threads, cancellation: cancellation.clone() })
-}
-
-/// The same of a case that other threads solve.
-pub(crate) fn for_rock_of_others(
-    case: &Case,
-    threads: Option<NonZeroUsize>,
-    cancellation: &CancellationToken,
-) -> SharedExecutor {
-    let threads = threads_of(case, threads, false);
-    Arc::new(Workers { threads, cancellation: cancellation.clone() })
+    RockThreads(threads_of(case, threads, true).map(Arc::new)).executor(cancellation)
 }
 
 /// The thread that solves, alone.
 pub(crate) fn alone(cancellation: &CancellationToken) -> SharedExecutor {
-    Arc::new(Workers { threads: None, cancellation: cancellation.clone() })
+    RockThreads::default().executor(cancellation)
 }
 
 impl Executor for Workers {
     fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync)) {
-        match &self.threads {
+        match &self.threads.0 {
             Some(threads) => threads.each(count, work),
             None => Alone.each(count, work),
         }

@@ -8,9 +8,9 @@ pub trait Executor: Sync {
     /// Calls `work` once with each number below `count`, and returns when all is done.
     fn each(&self, count: usize, work: &(dyn Fn(usize) + Sync));
 
-    /// Whether what the work is for is no longer wanted. Work of many steps that leaves nothing
-    /// behind asks between them: the run-in of a bit and the settling of a string, both before the
-    /// first step of a run. Never by default.
+    /// Whether what the work is for is no longer wanted. Who works in many steps asks between them:
+    /// the run-in of a bit and the settling of a string, both before the first step of a run, which
+    /// leave nothing behind, and a run on solid rock, which can go on. Never by default.
     fn stopped(&self) -> bool {
         false
     }

@@ -233,6 +233,41 @@ fn a_run_on_rock_ends_with_the_same_bits_whoever_works_on_it() {
     .report(1.0, single / double);
 }
 
+/// Stopped after each of its steps, and written to bytes in the middle of a sample, it ends with the
+/// same bits; a step takes as long on rock as a second of another run.
+#[test]
+fn a_run_on_rock_stops_between_two_steps() {
+    let mut case = case();
+    case.settings.sample_interval_s = 5e-3;
+    case.lasts(0.01, 0.02);
+    let mut straight = case.start();
+    go(&mut straight, 0.03);
+    let mut stopped = case.start();
+    let stop = || Arc::new(Impatient { answers: AtomicUsize::new(5), works: AtomicUsize::new(0) });
+    stopped.set_executor(stop());
+    let (mut calls, mut between) = (0, 0);
+    while stopped.samples() < straight.samples() {
+        let before_s = stopped.time_s();
+        go(&mut stopped, 1.0);
+        let steps = (stopped.time_s() - before_s) / stopped.time_step_s();
+        assert!((steps - 1.0).abs() < 1e-6, "{steps} steps");
+        calls += 1;
+        let into_s = stopped.time_s() - stopped.samples() as f64 * stopped.sample_interval_s();
+        if into_s > 0.5 * stopped.time_step_s() {
+            between += 1;
+        }
+        if calls == 7 {
+            let bytes = postcard::to_allocvec(&stopped.checkpoint()).unwrap();
+            let checkpoint: Checkpoint = postcard::from_bytes(&bytes).unwrap();
+            let (model, operation) = (&case.model, &case.operation);
+            stopped = Simulation::resume(model, operation, &case.settings, checkpoint).unwrap();
+            stopped.set_executor(stop());
+        }
+    }
+    assert!(between > calls / 2, "{between} of {calls}");
+    assert!(straight.outcome() == stopped.outcome());
+}
+
 #[test]
 fn a_bit_that_is_lighter_than_what_it_touches_is_refused() {
     let mut case = case();

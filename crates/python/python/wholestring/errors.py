@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -198,8 +198,6 @@ class Interrupted(KeyboardInterrupt):
 
     Attributes
     ----------
-    results
-        What was computed until then.
     sweep
         What was solved until then, of a sweep.
 
@@ -212,5 +210,30 @@ class Interrupted(KeyboardInterrupt):
     True
     """
 
-    results: Any = None
     sweep: Any = None
+
+    def __init__(self, *args: object, make_results: Callable[[], Any] | None = None) -> None:
+        """Say what was interrupted; results that take long to make are made when asked for."""
+        super().__init__(*args)
+        self._results: Any = None
+        # The summary of simulated hours takes longer than an interrupt may.
+        self._make_results = make_results
+
+    @property
+    def results(self) -> Any:
+        """What was computed until then.
+
+        Those of a simulation in hand are made when they are first asked for, as it stands by then.
+        """
+        if self._make_results is not None:
+            self._results = self._make_results()
+            self._make_results = None
+        return self._results
+
+    @results.setter
+    def results(self, results: Any) -> None:
+        self._results = results
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle what was computed, not how."""
+        return type(self), self.args, {"results": self.results, "sweep": self.sweep}

@@ -100,9 +100,8 @@ class Simulation:
             try:
                 self._held.advance(seconds, listener)
             except KeyboardInterrupt as error:
-                interrupted = Interrupted("interrupted: the simulation stands where it was then")
-                interrupted.results = self.results()
-                raise interrupted from error
+                message = "interrupted: the simulation stands where it was then"
+                raise Interrupted(message, make_results=self.results) from error
 
     def set(
         self,

@@ -32,17 +32,13 @@ pub(super) struct History {
 /// Time histories of an operation that shares the page with `many`, itself included.
 pub(super) fn history(time: &Table, operation: &str, many: usize) -> History {
     let rows = rows(time, None, operation);
-    let number = |name: &str, row: &usize| {
-        let value = numbers(time, name).get(*row).copied().flatten();
-        value.unwrap_or(f64::NAN)
-    };
-    let times: Vec<f64> = rows.iter().map(|row| number("time_s", row)).collect();
+    let times = of_rows(time, "time_s", &rows);
     let (names, columns): (Vec<&str>, Vec<Vec<f64>>) = time
         .columns()
         .iter()
         .map(|column| column.name.as_str())
         .filter(|name| *name != "time_s" && !numbers(time, name).is_empty())
-        .map(|name| (name, rows.iter().map(|row| number(name, row)).collect::<Vec<f64>>()))
+        .map(|name| (name, of_rows(time, name, &rows)))
         .filter(|(_, values)| values.iter().any(|value| value.is_finite()))
         .unzip();
     let slices: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
@@ -65,20 +61,17 @@ pub(super) fn drill_off(
     many: usize,
 ) -> Option<DrillOff> {
     let rows = rows(time, None, operation);
-    let number = |name: &str, row: &usize| numbers(time, name).get(*row).copied().flatten();
-    let begun = |row: &&usize| number("time_s", row).is_some_and(|time_s| time_s >= window_s);
-    let mut window: Vec<&usize> = rows.iter().filter(begun).collect();
+    let times = of_rows(time, "time_s", &rows);
+    let begun = rows.iter().zip(&times).filter(|(_, time_s)| **time_s >= window_s);
+    let mut window: Vec<usize> = begun.map(|(row, _)| *row).collect();
     if window.is_empty() {
         // What ended before its window shows what there is.
-        window = rows.iter().collect();
+        window = rows;
     }
     let step = window.len().div_ceil((MAX_DRILLED / many.max(1)).max(1));
-    let column = |name: &str| -> Vec<f64> {
-        let chosen = window.iter().step_by(step.max(1));
-        chosen.map(|row| number(name, row).unwrap_or(f64::NAN)).collect()
-    };
+    let chosen: Vec<usize> = window.into_iter().step_by(step.max(1)).collect();
     let names = drill_off_columns();
-    let columns = names.map(column);
+    let columns = names.map(|name| of_rows(time, name, &chosen));
     let drills = columns[0].iter().any(|weight| *weight > 0.0);
     drills.then(|| DrillOff {
         columns: names.map(String::from).into_iter().zip(columns.map(Packed::single)).collect(),
@@ -88,13 +81,8 @@ pub(super) fn drill_off(
 /// The bottom of the hole that an operation left; none where its bit did not stand on solid rock.
 pub(crate) fn bottom(table: &Table, operation: &str) -> Option<BottomPicture> {
     let rows = rows(table, None, operation);
-    let column = |name: &str| -> Vec<f64> {
-        let values = numbers(table, name);
-        let number = |row: &usize| values.get(*row).copied().flatten();
-        rows.iter().map(|row| number(row).unwrap_or(f64::NAN)).collect()
-    };
-    let mut radius_m = column("radius_m");
-    let mut angle_rad = column("angle_rad");
+    let mut radius_m = of_rows(table, "radius_m", &rows);
+    let mut angle_rad = of_rows(table, "angle_rad", &rows);
     // All sectors of a ring follow each other.
     let sectors = radius_m.iter().take_while(|of| **of == radius_m[0]).count();
     if sectors == 0 || radius_m.len() % sectors != 0 {
@@ -102,7 +90,14 @@ pub(crate) fn bottom(table: &Table, operation: &str) -> Option<BottomPicture> {
     }
     radius_m = radius_m.into_iter().step_by(sectors).collect();
     angle_rad.truncate(sectors);
-    BottomPicture::new(&radius_m, &angle_rad, &column("depth_m"))
+    BottomPicture::new(&radius_m, &angle_rad, &of_rows(table, "depth_m", &rows))
+}
+
+/// The numbers of a column in some rows; not a number where there is none.
+fn of_rows(table: &Table, name: &str, rows: &[usize]) -> Vec<f64> {
+    let values = numbers(table, name);
+    let number = |row: &usize| values.get(*row).copied().flatten();
+    rows.iter().map(|row| number(row).unwrap_or(f64::NAN)).collect()
 }
 
 /// Where the note changes to another one.
@@ -123,11 +118,7 @@ fn notes(time: &Table, rows: &[usize]) -> Vec<(f64, String)> {
 /// The map of contact of an operation that shares the page with `many`, itself included.
 pub(super) fn contact(table: &Table, operation: &str, many: usize) -> Option<ContactPicture> {
     let rows = rows(table, None, operation);
-    let number = |name: &str, row: &usize| {
-        let value = numbers(table, name).get(*row).copied().flatten();
-        value.unwrap_or(f64::NAN)
-    };
-    let times: Vec<f64> = rows.iter().map(|row| number("time_s", row)).collect();
+    let times = of_rows(table, "time_s", &rows);
     // All stretches of one time follow each other.
     let stretches = times.iter().take_while(|time| **time == times[0]).count();
     let count = times.len().checked_div(stretches)?;
@@ -136,22 +127,20 @@ pub(super) fn contact(table: &Table, operation: &str, many: usize) -> Option<Con
     let groups: Vec<std::ops::Range<usize>> =
         (0..count).step_by(many).map(|first| first..(first + many).min(count)).collect();
     let mean = |name: &str| -> Vec<f64> {
-        groups
-            .iter()
-            .flat_map(|group| {
-                (0..stretches).map(|stretch| {
-                    let sum: f64 = group
-                        .clone()
-                        .map(|time| number(name, &rows[time * stretches + stretch]))
-                        .sum();
-                    sum / group.len() as f64
-                })
+        let values = of_rows(table, name, &rows);
+        let values = &values;
+        let of_group = |group: &std::ops::Range<usize>| {
+            let (times, group_len) = (group.clone(), group.len() as f64);
+            (0..stretches).map(move |stretch| {
+                let sum: f64 = times.clone().map(|time| values[time * stretches + stretch]).sum();
+                sum / group_len
             })
-            .collect()
+        };
+        groups.iter().flat_map(of_group).collect()
     };
+    let depths_m = of_rows(table, "md_m", &rows);
     let depths = |stretch: usize| {
-        let sum: f64 =
-            (0..count).map(|time| number("md_m", &rows[time * stretches + stretch])).sum();
+        let sum: f64 = (0..count).map(|time| depths_m[time * stretches + stretch]).sum();
         sum / count as f64
     };
     Some(ContactPicture {

@@ -23,7 +23,7 @@ use super::{
 };
 use crate::{
     cancellation::CancellationToken,
-    cores,
+    cores::RockThreads,
     error::Error,
     observer::{Observer, Watch},
     pace::Pace,
@@ -41,6 +41,7 @@ pub struct Live {
     case: Arc<Case>,
     operation: Operation,
     simulation: Simulation,
+    rock_threads: RockThreads,
     took: Duration,
     laws: StoredLaws,
     /// Used by a law of one's own that gave no answer.
@@ -83,7 +84,8 @@ impl Live {
         let watch = Watch { observer, case: 0 };
         let what = "initialising the string";
         let shown = watch.preparing(operation.kind.name(), what);
-        let executor = cores::for_rock_of_others(&case, jobs, cancellation);
+        let rock_threads = RockThreads::of_others(&case, jobs);
+        let executor = rock_threads.executor(cancellation);
         let (mut settings, failed) = (case.dynamics.clone(), CancellationToken::new());
         let stored = laws.begin(&operation, &settings)?;
         laws.apply(&stored, &mut operation, &mut settings, &failed)?;
@@ -93,7 +95,8 @@ impl Live {
             error => Error::Failed(no_answer("dynamic model", &error)),
         })?;
         drop(shown);
-        Ok(Self { case, operation, simulation, took: start.elapsed(), laws: stored, failed })
+        let took = start.elapsed();
+        Ok(Self { case, operation, simulation, rock_threads, took, laws: stored, failed })
     }
 
     /// Continues from what [`Live::checkpoint`] gave, to the same bits.
@@ -122,18 +125,17 @@ impl Live {
         let (mut settings, failed) = (case.dynamics.clone(), CancellationToken::new());
         laws.apply(&stored.laws, &mut operation, &mut settings, &failed)?;
         let resumed = Simulation::resume(&case.model, &operation, &settings, stored.simulation);
-        let mut simulation = resumed.map_err(|error| anew(error.to_string()))?;
-        let executor = cores::for_rock_of_others(&case, jobs, &CancellationToken::new());
-        simulation.set_executor(executor);
-        Ok(Self { case, operation, simulation, took, laws: stored.laws, failed })
+        let simulation = resumed.map_err(|error| anew(error.to_string()))?;
+        let rock_threads = RockThreads::of_others(&case, jobs);
+        Ok(Self { case, operation, simulation, rock_threads, took, laws: stored.laws, failed })
     }
 
     /// Advances by `seconds`, to the nearest sample; stops before where it is cancelled.
     ///
     /// # Errors
     /// A cancellation, a law of one's own that gave no answer, and a run that diverged; what it had
-    /// sampled before stays available. The run stands at a sample then, and can go on but for one
-    /// that diverged. Where a law gave no answer, it held the one before until that sample.
+    /// sampled before stays available. The run stands at a sample then, on solid rock maybe between
+    /// two, and can go on but for one that diverged. Where a law gave no answer, it held the one before until that sample.
     pub fn advance(
         &mut self,
         seconds: f64,
@@ -155,6 +157,7 @@ impl Live {
         // One that asks laws of one's own stops at the sample at which one gave no answer.
         let mut pace = Pace::new(if asks { 0.0 } else { POLL_INTERVAL_S }, sample_s);
         self.failed.reset();
+        self.simulation.set_executor(self.rock_threads.executor(cancellation));
         let mut done = Ok(());
         while missing > 0 && done.is_ok() {
             if cancellation.is_cancelled() {
@@ -219,6 +222,11 @@ impl Live {
     /// with the time that a run goes on.
     pub fn restart_window(&mut self) {
         self.simulation.restart_window();
+    }
+
+    /// Whether the bit drills solid rock: a sample takes long.
+    pub fn is_on_rock(&self) -> bool {
+        self.simulation.is_on_rock()
     }
 
     /// The simulation as it stands.

@@ -1,11 +1,15 @@
 //! Solving a case, operation by operation, with whatever model it requires.
 
-use std::time::{Duration, Instant};
+use std::{
+    panic::resume_unwind,
+    thread,
+    time::{Duration, Instant},
+};
 
 use wholestring::{
     dynamics::{
-        BitLaw, DynamicsSettings, Effort as Planned, HoistControl, SetupError, Simulation,
-        TuningError,
+        BitLaw, DynamicOutcome, DynamicsSettings, Effort as Planned, HoistControl, SetupError,
+        Simulation, TuningError,
     },
     findings,
     operation::Operation,
@@ -227,32 +231,29 @@ fn solve_dynamic(
     let sample_s = simulation.sample_interval_s();
     let frame_samples = record.frames.as_ref().map(|frames| frames.samples(sample_s));
     let mut pace = Pace::new(POLL_INTERVAL_S, sample_s);
-    // Frames fall on the same samples wherever the run was taken up.
-    let mut samples = (simulation.time_s() / sample_s).round() as u64;
     let status = loop {
         let (time_s, end_s) = (simulation.time_s(), simulation.end_time_s());
         progress.reach(time_s, end_s, waits && simulation.is_settling());
-        if time_s >= end_s - 0.5 * sample_s {
+        let samples = simulation.samples();
+        let missing = ((end_s / sample_s - 0.5).ceil() as u64).saturating_sub(samples);
+        if missing == 0 {
             break Status::Complete;
         }
-        let interrupted = way.cancellation.is_cancelled();
-        if interrupted || keeper.is_due() {
+        if way.cancellation.is_cancelled() {
+            break Status::Interrupted;
+        }
+        if keeper.is_due() {
             let under_way = UnderWay::new(operation, took(), lift, simulation.checkpoint());
             write_checkpoint(keeper, record, Some(under_way), &way.watch);
         }
-        if interrupted {
-            break Status::Interrupted;
-        }
-        let missing = ((end_s - time_s) / sample_s).round() as u64;
+        // Frames fall on the same samples wherever the run was taken up.
         let to_frame = frame_samples.map_or(u64::MAX, |every| every - samples % every);
-        let (next, advanced) = pace.work(missing.max(1).min(to_frame), |next| {
-            (next, simulation.advance(next as f64 * sample_s))
-        });
+        let advanced =
+            pace.work(missing.min(to_frame), |next| simulation.advance(next as f64 * sample_s));
         if let Err(diverged) = advanced {
             break Status::Failed(diverged.to_string());
         }
-        samples += next;
-        if next == to_frame
+        if simulation.samples() - samples == to_frame
             && let Some(frames) = &mut record.frames
             && let Err(error) = frames.take(operation, &simulation)
         {
@@ -262,7 +263,14 @@ fn solve_dynamic(
     drop(progress);
     let effort =
         Effort { took: took(), runs: lift.map_or(1, |lift| lift.runs + usize::from(run_again)) };
-    let outcome = simulation.outcome();
+    let outcome = if status == Status::Interrupted {
+        outcome_beside(&simulation, || {
+            let under_way = UnderWay::new(operation, took(), lift, simulation.checkpoint());
+            write_checkpoint(keeper, record, Some(under_way), &way.watch);
+        })
+    } else {
+        simulation.outcome()
+    };
     let bottom = simulation.bottom_hole();
     let carried_out = CarriedOut { status: status.clone(), lift, bottom: bottom.as_ref(), effort };
     record.add(operation, &Solution::from(&outcome), carried_out);
@@ -272,6 +280,15 @@ fn solve_dynamic(
         record.judge(&found, case);
     }
     status
+}
+
+/// The answers of a run, made while something else is done: who interrupts waits for both.
+fn outcome_beside(simulation: &Simulation, other: impl FnOnce()) -> DynamicOutcome {
+    thread::scope(|scope| {
+        let outcome = scope.spawn(|| simulation.outcome());
+        other();
+        outcome.join().unwrap_or_else(|panic| resume_unwind(panic))
+    })
 }
 
 /// What is done before an operation's first step.

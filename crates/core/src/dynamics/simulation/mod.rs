@@ -185,7 +185,9 @@ impl Simulation {
         either!(&mut self.0, run => run.apply_impulse(impulse));
     }
 
-    /// Advances by `seconds`, to the nearest sample.
+    /// Advances by `seconds`, to the nearest sample. On solid rock, where one may take a long time,
+    /// it ends between two steps if the [executor](Self::set_executor) says stop; the next call goes
+    /// on with that sample, to the same bits.
     ///
     /// # Errors
     /// A run that diverged; what it had sampled before stays available.
@@ -276,7 +278,7 @@ accessors! {
     series: &TimeSeries,
     /// Mean weight on bit of [`outcome`](Self::outcome), N, without the rest of it.
     mean_weight_on_bit_N: f64,
-    /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
+    /// The whole string as it is now: after [`advance`](Self::advance), at the end of a sample.
     frame: Frame,
     /// The lines of the schedule, those that were added too: the line that began last is the
     /// series' [`schedule_line`](TimeSeries::schedule_line), counted from one.
@@ -288,6 +290,8 @@ accessors! {
     /// Time at which the window ends, s; at the latest, as long as the run settles until it is
     /// steady: the time is known when the window begins.
     end_time_s: f64,
+    /// Whether the bit drills solid rock.
+    is_on_rock: bool,
     /// Whether the window is yet to begin.
     is_settling: bool,
     /// Whether the last step asked the top drive for more torque than it gives.
@@ -296,6 +300,8 @@ accessors! {
     time_step_s: f64,
     /// Time between two samples, s: the setting, rounded to whole steps.
     sample_interval_s: f64,
+    /// Whole samples since the start.
+    samples: u64,
     /// Number of elements.
     elements: usize,
     /// Elements times the steps that each takes for a simulated second.

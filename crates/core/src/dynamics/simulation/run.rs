@@ -158,6 +158,11 @@ impl<R: Real> Run<R> {
         self.state.bit.drilling().map(Drilling::bottom_hole)
     }
 
+    /// Whether the bit drills solid rock.
+    pub fn is_on_rock(&self) -> bool {
+        self.state.bit.drilling().is_some()
+    }
+
     /// Changes the hoist from now on: a connection, a stop, a lift.
     pub fn set_hoist(&mut self, control: HoistControl) {
         if let HoistControl::BlockVelocity(velocity) = control {
@@ -204,19 +209,22 @@ impl<R: Real> Run<R> {
         }
     }
 
-    /// Advances by `seconds`, to the nearest sample.
+    /// Advances by `seconds`, to the nearest sample. On solid rock, where one may take a long time,
+    /// it ends between two steps if the executor says stop; the next call goes on with that sample.
     ///
     /// # Errors
     /// A run that diverged; what it had sampled before stays available.
     pub fn advance(&mut self, seconds: f64) -> Result<(), Diverged> {
         let samples = (seconds / self.sample_interval_s()).round().max(1.0) as u64;
         for _ in 0..samples {
-            // Until here they are what the last sample saw.
-            if let Some(friction) = &mut self.state.friction {
-                friction.sums_are_cleared(&self.chain);
+            if self.steps_of_sample() == 0 {
+                // Until here they are what the last sample saw.
+                if let Some(friction) = &mut self.state.friction {
+                    friction.sums_are_cleared(&self.chain);
+                }
+                self.chain.clear_sums();
             }
-            self.chain.clear_sums();
-            for _ in 0..self.steps_per_sample {
+            loop {
                 self.step();
                 if self.state.steps.is_multiple_of(FOLLOW_STEPS) {
                     // Nothing follows a node to where no number is.
@@ -228,13 +236,33 @@ impl<R: Real> Run<R> {
                 if self.state.steps.is_multiple_of(RENORMALISE_STEPS) {
                     self.chain.renormalise();
                 }
+                if self.steps_of_sample() == 0 {
+                    break;
+                }
+                if self.is_stopped() {
+                    self.chain.close();
+                    return self.check_numbers();
+                }
             }
             if !self.state.steps.is_multiple_of(FOLLOW_STEPS) {
                 self.check_numbers()?;
             }
             self.sample();
+            if self.is_stopped() {
+                break;
+            }
         }
         Ok(())
+    }
+
+    /// Whether a run on rock is to stop.
+    fn is_stopped(&self) -> bool {
+        self.is_on_rock() && self.executor.shared.stopped()
+    }
+
+    /// Steps since the last sample; none at a sample.
+    fn steps_of_sample(&self) -> u64 {
+        self.state.steps % self.steps_per_sample
     }
 
     /// Takes the hole and the mud along to where the nodes have slid.
@@ -314,7 +342,7 @@ impl<R: Real> Run<R> {
         }
     }
 
-    /// The whole string as it is now, at the end of a sample: after [`advance`](Self::advance).
+    /// The whole string as it is now: after [`advance`](Self::advance), at the end of a sample.
     pub fn frame(&self) -> Frame {
         self.scene().frame()
     }
@@ -328,8 +356,16 @@ impl<R: Real> Run<R> {
             strength: self.state.record.strength(),
             shapes: self.state.record.shapes(),
             time_s: self.time_s(),
-            summed_steps: self.steps_per_sample,
+            summed_steps: match self.steps_of_sample() {
+                0 => self.steps_per_sample,
+                some => some,
+            },
         }
+    }
+
+    /// Whole samples since the start.
+    pub fn samples(&self) -> u64 {
+        self.state.steps / self.steps_per_sample
     }
 
     /// Time between two samples, s: the setting, rounded to whole steps.
