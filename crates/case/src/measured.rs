@@ -31,13 +31,19 @@ pub(crate) fn from_file(
         Ok(imported) => imported,
         Err(error) => return unfit(&error, file, "measured weights", reader).refuse(reader),
     };
-    let readings = imported.readings;
-    let on_bottom = readings.iter().find(|row| row.torque_on_bottom_N_m.is_some());
-    if let Some(row) = on_bottom.filter(|_| own.iter().all(|of| of.kind != OperationKind::Drill)) {
-        return Diagnostic::error("a torque on bottom was measured, but the case does not drill")
-            .at(file.place, format!("in {}", row.place))
-            .help("add \"drill\" to `kind` in [operation], with its set points")
-            .refuse(reader);
+    let mut readings = imported.readings;
+    let drills = own.iter().any(|of| of.kind == OperationKind::Drill);
+    let mut on_bottom = readings.iter().filter(|row| row.torque_on_bottom_N_m.is_some());
+    if let (false, Some(row)) = (drills, on_bottom.next()) {
+        let place = match on_bottom.count() {
+            0 => format!("in {}", row.place),
+            others => format!("in {} and {others} more", row.place),
+        };
+        Diagnostic::warning("torques on bottom were measured, but the case does not drill")
+            .at(file.place, place)
+            .help("they are left out; add \"drill\" to `kind` in [operation], with its set points")
+            .report(reader);
+        readings.iter_mut().for_each(|row| row.torque_on_bottom_N_m = None);
     }
     let weighs = |row: &ImportedReading| {
         [row.pick_up_N, row.slack_off_N, row.rotating_N].iter().any(Option::is_some)

@@ -91,18 +91,36 @@ const WITSML: &str = "<logs xmlns=\"http://www.witsml.org/schemas/1series\" vers
     <mnemonicList>TIME,DBTM,DMEA,BPOS,HKLA,TQA,RPMA,SPPA,MFIA,GAS,DEXP</mnemonicList>\
     <unitList>s,m,m,m,kN,kN.m,rpm,kPa,L/min,%,Euc</unitList>\n";
 
-fn witsml_row(into: &mut String, time_s: f64, values: &str) {
+/// The date and the time of day. Months have 28 days: time goes on, whatever the calendar.
+fn clock(time_s: f64) -> ([u64; 2], [u64; 3]) {
     let seconds = time_s as u64;
     let (days, second) = (seconds / 86_400, seconds % 86_400);
-    // Months of 28 days: time goes on, whatever the calendar.
-    let (month, day) = (1 + days / 28, 1 + days % 28);
-    let (hour, minute, second) = (second / 3600, second / 60 % 60, second % 60);
-    let _ = write!(into, "<data>2021-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}Z,");
+    ([1 + days / 28, 1 + days % 28], [second / 3600, second / 60 % 60, second % 60])
+}
+
+/// The values of a row with commas between them.
+fn with_commas(into: &mut String, values: &str) {
     into.extend(values.chars().chain(" ".chars()).chain(OTHERS.chars()).map(|c| match c {
         ' ' => ',',
         other => other,
     }));
+}
+
+fn witsml_row(into: &mut String, time_s: f64, values: &str) {
+    let ([month, day], [hour, minute, second]) = clock(time_s);
+    let _ = write!(into, "<data>2021-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}Z,");
+    with_commas(into, values);
     into.push_str("</data>\n");
+}
+
+const CSV: &str = "YYYY/MM/DD,HH:MM:SS,DBTM (m),DMEA (m),BPOS (m),HKLA (kN),TQA (kN.m),RPMA (rpm),SPPA (kPa),\
+                   MFIA (L/min),GAS (%),DEXP\n";
+
+fn csv_row(into: &mut String, time_s: f64, values: &str) {
+    let ([month, day], [hour, minute, second]) = clock(time_s);
+    let _ = write!(into, "2021/{month:02}/{day:02},{hour:02}:{minute:02}:{second:02},");
+    with_commas(into, values);
+    into.push('\n');
 }
 
 /// The most memory that the program had, MB, where the system says it.
@@ -131,8 +149,9 @@ fn ten_million_rows_are_imported() {
     let day = Arc::new(day);
     let choices = || Choices::default().value("block-weight", "245 kN");
     type Format = (&'static str, &'static str, fn(&mut String, f64, &str), &'static str);
-    let formats: [Format; 2] = [
+    let formats: [Format; 3] = [
         ("LAS", LAS, las_row, ""),
+        ("CSV", CSV, csv_row, ""),
         ("WITSML 1.4.1.1", WITSML, witsml_row, "</logData></log></logs>"),
     ];
     for (name, head, row, end) in formats {

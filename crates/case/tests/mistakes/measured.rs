@@ -53,9 +53,22 @@ fn what_the_file_holds() {
         "measured_as_list",
         parse("case.toml", listed.as_bytes(), &survey_files(SURVEY.as_bytes()), &[]),
     );
+}
+
+/// The weights beside it are of use all the same.
+#[test]
+fn a_torque_on_bottom_is_left_out_where_nothing_drills() {
     let on_bottom = SOUND.replace("Torque (kN.m)", "Torque on bottom (kN.m)");
+    let torques = |case: &Case| {
+        let readings = &case.plan.measured.as_ref().expect("readings").readings;
+        assert!(readings.iter().any(|row| row.pick_up_N.is_some()));
+        readings.iter().filter(|row| row.torque_on_bottom_N_m.is_some()).count()
+    };
+    assert!(with(&on_bottom).is_ok_and(|case| torques(&case) > 0));
     let trips = |case: String| case.replace("kind = \"drill\"", "kind = \"trip_out\"");
-    refused("measured_on_bottom_without_drilling", with_changed(&on_bottom, trips));
+    let tripping = with_changed(&on_bottom, trips);
+    assert!(tripping.as_ref().is_ok_and(|case| torques(case) == 0));
+    warned("warn_measured_on_bottom_without_drilling", tripping);
 }
 
 #[test]

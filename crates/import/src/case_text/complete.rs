@@ -1,6 +1,7 @@
 //! What a case needs beyond its files: assumed where that may be, missing otherwise.
 
 use wholestring_case::MAX_FRICTION;
+use wholestring_units::number_text;
 
 use crate::{
     fragment::{Block, Entry, Note, Origin, Part, Value},
@@ -142,7 +143,7 @@ fn top_component(draft: &mut Draft) -> bool {
     if !is_pipe(&name) {
         return false;
     }
-    let found = format!("{number} {}", unit.symbol);
+    let found = format!("{} {}", number_text(*number), unit.symbol);
     *origin = Origin::Assumed {
         because: format!("found {found}; it fills the string at every depth of the bit"),
     };

@@ -4,7 +4,6 @@ mod channels;
 mod hostile;
 mod las;
 mod samples;
-mod speed;
 mod text;
 mod times;
 mod witsml;

@@ -85,7 +85,7 @@ pub(crate) fn bottom(table: &Table, operation: &str) -> Option<BottomPicture> {
     let mut angle_rad = of_rows(table, "angle_rad", &rows);
     // All sectors of a ring follow each other.
     let sectors = radius_m.iter().take_while(|of| **of == radius_m[0]).count();
-    if sectors == 0 || radius_m.len() % sectors != 0 {
+    if sectors == 0 || !radius_m.len().is_multiple_of(sectors) {
         return None;
     }
     radius_m = radius_m.into_iter().step_by(sectors).collect();
