@@ -1,0 +1,201 @@
+//! What a component is: its weight, its pipe of the catalogue, its blades.
+
+use insta::assert_snapshot;
+
+use crate::{components, imported, notes, refused, string};
+
+#[test]
+fn a_weight_may_be_per_length_or_of_the_whole_and_a_force() {
+    let of = |heading: &str, weight: &str| {
+        format!(
+            "Component,OD (in),ID (in),Length (ft),{heading}\nBit,8.5,2,1,\nDC,6.5,2.25,30,{weight}\n\
+             DP,5,4.276,TO SURFACE,\n"
+        )
+    };
+    let mass = |text: &str| components(&imported(text))[1].mass_per_length_kg_per_m;
+    let near = |text: &str, kg_per_m: f64| assert!((mass(text) - kg_per_m).abs() < 0.01, "{text}");
+    near(&of("Weight (lb/ft)", "99.5"), 148.07);
+    near(&of("Weight [ppf]", "99.5"), 148.07);
+    near(&of("Wt lbs/ft", "99.5"), 148.07);
+    near(&of("Weight (kg/m)", "148.07"), 148.07);
+    near(&of("Weight (kN/m)", "1.452"), 148.06);
+    near(&of("Total weight (lb)", "2985"), 148.07);
+    near(&of("Weight (klb)", "2.985"), 148.07);
+    near(&of("Weight (lbs)", "2985"), 148.07);
+    near(&of("Weight", "99.5 lb/ft"), 148.07);
+    assert_snapshot!(refused(&of("Weight (lbs)", "99.5")), @"tally.csv, line 3, column 'Weight (lbs)': the weight per length 4.935744 kg/m of 'DC' is out of range; expected about the 148.1 kg/m of its body or more (is the column the weight per length, and in the right unit?)");
+    assert_snapshot!(refused(&of("Weight (kg/m)", "500")), @"tally.csv, line 3, column 'Weight (kg/m)': the weight per length 500 kg/m of 'DC' is out of range; expected at most the 168.3 kg/m of a solid bar of 165.1 mm");
+    assert_snapshot!(refused(&of("Weight (furlong)", "500")), @"tally.csv, line 1, column 39: 'furlong' is not a unit of mass per length; expected kg/m, lb/ft, t/m");
+    let both = imported(
+        "Component,OD (in),ID (in),Length (ft),Weight (lb/ft),Total weight (lb)\nBit,8.5,2,1,,\n\
+         DC,6.5,2.25,30,99.5,3300\nDP,5,4.276,TO SURFACE,,\n",
+    );
+    assert!(notes(&both).contains("THE WEIGHTS of 'DC' DIFFER: 99.5 lb/ft per length against"));
+}
+
+#[test]
+fn pipe_that_the_catalogue_has_is_named_if_its_diameters_agree() {
+    let of = |name: &str, id: &str| {
+        imported(&format!(
+            "Component,OD (in),ID (in),Jts,Length (ft),Connection,Grade\nBit,8.5,2,1,1,,\n{name},5,{id},\
+             ,TO SURFACE,HT50,S-135\n"
+        ))
+    };
+    let listed = of("DP 5in 19.50# S-135", "4.28");
+    assert_snapshot!(string(&listed), @r#"
+    [[string]]
+    component = "Bit"
+    od = "8.5 in"
+    id = "2 in"
+    length = "1 ft"
+
+    [[string]]
+    component = "DP 5in 19.50# S-135"
+    catalogue = "5 in 19.50 lb/ft S-135"
+    length = "to surface"
+    "#);
+    assert_snapshot!(notes(&listed), @r"
+    read: the tally is read as listed, from the bit up: the bit, 'Bit', is in line 2
+    read: 'DP 5in 19.50# S-135' is the catalogue's '5 in 19.50 lb/ft S-135': od and id agree, and the case leaves them to it
+    left out: the connection HT50 of 'DP 5in 19.50# S-135': the case has the catalogue's NC50; where tool joints or their torques matter, give joint_od and make_up_torque
+    assumed: 'Bit': no weight; computed from the diameters as steel
+    read: header in line 1, columns parted by commas
+    read: component from 'Component'
+    read: outside diameter from 'OD (in)' in in
+    read: length from 'Length (ft)' in ft
+    read: inside diameter from 'ID (in)' in in
+    read: number of joints from 'Jts'
+    read: connection from 'Connection'
+    read: grade from 'Grade'
+    ");
+    let other = of("DP 5in 19.50# S-135", "4.0");
+    assert_snapshot!(string(&other), @r#"
+    [[string]]
+    component = "Bit"
+    od = "8.5 in"
+    id = "2 in"
+    length = "1 ft"
+
+    [[string]]
+    component = "DP 5in 19.50# S-135"
+    od = "5 in"
+    id = "4 in"
+    length = "to surface"
+    yield_strength = "135000 psi"
+    "#);
+    assert!(notes(&other).contains("is called like the catalogue's '5 in 19.50 lb/ft S-135', but"));
+    let columns = imported(
+        "Component,OD (in),ID (in),Nom. Weight (lb/ft),Length (ft),Grade\nBit,8.5,2,,1,\n\
+         Drill pipe,5,4.276,19.5,TO SURFACE,S-135\n",
+    );
+    assert!(
+        string(&columns).contains("catalogue = \"5 in 19.50 lb/ft S-135\""),
+        "{}",
+        columns.text
+    );
+    assert!((components(&listed)[1].id_m - 0.108612).abs() < 1e-4);
+}
+
+#[test]
+fn grades_and_tool_joints_are_taken_where_the_catalogue_is_not() {
+    let imported = imported(
+        "Component,OD (in),ID (in),TJ OD (in),Jts,Length (ft),Weight (lb/ft),Grade\n\
+         Bit,8.5,2,,1,1,,\nPipe,5.1,4.2,6.625,90,2835,22,S-135\nPipe above,5.1,4.2,6.625,,TO \
+         SURFACE,22,4145H\n",
+    );
+    assert_snapshot!(string(&imported), @r#"
+    [[string]]
+    component = "Bit"
+    od = "8.5 in"
+    id = "2 in"
+    length = "1 ft"
+
+    [[string]]
+    component = "Pipe"
+    od = "5.1 in"
+    id = "4.2 in"
+    length = "2835 ft"
+    joint_od = "6.625 in"
+    joint_spacing = "31.5 ft"
+    mass_per_length = "22 lb/ft"
+    yield_strength = "135000 psi"
+
+    [[string]]
+    component = "Pipe above"
+    od = "5.1 in"
+    id = "4.2 in"
+    length = "to surface"
+    joint_od = "6.625 in"
+    joint_spacing = "9.6 m"
+    mass_per_length = "22 lb/ft"
+    "#);
+    assert_snapshot!(notes(&imported), @r"
+    assumed: the length (line 3, column 'Length (ft)') is that of all joints: divided by their number it is a joint's
+    read: the tally is read as listed, from the bit up: the bit, 'Bit', is in line 2
+    assumed: 'Pipe above': a tool joint every 9.6 m, as in range 2
+    left out: the grade '4145H' of 'Pipe above' (line 4, column 'Grade'): its yield strength is not known; give yield_strength
+    assumed: 'Bit': no weight; computed from the diameters as steel
+    read: header in line 1, columns parted by commas
+    read: component from 'Component'
+    read: outside diameter from 'OD (in)' in in
+    read: length from 'Length (ft)' in ft
+    read: inside diameter from 'ID (in)' in in
+    read: number of joints from 'Jts'
+    read: weight per length from 'Weight (lb/ft)' in lb/ft
+    read: outside diameter of the tool joints from 'TJ OD (in)' in in
+    read: grade from 'Grade'
+    ");
+    let components = components(&imported);
+    assert_eq!(components[1].yield_strength_Pa.map(f64::round), Some(930_792_235.0));
+}
+
+#[test]
+fn what_is_missing_is_named_with_its_row() {
+    let row = |row: &str| {
+        refused(&format!("Component,OD (in),ID (in),Length (ft)\nBit,8.5,2,1\n{row}\n"))
+    };
+    assert_snapshot!(row("DC,,2,30"), @"tally.csv, line 3: the outside diameter of 'DC' is missing");
+    assert_snapshot!(row("DC,6,,30"), @"tally.csv, line 3: the inside diameter of 'DC' is missing");
+    assert_snapshot!(row("DC,6,2,"), @"tally.csv, line 3: the length of 'DC' (a number, or TO SURFACE for the topmost) is missing");
+    assert_snapshot!(row("DC,6,6.5,30"), @"tally.csv, line 3, column 'ID (in)': the inside diameter of 'DC' 6.5 in is out of range; expected less than its outside diameter, 6 in");
+    assert_snapshot!(row("DC,600,2,30"), @"tally.csv, line 3, column 'OD (in)': the outside diameter of 'DC' 600 in is out of range; expected 5 mm to 2 m (0.2 to 78 in)");
+    assert_snapshot!(row("DC,6,2,-3"), @"tally.csv, line 3: the length of 'DC' -3 ft is out of range; expected 0.01 to 20000 m");
+    assert_snapshot!(row("DC,6,2,TO SURFACE\nDP,5,4,90"), @"tally.csv, line 3: 'DC' reaches to the surface, and 'DP' stands above it; only the topmost component can");
+    assert_snapshot!(row("DC,six,2,30"), @"tally.csv, line 3, column 4: 'six' is not a number; the outside diameter was expected");
+    assert_snapshot!(row("DC,6 furlongs,2,30"), @"tally.csv, line 3, column 4: 'furlongs' is not a unit of diameter; expected mm, in, m, cm, ft, km, yd, usft");
+    assert_snapshot!(refused("Component,ID (in),Length (ft),Weight (lb/ft)\nBit,2,1,\n"), @"tally.csv, line 1, column 1: no column of outside diameter; the header has: 'Component', 'ID (in)', 'Length (ft)', 'Weight (lb/ft)'");
+    assert_snapshot!(refused("Component,OD (in),ID (in),Length (ft)\n"), @"tally.csv, line 1, column 1: no component follows the header; the components of a string were expected, under a header such as 'Component, OD (in), ID (in), Length (ft), Weight (lb/ft)'");
+}
+
+#[test]
+fn stabilisers_have_blades() {
+    let of = |gauge: &str| {
+        format!(
+            "Component,OD (in),ID (in),Gauge (in),Length (ft)\nBit,6.5,2,8.5,1\nStab,6.75,2.8,{gauge},6\nDP,5,4,,TO SURFACE\n"
+        )
+    };
+    let imported = imported(&of("8 3/8"));
+    assert_snapshot!(string(&imported), @r#"
+    [[string]]
+    component = "Bit"
+    od = "8.5 in"
+    id = "2 in"
+    length = "1 ft"
+
+    [[string]]
+    component = "Stab"
+    od = "6.75 in"
+    id = "2.8 in"
+    length = "6 ft"
+    blade_od = "8.375 in"
+
+    [[string]]
+    component = "DP"
+    od = "5 in"
+    id = "4 in"
+    length = "to surface"
+    "#);
+    assert!(components(&imported)[1].blades.is_some());
+    assert_snapshot!(refused(&of("6.5")), @"tally.csv, line 3, column 'Gauge (in)': the gauge of 'Stab' 6.5 in is out of range; expected its outside diameter, 6.75 in, or more");
+    assert!(!string(&crate::imported(&of("0"))).contains("blade_od"));
+}

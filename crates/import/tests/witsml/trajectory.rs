@@ -1,0 +1,68 @@
+//! Trajectories: the order of the stations, and where the first one lies.
+
+use crate::{refusal, station, text_of, trajectory, values};
+
+#[test]
+fn stations_are_ordered_by_depth_and_stand_once() {
+    let twice = |extra: &str, other: &str| {
+        let one = station("1000", "3", "45").replace("</traj", &format!("{extra}</traj"));
+        let two = station("1000", "4", "45").replace("</traj", &format!("{other}</traj"));
+        trajectory(&(station("2000", "5", "45") + &one + &two + &station("0", "0", "0")))
+    };
+    let early = "<dTimStn>2024-01-01T00:00:00Z</dTimStn>";
+    let late = "<dTimStn>2024-01-02T00:00:00Z</dTimStn>";
+    let in_use = "<statusTrajStation>position</statusTrajStation>";
+    for (one, two, kept) in [(early, late, 4), (late, early, 3), (in_use, late, 3)] {
+        let text = text_of(&twice(one, two));
+        assert!(text.contains(&format!("[1000, {kept}, 45],\n    [2000, 5, 45],")), "{text}");
+        assert!(text.contains("of two stations at 1000 m that in line 1: the other, in line 1,"));
+    }
+    let told = refusal(&twice(early, early));
+    assert!(told.contains("two stations at 1000 m differ"), "{told}");
+    let same = station("1000", "3", "45");
+    let text = text_of(&trajectory(&(station("0", "0", "0") + &same + &same)));
+    assert!(text.contains("1 station of a depth that another has, alike"), "{text}");
+}
+
+#[test]
+fn what_is_no_station_is_left_out_or_refused() {
+    let good = station("0", "0", "0") + &station("1000", "3", "45");
+    let marker = "<trajectoryStation><md uom='m'>500</md></trajectoryStation>";
+    let text = text_of(&trajectory(&(good.clone() + marker)));
+    assert!(text.contains("1 station without inclination and azimuth, of no survey"));
+    let vertical = station("0", "0", "").replace("<azi uom='dega'></azi>", "");
+    let text = text_of(&trajectory(&(vertical + &station("1000", "3", "45"))));
+    assert!(text.contains("the azi of 1 station, vertical and without one: 0"), "{text}");
+    for (stations, reason) in [
+        (station("0", "0", "0"), "has 1 station with inclination and azimuth"),
+        (good.clone() + &station("2000", "3", ""), "the azi of this station is missing"),
+        (good.clone() + &station("", "3", "4"), "the md of this station is missing"),
+        (good.clone() + &station("-999.25", "3", "4"), "the md -999.25 m is out of range"),
+        (good.clone() + &station("2000", "-999.25", "4"), "the incl -999.25 dega is out of range"),
+        (good.clone() + &station("2000", "3", "1e9"), "the azi 1e9 dega is out of range"),
+        (good.clone() + &station("NaN", "3", "4"), "'NaN' is not a number; the md"),
+        (good.clone() + &station("INF", "3", "4"), "'INF' is not a number"),
+        (good.clone() + &station("1e400", "3", "4"), "'1e400' is not a number"),
+        (good.clone() + &station("1,000", "3", "4"), "'1,000' is not a number"),
+        (good.clone() + &station("1001", "177", "225"), "its stations make no path"),
+    ] {
+        let told = refusal(&trajectory(&stations));
+        assert!(told.contains(reason), "{told}");
+    }
+}
+
+#[test]
+fn the_first_station_says_where_it_lies() {
+    let tied = "<trajectoryStation><md uom='ft'>1000</md><tvd uom='ft'>990</tvd>\
+                <incl uom='dega'>5</incl><azi uom='dega'>45</azi><dispNs uom='ft'>10</dispNs>\
+                <dispEw uom='ft'>-20</dispEw></trajectoryStation>";
+    let text = text_of(&trajectory(&(tied.to_owned() + &station("1000", "5", "45"))));
+    assert_eq!(values(&text, "tvd"), ["\"301.752 m\""]);
+    assert_eq!(values(&text, "east"), ["\"-6.096 m\""]);
+    let untied = trajectory(&(station("500", "0", "0") + &station("1000", "5", "45")));
+    assert!(text_of(&untied).contains("the first station, at 500 m, does not say its tvd"));
+    // What stations say is held against the path.
+    let deep = station("1000", "0", "0").replace("<incl", "<tvd uom='m'>900</tvd><incl");
+    let text = text_of(&trajectory(&(station("0", "0", "0") + &deep)));
+    assert!(text.contains("off the path by minimum curvature: by 100 m at 1000 m"), "{text}");
+}
