@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use wholestring_runner::export::{self, Format, Request, What};
+use wholestring_runner::export::{self, Format, Request, What, WitsmlVersion};
 use wholestring_units::UnitSet;
 
 use crate::{
@@ -51,6 +51,8 @@ pub(crate) enum FormatArg {
     Witsml,
     /// WITSML 2.0
     Witsml2,
+    /// WITSML 2.1
+    Witsml21,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -75,8 +77,9 @@ pub(crate) fn export(args: &ExportArgs) -> Result<(), Failure> {
             FormatArg::Csv => Format::Csv,
             FormatArg::Xlsx => Format::Xlsx,
             FormatArg::Text => Format::Text,
-            FormatArg::Witsml => Format::Witsml1411,
-            FormatArg::Witsml2 => Format::Witsml20,
+            FormatArg::Witsml => Format::Witsml(WitsmlVersion::V1411),
+            FormatArg::Witsml2 => Format::Witsml(WitsmlVersion::V20),
+            FormatArg::Witsml21 => Format::Witsml(WitsmlVersion::V21),
         },
         output: args.output.clone(),
         units: args.units,

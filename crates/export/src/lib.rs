@@ -1,5 +1,5 @@
-//! Surveys, tallies and results in the formats of other programs: WITSML 1.4.1.1 and 2.0, and the
-//! fixed-width text of survey reports.
+//! Surveys, tallies and results in the formats of other programs: WITSML 1.4.1.1, 2.0 and 2.1, and
+//! the fixed-width text of survey reports.
 //!
 //! What goes out is what a case holds, SI inside; a [`Look`] says whose names and in which units.
 //! Numbers keep [`DIGITS`] significant digits in WITSML; a report has as many decimals as reports

@@ -27,6 +27,16 @@ impl Uom {
     pub(crate) fn of(&self, si: f64) -> f64 {
         self.unit.from_si(si)
     }
+
+    /// The same as WITSML 2 calls it, where that differs from what 1.4.1.1 does.
+    pub(crate) fn of_series_2(self) -> Self {
+        let symbol = match self.symbol {
+            "dega/30m" => "1/30 dega/m",
+            "dega/100ft" => "0.01 dega/ft",
+            other => other,
+        };
+        Self { symbol, ..self }
+    }
 }
 
 impl Look {

@@ -67,6 +67,7 @@ fn trajectories() {
     let rows = rows(&stations()[2..4], TieIn { tvd_m: 1029.97, ..TIE_IN }).unwrap();
     assert_snapshot!("v1411", trajectory(&look(UnitSet::Field), &rows, Version::V1411).unwrap());
     assert_snapshot!("v20", trajectory(&look(UnitSet::Si), &rows, Version::V20).unwrap());
+    assert_snapshot!("v21", trajectory(&look(UnitSet::Si), &rows, Version::V21).unwrap());
 }
 
 fn components() -> Vec<Component> {
@@ -104,6 +105,8 @@ fn tubulars() {
         "tubular_v20",
         tubular(&look(UnitSet::Metric), &components()[3..], Version::V20).unwrap()
     );
+    let metric = tubular(&look(UnitSet::Metric), &components(), Version::V21).unwrap();
+    assert_snapshot!("tubular_v21", metric);
 }
 
 #[test]
@@ -131,6 +134,7 @@ fn logs_against_depth() {
     let both = [log("pick-up, soft string"), log("slack-off, soft string")];
     assert_snapshot!("log_v1411", logs(&look(UnitSet::Field), &both, Version::V1411).unwrap());
     assert_snapshot!("log_v20", logs(&look(UnitSet::Si), &both[..1], Version::V20).unwrap());
+    assert_snapshot!("log_v21", logs(&look(UnitSet::Si), &both[..1], Version::V21).unwrap());
 }
 
 /// Symbols of WITSML are ones that readers of units here know.

@@ -57,7 +57,9 @@ fn take(bytes: usize) -> bool {
         HELD.fetch_sub(bytes, Relaxed);
         return false;
     }
-    PEAK.fetch_max(held, Relaxed);
+    if held > PEAK.load(Relaxed) {
+        PEAK.fetch_max(held, Relaxed);
+    }
     true
 }
 

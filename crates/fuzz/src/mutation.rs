@@ -82,7 +82,9 @@ fn repeat(input: &mut Vec<u8>, at: usize, piece: &[u8], rng: &mut Rng) {
     if piece.is_empty() {
         return;
     }
-    let times = (1 << rng.u8(..17)).min(LONGEST / piece.len());
+    // Seldom as long as an input may be: those take as long to read as hundreds of others.
+    let doublings = rng.u8(..17).min(rng.u8(..17)).min(rng.u8(..17));
+    let times = (1 << doublings).min(LONGEST / piece.len());
     input.splice(at..at, piece.repeat(times));
 }
 

@@ -145,6 +145,8 @@ fn what_is_exported_is_imported() {
         ("witsml", "witsml", "si"),
         ("witsml2", "witsml2", "field"),
         ("witsml2", "witsml2", "si"),
+        ("witsml21", "witsml21", "field"),
+        ("witsml21", "witsml21", "si"),
     ] {
         let names = [format!("{survey}-{units}.survey"), format!("{tally}-{units}.tally")];
         for (what, format, name) in [("survey", survey, &names[0]), ("tally", tally, &names[1])] {
@@ -227,9 +229,8 @@ fn a_log_that_is_exported_is_read() {
     rich_case(&desk);
     desk.done(&["plan", "well.toml", "-o", "plan"]);
     let summary = PlanSummary::read(&desk.path("plan/summary.json")).unwrap();
-    for (format, units) in
-        [("witsml", "si"), ("witsml", "field"), ("witsml2", "si"), ("witsml2", "field")]
-    {
+    let formats = ["witsml", "witsml2", "witsml21"];
+    for (format, units) in formats.into_iter().flat_map(|of| [(of, "si"), (of, "field")]) {
         let name = format!("{format}-{units}.xml");
         let export = ["export", "plan", "--to", format, "--units", units, "-o", &name];
         desk.done(&export);

@@ -18,10 +18,13 @@ use crate::{
 const INDEX: &str = "DBTM";
 const INDEX_MEANING: &str = "Measured depth of the bit";
 
+/// What logs of WITSML 2 are called.
+const TITLE: &str = "Results against the depth of the bit";
+
 /// What stands where there is no number.
 const NULL: &str = "-999.25";
 
-/// Logs, one or several in a file: in 1.4.1.1 each by itself, in 2.0 each as a set of channels.
+/// Logs, one or several in a file: in 1.4.1.1 each by itself, in 2 each as a set of channels.
 ///
 /// # Errors
 /// None that logs give.
@@ -29,6 +32,7 @@ pub fn logs(look: &Look, logs: &[Log], version: Version) -> io::Result<String> {
     match version {
         Version::V1411 => v1411(look, logs),
         Version::V20 => v20(look, logs),
+        Version::V21 => v21(look, logs),
     }
 }
 
@@ -100,17 +104,16 @@ fn v1411(look: &Look, logs: &[Log]) -> io::Result<String> {
 
 fn v20(look: &Look, logs: &[Log]) -> io::Result<String> {
     let length = look.uom(Dimension::Length);
-    let title = "Results against the depth of the bit";
     let mut xml = Xml::new()?;
-    xml.open_series_2("Log", look, title)?;
+    xml.open_series_2("Log", look, TITLE, Version::V20)?;
     xml.leaf("TimeDepth", &[], "measured depth")?;
-    xml.wellbore(look)?;
+    xml.wellbore(look, Version::V20)?;
     for log in logs {
         let about = |of: &str| uuid(&format!("{of} {} {} {}", log.name, look.name, look.created));
         let set = [("schemaVersion", "2.0"), ("uuid", &about("ChannelSet"))];
         xml.open("ChannelSet", &set)?;
         xml.citation(look, &log.name)?;
-        index(&mut xml, length)?;
+        index(&mut xml, length, "IndexType")?;
         for curve in &log.curves {
             let channel = [("schemaVersion", "2.0"), ("uuid", &about(curve.mnemonic))];
             xml.open("Channel", &channel)?;
@@ -128,31 +131,71 @@ fn v20(look: &Look, logs: &[Log]) -> io::Result<String> {
                     xml.close(name)?;
                 }
             }
-            index(&mut xml, length)?;
+            index(&mut xml, length, "IndexType")?;
             xml.close("Channel")?;
         }
-        xml.open("Data", &[])?;
-        let rows = log.bit_depths_m.iter().enumerate().map(|(row, &depth_m)| {
-            let values = log.curves.iter().map(|curve| {
-                shown(look.uom(curve.dimension), curve.values.get(row).copied().flatten())
-                    .unwrap_or_else(|| "null".to_owned())
-            });
-            let values: Vec<String> = values.collect();
-            let depth = shown(length, Some(depth_m)).unwrap_or_else(|| "null".to_owned());
-            format!("[[{depth}],[{}]]", values.join(","))
-        });
-        xml.leaf("Data", &[], &format!("[{}]", rows.collect::<Vec<_>>().join(",")))?;
-        xml.close("Data")?;
+        data(&mut xml, look, log)?;
         xml.close("ChannelSet")?;
     }
     xml.close("Log")?;
     xml.finish()
 }
 
-/// What a set of channels is counted by.
-fn index(xml: &mut Xml, length: Uom) -> io::Result<()> {
+fn v21(look: &Look, logs: &[Log]) -> io::Result<String> {
+    let length = look.uom(Dimension::Length);
+    let mut xml = Xml::new()?;
+    xml.open_series_2("Log", look, TITLE, Version::V21)?;
+    xml.inactive()?;
+    for log in logs {
+        let about = |of: &str| uuid(&format!("{of} {} {} {}", log.name, look.name, look.created));
+        let version = ("schemaVersion", Version::V21.number());
+        xml.open("ChannelSet", &[version, ("uuid", &about("ChannelSet"))])?;
+        xml.citation(look, &log.name)?;
+        xml.inactive()?;
+        index(&mut xml, length, "IndexKind")?;
+        for curve in &log.curves {
+            xml.open("Channel", &[version, ("uuid", &about(curve.mnemonic))])?;
+            xml.citation(look, curve.meaning)?;
+            xml.inactive()?;
+            xml.leaf("Mnemonic", &[], curve.mnemonic)?;
+            xml.leaf("GlobalMnemonic", &[], curve.mnemonic)?;
+            xml.leaf("DataKind", &[], "double")?;
+            xml.leaf("Uom", &[], look.uom(curve.dimension).symbol)?;
+            xml.reference("ChannelPropertyKind", "eml23.PropertyKind", curve.class)?;
+            xml.reference("LoggingCompany", "eml23.BusinessAssociate", &look.program)?;
+            xml.leaf("Derivation", &[], "simulated")?;
+            index(&mut xml, length, "IndexKind")?;
+            xml.close("Channel")?;
+        }
+        data(&mut xml, look, log)?;
+        xml.close("ChannelSet")?;
+    }
+    xml.wellbore(look, Version::V21)?;
+    xml.close("Log")?;
+    xml.finish()
+}
+
+/// The rows of a set of channels.
+fn data(xml: &mut Xml, look: &Look, log: &Log) -> io::Result<()> {
+    let text = |shown: Option<String>| shown.unwrap_or_else(|| "null".to_owned());
+    let rows = log.bit_depths_m.iter().enumerate().map(|(row, &depth_m)| {
+        let values = log.curves.iter().map(|curve| {
+            let value = curve.values.get(row).copied().flatten();
+            text(shown(look.uom(curve.dimension), value))
+        });
+        let values: Vec<String> = values.collect();
+        let depth = text(shown(look.uom(Dimension::Length), Some(depth_m)));
+        format!("[[{depth}],[{}]]", values.join(","))
+    });
+    xml.open("Data", &[])?;
+    xml.leaf("Data", &[], &format!("[{}]", rows.collect::<Vec<_>>().join(",")))?;
+    xml.close("Data")
+}
+
+/// What a set of channels is counted by; versions differ in what they call its kind.
+fn index(xml: &mut Xml, length: Uom, kind: &str) -> io::Result<()> {
     xml.open("Index", &[])?;
-    xml.leaf("IndexType", &[], "measured depth")?;
+    xml.leaf(kind, &[], "measured depth")?;
     xml.leaf("Uom", &[], length.symbol)?;
     xml.leaf("Direction", &[], "increasing")?;
     xml.leaf("Mnemonic", &[], INDEX)?;

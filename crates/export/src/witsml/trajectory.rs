@@ -8,7 +8,7 @@ use super::{
     version::Version,
     xml::{Xml, uid},
 };
-use crate::{look::Look, survey::Row};
+use crate::{look::Look, number::number, survey::Row};
 
 const NAME: &str = "Survey of the case";
 const METHOD: &str = "minimum curvature";
@@ -21,6 +21,7 @@ pub fn trajectory(look: &Look, rows: &[Row], version: Version) -> io::Result<Str
     match version {
         Version::V1411 => v1411(look, rows),
         Version::V20 => v20(look, rows),
+        Version::V21 => v21(look, rows),
     }
 }
 
@@ -63,10 +64,10 @@ fn v1411(look: &Look, rows: &[Row]) -> io::Result<String> {
 
 fn v20(look: &Look, rows: &[Row]) -> io::Result<String> {
     let (length, angle) = (look.uom(Dimension::Length), look.uom(Dimension::Angle));
-    let severity = look.uom(Dimension::DoglegSeverity);
+    let severity = look.uom(Dimension::DoglegSeverity).of_series_2();
     let datum = [("datum", "unknown")];
     let mut xml = Xml::new()?;
-    xml.open_series_2("Trajectory", look, NAME)?;
+    xml.open_series_2("Trajectory", look, NAME, Version::V20)?;
     xml.leaf("GrowingStatus", &[], "closed")?;
     if let (Some(first), Some(last)) = (rows.first(), rows.last()) {
         xml.quantity_with("MdMn", length, &datum, first.md_m)?;
@@ -85,7 +86,51 @@ fn v20(look: &Look, rows: &[Row]) -> io::Result<String> {
         xml.quantity("Dls", severity, row.dogleg_severity_rad_per_m)?;
         xml.close("TrajectoryStation")?;
     }
-    xml.wellbore(look)?;
+    xml.wellbore(look, Version::V20)?;
+    xml.close("Trajectory")?;
+    xml.finish()
+}
+
+fn v21(look: &Look, rows: &[Row]) -> io::Result<String> {
+    let (length, angle) = (look.uom(Dimension::Length), look.uom(Dimension::Angle));
+    let severity = look.uom(Dimension::DoglegSeverity).of_series_2();
+    let mut xml = Xml::new()?;
+    xml.open_series_2("Trajectory", look, NAME, Version::V21)?;
+    xml.inactive()?;
+    xml.open("eml:Index", &[])?;
+    xml.leaf("eml:IndexKind", &[], "measured depth")?;
+    xml.leaf("eml:Uom", &[], length.symbol)?;
+    xml.leaf("eml:Direction", &[], "increasing")?;
+    xml.close("eml:Index")?;
+    if let (Some(first), Some(last)) = (rows.first(), rows.last()) {
+        xml.open("eml:MdInterval", &[])?;
+        for (name, row) in [("eml:MdMin", first), ("eml:MdMax", last)] {
+            xml.leaf(name, &[], &number(length.of(row.md_m)).unwrap_or_default())?;
+        }
+        xml.leaf("eml:Uom", &[], length.symbol)?;
+        xml.close("eml:MdInterval")?;
+    }
+    let depth_kind = [("xsi:type", "eml:DatumVerticalDepth")];
+    for (place, row) in rows.iter().enumerate() {
+        xml.open("TrajectoryStation", &[("uid", &(place + 1).to_string())])?;
+        xml.leaf("eml:Creation", &[], &look.created)?;
+        xml.leaf("eml:LastUpdate", &[], &look.created)?;
+        xml.open("eml:Md", &[])?;
+        xml.quantity("eml:MeasuredDepth", length, row.md_m)?;
+        xml.close("eml:Md")?;
+        xml.leaf("TypeTrajStation", &[], kind(place))?;
+        xml.leaf("CalcAlgorithm", &[], METHOD)?;
+        xml.open("Tvd", &depth_kind)?;
+        xml.quantity("eml:VerticalDepth", length, row.tvd_m)?;
+        xml.close("Tvd")?;
+        xml.quantity("Incl", angle, row.inclination_rad)?;
+        xml.quantity("Azi", angle, row.azimuth_rad)?;
+        xml.quantity("DispNs", length, row.north_m)?;
+        xml.quantity("DispEw", length, row.east_m)?;
+        xml.quantity("Dls", severity, row.dogleg_severity_rad_per_m)?;
+        xml.close("TrajectoryStation")?;
+    }
+    xml.wellbore(look, Version::V21)?;
     xml.close("Trajectory")?;
     xml.finish()
 }

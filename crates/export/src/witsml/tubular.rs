@@ -38,7 +38,7 @@ const TYPES: &[(&str, &str)] = &[
 pub fn tubular(look: &Look, components: &[Component], version: Version) -> io::Result<String> {
     match version {
         Version::V1411 => v1411(look, components),
-        Version::V20 => v20(look, components),
+        Version::V20 | Version::V21 => v2(look, components, version),
     }
 }
 
@@ -70,22 +70,37 @@ fn v1411(look: &Look, components: &[Component]) -> io::Result<String> {
     xml.finish()
 }
 
-fn v20(look: &Look, components: &[Component]) -> io::Result<String> {
+fn v2(look: &Look, components: &[Component], version: Version) -> io::Result<String> {
     let mut xml = Xml::new()?;
-    xml.open_series_2("Tubular", look, NAME)?;
+    xml.open_series_2("Tubular", look, NAME, version)?;
     xml.leaf("TypeTubularAssy", &[], "drilling")?;
     for (place, component) in components.iter().enumerate() {
         let sequence = (place + 1).to_string();
         xml.open("TubularComponent", &[("uid", &sequence)])?;
-        xml.leaf("TypeTubularComp", &[], kind(component))?;
+        match version {
+            Version::V21 => xml.leaf("TypeTubularComponent", &[], kind_21(component))?,
+            Version::V1411 | Version::V20 => xml.leaf("TypeTubularComp", &[], kind(component))?,
+        }
         xml.leaf("Sequence", &[], &sequence)?;
         xml.leaf("Description", &[], &component.name)?;
         measures(&mut xml, look, component, capital)?;
         xml.close("TubularComponent")?;
     }
-    xml.wellbore(look)?;
+    xml.wellbore(look, version)?;
     xml.close("Tubular")?;
     xml.finish()
+}
+
+/// The type as 2.1 calls it, which has no bit that is only a bit.
+fn kind_21(component: &Component) -> &'static str {
+    let name = component.name.to_lowercase();
+    match kind(component) {
+        "bit" if name.contains("pdc") => "bit PDC fixed cutter",
+        "bit" if name.contains("cone") => "bit insert roller cone",
+        "bit" if name.contains("diamond") => "bit diamond fixed cut",
+        "bit" => "other",
+        kind => kind,
+    }
 }
 
 /// Names of version 2 begin with a capital.
@@ -96,7 +111,7 @@ fn capital(name: &str) -> String {
         .map_or(String::new(), |first| first.to_ascii_uppercase().to_string() + letters.as_str())
 }
 
-/// What is measured of a component, in the order of both schemas.
+/// What is measured of a component, in the order of all schemas.
 fn measures(
     xml: &mut Xml,
     look: &Look,

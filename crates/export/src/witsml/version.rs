@@ -7,4 +7,17 @@ pub enum Version {
     V1411,
     /// 2.0.
     V20,
+    /// 2.1.
+    V21,
+}
+
+impl Version {
+    /// Its number.
+    pub fn number(self) -> &'static str {
+        match self {
+            Self::V1411 => "1.4.1.1",
+            Self::V20 => "2.0",
+            Self::V21 => "2.1",
+        }
+    }
 }

@@ -7,6 +7,7 @@ use quick_xml::{
     events::{BytesDecl, BytesEnd, BytesStart, BytesText, Event},
 };
 
+use super::version::Version;
 use crate::{
     look::{Look, Uom},
     number::number,
@@ -31,15 +32,16 @@ impl Xml {
 
     /// Begins the root of a file of WITSML 1.4.1.1: `logs`, `tubulars`.
     pub(super) fn open_series_1(&mut self, plural: &str) -> io::Result<()> {
-        self.open(plural, &[("xmlns", SERIES_1), ("version", "1.4.1.1")])
+        self.open(plural, &[("xmlns", SERIES_1), ("version", Version::V1411.number())])
     }
 
-    /// Begins the root of a file of WITSML 2.0, which is the object, with its citation.
+    /// Begins the root of a file of WITSML 2, which is the object, with its citation.
     pub(super) fn open_series_2(
         &mut self,
         object: &str,
         look: &Look,
         title: &str,
+        version: Version,
     ) -> io::Result<()> {
         self.open(
             object,
@@ -47,14 +49,14 @@ impl Xml {
                 ("xmlns", SERIES_2),
                 ("xmlns:eml", COMMON_2),
                 ("xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance"),
-                ("schemaVersion", "2.0"),
+                ("schemaVersion", version.number()),
                 ("uuid", &uuid(&format!("{object} {title} {}", look.created))),
             ],
         )?;
         self.citation(look, title)
     }
 
-    /// What an object of WITSML 2.0 is called, and who made it when.
+    /// What an object of WITSML 2 is called, and who made it when.
     pub(super) fn citation(&mut self, look: &Look, title: &str) -> io::Result<()> {
         self.open("eml:Citation", &[])?;
         self.leaf("eml:Title", &[], title)?;
@@ -64,13 +66,31 @@ impl Xml {
         self.close("eml:Citation")
     }
 
-    /// The wellbore that an object of WITSML 2.0 belongs to.
-    pub(super) fn wellbore(&mut self, look: &Look) -> io::Result<()> {
-        self.open("Wellbore", &[])?;
+    /// The wellbore that an object of WITSML 2 belongs to.
+    pub(super) fn wellbore(&mut self, look: &Look, version: Version) -> io::Result<()> {
+        let (name, about) = ("Wellbore", look.name.as_str());
+        if version == Version::V21 {
+            return self.reference(name, "witsml21.Wellbore", about);
+        }
+        self.open(name, &[])?;
         self.leaf("eml:ContentType", &[], "application/x-witsml+xml;version=2.0;type=Wellbore")?;
-        self.leaf("eml:Title", &[], &look.name)?;
-        self.leaf("eml:Uuid", &[], &uuid(&format!("Wellbore {}", look.name)))?;
-        self.close("Wellbore")
+        self.leaf("eml:Title", &[], about)?;
+        self.leaf("eml:Uuid", &[], &uuid(&format!("{name} {about}")))?;
+        self.close(name)
+    }
+
+    /// A reference of WITSML 2.1 to an object of a type.
+    pub(super) fn reference(&mut self, name: &str, kind: &str, title: &str) -> io::Result<()> {
+        self.open(name, &[])?;
+        self.leaf("eml:Uuid", &[], &uuid(&format!("{name} {title}")))?;
+        self.leaf("eml:QualifiedType", &[], kind)?;
+        self.leaf("eml:Title", &[], title)?;
+        self.close(name)
+    }
+
+    /// That an object of WITSML 2.1 grows no more.
+    pub(super) fn inactive(&mut self) -> io::Result<()> {
+        self.leaf("eml:ActiveStatus", &[], "inactive")
     }
 
     pub(super) fn open(&mut self, name: &str, attributes: &[(&str, &str)]) -> io::Result<()> {

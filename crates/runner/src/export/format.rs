@@ -22,10 +22,8 @@ pub enum Format {
     Xlsx,
     /// Columns of one width, as reports of surveys have them.
     Text,
-    /// WITSML 1.4.1.1.
-    Witsml1411,
-    /// WITSML 2.0.
-    Witsml20,
+    /// WITSML, in one of its versions.
+    Witsml(Version),
 }
 
 impl Format {
@@ -35,14 +33,13 @@ impl Format {
             Self::Csv => "csv",
             Self::Xlsx => "xlsx",
             Self::Text => "txt",
-            Self::Witsml1411 | Self::Witsml20 => "xml",
+            Self::Witsml(_) => "xml",
         }
     }
 
     pub(super) fn version(self) -> Option<Version> {
         match self {
-            Self::Witsml1411 => Some(Version::V1411),
-            Self::Witsml20 => Some(Version::V20),
+            Self::Witsml(version) => Some(version),
             Self::Csv | Self::Xlsx | Self::Text => None,
         }
     }

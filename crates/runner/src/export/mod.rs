@@ -13,3 +13,4 @@ mod workbook;
 
 pub use format::{Format, What};
 pub use request::{Exported, Request, export};
+pub use wholestring_export::Version as WitsmlVersion;

@@ -35,12 +35,7 @@ pub(super) fn export(
         Format::Csv | Format::Xlsx => {
             one_table(&table(&rows), "Survey", "The stations of the case", look, format)
         }
-        Format::Witsml1411 => text(
-            trajectory(look, &rows, wholestring_export::Version::V1411).map_err(Error::failed)?,
-        ),
-        Format::Witsml20 => {
-            text(trajectory(look, &rows, wholestring_export::Version::V20).map_err(Error::failed)?)
-        }
+        Format::Witsml(version) => text(trajectory(look, &rows, version).map_err(Error::failed)?),
     }
 }
 

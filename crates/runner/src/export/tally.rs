@@ -1,7 +1,7 @@
 //! The string of a case as a tally.
 
 use serde_json::Value as Json;
-use wholestring_export::{Component, Look, Version, tubular};
+use wholestring_export::{Component, Look, tubular};
 use wholestring_results::{Column, Data, Table};
 
 use super::{
@@ -53,8 +53,7 @@ pub(super) fn export(
             let about = "The components of the string, from the bit up";
             one_table(&table(&components), "Tally", about, look, format)
         }
-        Format::Witsml1411 => xml(Version::V1411),
-        Format::Witsml20 => xml(Version::V20),
+        Format::Witsml(version) => xml(version),
         Format::Text => Err(Error::bad_input(
             "a string is not exported as a text report: expected CSV, Excel or WITSML",
         )),
