@@ -2,8 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-/// Time on the clock between two looks: with as long for whoever asks to stop, and as long again
-/// for what is written then, an interrupt is over within 0.2 s.
+/// Time on the clock between two looks. Whoever interrupts waits for this at most, and for what is
+/// written then.
 const LOOK: Duration = Duration::from_millis(40);
 
 /// How many samples a simulation takes before it looks again: so many as took [`LOOK`] the last

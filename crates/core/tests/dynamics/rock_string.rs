@@ -234,7 +234,7 @@ fn a_run_on_rock_ends_with_the_same_bits_whoever_works_on_it() {
 }
 
 /// Stopped after each of its steps, and written to bytes in the middle of a sample, it ends with the
-/// same bits; a step takes as long on rock as a second of another run.
+/// same bits: a sample takes tenths of a second on the rock of a whole bit.
 #[test]
 fn a_run_on_rock_stops_between_two_steps() {
     let mut case = case();

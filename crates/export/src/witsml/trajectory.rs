@@ -63,8 +63,7 @@ fn v1411(look: &Look, rows: &[Row]) -> io::Result<String> {
 }
 
 fn v20(look: &Look, rows: &[Row]) -> io::Result<String> {
-    let (length, angle) = (look.uom(Dimension::Length), look.uom(Dimension::Angle));
-    let severity = look.uom(Dimension::DoglegSeverity).of_series_2();
+    let length = look.uom(Dimension::Length);
     let datum = [("datum", "unknown")];
     let mut xml = Xml::new()?;
     xml.open_series_2("Trajectory", look, NAME, Version::V20)?;
@@ -79,11 +78,7 @@ fn v20(look: &Look, rows: &[Row]) -> io::Result<String> {
         xml.leaf("CalcAlgorithm", &[], METHOD)?;
         xml.quantity_with("Md", length, &datum, row.md_m)?;
         xml.quantity_with("Tvd", length, &datum, row.tvd_m)?;
-        xml.quantity("Incl", angle, row.inclination_rad)?;
-        xml.quantity("Azi", angle, row.azimuth_rad)?;
-        xml.quantity("DispNs", length, row.north_m)?;
-        xml.quantity("DispEw", length, row.east_m)?;
-        xml.quantity("Dls", severity, row.dogleg_severity_rad_per_m)?;
+        direction_and_place(&mut xml, look, row)?;
         xml.close("TrajectoryStation")?;
     }
     xml.wellbore(look, Version::V20)?;
@@ -92,8 +87,7 @@ fn v20(look: &Look, rows: &[Row]) -> io::Result<String> {
 }
 
 fn v21(look: &Look, rows: &[Row]) -> io::Result<String> {
-    let (length, angle) = (look.uom(Dimension::Length), look.uom(Dimension::Angle));
-    let severity = look.uom(Dimension::DoglegSeverity).of_series_2();
+    let length = look.uom(Dimension::Length);
     let mut xml = Xml::new()?;
     xml.open_series_2("Trajectory", look, NAME, Version::V21)?;
     xml.inactive()?;
@@ -123,16 +117,23 @@ fn v21(look: &Look, rows: &[Row]) -> io::Result<String> {
         xml.open("Tvd", &depth_kind)?;
         xml.quantity("eml:VerticalDepth", length, row.tvd_m)?;
         xml.close("Tvd")?;
-        xml.quantity("Incl", angle, row.inclination_rad)?;
-        xml.quantity("Azi", angle, row.azimuth_rad)?;
-        xml.quantity("DispNs", length, row.north_m)?;
-        xml.quantity("DispEw", length, row.east_m)?;
-        xml.quantity("Dls", severity, row.dogleg_severity_rad_per_m)?;
+        direction_and_place(&mut xml, look, row)?;
         xml.close("TrajectoryStation")?;
     }
     xml.wellbore(look, Version::V21)?;
     xml.close("Trajectory")?;
     xml.finish()
+}
+
+/// What both versions of WITSML 2 say alike of a station.
+fn direction_and_place(xml: &mut Xml, look: &Look, row: &Row) -> io::Result<()> {
+    let (length, angle) = (look.uom(Dimension::Length), look.uom(Dimension::Angle));
+    let severity = look.uom(Dimension::DoglegSeverity).of_series_2();
+    xml.quantity("Incl", angle, row.inclination_rad)?;
+    xml.quantity("Azi", angle, row.azimuth_rad)?;
+    xml.quantity("DispNs", length, row.north_m)?;
+    xml.quantity("DispEw", length, row.east_m)?;
+    xml.quantity("Dls", severity, row.dogleg_severity_rad_per_m)
 }
 
 /// What a station is: where the survey begins, or one that was measured or planned, which a case

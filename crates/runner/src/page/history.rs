@@ -130,10 +130,10 @@ pub(super) fn contact(table: &Table, operation: &str, many: usize) -> Option<Con
         let values = of_rows(table, name, &rows);
         let values = &values;
         let of_group = |group: &std::ops::Range<usize>| {
-            let (times, group_len) = (group.clone(), group.len() as f64);
+            let (times, count) = (group.clone(), group.len() as f64);
             (0..stretches).map(move |stretch| {
                 let sum: f64 = times.clone().map(|time| values[time * stretches + stretch]).sum();
-                sum / group_len
+                sum / count
             })
         };
         groups.iter().flat_map(of_group).collect()

@@ -227,7 +227,7 @@ fn solve_dynamic(
     };
     let times = [simulation.time_s(), longest_s];
     let progress = way.watch.simulation(name, None, times);
-    // The run continues by whole samples.
+    // The run continues by whole samples; one on rock that was stopped first ends its sample.
     let sample_s = simulation.sample_interval_s();
     let frame_samples = record.frames.as_ref().map(|frames| frames.samples(sample_s));
     let mut pace = Pace::new(POLL_INTERVAL_S, sample_s);
