@@ -5,6 +5,7 @@ use wholestring_units::{Dimension, Unit};
 use crate::columns::column::Column;
 use crate::columns::names::{NAMES, columns_named, is_beside, is_subsea};
 use crate::columns::sort::Sort;
+use crate::columns::words::Words;
 
 /// A heading that names a column.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,25 +41,24 @@ pub(crate) fn recognise(text: &str, sort: &Sort) -> Option<Heading> {
         return None;
     }
     let (name, brackets) = part_brackets(text);
-    let written = words(&name);
-    let words: Vec<String> = written.iter().map(|word| lower(word)).collect();
-    let inside: Vec<String> =
-        brackets.iter().flat_map(|bracket| self::words(bracket)).map(|word| lower(&word)).collect();
-    if words.iter().chain(&inside).any(|word| is_subsea(word)) {
+    let words = Words::of(&name);
+    let mut inside = Words::default();
+    brackets.iter().for_each(|bracket| inside.add(bracket));
+    if words.lower().chain(inside.lower()).any(is_subsea) {
         return None;
     }
 
     // "MD (m)": the whole name; "md_m": its last word is the unit; "MD ftKB": its last words.
-    let (column, mut rank, last) = match named(&words, sort) {
+    let all = words.len();
+    let (column, mut rank, last) = match named(&words, all, sort) {
         Some((column, rank)) => (column, rank, None),
-        None => (1..words.len().min(UNIT_WORDS + 1)).find_map(|count| {
-            let at = words.len() - count;
-            let (column, rank) = named(&words[..at], sort)?;
-            let unit = column.dimension().find_unit(&written[at..].concat())?;
+        None => (1..all.min(UNIT_WORDS + 1)).find_map(|count| {
+            let (column, rank) = named(&words, all - count, sort)?;
+            let unit = column.dimension().find_unit(words.written_after(all - count))?;
             Some((column, rank, Some(unit)))
         })?,
     };
-    let has = |word: &str| words.iter().chain(&inside).any(|other| other == word);
+    let has = |word: &str| words.lower().chain(inside.lower()).any(|other| other == word);
     match column {
         Column::Azimuth if has("grid") || has("corr") || has("corrected") => rank = 0,
         Column::Azimuth if has("true") => rank = 2,
@@ -86,7 +86,8 @@ pub(crate) fn dimension_of(text: &str) -> Option<Dimension> {
 /// The column whose name comes nearest to a heading, with how near, from 0 to 1.
 pub(crate) fn nearness(column: Column, text: &str) -> f64 {
     let (name, _) = part_brackets(text);
-    let written: String = words(&name).iter().map(|word| lower(word)).collect();
+    let words = Words::of(&name);
+    let written = words.first(words.len());
     if written.is_empty() || written.len() > LONGEST {
         return 0.0;
     }
@@ -94,18 +95,20 @@ pub(crate) fn nearness(column: Column, text: &str) -> f64 {
         .iter()
         .filter(|(of, _, _)| *of == column)
         .flat_map(|(_, _, names)| names.split(' '))
-        .map(|name| strsim::normalized_damerau_levenshtein(name, &written))
+        .map(|name| strsim::normalized_damerau_levenshtein(name, written))
         .fold(0.0, f64::max)
 }
 
-/// The column that these words in small letters name.
-fn named(words: &[String], sort: &Sort) -> Option<(Column, u8)> {
+/// The column that the first so many words name.
+fn named(words: &Words, count: usize, sort: &Sort) -> Option<(Column, u8)> {
     let find = |joined: &str| {
         columns_named(joined).iter().find(|(column, _)| sort.columns.contains(column)).copied()
     };
-    find(&words.concat()).or_else(|| {
-        let core: String =
-            words.iter().filter(|word| !is_beside(word)).map(String::as_str).collect();
+    find(words.first(count)).or_else(|| {
+        let first = || words.lower().take(count);
+        // Without them there is nothing else to ask.
+        first().any(is_beside).then_some(())?;
+        let core: String = first().filter(|word| !is_beside(word)).collect();
         find(&core)
     })
 }
@@ -118,11 +121,10 @@ fn unit_in(column: Column, brackets: &[String], sort: &Sort) -> HeadingUnit {
     }
     // "Measured Depth (MD)", "Azimuth (T)", "MD (RKB)", "N(+)/S(-)": not meant as units.
     let meant_otherwise = |bracket: &String| {
-        let words: Vec<String> = words(bracket).iter().map(|word| lower(word)).collect();
-        let beside = |word: &String| {
-            word.chars().count() == 1 && column == Column::Azimuth || is_beside(word)
-        };
-        words.iter().all(beside) || named(&words, sort).is_some()
+        let words = Words::of(bracket);
+        let beside =
+            |word: &str| word.chars().count() == 1 && column == Column::Azimuth || is_beside(word);
+        words.lower().all(beside) || named(&words, words.len(), sort).is_some()
     };
     match brackets.iter().find(|bracket| !meant_otherwise(bracket)) {
         Some(bracket) => HeadingUnit::Wrong { found: bracket.clone(), is: dimension_of(bracket) },
@@ -150,28 +152,6 @@ pub(crate) fn part_brackets(text: &str) -> (String, Vec<String>) {
     brackets.extend(inside.map(|bracket| bracket.trim().to_owned()));
     brackets.retain(|bracket| !bracket.is_empty());
     (name, brackets)
-}
-
-/// The words of a name: runs of letters and digits, and `MeasuredDepth` is two.
-fn words(name: &str) -> Vec<String> {
-    let name = name.replace(['°', 'º', '˚'], " deg ");
-    let mut words: Vec<String> = Vec::new();
-    let mut before = ' ';
-    for c in name.chars() {
-        if c.is_alphanumeric() {
-            let begins = !before.is_alphanumeric() || (before.is_lowercase() && c.is_uppercase());
-            match words.last_mut() {
-                Some(word) if !begins => word.push(c),
-                _ => words.push(c.to_string()),
-            }
-        }
-        before = c;
-    }
-    words
-}
-
-fn lower(word: &str) -> String {
-    word.to_lowercase()
 }
 
 #[cfg(test)]

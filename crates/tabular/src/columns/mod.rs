@@ -6,3 +6,4 @@ pub(crate) mod heading;
 pub(crate) mod layout;
 pub(crate) mod names;
 pub(crate) mod sort;
+pub(crate) mod words;

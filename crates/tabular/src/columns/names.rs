@@ -195,8 +195,15 @@ static COLUMNS: LazyLock<HashMap<&'static str, Vec<(Column, u8)>>> = LazyLock::n
     columns
 });
 
+/// The length of the longest name, bytes.
+static LONGEST: LazyLock<usize> =
+    LazyLock::new(|| COLUMNS.keys().map(|name| name.len()).max().unwrap_or(0));
+
 /// What a name in small letters without blanks may head, the first one meant.
 pub(crate) fn columns_named(name: &str) -> &'static [(Column, u8)] {
+    if name.len() > *LONGEST {
+        return &[];
+    }
     COLUMNS.get(name).map_or(&[], Vec::as_slice)
 }
 
