@@ -25,13 +25,19 @@ pub fn thinned(time_s: &[f64], columns: &[&[f64]], most: usize) -> (Vec<f64>, Ve
 
 /// Smallest and largest value in the order in which they come; missing where all are.
 fn extremes(values: &[f64]) -> [f64; 2] {
-    let known = || values.iter().enumerate().filter(|(_, v)| v.is_finite());
-    let low = known().min_by(|a, b| a.1.total_cmp(b.1));
-    let high = known().max_by(|a, b| a.1.total_cmp(b.1));
+    let (mut low, mut high) = ((0, f64::INFINITY), (0, f64::NEG_INFINITY));
+    for (place, value) in values.iter().enumerate().filter(|(_, value)| value.is_finite()) {
+        if *value < low.1 {
+            low = (place, *value);
+        }
+        if *value >= high.1 {
+            high = (place, *value);
+        }
+    }
     match (low, high) {
-        (Some((i, low)), Some((k, high))) if i <= k => [*low, *high],
-        (Some((_, low)), Some((_, high))) => [*high, *low],
-        _ => [f64::NAN; 2],
+        ((_, low), _) if low.is_infinite() => [f64::NAN; 2],
+        ((i, low), (k, high)) if i <= k => [low, high],
+        ((_, low), (_, high)) => [high, low],
     }
 }
 

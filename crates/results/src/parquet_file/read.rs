@@ -83,16 +83,14 @@ fn read_groups_with(path: &Path, column: &str, word: &str) -> Result<Option<Tabl
     let mut found: Option<Table> = None;
     for group in 0..opened.reader.num_row_groups() {
         let words = opened.read_some(|name| name == column, group..group + 1)?;
-        let has = words.columns().iter().any(|column| match &column.data {
-            Data::Text(words) => words.iter().any(|one| one == word),
-            Data::Number(_) => false,
-        });
-        if has {
-            let rows = opened.read_some(|_| true, group..group + 1)?;
-            match &mut found {
-                None => found = Some(rows),
-                Some(found) => found.extend(rows),
-            }
+        if !words.words(column).unwrap_or_default().iter().any(|one| one == word) {
+            continue;
+        }
+        let others = opened.read_some(|name| name != column, group..group + 1)?;
+        let rows = opened.in_order(words.into_columns().chain(others.into_columns()));
+        match &mut found {
+            None => found = Some(rows),
+            Some(found) => found.extend(rows),
         }
     }
     Ok(found)
@@ -129,6 +127,16 @@ impl<'a> Opened<'a> {
         let file = open(path)?;
         let reader = guarded(path, || SerializedFileReader::new(file.try_clone()?))?;
         Ok(Self { path, file, reader })
+    }
+
+    /// A table of columns that were read apart, in the order of the file.
+    fn in_order(&self, columns: impl Iterator<Item = Column>) -> Table {
+        let schema = self.reader.metadata().file_metadata().schema_descr();
+        let place =
+            |column: &Column| schema.columns().iter().position(|of| of.name() == column.name);
+        let mut columns: Vec<Column> = columns.collect();
+        columns.sort_by_key(place);
+        Table::new(columns)
     }
 
     /// Columns whose names are wanted, of some row groups.
