@@ -361,6 +361,33 @@ await run({
     await end();
   },
 
+  "two tabs with one case: nothing of either is lost": async () => {
+    const { page, served, end } = await opened();
+    const other = await openPage(served);
+    await openCase(other, "slant");
+    for (const [tab, density] of [[page, "1350"], [other, "1400"]]) {
+      await section(tab, "Mud");
+      await tab.getByRole("textbox", { name: "Density" }).fill(density);
+      await tab.keyboard.press("Enter");
+      await untilToml(tab, density);
+    }
+    await page.keyboard.press("Control+s");
+    await until(() => served.read("a.toml").includes("1350"), "the first tab saves");
+    await other.keyboard.press("Control+s");
+    const dialog = other.getByRole("dialog", { name: "The file has changed on the disk" });
+    await dialog.getByText('− density = "1350 kg/m3"', { exact: false }).waitFor();
+    check(served.read("a.toml").includes("1350"), "the first tab's text stands until the second decides");
+    await dialog.getByRole("button", { name: "Save what stands here" }).click();
+    await until(() => served.read("a.toml").includes("1400"), "the second tab saves");
+    // The first has nothing unsaved: it shows what the second wrote, and its own text is one undo away.
+    await page.evaluate(() => dispatchEvent(new Event("focus")));
+    await untilToml(page, "1400");
+    await page.keyboard.press("Control+z");
+    await untilToml(page, "1350");
+    await other.context().close();
+    await end();
+  },
+
   "no key of the case file is out of reach": async () => {
     const { page, end } = await opened();
     const schema = await page.evaluate(async () => (await fetch("/api/schema")).json());

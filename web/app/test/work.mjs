@@ -261,6 +261,31 @@ await run({
     await end();
   },
 
+  async "files are dropped on the list of cases"() {
+    const { served, page, end } = await open();
+    const drop = (files) =>
+      page.evaluate((files) => {
+        const dataTransfer = new DataTransfer();
+        for (const [name, text] of files) dataTransfer.items.add(new File([text], name));
+        const area = document.querySelector("main section");
+        for (const type of ["dragover", "drop"]) {
+          area.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+        }
+      }, files);
+    await button(page, "New case…").waitFor();
+    const mine = text("vertical.toml");
+    await drop([["mine.toml", mine]]);
+    await until(() => page.url().includes("#/case/"), "a case is opened");
+    equal(served.read("mine.toml"), mine, "it is written as it was");
+    await page.getByRole("link", { name: "Cases", exact: true }).click();
+    await button(page, "New case…").waitFor();
+    await drop([["mine.toml", mine], ["survey.csv", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n1000,0,0\n1100,3,45\n"]]);
+    await page.getByRole("heading", { name: "The case that they make" }).waitFor();
+    check(existsSync(join(served.folder, "mine-2.toml")), "a name that is taken gets a number");
+    check(!existsSync(join(served.folder, "survey.toml")), "nothing is made of other files before it is asked for");
+    await end();
+  },
+
   async "at all widths, light and dark"() {
     const { served, page, end } = await open({ "slant.toml": text("slant.toml"), "bad.toml": text("slant.toml").replace("friction", "frictoin") });
     await show(page, "#/work");
