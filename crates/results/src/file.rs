@@ -8,6 +8,9 @@ use std::{
 
 use crate::ResultsError;
 
+/// Bytes that gather before they go to the system: a checkpoint has millions.
+const BUFFER: usize = 1 << 18;
+
 /// Writes `path` through a file beside it that takes its name once it is complete, so that a reader
 /// (or a crash) never meets half a file.
 pub(crate) fn write_whole(
@@ -34,7 +37,7 @@ fn write_then(
 ) -> Result<(), ResultsError> {
     let partial = partial_name(path);
     let result = (|| {
-        let mut writer = BufWriter::new(File::create(&partial)?);
+        let mut writer = BufWriter::with_capacity(BUFFER, File::create(&partial)?);
         write(&mut writer)?;
         writer.flush()?;
         sync(writer.get_ref())?;

@@ -3,11 +3,11 @@ import { readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { accessible, check, equal, openPage, picture, run, serve, until } from "./harness.mjs";
+import { FLAGS, caseId, knob, pace, pause, runs, sit, strips, time } from "./harness-seat.mjs";
 
 const CASES = join(dirname(fileURLToPath(import.meta.url)), "../../../cases");
 const read = (name) => readFileSync(join(CASES, name), "utf8");
-// A page that is taken from a folder counts as one from elsewhere, which Chromium would not let open a socket to here.
-const FLAGS = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-features=LocalNetworkAccessChecks"];
+
 
 /*
  * A wave of twist in a plain pipe. A pipe of one section, of shear modulus G and density ρ, without joints, hangs free in a
@@ -125,39 +125,6 @@ rop = "15 m/h"
 duration = "10 s"
 settle = "5 s"
 `;
-
-/** The id of the only case. */
-async function caseId(page) {
-  return page.evaluate(async () => (await (await fetch("/api/cases")).json())[0].id);
-}
-
-/** Goes to the seat of the only case; begins its string where none is live. */
-async function sit(page, begins = true) {
-  const id = await caseId(page);
-  await page.evaluate((id) => (location.hash = `#/seat/${id}`), id);
-  if (begins) {
-    await page.getByRole("button", { name: /^Begin/ }).first().click();
-  }
-  await page.getByRole("button", { name: "Run", exact: true }).or(page.getByRole("button", { name: "Pause" })).waitFor({ timeout: 60_000 });
-  return id;
-}
-
-const time = async (page) => Number(await page.locator(".clock").getAttribute("data-time"));
-const runs = (page) => page.getByRole("button", { name: "Run", exact: true }).click();
-const pause = async (page) => {
-  await page.getByRole("button", { name: "Pause" }).click();
-  await page.getByRole("button", { name: "Run", exact: true }).waitFor();
-};
-const knob = (page, name) => page.getByRole("slider", { name });
-const pace = (page, name) => page.getByRole("group", { name: "Pace" }).getByRole("button", { name, exact: true }).click();
-
-/** What the strip charts show, as the page gives it for a spreadsheet: rows by the names of the columns. */
-async function strips(page) {
-  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "CSV" }).click()]);
-  const [head, ...lines] = readFileSync(await download.path(), "utf8").trim().split("\n");
-  const names = head.split(",");
-  return lines.map((line) => Object.fromEntries(line.split(",").map((value, k) => [names[k], value === "" ? NaN : Number(value)])));
-}
 
 async function seated(text, { width, height, theme, flags = FLAGS, files = {} } = {}) {
   const served = await serve({ "case.toml": text, ...files });

@@ -1,6 +1,6 @@
 //! What an operation did in time, as much of it as a page can show.
 
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, panic::resume_unwind, thread};
 
 use wholestring_report::{
     BottomPicture, ContactPicture, DrillOff, Packed, contact_columns, drill_off_columns, thinned,
@@ -33,21 +33,35 @@ pub(super) struct History {
 pub(super) fn history(time: &Table, operation: &str, many: usize) -> History {
     let rows = rows(time, None, operation);
     let times = of_rows(time, "time_s", &rows);
-    let (names, columns): (Vec<&str>, Vec<Vec<f64>>) = time
+    let most = MAX_ROWS / many.max(1);
+    let names: Vec<&str> = time
         .columns()
         .iter()
         .map(|column| column.name.as_str())
         .filter(|name| *name != "time_s" && !numbers(time, name).is_empty())
-        .map(|name| (name, of_rows(time, name, &rows)))
-        .filter(|(_, values)| values.iter().any(|value| value.is_finite()))
-        .unzip();
-    let slices: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
-    let (times, columns) = thinned(&times, &slices, MAX_ROWS / many.max(1));
-    let names = names.into_iter().map(String::from);
-    let columns = names.zip(columns.into_iter().map(Packed::single));
+        .collect();
+    let of_names = |names: &[&str]| -> Vec<(String, Packed)> {
+        let thin = |name: &&str| {
+            let values = of_rows(time, name, &rows);
+            values.iter().any(|value| value.is_finite()).then(|| {
+                let values = thinned(&times, &[&values], most).1.remove(0);
+                ((*name).to_owned(), Packed::single(values))
+            })
+        };
+        names.iter().filter_map(thin).collect()
+    };
+    // Half of them on another core: who interrupts a long run waits for its page.
+    let (some, others) = names.split_at(names.len() / 2);
+    let columns = thread::scope(|scope| {
+        let others = scope.spawn(|| of_names(others));
+        let some = of_names(some);
+        let others = others.join().unwrap_or_else(|panic| resume_unwind(panic));
+        some.into_iter().chain(others)
+    });
+    let times = ("time_s".into(), Packed::single(thinned(&times, &[], most).0));
     History {
         samples: rows.len(),
-        columns: columns.chain([("time_s".into(), Packed::single(times))]).collect(),
+        columns: columns.chain([times]).collect(),
         notes: notes(time, &rows),
     }
 }

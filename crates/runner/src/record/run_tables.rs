@@ -1,5 +1,7 @@
 //! The tables of a run.
 
+use std::{panic::resume_unwind, thread};
+
 use wholestring_case::Records;
 use wholestring_results::{
     BOTTOM_HOLE, CONTACT, GrowingTable, NODES, ResultsError, ResultsFolder, SPECTRA, TIME, Table,
@@ -97,13 +99,10 @@ impl RunTables {
         } else {
             remove(folder, BOTTOM_HOLE_FILE)?;
         }
-        let [nodes, time, wear, contact] =
-            [&mut self.nodes, &mut self.time, &mut self.wear, &mut self.contact];
-        for table in [nodes, time, wear, contact] {
-            match keep {
-                Keep::Summary => table.leave_out(folder)?,
-                Keep::Tables | Keep::All => table.write(folder, csv)?,
-            }
+        let growing = [&mut self.nodes, &mut self.time, &mut self.wear, &mut self.contact];
+        match keep {
+            Keep::Summary => growing.into_iter().try_for_each(|table| table.leave_out(folder))?,
+            Keep::Tables | Keep::All => write_side_by_side(growing, folder, csv)?,
         }
         if self.with_spectra { self.spectra.write(folder, csv) } else { remove(folder, "spectra") }
     }
@@ -118,6 +117,19 @@ impl RunTables {
         }
         Ok(())
     }
+}
+
+/// Writes tables at the same time: each waits for the disk, and one is much longer than the others.
+fn write_side_by_side(
+    tables: [&mut GrowingTable; 4],
+    folder: &ResultsFolder,
+    csv: bool,
+) -> Result<(), ResultsError> {
+    thread::scope(|scope| {
+        let written = tables.map(|table| scope.spawn(|| table.write(folder, csv)));
+        let written = written.map(|one| one.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        written.into_iter().collect()
+    })
 }
 
 fn remove(folder: &ResultsFolder, name: &str) -> Result<(), ResultsError> {
