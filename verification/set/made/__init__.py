@@ -1,0 +1,1 @@
+"""The problems, made of the files of `verification/`."""
