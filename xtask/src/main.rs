@@ -10,8 +10,10 @@ mod changes;
 mod command;
 mod count;
 mod cycles;
+mod dependencies;
 mod finding;
 mod folders;
+mod metadata;
 mod page;
 mod peers;
 mod python;
@@ -49,7 +51,9 @@ usage: cargo xtask test      run everything that CI runs
        cargo xtask accuracy [--write | WORD...]
                              measure what each accuracy of the mesh errs by, of all cases or of \
        those whose
-                             titles hold a word; write the table into the book";
+                             titles hold a word; write the table into the book
+       cargo xtask dependencies --write
+                             write what the crates and pages depend on into the book";
 
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
 
@@ -59,6 +63,7 @@ const TEST: &[Step] = &[
     ("Circles between files", no_cycles),
     ("Table of changes", changes::check_table),
     ("Table of accuracy", accuracy::check_table),
+    ("Table of dependencies", dependencies::check_table),
     ("Bundle of the report", page::bundle),
     ("Bundle of the app", app::bundle),
     ("Lints", lints),
@@ -92,6 +97,7 @@ fn main() -> ExitCode {
         ["changes", "--record", name] => exit_code(changes::record(name)),
         ["peers"] => exit_code(peers::side_by_side(false)),
         ["peers", "--write"] => exit_code(peers::side_by_side(true)),
+        ["dependencies", "--write"] => exit_code(dependencies::write_table()),
         ["accuracy", "--write"] => exit_code(accuracy::measure(true, &[])),
         ["accuracy", ref words @ ..] => exit_code(accuracy::measure(false, words)),
         ["fuzz"] => exit_code(fuzz(&["3600"])),
