@@ -5,6 +5,7 @@
 
 mod accuracy;
 mod app;
+mod architecture;
 mod book;
 mod changes;
 mod command;
@@ -53,7 +54,9 @@ usage: cargo xtask test      run everything that CI runs
        those whose
                              titles hold a word; write the table into the book
        cargo xtask dependencies --write
-                             write what the crates and pages depend on into the book";
+                             write what the crates and pages depend on into the book
+       cargo xtask architecture
+                             draw the crates and what they use for ARCHITECTURE.md";
 
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
 
@@ -64,6 +67,7 @@ const TEST: &[Step] = &[
     ("Table of changes", changes::check_table),
     ("Table of accuracy", accuracy::check_table),
     ("Table of dependencies", dependencies::check_table),
+    ("Picture of the crates", architecture::check),
     ("Bundle of the report", page::bundle),
     ("Bundle of the app", app::bundle),
     ("Lints", lints),
@@ -97,6 +101,7 @@ fn main() -> ExitCode {
         ["changes", "--record", name] => exit_code(changes::record(name)),
         ["peers"] => exit_code(peers::side_by_side(false)),
         ["peers", "--write"] => exit_code(peers::side_by_side(true)),
+        ["architecture"] => exit_code(architecture::write()),
         ["dependencies", "--write"] => exit_code(dependencies::write_table()),
         ["accuracy", "--write"] => exit_code(accuracy::measure(true, &[])),
         ["accuracy", ref words @ ..] => exit_code(accuracy::measure(false, words)),
