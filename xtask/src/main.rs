@@ -19,6 +19,7 @@ mod page;
 mod peers;
 mod python;
 mod python_package;
+mod site;
 mod verification;
 mod web;
 
@@ -56,7 +57,9 @@ usage: cargo xtask test      run everything that CI runs
        cargo xtask dependencies --write
                              write what the crates and pages depend on into the book
        cargo xtask architecture
-                             draw the crates and what they use for ARCHITECTURE.md";
+                             draw the crates and what they use for ARCHITECTURE.md
+       cargo xtask book      build the book into target/book
+       cargo xtask bundles   check that the bundles of the pages are what their sources make";
 
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
 
@@ -76,6 +79,7 @@ const TEST: &[Step] = &[
     ("Damaged inputs", damaged_inputs),
     ("Documentation examples", doc_tests),
     ("Documentation", documentation),
+    ("Book", site::build),
     ("Core for the browser", wasm),
     ("Python example", python::example),
     ("Python package", python_package::package),
@@ -101,6 +105,9 @@ fn main() -> ExitCode {
         ["changes", "--record", name] => exit_code(changes::record(name)),
         ["peers"] => exit_code(peers::side_by_side(false)),
         ["peers", "--write"] => exit_code(peers::side_by_side(true)),
+        ["book"] => exit_code(site::build()),
+        ["bundles"] => exit_code(page::bundle().and_then(|_| app::bundle())),
+        ["equations", ref asked @ ..] => exit_code(site::equations(asked)),
         ["architecture"] => exit_code(architecture::write()),
         ["dependencies", "--write"] => exit_code(dependencies::write_table()),
         ["accuracy", "--write"] => exit_code(accuracy::measure(true, &[])),
