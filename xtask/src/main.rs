@@ -22,6 +22,7 @@ mod python_package;
 mod site;
 mod verification;
 mod web;
+mod workflows;
 
 use std::{
     env,
@@ -59,7 +60,8 @@ usage: cargo xtask test      run everything that CI runs
        cargo xtask architecture
                              draw the crates and what they use for ARCHITECTURE.md
        cargo xtask book      build the book into target/book
-       cargo xtask bundles   check that the bundles of the pages are what their sources make";
+       cargo xtask bundles   check that the bundles of the pages are what their sources make
+       cargo xtask workflows check the workflows in .github";
 
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
 
@@ -71,6 +73,7 @@ const TEST: &[Step] = &[
     ("Table of accuracy", accuracy::check_table),
     ("Table of dependencies", dependencies::check_table),
     ("Picture of the crates", architecture::check),
+    ("Workflows", workflows::check),
     ("Bundle of the report", page::bundle),
     ("Bundle of the app", app::bundle),
     ("Lints", lints),
@@ -108,6 +111,7 @@ fn main() -> ExitCode {
         ["book"] => exit_code(site::build()),
         ["bundles"] => exit_code(page::bundle().and_then(|_| app::bundle())),
         ["equations", ref asked @ ..] => exit_code(site::equations(asked)),
+        ["workflows"] => exit_code(workflows::check()),
         ["architecture"] => exit_code(architecture::write()),
         ["dependencies", "--write"] => exit_code(dependencies::write_table()),
         ["accuracy", "--write"] => exit_code(accuracy::measure(true, &[])),
