@@ -19,6 +19,7 @@ mod page;
 mod peers;
 mod python;
 mod python_package;
+mod shown;
 mod site;
 mod verification;
 mod web;
@@ -61,6 +62,10 @@ usage: cargo xtask test      run everything that CI runs
                              draw the crates and what they use for ARCHITECTURE.md
        cargo xtask book      build the book into target/book
        cargo xtask bundles   check that the bundles of the pages are what their sources make
+       cargo xtask shown [--all]
+                             run the commands that the README and the book's first pages show; \
+       those that
+                             take minutes, too
        cargo xtask workflows check the workflows in .github";
 
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
@@ -83,6 +88,7 @@ const TEST: &[Step] = &[
     ("Documentation examples", doc_tests),
     ("Documentation", documentation),
     ("Book", site::build),
+    ("Commands of the first pages", shown::quick),
     ("Core for the browser", wasm),
     ("Python example", python::example),
     ("Python package", python_package::package),
@@ -90,8 +96,11 @@ const TEST: &[Step] = &[
     ("App in a browser", app::browser),
 ];
 
-const VERIFY: &[Step] =
-    &[("All tests", verification::all_tests), ("Table of verification", verification::write_table)];
+const VERIFY: &[Step] = &[
+    ("All tests", verification::all_tests),
+    ("Table of verification", verification::write_table),
+    ("Commands of the first pages", shown::all),
+];
 
 fn main() -> ExitCode {
     let arguments: Vec<_> = env::args().skip(1).collect();
@@ -111,6 +120,8 @@ fn main() -> ExitCode {
         ["book"] => exit_code(site::build()),
         ["bundles"] => exit_code(page::bundle().and_then(|_| app::bundle())),
         ["equations", ref asked @ ..] => exit_code(site::equations(asked)),
+        ["shown"] => exit_code(shown::quick()),
+        ["shown", "--all"] => exit_code(shown::all()),
         ["workflows"] => exit_code(workflows::check()),
         ["architecture"] => exit_code(architecture::write()),
         ["dependencies", "--write"] => exit_code(dependencies::write_table()),
