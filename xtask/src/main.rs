@@ -16,6 +16,7 @@ mod finding;
 mod folders;
 mod metadata;
 mod page;
+mod paper;
 mod peers;
 mod python;
 mod python_package;
@@ -62,6 +63,7 @@ usage: cargo xtask test      run everything that CI runs
                              draw the crates and what they use for ARCHITECTURE.md
        cargo xtask book      build the book into target/book
        cargo xtask bundles   check that the bundles of the pages are what their sources make
+       cargo xtask paper     write the paper to target/paper/paper.pdf
        cargo xtask shown [--all]
                              run the commands that the README and the book's first pages show; \
        those that
@@ -88,6 +90,7 @@ const TEST: &[Step] = &[
     ("Documentation examples", doc_tests),
     ("Documentation", documentation),
     ("Book", site::build),
+    ("Paper", paper::build),
     ("Commands of the first pages", shown::quick),
     ("Core for the browser", wasm),
     ("Python example", python::example),
@@ -120,6 +123,7 @@ fn main() -> ExitCode {
         ["book"] => exit_code(site::build()),
         ["bundles"] => exit_code(page::bundle().and_then(|_| app::bundle())),
         ["equations", ref asked @ ..] => exit_code(site::equations(asked)),
+        ["paper"] => exit_code(paper::build()),
         ["shown"] => exit_code(shown::quick()),
         ["shown", "--all"] => exit_code(shown::all()),
         ["workflows"] => exit_code(workflows::check()),
