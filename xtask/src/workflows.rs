@@ -7,6 +7,7 @@ use crate::{
     finding::Finding,
     folders::{root, target},
     python::{environment, inside, python},
+    usage::USAGE,
     web::unable,
 };
 
@@ -25,7 +26,7 @@ pub(crate) fn check() -> Result<Finding, Failure> {
     files.sort();
     for file in &files {
         let text = fs::read_to_string(file).map_err(cannot)?;
-        if let Some(word) = unknown(&text, crate::USAGE) {
+        if let Some(word) = unknown(&text, USAGE) {
             let reason = format!("{}: there is no `cargo xtask {word}`", file.display());
             return Err(Failure::new(reason));
         }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Uses;
+use super::uses::Uses;
 
 /// A place in a row.
 #[derive(Debug, Clone, PartialEq)]
