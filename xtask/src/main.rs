@@ -5,19 +5,27 @@
 
 mod accuracy;
 mod app;
+mod architecture;
 mod book;
 mod changes;
 mod command;
 mod count;
 mod cycles;
+mod dependencies;
 mod finding;
 mod folders;
+mod metadata;
 mod page;
+mod paper;
 mod peers;
 mod python;
 mod python_package;
+mod shown;
+mod site;
+mod usage;
 mod verification;
 mod web;
+mod workflows;
 
 use std::{
     env,
@@ -30,26 +38,7 @@ use command::{Failure, cargo, program, run, run_counted, succeeds};
 use count::Count;
 use finding::Finding;
 use folders::root;
-
-const USAGE: &str = "\
-usage: cargo xtask test      run everything that CI runs
-       cargo xtask cycles    name the circles between files
-       cargo xtask changes [--only NAME] [--tests] [--record NAME]
-                             apply the examples of changes in docs/changes to a copy and compile \
-       it; with their
-                             tests; or write the working tree's changes as the one of a name
-       cargo xtask verify    run all tests, those that take minutes too, and write the book's \
-       table of them
-       cargo xtask fuzz [SECONDS | --inputs N] [--seed S] [READER...]
-                             read damaged inputs with every reader, for an hour where nothing is \
-                             said
-       cargo xtask peers [--write]
-                             measure other programs beside this one; write the tables into the \
-       book
-       cargo xtask accuracy [--write | WORD...]
-                             measure what each accuracy of the mesh errs by, of all cases or of \
-       those whose
-                             titles hold a word; write the table into the book";
+use usage::USAGE;
 
 type Step = (&'static str, fn() -> Result<Finding, Failure>);
 
@@ -59,6 +48,9 @@ const TEST: &[Step] = &[
     ("Circles between files", no_cycles),
     ("Table of changes", changes::check_table),
     ("Table of accuracy", accuracy::check_table),
+    ("Table of dependencies", dependencies::check_table),
+    ("Picture of the crates", architecture::check),
+    ("Workflows", workflows::check),
     ("Bundle of the report", page::bundle),
     ("Bundle of the app", app::bundle),
     ("Lints", lints),
@@ -67,6 +59,9 @@ const TEST: &[Step] = &[
     ("Damaged inputs", damaged_inputs),
     ("Documentation examples", doc_tests),
     ("Documentation", documentation),
+    ("Book", site::build),
+    ("Paper", paper::build),
+    ("Commands of the first pages", shown::quick),
     ("Core for the browser", wasm),
     ("Python example", python::example),
     ("Python package", python_package::package),
@@ -74,8 +69,11 @@ const TEST: &[Step] = &[
     ("App in a browser", app::browser),
 ];
 
-const VERIFY: &[Step] =
-    &[("All tests", verification::all_tests), ("Table of verification", verification::write_table)];
+const VERIFY: &[Step] = &[
+    ("All tests", verification::all_tests),
+    ("Table of verification", verification::write_table),
+    ("Commands of the first pages", shown::all),
+];
 
 fn main() -> ExitCode {
     let arguments: Vec<_> = env::args().skip(1).collect();
@@ -92,6 +90,15 @@ fn main() -> ExitCode {
         ["changes", "--record", name] => exit_code(changes::record(name)),
         ["peers"] => exit_code(peers::side_by_side(false)),
         ["peers", "--write"] => exit_code(peers::side_by_side(true)),
+        ["book"] => exit_code(site::build()),
+        ["bundles"] => exit_code(page::bundle().and_then(|_| app::bundle())),
+        ["equations", ref asked @ ..] => exit_code(site::equations(asked)),
+        ["paper"] => exit_code(paper::build()),
+        ["shown"] => exit_code(shown::quick()),
+        ["shown", "--all"] => exit_code(shown::all()),
+        ["workflows"] => exit_code(workflows::check()),
+        ["architecture"] => exit_code(architecture::write()),
+        ["dependencies", "--write"] => exit_code(dependencies::write_table()),
         ["accuracy", "--write"] => exit_code(accuracy::measure(true, &[])),
         ["accuracy", ref words @ ..] => exit_code(accuracy::measure(false, words)),
         ["fuzz"] => exit_code(fuzz(&["3600"])),

@@ -1,0 +1,68 @@
+//! What the crates use of each other.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde_json::Value;
+
+use crate::metadata::{list, text};
+
+/// Whom each crate uses.
+pub(super) type Uses = BTreeMap<String, BTreeSet<String>>;
+
+/// What the crates under `crates/` use of each other where they are not tested.
+pub(super) fn of_crates(metadata: &Value) -> Uses {
+    let ours = |package: &&Value| text(&package["manifest_path"]).replace('\\', "/");
+    let packages: Vec<&Value> = list(&metadata["packages"])
+        .filter(|package| package["source"].is_null() && ours(package).contains("/crates/"))
+        .collect();
+    let names: BTreeSet<&str> = packages.iter().map(|package| text(&package["name"])).collect();
+    let used = |package: &Value| {
+        list(&package["dependencies"])
+            .filter(|dependency| dependency["kind"].is_null())
+            .map(|dependency| text(&dependency["name"]))
+            .filter(|name| names.contains(name))
+            .map(str::to_owned)
+            .collect()
+    };
+    packages.iter().map(|package| (text(&package["name"]).to_owned(), used(package))).collect()
+}
+
+/// Without what follows from the rest: where `a` uses `b` and `b` uses `c`, that `a` uses `c`.
+pub(super) fn direct(uses: &Uses) -> Uses {
+    let mut direct = uses.clone();
+    for used in direct.values_mut() {
+        let by_others: BTreeSet<String> =
+            used.iter().flat_map(|name| reached(uses, name)).collect();
+        used.retain(|name| !by_others.contains(name));
+    }
+    direct
+}
+
+/// All that a crate uses, itself and by way of others.
+fn reached(uses: &Uses, name: &str) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    let mut open = vec![name.to_owned()];
+    while let Some(name) = open.pop() {
+        for used in uses.get(&name).into_iter().flatten() {
+            if found.insert(used.clone()) {
+                open.push(used.clone());
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_follows_from_the_rest_is_left_out() {
+        let uses = |pairs: &[(&str, &[&str])]| -> Uses {
+            let set = |used: &[&str]| used.iter().map(ToString::to_string).collect();
+            pairs.iter().map(|(name, used)| (name.to_string(), set(used))).collect()
+        };
+        let all = uses(&[("a", &["b", "c", "d"]), ("b", &["c"]), ("c", &["d"]), ("d", &[])]);
+        assert_eq!(direct(&all), uses(&[("a", &["b"]), ("b", &["c"]), ("c", &["d"]), ("d", &[])]));
+    }
+}

@@ -1,0 +1,30 @@
+//! What cargo knows of the workspace.
+
+use std::process::Stdio;
+
+use serde_json::Value;
+
+use crate::command::{Failure, cargo};
+
+/// All packages and what each of them uses, as the lock file has it.
+pub(crate) fn all() -> Result<Value, Failure> {
+    let mut command = cargo();
+    command.args(["metadata", "--format-version", "1", "--locked", "--all-features"]);
+    let output = command.stderr(Stdio::inherit()).output();
+    let output = output.map_err(|error| Failure::new(format!("`cargo metadata`: {error}")))?;
+    if !output.status.success() {
+        return Err(Failure::new("`cargo metadata` fails: is Cargo.lock up to date?"));
+    }
+    serde_json::from_slice(&output.stdout)
+        .map_err(|error| Failure::new(format!("`cargo metadata`: {error}")))
+}
+
+/// The parts of a list; none where it is none.
+pub(crate) fn list(value: &Value) -> impl Iterator<Item = &Value> {
+    value.as_array().into_iter().flatten()
+}
+
+/// A text; empty where it is none.
+pub(crate) fn text(value: &Value) -> &str {
+    value.as_str().unwrap_or_default()
+}

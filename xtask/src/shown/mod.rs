@@ -1,0 +1,133 @@
+//! Commands that the README and the book's first pages show, run as they stand, one after the
+//! other in a fresh folder with the shipped cases.
+
+mod page;
+
+use std::{env, fs, io, path::Path, process::Command};
+
+use crate::{
+    command::{Failure, program, succeeds},
+    finding::Finding,
+    folders::{root, target},
+};
+
+use page::{Part, parts};
+
+/// Pages whose reader tries out what he reads.
+const PAGES: [&str; 3] = ["README.md", "docs/src/start.md", "docs/src/tour.md"];
+
+/// What these pages take for granted, from the root of the repository, and as what.
+const THERE: [(&str, &str); 4] = [
+    ("cases", "cases"),
+    ("studies", "studies"),
+    ("crates/import/tests/samples/own", "crates/import/tests/samples/own"),
+    ("crates/cli/tests/data/survey.csv", "my-survey.csv"),
+];
+
+/// The command that the program stands in for.
+const CARGO: &str = "cargo run --release -- ";
+
+/// How lines begin that are not run here.
+const ELSEWHERE: [&str; 6] = [
+    // Whoever reads this has the sources.
+    "git clone",
+    "cd wholestring",
+    // The tests have built it, less optimised.
+    "cargo build --release",
+    "cargo install --path crates/cli",
+    // It serves until it is stopped: a step of its own opens it in a browser.
+    "wholestring app",
+    // The step of the Python package installs it.
+    "pip install ./crates/python",
+];
+
+/// Files whose commands take minutes: their cases are checked, and run by `cargo xtask shown --all`.
+const MINUTES: [&str; 2] = ["cases/rock-300.toml", "studies/full-hole-system-dynamics.toml"];
+
+/// All but what takes minutes.
+pub(crate) fn quick() -> Result<Finding, Failure> {
+    every(false)
+}
+
+/// All of it.
+pub(crate) fn all() -> Result<Finding, Failure> {
+    every(true)
+}
+
+fn every(minutes: bool) -> Result<Finding, Failure> {
+    // What a page shows is for a shell: quotes, and names with a star.
+    if !succeeds(Command::new("sh").args(["-c", "true"])) {
+        return Ok(Finding::Skipped("there is no shell `sh` here".into()));
+    }
+    let built = program("--bin", "wholestring")?;
+    let folder = Path::new(built.get_program()).parent().map(Path::to_path_buf).unwrap_or_default();
+    let mut path = vec![folder];
+    path.extend(env::split_paths(&env::var_os("PATH").unwrap_or_default()));
+    let path = env::join_paths(path).map_err(|error| Failure::new(error.to_string()))?;
+    for page in PAGES {
+        let text = fs::read_to_string(root().join(page));
+        let text = text.map_err(|error| Failure::new(format!("{page}: {error}")))?;
+        let desk = target().join("shown");
+        laid_out(&desk).map_err(|error| Failure::new(format!("{}: {error}", desk.display())))?;
+        for part in parts(&text) {
+            let line = match part {
+                Part::File(name, content) => {
+                    let written = fs::write(desk.join(name), content);
+                    written.map_err(|error| Failure::new(format!("{name}: {error}")))?;
+                    continue;
+                }
+                Part::Command(line) => line.replace(CARGO, "wholestring "),
+            };
+            if ELSEWHERE.iter().any(|begin| line.starts_with(begin)) {
+                continue;
+            }
+            let mut shell = Command::new("sh");
+            shell.current_dir(&desk).env("PATH", &path).arg("-c");
+            match MINUTES.iter().find(|file| line.contains(**file)).filter(|_| !minutes) {
+                Some(file) => shell.arg(quick_form(file)),
+                None => shell.arg(&line),
+            };
+            let output = shell.output();
+            let output = output.map_err(|error| Failure::new(format!("sh: {error}")))?;
+            if !output.status.success() {
+                let said = String::from_utf8_lossy(&output.stderr);
+                let reason = format!("{page} shows `{line}`: {}\n{said}", output.status);
+                return Err(Failure::new(reason));
+            }
+        }
+    }
+    Ok(Finding::Done)
+}
+
+/// What stands in for a command that takes minutes.
+fn quick_form(file: &str) -> String {
+    match file.starts_with("studies/") {
+        // There is no check of a study without its cases: it must be there.
+        true => format!("test -f {file}"),
+        false => format!("wholestring check {file}"),
+    }
+}
+
+/// A fresh folder with what the pages take for granted.
+fn laid_out(desk: &Path) -> io::Result<()> {
+    if desk.exists() {
+        fs::remove_dir_all(desk)?;
+    }
+    fs::create_dir_all(desk)?;
+    for (from, to) in THERE {
+        copy(&root().join(from), &desk.join(to))?;
+    }
+    Ok(())
+}
+
+fn copy(from: &Path, to: &Path) -> io::Result<()> {
+    if !from.is_dir() {
+        return fs::copy(from, to).map(|_| ());
+    }
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        copy(&entry.path(), &to.join(entry.file_name()))?;
+    }
+    Ok(())
+}

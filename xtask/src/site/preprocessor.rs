@@ -1,0 +1,65 @@
+//! What mdBook asks of a program that changes its pages.
+
+use std::io::{self, Read};
+
+use serde_json::Value;
+
+use super::equations::set_all;
+use crate::{command::Failure, finding::Finding};
+
+/// Reads a book from standard input, as mdBook hands it over, and writes it with its equations set.
+pub(crate) fn equations(asked: &[&str]) -> Result<Finding, Failure> {
+    // HTML can hold equations, and there is nothing else that the book is made into.
+    if let ["supports", format] = asked {
+        return match *format {
+            "html" => Ok(Finding::Done),
+            _ => Err(Failure::new(format!("equations are set for html, not for {format}"))),
+        };
+    }
+    let mut text = String::new();
+    let read = io::stdin().read_to_string(&mut text);
+    read.map_err(|error| Failure::new(format!("standard input: {error}")))?;
+    let handed: Value = serde_json::from_str(&text)
+        .map_err(|error| Failure::new(format!("this is no book of mdBook: {error}")))?;
+    let Value::Array(mut parts) = handed else {
+        return Err(Failure::new("this is no book of mdBook"));
+    };
+    let Some(book) = parts.get_mut(1) else {
+        return Err(Failure::new("mdBook handed over no book"));
+    };
+    set_in(book).map_err(Failure::new)?;
+    println!("{book}");
+    Ok(Finding::Done)
+}
+
+/// Chapters stand in lists and in each other; what has a name and content is one.
+fn set_in(value: &mut Value) -> Result<(), String> {
+    match value {
+        Value::Array(parts) => parts.iter_mut().try_for_each(set_in),
+        Value::Object(parts) => {
+            let name = parts.get("name").and_then(Value::as_str).unwrap_or_default().to_owned();
+            if let Some(Value::String(content)) = parts.get_mut("content") {
+                *content = set_all(content).map_err(|error| format!("{name}: {error}"))?;
+            }
+            parts.values_mut().try_for_each(set_in)
+        }
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn chapters_in_chapters_are_found() {
+        let page = "$$\nx\n$$\n";
+        let inner = json!({ "Chapter": { "name": "b", "content": page, "sub_items": [] } });
+        let outer = json!({ "Chapter": { "name": "a", "content": "x", "sub_items": [inner] } });
+        let mut book = json!({ "items": [outer, "Separator"] });
+        set_in(&mut book).unwrap_or_else(|error| panic!("{error}"));
+        assert!(book.to_string().contains("<math"), "{book}");
+    }
+}

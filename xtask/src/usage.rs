@@ -1,0 +1,33 @@
+//! How the chores are asked for.
+
+pub(crate) const USAGE: &str = "\
+usage: cargo xtask test      run everything that CI runs
+       cargo xtask cycles    name the circles between files
+       cargo xtask changes [--only NAME] [--tests] [--record NAME]
+                             apply the examples of changes in docs/changes to a copy and compile \
+       it; with their
+                             tests; or write the working tree's changes as the one of a name
+       cargo xtask verify    run all tests, those that take minutes too, and write the book's \
+       table of them
+       cargo xtask fuzz [SECONDS | --inputs N] [--seed S] [READER...]
+                             read damaged inputs with every reader, for an hour where nothing is \
+                             said
+       cargo xtask peers [--write]
+                             measure other programs beside this one; write the tables into the \
+       book
+       cargo xtask accuracy [--write | WORD...]
+                             measure what each accuracy of the mesh errs by, of all cases or of \
+       those whose
+                             titles hold a word; write the table into the book
+       cargo xtask dependencies --write
+                             write what the crates and pages depend on into the book
+       cargo xtask architecture
+                             draw the crates and what they use for ARCHITECTURE.md
+       cargo xtask book      build the book into target/book
+       cargo xtask bundles   check that the bundles of the pages are what their sources make
+       cargo xtask paper     write the paper to target/paper/paper.pdf
+       cargo xtask shown [--all]
+                             run the commands that the README and the book's first pages show; \
+       those that
+                             take minutes, too
+       cargo xtask workflows check the workflows in .github";
