@@ -1,7 +1,8 @@
 //! Chores of the repository: `cargo xtask test` runs everything that CI runs, `cargo xtask verify`
 //! the tests that take minutes too, `cargo xtask changes` tries the examples of changes, `cargo
 //! xtask fuzz` reads damaged inputs for as long as is asked, `cargo xtask peers` measures other
-//! programs beside this one, `cargo xtask accuracy` what the accuracies of the mesh err by.
+//! programs beside this one, `cargo xtask accuracy` what the accuracies of the mesh err by, `cargo
+//! xtask playground` makes the app that runs in a browser alone.
 
 mod accuracy;
 mod app;
@@ -17,14 +18,10 @@ mod peers;
 mod python;
 mod python_package;
 mod verification;
+mod wasm;
 mod web;
 
-use std::{
-    env,
-    path::Path,
-    process::{Command, ExitCode},
-    time::Instant,
-};
+use std::{env, process::ExitCode, time::Instant};
 
 use command::{Failure, cargo, program, run, run_counted, succeeds};
 use count::Count;
@@ -46,6 +43,8 @@ usage: cargo xtask test      run everything that CI runs
        cargo xtask peers [--write]
                              measure other programs beside this one; write the tables into the \
        book
+       cargo xtask playground
+                             make the app that runs in a browser alone, in target/playground
        cargo xtask accuracy [--write | WORD...]
                              measure what each accuracy of the mesh errs by, of all cases or of \
        those whose
@@ -67,11 +66,12 @@ const TEST: &[Step] = &[
     ("Damaged inputs", damaged_inputs),
     ("Documentation examples", doc_tests),
     ("Documentation", documentation),
-    ("Core for the browser", wasm),
+    ("Core for the browser", wasm::core),
     ("Python example", python::example),
     ("Python package", python_package::package),
     ("Report in a browser", page::browser),
     ("App in a browser", app::browser),
+    ("App in a browser alone", wasm::browser),
 ];
 
 const VERIFY: &[Step] =
@@ -94,6 +94,7 @@ fn main() -> ExitCode {
         ["peers", "--write"] => exit_code(peers::side_by_side(true)),
         ["accuracy", "--write"] => exit_code(accuracy::measure(true, &[])),
         ["accuracy", ref words @ ..] => exit_code(accuracy::measure(false, words)),
+        ["playground"] => exit_code(wasm::playground()),
         ["fuzz"] => exit_code(fuzz(&["3600"])),
         ["fuzz", ref fuzz_options @ ..] => exit_code(fuzz(fuzz_options)),
         ["--help" | "-h"] => {
@@ -207,26 +208,6 @@ fn documentation() -> Result<Finding, Failure> {
     run(
         cargo().args(["doc", "--workspace", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings"),
         "warnings count as errors",
-    )?;
-    Ok(Finding::Done)
-}
-
-fn wasm() -> Result<Finding, Failure> {
-    const TARGET: &str = "wasm32-unknown-unknown";
-    let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
-    let sysroot = Command::new(rustc).args(["--print", "sysroot"]).output();
-    let installed = sysroot.is_ok_and(|output| {
-        let root = String::from_utf8_lossy(&output.stdout).trim().to_owned();
-        Path::new(&root).join("lib/rustlib").join(TARGET).is_dir()
-    });
-    if !installed {
-        return Ok(Finding::Skipped(format!(
-            "the target is not installed (`rustup target add {TARGET}`)"
-        )));
-    }
-    run(
-        cargo().args(["check", "--package", "wholestring", "--target", TARGET]),
-        "core must compile for the browser: no files, no threads, no clock",
     )?;
     Ok(Finding::Done)
 }
