@@ -19,10 +19,17 @@ const packagesOfComponents = {
   },
 };
 
-export default defineConfig({
+/** Whom the page asks, by the mode of the build: `alone`, an engine of its own, else the server that has served it. */
+const asked = (mode) => fileURLToPath(new URL(`src/${mode === "alone" ? "alone" : "served"}/asked.ts`, import.meta.url));
+
+export default defineConfig(({ mode }) => ({
+  base: mode === "alone" ? "./" : "/",
+  define: { __ALONE__: String(mode === "alone") },
+  resolve: { alias: { "#asked": asked(mode) } },
+  worker: { format: "es", rollupOptions: { output: { entryFileNames: "[name].js" } } },
   plugins: [palette(), packagesOfComponents, svelte()],
   build: {
-    outDir: "../../crates/app/assets",
+    outDir: mode === "alone" ? "../../target/playground" : "../../crates/app/assets",
     emptyOutDir: true,
     target: "es2022",
     modulePreload: { polyfill: false },
@@ -38,4 +45,4 @@ export default defineConfig({
     },
   },
   server: { proxy: { "/api": { target: served, ws: true, changeOrigin: true } } },
-});
+}));

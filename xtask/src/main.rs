@@ -1,7 +1,8 @@
 //! Chores of the repository: `cargo xtask test` runs everything that CI runs, `cargo xtask verify`
 //! the tests that take minutes too, `cargo xtask changes` tries the examples of changes, `cargo
 //! xtask fuzz` reads damaged inputs for as long as is asked, `cargo xtask peers` measures other
-//! programs beside this one, `cargo xtask accuracy` what the accuracies of the mesh err by.
+//! programs beside this one, `cargo xtask accuracy` what the accuracies of the mesh err by, `cargo
+//! xtask playground` makes the app that runs in a browser alone.
 
 mod accuracy;
 mod app;
@@ -24,15 +25,11 @@ mod shown;
 mod site;
 mod usage;
 mod verification;
+mod wasm;
 mod web;
 mod workflows;
 
-use std::{
-    env,
-    path::Path,
-    process::{Command, ExitCode},
-    time::Instant,
-};
+use std::{env, process::ExitCode, time::Instant};
 
 use command::{Failure, cargo, program, run, run_counted, succeeds};
 use count::Count;
@@ -62,11 +59,12 @@ const TEST: &[Step] = &[
     ("Book", site::build),
     ("Paper", paper::build),
     ("Commands of the first pages", shown::quick),
-    ("Core for the browser", wasm),
+    ("Core for the browser", wasm::core),
     ("Python example", python::example),
     ("Python package", python_package::package),
     ("Report in a browser", page::browser),
     ("App in a browser", app::browser),
+    ("App in a browser alone", wasm::browser),
 ];
 
 const VERIFY: &[Step] = &[
@@ -101,6 +99,7 @@ fn main() -> ExitCode {
         ["dependencies", "--write"] => exit_code(dependencies::write_table()),
         ["accuracy", "--write"] => exit_code(accuracy::measure(true, &[])),
         ["accuracy", ref words @ ..] => exit_code(accuracy::measure(false, words)),
+        ["playground"] => exit_code(wasm::playground()),
         ["fuzz"] => exit_code(fuzz(&["3600"])),
         ["fuzz", ref fuzz_options @ ..] => exit_code(fuzz(fuzz_options)),
         ["--help" | "-h"] => {
@@ -214,26 +213,6 @@ fn documentation() -> Result<Finding, Failure> {
     run(
         cargo().args(["doc", "--workspace", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings"),
         "warnings count as errors",
-    )?;
-    Ok(Finding::Done)
-}
-
-fn wasm() -> Result<Finding, Failure> {
-    const TARGET: &str = "wasm32-unknown-unknown";
-    let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
-    let sysroot = Command::new(rustc).args(["--print", "sysroot"]).output();
-    let installed = sysroot.is_ok_and(|output| {
-        let root = String::from_utf8_lossy(&output.stdout).trim().to_owned();
-        Path::new(&root).join("lib/rustlib").join(TARGET).is_dir()
-    });
-    if !installed {
-        return Ok(Finding::Skipped(format!(
-            "the target is not installed (`rustup target add {TARGET}`)"
-        )));
-    }
-    run(
-        cargo().args(["check", "--package", "wholestring", "--target", TARGET]),
-        "core must compile for the browser: no files, no threads, no clock",
     )?;
     Ok(Finding::Done)
 }

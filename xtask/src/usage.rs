@@ -25,6 +25,8 @@ usage: cargo xtask test      run everything that CI runs
                              draw the crates and what they use for ARCHITECTURE.md
        cargo xtask book      build the book into target/book
        cargo xtask bundles   check that the bundles of the pages are what their sources make
+       cargo xtask playground
+                             make the app that runs in a browser alone, in target/playground
        cargo xtask paper     write the paper to target/paper/paper.pdf
        cargo xtask shown [--all]
                              run the commands that the README and the book's first pages show; \

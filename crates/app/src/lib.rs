@@ -5,15 +5,14 @@
 //! Nothing here prints.
 //!
 //! A request goes one way: the `guard` decides whether it is answered at all, the router finds its
-//! noun in `api`, and that asks the `workspace`, which reads and writes nothing outside its folder.
+//! noun in `api`, and that asks the `workspace`, which reads and writes nothing outside its folder. What needs neither is answered
+//! by `wholestring-screens`.
 #![warn(missing_docs)]
 
-mod answers;
 mod api;
 mod app;
 mod assets;
 mod connections;
-mod examples;
 mod fingerprint;
 mod guard;
 mod import;

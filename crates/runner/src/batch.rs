@@ -3,11 +3,12 @@
 use std::{
     num::NonZeroUsize,
     path::{Path, PathBuf},
-    time::{Duration, Instant},
+    time::Duration,
 };
 
 use crate::{
-    cancellation::CancellationToken, error::Error, output::Output, parallel::jobs, shard::Shard,
+    cancellation::CancellationToken, clock::Instant, error::Error, output::Output, parallel::jobs,
+    shard::Shard,
 };
 
 /// How many cases are solved.

@@ -1,6 +1,8 @@
 //! How far a simulation goes between two looks at a cancellation.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use crate::clock::Instant;
 
 /// Time on the clock between two looks. Whoever interrupts waits for this at most, and for what is
 /// written then.

@@ -14,10 +14,15 @@ const SCREENS = {
   answers: () => import("./answers/AnswersScreen.svelte"),
   case: () => import("./case/CaseScreen.svelte"),
   seat: () => import("./seat/SeatScreen.svelte"),
-  work: () => import("./work/WorkScreen.svelte"),
-  results: () => import("./work/ResultScreen.svelte"),
-  compare: () => import("./work/CompareScreen.svelte"),
-  import: () => import("./work/ImportScreen.svelte"),
+  // What needs the program and its folder.
+  ...(__ALONE__
+    ? {}
+    : {
+        work: () => import("./work/WorkScreen.svelte"),
+        results: () => import("./work/ResultScreen.svelte"),
+        compare: () => import("./work/CompareScreen.svelte"),
+        import: () => import("./work/ImportScreen.svelte"),
+      }),
 } satisfies Record<string, () => Promise<{ default: Component<ScreenProps> | Component }>>;
 
 export type Screen = keyof typeof SCREENS;
@@ -25,6 +30,6 @@ export type Screen = keyof typeof SCREENS;
 export const isScreen = (name: string): name is Screen => Object.hasOwn(SCREENS, name);
 
 export async function screenOf(screen: Screen): Promise<Component<ScreenProps>> {
-  const found: unknown = (await SCREENS[screen]()).default;
+  const found: unknown = (await SCREENS[screen]!()).default;
   return found as Component<ScreenProps>;
 }

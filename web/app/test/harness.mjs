@@ -21,7 +21,7 @@ const FLAGS = [
 ];
 
 /** The program under test. */
-function program() {
+export function program() {
   if (process.env.WHOLESTRING) return process.env.WHOLESTRING;
   const target = process.env.CARGO_TARGET_DIR ?? join(ROOT, "target");
   const built = ["debug", "release"].map((profile) => join(target, profile, "wholestring")).filter(existsSync);

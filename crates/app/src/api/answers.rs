@@ -1,20 +1,14 @@
 //! What a text answers while it is written.
 
-use std::collections::BTreeMap;
-
 use axum::extract::{Path, State};
-use serde::Deserialize;
-use utoipa::ToSchema;
 use utoipa_axum::{router::OpenApiRouter, routes};
-use wholestring::{operation::OperationKind, outcome::ModelKind};
-use wholestring_case::{Case, Override, parse};
-use wholestring_runner::{CancellationToken, Error};
+use wholestring_runner::CancellationToken;
+use wholestring_screens::answers::{
+    Answer, Asked, AskedOfModels, AskedOfOperation, AssemblyView, Broomstick,
+};
 
 use super::{Json, blocking, error::ApiError};
-use crate::{
-    answers::{self, Answer, AssemblyView, Broomstick},
-    app::App,
-};
+use crate::app::App;
 
 /// The requests of this noun.
 pub(crate) fn routes() -> OpenApiRouter<App> {
@@ -22,81 +16,6 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(answer))
         .routes(routes!(broomstick))
         .routes(routes!(assembly))
-}
-
-/// A text, with some values of it replaced.
-#[derive(Debug, Deserialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Asked {
-    /// The text.
-    text: String,
-    /// Values by keys, as `--set KEY=VALUE` has them.
-    #[serde(default)]
-    set: BTreeMap<String, String>,
-}
-
-/// The same, and by which models.
-#[derive(Debug, Deserialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct AskedOfModels {
-    /// The text.
-    text: String,
-    /// Values by keys, as `--set KEY=VALUE` has them.
-    #[serde(default)]
-    set: BTreeMap<String, String>,
-    /// The models: `soft`, `stiff`. Both where nothing is said.
-    #[serde(default)]
-    models: Vec<String>,
-}
-
-/// The same, and in which operation.
-#[derive(Debug, Deserialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct AskedOfOperation {
-    /// The text.
-    text: String,
-    /// Values by keys, as `--set KEY=VALUE` has them.
-    #[serde(default)]
-    set: BTreeMap<String, String>,
-    /// The operation: `drill`, ...; the first that drills, or the first, where nothing is said.
-    #[serde(default)]
-    operation: Option<String>,
-}
-
-impl Asked {
-    /// The case that it makes.
-    fn case(&self, app: &App, id: &str) -> Result<Case, ApiError> {
-        let file = app.workspace.case(id)?;
-        let set = self.set.iter().map(|(key, value)| {
-            let text = format!("{key}={value}");
-            text.parse::<Override>().map_err(|error| ApiError::bad_input(error.to_string()))
-        });
-        let set: Vec<Override> = set.collect::<Result<_, _>>()?;
-        Ok(parse(&file.shown, self.text.as_bytes(), &app.workspace.beside(&file), &set)?)
-    }
-}
-
-fn models(names: &[String]) -> Result<Vec<ModelKind>, ApiError> {
-    let statics = || ModelKind::ALL.iter().copied().filter(|of| !of.method().in_time);
-    if names.is_empty() {
-        return Ok(statics().collect());
-    }
-    let named = |name: &String| {
-        statics().find(|of| of.name() == name).ok_or_else(|| {
-            let names: Vec<&str> = statics().map(ModelKind::name).collect();
-            let names = names.join(", ");
-            ApiError::bad_input(format!("no model `{name}` answers at once: {names} do"))
-        })
-    };
-    names.iter().map(named).collect()
-}
-
-fn operation(name: &str) -> Result<OperationKind, ApiError> {
-    let found = OperationKind::ALL.iter().copied().find(|of| of.name() == name);
-    found.ok_or_else(|| {
-        let names: Vec<&str> = OperationKind::ALL.iter().map(|of| of.name()).collect();
-        ApiError::bad_input(format!("no operation is called `{name}`: {} are", names.join(", ")))
-    })
 }
 
 /// Ends the work whose answer nobody waits for any more: a page that has asked anew closes the
@@ -124,13 +43,6 @@ async fn while_waited_for<T: Send + 'static>(
     .await
 }
 
-fn refused(error: Error) -> ApiError {
-    match error {
-        Error::BadInput(message) => ApiError::bad_input(message),
-        error => ApiError::failed(error),
-    }
-}
-
 /// What the text comes to by soft and stiff string. Nothing is written.
 #[utoipa::path(
     post,
@@ -141,12 +53,12 @@ fn refused(error: Error) -> ApiError {
 async fn answer(
     State(app): State<App>,
     Path(id): Path<String>,
-    Json(AskedOfModels { text, set, models: names }): Json<AskedOfModels>,
+    Json(asked): Json<AskedOfModels>,
 ) -> Result<Json<Answer>, ApiError> {
     while_waited_for(app, move |app, cancellation| {
-        let models = models(&names)?;
-        let case = Asked { text, set }.case(app, &id)?;
-        answers::answer(case, models, cancellation).map(Json).map_err(refused)
+        let file = app.workspace.case(&id)?;
+        let beside = app.workspace.beside(&file);
+        Ok(Json(asked.answer(&file.shown, &beside, cancellation)?))
     })
     .await
 }
@@ -165,8 +77,9 @@ async fn broomstick(
     Json(asked): Json<Asked>,
 ) -> Result<Json<Broomstick>, ApiError> {
     while_waited_for(app, move |app, cancellation| {
-        let case = asked.case(app, &id)?;
-        answers::broomstick(&case, cancellation).map(Json).map_err(refused)
+        let file = app.workspace.case(&id)?;
+        let beside = app.workspace.beside(&file);
+        Ok(Json(asked.broomstick(&file.shown, &beside, cancellation)?))
     })
     .await
 }
@@ -181,12 +94,12 @@ async fn broomstick(
 async fn assembly(
     State(app): State<App>,
     Path(id): Path<String>,
-    Json(AskedOfOperation { text, set, operation: name }): Json<AskedOfOperation>,
+    Json(asked): Json<AskedOfOperation>,
 ) -> Result<Json<AssemblyView>, ApiError> {
     while_waited_for(app, move |app, cancellation| {
-        let kind = name.as_deref().map(operation).transpose()?;
-        let case = Asked { text, set }.case(app, &id)?;
-        answers::assembly(&case, kind, cancellation).map(Json).map_err(refused)
+        let file = app.workspace.case(&id)?;
+        let beside = app.workspace.beside(&file);
+        Ok(Json(asked.assembly(&file.shown, &beside, cancellation)?))
     })
     .await
 }

@@ -6,7 +6,8 @@ use axum::extract::{Path, State};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 use utoipa_axum::{router::OpenApiRouter, routes};
-use wholestring_case::{Report, Severity, parse};
+use wholestring_case::parse;
+use wholestring_screens::cases::Title;
 
 use super::{Json, blocking, error::ApiError};
 use crate::{
@@ -55,10 +56,11 @@ fn entry(workspace: &Workspace, case: CaseFile, is_read: bool) -> CaseEntry {
     let (name, problem) = match case.read() {
         Err(error) => (None, Some(error.to_string())),
         Ok(_) if !is_read => (None, None),
-        Ok(read) => match parse(&case.shown, read.text.as_bytes(), &workspace.beside(&case), &[]) {
-            Ok(checked) => (Some(checked.name), None),
-            Err(report) => (named(&read.text), first_error(&report)),
-        },
+        Ok(read) => {
+            let Title { name, problem } =
+                Title::of(&case.shown, &read.text, &workspace.beside(&case));
+            (name, problem)
+        }
     };
     CaseEntry {
         name: name.or(stem).unwrap_or_default(),
@@ -67,20 +69,6 @@ fn entry(workspace: &Workspace, case: CaseFile, is_read: bool) -> CaseEntry {
         modified_ms: millis(case.modified),
         path: case.shown,
         id: case.id,
-    }
-}
-
-fn first_error(report: &Report) -> Option<String> {
-    let mut errors = report.diagnostics.iter().filter(|one| one.severity == Severity::Error);
-    errors.next().map(|error| error.message.clone())
-}
-
-/// The name that a case gives itself, though it is not sound.
-fn named(text: &str) -> Option<String> {
-    let entries = wholestring_config::node::parse_text(text, 0).ok()?;
-    match &entries.get("name")?.value {
-        wholestring_config::node::Value::Text { text, .. } => Some(text.clone()),
-        _ => None,
     }
 }
 

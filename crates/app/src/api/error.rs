@@ -9,8 +9,11 @@ use axum::{
 use serde::Serialize;
 use utoipa::ToSchema;
 use wholestring_case::Report;
+use wholestring_screens::{
+    live::LiveError,
+    refusal::{ErrorDetails, Refusal},
+};
 
-use super::diagnostic::{self, Diagnostic};
 use crate::{jobs::JobError, workspace::WorkspaceError};
 
 /// A request that is not answered as it was meant: `{"error": {...}}`.
@@ -21,33 +24,20 @@ pub(crate) struct ApiError {
     error: ErrorDetails,
 }
 
-/// Why.
-#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
-pub(crate) struct ErrorDetails {
-    /// A word for programs.
-    kind: &'static str,
-    /// A sentence for people.
-    message: String,
-    /// What is wrong with the case, where that is it.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    diagnostics: Vec<Diagnostic>,
-}
-
 impl ApiError {
     /// An answer with this status.
     pub(crate) fn new(status: StatusCode, kind: &'static str, message: impl Into<String>) -> Self {
-        let error = ErrorDetails { kind, message: message.into(), diagnostics: Vec::new() };
-        Self { status, error }
+        Self::from(Refusal::new(status.as_u16(), kind, message))
     }
 
     /// There is no such thing.
     pub(crate) fn not_found(message: impl Into<String>) -> Self {
-        Self::new(StatusCode::NOT_FOUND, "not_found", message)
+        Self::from(Refusal::not_found(message))
     }
 
     /// What was asked cannot be so.
     pub(crate) fn bad_input(message: impl Into<String>) -> Self {
-        Self::new(StatusCode::UNPROCESSABLE_ENTITY, "bad_input", message)
+        Self::from(Refusal::bad_input(message))
     }
 
     /// What stands there is not what the one who asks has seen.
@@ -57,7 +47,21 @@ impl ApiError {
 
     /// It should have gone, and did not: a full disk, for one.
     pub(crate) fn failed(error: impl Display) -> Self {
-        Self::new(StatusCode::INTERNAL_SERVER_ERROR, "failed", error.to_string())
+        Self::from(Refusal::failed(error))
+    }
+}
+
+impl From<Refusal> for ApiError {
+    fn from(Refusal { status, error }: Refusal) -> Self {
+        let status = StatusCode::from_u16(status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
+        Self { status, error }
+    }
+}
+
+/// What a live string does not do.
+impl From<LiveError> for ApiError {
+    fn from(error: LiveError) -> Self {
+        Self::from(Refusal::from(error))
     }
 }
 
@@ -87,18 +91,9 @@ impl From<JobError> for ApiError {
 }
 
 /// A case that is not sound.
-impl From<&Report> for ApiError {
-    fn from(report: &Report) -> Self {
-        let mut error =
-            Self::new(StatusCode::UNPROCESSABLE_ENTITY, "unsound", "the case is not sound");
-        error.error.diagnostics = diagnostic::of_report(report);
-        error
-    }
-}
-
 impl From<Report> for ApiError {
     fn from(report: Report) -> Self {
-        Self::from(&report)
+        Self::from(Refusal::from(report))
     }
 }
 

@@ -7,16 +7,10 @@ use axum::{
     http::StatusCode,
 };
 use utoipa_axum::{router::OpenApiRouter, routes};
+use wholestring_screens::live::{Beginning, KeptEntry, LiveId, Start};
 
-use super::{
-    Json, blocking,
-    error::ApiError,
-    live::{LiveId, case_of},
-};
-use crate::{
-    app::App,
-    live::{Beginning, KeptEntry, KeptString, Start},
-};
+use super::{Json, blocking, error::ApiError, live::case_of};
+use crate::{app::App, live::kept};
 
 /// The requests of this noun.
 pub(crate) fn routes() -> OpenApiRouter<App> {
@@ -26,7 +20,7 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
 /// The strings that are kept, the latest first.
 #[utoipa::path(get, path = "/api/kept-strings", responses((status = 200, body = Vec<KeptEntry>)))]
 async fn list(State(app): State<App>) -> Result<Json<Vec<KeptEntry>>, ApiError> {
-    blocking(move || Ok(Json(KeptString::all(&app.workspace)))).await
+    blocking(move || Ok(Json(kept::all(&app.workspace)))).await
 }
 
 /// Continues a string that is kept, as a live string. It waits to be run.
@@ -42,7 +36,7 @@ async fn list(State(app): State<App>) -> Result<Json<Vec<KeptEntry>>, ApiError> 
 )]
 async fn go_on(State(app): State<App>, Path(name): Path<String>) -> Result<Json<LiveId>, ApiError> {
     blocking(move || {
-        let kept = KeptString::of_name(&app.workspace, &name)?;
+        let kept = kept::of_name(&app.workspace, &name)?;
         let (text, case) = case_of(&app, &kept.case_id, Some(kept.text))?;
         let start = Start::At { bytes: Arc::new(kept.checkpoint), events: kept.events };
         let from = Beginning { case_id: kept.case_id, text, case: Arc::new(case), start };

@@ -6,16 +6,17 @@ use axum::{
     extract::{Path, State},
     http::StatusCode,
 };
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use utoipa::ToSchema;
 use utoipa_axum::{router::OpenApiRouter, routes};
 use wholestring_case::{Case, parse};
+use wholestring_screens::live::{
+    At, Back, Beginning, Layout, LiveEntry, LiveId, NewString, RecordedEvent, Scheduled, Start,
+    TextOfCase, schedule as scheduled,
+};
 
 use super::{Json, blocking, error::ApiError};
-use crate::{
-    app::App,
-    live::{Beginning, Layout, LiveError, LiveState, RecordedEvent, Start, Status, with_schedule},
-};
+use crate::{app::App, live::kept};
 
 /// The requests of this noun.
 pub(crate) fn routes() -> OpenApiRouter<App> {
@@ -29,79 +30,14 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(schedule))
 }
 
-impl From<LiveError> for ApiError {
-    fn from(error: LiveError) -> Self {
-        let message = error.to_string();
-        match error {
-            LiveError::Nothing(_) => Self::not_found(message),
-            LiveError::Refused(_) => Self::bad_input(message),
-            LiveError::Ended(_) => Self::new(StatusCode::GONE, "ended", message),
-            LiveError::TooMany(_) => Self::new(StatusCode::TOO_MANY_REQUESTS, "too_many", message),
-            LiveError::Failed(_) => Self::failed(message),
-        }
-    }
-}
-
-/// A string that is to be live.
-#[derive(Debug, Deserialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct NewString {
-    /// The id of its case.
-    case: String,
-    /// The text, as it stands in the editor; that of the file where there is none.
-    text: Option<String>,
-    /// Name of the operation; the only one where none is named.
-    operation: Option<String>,
-}
-
-/// A string that is live.
-#[derive(Debug, Serialize, ToSchema)]
-pub(crate) struct LiveId {
-    /// What requests call it.
-    pub(super) id: String,
-}
-
-/// A live string in a list.
-#[derive(Debug, Serialize, ToSchema)]
-pub(crate) struct LiveEntry {
-    /// What requests call it.
-    id: String,
-    /// The id of its case.
-    case: String,
-    /// What the case calls itself.
-    name: String,
-    /// Name of the operation.
-    operation: &'static str,
-    /// What it does.
-    state: LiveState,
-    /// Why, where that is to be said.
-    sentence: Option<String>,
-    /// Simulated time, s.
-    time_s: f64,
-    /// Pages that look at it.
-    viewers: usize,
-}
-
 /// The live strings, and those that have ended of late.
 #[utoipa::path(get, path = "/api/live", responses((status = 200, body = Vec<LiveEntry>)))]
 async fn list(State(app): State<App>) -> Json<Vec<LiveEntry>> {
-    let entry = |id: &str, case: &str, name: &str, operation, status: &Status| LiveEntry {
-        id: id.to_owned(),
-        case: case.to_owned(),
-        name: name.to_owned(),
-        operation,
-        state: status.state,
-        sentence: status.sentence.clone(),
-        time_s: status.time_s,
-        viewers: status.viewers,
-    };
     let (running, ended) = app.live.all();
-    let running = running.iter().map(|string| {
-        let Layout { id, case, name, operation, .. } = &string.layout;
-        entry(id, case, name, operation, &string.status().borrow())
-    });
-    let ended =
-        ended.iter().map(|one| entry(&one.id, &one.case, &one.name, one.operation, &one.status));
+    let running = running.iter().map(|string| LiveEntry::of_string(string));
+    let ended = ended
+        .iter()
+        .map(|one| LiveEntry::of(&one.id, &one.case, &one.name, one.operation, &one.status));
     Json(running.chain(ended).collect())
 }
 
@@ -172,17 +108,6 @@ async fn end(State(app): State<App>, Path(id): Path<String>) -> Result<StatusCod
     Ok(StatusCode::NO_CONTENT)
 }
 
-/// A checkpoint that a string is to be taken back to.
-#[derive(Debug, Deserialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Back {
-    /// Its number.
-    checkpoint: u64,
-    /// Whether what was set after it is set again, each at its time. It is forgotten otherwise.
-    #[serde(default)]
-    replay: bool,
-}
-
 /// Goes back to a checkpoint. Those that come after it are forgotten.
 #[utoipa::path(
     post,
@@ -197,14 +122,6 @@ async fn rewind(
 ) -> Result<StatusCode, ApiError> {
     app.live.string(&id)?.rewind(back.checkpoint, back.replay).await?;
     Ok(StatusCode::NO_CONTENT)
-}
-
-/// A moment of a string.
-#[derive(Debug, Deserialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct At {
-    /// Number of a checkpoint; now where there is none.
-    checkpoint: Option<u64>,
 }
 
 /// Begins another string from a moment of this one.
@@ -225,7 +142,7 @@ async fn branch(
     Json(at): Json<At>,
 ) -> Result<Json<LiveId>, ApiError> {
     let string = app.live.string(&id)?;
-    let kept = app.live.moment(&string, at.checkpoint).await?;
+    let kept = string.kept_at(at.checkpoint).await?;
     blocking(move || {
         let start = Start::At { bytes: Arc::new(kept.checkpoint), events: kept.events };
         let case = string.case();
@@ -259,8 +176,8 @@ async fn keep(
     Json(at): Json<At>,
 ) -> Result<Json<KeptName>, ApiError> {
     let string = app.live.string(&id)?;
-    let kept = app.live.moment(&string, at.checkpoint).await?;
-    blocking(move || Ok(Json(KeptName { name: kept.keep(&app.workspace)? }))).await
+    let kept = string.kept_at(at.checkpoint).await?;
+    blocking(move || Ok(Json(KeptName { name: kept::keep(&kept, &app.workspace)? }))).await
 }
 
 /// What was set so far, and when.
@@ -274,25 +191,6 @@ async fn recording(
     Path(id): Path<String>,
 ) -> Result<Json<Vec<RecordedEvent>>, ApiError> {
     Ok(Json(app.live.string(&id)?.events()))
-}
-
-/// A text that is to have what was done in its schedule.
-#[derive(Debug, Deserialize, ToSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct TextOfCase {
-    /// The text.
-    text: String,
-}
-
-/// A text that has the schedule.
-#[derive(Debug, Serialize, ToSchema)]
-pub(crate) struct Scheduled {
-    /// The text.
-    text: String,
-    /// Lines that were added.
-    lines: usize,
-    /// What no schedule can say, in sentences.
-    left_out: Vec<String>,
 }
 
 /// Writes what was done into `[[operation.schedule]]` of a text. No file is written.
@@ -313,13 +211,9 @@ async fn schedule(
 ) -> Result<Json<Scheduled>, ApiError> {
     blocking(move || {
         let string = app.live.string(&id)?;
-        let case_id = &string.layout.case;
-        let (text, case) = case_of(&app, case_id, Some(text))?;
-        let made = with_schedule(&text, &case, &string.events());
-        let made = made.map_err(|error| ApiError::bad_input(error.to_string()))?;
-        // What comes out is a sound case, or it is said why not.
-        case_of(&app, case_id, Some(made.text.clone()))?;
-        Ok(Json(Scheduled { text: made.text, lines: made.lines, left_out: made.left_out }))
+        let file = app.workspace.case(&string.layout.case)?;
+        let beside = app.workspace.beside(&file);
+        Ok(Json(scheduled(&text, &string.events(), &file.shown, &beside)?))
     })
     .await
 }

@@ -10,57 +10,17 @@ use axum::{
     response::Response,
 };
 use futures_util::{SinkExt, StreamExt, stream::SplitSink};
-use serde::{Deserialize, Serialize};
 use tokio::{sync::watch, time::timeout};
-use utoipa::ToSchema;
 use utoipa_axum::{router::OpenApiRouter, routes};
 
+use wholestring_screens::live::{LiveError, LiveString, Status, Told, Viewing, frame_packet};
+
 use super::error::ApiError;
-use crate::{
-    app::App,
-    live::{Layout, LiveError, LiveString, Pace, SetPoints, Status, frame_packet, samples_packet},
-};
+use crate::app::App;
 
 /// The requests of this noun.
 pub(crate) fn routes() -> OpenApiRouter<App> {
     OpenApiRouter::new().routes(routes!(socket))
-}
-
-/// What the server says, as text; samples and frames are binary.
-#[derive(Debug, Serialize, ToSchema)]
-#[serde(tag = "type", rename_all = "snake_case")]
-pub(crate) enum Told<'a> {
-    /// What a viewer has to know first.
-    Layout(&'a Layout),
-    /// How the string is doing.
-    Status(&'a Status),
-    /// What was asked cannot be.
-    Refused {
-        /// Why.
-        message: String,
-    },
-}
-
-/// What a page asks, as text.
-#[derive(Debug, Deserialize, ToSchema)]
-#[serde(deny_unknown_fields, rename_all = "snake_case")]
-pub(crate) enum Asked {
-    /// The samples that the page has already: those of this epoch up to this number. Said first, or
-    /// all that is kept is sent.
-    Have {
-        /// The epoch.
-        epoch: u32,
-        /// The number of the next sample.
-        next: u64,
-    },
-    /// Sets something.
-    Set(SetPoints),
-    /// Takes another pace.
-    Pace(Pace),
-    /// Goes on, or waits.
-    Run(bool),
-    /// Goes on by so many seconds, and waits then.
-    Step(f64),
 }
 
 /// What a page may send at once, bytes: no request of it is longer.
@@ -68,9 +28,6 @@ const LONGEST: usize = 16 << 10;
 
 /// A page that takes nothing for so long is gone.
 const PATIENCE: Duration = Duration::from_secs(30);
-
-/// Samples in a message at most: the rest follows in the next.
-const MOST_SAMPLES: usize = 4096;
 
 /// Between two messages at least, for a page that draws no faster.
 const BETWEEN: Duration = Duration::from_millis(15);
@@ -112,16 +69,8 @@ async fn socket(
     let upgrade = upgrade.max_message_size(LONGEST).max_frame_size(LONGEST);
     Ok(upgrade.on_upgrade(move |socket| async move {
         let _turn = turn;
-        let _viewer = string.view();
         attend(socket, &string).await;
     }))
-}
-
-/// What a viewer has been given.
-struct Given {
-    string: Arc<LiveString>,
-    epoch: u32,
-    next: u64,
 }
 
 type Sink = SplitSink<WebSocket, Message>;
@@ -132,15 +81,14 @@ async fn send(sink: &mut Sink, message: Message) -> bool {
 }
 
 async fn tell(sink: &mut Sink, told: &Told<'_>) -> bool {
-    let text = serde_json::to_string(told).unwrap_or_default();
-    send(sink, Message::Text(Utf8Bytes::from(text))).await
+    send(sink, Message::Text(Utf8Bytes::from(told.text()))).await
 }
 
 /// Serves a page until it goes, or the string does.
 async fn attend(socket: WebSocket, string: &Arc<LiveString>) {
     let (mut sink, mut stream) = socket.split();
     let (mut frames, mut status) = (string.frames(), string.status());
-    let mut given = Given { string: string.clone(), epoch: u32::MAX, next: 0 };
+    let mut viewing = Viewing::of(string);
     if !tell(&mut sink, &Told::Layout(&string.layout)).await {
         return;
     }
@@ -152,7 +100,7 @@ async fn attend(socket: WebSocket, string: &Arc<LiveString>) {
             asked = stream.next() => {
                 let Some(Ok(message)) = asked else { return };
                 let refused = match message {
-                    Message::Text(text) => given.hear(&text),
+                    Message::Text(text) => viewing.hear(&text),
                     Message::Close(_) => return,
                     _ => None,
                 };
@@ -175,7 +123,7 @@ async fn attend(socket: WebSocket, string: &Arc<LiveString>) {
                 let bytes = frame_packet(frame.epoch, frame.time_s, &frame.columns);
                 // A string that is about to begin has no frame yet.
                 let is_frame = !frame.columns.is_empty();
-                if !given.give_samples(&mut sink).await
+                if !give_samples(&mut sink, &mut viewing).await
                     || is_frame && !send(&mut sink, Message::Binary(bytes.into())).await
                 {
                     return;
@@ -196,43 +144,14 @@ async fn give_status(sink: &mut Sink, status: &mut watch::Receiver<Arc<Status>>)
     tell(sink, &Told::Status(&now)).await
 }
 
-impl Given {
-    /// Gives the samples that are new, as many as there are now.
-    async fn give_samples(&mut self, sink: &mut Sink) -> bool {
-        loop {
-            let samples = self.string.samples(self.epoch, self.next, MOST_SAMPLES);
-            let Some(samples) = samples else { return true };
-            let is_all = samples.values.is_empty() || samples.end() - samples.first < 4096;
-            (self.epoch, self.next) = (samples.epoch, samples.end());
-            if !send(sink, Message::Binary(samples_packet(&samples).into())).await {
-                return false;
-            }
-            if is_all {
-                return true;
-            }
+/// Gives the samples that are new, as many as there are now.
+async fn give_samples(sink: &mut Sink, viewing: &mut Viewing) -> bool {
+    let mut more = true;
+    while more && let Some((bytes, others)) = viewing.samples() {
+        if !send(sink, Message::Binary(bytes.into())).await {
+            return false;
         }
+        more = others;
     }
-
-    /// Does what a page asks; why not, where it cannot be.
-    fn hear(&mut self, text: &str) -> Option<String> {
-        let asked: Asked = match serde_json::from_str(text) {
-            Ok(asked) => asked,
-            Err(error) => return Some(format!("this is not understood: {error}")),
-        };
-        let string = &self.string;
-        let done = match asked {
-            Asked::Have { epoch, next } => {
-                (self.epoch, self.next) = (epoch, next);
-                Ok(())
-            }
-            Asked::Set(set) => string.set(set),
-            Asked::Pace(pace) => string.pace(pace),
-            Asked::Run(runs) => {
-                string.run(runs);
-                Ok(())
-            }
-            Asked::Step(seconds) => string.step(seconds),
-        };
-        done.err().map(|error| error.to_string())
-    }
+    true
 }

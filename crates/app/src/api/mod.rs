@@ -9,7 +9,6 @@ mod cases;
 mod catalogue;
 mod check;
 mod compare;
-pub(crate) mod diagnostic;
 mod document;
 mod drafts;
 mod edit;
@@ -18,17 +17,14 @@ mod examples;
 mod import;
 mod jobs;
 mod kept;
-mod layout;
 mod live;
 mod live_socket;
 mod other_files;
-mod quantities;
 mod results;
 mod schema;
 mod session;
 mod survey;
 mod units;
-mod values;
 
 use axum::{
     Router,

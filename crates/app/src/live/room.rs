@@ -4,19 +4,21 @@ use std::{
     collections::VecDeque,
     fmt,
     panic::{AssertUnwindSafe, catch_unwind},
-    sync::{Arc, Mutex},
+    sync::{Arc, Mutex, MutexGuard, PoisonError},
     thread::{self, JoinHandle},
 };
 
-use super::{
-    begin::{Beginning, Begun, begin},
-    command::LiveError,
-    engine::{End, Engine},
-    kept::KeptString,
-    live_string::{LiveString, held},
-    status::{LiveState, Status},
+use wholestring_screens::live::{
+    Beginning, End, Engine, Keeps, KeptString, LiveError, LiveString, Status,
 };
+
+use super::{kept, thread::go_on};
 use crate::{limits::Limits, workspace::Workspace};
+
+fn held<T>(of: &Mutex<T>) -> MutexGuard<'_, T> {
+    // What is behind these is whole between any two lines.
+    of.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// Strings that have ended and of which it is still said why.
 const MOST_ENDED: usize = 16;
@@ -93,16 +95,17 @@ impl EngineRoom {
         let mut random = [0; 8];
         getrandom::fill(&mut random).map_err(|error| LiveError::Failed(error.to_string()))?;
         let id: String = random.iter().map(|byte| format!("{byte:02x}")).collect();
-        let Begun { live, string } = begin(&id, from, &self.limits)?;
-        let engine = Engine::new(Begun { live, string: string.clone() }, self.limits.live_idle);
-        if let Some(large) = too_large(&string, &self.limits) {
-            return Err(large);
-        }
+        let keeps = Keeps {
+            samples: self.limits.live_samples,
+            checkpoint_bytes: self.limits.live_checkpoint_bytes,
+        };
+        let engine = Engine::begin(&id, from, &keeps)?;
+        let (string, idle) = (engine.string(), self.limits.live_idle);
         let (all, workspace, of) = (self.strings.clone(), self.workspace.clone(), string.clone());
         // The string is in the list before its thread may want to take it out.
         let mut strings = held(&self.strings);
         let thread = thread::Builder::new().name("live string".to_owned()).spawn(move || {
-            let end = catch_unwind(AssertUnwindSafe(|| engine.run()));
+            let end = catch_unwind(AssertUnwindSafe(|| go_on(engine, idle)));
             ended(&all, &workspace, &of, end.ok());
         });
         let thread = thread.map_err(|error| LiveError::Failed(error.to_string()))?;
@@ -134,24 +137,6 @@ impl EngineRoom {
         (running, strings.ended.iter().cloned().collect())
     }
 
-    /// A string as it is to be kept: at a checkpoint, or now.
-    ///
-    /// # Errors
-    /// Where it has ended, or the checkpoint is not there.
-    pub(crate) async fn moment(
-        &self,
-        string: &LiveString,
-        checkpoint: Option<u64>,
-    ) -> Result<KeptString, LiveError> {
-        let moment = string.moment(checkpoint).await?;
-        Ok(KeptString {
-            time_s: moment.time_s,
-            events: moment.events,
-            checkpoint: moment.bytes.to_vec(),
-            ..kept_of(string)
-        })
-    }
-
     /// Ends all of them and keeps them. Called once, when nobody asks any more.
     pub(crate) fn close(&self) {
         let running = {
@@ -168,49 +153,21 @@ impl EngineRoom {
     }
 }
 
-/// Why a string is not to be live, where its state takes too much memory.
-fn too_large(string: &LiveString, limits: &Limits) -> Option<LiveError> {
-    let bytes = held(&string.checkpoints).bytes();
-    let most = limits.live_checkpoint_bytes / 4;
-    (bytes > most).then(|| {
-        let message = format!(
-            "the state of this string takes {} MB and may take {}: give it a coarser mesh",
-            bytes >> 20,
-            most >> 20
-        );
-        LiveError::Refused(message)
-    })
-}
-
-fn kept_of(string: &LiveString) -> KeptString {
-    KeptString {
-        case_id: string.layout.case.clone(),
-        name: string.layout.name.clone(),
-        operation: string.layout.operation.to_owned(),
-        time_s: string.status.borrow().time_s,
-        text: string.text.clone(),
-        events: string.events(),
-        checkpoint: Vec::new(),
-    }
-}
-
 /// What is done when an engine has ended; without an `end` it has panicked.
 fn ended(strings: &Mutex<Strings>, workspace: &Workspace, string: &LiveString, end: Option<End>) {
     let sentence = match end {
         None => "the program has met a mistake of its own, and the string has ended".to_owned(),
         Some(End { mut sentence, checkpoint }) => {
             if let Some(checkpoint) = checkpoint {
-                let kept = KeptString { checkpoint, ..kept_of(string) };
-                if let Err(error) = kept.keep(workspace) {
+                let whole = KeptString { checkpoint, ..string.as_kept() };
+                if let Err(error) = kept::keep(&whole, workspace) {
                     sentence = format!("{sentence} ({error})");
                 }
             }
             sentence
         }
     };
-    let status = string.status.borrow().clone();
-    let status = Status { state: LiveState::Ended, sentence: Some(sentence), ..(*status).clone() };
-    string.status.send_replace(Arc::new(status.clone()));
+    let status = string.ended(sentence);
     let mut strings = held(strings);
     let layout = &string.layout;
     strings.running.retain(|one| one.string.layout.id != layout.id);
@@ -230,8 +187,9 @@ mod tests {
 
     use wholestring_case::{InMemory, parse};
 
+    use wholestring_screens::live::Start;
+
     use super::*;
-    use crate::live::begin::Start;
 
     const TEXT: &str = include_str!("../../../../cases/slant.toml");
 
@@ -264,7 +222,7 @@ mod tests {
             assert!(since.elapsed() < Duration::from_secs(20), "it goes on");
             thread::sleep(Duration::from_millis(20));
         }
-        assert_eq!(KeptString::all(&room.workspace).len(), 1);
+        assert_eq!(kept::all(&room.workspace).len(), 1);
         // The list follows within a moment.
         thread::sleep(Duration::from_millis(100));
         let Err(LiveError::Ended(sentence)) = room.string(&id) else { panic!("it has ended") };
@@ -277,7 +235,7 @@ mod tests {
         let (_folder, room, id) = room(Duration::from_secs(60));
         room.string(&id).expect("it is there").run(true);
         room.close();
-        assert_eq!(KeptString::all(&room.workspace).len(), 1);
+        assert_eq!(kept::all(&room.workspace).len(), 1);
         assert!(matches!(room.string(&id), Err(LiveError::Ended(_))));
     }
 }

@@ -7,9 +7,8 @@ use utoipa::ToSchema;
 use wholestring::outcome::{PROFILE, QuantityKind};
 use wholestring_results::{PlanSummary, Table};
 use wholestring_runner::findings::quantities::{shown, symbol};
+use wholestring_screens::answers::Column;
 use wholestring_units::UnitSet;
-
-use crate::answers::Column;
 
 /// Larger tables are not drawn, bytes.
 const LARGEST: u64 = 64 << 20;

@@ -1,9 +1,16 @@
 //! The instruction sets that kernels are compiled for, and the choice between them while the
 //! program runs.
 
-#[cfg(not(target_arch = "x86_64"))]
+#[cfg(not(any(
+    target_arch = "x86_64",
+    all(target_arch = "wasm32", target_feature = "simd128")
+)))]
 use super::wide::Pair;
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+#[cfg(any(
+    target_arch = "x86_64",
+    target_arch = "aarch64",
+    all(target_arch = "wasm32", target_feature = "simd128")
+))]
 use super::wide::Registers;
 
 /// What a kernel computes with in code for AVX-512.
@@ -21,7 +28,14 @@ pub type Baseline<R> = <R as Registers>::Xmm;
 #[cfg(target_arch = "aarch64")]
 pub type Baseline<R> = Pair<<R as Registers>::Fused>;
 /// What it computes with in code for every processor of the target.
-#[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+pub type Baseline<R> = <R as Registers>::V128;
+/// What it computes with in code for every processor of the target.
+#[cfg(not(any(
+    target_arch = "x86_64",
+    target_arch = "aarch64",
+    all(target_arch = "wasm32", target_feature = "simd128")
+)))]
 pub type Baseline<R> = Pair<R>;
 
 /// Expands a macro once for each instruction set of the target, with the name of a module, the type

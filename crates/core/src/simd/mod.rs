@@ -8,4 +8,6 @@ pub mod lanes;
 pub mod number;
 pub mod peak;
 pub mod vector;
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+mod wasm;
 pub(crate) mod wide;

@@ -25,6 +25,9 @@ pub trait Registers: Real {
     /// A register of any x86-64.
     #[cfg(target_arch = "x86_64")]
     type Xmm: Number<Real = Self>;
+    /// A register of WebAssembly.
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    type V128: Number<Real = Self>;
 }
 
 impl Registers for f64 {
@@ -35,6 +38,8 @@ impl Registers for f64 {
     type Ymm = x86::Ymm64;
     #[cfg(target_arch = "x86_64")]
     type Xmm = x86::Xmm64;
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    type V128 = super::wasm::V64;
 }
 
 impl Registers for f32 {
@@ -45,6 +50,8 @@ impl Registers for f32 {
     type Ymm = x86::Ymm32;
     #[cfg(target_arch = "x86_64")]
     type Xmm = x86::Xmm32;
+    #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+    type V128 = super::wasm::V32;
 }
 
 /// Two of them, worked on in turn: while the processor waits for the one, it works on the other.

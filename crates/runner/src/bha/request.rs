@@ -1,6 +1,6 @@
 //! An assembly at rest that is requested, and what came of it.
 
-use std::{f64::consts::TAU, num::NonZeroUsize, path::PathBuf, time::Instant};
+use std::{f64::consts::TAU, num::NonZeroUsize, path::PathBuf};
 
 use serde_json::json;
 use wholestring::{
@@ -20,8 +20,8 @@ use super::{
     points::{Base, Sweeps},
 };
 use crate::{
-    cancellation::CancellationToken, claim::Claim, error::Error, observer::Observer,
-    output::Output, parallel::jobs, results_kind::Results,
+    cancellation::CancellationToken, claim::Claim, clock::Instant, error::Error,
+    observer::Observer, output::Output, parallel::jobs, results_kind::Results,
 };
 
 /// Names of the other tables, without their extension.

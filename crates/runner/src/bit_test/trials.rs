@@ -1,6 +1,6 @@
 //! The trials of a bit test, on all cores.
 
-use std::{sync::Mutex, time::Instant};
+use std::sync::Mutex;
 
 use wholestring::rock::{Alone, DrillingResponse, Stepper, Trial, TrialOutcome};
 use wholestring_case::{BitTest, Case};
@@ -18,6 +18,7 @@ use crate::{
     batch::{BatchOptions, BatchOutcome, FailedCase},
     cancellation::CancellationToken,
     checkpoint::{Keeper, other_processor},
+    clock::Instant,
     observer::{BatchSize, CaseEnded, Observer, Watch},
     output::Existing,
     parallel::{in_parallel, lock},

@@ -2,7 +2,7 @@
 
 use std::{
     path::{Path, PathBuf},
-    time::{Duration, Instant},
+    time::Duration,
 };
 
 use wholestring::outcome::ModelKind;
@@ -22,6 +22,7 @@ use super::{
 use crate::{
     cancellation::CancellationToken,
     claim::Claim,
+    clock::Instant,
     error::Error,
     observer::Observer,
     output::Output,

@@ -1,9 +1,11 @@
 //! Checkpoints as time goes by.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use serde::Serialize;
 use wholestring_results::{ResultsError, ResultsFolder};
+
+use crate::clock::Instant;
 
 /// Writes checkpoints of a run as time goes by.
 pub(crate) struct Keeper<'a> {

@@ -1,10 +1,6 @@
 //! Small motions that are requested, and what came of them.
 
-use std::{
-    num::NonZeroUsize,
-    path::PathBuf,
-    time::{Duration, Instant},
-};
+use std::{num::NonZeroUsize, path::PathBuf, time::Duration};
 
 use wholestring::{
     modal::{Campbell, Family, Forcing, Mode, Place, SmallMotions},
@@ -19,8 +15,8 @@ use wholestring_units::{Dimension, UnitSet};
 
 use super::{stability, tables};
 use crate::{
-    cancellation::CancellationToken, claim::Claim, error::Error, observer::Observer,
-    output::Output, results_kind::Results,
+    cancellation::CancellationToken, claim::Claim, clock::Instant, error::Error,
+    observer::Observer, output::Output, results_kind::Results,
 };
 
 /// Rotary speeds of the diagram, and of the answer to a force.

@@ -1,6 +1,6 @@
 //! The work of a plan, on all cores, kept as it comes.
 
-use std::{collections::BTreeSet, time::Instant};
+use std::collections::BTreeSet;
 
 use serde::{Deserialize, Serialize};
 use serde_json::json;
@@ -26,6 +26,7 @@ use crate::{
     batch::BatchOutcome,
     cancellation::CancellationToken,
     checkpoint::Keeper,
+    clock::Instant,
     observer::Observer,
     parallel::jobs,
     run::checkpoint_every,

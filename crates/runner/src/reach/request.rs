@@ -1,11 +1,6 @@
 //! A reach that is requested, and what came of it.
 
-use std::{
-    num::NonZeroUsize,
-    path::PathBuf,
-    sync::Mutex,
-    time::{Duration, Instant},
-};
+use std::{num::NonZeroUsize, path::PathBuf, sync::Mutex, time::Duration};
 
 use serde_json::json;
 use wholestring::operation::{Operation, OperationKind};
@@ -30,6 +25,7 @@ use crate::{
     batch::BatchOutcome,
     cancellation::CancellationToken,
     claim::Claim,
+    clock::Instant,
     error::Error,
     observer::Observer,
     output::Output,

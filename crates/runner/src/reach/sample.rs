@@ -1,6 +1,6 @@
 //! The samples of a reach: how far the well goes with other numbers of the case.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use wholestring::operation::OperationKind;
 use wholestring_case::Case;
@@ -15,6 +15,7 @@ use crate::{
     batch::BatchOutcome,
     cancellation::CancellationToken,
     checkpoint::Keeper,
+    clock::Instant,
     error::Error,
     observer::Observer,
     output::Existing,

@@ -1,11 +1,7 @@
 //! A dynamic run that a front takes forward bit by bit, and whose set points it changes: for a
 //! controller, a digital twin, an environment to learn in.
 
-use std::{
-    num::NonZeroUsize,
-    sync::Arc,
-    time::{Duration, Instant},
-};
+use std::{num::NonZeroUsize, sync::Arc, time::Duration};
 
 use serde::{Deserialize, Serialize};
 use wholestring::{
@@ -23,6 +19,7 @@ use super::{
 };
 use crate::{
     cancellation::CancellationToken,
+    clock::Instant,
     cores::RockThreads,
     error::Error,
     observer::{Observer, Watch},

@@ -1,10 +1,6 @@
 //! Solving a case, operation by operation, with whatever model it requires.
 
-use std::{
-    panic::resume_unwind,
-    thread,
-    time::{Duration, Instant},
-};
+use std::{panic::resume_unwind, thread, time::Duration};
 
 use wholestring::{
     dynamics::{
@@ -22,6 +18,7 @@ use wholestring_results::{ResultsFolder, Status};
 use super::{lift::tune, stop::Stop, way::Way};
 use crate::{
     checkpoint::{self, Keeper, RunCheckpoint, UnderWay},
+    clock::Instant,
     observer::Watch,
     pace::Pace,
     record::{

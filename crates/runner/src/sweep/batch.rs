@@ -3,7 +3,6 @@
 use std::{
     path::Path,
     sync::{Mutex, PoisonError},
-    time::Instant,
 };
 
 use wholestring_results::ResultsError;
@@ -15,6 +14,7 @@ use super::{
 use crate::{
     batch::{BatchOptions, BatchOutcome},
     cancellation::CancellationToken,
+    clock::Instant,
     observer::{BatchSize, CaseEnded, Observer},
     parallel::{in_parallel, lock},
 };

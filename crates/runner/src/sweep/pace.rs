@@ -1,6 +1,8 @@
 //! How often a table is written while its cases are solved.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use crate::clock::Instant;
 
 /// Least time between two writings.
 const INTERVAL: Duration = Duration::from_secs(5);

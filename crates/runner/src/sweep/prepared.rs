@@ -4,7 +4,6 @@ use std::{
     fs,
     path::{Path, PathBuf},
     sync::{Mutex, PoisonError},
-    time::Instant,
 };
 
 use wholestring_case::Override;
@@ -25,6 +24,7 @@ use crate::{
     batch::{BatchOptions, BatchOutcome},
     cancellation::CancellationToken,
     claim::{Claimed, remove_results},
+    clock::Instant,
     error::Error,
     keep::Keep,
     observer::Observer,

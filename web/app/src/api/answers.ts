@@ -2,7 +2,8 @@
 
 import type { AssemblyAtRest } from "../../../components/assembly_views.ts";
 import type { HoleSection, StringPart } from "../../../components/schematic.ts";
-import { part, request } from "./client";
+import { request } from "#asked";
+import { part } from "./client";
 
 /** Numbers of a column. */
 export type Numbers = (number | null)[];

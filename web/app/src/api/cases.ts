@@ -1,6 +1,7 @@
 // Cases of the folder: their texts, drafts, and what the command line says of them.
 
-import { part, request, type Diagnostic } from "./client";
+import { request } from "#asked";
+import { part, type Diagnostic } from "./client";
 
 export interface CaseInList {
   id: string;

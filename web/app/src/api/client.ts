@@ -1,4 +1,4 @@
-// Requests to the server that has served this page.
+// What requests and their answers have in common.
 
 /** A place in a case that something is to be said of. */
 export interface Diagnostic {
@@ -41,48 +41,7 @@ export const wasAborted = (problem: unknown): boolean =>
 export const sentence = (problem: unknown): string =>
   problem instanceof Error ? problem.message : String(problem);
 
-async function failure(response: Response): Promise<ApiError> {
-  try {
-    const { error } = (await response.json()) as {
-      error: { kind: string; message: string; diagnostics?: Diagnostic[] };
-    };
-    return new ApiError(response.status, error.kind, error.message, error.diagnostics ?? []);
-  } catch {
-    return new ApiError(response.status, "unknown", `The server answered with status ${response.status}.`);
-  }
-}
-
-type Method = "GET" | "POST" | "PUT" | "DELETE";
-
-/**
- * Asks the server; `body` goes as JSON, or as it is where it is a form. With `keepalive` it arrives though the page
- * is closed.
- */
-export async function request<T>(
-  method: Method,
-  path: string,
-  body?: unknown,
-  signal?: AbortSignal,
-  keepalive = false,
-): Promise<T> {
-  const form = body instanceof FormData;
-  let response: Response;
-  try {
-    response = await fetch(`/api${path}`, {
-      method,
-      headers: body === undefined || form ? {} : { "content-type": "application/json" },
-      body: body === undefined ? null : form ? body : JSON.stringify(body),
-      signal: signal ?? null,
-      keepalive,
-    });
-  } catch (problem) {
-    if (wasAborted(problem)) throw problem;
-    throw new ApiError(0, "unreachable", "The server does not answer: is `wholestring app` still running?");
-  }
-  if (!response.ok) throw await failure(response);
-  const text = await response.text();
-  return (text === "" ? undefined : JSON.parse(text)) as T;
-}
+export type Method = "GET" | "POST" | "PUT" | "DELETE";
 
 /** One part of a path. */
 export const part = (id: string): string => encodeURIComponent(id);

@@ -1,6 +1,6 @@
 // Files of other programs, and the case that they make.
 
-import { request } from "./client";
+import { request } from "#asked";
 
 /** What is said of files that they do not tell themselves. */
 export interface Choices {

@@ -1,6 +1,7 @@
 // Work that is started from the page: what the command line does with a saved case.
 
-import { part, request } from "./client";
+import { request } from "#asked";
+import { part } from "./client";
 
 export type Work =
   | { kind: "run"; models: string[]; csv: boolean }

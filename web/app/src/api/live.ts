@@ -1,6 +1,7 @@
 // Live strings: begun, listed, taken back, branched, kept. How they move comes over a socket: seat/connection.
 
-import { part, request } from "./client";
+import { request } from "#asked";
+import { part } from "./client";
 
 export interface LiveEntry {
   id: string;
@@ -136,7 +137,3 @@ export const scheduleOf = (id: string, text: string): Promise<Scheduled> =>
   request("POST", `/live/${part(id)}/schedule`, { text });
 export const listKept = (): Promise<KeptString[]> => request("GET", "/kept-strings");
 export const continueKept = (name: string): Promise<{ id: string }> => request("POST", `/kept-strings/${part(name)}`);
-
-/** The address of the socket of a live string. */
-export const socketAddress = (id: string): string =>
-  `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/api/live/${part(id)}/socket`;

@@ -1,6 +1,6 @@
 // What stays the same as long as the program runs: the schema of the case file, units, the catalogue.
 
-import { request } from "./client";
+import { request } from "#asked";
 import type { UnitSet } from "../settings.svelte";
 
 /** JSON schema as the program writes it. */

@@ -1,6 +1,7 @@
 // What commands have left in the folder.
 
-import { part, request } from "./client";
+import { request } from "#asked";
+import { part } from "./client";
 import type { Finding } from "./jobs";
 import type { UnitSet } from "../settings.svelte";
 

@@ -1,4 +1,4 @@
-import { request } from "./client";
+import { request } from "#asked";
 
 export interface Session {
   version: string;

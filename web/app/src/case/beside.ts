@@ -26,7 +26,7 @@ export interface Panel {
 export const PANELS: Panel[] = [
   { name: "text", title: "TOML", load: () => import("./text/TextEditor.svelte") },
   { name: "answers", title: "Answers", load: () => import("./AnswersPanel.svelte") },
-  { name: "work", title: "Run", load: () => import("./WorkPanel.svelte") },
+  ...(__ALONE__ ? [] : [{ name: "work", title: "Run", load: () => import("./WorkPanel.svelte") }]),
 ];
 
 export async function panelOf(panel: Panel): Promise<Component<PanelProps>> {

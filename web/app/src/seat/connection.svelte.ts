@@ -1,6 +1,8 @@
 // A page's connection to a live string: what comes down, and what goes up.
 
-import { socketAddress, type Layout, type Pace, type SetPoints, type Status } from "../api/live";
+import { lineTo } from "#asked";
+import type { Layout, Pace, SetPoints, Status } from "../api/live";
+import { OPEN, type Line } from "../api/line";
 import { Samples } from "./samples";
 
 const SAMPLES = 1;
@@ -30,7 +32,7 @@ export class Connection {
   /** How many frames have come. */
   frames = 0;
   readonly id: string;
-  #socket: WebSocket | null = null;
+  #socket: Line | null = null;
   #tries = 0;
   #timer = 0;
   #closed = false;
@@ -41,15 +43,14 @@ export class Connection {
   }
 
   #open(): void {
-    const socket = new WebSocket(socketAddress(this.id));
-    socket.binaryType = "arraybuffer";
+    const socket = lineTo(this.id);
     this.#socket = socket;
     socket.onopen = () => {
       this.connected = true;
       this.#tries = 0;
       if (this.samples) this.#say({ have: { epoch: this.samples.epoch, next: this.samples.next } });
     };
-    socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
+    socket.onmessage = ({ data }) => {
       if (typeof data === "string") this.#hear(data);
       else this.#take(data);
     };
@@ -87,7 +88,7 @@ export class Connection {
 
   #say(asked: object): void {
     this.refused = null;
-    if (this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(JSON.stringify(asked));
+    if (this.#socket?.readyState === OPEN) this.#socket.send(JSON.stringify(asked));
   }
 
   set(set: SetPoints): void {

@@ -1,6 +1,6 @@
 // Words that a case file takes, from the schema of the case: a list that has one has its others.
 
-import { request } from "../api/client";
+import { request } from "#asked";
 
 let asked: Promise<unknown> | null = null;
 

@@ -1,0 +1,114 @@
+//! What is asked of a text, and what stays the same.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use wholestring_case::{InMemory, schema};
+use wholestring_runner::CancellationToken;
+use wholestring_screens::{
+    answers::{Asked, AskedOfModels, AskedOfOperation},
+    cases::Title,
+    catalogue::{Wanted, catalogue},
+    check::{Text, check},
+    edit::{Changes, edit},
+    examples::{example, list},
+    refusal::Refusal,
+    survey::{Pasted, survey},
+    units::units,
+};
+
+/// A request of the page.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Request {
+    /// What is asked: `check`, `answer`, `units`, ...
+    pub asks: String,
+    /// What requests call the live string that is to begin.
+    #[serde(default)]
+    pub id: String,
+    /// The name of the case's file.
+    #[serde(default)]
+    pub file: String,
+    /// The files beside it, by their names.
+    #[serde(default)]
+    pub beside: BTreeMap<String, String>,
+    /// What the server of the local app has as the body, or as parts of the address.
+    #[serde(default)]
+    pub body: Value,
+}
+
+/// What is asked of one by its name.
+#[derive(Debug, Deserialize)]
+struct Named {
+    name: String,
+}
+
+/// What a list says of a case.
+#[derive(Debug, Serialize)]
+struct Listed {
+    name: Option<String>,
+    problem: Option<String>,
+}
+
+/// Who asks.
+#[derive(Debug, Serialize)]
+struct Program {
+    version: &'static str,
+}
+
+impl Request {
+    /// The files beside the case.
+    pub fn files(&self) -> InMemory {
+        let bytes = |(name, text): (&String, &String)| (name.clone(), text.as_bytes().to_owned());
+        InMemory(self.beside.iter().map(bytes).collect())
+    }
+
+    /// The body as what is asked for.
+    ///
+    /// # Errors
+    /// One that is something else.
+    pub fn body<'a, T: Deserialize<'a>>(&'a self) -> Result<T, Refusal> {
+        T::deserialize(&self.body).map_err(|error| Refusal::new(400, "bad_json", error.to_string()))
+    }
+
+    /// The answer, as JSON.
+    ///
+    /// # Errors
+    /// What cannot be answered, and what nobody answers here.
+    pub fn answer(&self) -> Result<String, Refusal> {
+        let (file, files) = (self.file.as_str(), self.files());
+        // There is one thread here: who does not want to wait any more ends all of it.
+        let none = CancellationToken::new();
+        match self.asks.as_str() {
+            "program" => json(&Program { version: env!("CARGO_PKG_VERSION") }),
+            "schema" => json(&schema()),
+            "units" => json(&units()),
+            "catalogue" => json(&catalogue(&self.body::<Wanted>()?)),
+            "survey" => json(&survey(&self.body::<Pasted>()?)?),
+            "examples" => json(&list()),
+            "example" => json(&example(&self.body::<Named>()?.name)?),
+            "title" => {
+                let Title { name, problem } = Title::of(file, &self.body::<Text>()?.text, &files);
+                json(&Listed { name, problem })
+            }
+            "check" => json(&check(file, &self.body::<Text>()?.text, &files)),
+            "edit" => json(&edit(self.body::<Changes>()?)?),
+            "answer" => json(&self.body::<AskedOfModels>()?.answer(file, &files, &none)?),
+            "broomstick" => json(&self.body::<Asked>()?.broomstick(file, &files, &none)?),
+            "assembly" => json(&self.body::<AskedOfOperation>()?.assembly(file, &files, &none)?),
+            other => {
+                let message = format!("`{other}` is not answered in a browser alone");
+                Err(Refusal::not_found(message))
+            }
+        }
+    }
+}
+
+/// As JSON.
+///
+/// # Errors
+/// None that an answer gives.
+pub fn json(of: &impl Serialize) -> Result<String, Refusal> {
+    serde_json::to_string(of).map_err(Refusal::failed)
+}

@@ -1,0 +1,148 @@
+//! How near operations are to what pipe and rig bear, by the soft string.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use utoipa::ToSchema;
+use wholestring::{operation::Operation, statics::soft::SoftString};
+use wholestring_case::Case;
+use wholestring_plan::limits::{self, LimitKind, LoadCheck};
+
+/// The limits of an operation.
+#[derive(Debug, Serialize, ToSchema)]
+pub struct OperationLimits {
+    /// The operation: `drill`, `trip_out`, ...
+    operation: String,
+    /// Of each kind the one with the least reserve, in the order of the plan's tables.
+    limits: Vec<Limit>,
+    /// What could not be checked.
+    unchecked: Vec<Unchecked>,
+}
+
+/// A load against what bears it.
+#[derive(Debug, Serialize, ToSchema)]
+pub struct Limit {
+    /// What it is of, as `plan_limits.parquet` has it: `hoist`, `von_mises`, ...
+    kind: &'static str,
+    /// The same for people.
+    label: &'static str,
+    /// The component; null of the rig.
+    component: Option<String>,
+    /// Where, measured depth, m; null of the rig.
+    md_m: Option<f64>,
+    /// Dimension of load and capacity: `force`, `torque`, `pressure`.
+    dimension: &'static str,
+    /// The load, SI.
+    load: f64,
+    /// What is borne, SI.
+    capacity: f64,
+    /// Capacity over load that is to be kept.
+    required: f64,
+    /// Capacity over load, over what is required: the load may grow by it. Less than 1 is too little.
+    reserve: f64,
+    /// `kept`, `near`, `short` or `passed`.
+    standing: &'static str,
+}
+
+/// What is not known, and of which components; of the rig where there are none.
+#[derive(Debug, Serialize, ToSchema)]
+pub struct Unchecked {
+    /// In words: `no yield strength`.
+    missing: &'static str,
+    /// The components.
+    components: Vec<String>,
+}
+
+/// The limits of every operation of a case that the soft string has an answer for.
+pub fn of_operations(case: &Case) -> Vec<OperationLimits> {
+    let found = |operation: &Operation| {
+        let string = SoftString::new(&case.model, operation.bit_depth_m, &case.soft).ok()?;
+        let loads = string.loads(operation).ok()?;
+        let settings = &case.plan.limits;
+        let found = limits::limits_of_soft(&case.model, operation, &loads, settings);
+        Some(OperationLimits {
+            operation: operation.kind.name().to_owned(),
+            limits: worst_of(case, &found),
+            unchecked: unchecked(case, &found),
+        })
+    };
+    case.operations.iter().filter_map(found).collect()
+}
+
+fn name(case: &Case, component: usize) -> Option<String> {
+    Some(case.model.string.components().get(component)?.name.clone())
+}
+
+fn worst_of(case: &Case, found: &limits::Limits) -> Vec<Limit> {
+    let limit = |of: &LoadCheck| Limit {
+        kind: of.kind.name(),
+        label: of.kind.label(),
+        component: of.component.and_then(|component| name(case, component)),
+        md_m: of.md_m,
+        dimension: of.kind.quantity().dimension(),
+        load: of.load,
+        capacity: of.capacity,
+        required: of.required,
+        reserve: of.reserve(),
+        standing: of.level.name(),
+    };
+    LimitKind::ALL.iter().filter_map(|kind| found.worst(*kind)).map(limit).collect()
+}
+
+fn unchecked(case: &Case, found: &limits::Limits) -> Vec<Unchecked> {
+    let mut all: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+    for of in &found.unchecked {
+        let components = all.entry(of.missing.words()).or_default();
+        if let Some(component) = of.component.and_then(|component| name(case, component))
+            && !components.contains(&component)
+        {
+            components.push(component);
+        }
+    }
+    let of = |(missing, components)| Unchecked { missing, components };
+    all.into_iter().map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use wholestring::statics::soft;
+    use wholestring_case::load;
+
+    use super::*;
+
+    fn slant() -> Case {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/slant.toml");
+        load(&file, &[]).expect("a sound case")
+    }
+
+    /// A hoist that carries twice what hangs on it has a reserve of two over its factor.
+    #[test]
+    fn the_reserve_is_capacity_over_load_and_factor() {
+        let mut case = slant();
+        let operation = case.operations[0];
+        let solved = soft::solve(&case.model, &operation, &case.soft).expect("an answer");
+        let hangs_N = solved.scalars.hook_load_N;
+        case.model.rig.block_weight_N = None;
+        case.model.rig.hoist_capacity_N = Some(2.0 * hangs_N);
+        let found = of_operations(&case);
+        assert_eq!(found.len(), case.operations.len());
+        let hoist = found[0].limits.iter().find(|one| one.kind == "hoist").expect("a hoist");
+        // Both are sums of the same loads along the string, in another order.
+        assert!((hoist.load / hangs_N - 1.0).abs() < 1e-12, "{} {hangs_N}", hoist.load);
+        assert!((hoist.reserve * hoist.required - 2.0).abs() < 1e-12, "{}", hoist.reserve);
+        assert_eq!((hoist.dimension, hoist.standing), ("force", "kept"));
+    }
+
+    #[test]
+    fn what_is_not_known_is_told_once_for_all_components() {
+        let case = slant();
+        let found = of_operations(&case);
+        let unchecked = &found[0].unchecked;
+        let mut words: Vec<&str> = unchecked.iter().map(|one| one.missing).collect();
+        assert!(words.contains(&"no rated torque of the top drive"), "{words:?}");
+        words.dedup();
+        assert_eq!(words.len(), unchecked.len());
+    }
+}

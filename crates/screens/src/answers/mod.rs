@@ -1,0 +1,22 @@
+//! What a case answers at once, while it is written: soft and stiff string,
+//! limits, broomstick, and the assembly at rest.
+
+mod answer;
+mod asked;
+mod assembly;
+mod broomstick;
+mod column;
+mod limits;
+mod set_points;
+mod tracks;
+mod well;
+
+pub use answer::Answer;
+pub use asked::{Asked, AskedOfModels, AskedOfOperation};
+pub use assembly::{AssemblyView, Axis, Part, Touch};
+pub use broomstick::{Broomstick, Curve, Level};
+pub use column::Column;
+pub use limits::{Limit, OperationLimits, Unchecked};
+pub use set_points::{SetPoint, SetPoints};
+pub use tracks::Track;
+pub use well::{Component, PathView, Section, WellView};

@@ -1,0 +1,69 @@
+//! Values along the string, for tracks against depth.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use utoipa::ToSchema;
+use wholestring_results::Table;
+
+use super::column::Column;
+
+/// Columns of `nodes.parquet` that are drawn.
+const DRAWN: &[&str] = &[
+    "tension_N",
+    "torque_N_m",
+    "side_force_N_per_m",
+    "bending_moment_N_m",
+    "von_mises_stress_Pa",
+    "contact_fraction",
+];
+
+/// Values along the string of an operation by a model, from the surface down.
+#[derive(Debug, Serialize, ToSchema)]
+pub struct Track {
+    /// The model: `soft`, `stiff`.
+    model: String,
+    /// The operation: `drill`, `trip_out`, ...
+    operation: String,
+    /// Measured depths, m.
+    md_m: Column,
+    /// The others by the names of their columns in `nodes.parquet`; a model leaves out what it does
+    /// not know.
+    #[serde(flatten)]
+    columns: BTreeMap<&'static str, Column>,
+}
+
+impl Track {
+    /// How many depths it has.
+    #[cfg(test)]
+    pub(super) fn rows(&self) -> usize {
+        self.md_m.len()
+    }
+}
+
+/// A track for each operation by each model of the table of the nodes.
+pub fn tracks(nodes: &Table) -> Vec<Track> {
+    let (Some(models), Some(operations)) = (nodes.words("model"), nodes.words("operation")) else {
+        return Vec::new();
+    };
+    let mut tracks = Vec::new();
+    let mut from = 0;
+    while from < nodes.rows() {
+        let key = (&models[from], &operations[from]);
+        let is_of = |row: &usize| (&models[*row], &operations[*row]) == key;
+        let rows = (from..nodes.rows()).take_while(is_of).count();
+        let column = |name: &str| -> Option<Column> {
+            let numbers = &nodes.numbers(name)?[from..from + rows];
+            Some(numbers.iter().map(|number| number.unwrap_or(f64::NAN)).collect())
+        };
+        let drawn = DRAWN.iter().filter_map(|name| Some((*name, column(name)?)));
+        tracks.push(Track {
+            model: key.0.clone(),
+            operation: key.1.clone(),
+            md_m: column("md_m").unwrap_or_else(|| [].into_iter().collect()),
+            columns: drawn.filter(|(_, column)| !column.is_blank()).collect(),
+        });
+        from += rows;
+    }
+    tracks
+}

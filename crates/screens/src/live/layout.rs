@@ -1,0 +1,210 @@
+//! What a viewer has to know of a live string before its first frame.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use utoipa::ToSchema;
+use wholestring::{
+    dynamics::{Simulation, TopDriveSettings},
+    operation::Operation,
+    outcome::WellPath,
+    rod::mesh::MeshElement,
+    well::{HoleKind, Path},
+};
+use wholestring_case::{Case, MAX_FRICTION, usual_speed_controllers};
+
+use super::{
+    channels::{self, Channel},
+    set_points::{
+        MAX_BLOCK_VELOCITY_M_PER_S, MAX_FLOW_RATE_M3_PER_S, MAX_ROTARY_SPEED_RAD_PER_S,
+        MAX_WEIGHT_ON_BIT_N,
+    },
+};
+
+/// Points of the path beside its stations.
+const POINTS: usize = 400;
+
+/// What a viewer has to know before the first frame.
+#[derive(Debug, Clone, Serialize, ToSchema)]
+pub struct Layout {
+    /// What requests call it.
+    pub id: String,
+    /// The case that it was begun with.
+    pub case: String,
+    /// What the case calls itself.
+    pub name: String,
+    /// Name of the operation.
+    pub operation: &'static str,
+    /// Time between two samples, s: sample `n` is that of `(n + 1)` of them.
+    pub sample_interval_s: f64,
+    /// Samples that are kept for who comes late.
+    pub samples_kept: usize,
+    /// Elements of the string.
+    elements: usize,
+    /// Time that a twist takes from the surface to the bit, s.
+    torsional_travel_s: f64,
+    /// Columns of a sample, in their order.
+    samples: Vec<Channel>,
+    /// Columns of a frame, in their order.
+    frame: Vec<Channel>,
+    /// How each dimension is shown: in SI, metric and field units.
+    units: BTreeMap<String, [ShownUnit; 3]>,
+    /// Radius that touches the wall, of each node from the surface down, m.
+    contact_radius_m: Vec<f32>,
+    /// The path.
+    path: LivePath,
+    /// Sections of the hole, from the surface down.
+    hole: Vec<LiveHole>,
+    /// What can be set.
+    knobs: Knobs,
+}
+
+/// A unit as people see it.
+#[derive(Debug, Clone, Serialize, ToSchema)]
+pub struct ShownUnit {
+    symbol: String,
+    /// SI units in one of it.
+    factor: f64,
+}
+
+/// The path of the well in columns.
+#[derive(Debug, Clone, Serialize, ToSchema)]
+pub struct LivePath {
+    md_m: Vec<f32>,
+    north_m: Vec<f32>,
+    east_m: Vec<f32>,
+    tvd_m: Vec<f32>,
+    /// Towards the high side: its parts to the north, to the east and down.
+    high: [Vec<f32>; 3],
+}
+
+/// A section of the hole.
+#[derive(Debug, Clone, Serialize, ToSchema)]
+pub struct LiveHole {
+    /// `casing` or `open`.
+    kind: &'static str,
+    from_m: f64,
+    to_m: f64,
+    diameter_m: f64,
+}
+
+/// What can be set, in SI units: bounds, and where it stands at the beginning; null what cannot.
+#[derive(Debug, Clone, Serialize, ToSchema)]
+pub struct Knobs {
+    rotary_speed_rad_per_s: Option<Knob>,
+    block_velocity_m_per_s: Option<Knob>,
+    weight_on_bit_N: Option<Knob>,
+    /// Null without a rheology of the mud: however it flows, the string does not notice.
+    flow_rate_m3_per_s: Option<Knob>,
+    friction: Option<Knob>,
+    /// The controllers that the top drive can have; empty of one that follows its set point
+    /// whatever torque that takes.
+    controllers: Vec<&'static str>,
+}
+
+/// A knob.
+#[derive(Debug, Clone, Copy, Serialize, ToSchema)]
+pub struct Knob {
+    low: f64,
+    high: f64,
+    begins: f64,
+}
+
+impl Layout {
+    pub(super) fn of(
+        id: &str,
+        case_id: &str,
+        case: &Case,
+        operation: &Operation,
+        simulation: &Simulation,
+        samples_kept: usize,
+    ) -> Self {
+        let mesh = simulation.mesh();
+        let radii = mesh.nodes.iter().map(|node| node.contact_radius_m as f32);
+        let hole = case.model.well.hole.sections().iter().map(|section| LiveHole {
+            kind: match section.kind {
+                HoleKind::Casing => "casing",
+                HoleKind::Open => "open",
+            },
+            from_m: section.from_md_m.max(0.0),
+            to_m: section.to_md_m,
+            diameter_m: section.diameter_m,
+        });
+        let units = wholestring_runner::display_units().into_iter().map(|(name, units)| {
+            let shown = units.map(|of| ShownUnit { symbol: of.symbol, factor: of.factor });
+            (name, shown)
+        });
+        Self {
+            id: id.to_owned(),
+            case: case_id.to_owned(),
+            name: case.name.clone(),
+            operation: operation.kind.name(),
+            sample_interval_s: simulation.sample_interval_s(),
+            samples_kept,
+            elements: simulation.elements(),
+            torsional_travel_s: mesh.elements.iter().map(torsional_travel_s).sum(),
+            samples: channels::sampled(),
+            frame: channels::framed(),
+            units: units.collect(),
+            contact_radius_m: radii.collect(),
+            path: path(&case.model.well.path),
+            hole: hole.collect(),
+            knobs: knobs(case, operation),
+        }
+    }
+}
+
+/// Time that a twist takes through an element, s: `L/c` with `c² = GJ/(ρ J)`.
+fn torsional_travel_s(of: &MeshElement) -> f64 {
+    let section = &of.section;
+    of.length_m * (section.polar_inertia_kg_m / section.torsional_stiffness_N_m2).sqrt()
+}
+
+fn path(path: &Path) -> LivePath {
+    let (from_m, to_m) = (path.first_md_m(), path.last_md_m());
+    let even = (0..=POINTS).map(|i| from_m + (to_m - from_m) * i as f64 / POINTS as f64);
+    let stations = path.stations().iter().map(|station| station.md_m);
+    let mut depths: Vec<f64> = even.chain(stations).collect();
+    depths.sort_by(f64::total_cmp);
+    depths.dedup_by(|a, b| (*a - *b).abs() < 1e-3);
+    let sides: Vec<_> = depths.iter().map(|md| path.high_side_at(*md)).collect();
+    let well = WellPath::at(path, depths);
+    let single = |values: &[f64]| values.iter().map(|value| *value as f32).collect();
+    LivePath {
+        md_m: single(&well.md_m),
+        north_m: single(&well.north_m),
+        east_m: single(&well.east_m),
+        tvd_m: single(&well.tvd_m),
+        high: [0, 1, 2].map(|axis| sides.iter().map(|side| side[axis] as f32).collect()),
+    }
+}
+
+fn knobs(case: &Case, operation: &Operation) -> Knobs {
+    let knob = |low, high, begins| Some(Knob { low, high, begins });
+    let first = case.dynamics.schedule.at_time_zero(operation);
+    let driven = matches!(case.dynamics.top_drive, TopDriveSettings::Driven { .. });
+    let speed = first.rotation_rad_per_s();
+    let block = first.axial_velocity_m_per_s();
+    let friction = case.model.well.hole.sections().first().map_or(0.0, |of| of.friction.kinetic);
+    let turns = operation.kind.rotates();
+    let weight_N = first.weight_on_bit_now_N();
+    let (bottom, pumps) =
+        (operation.weight_on_bit_now_N() > 0.0, case.model.mud.rheology.is_some());
+    Knobs {
+        rotary_speed_rad_per_s: knob(0.0, MAX_ROTARY_SPEED_RAD_PER_S, speed).filter(|_| turns),
+        block_velocity_m_per_s: knob(
+            -MAX_BLOCK_VELOCITY_M_PER_S,
+            MAX_BLOCK_VELOCITY_M_PER_S,
+            block,
+        ),
+        weight_on_bit_N: knob(0.0, MAX_WEIGHT_ON_BIT_N, weight_N).filter(|_| bottom),
+        flow_rate_m3_per_s: knob(0.0, MAX_FLOW_RATE_M3_PER_S, first.flow_now_m3_per_s())
+            .filter(|_| pumps),
+        friction: knob(0.0, MAX_FRICTION, friction),
+        controllers: usual_speed_controllers()
+            .iter()
+            .filter(|_| driven)
+            .map(|(word, _)| *word)
+            .collect(),
+    }
+}

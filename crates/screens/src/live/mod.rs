@@ -1,0 +1,44 @@
+//! Strings in motion, taken forward at the pace that their viewers choose.
+//!
+//! A [`LiveString`] is what viewers share: they leave what they want there, and find the latest
+//! frame, the samples of some minutes and the status. Nothing is queued for them: who reads slowly
+//! gets the newest frame, and what samples are still kept. Its [`Engine`] owns the simulation, and
+//! goes on a [turn](Engine::turn) at a time. What a page and the string say to each other is in
+//! [`Viewing`].
+
+mod begin;
+mod channels;
+mod checkpoints;
+mod command;
+mod engine;
+mod engine_moments;
+mod engine_set;
+mod kept;
+mod lamps;
+mod layout;
+mod live_string;
+mod pace;
+mod packet;
+mod recording;
+mod requests;
+mod ring;
+mod schedule_text;
+mod set_points;
+mod status;
+mod viewing;
+mod wanted;
+
+pub use begin::{Beginning, Keeps, Start};
+pub use command::LiveError;
+pub use engine::{End, Engine};
+pub use kept::{KeptEntry, KeptString};
+pub use layout::Layout;
+pub use live_string::{FrameNow, LiveString, Viewer};
+pub use pace::Pace;
+pub use packet::frame_packet;
+pub use recording::RecordedEvent;
+pub use requests::{At, Back, LiveEntry, LiveId, NewString, Scheduled, TextOfCase, schedule};
+pub use set_points::SetPoints;
+pub use status::{LiveState, Status};
+pub use viewing::{Said, Told, Viewing};
+pub use wanted::{Asked, Ending};

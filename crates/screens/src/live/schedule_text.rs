@@ -1,0 +1,246 @@
+//! What was done at the driller's seat, as the schedule of a case.
+
+use std::f64::consts::PI;
+
+use serde_json::{Value, json};
+use wholestring_case::{Case, Edit, EditError, edit};
+use wholestring_config::node::{self, Value as Node};
+use wholestring_units::number_text;
+
+use super::{recording::RecordedEvent, set_points::SetPoints};
+
+/// What a line sets: at most one of a channel at a time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Channel {
+    RotarySpeed,
+    Hoist,
+    Flow,
+}
+
+/// A line of the schedule that sets one thing.
+#[derive(Debug, Clone, PartialEq)]
+struct Line {
+    at_s: f64,
+    ramp_s: f64,
+    channel: Channel,
+    key: &'static str,
+    value: Value,
+}
+
+/// A text that has the schedule.
+#[derive(Debug)]
+pub struct WithSchedule {
+    pub text: String,
+    /// Lines that were added.
+    pub lines: usize,
+    /// What no schedule can say, in sentences.
+    pub left_out: Vec<String>,
+}
+
+/// Nine digits: as many as a set point ever has.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.8e}").parse().unwrap_or(value)
+}
+
+fn quantity(value: f64, unit: &str) -> Value {
+    json!(format!("{} {unit}", rounded(value)))
+}
+
+/// What a set of set points says of each channel, as key and value.
+fn values(of: &SetPoints) -> impl Iterator<Item = (Channel, &'static str, Value)> {
+    let speed = of
+        .rotary_speed_rad_per_s
+        .map(|speed| (Channel::RotarySpeed, "rpm", json!(rounded(speed * 30.0 / PI))));
+    let block = of
+        .block_velocity_m_per_s
+        .map(|speed| (Channel::Hoist, "block_velocity", quantity(speed, "m/s")));
+    let weight =
+        of.weight_on_bit_N.map(|force| (Channel::Hoist, "wob", quantity(force / 1e3, "kN")));
+    let flow = of
+        .flow_rate_m3_per_s
+        .map(|flow| (Channel::Flow, "flow_rate", quantity(flow * 6e4, "L/min")));
+    [speed, block, weight, flow].into_iter().flatten()
+}
+
+/// The lines that say what was done. A set point that was still on its way when the next came is
+/// there, where it was, when that begins.
+fn lines(events: &[RecordedEvent]) -> Vec<Line> {
+    let mut lines: Vec<Line> = Vec::new();
+    for event in events {
+        for (channel, key, value) in values(&event.set) {
+            let last = lines.iter_mut().rev().find(|line| line.channel == channel);
+            if let Some(last) = last
+                && last.at_s + last.ramp_s > event.at_s
+            {
+                last.ramp_s = event.at_s - last.at_s;
+                let there = values(&event.before).find(|(_, key, _)| *key == last.key);
+                if let Some((_, _, value)) = there {
+                    last.value = value;
+                }
+            }
+            let (at_s, ramp_s) = (event.at_s, event.set.ramp_s);
+            lines.push(Line { at_s, ramp_s, channel, key, value });
+        }
+    }
+    lines
+}
+
+/// The key of the list in a text: an operation may stand in a table, or alone in a list.
+fn list_key(text: &str) -> &'static str {
+    let entries = node::parse_text(text, 0).ok();
+    match entries.as_ref().and_then(|all| all.get("operation")).map(|found| &found.value) {
+        Some(Node::List(_)) => "operation.0.schedule",
+        _ => "operation.schedule",
+    }
+}
+
+/// Writes what was done into the schedule of a text, between the lines that it has. `case` is the
+/// case that the text makes.
+///
+/// # Errors
+/// A text that cannot be changed so.
+pub fn with_schedule(
+    text: &str,
+    case: &Case,
+    events: &[RecordedEvent],
+) -> Result<WithSchedule, EditError> {
+    let mut there: Vec<f64> = case.dynamics.schedule.steps.iter().map(|of| of.at_s).collect();
+    let list = list_key(text);
+    let lines = lines(events);
+    let mut edits = Vec::new();
+    for line in &lines {
+        let at = there.partition_point(|at_s| *at_s <= line.at_s);
+        there.insert(at, line.at_s);
+        let mut value = json!({ "at": format!("{} s", rounded(line.at_s)) });
+        if line.ramp_s > 0.0 {
+            value["ramp"] = json!(format!("{} s", rounded(line.ramp_s)));
+        }
+        value[line.key] = line.value.clone();
+        edits.push(Edit::Insert { list: list.to_owned(), at, value });
+    }
+    Ok(WithSchedule { text: edit(text, &edits)?, lines: lines.len(), left_out: left_out(events) })
+}
+
+fn left_out(events: &[RecordedEvent]) -> Vec<String> {
+    let mut sentences = Vec::new();
+    for event in events {
+        let at = number_text(event.at_s);
+        if let Some(friction) = event.set.friction {
+            let friction = number_text(friction);
+            sentences.push(format!(
+                "a friction of {friction} from {at} s on: a schedule does not change the hole"
+            ));
+        }
+        if let Some(controller) = &event.set.controller {
+            sentences.push(format!(
+                "the controller `{controller}` from {at} s on: a schedule does not change the \
+                 top drive"
+            ));
+        }
+    }
+    sentences
+}
+
+#[cfg(test)]
+mod tests {
+    use wholestring_case::{InMemory, parse};
+
+    use super::super::set_points::{
+        MAX_BLOCK_VELOCITY_M_PER_S, MAX_FLOW_RATE_M3_PER_S, MAX_ROTARY_SPEED_RAD_PER_S,
+        MAX_WEIGHT_ON_BIT_N,
+    };
+    use super::*;
+
+    const TEXT: &str = include_str!("../../../../cases/vertical.toml");
+
+    fn case_of(text: &str) -> Case {
+        let parsed = parse("case.toml", text.as_bytes(), &InMemory::default(), &[]);
+        parsed.unwrap_or_else(|report| panic!("{}\n{text}", report.render(false)))
+    }
+
+    /// A case that drills, from one that stands for itself.
+    fn text() -> String {
+        let operation = TEXT.find("[operation]").or(TEXT.find("[[operation]]"));
+        let head = &TEXT[..operation.expect("an operation")];
+        let head = head.replace("[\"soft\"]", "[\"dynamic\"]");
+        format!(
+            "{head}[operation]\nkind = \"drill\"\nrpm = 60\nwob = \"20 kN\"\nrop = \"10 m/h\"\n\
+             # the plan\n[[operation.schedule]]\nat = \"5 s\"\nrpm = 90\n"
+        )
+    }
+
+    fn event(at_s: f64, set: SetPoints) -> RecordedEvent {
+        RecordedEvent { at_s, set, before: SetPoints::default() }
+    }
+
+    #[test]
+    fn what_was_done_is_read_back_as_it_was() {
+        let (text, speed) = (text(), 12.345_678_9);
+        let set = SetPoints { rotary_speed_rad_per_s: Some(speed), ..SetPoints::default() };
+        let weight = SetPoints { weight_on_bit_N: Some(31_500.0), ramp_s: 4.0, ..set.clone() };
+        let friction = SetPoints { friction: Some(0.4), ..SetPoints::default() };
+        let events = [event(2.0, set), event(7.25, weight), event(9.0, friction)];
+        let made = with_schedule(&text, &case_of(&text), &events).expect("a text");
+        assert!(made.text.contains("# the plan"));
+        assert_eq!((made.lines, made.left_out.len()), (3, 1));
+        let steps = case_of(&made.text).dynamics.schedule.steps;
+        let times: Vec<f64> = steps.iter().map(|of| of.at_s).collect();
+        assert_eq!(times, [2.0, 5.0, 7.25, 7.25]);
+        // Nine digits are written.
+        let read = steps[0].rotary_speed_rad_per_s.expect("a speed");
+        assert!((read / speed - 1.0).abs() < 1e-8);
+        assert_eq!((steps[3].ramp_s, steps[2].ramp_s), (4.0, 4.0));
+    }
+
+    /// Of two ramps the second of which begins before the first has ended, the first ends there, at
+    /// what the set point was then.
+    #[test]
+    fn a_ramp_that_was_taken_over_ends_there() {
+        let speed = |speed, ramp_s| SetPoints {
+            rotary_speed_rad_per_s: Some(speed),
+            ramp_s,
+            ..SetPoints::default()
+        };
+        let events = [
+            event(10.0, speed(4.0 * PI, 8.0)),
+            RecordedEvent { at_s: 12.0, set: speed(PI, 1.0), before: speed(2.5 * PI, 0.0) },
+        ];
+        let found = lines(&events);
+        assert_eq!((found[0].ramp_s, &found[0].value), (2.0, &json!(75.0)));
+        assert_eq!((found[1].ramp_s, &found[1].value), (1.0, &json!(30.0)));
+        let text = text();
+        let made = with_schedule(&text, &case_of(&text), &events).expect("a text");
+        assert_eq!(case_of(&made.text).dynamics.schedule.steps.len(), 3);
+    }
+
+    /// The bounds of the knobs are those of the schedule: at them a line is taken, beyond refused.
+    #[test]
+    fn the_bounds_of_the_knobs_are_those_of_the_schedule() {
+        let text = text();
+        for set in [
+            |of: f64| SetPoints {
+                rotary_speed_rad_per_s: Some(of * MAX_ROTARY_SPEED_RAD_PER_S),
+                ..SetPoints::default()
+            },
+            |of: f64| SetPoints {
+                block_velocity_m_per_s: Some(-of * MAX_BLOCK_VELOCITY_M_PER_S),
+                ..SetPoints::default()
+            },
+            |of: f64| SetPoints {
+                weight_on_bit_N: Some(of * MAX_WEIGHT_ON_BIT_N),
+                ..SetPoints::default()
+            },
+            |of: f64| SetPoints {
+                flow_rate_m3_per_s: Some(of * MAX_FLOW_RATE_M3_PER_S),
+                ..SetPoints::default()
+            },
+        ] {
+            for (of, is_sound) in [(1.0, true), (1.01, false)] {
+                let events = [event(6.0, set(of))];
+                let made = with_schedule(&text, &case_of(&text), &events).expect("a text");
+                let read = parse("case.toml", made.text.as_bytes(), &InMemory::default(), &[]);
+                assert_eq!(read.is_ok(), is_sound, "{}", made.text);
+            }
+        }
+    }
+}

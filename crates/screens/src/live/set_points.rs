@@ -1,0 +1,136 @@
+//! What a driller sets.
+
+use std::f64::consts::PI;
+
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+use wholestring::{
+    dynamics::{HoistSetPoint, ScheduleStep},
+    operation::Operation,
+};
+use wholestring_case::MAX_FRICTION;
+
+/// What a driller sets; what is not named stays as it is.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct SetPoints {
+    /// Rotary speed at surface.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rotary_speed_rad_per_s: Option<f64>,
+    /// Speed of the block, positive downwards: it takes over from the autodriller.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub block_velocity_m_per_s: Option<f64>,
+    /// Weight that the autodriller holds: it takes over from a block that moves.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub weight_on_bit_N: Option<f64>,
+    /// What the pumps deliver.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flow_rate_m3_per_s: Option<f64>,
+    /// Kinetic coefficient of friction of the whole hole.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction: Option<f64>,
+    /// The top drive's controller: `pi`, `soft-torque` or `z-torque`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub controller: Option<String>,
+    /// Time in which they are reached, s.
+    pub ramp_s: f64,
+}
+
+/// The same bounds as of a line of `[[operation.schedule]]`, so that what was done can be saved.
+pub const MAX_ROTARY_SPEED_RAD_PER_S: f64 = 1000.0 * PI / 30.0;
+pub const MAX_BLOCK_VELOCITY_M_PER_S: f64 = 10.0;
+pub const MAX_WEIGHT_ON_BIT_N: f64 = 5e6;
+pub const MAX_FLOW_RATE_M3_PER_S: f64 = 0.5;
+const MAX_RAMP_S: f64 = 86_400.0;
+
+impl SetPoints {
+    /// Whether nothing is set.
+    pub fn is_empty(&self) -> bool {
+        *self == Self { ramp_s: self.ramp_s, ..Self::default() }
+    }
+
+    /// Takes over what others set; block and autodriller replace each other.
+    pub(super) fn merge(&mut self, later: Self) {
+        if later.block_velocity_m_per_s.is_some() || later.weight_on_bit_N.is_some() {
+            self.block_velocity_m_per_s = later.block_velocity_m_per_s;
+            self.weight_on_bit_N = later.weight_on_bit_N;
+        }
+        let Self { rotary_speed_rad_per_s, flow_rate_m3_per_s, friction, controller, .. } = later;
+        self.rotary_speed_rad_per_s = rotary_speed_rad_per_s.or(self.rotary_speed_rad_per_s);
+        self.flow_rate_m3_per_s = flow_rate_m3_per_s.or(self.flow_rate_m3_per_s);
+        self.friction = friction.or(self.friction);
+        self.controller = controller.or(self.controller.take());
+        self.ramp_s = later.ramp_s;
+    }
+
+    /// What cannot be set so of an operation, as a sentence.
+    pub(super) fn fault(&self, operation: &Operation) -> Option<String> {
+        let ranges = [
+            ("the rotary speed", self.rotary_speed_rad_per_s, [0.0, MAX_ROTARY_SPEED_RAD_PER_S]),
+            (
+                "the speed of the block",
+                self.block_velocity_m_per_s,
+                [-MAX_BLOCK_VELOCITY_M_PER_S, MAX_BLOCK_VELOCITY_M_PER_S],
+            ),
+            ("the weight on bit", self.weight_on_bit_N, [0.0, MAX_WEIGHT_ON_BIT_N]),
+            ("the flow rate", self.flow_rate_m3_per_s, [0.0, MAX_FLOW_RATE_M3_PER_S]),
+            ("the friction", self.friction, [0.0, MAX_FRICTION]),
+            ("the ramp", Some(self.ramp_s), [0.0, MAX_RAMP_S]),
+        ];
+        for (name, value, [low, high]) in ranges {
+            if let Some(value) = value
+                && !(low..=high).contains(&value)
+            {
+                return Some(format!("{name} is {value} in SI units: expected {low} to {high}"));
+            }
+        }
+        let (kind, turns) = (operation.kind, self.rotary_speed_rad_per_s.unwrap_or(0.0) > 0.0);
+        if turns && !kind.rotates() {
+            return Some(format!("`{}` does not turn the string", kind.name()));
+        }
+        if self.weight_on_bit_N.is_some() && operation.weight_on_bit_now_N() <= 0.0 {
+            return Some(format!("the bit of `{}` is off bottom: it has no weight", kind.name()));
+        }
+        if self.weight_on_bit_N.is_some() && self.block_velocity_m_per_s.is_some() {
+            return Some("the hoist cannot hold a weight and a speed at once".to_owned());
+        }
+        None
+    }
+
+    /// The line of the schedule from now on; none where no line can say it.
+    pub(super) fn line(&self, now_s: f64) -> Option<ScheduleStep> {
+        let block = self.block_velocity_m_per_s.map(HoistSetPoint::BlockVelocity);
+        let hoist = block.or(self.weight_on_bit_N.map(HoistSetPoint::WeightOnBit));
+        let line = ScheduleStep {
+            at_s: now_s,
+            ramp_s: self.ramp_s,
+            rotary_speed_rad_per_s: self.rotary_speed_rad_per_s,
+            hoist,
+            flow_rate_m3_per_s: self.flow_rate_m3_per_s,
+            note: None,
+        };
+        let moves = line.rotary_speed_rad_per_s.is_some()
+            || line.hoist.is_some()
+            || line.flow_rate_m3_per_s.is_some();
+        moves.then_some(line)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_later_holds_and_block_and_autodriller_replace_each_other() {
+        let weight = SetPoints { weight_on_bit_N: Some(5e4), ..SetPoints::default() };
+        let speed = SetPoints { rotary_speed_rad_per_s: Some(9.0), ramp_s: 2.0, ..weight.clone() };
+        let block = SetPoints { block_velocity_m_per_s: Some(-0.1), ..SetPoints::default() };
+        let mut all = weight;
+        all.merge(speed);
+        assert_eq!((all.rotary_speed_rad_per_s, all.ramp_s), (Some(9.0), 2.0));
+        all.merge(block);
+        assert_eq!((all.block_velocity_m_per_s, all.weight_on_bit_N), (Some(-0.1), None));
+        assert_eq!(all.rotary_speed_rad_per_s, Some(9.0));
+        assert!(SetPoints { ramp_s: 3.0, ..SetPoints::default() }.is_empty());
+    }
+}

@@ -1,0 +1,104 @@
+// The engine, as a worker calls it: the other half of crates/browser/src/page.rs.
+
+interface Exports extends WebAssembly.Exports {
+  memory: WebAssembly.Memory;
+  room(bytes: number): number;
+  left(): number;
+  left_bytes(): number;
+  ask(): number;
+  begin(requestBytes: number): number;
+  keep(): number;
+  kept(): number;
+  attend(): void;
+  hear(): void;
+  go_on(budget_ms: number): number;
+  news(): number;
+}
+
+/** What an answer is: the status that HTTP has for it, and its bytes. */
+export interface Left {
+  status: number;
+  bytes: ArrayBuffer;
+}
+
+/** What is asked of the engine beside live strings' own lines. */
+export type Call = "ask" | "begin" | "keep" | "kept";
+
+const TEXT = 1;
+const writer = new TextEncoder();
+const reader = new TextDecoder();
+
+export class Engine {
+  readonly #exports: Exports;
+  /** Why it has ended, where it has. */
+  complaint = "";
+
+  constructor(module: WebAssembly.Module) {
+    const page = {
+      now_ms: () => performance.now(),
+      complain: (place: number, bytes: number) => (this.complaint = reader.decode(new Uint8Array(this.#exports.memory.buffer, place, bytes))),
+    };
+    // What libraries would ask a page for and never do here.
+    const imports: WebAssembly.Imports = { page };
+    for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+      if (from === "page") continue;
+      imports[from] ??= {};
+      imports[from][name] = () => {
+        throw new Error(`${name} is asked for`);
+      };
+    }
+    this.#exports = new WebAssembly.Instance(module, imports).exports as Exports;
+  }
+
+  #give(...parts: Uint8Array[]): void {
+    const bytes = parts.reduce((sum, part) => sum + part.length, 0);
+    let place = this.#exports.room(bytes);
+    for (const part of parts) {
+      new Uint8Array(this.#exports.memory.buffer, place, part.length).set(part);
+      place += part.length;
+    }
+  }
+
+  #left(): ArrayBuffer {
+    const place = this.#exports.left();
+    return this.#exports.memory.buffer.slice(place, place + this.#exports.left_bytes()) as ArrayBuffer;
+  }
+
+  /** Calls it with a request as JSON; where bytes go with it, these are of a string that was kept. */
+  call(call: Call, request: string, bytes?: ArrayBuffer): Left {
+    const head = writer.encode(request);
+    const rest = bytes ? new Uint8Array(bytes) : new Uint8Array();
+    if (call === "kept") {
+      this.#give(rest);
+      return { status: this.#exports.kept(), bytes: this.#left() };
+    }
+    this.#give(head, rest);
+    const status = call === "begin" ? this.#exports.begin(head.length) : this.#exports[call]();
+    return { status, bytes: this.#left() };
+  }
+
+  /** Somebody looks at the live string who knows nothing of it. */
+  attend(): void {
+    this.#exports.attend();
+  }
+
+  /** Says something to the live string; what it refuses. */
+  hear(text: string): string {
+    this.#give(writer.encode(text));
+    this.#exports.hear();
+    return reader.decode(this.#left());
+  }
+
+  /** Takes the live string forward for so long at most, ms; how long nothing is due then. */
+  goOn(budget_ms: number): number {
+    return this.#exports.go_on(budget_ms);
+  }
+
+  /** The next message of the live string; null where there is no news. */
+  news(): string | ArrayBuffer | null {
+    const kind = this.#exports.news();
+    if (kind === 0) return null;
+    const bytes = this.#left();
+    return kind === TEXT ? reader.decode(bytes) : bytes;
+  }
+}

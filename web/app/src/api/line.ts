@@ -1,0 +1,14 @@
+// A line to a live string: text and bytes come down, text goes up. A WebSocket is one.
+
+export interface Line {
+  onopen: ((event: Event) => void) | null;
+  onmessage: ((event: MessageEvent<string | ArrayBuffer>) => void) | null;
+  onclose: ((event: CloseEvent) => void) | null;
+  /** 1 while it is open. */
+  readonly readyState: number;
+  send(text: string): void;
+  close(): void;
+}
+
+/** The state of a line that is open. */
+export const OPEN = 1;

@@ -1,0 +1,186 @@
+// The app in a browser alone: served as files, under a path of its own; its answers beside those of the program.
+//
+// PLAYGROUND names the folder; without it, target/playground, as `cargo xtask playground` makes it.
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { createServer } from "node:http";
+import { tmpdir } from "node:os";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import { gunzipSync } from "node:zlib";
+import { accessible, check, equal, fail, openPage, picture, program, run, until } from "./harness.mjs";
+import { openCase, tomlText } from "./harness-case.mjs";
+
+const ROOT = resolve(dirname(fileURLToPath(import.meta.url)), "../../..");
+const FOLDER = process.env.PLAYGROUND ?? join(ROOT, "target/playground");
+const UNDER = "/somewhere/below/";
+// Without WebGL: drawn by the processor, the view in space would take what the engine is measured on.
+const FLAGS = ["--disable-3d-apis"];
+if (!existsSync(join(FOLDER, "engine.bin"))) fail(`there is no page in ${FOLDER}: run \`cargo xtask playground\` first`);
+
+/** A server of files that knows nothing of WebAssembly, and compresses nothing. */
+const server = createServer((asked, answer) => {
+  const name = asked.url.startsWith(UNDER) ? asked.url.slice(UNDER.length).split("?")[0] || "index.html" : "";
+  const file = join(FOLDER, name);
+  if (name === "" || !existsSync(file)) return answer.writeHead(404).end();
+  const type = { html: "text/html", js: "text/javascript", css: "text/css" }[name.split(".").at(-1)] ?? "application/octet-stream";
+  answer.writeHead(200, { "content-type": type }).end(readFileSync(file));
+});
+await new Promise((listens) => server.listen(0, "127.0.0.1", listens));
+const served = { url: `http://127.0.0.1:${server.address().port}${UNDER}` };
+
+/** The engine, called as the page calls it. */
+async function engine() {
+  const module = await WebAssembly.compile(gunzipSync(readFileSync(join(FOLDER, "engine.bin"))));
+  const imports = { page: { now_ms: () => performance.now(), complain: () => {} } };
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] ??= () => fail(`${name} is asked for`);
+  const { exports: it } = await WebAssembly.instantiate(module, imports);
+  return (request) => {
+    const bytes = new TextEncoder().encode(JSON.stringify(request));
+    // Room may grow the memory, which is another buffer then.
+    const place = it.room(bytes.length);
+    new Uint8Array(it.memory.buffer, place, bytes.length).set(bytes);
+    const status = it.ask();
+    const told = JSON.parse(new TextDecoder().decode(new Uint8Array(it.memory.buffer, it.left(), it.left_bytes())));
+    check(status === 200, `${request.asks}: ${status} ${JSON.stringify(told).slice(0, 400)}`);
+    return told;
+  };
+}
+
+/** What the program answers of a case of `cases/`. */
+function natively(name) {
+  const folder = mkdtempSync(join(tmpdir(), "wholestring-alone-"));
+  try {
+    const file = join(ROOT, "cases", `${name}.toml`);
+    execFileSync(program(), ["run", file, "--quiet", "--set", 'model=["soft", "stiff"]', "-o", join(folder, "out")]);
+    return JSON.parse(readFileSync(join(folder, "out/summary.json"), "utf8")).operations;
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}
+
+const begin = async (options = {}) => {
+  const page = await openPage(served, { flags: FLAGS, ...options });
+  page.setDefaultTimeout(60_000);
+  await page.getByRole("link", { name: "Cases", exact: true }).waitFor();
+  await page.locator("table.cases tbody tr").first().waitFor();
+  return page;
+};
+
+/** A number of the table of soft and stiff string, as people see it. */
+const keyNumber = async (page, row, model) => {
+  const text = await page.locator(".key-numbers tr", { hasText: row }).locator("td").nth(model === "soft" ? 0 : 1).innerText();
+  return Number(text.split("was")[0].replaceAll("\u2212", "-").replace(/[^\d.\-].*$/s, ""));
+};
+const settled = (page) => until(() => page.evaluate(() => document.querySelector(".answers[data-solving]")?.dataset.solving === "false"), "all is solved", 90_000);
+
+await run({
+  "soft and stiff string are those of the program": async () => {
+    const ask = await engine();
+    for (const name of ["slant", "well-b-2235"]) {
+      const text = readFileSync(join(ROOT, `cases/${name}.toml`), "utf8");
+      const found = ask({ asks: "answer", file: `${name}.toml`, body: { text, models: ["soft", "stiff"] } }).operations;
+      const expected = natively(name);
+      equal(found.map((one) => [one.model, one.operation]), expected.map((one) => [one.model, one.operation]), "operations");
+      for (const [k, one] of found.entries())
+        for (const key of ["hook_load_N", "surface_torque_N_m"]) {
+          const [a, b] = [one[key], expected[k][key]];
+          check(Math.abs(a - b) <= 1e-9 * Math.max(Math.abs(b), 1), `${name}, ${one.model} ${one.operation}: ${key} ${a}, the program has ${b}`);
+        }
+      const assembly = ask({ asks: "assembly", file: `${name}.toml`, body: { text } });
+      const curves = ask({ asks: "broomstick", file: `${name}.toml`, body: { text } }).curves;
+      check(assembly.length_m > 0 && curves.length > 0, `${name}: assembly and broomstick are answered`);
+    }
+  },
+
+  "a case is edited, answered, and there again after a reload": async () => {
+    const page = await begin();
+    console.log(`     the list of cases ${((await page.evaluate(() => performance.now())) / 1000).toFixed(2)} s after the page was asked for`);
+    check((await page.locator("main").innerText()).includes("need the program"), "it is said what needs the program");
+    equal(await page.getByRole("link", { name: "Work", exact: true }).count(), 0, "links to work");
+    await picture(page, "alone-cases");
+    await openCase(page, "Slant well");
+    await page.getByRole("navigation", { name: "Sections of the case" }).getByRole("button", { name: "Mud", exact: true }).click();
+    const density = page.locator('[data-key="mud.density"]');
+    await density.fill("1.31 sg");
+    await density.press("Tab");
+    await until(async () => (await tomlText(page)).includes("1.31"), "the text has what was typed in the form");
+    await page.getByRole("button", { name: "Answers", exact: true }).click();
+    await page.waitForSelector(".key-numbers");
+    await settled(page);
+    await page.getByRole("button", { name: "drill", exact: true }).click();
+    await picture(page, "alone-case");
+    const toml = readFileSync(join(ROOT, "cases/slant.toml"), "utf8");
+    const ask = await engine();
+    const changed = ask({ asks: "edit", file: "slant.toml", body: { text: toml, changes: [{ set: "mud.density", to: "1.31 sg" }] } }).text;
+    for (const model of ["soft", "stiff"]) {
+      const { operations } = ask({ asks: "answer", file: "slant.toml", body: { text: changed, models: [model] } });
+      const expected = operations.find((one) => one.operation === "drill");
+      const shown = await keyNumber(page, "Hook load", model);
+      check(Math.abs(shown - expected.hook_load_N / 1e3) < 0.06, `${model}: ${shown} kN is shown, ${expected.hook_load_N} N expected`);
+    }
+    await page.getByRole("button", { name: "Save", exact: true }).click();
+    await until(async () => (await page.locator(".toolbar").innerText()).includes("Saved."), "it is saved");
+    await page.reload();
+    await page.waitForSelector(".editor .cm-content");
+    await until(async () => (await tomlText(page)).includes("1.31"), "it is there after a reload");
+    await accessible(page, "case alone");
+    equal(page.complaints, [], "complaints");
+    await page.context().close();
+  },
+
+  "a string of 2235 m is driven": async () => {
+    const page = await begin();
+    await page.evaluate(() => (location.hash = "#/seat/well-b-2235.toml"));
+    await page.getByRole("button", { name: /^Begin/ }).first().click();
+    await page.getByRole("button", { name: "Run", exact: true }).waitFor();
+    const time = async () => Number(await page.locator(".clock").getAttribute("data-time"));
+    await page.getByRole("button", { name: "Run", exact: true }).click();
+    await until(async () => (await time()) > 1, "it moves", 60_000);
+    await page.getByRole("button", { name: "Count" }).click();
+    const measure = async (pace, seconds) => {
+      await page.getByRole("group", { name: "Pace" }).getByRole("button", { name: pace, exact: true }).click();
+      await new Promise((wake) => setTimeout(wake, 1000));
+      const [from, since] = [await time(), Date.now()];
+      await new Promise((wake) => setTimeout(wake, 1000 * seconds));
+      return (1000 * ((await time()) - from)) / (Date.now() - since);
+    };
+    const [real, most] = [await measure("1×", 10), await measure("max", 10)];
+    console.log(`     ${real.toFixed(2)} × real time at the pace 1, ${most.toFixed(1)} × at the fastest`);
+    const { updates, frames } = await page.evaluate(() => document.documentElement.dataset);
+    console.log(`     ${frames} pictures in a second, ${updates} of them with news`);
+    check(real > 0 && most > 0 && Number(updates) > 0, "it moves, and is seen to move");
+    const speed = page.getByRole("textbox", { name: "Rotary speed, set" });
+    await speed.fill("90");
+    await speed.press("Enter");
+    await until(async () => (await page.locator(".moments").innerText()).includes("1 change"), "what was set is recorded");
+    await page.getByRole("button", { name: "Pause" }).click();
+    await page.getByRole("button", { name: "Run", exact: true }).waitFor();
+    await picture(page, "alone-seat");
+    const before = await time();
+    await page.locator(".moments select").selectOption({ index: 0 });
+    await page.getByRole("button", { name: "Rewind" }).click();
+    await until(async () => (await time()) < before, "it is taken back");
+    await page.getByRole("button", { name: "Keep in this browser" }).click();
+    await page.locator(".said", { hasText: "Kept as it is now" }).waitFor();
+    await page.getByRole("button", { name: "End", exact: true }).click();
+    await page.getByRole("button", { name: "Begin anew" }).click();
+    await page.getByRole("button", { name: "Continue" }).click();
+    await page.getByRole("button", { name: "Run", exact: true }).waitFor();
+    equal(page.complaints.filter((one) => !one.includes("WebGL")), [], "complaints");
+    await page.context().close();
+  },
+
+  "it fits a telephone": async () => {
+    const page = await begin({ width: 420, height: 900 });
+    await picture(page, "alone-cases-420");
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    check(wide <= 420, `the list is ${wide} px wide`);
+    await accessible(page, "cases alone");
+    await page.evaluate(() => (location.hash = "#/answers/slant.toml"));
+    await page.waitForSelector(".key-numbers");
+    await settled(page);
+    await picture(page, "alone-answers-420");
+    await page.context().close();
+  },
+});
