@@ -4,7 +4,8 @@ import { check, until } from "./harness.mjs";
 /** The text that the editor of the TOML shows; of a short one that is all. */
 export const tomlText = (page) =>
   page.evaluate(() => {
-    const lines = document.querySelector(".panel .text").shadowRoot.querySelectorAll(".cm-line");
+    // The editor is fetched when it is first shown.
+    const lines = document.querySelector(".panel .text")?.shadowRoot.querySelectorAll(".cm-line") ?? [];
     return [...lines].map((line) => line.textContent).join("\n");
   });
 

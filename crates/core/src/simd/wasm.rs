@@ -8,7 +8,7 @@ use std::{
 
 use super::number::{Doubles, Number};
 
-macro_rules! operator {
+macro_rules! v128_operator {
     ($name:ident, $trait:ident, $method:ident, $with:ident) => {
         impl $trait for $name {
             type Output = Self;
@@ -20,7 +20,7 @@ macro_rules! operator {
     };
 }
 
-macro_rules! register {
+macro_rules! v128_register {
     (
         $(#[$doc:meta])* $name:ident, $real:ty, $width:literal, $tiny:literal, $splat:ident,
         $add:ident, $sub:ident, $mul:ident, $div:ident, $neg:ident, $sqrt:ident,
@@ -31,10 +31,10 @@ macro_rules! register {
         #[repr(transparent)]
         pub struct $name(v128);
 
-        operator!($name, Add, add, $add);
-        operator!($name, Sub, sub, $sub);
-        operator!($name, Mul, mul, $mul);
-        operator!($name, Div, div, $div);
+        v128_operator!($name, Add, add, $add);
+        v128_operator!($name, Sub, sub, $sub);
+        v128_operator!($name, Mul, mul, $mul);
+        v128_operator!($name, Div, div, $div);
 
         impl Neg for $name {
             type Output = Self;
@@ -95,13 +95,13 @@ macro_rules! register {
     };
 }
 
-register!(
+v128_register!(
     /// Two `f64`.
     V64, f64, 2, 1e-300, f64x2_splat,
     f64x2_add, f64x2_sub, f64x2_mul, f64x2_div, f64x2_neg, f64x2_sqrt,
     f64x2_pmax, f64x2_pmin, f64x2_gt
 );
-register!(
+v128_register!(
     /// Four `f32`.
     V32, f32, 4, 1e-36, f32x4_splat,
     f32x4_add, f32x4_sub, f32x4_mul, f32x4_div, f32x4_neg, f32x4_sqrt,
