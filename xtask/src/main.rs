@@ -9,6 +9,7 @@ mod app;
 mod architecture;
 mod book;
 mod changes;
+mod clean_root;
 mod command;
 mod count;
 mod cycles;
@@ -94,6 +95,7 @@ fn main() -> ExitCode {
         ["paper"] => exit_code(paper::build()),
         ["shown"] => exit_code(shown::quick()),
         ["shown", "--all"] => exit_code(shown::all()),
+        ["clean-root", ref suites @ ..] => exit_code(clean_root::try_all(suites)),
         ["workflows"] => exit_code(workflows::check()),
         ["architecture"] => exit_code(architecture::write()),
         ["dependencies", "--write"] => exit_code(dependencies::write_table()),

@@ -16,7 +16,7 @@ use crate::{
 };
 
 /// Oldest Python that the package supports.
-const OLDEST: &str = "3.10";
+pub(crate) const OLDEST: &str = "3.10";
 
 /// Since when it installs groups of dependencies.
 const PIP: &str = "pip>=25.1";
@@ -60,9 +60,7 @@ pub(crate) fn package() -> Result<Finding, Failure> {
 
 /// The README's quick start, in an environment that has nothing but the package and what it needs.
 fn quick_start() -> Result<(), Failure> {
-    let readme = fs::read_to_string(root().join("README.md"));
-    let readme = readme.map_err(|error| Failure::new(format!("README.md: {error}")))?;
-    let shown = first_python(&readme).ok_or_else(|| Failure::new("README.md shows no Python"))?;
+    let shown = readme_quick_start()?;
     let folder = target().join("python-fresh");
     if folder.exists() {
         let removed = fs::remove_dir_all(&folder);
@@ -73,9 +71,17 @@ fn quick_start() -> Result<(), Failure> {
     let fresh = inside(&folder);
     install(&fresh, &[])?;
     run(
-        Command::new(fresh).current_dir(root()).args(["-c", shown]),
+        Command::new(fresh).current_dir(root()).args(["-c", &shown]),
         "the quick start in README.md must run as it stands",
     )
+}
+
+/// The Python that the README begins with.
+pub(crate) fn readme_quick_start() -> Result<String, Failure> {
+    let readme = fs::read_to_string(root().join("README.md"));
+    let readme = readme.map_err(|error| Failure::new(format!("README.md: {error}")))?;
+    let shown = first_python(&readme).ok_or_else(|| Failure::new("README.md shows no Python"))?;
+    Ok(shown.to_owned())
 }
 
 /// The first block of Python on a page.

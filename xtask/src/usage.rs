@@ -32,4 +32,7 @@ usage: cargo xtask test      run everything that CI runs
                              run the commands that the README and the book's first pages show; \
        those that
                              take minutes, too
+       cargo xtask clean-root [SUITE...]
+                             run program and wheel in an empty root of Debian's packages, by \
+       debootstrap
        cargo xtask workflows check the workflows in .github";

@@ -16,7 +16,7 @@ use wholestring_runner::{CancellationToken, Observer, Progress, Task};
 use crate::{error, event_buffer::EventBuffer};
 
 /// How often Python is asked for an interrupt and told of the progress.
-const LOOK: Duration = Duration::from_millis(10);
+const LOOK: Duration = Duration::from_millis(5);
 
 /// What work came to, and what was raised meanwhile: an interrupt, or an error of the listener. The
 /// work was then cancelled and has kept what it had.

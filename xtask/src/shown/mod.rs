@@ -8,7 +8,7 @@ use std::{env, fs, io, path::Path, process::Command};
 use crate::{
     command::{Failure, program, succeeds},
     finding::Finding,
-    folders::{root, target},
+    folders::{copy, root, target},
 };
 
 use page::{Part, parts};
@@ -116,18 +116,6 @@ fn laid_out(desk: &Path) -> io::Result<()> {
     fs::create_dir_all(desk)?;
     for (from, to) in THERE {
         copy(&root().join(from), &desk.join(to))?;
-    }
-    Ok(())
-}
-
-fn copy(from: &Path, to: &Path) -> io::Result<()> {
-    if !from.is_dir() {
-        return fs::copy(from, to).map(|_| ());
-    }
-    fs::create_dir_all(to)?;
-    for entry in fs::read_dir(from)? {
-        let entry = entry?;
-        copy(&entry.path(), &to.join(entry.file_name()))?;
     }
     Ok(())
 }
