@@ -5,8 +5,8 @@
 //! Nothing here prints.
 //!
 //! A request goes one way: the `guard` decides whether it is answered at all, the router finds its
-//! noun in `api`, and that asks the `workspace`, which reads and writes nothing outside its folder. What needs neither is answered
-//! by `wholestring-screens`.
+//! noun in `api`, and that asks the `workspace`, which reads and writes nothing outside its folder.
+//! What needs neither is answered by `wholestring-screens`.
 #![warn(missing_docs)]
 
 mod api;

@@ -7,21 +7,11 @@ use utoipa::ToSchema;
 use wholestring::outcome::{PROFILE, QuantityKind};
 use wholestring_results::{PlanSummary, Table};
 use wholestring_runner::findings::quantities::{shown, symbol};
-use wholestring_screens::answers::Column;
+use wholestring_screens::answers::{Column, DRAWN};
 use wholestring_units::UnitSet;
 
 /// Larger tables are not drawn, bytes.
 const LARGEST: u64 = 64 << 20;
-
-/// Columns along the string that are drawn.
-const DRAWN: [&str; 6] = [
-    "tension_N",
-    "torque_N_m",
-    "side_force_N_per_m",
-    "bending_moment_N_m",
-    "von_mises_stress_Pa",
-    "contact_fraction",
-];
 
 /// A curve against depth.
 #[derive(Debug, Serialize, ToSchema)]

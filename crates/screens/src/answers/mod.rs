@@ -18,5 +18,5 @@ pub use broomstick::{Broomstick, Curve, Level};
 pub use column::Column;
 pub use limits::{Limit, OperationLimits, Unchecked};
 pub use set_points::{SetPoint, SetPoints};
-pub use tracks::Track;
+pub use tracks::{DRAWN, Track};
 pub use well::{Component, PathView, Section, WellView};

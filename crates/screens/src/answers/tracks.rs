@@ -8,8 +8,8 @@ use wholestring_results::Table;
 
 use super::column::Column;
 
-/// Columns of `nodes.parquet` that are drawn.
-const DRAWN: &[&str] = &[
+/// Columns of `nodes.parquet` that are drawn against depth.
+pub const DRAWN: &[&str] = &[
     "tension_N",
     "torque_N_m",
     "side_force_N_per_m",
