@@ -8,7 +8,7 @@ use std::{
 };
 
 use crate::{
-    command::{Failure, cargo, run, succeeds},
+    command::{Failure, WORKSPACE, cargo, run, succeeds},
     finding::Finding,
     folders::{copy, root, target},
     python::python,
@@ -33,7 +33,9 @@ pub(crate) fn try_all(suites: &[&str]) -> Result<Finding, Failure> {
     if !succeeds(Command::new("debootstrap").arg("--version")) {
         return Err(Failure::new("there is no debootstrap here: install Debian's package"));
     }
-    run(cargo().args(["build", "--release", "--bin", "wholestring"]), "the program must compile")?;
+    let mut build = cargo();
+    build.args(["build", "--release", "--bin", "wholestring"]).args(WORKSPACE);
+    run(&mut build, "the program must compile")?;
     let wheel = wheel()?;
     for suite in if suites.is_empty() { &SUITES } else { suites } {
         let folder = target().join("clean-root").join(suite);

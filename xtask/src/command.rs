@@ -26,6 +26,9 @@ impl Failure {
     }
 }
 
+/// All packages, and of the command all that it can have.
+pub(crate) const WORKSPACE: [&str; 3] = ["--workspace", "--features", "wholestring-cli/app"];
+
 /// The cargo that runs this program, in the root of the repository.
 pub(crate) fn cargo() -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo")));
@@ -45,8 +48,9 @@ pub(crate) fn run(command: &mut Command, advice: &str) -> Result<(), Failure> {
 /// A program of the repository, `--bin` or `--example`, built and ready to run. Built as part of
 /// the workspace, so that what it is made of is what the tests have compiled.
 pub(crate) fn program(kind: &str, name: &str) -> Result<Command, Failure> {
-    let build = ["build", "--quiet", "--workspace", kind, name];
-    run(cargo().args(build), "the program must compile")?;
+    let mut build = cargo();
+    build.args(["build", "--quiet"]).args(WORKSPACE).args([kind, name]);
+    run(&mut build, "the program must compile")?;
     let folder = target().join(if kind == "--example" { "debug/examples" } else { "debug" });
     let mut program = Command::new(folder.join(format!("{name}{}", env::consts::EXE_SUFFIX)));
     program.current_dir(root());

@@ -32,7 +32,7 @@ mod workflows;
 
 use std::{env, process::ExitCode, time::Instant};
 
-use command::{Failure, cargo, program, run, run_counted, succeeds};
+use command::{Failure, WORKSPACE, cargo, program, run, run_counted, succeeds};
 use count::Count;
 use finding::Finding;
 use folders::root;
@@ -149,10 +149,13 @@ fn formatting() -> Result<Finding, Failure> {
 }
 
 fn lints() -> Result<Finding, Failure> {
-    run(
-        cargo().args(["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]),
-        "warnings count as errors",
-    )?;
+    // The command as it is without its app, too.
+    let all = [&WORKSPACE[..], &["--workspace"]];
+    for (packages, targets) in all.into_iter().zip(["--all-targets", "--bin=wholestring"]) {
+        let mut clippy = cargo();
+        clippy.arg("clippy").args(packages).args([targets, "--", "-D", "warnings"]);
+        run(&mut clippy, "warnings count as errors")?;
+    }
     Ok(Finding::Done)
 }
 
@@ -160,9 +163,9 @@ fn tests() -> Result<Finding, Failure> {
     // nextest runs the tests of all crates side by side and knows no documentation examples.
     let mut runner = cargo();
     if succeeds(cargo().args(["nextest", "--version"])) {
-        runner.args(["nextest", "run", "--workspace", "--no-fail-fast"]);
+        runner.args(["nextest", "run", "--no-fail-fast"]).args(WORKSPACE);
     } else {
-        runner.args(["test", "--workspace", "--no-fail-fast"]);
+        runner.args(["test", "--no-fail-fast"]).args(WORKSPACE);
         runner.args(["--lib", "--bins", "--tests", "--examples"]);
     }
     verification::forget()?;
@@ -207,13 +210,13 @@ fn exit_code(done: Result<Finding, Failure>) -> ExitCode {
 }
 
 fn doc_tests() -> Result<Finding, Failure> {
-    run_counted(cargo().args(["test", "--workspace", "--doc", "--no-fail-fast"]))
+    run_counted(cargo().arg("test").args(WORKSPACE).args(["--doc", "--no-fail-fast"]))
         .map(Finding::Tested)
 }
 
 fn documentation() -> Result<Finding, Failure> {
     run(
-        cargo().args(["doc", "--workspace", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings"),
+        cargo().arg("doc").args(WORKSPACE).arg("--no-deps").env("RUSTDOCFLAGS", "-D warnings"),
         "warnings count as errors",
     )?;
     Ok(Finding::Done)

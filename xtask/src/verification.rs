@@ -10,7 +10,7 @@ use std::{
 use wholestring_verification::{FILE, Line, Tolerance, error};
 
 use crate::{
-    command::{Failure, cargo, run_counted, succeeds},
+    command::{Failure, WORKSPACE, cargo, run_counted, succeeds},
     finding::Finding,
     folders::{root, target},
 };
@@ -42,10 +42,10 @@ pub(crate) fn all_tests() -> Result<Finding, Failure> {
     forget()?;
     let mut runner = cargo();
     if succeeds(cargo().args(["nextest", "--version"])) {
-        runner.args(["nextest", "run", "--workspace", "--no-fail-fast"]);
+        runner.args(["nextest", "run", "--no-fail-fast"]).args(WORKSPACE);
         runner.args(["--run-ignored", "all"]);
     } else {
-        runner.args(["test", "--workspace", "--no-fail-fast"]);
+        runner.args(["test", "--no-fail-fast"]).args(WORKSPACE);
         runner.args(["--lib", "--bins", "--tests", "--examples"]);
         runner.args(["--", "--include-ignored"]);
     }

@@ -3,10 +3,8 @@
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
 
-#[cfg(feature = "app")]
-use crate::app::AppArgs;
 use crate::{
-    bench::BenchArgs, bha::BhaArgs, bit_test::BitTestArgs, calibrate::CalibrateArgs,
+    app::AppArgs, bench::BenchArgs, bha::BhaArgs, bit_test::BitTestArgs, calibrate::CalibrateArgs,
     catalogue::CatalogueArgs, check::CheckArgs, export::ExportArgs, import::ImportArgs,
     modes::ModesArgs, new_case::NewArgs, plan::PlanArgs, plot::PlotArgs, reach::ReachArgs,
     report::ReportArgs, run::RunArgs, study::StudyArgs, survey::SurveyArgs, sweep::SweepArgs,
@@ -33,7 +31,6 @@ pub(crate) enum Command {
     /// Make a commented case of surveys, tallies, WITSML, EDM and logs
     Import(ImportArgs),
     /// Open a folder of cases in the browser
-    #[cfg(feature = "app")]
     App(AppArgs),
     /// Is the case sound? One line, or diagnostics. Of a file of another program: what it holds
     Check(CheckArgs),

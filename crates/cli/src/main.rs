@@ -1,6 +1,5 @@
 //! The `wholestring` command: case files in, torque and drag out.
 
-#[cfg(feature = "app")]
 mod app;
 mod args;
 mod bench;
@@ -47,7 +46,6 @@ use terminal::{print_stderr, print_stdout};
 
 fn main() -> ExitCode {
     let done = match Cli::parse().command {
-        #[cfg(feature = "app")]
         Command::App(args) => app::app(&args),
         Command::Check(args) => check::check(&args),
         Command::Import(args) => import::import(&args),

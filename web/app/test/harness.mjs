@@ -25,7 +25,7 @@ export function program() {
   if (process.env.WHOLESTRING) return process.env.WHOLESTRING;
   const target = process.env.CARGO_TARGET_DIR ?? join(ROOT, "target");
   const built = ["debug", "release"].map((profile) => join(target, profile, "wholestring")).filter(existsSync);
-  if (built.length === 0) fail(`there is no program in ${target}: run \`cargo build -p wholestring-cli\` first`);
+  if (built.length === 0) fail(`there is no program in ${target}: run \`cargo build -p wholestring-cli --features app\` first`);
   return built.sort((a, b) => statSync(b).mtimeMs - statSync(a).mtimeMs)[0];
 }
 

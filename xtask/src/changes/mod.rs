@@ -14,7 +14,7 @@ mod tree;
 use std::{ffi::OsStr, fs, process::Command};
 
 use crate::{
-    command::{Failure, run, run_counted},
+    command::{Failure, WORKSPACE, run, run_counted},
     count::Count,
     finding::Finding,
     folders::root,
@@ -56,13 +56,13 @@ pub(crate) fn try_out(only: Option<&str>, with_tests: bool) -> Result<Finding, F
             ),
         )?;
         run(
-            tree.cargo().args(["check", "--quiet", "--workspace", "--all-targets"]),
+            tree.cargo().args(["check", "--quiet", "--all-targets"]).args(WORKSPACE),
             &format!("what {file} makes must compile: mend the patch"),
         )?;
         if with_tests {
             for test in patch.tests() {
                 let mut runner = tree.cargo();
-                runner.args(["test", "--quiet", "--workspace"]).args(test.split_whitespace());
+                runner.args(["test", "--quiet"]).args(WORKSPACE).args(test.split_whitespace());
                 let ran = run_counted(&mut runner)?;
                 if ran.passed == 0 {
                     return Err(Failure::new(format!(

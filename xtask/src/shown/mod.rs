@@ -28,7 +28,7 @@ const THERE: [(&str, &str); 4] = [
 const CARGO: &str = "cargo run --release -- ";
 
 /// How lines begin that are not run here.
-const ELSEWHERE: [&str; 6] = [
+const ELSEWHERE: [&str; 7] = [
     // Whoever reads this has the sources.
     "git clone",
     "cd wholestring",
@@ -37,6 +37,7 @@ const ELSEWHERE: [&str; 6] = [
     "cargo install --path crates/cli",
     // It serves until it is stopped: a step of its own opens it in a browser.
     "wholestring app",
+    "cargo run --release --features app -- app",
     // The step of the Python package installs it.
     "pip install ./crates/python",
 ];

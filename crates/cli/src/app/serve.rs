@@ -1,27 +1,14 @@
-//! `wholestring app`: the local web app.
+//! The app is served until somebody ends it.
 
-use std::{path::PathBuf, process};
+use std::process;
 
-use clap::Args;
 use wholestring_app::{Options, Server, ServerError};
 
+use super::AppArgs;
 use crate::{
     failure::{Failure, failed},
     terminal::{print_stderr, print_stdout},
 };
-
-#[derive(Debug, Args)]
-pub(crate) struct AppArgs {
-    /// Folder of the cases; the app reads and writes nothing outside it
-    #[arg(value_name = "FOLDER", default_value = ".")]
-    pub(crate) folder: PathBuf,
-    /// Port of 127.0.0.1 to serve on; without it, one that is free
-    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
-    pub(crate) port: u16,
-    /// Print the address and open no browser
-    #[arg(long)]
-    pub(crate) no_browser: bool,
-}
 
 pub(crate) fn app(args: &AppArgs) -> Result<(), Failure> {
     let options = Options { folder: args.folder.clone(), port: args.port };

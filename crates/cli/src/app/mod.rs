@@ -1,0 +1,28 @@
+//! `wholestring app`: the local web app, where the program was built with it.
+
+#[cfg(not(feature = "app"))]
+mod left_out;
+#[cfg(feature = "app")]
+mod serve;
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+#[cfg(not(feature = "app"))]
+pub(crate) use left_out::app;
+#[cfg(feature = "app")]
+pub(crate) use serve::app;
+
+#[derive(Debug, Args)]
+pub(crate) struct AppArgs {
+    /// Folder of the cases; the app reads and writes nothing outside it
+    #[arg(value_name = "FOLDER", default_value = ".")]
+    pub(crate) folder: PathBuf,
+    /// Port of 127.0.0.1 to serve on; without it, one that is free
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
+    pub(crate) port: u16,
+    /// Print the address and open no browser
+    #[arg(long)]
+    pub(crate) no_browser: bool,
+}
