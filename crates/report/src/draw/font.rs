@@ -1,42 +1,74 @@
 //! The letters of pictures.
 
-use std::sync::LazyLock;
-
-use skrifa::{
-    FontRef, GlyphId, MetadataProvider,
-    charmap::Charmap,
-    instance::{LocationRef, Size},
-    metrics::GlyphMetrics,
-    outline::{DrawSettings, OutlineGlyphCollection, OutlinePen},
-};
+use std::{collections::HashMap, sync::LazyLock};
 
 /// Arimo, as wide as Helvetica and Arial: what is measured and painted with it fits where a file is
 /// read with one of those.
 static FACE: LazyLock<Face> = LazyLock::new(|| {
-    let bytes = include_bytes!("../../assets/fonts/Arimo-subset.ttf");
-    let font = FontRef::new(bytes).expect("the font that is built in");
-    let (unscaled, plain) = (Size::unscaled(), LocationRef::default());
-    Face {
-        em: f64::from(font.metrics(unscaled, plain).units_per_em),
-        letters: font.charmap(),
-        widths: font.glyph_metrics(unscaled, plain),
-        outlines: font.outline_glyphs(),
-    }
+    let text = include_str!("../../assets/fonts/letters.txt");
+    Face::read(text).expect("the letters that are built in")
 });
 
-/// What is asked of a font, in its own units.
+/// Letters, in parts of their size.
 struct Face {
-    /// Its size.
-    em: f64,
-    letters: Charmap<'static>,
-    widths: GlyphMetrics<'static>,
-    outlines: OutlineGlyphCollection<'static>,
+    letters: HashMap<char, Letter>,
+    /// What stands for those that it does not have.
+    none: Letter,
+}
+
+/// A letter as it is drawn.
+#[derive(Clone, Default)]
+struct Letter {
+    /// How far it moves the pen.
+    advance: f64,
+    outline: Vec<Stroke>,
 }
 
 impl Face {
+    /// The face that `assets/fonts/letters.py` has written.
+    fn read(text: &str) -> Option<Self> {
+        let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+        let units_per_size: f64 = lines.next()?.parse().ok()?;
+        let mut face = Self { letters: HashMap::new(), none: Letter::default() };
+        for line in lines {
+            let mut words = line.split(' ');
+            let character = words.next()?;
+            let letter = Letter::read(&mut words, units_per_size)?;
+            if character == "none" {
+                face.none = letter;
+            } else {
+                let code = u32::from_str_radix(character, 16).ok()?;
+                face.letters.insert(char::from_u32(code)?, letter);
+            }
+        }
+        Some(face)
+    }
+
     /// What a letter looks like; a box where the font does not have it.
-    fn glyph(&self, letter: char) -> GlyphId {
-        self.letters.map(letter).unwrap_or_default()
+    fn letter(&self, character: char) -> &Letter {
+        self.letters.get(&character).unwrap_or(&self.none)
+    }
+}
+
+impl Letter {
+    fn read<'a>(words: &mut impl Iterator<Item = &'a str>, units_per_size: f64) -> Option<Self> {
+        fn number<'a>(words: &mut impl Iterator<Item = &'a str>, unit: f64) -> Option<f64> {
+            Some(words.next()?.parse::<f64>().ok()? / unit)
+        }
+        let point =
+            |words: &mut _| Some((number(words, units_per_size)?, number(words, units_per_size)?));
+        let advance = number(words, units_per_size)?;
+        let mut outline = Vec::new();
+        while let Some(word) = words.next() {
+            outline.push(match word {
+                "M" => Stroke::Move(point(words)?),
+                "L" => Stroke::Line(point(words)?),
+                "Q" => Stroke::Quadratic(point(words)?, point(words)?),
+                "Z" => Stroke::Close,
+                _ => return None,
+            });
+        }
+        Some(Self { advance, outline })
     }
 }
 
@@ -49,14 +81,8 @@ pub(super) const HALF_CAPITAL: f64 = 0.358;
 
 /// The width of a text of this size.
 pub(crate) fn text_width(text: &str, size: f64) -> f64 {
-    let advances = text.chars().map(advance);
+    let advances = text.chars().map(|character| FACE.letter(character).advance);
     advances.sum::<f64>() * size
-}
-
-/// How far a letter moves the pen, over the size.
-fn advance(letter: char) -> f64 {
-    let advance = FACE.widths.advance_width(FACE.glyph(letter)).unwrap_or(0.0);
-    f64::from(advance) / FACE.em
 }
 
 /// The text, cut off where it is too long for the width.
@@ -66,8 +92,8 @@ pub(crate) fn fitting(text: &str, size: f64, width: f64) -> String {
     }
     let room = width - text_width("\u{2026}", size);
     let mut used = 0.0;
-    let kept = text.chars().take_while(|letter| {
-        used += advance(*letter) * size;
+    let kept = text.chars().take_while(|character| {
+        used += FACE.letter(*character).advance * size;
         used <= room
     });
     let kept: String = kept.collect();
@@ -77,55 +103,28 @@ pub(crate) fn fitting(text: &str, size: f64, width: f64) -> String {
 /// Gives the outline of a text that begins at the origin, x to the right and y up, in parts of its
 /// size.
 pub(super) fn outline(text: &str, to: &mut impl FnMut(Stroke)) {
-    struct Glyph<'a, F: FnMut(Stroke)> {
-        to: &'a mut F,
-        left: f64,
-        em: f64,
-    }
-    impl<F: FnMut(Stroke)> Glyph<'_, F> {
-        fn at(&self, x: f32, y: f32) -> (f64, f64) {
-            (self.left + f64::from(x) / self.em, f64::from(y) / self.em)
-        }
-    }
-    impl<F: FnMut(Stroke)> OutlinePen for Glyph<'_, F> {
-        fn move_to(&mut self, x: f32, y: f32) {
-            let at = self.at(x, y);
-            (self.to)(Stroke::Move(at));
-        }
-        fn line_to(&mut self, x: f32, y: f32) {
-            let at = self.at(x, y);
-            (self.to)(Stroke::Line(at));
-        }
-        fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-            let (by, at) = (self.at(x1, y1), self.at(x, y));
-            (self.to)(Stroke::Quadratic(by, at));
-        }
-        fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-            let (first, second, at) = (self.at(x1, y1), self.at(x2, y2), self.at(x, y));
-            (self.to)(Stroke::Cubic(first, second, at));
-        }
-        fn close(&mut self) {
-            (self.to)(Stroke::Close);
-        }
-    }
     let mut left = 0.0;
-    for letter in text.chars() {
-        let mut pen = Glyph { to: &mut *to, left, em: FACE.em };
-        if let Some(glyph) = FACE.outlines.get(FACE.glyph(letter)) {
-            let size = DrawSettings::unhinted(Size::unscaled(), LocationRef::default());
-            // Nothing is drawn of what cannot be: a test asks for every sign.
-            let _ = glyph.draw(size, &mut pen);
+    for character in text.chars() {
+        let Letter { advance, outline } = FACE.letter(character);
+        let at = |(x, y): (f64, f64)| (left + x, y);
+        for stroke in outline {
+            to(match *stroke {
+                Stroke::Move(end) => Stroke::Move(at(end)),
+                Stroke::Line(end) => Stroke::Line(at(end)),
+                Stroke::Quadratic(by, end) => Stroke::Quadratic(at(by), at(end)),
+                Stroke::Close => Stroke::Close,
+            });
         }
-        left += advance(letter);
+        left += advance;
     }
 }
 
-/// A stroke of an outline.
+/// A stroke of an outline, whose curves are of second order.
+#[derive(Clone, Copy)]
 pub(super) enum Stroke {
     Move((f64, f64)),
     Line((f64, f64)),
     Quadratic((f64, f64), (f64, f64)),
-    Cubic((f64, f64), (f64, f64), (f64, f64)),
     Close,
 }
 
@@ -147,7 +146,7 @@ mod tests {
     fn every_sign_that_pictures_use_has_a_letter() {
         for sign in "\u{2212}\u{202f}\u{2009}°·²³ⁿ⁻⁰¹⁴⁵⁶⁷⁸⁹–…×±".chars()
         {
-            assert!(FACE.letters.map(sign).is_some(), "{sign:?}");
+            assert!(FACE.letters.contains_key(&sign), "{sign:?}");
             let mut strokes = 0;
             outline(&sign.to_string(), &mut |_| strokes += 1);
             assert!(strokes > 0 || sign.is_whitespace(), "{sign:?}");

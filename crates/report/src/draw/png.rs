@@ -145,10 +145,6 @@ fn letters(text: &str) -> Option<tiny_skia::Path> {
             let ((x1, y1), (x, y)) = (point(by), point(at));
             path.quad_to(x1, y1, x, y);
         }
-        font::Stroke::Cubic(first, second, at) => {
-            let ((x1, y1), (x2, y2), (x, y)) = (point(first), point(second), point(at));
-            path.cubic_to(x1, y1, x2, y2, x, y);
-        }
         font::Stroke::Close => path.close(),
     });
     path.finish()
