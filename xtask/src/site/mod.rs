@@ -47,5 +47,6 @@ fn installed() -> Option<PathBuf> {
     install.args(["--no-default-features", "--features", "search", "--root"]);
     // Its parts are none of ours: they would be compiled again and again in the same place.
     install.arg(folder()).arg("--target-dir").arg(folder().join("build"));
+    install.env("CARGO_PROFILE_DEV_DEBUG", "0");
     succeeds(&mut install).then(found).flatten()
 }
