@@ -13,12 +13,26 @@ use crate::{
 const OLDEST: &str = "3.10";
 const TOOLS: [&str; 2] = ["pypandoc_binary>=1.15,<2", "typst>=0.13,<1"];
 
-/// A citation that the bibliography lacks is a warning of pandoc, and an error here.
+/// A citation that the bibliography lacks is a warning of pandoc, and an error here. Who wrote it is
+/// `authors` where the journal looks, and `author` where pandoc does.
 const BUILD: &str = "\
-import pypandoc, sys, typst
+import pathlib, pypandoc, sys, typst
 made, pdf = sys.argv[1:]
+named = pathlib.Path(made).with_name('authors.lua')
+named.write_text('''function Meta(of)
+  for _, author in ipairs(of.authors) do
+    for _, place in ipairs(of.affiliations) do
+      if pandoc.utils.stringify(place.index) == pandoc.utils.stringify(author.affiliation) then
+        author.affiliation = place.name
+      end
+    end
+  end
+  of.author = of.authors
+  return of
+end''')
 pypandoc.convert_file('paper/paper.md', 'typst', outputfile=made, extra_args=[
-    '--standalone', '--citeproc', '--bibliography=paper/paper.bib', '--fail-if-warnings'])
+    '--standalone', '--citeproc', '--bibliography=paper/paper.bib', '--fail-if-warnings',
+    f'--lua-filter={named}'])
 typst.compile(made, output=pdf)";
 
 /// Writes `target/paper/paper.pdf`.
