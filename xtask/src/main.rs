@@ -17,6 +17,7 @@ mod dependencies;
 mod finding;
 mod folders;
 mod metadata;
+mod packages;
 mod page;
 mod paper;
 mod peers;
@@ -48,6 +49,7 @@ const TEST: &[Step] = &[
     ("Table of accuracy", accuracy::check_table),
     ("Table of dependencies", dependencies::check_table),
     ("Picture of the crates", architecture::check),
+    ("Packages", packages::check),
     ("Workflows", workflows::check),
     ("Bundle of the report", page::bundle),
     ("Bundle of the app", app::bundle),
@@ -93,6 +95,7 @@ fn main() -> ExitCode {
         ["bundles"] => exit_code(page::bundle().and_then(|_| app::bundle())),
         ["equations", ref asked @ ..] => exit_code(site::equations(asked)),
         ["paper"] => exit_code(paper::build()),
+        ["packages"] => exit_code(packages::try_all()),
         ["shown"] => exit_code(shown::quick()),
         ["shown", "--all"] => exit_code(shown::all()),
         ["clean-root", ref suites @ ..] => exit_code(clean_root::try_all(suites)),

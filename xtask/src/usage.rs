@@ -27,6 +27,8 @@ usage: cargo xtask test      run everything that CI runs
        cargo xtask bundles   check that the bundles of the pages are what their sources make
        cargo xtask playground
                              make the app that runs in a browser alone, in target/playground
+       cargo xtask packages
+                             pack what is published and build each crate of its package
        cargo xtask paper     write the paper to target/paper/paper.pdf
        cargo xtask shown [--all]
                              run the commands that the README and the book's first pages show; \
