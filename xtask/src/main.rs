@@ -29,6 +29,7 @@ mod usage;
 mod verification;
 mod wasm;
 mod web;
+mod winget;
 mod workflows;
 
 use std::{env, process::ExitCode, time::Instant};
@@ -99,6 +100,7 @@ fn main() -> ExitCode {
         ["shown"] => exit_code(shown::quick()),
         ["shown", "--all"] => exit_code(shown::all()),
         ["clean-root", ref suites @ ..] => exit_code(clean_root::try_all(suites)),
+        ["winget", sha256] => exit_code(winget::write(sha256)),
         ["workflows"] => exit_code(workflows::check()),
         ["architecture"] => exit_code(architecture::write()),
         ["dependencies", "--write"] => exit_code(dependencies::write_table()),

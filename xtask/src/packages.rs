@@ -13,7 +13,7 @@ use crate::{
     command::{Failure, cargo, run},
     cycles::tokens::tokens,
     finding::Finding,
-    folders::target,
+    folders::{root, target},
     metadata::{self, list, text},
 };
 
@@ -69,8 +69,12 @@ fn amiss(metadata: &Value) -> io::Result<Vec<String>> {
         if !descriptions.insert(text(&package["description"])) {
             found.push(format!("{name} has the description of another crate"));
         }
-        for licence in LICENCES.iter().filter(|licence| !folder.join(licence).is_file()) {
-            found.push(format!("{name} lacks {licence}: make a link to that of the root"));
+        for licence in LICENCES {
+            let ours = fs::read(root().join(licence))?;
+            // A link, where the checkout has none, is a file with the place of the other.
+            if fs::read(folder.join(licence)).ok() != Some(ours) {
+                found.push(format!("{name} lacks {licence}: make a link to that of the root"));
+            }
         }
         let unversioned = list(&package["dependencies"])
             .filter(|used| !used["path"].is_null() && used["req"] == "*" && used["kind"] != "dev");

@@ -37,4 +37,7 @@ usage: cargo xtask test      run everything that CI runs
        cargo xtask clean-root [SUITE...]
                              run program and wheel in an empty root of Debian's packages, by \
        debootstrap
+       cargo xtask winget SHA256
+                             write the manifests for Windows' package manager, of the archive with \
+                             that sum
        cargo xtask workflows check the workflows in .github";
