@@ -17,6 +17,7 @@ mod dependencies;
 mod finding;
 mod folders;
 mod metadata;
+mod packages;
 mod page;
 mod paper;
 mod peers;
@@ -28,6 +29,7 @@ mod usage;
 mod verification;
 mod wasm;
 mod web;
+mod winget;
 mod workflows;
 
 use std::{env, process::ExitCode, time::Instant};
@@ -48,6 +50,7 @@ const TEST: &[Step] = &[
     ("Table of accuracy", accuracy::check_table),
     ("Table of dependencies", dependencies::check_table),
     ("Picture of the crates", architecture::check),
+    ("Packages", packages::check),
     ("Workflows", workflows::check),
     ("Bundle of the report", page::bundle),
     ("Bundle of the app", app::bundle),
@@ -93,9 +96,11 @@ fn main() -> ExitCode {
         ["bundles"] => exit_code(page::bundle().and_then(|_| app::bundle())),
         ["equations", ref asked @ ..] => exit_code(site::equations(asked)),
         ["paper"] => exit_code(paper::build()),
+        ["packages"] => exit_code(packages::try_all()),
         ["shown"] => exit_code(shown::quick()),
         ["shown", "--all"] => exit_code(shown::all()),
         ["clean-root", ref suites @ ..] => exit_code(clean_root::try_all(suites)),
+        ["winget", sha256] => exit_code(winget::write(sha256)),
         ["workflows"] => exit_code(workflows::check()),
         ["architecture"] => exit_code(architecture::write()),
         ["dependencies", "--write"] => exit_code(dependencies::write_table()),

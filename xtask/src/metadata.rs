@@ -8,8 +8,17 @@ use crate::command::{Failure, cargo};
 
 /// All packages and what each of them uses, as the lock file has it.
 pub(crate) fn all() -> Result<Value, Failure> {
+    asked(&["--all-features"])
+}
+
+/// The members of the workspace alone: their manifests.
+pub(crate) fn of_members() -> Result<Value, Failure> {
+    asked(&["--no-deps"])
+}
+
+fn asked(more: &[&str]) -> Result<Value, Failure> {
     let mut command = cargo();
-    command.args(["metadata", "--format-version", "1", "--locked", "--all-features"]);
+    command.args(["metadata", "--format-version", "1", "--locked"]).args(more);
     let output = command.stderr(Stdio::inherit()).output();
     let output = output.map_err(|error| Failure::new(format!("`cargo metadata`: {error}")))?;
     if !output.status.success() {

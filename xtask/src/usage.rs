@@ -27,6 +27,8 @@ usage: cargo xtask test      run everything that CI runs
        cargo xtask bundles   check that the bundles of the pages are what their sources make
        cargo xtask playground
                              make the app that runs in a browser alone, in target/playground
+       cargo xtask packages
+                             pack what is published and build each crate of its package
        cargo xtask paper     write the paper to target/paper/paper.pdf
        cargo xtask shown [--all]
                              run the commands that the README and the book's first pages show; \
@@ -35,4 +37,7 @@ usage: cargo xtask test      run everything that CI runs
        cargo xtask clean-root [SUITE...]
                              run program and wheel in an empty root of Debian's packages, by \
        debootstrap
+       cargo xtask winget SHA256
+                             write the manifests for Windows' package manager, of the archive with \
+                             that sum
        cargo xtask workflows check the workflows in .github";

@@ -207,7 +207,7 @@ mod tests {
 
     use super::*;
 
-    const TEXT: &str = include_str!("../../../cases/slant.toml");
+    const TEXT: &str = wholestring_cases::SLANT.text;
 
     fn request(asks: &str, body: Value) -> Request {
         let (asks, file) = (asks.to_owned(), "slant.toml".to_owned());

@@ -71,6 +71,7 @@ fn files(folder: &str) -> Vec<PathBuf> {
         .expect("a folder")
         .map(|entry| entry.expect("an entry").path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+        .filter(|path| !path.ends_with("Cargo.toml"))
         .filter(|path| !fs::read_to_string(path).expect("a text").contains("[[sweep]]"))
         .collect();
     files.sort();

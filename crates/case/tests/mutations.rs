@@ -2,10 +2,8 @@
 //! is accepted runs.
 
 use std::{
-    fs,
     ops::Range,
     panic::{AssertUnwindSafe, catch_unwind},
-    path::Path,
 };
 
 mod common;
@@ -19,6 +17,7 @@ use wholestring::{
     statics::soft::{self, SoftSettings},
 };
 use wholestring_case::{Case, InMemory, parse};
+use wholestring_cases::{ALL, ReadyCase};
 
 const MUTATIONS: usize = 10_000;
 
@@ -33,25 +32,19 @@ struct Shipped {
 }
 
 fn shipped() -> Vec<Shipped> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
-    let mut files = InMemory::default();
-    let mut cases = Vec::new();
-    for entry in fs::read_dir(&folder).expect("the folder of cases") {
-        let path = entry.expect("an entry").path();
-        let name = path.file_name().expect("a name").to_string_lossy().into_owned();
-        match path.extension().and_then(|extension| extension.to_str()) {
-            Some("toml") => cases.push((name, fs::read_to_string(&path).expect("a text"))),
-            _ if path.is_file() => {
-                files.0.insert(name, fs::read(&path).expect("a file"));
-            }
-            _ => {}
-        }
-    }
-    // The order of a folder is the file system's.
-    cases.sort();
-    assert!(cases.len() >= 5, "the shipped cases are not where they were");
-    let files = &files;
-    cases.into_iter().map(|(name, text)| Shipped { name, text, files: files.clone() }).collect()
+    let beside = ALL.iter().flat_map(|case| case.beside);
+    let files = InMemory(
+        beside.map(|(name, text)| ((*name).to_owned(), text.as_bytes().to_vec())).collect(),
+    );
+    let of = |case: &ReadyCase| Shipped {
+        name: case.file_name.to_owned(),
+        text: case.text.to_owned(),
+        files: files.clone(),
+    };
+    let mut cases: Vec<Shipped> = ALL.iter().map(of).collect();
+    // Which one a seed changes depends on their order.
+    cases.sort_by(|one, other| one.name.cmp(&other.name));
+    cases
 }
 
 #[test]

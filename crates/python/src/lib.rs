@@ -60,7 +60,7 @@ mod _core {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", wholestring_results::ENGINE_VERSION)?;
         // The case that the package shows itself with.
-        module.add("EXAMPLE", include_str!("../../../cases/slant.toml"))?;
+        module.add("EXAMPLE", wholestring_cases::SLANT.text)?;
         module.add("SCALARS", crate::answers::scalars())
     }
 

@@ -27,6 +27,47 @@ def test_a_number_is_si_and_a_text_has_its_unit(slant: ws.Case) -> None:
     assert as_text.settings["operation"]["wob_N"] == 60e3
 
 
+def test_the_path_of_a_well_is_that_of_its_stations(np13: ws.Case) -> None:
+    path = np13.well_path()
+    stations = np13.settings["well"]["stations"]
+    assert path.name == "well"
+    rows = np.searchsorted(path["md_m"], np.array(stations["md_m"]) - 1e-3)
+    inclination, azimuth = path["inclination_rad"][rows], path["azimuth_rad"][rows]
+    np.testing.assert_allclose(inclination, stations["inclination_rad"], atol=1e-6)
+    # What is vertical has no azimuth.
+    inclined = inclination > 1e-3
+    assert inclined.sum() > 100
+    np.testing.assert_allclose(
+        azimuth[inclined], np.array(stations["azimuth_rad"])[inclined], atol=1e-6
+    )
+    depth_m, drilled_m = path["tvd_m"], path["md_m"]
+    assert depth_m[0] == 0.0
+    assert drilled_m[-1] == np13.settings["operation"]["bit_depth_m"]
+    along_m = np.hypot(
+        np.hypot(np.diff(path["north_m"]), np.diff(path["east_m"])), np.diff(depth_m)
+    )
+    np.testing.assert_allclose(along_m, np.diff(drilled_m), rtol=1e-4)
+    assert path.unit("dogleg_severity_rad_per_m") == "rad/m"
+
+
+def test_the_path_of_a_quarter_of_a_circle() -> None:
+    """Closed form: minimum curvature from down to level is a quarter of a circle."""
+    length_m = 900.0
+    made = ws.Case.example().with_(
+        {"well.stations": [[0, 0, 90], [length_m, 90, 90]], "well.path": "minimum-curvature"},
+        bit_depth=length_m,
+    )
+    path = made.well_path()
+    radius_m = length_m / (np.pi / 2)
+    np.testing.assert_allclose(path["tvd_m"], radius_m * np.sin(path["md_m"] / radius_m), atol=1e-6)
+    np.testing.assert_allclose(path["north_m"], 0.0, atol=1e-6)
+    east_m = radius_m * (1 - np.cos(path["md_m"] / radius_m))
+    np.testing.assert_allclose(path["east_m"], east_m, atol=1e-6)
+    np.testing.assert_allclose(path["vertical_section_m"], east_m, atol=1e-6)
+    # Behind the last station the path is straight.
+    np.testing.assert_allclose(path["dogleg_severity_rad_per_m"][:-1], 1 / radius_m, rtol=1e-9)
+
+
 def test_a_quantity_is_anything_that_converts(slant: ws.Case) -> None:
     units = registry()
     made = slant.with_(

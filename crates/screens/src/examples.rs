@@ -1,66 +1,16 @@
-//! Cases to begin with, embedded.
+//! Cases to begin with.
+
+use std::iter;
 
 use serde::Serialize;
 use utoipa::ToSchema;
+use wholestring_cases::{ALL, ReadyCase};
 
 use crate::refusal::Refusal;
 
-/// A case to begin with, as it is embedded.
-#[derive(Debug)]
-struct Embedded {
-    /// Its name, that of its file without the ending.
-    name: &'static str,
-    /// What it is, in a sentence.
-    title: &'static str,
-    /// Its text; of the commented one, nothing: that is the command's.
-    text: Option<&'static str>,
-    /// The files that it names.
-    beside: &'static [(&'static str, &'static str)],
-}
-
-impl Embedded {
-    /// Its text.
-    fn text(&self) -> String {
-        self.text.map_or_else(|| wholestring_case::new_case(self.name), str::to_owned)
-    }
-}
-
-/// Names cases of `cases/`, each with its title and the files that it names.
-macro_rules! examples {
-    ($($name:literal: $title:literal $(with $beside:literal)*;)*) => {
-        &[
-            Embedded {
-                name: "my-well",
-                title: "A commented case to begin with, every line of which says what it means",
-                text: None,
-                beside: &[],
-            },
-            $(Embedded {
-                name: $name,
-                title: $title,
-                text: Some(include_str!(concat!("../../../cases/", $name, ".toml"))),
-                beside: &[$(($beside, include_str!(concat!("../../../cases/", $beside)))),*],
-            }),*
-        ]
-    };
-}
-
-/// The cases to begin with.
-const EXAMPLES: &[Embedded] = examples! {
-    "vertical": "A vertical well of 1500 m: hook load is buoyed weight";
-    "slant": "A slant well of 1200 m that builds to 42 deg";
-    "horizontal": "A shallow horizontal well of 1100 m with heavy-weight pipe above the lateral";
-    "lateral-that-cannot-be-drilled": "A lateral of 3100 m with nothing but light pipe in the hole";
-    "bent-motor": "A bent motor that slides in a tangent: an assembly to look at";
-    "np13-x1042": "A highly deviated well of 4305 m, from a published article"
-        with "np13-x1042-survey.csv";
-    "iscwsa-04": "ISCWSA standard wellpath 04: a horizontal well that turns twice"
-        with "iscwsa-04-survey.csv";
-    "forge-16a": "Utah FORGE 16A(78)-32, a geothermal well in granite, with what the rig has read"
-        with "forge-16a-survey.csv" with "forge-16a-measured.csv";
-    "well-b-2235": "A string that sticks and slips off bottom, from a published article";
-    "rock-300": "A short string that drills solid rock, element by element";
-};
+/// The commented case to begin with, whose text is the command's: its name and title.
+const COMMENTED: (&str, &str) =
+    ("my-well", "A commented case to begin with, every line of which says what it means");
 
 /// A case to begin with, in a list.
 #[derive(Debug, Serialize, ToSchema)]
@@ -95,7 +45,8 @@ pub struct ExampleFile {
 
 /// The cases to begin with: the commented one, and wells.
 pub fn list() -> Vec<ExampleEntry> {
-    EXAMPLES.iter().map(|of| ExampleEntry { name: of.name, title: of.title }).collect()
+    let wells = ALL.iter().map(|case| (case.name, case.title));
+    iter::once(COMMENTED).chain(wells).map(|(name, title)| ExampleEntry { name, title }).collect()
 }
 
 /// A case to begin with, whole.
@@ -103,15 +54,16 @@ pub fn list() -> Vec<ExampleEntry> {
 /// # Errors
 /// A name that none has.
 pub fn example(name: &str) -> Result<Example, Refusal> {
-    let found = EXAMPLES.iter().find(|one| one.name == name);
-    let found = found.ok_or_else(|| Refusal::not_found("there is no such example"))?;
-    let beside = found.beside.iter().map(|(file_name, text)| ExampleFile { file_name, text });
-    Ok(Example {
-        name: found.name,
-        title: found.title,
-        text: found.text(),
-        beside: beside.collect(),
-    })
+    if name == COMMENTED.0 {
+        let (name, title) = COMMENTED;
+        let text = wholestring_case::new_case(name);
+        return Ok(Example { name, title, text, beside: Vec::new() });
+    }
+    let found = ALL.iter().find(|one| one.name == name);
+    let &ReadyCase { name, title, text, beside, .. } =
+        found.ok_or_else(|| Refusal::not_found("there is no such example"))?;
+    let beside = beside.iter().map(|(file_name, text)| ExampleFile { file_name, text });
+    Ok(Example { name, title, text: text.to_owned(), beside: beside.collect() })
 }
 
 #[cfg(test)]
@@ -120,20 +72,21 @@ mod tests {
 
     use wholestring_case::Template;
 
-    use super::EXAMPLES;
+    use super::{example, list};
 
     #[test]
     fn every_example_is_sound_with_what_is_beside_it() {
-        for example in EXAMPLES {
+        for entry in list() {
+            let example = example(entry.name).unwrap();
             let beside = example.beside.iter();
             let beside: BTreeMap<String, Vec<u8>> = beside
-                .map(|(name, text)| ((*name).to_owned(), text.as_bytes().to_owned()))
+                .map(|file| (file.file_name.to_owned(), file.text.as_bytes().to_owned()))
                 .collect();
-            let template = Template::in_memory(example.name, &example.text(), beside.clone());
+            let template = Template::in_memory(example.name, &example.text, beside.clone());
             let case = template.case(&[]);
             assert!(case.is_ok(), "{}", case.unwrap_err().render(false));
             for name in beside.keys() {
-                assert!(example.text().contains(name.as_str()), "{name}");
+                assert!(example.text.contains(name.as_str()), "{name}");
             }
         }
     }

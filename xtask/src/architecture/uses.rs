@@ -9,12 +9,12 @@ use crate::metadata::{list, text};
 /// Whom each crate uses.
 pub(super) type Uses = BTreeMap<String, BTreeSet<String>>;
 
-/// What the crates under `crates/` use of each other where they are not tested.
+/// What the crates of the project use of each other where they are not tested.
 pub(super) fn of_crates(metadata: &Value) -> Uses {
-    let ours = |package: &&Value| text(&package["manifest_path"]).replace('\\', "/");
-    let packages: Vec<&Value> = list(&metadata["packages"])
-        .filter(|package| package["source"].is_null() && ours(package).contains("/crates/"))
-        .collect();
+    let ours = |package: &&Value| {
+        package["source"].is_null() && text(&package["name"]).starts_with("wholestring")
+    };
+    let packages: Vec<&Value> = list(&metadata["packages"]).filter(ours).collect();
     let names: BTreeSet<&str> = packages.iter().map(|package| text(&package["name"])).collect();
     let used = |package: &Value| {
         list(&package["dependencies"])

@@ -9,7 +9,7 @@ mod circles;
 mod modules;
 #[cfg(test)]
 mod tests;
-mod tokens;
+pub(crate) mod tokens;
 
 use std::{
     fs, io,

@@ -14,14 +14,34 @@ use crate::{
 use page::{Part, parts};
 
 /// Pages whose reader tries out what he reads.
-const PAGES: [&str; 3] = ["README.md", "docs/src/start.md", "docs/src/tour.md"];
+const PAGES: [&str; 9] = [
+    "README.md",
+    "docs/src/start.md",
+    "docs/src/tour.md",
+    "docs/src/which-model.md",
+    "docs/src/import.md",
+    "docs/src/import-tally.md",
+    "docs/src/import-witsml.md",
+    "docs/src/import-edm.md",
+    "docs/src/import-picks.md",
+];
 
 /// What these pages take for granted, from the root of the repository, and as what.
-const THERE: [(&str, &str); 4] = [
+const THERE: [(&str, &str); 13] = [
     ("cases", "cases"),
     ("studies", "studies"),
     ("crates/import/tests/samples/own", "crates/import/tests/samples/own"),
     ("crates/cli/tests/data/survey.csv", "my-survey.csv"),
+    // Files of the reader's own.
+    ("crates/import/tests/samples/own/survey-wellpath-report.txt", "survey.txt"),
+    ("crates/import/tests/samples/own/tally.csv", "bha7.csv"),
+    ("crates/import/tests/samples/own/witsml-trajectory.xml", "trajectory.xml"),
+    ("crates/import/tests/samples/own/witsml-tubular.xml", "tubular.xml"),
+    ("crates/import/tests/samples/own/witsml-wbgeometry.xml", "wbgeometry.xml"),
+    ("crates/import/tests/samples/own/witsml-bharun.xml", "bharun.xml"),
+    ("crates/import/tests/samples/own/edm-well.xml", "well.edm.xml"),
+    ("crates/import/tests/samples/own/surface-log.las", "trip.las"),
+    ("crates/import/tests/samples/own/surface-log.las", "rig.las"),
 ];
 
 /// The command that the program stands in for.
@@ -43,7 +63,8 @@ const ELSEWHERE: [&str; 7] = [
 ];
 
 /// Files whose commands take minutes: their cases are checked, and run by `cargo xtask shown --all`.
-const MINUTES: [&str; 2] = ["cases/rock-300.toml", "studies/full-hole-system-dynamics.toml"];
+const MINUTES: [&str; 3] =
+    ["cases/rock-300.toml", "studies/full-hole-system-dynamics.toml", "studies/three-models.toml"];
 
 /// All but what takes minutes.
 pub(crate) fn quick() -> Result<Finding, Failure> {

@@ -191,7 +191,7 @@ mod tests {
 
     use super::*;
 
-    const TEXT: &str = include_str!("../../../../cases/slant.toml");
+    const TEXT: &str = wholestring_cases::SLANT.text;
 
     fn room(live_idle: Duration) -> (tempfile::TempDir, EngineRoom, String) {
         let folder = tempfile::tempdir().expect("a folder");

@@ -16,7 +16,7 @@ fn the_session_names_the_folder_and_no_path() {
 fn an_example_becomes_a_sound_case() {
     let served = Served::new();
     let examples = served.get("/api/examples").ok();
-    assert!(examples.as_array().unwrap().len() >= 8);
+    assert_eq!(examples.as_array().unwrap().len(), 1 + wholestring_cases::ALL.len());
     assert_eq!(examples[0]["name"], "my-well");
     for name in ["my-well", "np13-x1042", "forge-16a"] {
         let example = served.get(&format!("/api/examples/{name}")).ok();

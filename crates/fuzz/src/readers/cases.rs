@@ -1,6 +1,7 @@
 //! Cases, what is set and varied in them, studies, the tables of bits, and quantities.
 
 use wholestring_case::{InMemory, Override, Report, Variation, parse};
+use wholestring_cases::{HORIZONTAL, ISCWSA_04, NP13_X1042, NP13_X1042_ROCK, SLANT, VERTICAL};
 use wholestring_study::{self as study, ColumnName, Source};
 use wholestring_units::Dimension;
 
@@ -41,14 +42,9 @@ fn words() -> Vec<&'static str> {
     words.split_whitespace().chain(others).collect()
 }
 
-const VERTICAL: &[u8] = include_bytes!("../../../../cases/vertical.toml");
-
 fn files() -> InMemory {
-    let files: [(&str, &[u8]); 2] = [
-        ("np13-x1042-survey.csv", include_bytes!("../../../../cases/np13-x1042-survey.csv")),
-        ("iscwsa-04-survey.csv", include_bytes!("../../../../cases/iscwsa-04-survey.csv")),
-    ];
-    InMemory(files.map(|(name, bytes)| (name.to_owned(), bytes.to_vec())).into())
+    let files = [NP13_X1042, ISCWSA_04].into_iter().flat_map(|case| case.beside);
+    InMemory(files.map(|(name, text)| ((*name).to_owned(), text.as_bytes().to_vec())).collect())
 }
 
 /// What became of a text; a report is printed too, which must cut its lines where letters end.
@@ -66,14 +62,8 @@ fn printed<T>(read: Result<T, Report>) -> bool {
 /// Case files.
 fn case() -> Reader {
     let files = files();
-    let seeds: [&[u8]; 6] = [
-        VERTICAL,
-        include_bytes!("../../../../cases/slant.toml"),
-        include_bytes!("../../../../cases/horizontal.toml"),
-        include_bytes!("../../../../cases/np13-x1042.toml"),
-        include_bytes!("../../../../cases/iscwsa-04.toml"),
-        include_bytes!("../../../../cases/np13-x1042-rock.toml"),
-    ];
+    let seeds = [VERTICAL, SLANT, HORIZONTAL, NP13_X1042, ISCWSA_04, NP13_X1042_ROCK];
+    let seeds = seeds.map(|case| case.text.as_bytes());
     Reader::text("case", seeds, &words(), move |input| {
         printed(parse("case.toml", input, &files, &[]).inspect(|case| {
             case.warnings.render(false);
@@ -94,7 +84,12 @@ fn overrides() -> Reader {
         let changes: Result<Vec<Override>, _> =
             text.lines().filter(|line| !line.trim().is_empty()).map(str::parse).collect();
         match changes {
-            Ok(changes) => printed(parse("case.toml", VERTICAL, &InMemory::default(), &changes)),
+            Ok(changes) => printed(parse(
+                "case.toml",
+                VERTICAL.text.as_bytes(),
+                &InMemory::default(),
+                &changes,
+            )),
             Err(error) => error.to_string().is_empty(),
         }
     })
@@ -115,7 +110,7 @@ fn vary() -> Reader {
         if let Ok(variations) = &read {
             let first: Vec<Override> =
                 variations.iter().filter_map(|varied| varied.values.first().cloned()).collect();
-            printed(parse("case.toml", VERTICAL, &InMemory::default(), &first));
+            printed(parse("case.toml", VERTICAL.text.as_bytes(), &InMemory::default(), &first));
         }
         printed(read)
     })
@@ -152,7 +147,7 @@ fn study() -> Reader {
 
 /// The file of a bit's table.
 fn bit_table() -> Reader {
-    let case = String::from_utf8_lossy(VERTICAL).replace(
+    let case = VERTICAL.text.replace(
         "[bit]\ntorque = \"2.5 kN.m\"",
         "[bit]\nlaw = \"table\"\n[bit.table]\nfile = \"bit-table.csv\"",
     );

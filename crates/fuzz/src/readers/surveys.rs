@@ -67,7 +67,7 @@ fn csv() -> Reader {
          (ft)\n500,0,0,0,0\n530,1,359.5,0,0\n560,2,0.5,1,1\n",
         "MD (m);Inc (°);Azi (°)\n0,0;0,0;0\n30,5;1,25;90,125\n1.060,5;1,25;90\n".as_bytes(),
         b"0,0,0\n30,1.5,45\n60,3,45\n",
-        include_bytes!("../../../../cases/np13-x1042-survey.csv"),
+        wholestring_cases::NP13_X1042.beside[0].1.as_bytes(),
     ];
     Reader::text("survey-csv", seeds, WORDS, reads("a.csv"))
 }

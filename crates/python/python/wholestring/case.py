@@ -17,6 +17,7 @@ from ._solving import Solving
 from ._values import Value
 from .errors import CaseError, Diagnostic
 from .importing import import_files
+from .table import Table
 
 # What a survey is called that was given as a table.
 _SURVEY = "survey.csv"
@@ -271,6 +272,32 @@ class Case(Solving, Planning, Assemblies):
         except CaseError as error:
             return error.diagnostics
         return tuple(Diagnostic(**of) for of in found)
+
+    def well_path(self) -> Table:
+        """Give the path of the well from the surface to the bit, as every model has it.
+
+        The path is the curve that the case asks for through its stations, tortuosity included.
+        Nothing is solved. :func:`wholestring.plot.well` draws it.
+
+        Returns
+        -------
+        Table
+            A row for each of some 800 depths, evenly, and for each station. ``md_m`` is measured
+            depth; ``north_m``, ``east_m`` and ``tvd_m`` the place; ``vertical_section_m`` the
+            distance along the closure's direction; ``inclination_rad`` and ``azimuth_rad`` the
+            direction, an azimuth of 0 where it is vertical; ``dogleg_severity_rad_per_m`` the
+            curvature.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> path = ws.Case.example().well_path()
+        >>> path.columns[:4], path.unit("tvd_m")
+        (('md_m', 'north_m', 'east_m', 'tvd_m'), 'm')
+        >>> f"{path['tvd_m'][-1]:.1f} m at {path['md_m'][-1]:.0f} m"
+        '1016.9 m at 1200 m'
+        """
+        return Table(_core.well_path(self._held.settings_json()), "well")
 
     @property
     def name(self) -> str:

@@ -6,14 +6,11 @@ use serde::Serialize;
 use tempfile::TempDir;
 use wholestring::dynamics::{DynamicsSettings, Effort, Precision, Simulation};
 use wholestring_case::{Case, Override, Template};
+use wholestring_cases::NP13_X1042 as CASE;
 use wholestring_results::ResultsFolder;
 
 use super::clock::Clock;
 use crate::Error;
-
-const CASE: (&str, &str) = ("np13-x1042.toml", include_str!("../../../../cases/np13-x1042.toml"));
-const SURVEY: (&str, &str) =
-    ("np13-x1042-survey.csv", include_str!("../../../../cases/np13-x1042-survey.csv"));
 
 /// Simulated time before anything is timed, s: what the initialisation has left is gone.
 const SETTLED_S: f64 = 1.0;
@@ -50,11 +47,12 @@ impl Well {
             .prefix("wholestring-bench-")
             .tempdir()
             .map_err(Error::failed)?;
-        for (name, text) in [CASE, SURVEY] {
+        let files = [(CASE.file_name, CASE.text)];
+        for (name, text) in files.iter().chain(CASE.beside) {
             fs::write(scratch.path().join(name), text).map_err(Error::failed)?;
         }
         Ok(Self {
-            template: Template::read(&scratch.path().join(CASE.0))?,
+            template: Template::read(&scratch.path().join(CASE.file_name))?,
             scratch,
             changes: changes.to_vec(),
         })
@@ -62,7 +60,7 @@ impl Well {
 
     /// Where the case lies.
     pub(super) fn file(&self) -> PathBuf {
-        self.scratch.path().join(CASE.0)
+        self.scratch.path().join(CASE.file_name)
     }
 
     /// A folder in which results may be written.

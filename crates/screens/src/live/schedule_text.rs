@@ -151,7 +151,7 @@ mod tests {
     };
     use super::*;
 
-    const TEXT: &str = include_str!("../../../../cases/vertical.toml");
+    const TEXT: &str = wholestring_cases::VERTICAL.text;
 
     fn case_of(text: &str) -> Case {
         let parsed = parse("case.toml", text.as_bytes(), &InMemory::default(), &[]);

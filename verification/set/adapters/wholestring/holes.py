@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 import wholestring as ws
-from wholestring import _core
 
 from .case import Inputs, case, part, stations_of, steel
 
@@ -30,8 +28,7 @@ def well_path(inputs: Inputs, expected: Mapping[str, Any]) -> dict[str, Any]:
     hole_m = 0.3
     string = [{"component": "pipe", "od": 0.127, "id": 0.1086, "length": "to surface"}]
     made = case(stations, string, {"kind": "trip_out"}, hole_m=hole_m)
-    # The package draws the path and has no name for its numbers.
-    path = ws.Table(_core.well_path(json.dumps(dict(made.settings))), "well")
+    path = made.well_path()
     depth_m = path["md_m"]
     inclination, azimuth = path["inclination_rad"], path["azimuth_rad"]
     directions = {
