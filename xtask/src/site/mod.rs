@@ -1,10 +1,11 @@
 //! The book as a site, built by mdBook with equations that browsers set.
 
 mod equations;
+mod fragments;
 mod preprocessor;
 
 use std::{
-    env,
+    env, fs,
     path::{Path, PathBuf},
     process::Command,
 };
@@ -16,6 +17,7 @@ use crate::{
     web::unable,
 };
 
+pub(crate) use fragments::{check as check_equations, write as write_equations};
 pub(crate) use preprocessor::equations;
 
 /// The release that builds the book. Serving and watching are left out: they compile for long.
@@ -48,4 +50,30 @@ fn installed() -> Option<PathBuf> {
     // Its parts are none of ours: they would be compiled again and again in the same place.
     install.arg(folder()).arg("--target-dir").arg(folder().join("build"));
     succeeds(&mut install).then(found).flatten()
+}
+
+/// The book's pages, and what each says.
+fn pages() -> Result<Vec<(PathBuf, String)>, Failure> {
+    files(&root().join("docs/src"), "md")
+}
+
+/// Files of a kind in a folder and all that are in it, in order, and what each says.
+fn files(folder: &Path, extension: &str) -> Result<Vec<(PathBuf, String)>, Failure> {
+    let cannot = |path: &Path, error| Failure::new(format!("{}: {error}", path.display()));
+    let mut found = Vec::new();
+    let mut folders = vec![folder.to_path_buf()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).map_err(|error| cannot(&folder, error))? {
+            let path = entry.map_err(|error| cannot(&folder, error))?.path();
+            // What npm installs is not ours.
+            if path.is_dir() && !path.ends_with("node_modules") {
+                folders.push(path);
+            } else if path.extension().is_some_and(|given| given == extension) {
+                let text = fs::read_to_string(&path).map_err(|error| cannot(&path, error))?;
+                found.push((path, text));
+            }
+        }
+    }
+    found.sort();
+    Ok(found)
 }
