@@ -91,6 +91,7 @@ fn main() -> ExitCode {
         ["peers"] => exit_code(peers::side_by_side(false)),
         ["peers", "--write"] => exit_code(peers::side_by_side(true)),
         ["book"] => exit_code(site::build()),
+        ["site"] => exit_code(wasm::playground().and_then(|_| site::build())),
         ["bundles"] => exit_code(page::bundle().and_then(|_| app::bundle())),
         ["equations", "--write"] => exit_code(site::write_equations()),
         ["equations", ref asked @ ..] => exit_code(site::equations(asked)),

@@ -2,6 +2,7 @@
 
 mod equations;
 mod fragments;
+mod playground;
 mod preprocessor;
 
 use std::{
@@ -23,12 +24,17 @@ pub(crate) use preprocessor::equations;
 /// The release that builds the book. Serving and watching are left out: they compile for long.
 const MDBOOK: &str = "mdbook@0.5.4";
 
-/// The book builds: each page that its summary names is there, and each equation can be set.
+/// The book builds: each page that its summary names is there, and each equation can be set. It has
+/// the app that runs in a browser alone, where that has been made.
 pub(crate) fn build() -> Result<Finding, Failure> {
     let Some(mdbook) = found().or_else(installed) else {
         return unable(format!("there is no mdbook, and `cargo install {MDBOOK}` fails here"));
     };
     run(Command::new(mdbook).current_dir(root()).args(["build", "docs"]), "the book must build")?;
+    let site = target().join("book");
+    if playground::put_in(site.clone())? {
+        println!("{}, with the app that runs in a browser alone", site.display());
+    }
     Ok(Finding::Done)
 }
 
