@@ -9,7 +9,7 @@ use std::{
 
 use super::{
     equations::{Part, parts},
-    files, pages,
+    files, pages, relative,
 };
 use crate::{command::Failure, finding::Finding, folders::root};
 
@@ -84,7 +84,7 @@ fn wanted() -> Result<BTreeMap<PathBuf, String>, Failure> {
     let mut shown = BTreeMap::new();
     for (path, source) in files(&root().join("crates"), "rs")? {
         for include in includes(&source) {
-            let file = resolved(&path, include);
+            let file = relative(&path, include);
             let Some(name) = name(&file) else { continue };
             let place = path.display();
             let Some(text) = named.get(name) else {
@@ -132,19 +132,6 @@ fn includes(source: &str) -> impl Iterator<Item = &str> {
     source.split(INCLUDED).skip(1).filter_map(|rest| rest.split_once('"')).map(|(file, _)| file)
 }
 
-/// Where a file is that a source names from its own folder.
-fn resolved(source: &Path, file: &str) -> PathBuf {
-    let mut path = source.parent().unwrap_or(source).to_path_buf();
-    for step in file.split('/') {
-        if step == ".." {
-            path.pop();
-        } else {
-            path.push(step);
-        }
-    }
-    path
-}
-
 /// The equation's name, if the file is one of a crate's equations.
 fn name(file: &Path) -> Option<&str> {
     let ours = file.parent()?.ends_with(FOLDER) && file.extension()? == "html";
@@ -177,7 +164,7 @@ mod tests {
     fn an_include_names_its_equation() {
         let source = "#![doc = include_str!(\"../../equations/half.html\")]";
         let path = Path::new("/crates/core/src/rod/element.rs");
-        let file = includes(source).map(|file| resolved(path, file)).next();
+        let file = includes(source).map(|file| relative(path, file)).next();
         assert_eq!(file.as_deref(), Some(Path::new("/crates/core/equations/half.html")));
         assert_eq!(file.as_deref().and_then(name), Some("half"));
         assert_eq!(name(Path::new("/crates/core/src/a.html")), None);

@@ -2,6 +2,7 @@
 
 mod equations;
 mod fragments;
+mod links;
 mod playground;
 mod preprocessor;
 
@@ -24,8 +25,8 @@ pub(crate) use preprocessor::equations;
 /// The release that builds the book. Serving and watching are left out: they compile for long.
 const MDBOOK: &str = "mdbook@0.5.4";
 
-/// The book builds: each page that its summary names is there, and each equation can be set. It has
-/// the app that runs in a browser alone, where that has been made.
+/// The book builds: each page that its summary names is there, each equation can be set, and what
+/// pages lead to exists. It has the app that runs in a browser alone, where that has been made.
 pub(crate) fn build() -> Result<Finding, Failure> {
     let Some(mdbook) = found().or_else(installed) else {
         return unable(format!("there is no mdbook, and `cargo install {MDBOOK}` fails here"));
@@ -35,6 +36,7 @@ pub(crate) fn build() -> Result<Finding, Failure> {
     if playground::put_in(site.clone())? {
         println!("{}, with the app that runs in a browser alone", site.display());
     }
+    links::check(&site)?;
     Ok(Finding::Done)
 }
 
@@ -82,4 +84,17 @@ fn files(folder: &Path, extension: &str) -> Result<Vec<(PathBuf, String)>, Failu
     }
     found.sort();
     Ok(found)
+}
+
+/// Where a file is that another one names from its own folder.
+fn relative(source: &Path, file: &str) -> PathBuf {
+    let mut path = source.parent().unwrap_or(source).to_path_buf();
+    for step in file.split('/') {
+        if step == ".." {
+            path.pop();
+        } else {
+            path.push(step);
+        }
+    }
+    path
 }
