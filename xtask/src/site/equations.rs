@@ -1,7 +1,9 @@
 //! Equations of a page: LaTeX between lines of `$$`, set as MathML, which browsers show without any
-//! script.
+//! script. What stands between two `$` of a line is set within it.
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
+
+use super::inline::Text;
 
 /// What stands before the name of an equation that the documentation of the code shows too, on the
 /// line before it.
@@ -10,6 +12,8 @@ const NAMED: &str = "<!-- equation: ";
 /// A page in order.
 pub(super) enum Part<'a> {
     Line(&'a str),
+    /// A line of a block of code.
+    Code(&'a str),
     Equation(Equation<'a>),
 }
 
@@ -30,15 +34,15 @@ pub(super) fn parts(page: &str) -> Result<Vec<Part<'_>>, String> {
     while let Some((number, line)) = lines.next() {
         let word = line.trim();
         // What opens a block may name a language, what closes it does not.
-        if word == "```" || !in_code && word.starts_with("```") {
-            in_code = !in_code;
-        }
+        let fence = word == "```" || !in_code && word.starts_with("```");
+        in_code ^= fence;
         if in_code || word != "$$" {
             if name.is_some() {
                 return Err(format!("line {number}: a name without an equation below it"));
             }
             match word.strip_prefix(NAMED) {
                 Some(rest) if !in_code => name = Some(rest.trim_end_matches("-->").trim_end()),
+                _ if in_code || fence => parts.push(Part::Code(line)),
                 _ => parts.push(Part::Line(line)),
             }
             continue;
@@ -93,9 +97,11 @@ fn one_line(math: &str) -> String {
 /// The page with its equations set; else the line of the first that cannot be, and why.
 pub(super) fn set_all(page: &str) -> Result<String, String> {
     let mut set = String::with_capacity(page.len());
+    let mut text = Text::default();
     for part in parts(page)? {
         match part {
-            Part::Line(line) => set.push_str(line),
+            Part::Line(line) => set.push_str(&text.set(line)?),
+            Part::Code(line) => set.push_str(line),
             Part::Equation(equation) => {
                 let indent = equation.indent;
                 let math = equation.set(false)?;

@@ -2,6 +2,7 @@
 
 mod equations;
 mod fragments;
+mod inline;
 mod links;
 mod playground;
 mod preprocessor;
