@@ -117,7 +117,7 @@ pub(super) fn set_all(page: &str) -> Result<String, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::site::pages;
+    use crate::site::tree::pages;
 
     #[test]
     fn an_equation_is_set_and_code_is_left() {

@@ -9,7 +9,7 @@ use std::{
 
 use super::{
     equations::{Part, parts},
-    files, pages, relative,
+    tree::{files, pages, relative},
 };
 use crate::{command::Failure, finding::Finding, folders::root};
 

@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeSet, path::Path};
 
-use super::{files, relative};
+use super::tree::{files, relative};
 use crate::command::Failure;
 
 /// Pages that have no addresses of their own: mdBook makes them of the others, or by itself.

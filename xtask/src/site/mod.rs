@@ -6,9 +6,10 @@ mod inline;
 mod links;
 mod playground;
 mod preprocessor;
+mod tree;
 
 use std::{
-    env, fs,
+    env,
     path::{Path, PathBuf},
     process::Command,
 };
@@ -32,7 +33,10 @@ pub(crate) fn build() -> Result<Finding, Failure> {
     let Some(mdbook) = found().or_else(installed) else {
         return unable(format!("there is no mdbook, and `cargo install {MDBOOK}` fails here"));
     };
-    run(Command::new(mdbook).current_dir(root()).args(["build", "docs"]), "the book must build")?;
+    let mut build = Command::new(mdbook);
+    build.current_dir(root()).args(["build", "docs"]);
+    playground::announce(&mut build);
+    run(&mut build, "the book must build")?;
     let site = target().join("book");
     if playground::put_in(site.clone())? {
         println!("{}, with the app that runs in a browser alone", site.display());
@@ -59,43 +63,4 @@ fn installed() -> Option<PathBuf> {
     // Its parts are none of ours: they would be compiled again and again in the same place.
     install.arg(folder()).arg("--target-dir").arg(folder().join("build"));
     succeeds(&mut install).then(found).flatten()
-}
-
-/// The book's pages, and what each says.
-fn pages() -> Result<Vec<(PathBuf, String)>, Failure> {
-    files(&root().join("docs/src"), "md")
-}
-
-/// Files of a kind in a folder and all that are in it, in order, and what each says.
-fn files(folder: &Path, extension: &str) -> Result<Vec<(PathBuf, String)>, Failure> {
-    let cannot = |path: &Path, error| Failure::new(format!("{}: {error}", path.display()));
-    let mut found = Vec::new();
-    let mut folders = vec![folder.to_path_buf()];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(&folder).map_err(|error| cannot(&folder, error))? {
-            let path = entry.map_err(|error| cannot(&folder, error))?.path();
-            // What npm installs is not ours.
-            if path.is_dir() && !path.ends_with("node_modules") {
-                folders.push(path);
-            } else if path.extension().is_some_and(|given| given == extension) {
-                let text = fs::read_to_string(&path).map_err(|error| cannot(&path, error))?;
-                found.push((path, text));
-            }
-        }
-    }
-    found.sort();
-    Ok(found)
-}
-
-/// Where a file is that another one names from its own folder.
-fn relative(source: &Path, file: &str) -> PathBuf {
-    let mut path = source.parent().unwrap_or(source).to_path_buf();
-    for step in file.split('/') {
-        if step == ".." {
-            path.pop();
-        } else {
-            path.push(step);
-        }
-    }
-    path
 }

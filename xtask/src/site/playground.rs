@@ -1,6 +1,6 @@
 //! The app that runs in a browser alone, on its page of the book.
 
-use std::{fs, path::PathBuf};
+use std::{env, fs, path::PathBuf, process::Command};
 
 use crate::{
     command::Failure,
@@ -22,23 +22,35 @@ in this browser alone\"></iframe>
 [Open it in a window of its own](playground/index.html). It needs a server of files: where the book is opened from a folder, the frame stays empty.
 ";
 
+/// Tells the preprocessor that the app will be put beside the pages: mdBook that is called by itself
+/// puts in none.
+const PUT_IN: &str = "WHOLESTRING_BOOK_HAS_APP";
+
 /// The folder that `cargo xtask playground` makes, if it has made it.
 fn made() -> Option<PathBuf> {
     let folder = target().join(FOLDER);
     folder.join("index.html").is_file().then_some(folder)
 }
 
-/// The page with the app, where there is one, else with what says how to make it.
-pub(super) fn shown(page: &str) -> Result<String, String> {
-    shown_if(page, made().is_some())
+/// Has pages show the app that will be put in.
+pub(super) fn announce(mdbook: &mut Command) {
+    match made() {
+        Some(_) => mdbook.env(PUT_IN, "1"),
+        None => mdbook.env_remove(PUT_IN),
+    };
 }
 
-fn shown_if(page: &str, made: bool) -> Result<String, String> {
+/// The page with the app, where it will be put in, else with what says how to make it.
+pub(super) fn shown(page: &str) -> Result<String, String> {
+    shown_if(page, env::var_os(PUT_IN).is_some())
+}
+
+fn shown_if(page: &str, put_in: bool) -> Result<String, String> {
     let Some((before, rest)) = page.split_once(BEGIN) else { return Ok(page.into()) };
     let Some((how, after)) = rest.split_once(END) else {
         return Err(format!("there is no {} after {}", END.trim_end(), BEGIN.trim_end()));
     };
-    Ok(format!("{before}{}{after}", if made { SHOWN } else { how }))
+    Ok(format!("{before}{}{after}", if put_in { SHOWN } else { how }))
 }
 
 /// Puts the app beside the pages, where it has been made; whether it has.
