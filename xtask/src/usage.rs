@@ -23,7 +23,11 @@ usage: cargo xtask test      run everything that CI runs
                              write what the crates and pages depend on into the book
        cargo xtask architecture
                              draw the crates and what they use for ARCHITECTURE.md
-       cargo xtask book      build the book into target/book
+       cargo xtask book      build the book into target/book, with the app of target/playground \
+       where it is
+       cargo xtask site      make that app, and build the book with it
+       cargo xtask equations --write
+                             set the book's equations that the documentation of the code shows
        cargo xtask bundles   check that the bundles of the pages are what their sources make
        cargo xtask playground
                              make the app that runs in a browser alone, in target/playground

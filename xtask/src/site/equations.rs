@@ -1,25 +1,50 @@
 //! Equations of a page: LaTeX between lines of `$$`, set as MathML, which browsers show without any
-//! script.
+//! script. What stands between two `$` of a line is set within it.
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
-/// The page with its equations set; else the line of the first that cannot be, and why.
-pub(super) fn set_all(page: &str) -> Result<String, String> {
-    let setter = LatexToMathML::new(MathCoreConfig::default())
-        .map_err(|error| format!("the setter of equations does not start: {error:?}"))?;
-    let mut set = String::with_capacity(page.len());
-    let mut fence: Option<&str> = None;
+use super::inline::Text;
+
+/// What stands before the name of an equation that the documentation of the code shows too, on the
+/// line before it.
+const NAMED: &str = "<!-- equation: ";
+
+/// A page in order.
+pub(super) enum Part<'a> {
+    Line(&'a str),
+    /// A line of a block of code.
+    Code(&'a str),
+    Equation(Equation<'a>),
+}
+
+pub(super) struct Equation<'a> {
+    pub(super) name: Option<&'a str>,
+    pub(super) latex: String,
+    /// Where it begins, counted from one.
+    line: usize,
+    indent: &'a str,
+}
+
+/// The page's lines and equations; else the line of what is wrong, and why.
+pub(super) fn parts(page: &str) -> Result<Vec<Part<'_>>, String> {
+    let mut parts = Vec::new();
+    let mut in_code = false;
+    let mut name = None;
     let mut lines = page.lines().enumerate();
     while let Some((number, line)) = lines.next() {
         let word = line.trim();
-        match fence {
-            Some(mark) if word == mark => fence = None,
-            None if word.starts_with("```") => fence = Some("```"),
-            _ => {}
-        }
-        if fence.is_some() || word != "$$" {
-            set.push_str(line);
-            set.push('\n');
+        // What opens a block may name a language, what closes it does not.
+        let fence = word == "```" || !in_code && word.starts_with("```");
+        in_code ^= fence;
+        if in_code || word != "$$" {
+            if name.is_some() {
+                return Err(format!("line {number}: a name without an equation below it"));
+            }
+            match word.strip_prefix(NAMED) {
+                Some(rest) if !in_code => name = Some(rest.trim_end_matches("-->").trim_end()),
+                _ if in_code || fence => parts.push(Part::Code(line)),
+                _ => parts.push(Part::Line(line)),
+            }
             continue;
         }
         let indent = &line[..line.len() - line.trim_start().len()];
@@ -34,22 +59,65 @@ pub(super) fn set_all(page: &str) -> Result<String, String> {
                 None => return Err(format!("line {}: an equation does not end", number + 1)),
             }
         }
+        parts.push(Part::Equation(Equation { name: name.take(), latex, line: number + 1, indent }));
+    }
+    match name {
+        Some(name) => Err(format!("the last line: no equation below the name {name}")),
+        None => Ok(parts),
+    }
+}
+
+impl Equation<'_> {
+    /// As MathML on one line: an element of a page ends at an empty one. `annotated`, it holds its
+    /// LaTeX.
+    pub(super) fn set(&self, annotated: bool) -> Result<String, String> {
+        let Self { latex, line, .. } = self;
+        let config = MathCoreConfig { annotation: annotated, ..MathCoreConfig::default() };
+        let setter = LatexToMathML::new(config)
+            .map_err(|error| format!("the setter of equations does not start: {error:?}"))?;
         let math = setter
-            .convert_with_local_counter(&latex, MathDisplay::Block)
-            .map_err(|error| format!("line {}: {error:?} in\n{latex}", number + 1))?;
-        // An element that ends at an empty line, of which it has none.
-        set.push_str(&format!("{indent}<div class=\"equation\">\n"));
-        set.push_str(&format!("{indent}{}\n{indent}</div>\n", math.replace('\n', " ")));
+            .convert_with_local_counter(latex.trim_end(), MathDisplay::Block)
+            .map_err(|error| format!("line {line}: {error:?} in\n{latex}"))?;
+        Ok(one_line(&math))
+    }
+}
+
+/// Lines as one: of elements without a space between them, of what is LaTeX with one.
+fn one_line(math: &str) -> String {
+    let mut line = String::with_capacity(math.len());
+    for part in math.lines().map(str::trim) {
+        if !line.is_empty() && !part.starts_with('<') {
+            line.push(' ');
+        }
+        line.push_str(part);
+    }
+    line
+}
+
+/// The page with its equations set; else the line of the first that cannot be, and why.
+pub(super) fn set_all(page: &str) -> Result<String, String> {
+    let mut set = String::with_capacity(page.len());
+    let mut text = Text::default();
+    for part in parts(page)? {
+        match part {
+            Part::Line(line) => set.push_str(&text.set(line)?),
+            Part::Code(line) => set.push_str(line),
+            Part::Equation(equation) => {
+                let indent = equation.indent;
+                let math = equation.set(false)?;
+                set.push_str(&format!("{indent}<div class=\"equation\">\n"));
+                set.push_str(&format!("{indent}{math}\n{indent}</div>"));
+            }
+        }
+        set.push('\n');
     }
     Ok(set)
 }
 
 #[cfg(test)]
 mod tests {
-    use std::{fs, path::Path};
-
     use super::*;
-    use crate::folders::root;
+    use crate::site::tree::pages;
 
     #[test]
     fn an_equation_is_set_and_code_is_left() {
@@ -67,21 +135,24 @@ mod tests {
     }
 
     #[test]
+    fn a_name_belongs_to_the_equation_below_it() {
+        let page = "<!-- equation: a-b -->\n$$\nx\n$$\n";
+        let parts = parts(page).unwrap_or_else(|error| panic!("{error}"));
+        assert!(matches!(&parts[..], [Part::Equation(Equation { name: Some("a-b"), .. })]));
+        let set = set_all(page).unwrap_or_else(|error| panic!("{error}"));
+        assert!(!set.contains("a-b"), "{set}");
+        let apart = set_all("<!-- equation: a-b -->\n\n$$\nx\n$$\n");
+        assert!(apart.is_err_and(|error| error.contains("line 1")));
+        assert!(set_all("<!-- equation: a-b -->\n").is_err());
+    }
+
+    #[test]
     fn every_equation_of_the_book_can_be_set() {
-        fn look(folder: &Path, seen: &mut usize) {
-            for entry in fs::read_dir(folder).expect("a folder of the book") {
-                let path = entry.expect("a page").path();
-                if path.is_dir() {
-                    look(&path, seen);
-                } else if path.extension().is_some_and(|extension| extension == "md") {
-                    let page = fs::read_to_string(&path).expect("a page");
-                    let set = set_all(&page).unwrap_or_else(|error| panic!("{path:?}, {error}"));
-                    *seen += set.matches("<math").count();
-                }
-            }
-        }
         let mut seen = 0;
-        look(&root().join("docs/src"), &mut seen);
+        for (path, page) in pages().unwrap_or_else(|failure| panic!("{}", failure.reason)) {
+            let set = set_all(&page).unwrap_or_else(|error| panic!("{path:?}, {error}"));
+            seen += set.matches("<math").count();
+        }
         assert!(seen > 0);
     }
 }

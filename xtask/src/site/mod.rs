@@ -1,7 +1,12 @@
 //! The book as a site, built by mdBook with equations that browsers set.
 
 mod equations;
+mod fragments;
+mod inline;
+mod links;
+mod playground;
 mod preprocessor;
+mod tree;
 
 use std::{
     env,
@@ -16,17 +21,27 @@ use crate::{
     web::unable,
 };
 
+pub(crate) use fragments::{check as check_equations, write as write_equations};
 pub(crate) use preprocessor::equations;
 
 /// The release that builds the book. Serving and watching are left out: they compile for long.
 const MDBOOK: &str = "mdbook@0.5.4";
 
-/// The book builds: each page that its summary names is there, and each equation can be set.
+/// The book builds: each page that its summary names is there, each equation can be set, and what
+/// pages lead to exists. It has the app that runs in a browser alone, where that has been made.
 pub(crate) fn build() -> Result<Finding, Failure> {
     let Some(mdbook) = found().or_else(installed) else {
         return unable(format!("there is no mdbook, and `cargo install {MDBOOK}` fails here"));
     };
-    run(Command::new(mdbook).current_dir(root()).args(["build", "docs"]), "the book must build")?;
+    let mut build = Command::new(mdbook);
+    build.current_dir(root()).args(["build", "docs"]);
+    playground::announce(&mut build);
+    run(&mut build, "the book must build")?;
+    let site = target().join("book");
+    if playground::put_in(site.clone())? {
+        println!("{}, with the app that runs in a browser alone", site.display());
+    }
+    links::check(&site)?;
     Ok(Finding::Done)
 }
 

@@ -4,10 +4,11 @@ use std::io::{self, Read};
 
 use serde_json::Value;
 
-use super::equations::set_all;
+use super::{equations::set_all, playground::shown};
 use crate::{command::Failure, finding::Finding};
 
-/// Reads a book from standard input, as mdBook hands it over, and writes it with its equations set.
+/// Reads a book from standard input, as mdBook hands it over, and writes it with its equations set
+/// and the app on its page.
 pub(crate) fn equations(asked: &[&str]) -> Result<Finding, Failure> {
     // HTML can hold equations, and there is nothing else that the book is made into.
     if let ["supports", format] = asked {
@@ -39,7 +40,8 @@ fn set_in(value: &mut Value) -> Result<(), String> {
         Value::Object(parts) => {
             let name = parts.get("name").and_then(Value::as_str).unwrap_or_default().to_owned();
             if let Some(Value::String(content)) = parts.get_mut("content") {
-                *content = set_all(content).map_err(|error| format!("{name}: {error}"))?;
+                let set = set_all(content).and_then(|page| shown(&page));
+                *content = set.map_err(|error| format!("{name}: {error}"))?;
             }
             parts.values_mut().try_for_each(set_in)
         }

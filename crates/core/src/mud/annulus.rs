@@ -1,10 +1,9 @@
 //! Mud between a pipe and its hole: steady helical flow, and what it does to the pipe.
 //!
-//! With `G` the pressure's gradient by friction, `r` the radius and `z` along the hole,
+//! With `G` the pressure's gradient by friction, `r` the radius, `z` along the hole and `γ̇` the rate
+//! of shear,
 //!
-//! ```text
-//! τ_rz = G r/2 + B/r,      τ_rθ = C/r²
-//! ```
+#![doc = include_str!("../../equations/helical-flow.html")]
 //!
 //! (Coleman, Markovitz and Noll 1966). `G`, `B` and `C` follow from the pipe's velocity, its spin
 //! and the flow rate; `2π B` per length loads the effective tension, `2π C` is the torque. Theory:

@@ -4,10 +4,7 @@
 //! With the chord's direction `t` and length `l`, `c1 = t·d1`, `c2 = t·d2`, `c12 = d1·d2`, and the
 //! rest length `L`,
 //!
-//! ```text
-//! ε = (l − L)/L + a[(1 − c1²) + (1 − c2²)]/2 − b(c12 − c1 c2)            stretch with bowing
-//! U = ½ EA L ε² + (EI/2L){A₀[(1 − c1²) + (1 − c2²)] + 2B₀(c12 − c1 c2)} + ½ (GJ/L) τ²
-//! ```
+#![doc = include_str!("../../equations/element-energy.html")]
 //!
 //! Forces and moments are its gradient. Theory, with `a`, `b`, `A₀` and `B₀`:
 //! `docs/src/theory/rod.md`.

@@ -13,10 +13,7 @@ pub fn impedance_N_m_s(section: &Section) -> f64 {
 /// Turn `θ` and torque `T` of a motion `e^{iωt}` go through each element exactly, from the bit up
 /// (transfer matrices),
 ///
-/// ```text
-/// θ' = θ cos kL − T sin kL/(ω Z)       k = ω √(ρJ/GJ)
-/// T' = T cos kL + θ ω Z sin kL
-/// ```
+#[doc = include_str!("../../equations/torsional-transfer.html")]
 ///
 /// and the lowest `ω` at which nothing turns at the top is found by steps and bisection.
 pub fn lowest_frequency_Hz(mesh: &Mesh) -> f64 {

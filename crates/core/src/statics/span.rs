@@ -1,14 +1,9 @@
 //! A pipe between two tool joints that lie on the wall: how much more than the hole it bends.
 //!
-//! With the side force per length `q`, half the spacing `l`, the bending stiffness `EI` and the
-//! tension `T`, the curvature beyond the hole's is `A + B` at the joints and `A − B` half-way:
+//! With the side force per length `q`, half the spacing `l`, the bending stiffness `EI`, the tension
+//! `F`, `z = (l/2) √(F/EI)` and `J = (z coth z − 1)/z²`, the curvature beyond the hole's is
 //!
-//! ```text
-//! A = q l² J/(4 EI),      J = (z coth z − 1)/z²,   z = (l/2) √(T/EI)
-//! B = q l²/(4 EI z coth z)              while only the joints touch,  sag = q l⁴ J/(8 EI z coth z)
-//! B = 2 c/(l² J)                        where the middle touches too, the sag held at c
-//! A + B = √(2 q c/EI),  A − B = 0       where a stretch about the middle lies on the wall
-//! ```
+#![doc = include_str!("../../equations/joint-span.html")]
 //!
 //! (Lubinski 1961; Paslay and Cernocky 1991.) Theory, limits and sources:
 //! `docs/src/theory/soft-string.md`.

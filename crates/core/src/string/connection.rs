@@ -88,12 +88,10 @@ impl RotaryConnection {
     }
 
     /// Torque that stresses the weaker of pin and box to `stress_Pa`, N·m, after Farr as API RP 7G
-    /// (16th edition, A.9) has it:
+    /// (16th edition, A.9) has it, with `S` the stress, `A` the lesser area of pin and box, `p` the
+    /// lead, `t` the taper, `f = 0.08`, `θ = 30°` and `D` the outside diameter of the box:
     ///
-    /// ```text
-    /// T = σ A (p/2π + R_t f/cos θ + R_s f),    A the lesser of pin and box, f = 0.08, θ = 30°,
-    /// R_t = [C + C − (L − 5/8 in) taper]/4,    R_s = (D + Q)/4
-    /// ```
+    #[doc = include_str!("../../equations/connection-torque.html")]
     ///
     /// At the yield strength it is the torsional yield, at 60 % of it the make-up torque of tool
     /// joints, at 62 500 psi (430.9 MPa) that of drill collars.

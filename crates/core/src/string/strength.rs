@@ -34,12 +34,10 @@ impl<N: Number> BodySection<N> {
     /// `M` and a torque `M_t`, N·m. `burst_square_Pa2` is the square of what the pressure inside
     /// has over that outside, Pa².
     ///
-    /// ```text
-    /// σ² = (|T|/A + σ_b)² + 3τ² + 3 (A_o/A (p_i − p_o))²        inside,  A_i for A_o outside,
-    /// ```
+    #[doc = include_str!("../../equations/von-mises.html")]
     ///
     /// with `σ_b = M D/2I` and `τ = M_t D/4I` outside, the part `d/D` of both inside (Lamé).
-    /// Theory: `docs/src/theory/statistics.md`.
+    /// Theory: `docs/src/theory/strength.md`.
     #[inline(always)]
     pub fn von_mises_Pa(
         &self,

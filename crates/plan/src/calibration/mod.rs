@@ -3,9 +3,7 @@
 //! With `y` the readings, `f(p)` what a model predicts with the parameters `p`, `σ` the standard
 //! errors of the readings, the most likely parameters have the least
 //!
-//! ```text
-//! χ²(p) = Σ ((y − f(p))/σ)²
-//! ```
+#![doc = include_str!("../../equations/likelihood.html")]
 //!
 //! Their covariance is `(JᵀJ)⁻¹` with `J = ∂f/∂p / σ`; intervals are those of the profile likelihood.
 //! Theory: `docs/src/theory/calibration.md`.

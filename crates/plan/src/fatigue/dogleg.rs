@@ -36,11 +36,10 @@ impl EnduranceCurve {
 }
 
 /// The dogleg severity in which a pipe may turn for ever under an effective tension, N, rad/m (Lubinski 1961,
-/// API RP 7G):
+/// API RP 7G), with `σ_b` the bending stress that `curve` bears at that tension, `D` the diameter and `L` half
+/// of the distance between tool joints:
 ///
-/// ```text
-/// c = σ_b/(E D/2) tanh(KL)/(KL),      K = √(T/EI), L half of the distance between tool joints
-/// ```
+#[doc = include_str!("../../equations/permissible-dogleg.html")]
 ///
 /// Without tool joints, and in compression, the pipe bends as the hole does.
 pub fn permissible_dogleg_rad_per_m(

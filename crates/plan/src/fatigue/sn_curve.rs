@@ -1,10 +1,9 @@
 //! How many cycles of a stress a pipe bears.
 
-/// An S-N curve of two slopes that meet at a knee, and if there is one an endurance limit:
+/// An S-N curve of two slopes that meet at a knee, and if there is one an endurance limit: cycles `N`
+/// that an amplitude `S` takes to failure,
 ///
-/// ```text
-/// N = N_k (S_k/S)^m,      m = m₁ for S ≥ S_k, m₂ below,      ∞ below the limit
-/// ```
+#[doc = include_str!("../../equations/sn-curve.html")]
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct SnCurve {
     /// Cycles at the knee `N_k`.

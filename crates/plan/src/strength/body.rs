@@ -53,11 +53,10 @@ impl<'a> Body<'a> {
         self.torsional_yield_N_m
     }
 
-    /// Torque at which it yields under a tension, N·m (API RP 7G):
+    /// Torque at which it yields under a tension `P`, N·m (API RP 7G), with the area `A`, the polar
+    /// moment `J`, the diameter `D` and the yield strength `Y`:
     ///
-    /// ```text
-    /// Q_T = 0.096167 J/D √(Y² − (P/A)²)          in, psi, ft·lbf
-    /// ```
+    #[doc = include_str!("../../equations/torsional-yield-under-tension.html")]
     ///
     /// nothing beyond the tensile yield. A compression counts as a tension.
     pub fn torsional_yield_under_N_m(&self, tension_N: f64) -> f64 {

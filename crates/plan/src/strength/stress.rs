@@ -74,11 +74,10 @@ pub struct SurfaceStress {
     pub von_mises_Pa: f64,
 }
 
-/// The stresses at both surfaces and on both sides of the bend of a component's body.
+/// The stresses at both surfaces and on both sides of the bend of a component's body, with `A_i` and
+/// `A_o` the areas within the inner and the outer diameter and `A` the metal's:
 ///
-/// ```text
-/// σ_z = F/A ± M r/I,   F = T + p_i A_i − p_o A_o,   τ = M_t r/J,   σ_r, σ_θ by Lamé
-/// ```
+#[doc = include_str!("../../equations/surface-stresses.html")]
 ///
 /// Their largest von Mises stress is what
 /// [`BodySection::von_mises_Pa`](wholestring::string::BodySection::von_mises_Pa) gives in one formula.

@@ -71,11 +71,10 @@ const NEAR_M: f64 = 2e-3;
 
 /// A face in a step of the rock, and what the nodes that it has met did to the bit.
 ///
-/// With the penetration `α` and the closing speed `v` at the step's end without the face,
+/// With the penetration `α` and the closing speed `v` at the step's end without the face, the node's
+/// mass `m` and area `A`, and the law's stiffness `K` and damping ratio `D`, the normal force is
 ///
-/// ```text
-/// N = max(0, k α + c v)/(1 + (dt/m)(k dt + c)),   k = stiffness · area,   c = 2 ζ √(k m)
-/// ```
+#[doc = include_str!("../../../equations/face-contact.html")]
 ///
 /// and never takes more than all penetration away. Friction is the smaller of `μ N` and what stops
 /// the sliding. The motion of the bit within the step is taken to the first order. Theory:

@@ -2,14 +2,16 @@
 //!
 //! With `F` the compression (minus the effective tension), `r` the radial clearance, `w` the buoyed
 //! weight per length, `θ` the inclination, `θ'` the build rate and `φ'` the rate of the azimuth, a
-//! pipe lies straight on the wall while
+//! pipe that is pressed against the wall by
 //!
-//! ```text
-//! F² < β EI w_n(F)/r,      w_n = √((w sin θ + F θ')² + (F sin θ φ')²)
-//! ```
+#![doc = include_str!("../../../equations/pressing-load.html")]
 //!
-//! with `β = 4` up to the sinusoid and `β = 8` up to the helix (He and Kyllingstad 1995), and in
-//! any case up to Lubinski's and Wu and Juvkam-Wold's loads of a vertical hole. A [`Criterion`]
+//! buckles where
+//!
+#![doc = include_str!("../../../equations/buckling.html")]
+//!
+//! (He and Kyllingstad 1995), and never below Lubinski's and Wu and Juvkam-Wold's loads of a
+//! vertical hole Lubinski's and Wu and Juvkam-Wold's loads of a vertical hole. A [`Criterion`]
 //! says whose loads are meant. Theory and sources: `docs/src/findings.md`.
 
 mod criterion;

@@ -2,12 +2,13 @@
 //!
 //! With `s` the measured depth, `t` the hole's tangent (towards the bit), `κ n` its curvature
 //! vector, `F` the effective tension, `w` the buoyed weight per length, `k` the downward vertical,
-//! `r` the contact radius and `V = hypot(v, Ω r)` the sliding speed,
+//! `r` the contact radius and `V = hypot(v, Ω r)` the sliding speed, the wall's load is
 //!
-//! ```text
-//! q = F κ n + w (k − (k·t) t),      N = |q|
-//! dF/ds = −w (k·t) + μ N v/V,       dM/ds = −μ' N r (Ω r)/V
-//! ```
+#![doc = include_str!("../../../equations/wall-load.html")]
+//!
+//! and friction along and around the hole, `μ` and `μ'`, makes
+//!
+#![doc = include_str!("../../../equations/soft-string.html")]
 //!
 //! from `F = P − WOB` and `M = M_bit` at the bit, `P` the pull on it (Johancsik, Friesen and Dawson
 //! 1984). The wall load of a helix is counted if asked. Theory: `docs/src/theory/soft-string.md`;
