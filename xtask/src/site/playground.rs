@@ -16,7 +16,7 @@ const FOLDER: &str = "playground";
 
 /// In the place of what says how to make it. What is fetched is fetched when it comes into sight.
 const SHOWN: &str = "\
-<iframe class=\"playground\" src=\"playground/index.html\" loading=\"lazy\" title=\"The app of wholestring, \
+<iframe class=\"app-alone\" src=\"playground/index.html\" loading=\"lazy\" title=\"The app of wholestring, \
 in this browser alone\"></iframe>
 
 [Open it in a window of its own](playground/index.html). It needs a server of files: where the book is opened from a folder, the frame stays empty.

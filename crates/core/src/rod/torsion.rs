@@ -10,8 +10,8 @@ pub fn impedance_N_m_s(section: &Section) -> f64 {
 
 /// Lowest torsional frequency of a string that is held at the top and free at the bit, Hz.
 ///
-/// Turn `θ` and torque `T` of a motion `e^{iωt}` go through each element exactly, from the bit up
-/// (transfer matrices),
+/// Turn `θ` and torque `T` of a motion `e^{iωt}` go through each element exactly, from its lower end
+/// to its upper one (primed), with the impedance `Z` (transfer matrices),
 ///
 #[doc = include_str!("../../equations/torsional-transfer.html")]
 ///
