@@ -157,7 +157,7 @@ mod tests {
             }
             for installer in list(&manifest["Installers"]) {
                 let has = |key: &&str| !text(&installer[key]).is_empty();
-                assert!(OF_INSTALLER.iter().all(|key| has(&key)), "{name}");
+                assert!(OF_INSTALLER.iter().all(has), "{name}");
                 assert_eq!(text(&installer["InstallerSha256"]), SUM.to_uppercase());
             }
             assert!(!yaml.contains(['{', '}']), "{name} is not filled in: {yaml}");
