@@ -35,4 +35,8 @@ usage: cargo xtask test      run everything that CI runs
        cargo xtask clean-root [SUITE...]
                              run program and wheel in an empty root of Debian's packages, by \
        debootstrap
+       cargo xtask portability [windows | avx2 | baseline | aarch64]
+                             run program and command-line tests as on other systems and \
+       processors, and compare
+                             their numbers with those of this machine
        cargo xtask workflows check the workflows in .github";
