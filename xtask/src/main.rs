@@ -2,7 +2,8 @@
 //! the tests that take minutes too, `cargo xtask changes` tries the examples of changes, `cargo
 //! xtask fuzz` reads damaged inputs for as long as is asked, `cargo xtask peers` measures other
 //! programs beside this one, `cargo xtask accuracy` what the accuracies of the mesh err by, `cargo
-//! xtask playground` makes the app that runs in a browser alone.
+//! xtask playground` makes the app that runs in a browser alone, `cargo xtask portability` tries
+//! other systems and processors.
 
 mod accuracy;
 mod app;
@@ -21,6 +22,7 @@ mod packages;
 mod page;
 mod paper;
 mod peers;
+mod portability;
 mod python;
 mod python_package;
 mod shown;
@@ -104,6 +106,7 @@ fn main() -> ExitCode {
         ["shown", "--all"] => exit_code(shown::all()),
         ["clean-root", ref suites @ ..] => exit_code(clean_root::try_all(suites)),
         ["winget", sha256] => exit_code(winget::write(sha256)),
+        ["portability", ref systems @ ..] => exit_code(portability::try_out(systems)),
         ["workflows"] => exit_code(workflows::check()),
         ["architecture"] => exit_code(architecture::write()),
         ["dependencies", "--write"] => exit_code(dependencies::write_table()),

@@ -44,4 +44,8 @@ usage: cargo xtask test      run everything that CI runs
        cargo xtask winget SHA256
                              write the manifests for Windows' package manager, of the archive with \
                              that sum
+       cargo xtask portability [windows | avx2 | baseline | aarch64]
+                             run program and command-line tests as on other systems and \
+       processors, and compare
+                             their numbers with those of this machine
        cargo xtask workflows check the workflows in .github";

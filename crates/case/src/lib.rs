@@ -16,6 +16,7 @@
 //! assert!(report.render(false).contains("did you mean `density`?"));
 //! ```
 #![warn(missing_docs)]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod assembly;
 mod auto;

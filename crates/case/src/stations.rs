@@ -63,12 +63,12 @@ impl Stations {
 }
 
 fn angle_between(a: &Station, b: &Station) -> f64 {
-    let sines = a.inclination_rad.sin() * b.inclination_rad.sin();
+    let sines = libm::sin(a.inclination_rad) * libm::sin(b.inclination_rad);
     // Half-angle form: exact for small turns.
     let turn = (b.azimuth_rad - a.azimuth_rad) / 2.0;
     let build = (b.inclination_rad - a.inclination_rad) / 2.0;
-    let half = (build.sin().powi(2) + sines * turn.sin().powi(2)).clamp(0.0, 1.0);
-    2.0 * half.sqrt().asin()
+    let half = (libm::sin(build).powi(2) + sines * libm::sin(turn).powi(2)).clamp(0.0, 1.0);
+    2.0 * libm::asin(half.sqrt())
 }
 
 /// The name of a unit of length.

@@ -127,7 +127,7 @@ impl UncertainInput {
                 Some([from.max(mean - MOST * std), to.min(mean + MOST * std)])
             }
             Distribution::LogNormal { median, factor } => {
-                Some([median / factor.powf(MOST), median * factor.powf(MOST)])
+                Some([median / libm::pow(factor, MOST), median * libm::pow(factor, MOST)])
             }
             Distribution::Choice { .. } => None,
         }

@@ -294,7 +294,7 @@ fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
     }
     let toward = step.copysign(to - from.number);
     let mut numbers: Vec<f64> =
-        (0..=steps as u64).map(|i| rounded(toward.mul_add(i as f64, from.number))).collect();
+        (0..=steps as u64).map(|i| rounded(libm::fma(toward, i as f64, from.number))).collect();
     let last = numbers[numbers.len() - 1];
     if (last - to).abs() <= 1e-9 * step {
         numbers.pop();

@@ -87,6 +87,7 @@
 //! Axes are north, east and down; measured depth (MD) grows towards the bit; a positive rotation is
 //! clockwise looking down the hole.
 #![warn(missing_docs)]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 #[cfg(test)]
 extern crate self as wholestring;
@@ -94,6 +95,7 @@ extern crate self as wholestring;
 #[cfg(test)]
 #[path = "../tests/common/mod.rs"]
 mod common;
+mod complex;
 mod damage;
 pub mod dynamics;
 pub mod ends;

@@ -18,6 +18,7 @@
 //! # Ok::<(), wholestring_import::ImportError>(())
 //! ```
 #![warn(missing_docs)]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod case_text;
 mod choices;

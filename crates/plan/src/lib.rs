@@ -4,6 +4,7 @@
 //! Everything here is computed from the engine's models ([`wholestring`]), in SI, angles in radians; nothing
 //! reads files, prints or starts threads. A [`Setup`] gives the model at any depth of the bit.
 #![warn(missing_docs)]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod broomstick;
 pub mod calibration;

@@ -139,6 +139,8 @@ impl GrowingTable {
                 _ => Some(open(&path)?),
             };
             write_whole(&path, |writer| {
+                // Closed before the new file takes its name: Windows may not replace an open one.
+                let earlier = earlier;
                 let write = || {
                     let mut file = parquet_file::begin(&self.waiting, writer)?;
                     if let Some((file_before, metadata)) = &earlier {

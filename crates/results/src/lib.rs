@@ -4,6 +4,7 @@
 //! Files are SI with the unit in every name, hold `null` where a number is not finite or does not
 //! apply, and appear whole or not at all: each is written beside its final name and then renamed.
 #![warn(missing_docs)]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod bha;
 mod bha_tables;
@@ -18,6 +19,7 @@ mod file;
 mod finding;
 mod folder;
 mod formula;
+mod fourier;
 mod frames;
 mod growing_table;
 mod hold;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use realfft::RealFftPlanner;
+use crate::fourier::Fourier;
 
 /// One-sided power spectral density of a signal.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,24 +25,26 @@ impl Spectrum {
             return None;
         }
         let window: Vec<f64> =
-            (0..segment).map(|i| 0.5 - 0.5 * (TAU * i as f64 / segment as f64).cos()).collect();
+            (0..segment).map(|i| 0.5 - 0.5 * libm::cos(TAU * i as f64 / segment as f64)).collect();
         let power: f64 = window.iter().map(|w| w * w).sum();
-        let transform = RealFftPlanner::<f64>::new().plan_fft_forward(segment);
-        let (mut input, mut output) = (transform.make_input_vec(), transform.make_output_vec());
-        let mut density = vec![0.0; output.len()];
+        let transform = Fourier::of(segment);
+        let mut density = vec![0.0; segment / 2 + 1];
         let starts: Vec<usize> =
             (0..=samples.len() - segment).step_by((segment / 2).max(1)).collect();
-        for start in &starts {
-            let part = &samples[*start..start + segment];
+        let windowed = |start: usize| -> Vec<f64> {
+            let part = &samples[start..start + segment];
             let mean = part.iter().sum::<f64>() / segment as f64;
-            for ((to, from), window) in input.iter_mut().zip(part).zip(&window) {
-                *to = (from - mean) * window;
-            }
-            transform
-                .process(&mut input, &mut output)
-                .expect("the vectors were made for this transform");
-            for (sum, value) in density.iter_mut().zip(&output) {
-                *sum += value.norm_sqr();
+            part.iter().zip(&window).map(|(value, window)| (value - mean) * window).collect()
+        };
+        // Two real segments are one complex signal: of `Z = X + iY` is `|X|² + |Y|²` the mean of `|Z|²`
+        // at a frequency and at its opposite.
+        for pair in starts.chunks(2) {
+            let mut re = windowed(pair[0]);
+            let mut im = pair.get(1).map_or_else(|| vec![0.0; segment], |start| windowed(*start));
+            transform.transform(&mut re, &mut im);
+            let square = |k: usize| re[k] * re[k] + im[k] * im[k];
+            for (k, sum) in density.iter_mut().enumerate() {
+                *sum += 0.5 * (square(k) + square((segment - k) % segment));
             }
         }
         let scale = interval_s / (power * starts.len() as f64);

@@ -115,5 +115,5 @@ fn decimals(values: impl Iterator<Item = f64>) -> usize {
     if largest == 0.0 {
         return 1;
     }
-    (4.0 - largest.log10().floor()).clamp(0.0, 3.0) as usize
+    (4.0 - libm::log10(largest).floor()).clamp(0.0, 3.0) as usize
 }

@@ -46,6 +46,7 @@
 //! # }
 //! ```
 #![warn(missing_docs)]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod batch;
 pub mod bench;

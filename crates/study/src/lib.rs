@@ -29,6 +29,7 @@
 //! # Ok::<(), wholestring_case::Report>(())
 //! ```
 #![warn(missing_docs)]
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod abscissa;
 mod chosen;

@@ -32,6 +32,7 @@
 //! - `ton` is not read: it is 2000 lb to some and 1000 kg to others. Write `t` or `tonfUS`.
 //! - `Hz` is one turn per second as a rotary speed, and 1/s as a frequency or rate.
 //! - `usft` is the US survey foot, 1200/3937 m; `ft` is the international foot, 0.3048 m.
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod dimension;
 mod error;

@@ -38,7 +38,7 @@ pub(crate) fn for_people(unit: &Unit, si: f64) -> String {
     } else if !value.is_finite() {
         value.to_string()
     } else if (SMALL..LARGE).contains(&size) {
-        let decimals = (DIGITS - 1 - size.log10().floor() as i32).max(0) as usize;
+        let decimals = (DIGITS - 1 - libm::log10(size).floor() as i32).max(0) as usize;
         without_trailing_zeros(&format!("{value:.decimals$}"))
     } else {
         let text = format!("{value:.*e}", DIGITS as usize - 1);

@@ -12,7 +12,7 @@ impl RockTable {
     /// The rock; `place` is that of the table.
     pub(super) fn rock(&self, place: Span, reader: &mut Reader) -> Option<Rock> {
         let friction_angle_rad = *self.friction_angle.get()?;
-        let (sin, cos) = friction_angle_rad.sin_cos();
+        let (sin, cos) = libm::sincos(friction_angle_rad);
         // Unconfined compressive strength over cohesion.
         let ratio = 2.0 * cos / (1.0 - sin);
         let strength_Pa = match (self.strength.optional()?, self.cohesion.optional()?) {

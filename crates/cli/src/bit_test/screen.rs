@@ -89,7 +89,7 @@ fn number(value: f64) -> String {
     if size < 1e-9 {
         return "0".to_owned();
     }
-    let decimals = (DIGITS - 1 - size.log10().floor() as i32).clamp(0, 6) as usize;
+    let decimals = (DIGITS - 1 - libm::log10(size).floor() as i32).clamp(0, 6) as usize;
     let text = format!("{value:.decimals$}");
     match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),

@@ -1,7 +1,7 @@
 //! Running the program in a folder of its own.
 
 use std::{
-    fs,
+    env, fs,
     path::{Path, PathBuf},
     process::{Child, Command, Output, Stdio},
     thread::sleep,
@@ -30,7 +30,7 @@ impl Desk {
     }
 
     pub(crate) fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_wholestring"));
+        let mut command = program();
         command.current_dir(self.folder.path()).args(arguments);
         command
     }
@@ -103,6 +103,18 @@ impl Desk {
     pub(crate) fn summary(&self, folder: &str) -> Summary {
         Summary::read(&self.path(folder).join("summary.json")).unwrap()
     }
+}
+
+/// The program that is built with the tests, or in its place what `cargo xtask portability` says, a
+/// word on each line: an emulator, and the program for the system that it shows.
+fn program() -> Command {
+    let Ok(words) = env::var("WHOLESTRING_IN_ITS_PLACE") else {
+        return Command::new(env!("CARGO_BIN_EXE_wholestring"));
+    };
+    let mut words = words.lines();
+    let mut command = Command::new(words.next().expect("a program"));
+    command.args(words);
+    command
 }
 
 /// The arguments of a command line; single quotes stand around those that contain blanks.

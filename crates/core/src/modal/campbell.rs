@@ -10,6 +10,7 @@ use super::{
     place::Place,
     whirl::TurningMode,
 };
+use crate::complex;
 
 /// Steps of the secant that bring a crossing to the last digits that count.
 const SECANTS: usize = 6;
@@ -55,7 +56,7 @@ pub struct Campbell {
 
 /// How much two motions have of each other.
 fn alike(a: &TurningMode, b: &TurningMode) -> f64 {
-    a.parts.iter().zip(&b.parts).map(|(x, y)| x.conj() * y).sum::<nalgebra::Complex<f64>>().norm()
+    complex::norm(a.parts.iter().zip(&b.parts).map(|(x, y)| x.conj() * y).sum())
 }
 
 impl Assembly<'_> {

@@ -75,7 +75,7 @@ impl Line {
             .mass
             .iter()
             .enumerate()
-            .map(|(node, mass)| moves(mass) * (1.0 + (node as f64).sin()))
+            .map(|(node, mass)| moves(mass) * (1.0 + libm::sin(node as f64)))
             .collect();
         for _ in 0..ITERATIONS {
             for (x, m) in shape.iter_mut().zip(&self.mass) {

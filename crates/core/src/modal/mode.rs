@@ -3,6 +3,7 @@
 use nalgebra::Complex;
 
 use super::{chain::Chain, factors::MOTIONS, family::Family, place::Place};
+use crate::complex;
 
 /// Which way a mode goes round.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,7 +79,7 @@ impl Mode {
 /// Long half axis of the ellipse of two motions of one frequency.
 pub(super) fn farthest(x: Complex<f64>, y: Complex<f64>) -> f64 {
     // |x|² + |y|² ± |x² + y²| are twice the squares of the half axes.
-    (0.5 * (x.norm_sqr() + y.norm_sqr() + (x * x + y * y).norm())).sqrt()
+    (0.5 * (x.norm_sqr() + y.norm_sqr() + complex::norm(x * x + y * y))).sqrt()
 }
 
 /// Kinetic energy of a motion by family, as parts, and of it what is at and below a node.

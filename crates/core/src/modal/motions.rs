@@ -14,6 +14,7 @@ use super::{
     whirl::Turning,
 };
 use crate::{
+    complex,
     dynamics::{DynamicsSettings, levers_kg_m},
     model::Model,
     operation::Operation,
@@ -183,8 +184,8 @@ impl SmallMotions {
             shape[first + node] = self.towards_high_side(own);
         }
         let size = |of: &[Complex<f64>; MOTIONS]| match family {
-            Family::Torsional => of[5].norm(),
-            Family::Axial => of[2].norm(),
+            Family::Torsional => complex::norm(of[5]),
+            Family::Axial => complex::norm(of[2]),
             Family::Lateral => farthest(of[0], of[1]),
         };
         // In phase with the node that moves most.
@@ -193,10 +194,12 @@ impl SmallMotions {
             let lead = match family {
                 Family::Torsional => of[5],
                 Family::Axial => of[2],
-                Family::Lateral if of[0].norm() >= of[1].norm() => of[0],
+                Family::Lateral if complex::norm(of[0]) >= complex::norm(of[1]) => of[0],
                 Family::Lateral => of[1],
             };
-            lead.conj() / lead.norm().max(f64::MIN_POSITIVE) / size(of).max(f64::MIN_POSITIVE)
+            lead.conj()
+                / complex::norm(lead).max(f64::MIN_POSITIVE)
+                / size(of).max(f64::MIN_POSITIVE)
         });
         shape.iter_mut().flatten().for_each(|x| *x *= scale);
         let element = match family {
@@ -217,7 +220,7 @@ impl SmallMotions {
 
     /// A node's motion in the directions that people know.
     fn towards_high_side(&self, own: &[Complex<f64>]) -> [Complex<f64>; MOTIONS] {
-        let (sine, cosine) = self.rest.high_side_rad.sin_cos();
+        let (sine, cosine) = libm::sincos(self.rest.high_side_rad);
         let turn =
             |x: Complex<f64>, y: Complex<f64>| [x * cosine + y * sine, y * cosine - x * sine];
         let ([x, y], [tilt_x, tilt_y]) = (turn(own[0], own[1]), turn(own[3], own[4]));
@@ -243,7 +246,7 @@ impl SmallMotions {
             let [re, im] = [below[0] - above[0], below[1] - above[1]];
             // The long half axis of the ellipse that the bend goes round.
             let (square, mixed) = (re.dot(&re) + im.dot(&im), re.dot(&im));
-            let skew = Complex::new(re.dot(&re) - im.dot(&im), 2.0 * mixed).norm();
+            let skew = libm::hypot(re.dot(&re) - im.dot(&im), 2.0 * mixed);
             let angle = (0.5 * (square + skew)).sqrt();
             let element = first + node;
             angle * self.rest.elements[element].stiffness.bending * self.bodies[element].1
@@ -259,7 +262,7 @@ impl SmallMotions {
             let mesh = &self.rest.mesh.elements[first + node];
             // The surface of a thicker body turns farther.
             let radius_m = if k == 5 { 0.5 * mesh.section.od_m } else { 1.0 };
-            apart.norm() * radius_m / mesh.length_m
+            complex::norm(apart) * radius_m / mesh.length_m
         };
         let nodes = motion.len() / MOTIONS;
         let most = (0..nodes - 1).max_by(|a, b| strain(*a).total_cmp(&strain(*b)));

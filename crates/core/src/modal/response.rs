@@ -8,6 +8,7 @@ use super::{
     mode::farthest,
     place::Place,
 };
+use crate::complex;
 
 type Block = SMatrix<Complex<f64>, MOTIONS, MOTIONS>;
 type Entry = SVector<Complex<f64>, MOTIONS>;
@@ -126,7 +127,7 @@ impl Assembly<'_> {
         let mut force = vec![Entry::zeros(); self.chain.nodes()];
         // Towards the angle, and a quarter turn further a quarter turn later.
         let round = |size: f64, angle_rad: f64| {
-            let x = Complex::from_polar(size, angle_rad);
+            let x = complex::polar(size, angle_rad);
             [x, x * Complex::new(0.0, -1.0)]
         };
         let mut put = |node: usize, of: [Complex<f64>; 2]| {
@@ -140,8 +141,11 @@ impl Assembly<'_> {
             Forcing::Imbalance => {
                 let levers = &self.of.levers_kg_m[self.first..];
                 for (node, [high, right]) in levers.iter().enumerate() {
-                    let angle_rad = self.of.rest.high_side_rad + right.atan2(*high);
-                    put(node, round(high.hypot(*right) * rotary_rad_per_s.powi(2), angle_rad));
+                    let angle_rad = self.of.rest.high_side_rad + libm::atan2(*right, *high);
+                    put(
+                        node,
+                        round(libm::hypot(*high, *right) * rotary_rad_per_s.powi(2), angle_rad),
+                    );
                 }
             }
             Forcing::Force { force_N, from_bit_m } => {

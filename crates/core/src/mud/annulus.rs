@@ -120,7 +120,7 @@ impl Annulus {
     fn newtonian(&self, viscosity_Pa_s: f64, motion: &Motion) -> AnnulusDrag {
         let (a2, r2) = (self.pipe_m * self.pipe_m, self.hole_m * self.hole_m);
         let (sum, gap) = (r2 + a2, r2 - a2);
-        let log = 0.5 * (r2 / a2).ln();
+        let log = 0.5 * libm::log(r2 / a2);
         let narrow = sum * log - gap;
         let pull_N_per_m = -4.0 * viscosity_Pa_s * motion.flow_m3_per_s / narrow;
         let drag_Pa_s = 2.0 * PI * viscosity_Pa_s * sum / narrow;
@@ -244,7 +244,7 @@ impl Annulus {
         let gap = self.hole_m - self.pipe_m;
         let around = self.pipe_m * motion.spin_rad_per_s;
         let along = 3.0 * self.through_m_per_s(motion);
-        let rate = (around.hypot(along) + motion.axial_m_per_s.abs()) / gap;
+        let rate = (libm::hypot(around, along) + motion.axial_m_per_s.abs()) / gap;
         let viscosity = rheology.stress_Pa(rate) / rate;
         let drag = self.newtonian(viscosity, motion);
         let per_round = 1.0 / (2.0 * PI * self.hole_m);
@@ -338,7 +338,7 @@ impl Strain {
     fn add(&mut self, rheology: &Rheology, x: &Vector3<f64>, radius: f64, thickness: f64) {
         let (of_g, of_b, of_c) = (0.5 * radius, 1.0 / radius, 1.0 / (radius * radius));
         let (along, around) = (x.x * of_g + x.y * of_b, x.z * of_c);
-        let stress = along.hypot(around).max(1e-12);
+        let stress = libm::hypot(along, around).max(1e-12);
         let flow = rheology.flow(stress);
         let area = thickness * radius;
         let rate = area * flow.fluidity;
@@ -359,7 +359,7 @@ impl Strain {
 /// Places and weights of Gauss and Legendre's rule on −1 to 1.
 static GAUSS: LazyLock<[(f64, f64); POINTS]> = LazyLock::new(|| {
     std::array::from_fn(|i| {
-        let mut x = (PI * (i as f64 + 0.75) / (POINTS as f64 + 0.5)).cos();
+        let mut x = libm::cos(PI * (i as f64 + 0.75) / (POINTS as f64 + 0.5));
         let mut slope = 0.0;
         for _ in 0..20 {
             let (mut before, mut now) = (1.0, x);

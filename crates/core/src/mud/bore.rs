@@ -28,7 +28,7 @@ fn laminar_wall_stress_Pa(rheology: &Rheology, radius_m: f64, flow_m3_per_s: f64
     match *rheology {
         Rheology::Newtonian { viscosity_Pa_s } => 4.0 * viscosity_Pa_s * rate,
         Rheology::PowerLaw { consistency_Pa_s_n, flow_index: n } => {
-            consistency_Pa_s_n * ((3.0 * n + 1.0) / n * rate).powf(n)
+            consistency_Pa_s_n * libm::pow((3.0 * n + 1.0) / n * rate, n)
         }
         Rheology::Bingham { plastic_viscosity_Pa_s, yield_point_Pa } => {
             // τ (1 − 4/3 y + y⁴/3) = 4 μ Q/(π r³), y = τ₀/τ: convex, and the start lies above the

@@ -48,7 +48,7 @@ impl Rheology {
                 (viscosity * rate_per_s + yield_point_Pa).min(UNYIELDED * viscosity * rate_per_s)
             }
             Self::PowerLaw { consistency_Pa_s_n, flow_index } => {
-                consistency_Pa_s_n * rate_per_s.powf(flow_index)
+                consistency_Pa_s_n * libm::pow(rate_per_s, flow_index)
             }
         }
     }
@@ -69,7 +69,7 @@ impl Rheology {
             }
             Self::PowerLaw { consistency_Pa_s_n, flow_index } => {
                 let inverse = 1.0 / flow_index;
-                let fluidity = (stress_Pa / consistency_Pa_s_n).powf(inverse) / stress_Pa;
+                let fluidity = libm::pow(stress_Pa / consistency_Pa_s_n, inverse) / stress_Pa;
                 Flow { fluidity, slope: inverse * fluidity }
             }
         }

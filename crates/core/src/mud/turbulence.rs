@@ -16,13 +16,13 @@ pub(super) fn through_flow(reynolds: f64, flow_index: f64, laminar: f64) -> f64 
         return 1.0;
     }
     let turbulent_from = laminar_to + 800.0;
-    let lg = flow_index.log10();
+    let lg = libm::log10(flow_index);
     let (a, b) = ((lg + 3.93) / 50.0, (1.75 - lg) / 7.0);
     let friction = if reynolds < turbulent_from {
-        let (first, last) = (laminar / laminar_to, a / turbulent_from.powf(b));
+        let (first, last) = (laminar / laminar_to, a / libm::pow(turbulent_from, b));
         first + (last - first) * (reynolds - laminar_to) / (turbulent_from - laminar_to)
     } else {
-        a / reynolds.powf(b)
+        a / libm::pow(reynolds, b)
     };
     (friction * reynolds / laminar).max(1.0)
 }
@@ -34,8 +34,8 @@ pub(super) fn through_flow(reynolds: f64, flow_index: f64, laminar: f64) -> f64 
 /// `0.23 … Re^1.7` above, as Lathrop, Fineberg and Swinney (1992) give him. It meets the laminar
 /// law within 40 % of the Reynolds number where Taylor's vortices set in.
 pub(super) fn rotation(reynolds: f64, eta: f64) -> f64 {
-    let shape = eta.sqrt() * (1.0 + eta) * (1.0 - eta).powf(0.25) / (4.0 * PI);
-    (shape * (1.45 * reynolds.sqrt()).max(0.23 * reynolds.powf(0.7))).max(1.0)
+    let shape = eta.sqrt() * (1.0 + eta) * libm::pow(1.0 - eta, 0.25) / (4.0 * PI);
+    (shape * (1.45 * reynolds.sqrt()).max(0.23 * libm::pow(reynolds, 0.7))).max(1.0)
 }
 
 #[cfg(test)]

@@ -76,7 +76,7 @@ impl Constants {
         numerics: &Numerics,
     ) -> Result<Self, RockError> {
         let volume_m3 = size_m.iter().product::<f64>();
-        let size = volume_m3.cbrt();
+        let size = libm::cbrt(volume_m3);
         let law = Law::new(rock, size)?;
         let rock =
             Rock { density_kg_per_m3: rock.density_kg_per_m3 * numerics.density_factor, ..*rock };

@@ -81,7 +81,7 @@ pub struct Cone {
 
 /// Slope of the cone through the compressive corners of Mohr and Coulomb's pyramid of an angle.
 fn slope(angle_rad: f64) -> f64 {
-    let sin = angle_rad.sin();
+    let sin = libm::sin(angle_rad);
     2.0 * sin / (3.0_f64.sqrt() * (3.0 - sin))
 }
 
@@ -95,7 +95,7 @@ impl Rock {
     /// the strengths, for a crushed band. Nothing is crushed as a whole.
     pub fn of_strength(ucs_Pa: f64) -> Self {
         let friction_angle_rad = 35.0_f64.to_radians();
-        let (sin, cos) = friction_angle_rad.sin_cos();
+        let (sin, cos) = libm::sincos(friction_angle_rad);
         Self {
             density_kg_per_m3: 2500.0,
             youngs_modulus_Pa: 300.0 * ucs_Pa,
@@ -133,14 +133,14 @@ impl Rock {
 
     /// Unconfined compressive strength `2 c cos φ/(1 − sin φ)`, Pa.
     pub fn ucs_Pa(&self) -> f64 {
-        let (sin, cos) = self.friction_angle_rad.sin_cos();
+        let (sin, cos) = libm::sincos(self.friction_angle_rad);
         2.0 * self.cohesion_Pa * cos / (1.0 - sin)
     }
 
     /// The cone that agrees with Mohr and Coulomb in triaxial compression:
     /// `α = 2 sin φ/(√3 (3 − sin φ))`, `k = 6 c cos φ/(√3 (3 − sin φ))`.
     pub fn cone(&self) -> Cone {
-        let (sin, cos) = self.friction_angle_rad.sin_cos();
+        let (sin, cos) = libm::sincos(self.friction_angle_rad);
         Cone {
             alpha: slope(self.friction_angle_rad),
             k_Pa: 6.0 * self.cohesion_Pa * cos / (3.0_f64.sqrt() * (3.0 - sin)),

@@ -9,7 +9,7 @@ use crate::simd::vector::Vector;
 
 /// The director of the element below a bend.
 pub fn director_below(director: Vector<f64>, toward: Vector<f64>, angle_rad: f64) -> Vector<f64> {
-    let (sine, cosine) = angle_rad.sin_cos();
+    let (sine, cosine) = libm::sincos(angle_rad);
     director.scaled(cosine).plus(toward, sine)
 }
 
@@ -54,7 +54,7 @@ pub fn carried(
     turn_rad: f64,
 ) -> Vector<f64> {
     let moved = transported(mark, from, to);
-    let (sine, cosine) = turn_rad.sin_cos();
+    let (sine, cosine) = libm::sincos(turn_rad);
     let turned = moved.scaled(cosine).plus(to.cross(moved), sine);
     let across = turned.minus(to, turned.dot(to));
     across.scaled(1.0 / across.dot(across).sqrt())
@@ -65,5 +65,5 @@ pub fn carried(
 /// element without twisting. Its rate is the `τ'` of the [element](super::element).
 pub fn twist(m1: Vector<f64>, d1: Vector<f64>, m2: Vector<f64>, d2: Vector<f64>) -> f64 {
     let brought = transported(m1, d1, d2);
-    d2.dot(brought.cross(m2)).atan2(brought.dot(m2))
+    libm::atan2(d2.dot(brought.cross(m2)), brought.dot(m2))
 }

@@ -23,7 +23,7 @@ pub fn lowest_frequency_Hz(mesh: &Mesh) -> f64 {
             let section = &element.section;
             let z = omega * impedance_N_m_s(section);
             let slowness = (section.polar_inertia_kg_m / section.torsional_stiffness_N_m2).sqrt();
-            let (sin, cos) = (omega * slowness * element.length_m).sin_cos();
+            let (sin, cos) = libm::sincos(omega * slowness * element.length_m);
             (turn, torque) = (turn * cos - torque * sin / z, torque * cos + turn * z * sin);
         }
         turn

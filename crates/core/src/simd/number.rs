@@ -218,6 +218,8 @@ macro_rules! number {
             fn sqrt(self) -> Self {
                 $of($get(self).sqrt())
             }
+            // Where it is fused the code is compiled for a processor that has the instruction.
+            #[allow(clippy::disallowed_methods)]
             #[inline(always)]
             fn mul_add(self, factor: Self, term: Self) -> Self {
                 if $fused {

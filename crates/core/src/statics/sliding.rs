@@ -32,7 +32,7 @@ impl Sliding {
             Self::Axial(along) => (along, 0.0),
             Self::Rotating { rotation_rad_per_s, axial_m_per_s } => {
                 let around = rotation_rad_per_s * radius_m;
-                let speed = axial_m_per_s.hypot(around);
+                let speed = libm::hypot(axial_m_per_s, around);
                 (axial_m_per_s / speed, around / speed)
             }
         }

@@ -110,7 +110,7 @@ fn shape(square: f64) -> f64 {
         return 1.0 / 3.0 + square * (-1.0 / 45.0 + square * (2.0 / 945.0 - square / 4725.0));
     }
     let root = square.abs().sqrt();
-    let product = if square > 0.0 { root / root.tanh() } else { root / root.tan() };
+    let product = if square > 0.0 { root / libm::tanh(root) } else { root / libm::tan(root) };
     (product - 1.0) / square
 }
 

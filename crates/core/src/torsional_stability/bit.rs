@@ -6,6 +6,7 @@ use nalgebra::Complex;
 
 use super::StabilityError;
 use crate::{
+    complex,
     dynamics::{BitLaw, BitSettings, Motor},
     operation::Operation,
 };
@@ -165,7 +166,7 @@ impl LinearBit {
                 s * k / (s + k * rate)
             }
             LinearRock::Delay { stiffness_N_per_m: k, delay_s } => {
-                (-(-s * delay_s).exp() + 1.0) * k
+                (-complex::exp(-s * delay_s) + 1.0) * k
             }
         };
         let advance = self.advance_per_angle_m / gives;

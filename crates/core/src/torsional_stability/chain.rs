@@ -233,7 +233,7 @@ impl Sweep {
             let size = re.abs().max(im.abs()).max(f64::MIN_POSITIVE);
             self.determinant[0][lane] /= size;
             self.determinant[1][lane] /= size;
-            self.ln_scale[lane] += size.ln();
+            self.ln_scale[lane] += libm::log(size);
         }
     }
 

@@ -5,6 +5,7 @@ use nalgebra::Complex;
 use super::{
     bit::LinearBit, bit::LinearRock, chain::LumpedChain, drive::LinearDrive, hoist::LinearHoist,
 };
+use crate::complex;
 
 /// A value of the characteristic function: `mantissa · e^ln_scale`.
 #[derive(Debug, Clone, Copy)]
@@ -16,12 +17,12 @@ pub(super) struct Value {
 impl Value {
     /// This over another.
     pub(super) fn over(&self, other: &Self) -> Complex<f64> {
-        self.mantissa / other.mantissa * (self.ln_scale - other.ln_scale).exp()
+        self.mantissa / other.mantissa * libm::exp(self.ln_scale - other.ln_scale)
     }
 
     /// Logarithm of its magnitude.
     pub(super) fn ln_norm(&self) -> f64 {
-        self.mantissa.norm().ln() + self.ln_scale
+        libm::log(complex::norm(self.mantissa)) + self.ln_scale
     }
 }
 

@@ -3,7 +3,10 @@
 use nalgebra::Complex;
 
 use super::chain::TopEnd;
-use crate::dynamics::{Gains, SpeedController, TopDriveSettings, TorsionalString};
+use crate::{
+    complex,
+    dynamics::{Gains, SpeedController, TopDriveSettings, TorsionalString},
+};
 
 /// A top drive as small motions find it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -95,7 +98,7 @@ impl LinearDrive {
                 };
                 let control = gains.integral_N_m / s + gains.proportional_N_m_s;
                 let shown = (s * inertia_kg_m2 + control) / (answered + 1.0);
-                ((shown - pipe_N_m_s) / (shown + pipe_N_m_s)).norm()
+                complex::norm((shown - pipe_N_m_s) / (shown + pipe_N_m_s))
             }
         }
     }

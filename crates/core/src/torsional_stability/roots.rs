@@ -6,6 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use nalgebra::Complex;
 
 use super::characteristic::{SteadyRotation, Value};
+use crate::complex;
 
 /// Samples of the imaginary axis from one root of the string to the next.
 const PER_ROOT: f64 = 6.0;
@@ -83,13 +84,12 @@ impl SteadyRotation {
         let axis = self.trace(|w| Complex::new(0.0, w), [low, high], samples(high - low), true);
         // Where the function has no roots near, it turns by the travel time.
         let outer = self.trace(
-            |angle| Complex::from_polar(high, angle),
+            |angle| complex::polar(high, angle),
             [0.0, FRAC_PI_2],
             samples(high) / 2,
             false,
         );
-        let inner =
-            self.trace(|angle| Complex::from_polar(low, angle), [0.0, FRAC_PI_2], 24, false);
+        let inner = self.trace(|angle| complex::polar(low, angle), [0.0, FRAC_PI_2], 24, false);
         let turns = (turn(&outer) - turn(&inner) - turn(&axis)) / PI;
         let unstable_roots = turns.round().max(0.0) as usize;
         let mut found = self.follow(starts(&axis), band, &[]);
@@ -154,8 +154,8 @@ impl SteadyRotation {
                 if root.im > 0.0 {
                     off *= *s - root.conj();
                 }
-                value.mantissa /= off / off.norm();
-                value.ln_scale -= off.norm().ln();
+                value.mantissa /= off / complex::norm(off);
+                value.ln_scale -= libm::log(complex::norm(off));
             }
         }
         values
@@ -184,14 +184,14 @@ impl SteadyRotation {
                 let step = (s1 - s0) / (-f0.over(&f1) + 1.0);
                 let s2 = s1 - step;
                 // Not a number is not near.
-                let near = s2.norm() <= 2.0 * band.highest_rad_per_s;
+                let near = complex::norm(s2) <= 2.0 * band.highest_rad_per_s;
                 if !near {
                     continue;
                 }
                 // A first step beside a huge value is small wherever it is taken.
-                let before = (s1 - s0).norm();
-                let size = 1.0 + s1.norm();
-                if step.norm() < 1e-9 * size && before < 1e-4 * size {
+                let before = complex::norm(s1 - s0);
+                let size = 1.0 + complex::norm(s1);
+                if complex::norm(step) < 1e-9 * size && before < 1e-4 * size {
                     // Of a pair, the one above.
                     found.push(Complex::new(s2.re, s2.im.abs()));
                 } else {
@@ -206,7 +206,9 @@ impl SteadyRotation {
             let ends = next.into_iter().zip(values);
             going = kept.into_iter().zip(ends).map(|(before, now)| [before, now]).collect();
         }
-        found.retain(|s| (band.lowest_rad_per_s..=band.highest_rad_per_s).contains(&s.norm()));
+        found.retain(|s| {
+            (band.lowest_rad_per_s..=band.highest_rad_per_s).contains(&complex::norm(*s))
+        });
         distinct(&mut found);
         found
     }
@@ -214,7 +216,7 @@ impl SteadyRotation {
 
 /// By what the function turns between two samples, rad.
 fn angle(pair: &[Sample]) -> f64 {
-    (pair[1].value.mantissa / pair[0].value.mantissa).arg()
+    complex::argument(pair[1].value.mantissa / pair[0].value.mantissa)
 }
 
 /// By what it turns along a curve, rad.
@@ -225,7 +227,7 @@ fn turn(samples: &[Sample]) -> f64 {
 /// Leaves each root once.
 fn distinct(roots: &mut Vec<Complex<f64>>) {
     roots.sort_by(|a, b| a.im.total_cmp(&b.im).then(a.re.total_cmp(&b.re)));
-    roots.dedup_by(|a, b| (*a - *b).norm() < 1e-6 * (1.0 + b.norm()));
+    roots.dedup_by(|a, b| complex::norm(*a - *b) < 1e-6 * (1.0 + complex::norm(*b)));
 }
 
 /// How many of these grow, pairs counted twice.
@@ -248,7 +250,9 @@ fn starts(axis: &[Sample]) -> Vec<[Complex<f64>; 2]> {
         .collect();
     let mut starts: Vec<[Complex<f64>; 2]> = Vec::new();
     for (at, of) in steps.windows(3).enumerate() {
-        if of[1].norm() <= of[0].norm() && of[1].norm() <= of[2].norm() {
+        if complex::norm(of[1]) <= complex::norm(of[0])
+            && complex::norm(of[1]) <= complex::norm(of[2])
+        {
             let s = axis[at + 2].s;
             // So near that the first secant is a tangent.
             starts.push([s, s + of[1] * NEAR]);

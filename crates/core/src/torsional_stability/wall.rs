@@ -90,7 +90,7 @@ impl Drag {
 /// `a` exchanged; where each direction has the full friction by its own sign, `μ′ |u_i|/|u|`.
 fn slopes(settings: &DynamicsSettings, friction: Friction, sliding: Sliding) -> [f64; 2] {
     let Sliding { around_m_per_s: t, along_m_per_s: a } = sliding;
-    let speed = t.hypot(a);
+    let speed = libm::hypot(t, a);
     if speed <= 0.0 {
         return [0.0, 0.0];
     }

@@ -65,7 +65,7 @@ impl Bore {
         let Some(roughness) = self.hole.roughness().filter(|_| self.relief.is_some()) else {
             return REACH_M;
         };
-        let turn = if self.undulates() { (2.0 * LOST).sqrt() } else { (6.0 * LOST).cbrt() };
+        let turn = if self.undulates() { (2.0 * LOST).sqrt() } else { libm::cbrt(6.0 * LOST) };
         REACH_M.min(turn * roughness.shortest_m / std::f64::consts::TAU)
     }
 

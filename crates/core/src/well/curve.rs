@@ -49,8 +49,8 @@ pub(super) struct Piece {
 impl Piece {
     /// Unit tangent at `x` metres into the piece.
     pub(super) fn tangent(&self, x: f64) -> Vector3<f64> {
-        let (sin_phi, cos_phi) = value(&self.longitude, x).sin_cos();
-        let (sin_beta, cos_beta) = value(&self.latitude, x).sin_cos();
+        let (sin_phi, cos_phi) = libm::sincos(value(&self.longitude, x));
+        let (sin_beta, cos_beta) = libm::sincos(value(&self.latitude, x));
         let [t0, e, n] = &self.frame;
         t0 * (cos_beta * cos_phi) + e * (cos_beta * sin_phi) + n * sin_beta
     }
@@ -58,8 +58,8 @@ impl Piece {
     /// Unit tangent and curvature vector, the derivative of the tangent, at `x` metres into the
     /// piece.
     pub(super) fn heading(&self, x: f64) -> (Vector3<f64>, Vector3<f64>) {
-        let (sin_phi, cos_phi) = value(&self.longitude, x).sin_cos();
-        let (sin_beta, cos_beta) = value(&self.latitude, x).sin_cos();
+        let (sin_phi, cos_phi) = libm::sincos(value(&self.longitude, x));
+        let (sin_beta, cos_beta) = libm::sincos(value(&self.latitude, x));
         let (phi_rate, beta_rate) = (slope(&self.longitude, x), slope(&self.latitude, x));
         let [t0, e, n] = &self.frame;
         let tangent = t0 * (cos_beta * cos_phi) + e * (cos_beta * sin_phi) + n * sin_beta;
@@ -112,7 +112,7 @@ impl Arc {
 
     /// Direction of turning at the end of the segment.
     fn turning_to(&self) -> Vector3<f64> {
-        let (sin, cos) = self.turn_rad.sin_cos();
+        let (sin, cos) = libm::sincos(self.turn_rad);
         self.frame[1] * cos - self.frame[0] * sin
     }
 }
@@ -159,7 +159,7 @@ pub(super) fn pieces(
         let mut md_m = station.md_m;
         let (mut phi, mut beta) = (0.0, 0.0);
         for (length_m, from, to) in segments {
-            let turn = length_m * from[0].hypot(from[1]).max(to[0].hypot(to[1]));
+            let turn = length_m * libm::hypot(from[0], from[1]).max(libm::hypot(to[0], to[1]));
             let count = (turn / PIECE_TURN_RAD).ceil().max(1.0);
             let step_m = length_m / count;
             let (phi_bend, beta_bend) =

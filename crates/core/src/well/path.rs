@@ -55,13 +55,13 @@ pub(crate) struct Heading {
 impl PathPoint {
     /// Inclination from vertical, rad, 0 to π.
     pub fn inclination_rad(&self) -> f64 {
-        self.tangent.x.hypot(self.tangent.y).atan2(self.tangent.z)
+        libm::atan2(libm::hypot(self.tangent.x, self.tangent.y), self.tangent.z)
     }
 
     /// Azimuth from north, clockwise seen from above, rad, 0 to 2π; zero where the hole is
     /// vertical.
     pub fn azimuth_rad(&self) -> f64 {
-        let azimuth = self.tangent.y.atan2(self.tangent.x);
+        let azimuth = libm::atan2(self.tangent.y, self.tangent.x);
         if azimuth < 0.0 { azimuth + std::f64::consts::TAU } else { azimuth }
     }
 
@@ -305,7 +305,7 @@ impl Path {
                 None => 0.0,
             },
         };
-        let across = Vector3::new(bearing.cos(), bearing.sin(), 0.0);
+        let across = Vector3::new(libm::cos(bearing), libm::sin(bearing), 0.0);
         (across - tangent * tangent.dot(&across)).normalize()
     }
 
@@ -340,7 +340,7 @@ impl Path {
 /// The unit vector across a direction that points up; none where it is vertical.
 fn high_side(tangent: &Vector3<f64>) -> Option<Vector3<f64>> {
     let t = tangent;
-    let sin_inc = t.x.hypot(t.y);
+    let sin_inc = libm::hypot(t.x, t.y);
     (sin_inc > VERTICAL).then(|| Vector3::new(t.z * t.x / sin_inc, t.z * t.y / sin_inc, -sin_inc))
 }
 

@@ -62,7 +62,7 @@ impl Relief {
     /// The wall.
     pub fn new(roughness: &Roughness) -> Self {
         let mut random = Random::new(roughness.seed);
-        let band = (roughness.longest_m / roughness.shortest_m).ln();
+        let band = libm::log(roughness.longest_m / roughness.shortest_m);
         let count = WAVES as f64;
         // A sinusoid's mean square is half its amplitude's square. Of three offsets of the same
         // rms, two lie across the hole, and add up to the distance from the path.
@@ -70,10 +70,10 @@ impl Relief {
         let offset = roughness.tortuosity_rms_m / count.sqrt();
         let waves = std::array::from_fn(|index| {
             let place = index as f64 + JITTER[0] + JITTER[1] * random.unit();
-            let wavelength_m = roughness.shortest_m * (band * place / count).exp();
+            let wavelength_m = roughness.shortest_m * libm::exp(band * place / count);
             let parts = [radius, offset, offset, offset].map(|amplitude| {
                 let phase = TAU * random.unit();
-                [amplitude * phase.cos(), amplitude * phase.sin()]
+                [amplitude * libm::cos(phase), amplitude * libm::sin(phase)]
             });
             Wave { number_per_m: TAU / wavelength_m, parts }
         });
@@ -87,7 +87,7 @@ impl Relief {
         let mut second = [0.0; 4];
         for wave in &self.waves {
             let k = wave.number_per_m;
-            let (sin, cos) = (k * md_m).sin_cos();
+            let (sin, cos) = libm::sincos(k * md_m);
             for (signal, [c, s]) in wave.parts.iter().enumerate() {
                 let height = sin * c + cos * s;
                 value[signal] += height;

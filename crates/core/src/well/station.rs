@@ -17,8 +17,8 @@ pub struct Station {
 impl Station {
     /// Direction of the hole: unit vector, north, east, down.
     pub fn tangent(&self) -> Vector3<f64> {
-        let (sin_inc, cos_inc) = self.inclination_rad.sin_cos();
-        let (sin_azi, cos_azi) = self.azimuth_rad.sin_cos();
+        let (sin_inc, cos_inc) = libm::sincos(self.inclination_rad);
+        let (sin_azi, cos_azi) = libm::sincos(self.azimuth_rad);
         Vector3::new(sin_inc * cos_azi, sin_inc * sin_azi, cos_inc)
     }
 
@@ -31,5 +31,5 @@ impl Station {
 /// Angle between two unit vectors, rad, without the loss of digits of `acos` near 0 and π
 /// (W. Kahan: twice the arc tangent of the ratio of the difference to the sum).
 pub(super) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
-    2.0 * (b - a).norm().atan2((b + a).norm())
+    2.0 * libm::atan2((b - a).norm(), (b + a).norm())
 }

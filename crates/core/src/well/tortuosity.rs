@@ -76,11 +76,11 @@ impl Tortuosity {
                 [angle_rad, 0.5 * angle_rad]
             }
             TortuosityKind::Sinusoidal => {
-                let angle_rad = amplitude_rad * (TAU * periods).sin();
+                let angle_rad = amplitude_rad * libm::sin(TAU * periods);
                 [angle_rad, 0.5 * angle_rad]
             }
             TortuosityKind::Helical => {
-                let (sin, cos) = (TAU * periods).sin_cos();
+                let (sin, cos) = libm::sincos(TAU * periods);
                 [amplitude_rad * cos, amplitude_rad * sin]
             }
         }
@@ -136,7 +136,7 @@ impl Path {
     /// A station whose direction is turned by angles towards the high side and to its right, rad.
     fn turned(&self, md_m: f64, [high_rad, right_rad]: [f64; 2]) -> Station {
         let tangent = self.at(md_m).tangent;
-        let angle_rad = high_rad.hypot(right_rad);
+        let angle_rad = libm::hypot(high_rad, right_rad);
         let index = self.stations().partition_point(|station| station.md_m < md_m);
         if angle_rad == 0.0
             && let Some(planned) = self.stations().get(index).filter(|of| of.md_m == md_m)
@@ -147,11 +147,11 @@ impl Path {
         let right = tangent.cross(&high);
         let towards = (high * high_rad + right * right_rad).try_normalize(0.0);
         let towards = towards.unwrap_or_else(Vector3::zeros);
-        let t = tangent * angle_rad.cos() + towards * angle_rad.sin();
+        let t = tangent * libm::cos(angle_rad) + towards * libm::sin(angle_rad);
         Station {
             md_m,
-            inclination_rad: t.x.hypot(t.y).atan2(t.z),
-            azimuth_rad: t.y.atan2(t.x).rem_euclid(TAU),
+            inclination_rad: libm::atan2(libm::hypot(t.x, t.y), t.z),
+            azimuth_rad: libm::atan2(t.y, t.x).rem_euclid(TAU),
         }
     }
 

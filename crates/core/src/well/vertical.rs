@@ -46,7 +46,7 @@ impl NearVertical {
             let index = pieces.partition_point(|piece| piece.md_m <= md_m) - 1;
             let t = pieces[index].tangent(md_m - pieces[index].md_m);
             // The high side's horizontal part; it points against the azimuth in a hole going up.
-            (t.z * t.y).atan2(t.z * t.x)
+            libm::atan2(t.z * t.y, t.z * t.x)
         };
         let intervals = spans
             .into_iter()
@@ -91,7 +91,7 @@ fn wrapped(angle: f64) -> f64 {
 fn span(piece: &Piece, length_m: f64) -> Option<(f64, f64)> {
     let sine = |x: f64| {
         let t = piece.tangent(x);
-        t.x.hypot(t.y)
+        libm::hypot(t.x, t.y)
     };
     let lowest = lowest(sine, length_m);
     if sine(lowest) > NEAR_VERTICAL {

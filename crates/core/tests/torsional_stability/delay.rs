@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::Complex;
+use nalgebra::{Complex, ComplexField};
 use wholestring::torsional_stability::{
     LinearBit, LinearDrive, LinearHoist, LinearRock, LumpedChain, SteadyRotation,
 };
@@ -78,8 +78,8 @@ fn leading(psi: f64, damping: f64, pitch: f64, speed: f64) -> Complex<f64> {
                 let h = 1e-6;
                 s -= equation(s) * (2.0 * h) / (equation(s + h) - equation(s - h));
             }
-            let held = equation(s).norm() < 1e-9 * (1.0 + s.norm().powi(3));
-            if held && s.im > 0.05 && s.norm() < 30.0 && s.re > leading.re {
+            let held = equation(s).modulus() < 1e-9 * (1.0 + s.modulus().powi(3));
+            if held && s.im > 0.05 && s.modulus() < 30.0 && s.re > leading.re {
                 leading = s;
             }
         }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::{Complex, Vector3};
+use nalgebra::{Complex, ComplexField, Vector3};
 use wholestring::{
     dynamics::{
         BitLaw, BitRockLaw, BitSettings, CustomLaw, SpeedController, SteadyCut, TopDriveSettings,
@@ -100,10 +100,11 @@ fn measured(model: &Model, settings: &DynamicsSettings, speed: f64, frequency_Hz
             .map(|(t, v)| {
                 // A window that shuts out neighbours.
                 let window = (std::f64::consts::PI * (t - from_s) / lasts_s).sin().powi(2);
-                Complex::from_polar((v - speed) * window, -TAU * frequency_Hz * t)
+                let (sine, cosine) = (-TAU * frequency_Hz * t).sin_cos();
+                Complex::new(cosine, sine) * ((v - speed) * window)
             })
             .sum();
-        sum.norm()
+        sum.modulus()
     };
     (part(85.0, 45.0) / part(30.0, 45.0)).ln() / 55.0
 }

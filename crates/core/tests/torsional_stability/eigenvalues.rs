@@ -1,6 +1,6 @@
 //! Laws without a delay: the same string as a first-order system, by its eigenvalues.
 
-use nalgebra::{Complex, DMatrix};
+use nalgebra::{Complex, ComplexField, DMatrix};
 use wholestring::{
     dynamics::{Autodriller, Gains, Shown},
     torsional_stability::{
@@ -164,7 +164,7 @@ fn roots_are_the_eigenvalues_of_the_first_order_system() {
     let band = band(0.2, 60.0);
     for _ in 0..40 {
         let string = string(&mut numbers);
-        let within = |s: &&Complex<f64>| (0.2..=60.0).contains(&s.norm());
+        let within = |s: &&Complex<f64>| (0.2..=60.0).contains(&s.modulus());
         let all = eigenvalues(&string);
         let found = string.stability(band);
         let growing = all.iter().filter(within).filter(|s| s.re > 0.0).count();
@@ -174,9 +174,9 @@ fn roots_are_the_eigenvalues_of_the_first_order_system() {
         let first = all.iter().filter(within).max_by(|a, b| a.re.total_cmp(&b.re)).expect("roots");
         let root = found.worst.expect("a root");
         let s = Complex::new(root.growth_per_s, std::f64::consts::TAU * root.frequency_Hz);
-        let apart = (s - Complex::new(first.re, first.im.abs())).norm();
-        assert!(growing == 0 || apart < 1e-5 * first.norm(), "{s} {first}");
-        followed += usize::from(apart < 1e-5 * first.norm());
+        let apart = (s - Complex::new(first.re, first.im.abs())).modulus();
+        assert!(growing == 0 || apart < 1e-5 * first.modulus(), "{s} {first}");
+        followed += usize::from(apart < 1e-5 * first.modulus());
     }
     // Both kinds were among them; of a stable string a strongly damped root may be missed.
     assert!((5..36).contains(&stable), "{stable}");

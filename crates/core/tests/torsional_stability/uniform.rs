@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use nalgebra::Complex;
+use nalgebra::{Complex, ComplexField};
 use wholestring::{
     dynamics::Gains,
     torsional_stability::{LinearDrive, LumpedChain, SteadyRotation},
@@ -106,8 +106,8 @@ fn a_uniform_pipe_under_a_drive_has_the_roots_of_the_continuous_one() {
             let h = 1e-6;
             s -= equation(s) * (2.0 * h) / (equation(s + h) - equation(s - h));
         }
-        let new = growing.iter().all(|of: &Complex<f64>| (of - s).norm() > 1e-6);
-        if equation(s).norm() < 1e-6 && new && s.im > 0.3 && s.norm() < 10.0 {
+        let new = growing.iter().all(|of: &Complex<f64>| (of - s).modulus() > 1e-6);
+        if equation(s).modulus() < 1e-6 && new && s.im > 0.3 && s.modulus() < 10.0 {
             growing.push(s);
         }
     }
@@ -133,7 +133,7 @@ fn a_uniform_pipe_under_a_drive_has_the_roots_of_the_continuous_one() {
                 .report(expected, computed);
             }
         }
-        (s - first).norm()
+        (s - first).modulus()
     });
     for pair in errors.windows(2) {
         assert!((pair[0] / pair[1] / 4.0 - 1.0).abs() < 0.05, "{errors:?}");

@@ -12,7 +12,7 @@ pub fn normal_below(z: f64) -> f64 {
         term *= z * z / odd;
         sum += term;
     }
-    0.5 + sum * (-0.5 * z * z).exp() / (2.0 * PI).sqrt()
+    0.5 + sum * libm::exp(-0.5 * z * z) / (2.0 * PI).sqrt()
 }
 
 /// The number that a normal one is within, to either side of zero, with a probability.
@@ -20,7 +20,7 @@ pub fn normal_within(probability: f64) -> f64 {
     let below = 0.5 * (1.0 + probability.clamp(0.0, 0.999_999));
     let mut z = 1.0_f64;
     for _ in 0..50 {
-        let density = (-0.5 * z * z).exp() / (2.0 * PI).sqrt();
+        let density = libm::exp(-0.5 * z * z) / (2.0 * PI).sqrt();
         // A step as long as the density lets it be sound.
         z -= ((normal_below(z) - below) / density).clamp(-0.5, 0.5);
     }

@@ -179,8 +179,9 @@ fn errors(likelihood: &Likelihood<'_>, best: &Best) -> Vec<ReadingError> {
 }
 
 fn log_likelihood(likelihood: &Likelihood<'_>, chi2: f64) -> f64 {
-    let of =
-        |reading: &Reading| likelihood.error_of(reading).ln() + 0.5 * std::f64::consts::TAU.ln();
+    let of = |reading: &Reading| {
+        libm::log(likelihood.error_of(reading)) + 0.5 * libm::log(std::f64::consts::TAU)
+    };
     -0.5 * chi2 - likelihood.readings.iter().map(of).sum::<f64>()
 }
 

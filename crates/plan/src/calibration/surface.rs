@@ -106,7 +106,7 @@ pub(super) struct Surfaces {
 /// Chebyshev's extrema between -1 and 1.
 fn extrema(nodes: usize) -> Vec<f64> {
     let last = (nodes - 1) as f64;
-    (0..nodes).map(|k| -(std::f64::consts::PI * k as f64 / last).cos()).collect()
+    (0..nodes).map(|k| -libm::cos(std::f64::consts::PI * k as f64 / last)).collect()
 }
 
 /// Lagrange's polynomials of the nodes at a place, and their slopes.

@@ -51,5 +51,5 @@ pub fn permissible_dogleg_rad_per_m(
     let smooth = bending_Pa / (component.material.youngs_modulus_Pa * 0.5 * component.od_m);
     let half_spacing_m = component.joints.map_or(0.0, |joints| 0.5 * joints.spacing_m);
     let root = half_spacing_m * (tension_N.max(0.0) / component.bending_stiffness_N_m2()).sqrt();
-    if root > 0.0 { smooth * root.tanh() / root } else { smooth }
+    if root > 0.0 { smooth * libm::tanh(root) / root } else { smooth }
 }

@@ -49,7 +49,7 @@ impl SnCurve {
         }
         let over = self.knee_amplitude_Pa / amplitude_Pa;
         let exponent = if over <= 1.0 { self.exponent } else { self.exponent_below };
-        self.knee_cycles * over.powf(exponent)
+        self.knee_cycles * libm::pow(over, exponent)
     }
 }
 

@@ -187,7 +187,7 @@ impl Distribution {
                 normal::between(self.cut()[0], (value - mean) / std) / self.kept()
             }
             Self::LogNormal { median, factor } => {
-                normal::below((value / median).ln() / factor.ln())
+                normal::below(libm::log(value / median) / libm::log(factor))
             }
             Self::Choice { count } => (value + 0.5) / count as f64,
         }
@@ -211,7 +211,7 @@ impl Distribution {
                 (mean + std * normal::quantile_between(a, b, part)).clamp(from, to)
             }
             Self::LogNormal { median, factor } => {
-                median * (factor.ln() * normal::quantile(part)).exp()
+                median * libm::exp(libm::log(factor) * normal::quantile(part))
             }
             Self::Choice { count } => (part * count as f64).floor().min(count as f64 - 1.0),
         }
@@ -227,7 +227,9 @@ impl Distribution {
                 let [a, b] = self.cut().map(normal::density);
                 mean + std * (a - b) / self.kept()
             }
-            Self::LogNormal { median, factor } => median * (0.5 * factor.ln().powi(2)).exp(),
+            Self::LogNormal { median, factor } => {
+                median * libm::exp(0.5 * libm::log(factor).powi(2))
+            }
             Self::Choice { count } => 0.5 * (count as f64 - 1.0),
         }
     }
@@ -251,8 +253,8 @@ impl Distribution {
                 std * std * (1.0 + (za - zb) / kept - ((a - b) / kept).powi(2))
             }
             Self::LogNormal { median, factor } => {
-                let square = factor.ln().powi(2);
-                median * median * square.exp() * square.exp_m1()
+                let square = libm::log(factor).powi(2);
+                median * median * libm::exp(square) * libm::expm1(square)
             }
             Self::Choice { count } => ((count * count) as f64 - 1.0) / 12.0,
         }

@@ -14,7 +14,7 @@ pub(super) fn quantile(part: f64) -> f64 {
         return -quantile(1.0 - part);
     }
     // Abramowitz and Stegun (1964), 26.2.23: to 4.5e-4.
-    let t = (-2.0 * part.ln()).sqrt();
+    let t = (-2.0 * libm::log(part)).sqrt();
     let above = 2.515_517 + t * (0.802_853 + t * 0.010_328);
     let under = 1.0 + t * (1.432_788 + t * (0.189_269 + t * 0.001_308));
     let mut z = above / under - t;
@@ -28,7 +28,7 @@ pub(super) fn quantile(part: f64) -> f64 {
 
 /// Density at `z` standard deviations.
 pub(super) fn density(z: f64) -> f64 {
-    (-0.5 * z * z).exp() / (2.0 * PI).sqrt()
+    libm::exp(-0.5 * z * z) / (2.0 * PI).sqrt()
 }
 
 /// Part of a normal distribution between two numbers of standard deviations, exact in either tail.

@@ -22,7 +22,7 @@ pub(super) fn polynomials(of: &Distribution, value: f64, degree: usize) -> Vec<f
     match *of {
         Distribution::Normal { mean, std } => hermite((value - mean) / std, degree),
         Distribution::LogNormal { median, factor } => {
-            hermite((value / median).ln() / factor.ln(), degree)
+            hermite(libm::log(value / median) / libm::log(factor), degree)
         }
         Distribution::Choice { count } => gram(value, count as f64, degree),
         Distribution::Uniform { .. }

@@ -116,7 +116,7 @@ impl CasingWear {
             let force = |row: usize| profile.side_force_N_per_m[row].abs();
             let side_force_N_per_m = 0.5 * (force(row - 1) + force(row));
             let radius_m = rubs_m(stage, ends_m);
-            let sliding_m = (2.0 * PI * radius_m * revolutions).hypot(travel_m);
+            let sliding_m = libm::hypot(2.0 * PI * radius_m * revolutions, travel_m);
             for casing in &mut self.casings {
                 let factor = casing.factor_per_Pa;
                 let worn = worn_m3_per_m(factor, side_force_N_per_m, sliding_m);

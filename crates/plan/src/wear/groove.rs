@@ -22,7 +22,7 @@ fn segment(angle: f64) -> f64 {
         let tail = 1.0 / 5.0 - square * (2.0 / 105.0 - square / 945.0);
         return 2.0 / 3.0 * angle * square * (1.0 - square * tail);
     }
-    angle - angle.sin() * angle.cos()
+    angle - libm::sin(angle) * libm::cos(angle)
 }
 
 impl Groove {
@@ -47,8 +47,8 @@ impl Groove {
         let height_m = depth_m * (2.0 * self.joint_m - depth_m) / (2.0 * apart_m);
         let half_m = self.half_width_m(depth_m);
         let from_bore_m = self.bore_m - height_m;
-        let of_joint = half_m.atan2(from_bore_m - apart_m);
-        let of_bore = half_m.atan2(from_bore_m);
+        let of_joint = libm::atan2(half_m, from_bore_m - apart_m);
+        let of_bore = libm::atan2(half_m, from_bore_m);
         self.joint_m.powi(2) * segment(of_joint) - self.bore_m.powi(2) * segment(of_bore)
     }
 

@@ -13,7 +13,7 @@ const TOO_FAR: f64 = 3.0;
 pub(super) fn shown(value: f64, dimension: Dimension, units: UnitSet) -> String {
     let unit = dimension.unit_in(units);
     let value = unit.from_si(value);
-    let digits = 2 - value.abs().max(1e-9).log10().floor() as i32;
+    let digits = 2 - libm::log10(value.abs().max(1e-9)).floor() as i32;
     format!("{value:.*} {}", digits.clamp(0, 6) as usize, unit.symbol)
 }
 
@@ -86,7 +86,7 @@ pub(super) fn warnings(
     let freedom = found.degrees_of_freedom as f64;
     if given && freedom > 0.0 {
         let spread = 2.0 / (9.0 * freedom);
-        let z = ((found.chi2 / freedom).cbrt() - (1.0 - spread)) / spread.sqrt();
+        let z = (libm::cbrt(found.chi2 / freedom) - (1.0 - spread)) / spread.sqrt();
         if z > TOO_FAR {
             warnings.push(format!(
                 "the readings scatter {:.1} times as much as their errors say: the model does not \

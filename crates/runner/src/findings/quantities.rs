@@ -34,6 +34,6 @@ pub fn deviation(shown: f64) -> String {
     if shown < 1e-4 {
         return "0".to_owned();
     }
-    let decimals = (1.0 - shown.log10().floor()).clamp(0.0, 4.0) as usize;
+    let decimals = (1.0 - libm::log10(shown).floor()).clamp(0.0, 4.0) as usize;
     format!("{shown:.decimals$}")
 }

@@ -176,7 +176,7 @@ impl Words<'_> {
         if value == 0.0 || !value.is_finite() {
             return si;
         }
-        let scale = 10.0_f64.powf(3.0 - value.abs().log10().floor());
+        let scale = libm::pow(10.0_f64, 3.0 - libm::log10(value.abs()).floor());
         si * ((value * scale).round() / scale / value)
     }
 

@@ -279,7 +279,7 @@ impl Answer {
             friction: self.friction,
             friction_at_bit,
             critical_inclination_rad: (friction_at_bit > 0.0)
-                .then(|| (1.0 / friction_at_bit).atan()),
+                .then(|| libm::atan(1.0 / friction_at_bit)),
             first,
             limits: limits.collect(),
             missing: self.missing.clone(),

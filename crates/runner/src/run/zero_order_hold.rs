@@ -104,8 +104,8 @@ impl BitExcitation for HeldShake {
         };
         let part = (time_s - from_s) / (to_s - from_s);
         Shake {
-            front_m: part.mul_add(next_front_m - front_m, front_m),
-            torque: part.mul_add(next_torque - torque, torque),
+            front_m: libm::fma(part, next_front_m - front_m, front_m),
+            torque: libm::fma(part, next_torque - torque, torque),
         }
     }
 
@@ -123,7 +123,7 @@ impl BitExcitation for HeldShake {
         let next_s = *to_s + period_s;
         let reading = ShakeReading {
             time_s: next_s,
-            angle_rad: step.bit_speed_rad_per_s.mul_add(next_s - *time_s, *angle_rad),
+            angle_rad: libm::fma(step.bit_speed_rad_per_s, next_s - *time_s, *angle_rad),
         };
         match (self.asked.ask)(&reading) {
             Some(shake) => {

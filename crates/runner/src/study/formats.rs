@@ -150,7 +150,7 @@ fn short(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return format!("{value}");
     }
-    let size = value.abs().log10().floor();
+    let size = libm::log10(value.abs()).floor();
     if !(-5.0..7.0).contains(&size) {
         let text = format!("{value:.3e}");
         let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));

@@ -137,7 +137,7 @@ impl Loads {
             let across = load.moment.minus(d, load.moment.dot(d));
             let kick = across.scaled(0.5 * dt * node!(chain, index, inv_rotary));
             let p = 0.5 * dt * node!(chain, index, gyroscopic) * node!(chain, index, spin);
-            let (sine, cosine) = (2.0 * p.atan()).sin_cos();
+            let (sine, cosine) = libm::sincos(2.0 * libm::atan(p));
             let w = chain.turning(index) + kick + kick.scaled(cosine).minus(kick.cross(d), sine);
             let q = 0.25 * dt * dt * w.dot(w);
             let turned = d.scaled((1.0 - q) / (1.0 + q)).plus(w.cross(d), dt / (1.0 + q));

@@ -68,7 +68,7 @@ impl Body {
         for span in model.string.spans() {
             if let Some(bend) = span.component.bend {
                 let index = mesh.nearest_inner_node(span.from_bit_m + bend.from_lower_end_m);
-                let (sine, cosine) = bend.toolface_rad.sin_cos();
+                let (sine, cosine) = libm::sincos(bend.toolface_rad);
                 bends.push(Bend::new(index, bend.angle_rad, Vector(cosine, sine, 0.0)));
             }
         }
@@ -76,9 +76,9 @@ impl Body {
         let imbalances = levers_kg_m(model, mesh)
             .iter()
             .enumerate()
-            .filter(|(_, [x, y])| x.hypot(*y) > 0.0)
+            .filter(|(_, [x, y])| libm::hypot(*x, *y) > 0.0)
             .map(|(index, [x, y])| {
-                let size = x.hypot(*y);
+                let size = libm::hypot(*x, *y);
                 let toward = Vector(x / size, y / size, 0.0);
                 Imbalance::new(index, size, GRAVITY_M_PER_S2, toward)
             })
@@ -236,7 +236,7 @@ pub(crate) fn levers_kg_m(model: &Model, mesh: &Mesh) -> Vec<[f64; 2]> {
                     .effective_offset_m(model.mud.density_kg_per_m3, &span.component.material);
             share_out(mesh, [span.from_bit_m, span.to_bit_m], |node, metres| {
                 let lever = moment * metres;
-                let (sine, cosine) = eccentricity.phase_rad.sin_cos();
+                let (sine, cosine) = libm::sincos(eccentricity.phase_rad);
                 levers[node][0] += lever * cosine;
                 levers[node][1] += lever * sine;
             });

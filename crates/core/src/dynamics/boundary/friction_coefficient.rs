@@ -66,7 +66,7 @@ pub struct SlidingContact {
 impl SlidingContact {
     /// Sliding speed, m/s.
     pub fn sliding_speed_m_per_s(&self) -> f64 {
-        self.axial_velocity_m_per_s.hypot(self.circumferential_velocity_m_per_s)
+        libm::hypot(self.axial_velocity_m_per_s, self.circumferential_velocity_m_per_s)
     }
 }
 

@@ -193,7 +193,7 @@ impl Hoist {
         } = self.autodriller;
         // v = v₀ + K (e + ∫ e dt/T_i).
         let missing = self.target.weight_N - self.filtered_N;
-        let wanted = gain.mul_add(missing, self.target.velocity_m_per_s) + self.integral_m_per_s;
+        let wanted = libm::fma(gain, missing, self.target.velocity_m_per_s) + self.integral_m_per_s;
         self.velocity_m_per_s = wanted.max(least).min(most);
         // The integral does not run on against a limit.
         let held = (wanted < least && missing < 0.0) || (wanted > most && missing > 0.0);

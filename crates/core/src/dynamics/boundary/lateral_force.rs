@@ -21,7 +21,7 @@ pub fn add(chain: &mut Chain, anchors: &[Anchor], model: &Model, mesh: &Mesh) {
             high = transported(high, chain.tangent(above + 1), chain.tangent(above));
         }
         let right = chain.tangent(index).cross(high);
-        let (sine, cosine) = of.toolface_rad.sin_cos();
+        let (sine, cosine) = libm::sincos(of.toolface_rad);
         let force = high.scaled(of.force_N * cosine).plus(right, of.force_N * sine);
         chain.set_weight(index, chain.weight(index) + force);
     }

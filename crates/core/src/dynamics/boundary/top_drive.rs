@@ -258,7 +258,7 @@ impl TopDrive {
         };
         let Gains { proportional_N_m_s, integral_N_m, shown } = drive.gains;
         // K_p + K_i dt: the integral of the step counts at its end.
-        let gain = integral_N_m.mul_add(dt, proportional_N_m_s);
+        let gain = libm::fma(integral_N_m, dt, proportional_N_m_s);
         // The string's torque at the step's end, `M = string + k (Ω − Ω_below) dt + J_½ Ω'`, is
         // `fixed + stiff Ω`; what is heard of it, part of it less its slow part.
         let wind = element!(chain, 0, torsion) * dt;
@@ -267,15 +267,15 @@ impl TopDrive {
         let stiff = wind + start;
         // H = s/(s + ω₁): the part below ω₁ follows slowly, the rest over Z lowers the reference.
         let (slow, heard) = shown.map_or((0.0, 0.0), |s| {
-            let slow = s.corner_rad_per_s * dt / s.corner_rad_per_s.mul_add(dt, 1.0);
+            let slow = s.corner_rad_per_s * dt / libm::fma(s.corner_rad_per_s, dt, 1.0);
             (slow, (1.0 - slow) / s.impedance_N_m_s)
         });
         let reference = set_rad_per_s - heard * (fixed - drive.slow_N_m);
-        let slope = heard.mul_add(stiff, 1.0);
+        let slope = libm::fma(heard, stiff, 1.0);
         let per_dt = inertia / dt;
         // J (Ω − Ω₀)/dt = K (Ω_r − Ω) + integral − string, where Ω_r depends on Ω, solved for Ω.
         let mut after = (per_dt * before + gain * reference + drive.integral_N_m - string)
-            / gain.mul_add(slope, per_dt);
+            / libm::fma(gain, slope, per_dt);
         // Ω_r − Ω at the step's end.
         let missing = reference - slope * after;
         let mut torque = gain * missing + drive.integral_N_m;
@@ -287,7 +287,7 @@ impl TopDrive {
         } else {
             drive.integral_N_m += integral_N_m * dt * missing;
         }
-        drive.slow_N_m += slow * (stiff.mul_add(after, fixed) - drive.slow_N_m);
+        drive.slow_N_m += slow * (libm::fma(stiff, after, fixed) - drive.slow_N_m);
         node!(chain, 0, spin = after);
         TopDriveStep { string_torque_N_m: string, work_J: torque * 0.5 * (before + after) * dt }
     }

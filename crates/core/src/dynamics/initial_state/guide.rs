@@ -104,7 +104,7 @@ fn around(mu: f64, radius_m: f64, operation: &Operation, law: FrictionLaw) -> f6
         FrictionLaw::Independent => mu,
         FrictionLaw::Vector => {
             let surface = radius_m * operation.rotary_speed_rad_per_s;
-            mu * surface / surface.hypot(operation.axial_velocity_m_per_s())
+            mu * surface / libm::hypot(surface, operation.axial_velocity_m_per_s())
         }
     }
 }

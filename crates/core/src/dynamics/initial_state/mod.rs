@@ -222,7 +222,7 @@ impl InitialString<'_> {
         let mass_damping = MassDamping {
             time_s,
             dt: input.dt,
-            left: (-SETTLING_DAMPING_PER_S * time_s).exp(),
+            left: libm::exp(-SETTLING_DAMPING_PER_S * time_s),
             rigid_velocity: 0.0,
             rigid_spin: operation.rotation_rad_per_s(),
         };

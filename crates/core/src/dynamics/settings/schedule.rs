@@ -203,7 +203,7 @@ impl Ramp {
             return self.to;
         }
         let part = (time_s - self.at_s) / (self.end_s - self.at_s);
-        (self.to - self.from).mul_add(part.max(0.0), self.from)
+        libm::fma(self.to - self.from, part.max(0.0), self.from)
     }
 }
 

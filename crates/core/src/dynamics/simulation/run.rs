@@ -325,7 +325,7 @@ impl<R: Real> Run<R> {
         let mass_damping = MassDamping {
             time_s,
             dt: self.plan.dt_s,
-            left: (-rate_per_s * time_s).exp(),
+            left: libm::exp(-rate_per_s * time_s),
             rigid_velocity: self.state.rigid_velocity_m_per_s,
             rigid_spin: self.state.top_drive.rigid_spin(&self.chain, rotation),
         };

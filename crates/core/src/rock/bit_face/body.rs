@@ -52,8 +52,8 @@ impl Blades {
         // Gradient of the way behind the front, r (θ_k(r) − θ): outwards, and the way that the bit
         // turns.
         let turn = self.lag_rad_per_m * radius_m;
-        let front = 1.0 / turn.hypot(1.0);
-        let back = 1.0 / (behind - turn).hypot(1.0);
+        let front = 1.0 / libm::hypot(turn, 1.0);
+        let back = 1.0 / libm::hypot(behind - turn, 1.0);
         let (ahead, astern) = (radius_m * behind * front, left * back);
         Some(Some(if ahead <= astern {
             (ahead, [turn * front, front])
@@ -94,7 +94,7 @@ impl Body {
         let Some(blades) = &self.blades else {
             return Some(below);
         };
-        let beside = blades.depth(radius_m, position_m.y.atan2(position_m.x))?;
+        let beside = blades.depth(radius_m, libm::atan2(position_m.y, position_m.x))?;
         Some(match beside {
             Some((depth, [n_r, n_t])) if depth < below.0 => {
                 (depth, out * n_r + Vector3::new(-out.y, out.x, 0.0) * n_t)

@@ -56,11 +56,11 @@ impl BottomHole {
     /// the rings is left out.
     pub fn add(&mut self, [x, y, z]: [f64; 3]) {
         let [from, to] = self.radii_m;
-        let ring = (x.hypot(y) - from) / (to - from) * self.rings as f64;
+        let ring = (libm::hypot(x, y) - from) / (to - from) * self.rings as f64;
         if !(0.0..self.rings as f64).contains(&ring) {
             return;
         }
-        let turn = y.atan2(x).rem_euclid(TAU) / TAU;
+        let turn = libm::atan2(y, x).rem_euclid(TAU) / TAU;
         let sector = ((turn * self.sectors as f64) as usize).min(self.sectors - 1);
         let (sum, count) = &mut self.sums[ring as usize * self.sectors + sector];
         *sum += z;

@@ -57,7 +57,7 @@ pub(super) struct Disc {
 
 /// The directions at an angle about the bit's axis: outwards, and the way that the bit turns.
 fn around(angle_rad: f64) -> (Vector3<f64>, Vector3<f64>) {
-    let (sin, cos) = angle_rad.sin_cos();
+    let (sin, cos) = libm::sincos(angle_rad);
     (Vector3::new(cos, sin, 0.0), Vector3::new(-sin, cos, 0.0))
 }
 
@@ -85,8 +85,8 @@ impl Cutter {
         let normal = out * nr + Vector3::z() * nz;
         let outwards = out * nz - Vector3::z() * nr;
         let tip_m = out * point.radius_m + Vector3::z() * point.z_m;
-        let (sin, cos) = back_rake_rad.sin_cos();
-        let facing = ahead * side_rake_rad.cos() + outwards * side_rake_rad.sin();
+        let (sin, cos) = libm::sincos(back_rake_rad);
+        let facing = ahead * libm::cos(side_rake_rad) + outwards * libm::sin(side_rake_rad);
         let axis = facing * cos + normal * sin;
         let across = normal * cos - facing * sin;
         let Disc { radius_m: a, length_m, chamfer_m: ch } = disc;
@@ -95,7 +95,9 @@ impl Cutter {
         let circle = |height: f64| {
             (0..CIRCLE_POINTS)
                 .map(|i| TAU * i as f64 / (CIRCLE_POINTS - 1) as f64)
-                .map(|turn| origin + axis * height + (across * turn.cos() + side * turn.sin()) * a)
+                .map(|turn| {
+                    origin + axis * height + (across * libm::cos(turn) + side * libm::sin(turn)) * a
+                })
                 .collect()
         };
         let lines = (0..CIRCLES)

@@ -31,7 +31,7 @@ impl Grid {
         let boxes: Vec<_> = cutters.iter().map(Cutter::bounds).collect();
         let far = |b: &[Vector3<f64>; 2]| {
             let corner = b[0].abs().sup(&b[1].abs());
-            corner.x.hypot(corner.y)
+            libm::hypot(corner.x, corner.y)
         };
         let radius = boxes.iter().map(far).fold(profile.radius_m(), f64::max);
         let cells = (2.0 * radius / cell_m).ceil() as usize;
@@ -57,8 +57,8 @@ impl Grid {
                 grid.starts.push(grid.cutters.len() as u32);
                 let near = |a: [f64; 2]| if a[0] > 0.0 { a[0] } else { (-a[1]).max(0.0) };
                 let farther = |a: [f64; 2]| a[1].max(-a[0]);
-                let from = near(x).hypot(near(y));
-                let to = farther(x).hypot(farther(y));
+                let from = libm::hypot(near(x), near(y));
+                let to = libm::hypot(farther(x), farther(y));
                 // What is the offset behind the profile is at least as far above it; the pads end
                 // where the gauge begins.
                 let body_m = if from <= body.pad_radius_m {

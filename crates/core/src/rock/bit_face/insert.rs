@@ -181,13 +181,13 @@ impl InsertBit {
         };
         let (rho, corner) = match self.shape {
             InsertShape::Hemisphere => (0.0, 0.0),
-            InsertShape::Cone { .. } => (a - tip, -(a - tip) / half_angle.tan()),
+            InsertShape::Cone { .. } => (a - tip, -(a - tip) / libm::tan(half_angle)),
         };
         let foot = foot.min(corner - a);
         let turn = FRAC_PI_2 - half_angle;
         let arc = |centre: [f64; 2], from: f64, to: f64| {
             (0..=ARC_POINTS).map(move |i| {
-                let (sin, cos) = (from + (to - from) * i as f64 / ARC_POINTS as f64).sin_cos();
+                let (sin, cos) = libm::sincos(from + (to - from) * i as f64 / ARC_POINTS as f64);
                 [centre[0] + tip * sin, centre[1] + tip * cos]
             })
         };

@@ -37,7 +37,7 @@ impl Pose {
             high = across(Vector3::ith(z.iamin(), 1.0));
         }
         let high = high.normalize();
-        let x = high * angle_rad.cos() + z.cross(&high) * angle_rad.sin();
+        let x = high * libm::cos(angle_rad) + z.cross(&high) * libm::sin(angle_rad);
         Self {
             position_m,
             rotation: Matrix3::from_columns(&[x, z.cross(&x), z]),

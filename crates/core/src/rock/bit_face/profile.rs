@@ -98,7 +98,7 @@ impl Profile {
             within("cone angle", outline.cone_angle_rad, 0.0..=1.3, "0 to 1.3 rad (75 deg)")?;
             outline.cone_angle_rad
         };
-        let (sin, cos) = cone_angle_rad.sin_cos();
+        let (sin, cos) = libm::sincos(cone_angle_rad);
         let cone_end = [nose_m - nose_radius_m * sin, -nose_radius_m * (1.0 - cos)];
         within(
             "nose radius",
@@ -118,8 +118,8 @@ impl Profile {
         if !(-1e-6..=1.0 + 1e-6).contains(&sine) {
             return Err(FaceError::Profile { nose_radius_m, shoulder_radius_m, reach_m });
         }
-        let shoulder_angle_rad = sine.clamp(0.0, 1.0).asin();
-        let (sin_s, cos_s) = shoulder_angle_rad.sin_cos();
+        let shoulder_angle_rad = libm::asin(sine.clamp(0.0, 1.0));
+        let (sin_s, cos_s) = libm::sincos(shoulder_angle_rad);
         Ok(Self {
             radius_m,
             core_radius_m,
@@ -182,7 +182,7 @@ impl Profile {
             let angle = self.shoulder_angle_rad + past / self.shoulder_radius_m;
             (self.shoulder_centre, self.shoulder_radius_m, angle.min(FRAC_PI_2))
         };
-        let (sin, cos) = angle.sin_cos();
+        let (sin, cos) = libm::sincos(angle);
         ProfilePoint {
             radius_m: centre[0] + radius * sin,
             z_m: centre[1] + radius * cos,
@@ -193,7 +193,7 @@ impl Profile {
     /// Depth of the profile at a radius, m; that of the nearest end where there is none.
     pub fn z_m(&self, radius_m: f64) -> f64 {
         let [inner, _] = self.tangents;
-        let outer = self.nose_m + self.nose_radius_m * self.shoulder_angle_rad.sin();
+        let outer = self.nose_m + self.nose_radius_m * libm::sin(self.shoulder_angle_rad);
         let arc = |centre: [f64; 2], arc: f64| {
             let off = (radius_m - centre[0]).clamp(-arc, arc);
             centre[1] + (arc * arc - off * off).sqrt()
@@ -248,7 +248,7 @@ impl Profile {
         if self.core_radius_m == 0.0 && past > 0.0 {
             // Inside the bit, nearest to the cone's apex on the axis.
             let apex = [radius_m, from[1] + self.cone_length_m * t[1]];
-            let distance = apex[0].hypot(apex[1]).max(f64::MIN_POSITIVE);
+            let distance = libm::hypot(apex[0], apex[1]).max(f64::MIN_POSITIVE);
             return (-distance, [-apex[0] / distance, -apex[1] / distance]);
         }
         (t[0] * from[1] - t[1] * from[0], [-t[1], t[0]])

@@ -28,7 +28,7 @@ impl Revolved {
         let mut edges = 0;
         for &corner in &outline[1..] {
             let along = [corner[0] - corners[edges][0], corner[1] - corners[edges][1]];
-            let length = along[0].hypot(along[1]);
+            let length = libm::hypot(along[0], along[1]);
             if length > 0.0 {
                 normals[edges] = [-along[1] / length, along[0] / length];
                 edges += 1;
@@ -89,7 +89,7 @@ impl Revolved {
                 / (along[0] * along[0] + along[1] * along[1]);
             let share = share.clamp(0.0, 1.0);
             let off = [from[0] - share * along[0], from[1] - share * along[1]];
-            let distance = off[0].hypot(off[1]);
+            let distance = libm::hypot(off[0], off[1]);
             if distance < nearest.0 {
                 let inverse = 1.0 / distance.max(f64::MIN_POSITIVE);
                 nearest = (distance, [off[0] * inverse, off[1] * inverse]);

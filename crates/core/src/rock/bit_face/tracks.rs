@@ -86,7 +86,7 @@ impl Tracks {
             let point = |piece: f64| pair[0] + along * (piece / pieces);
             for piece in 0..pieces as usize {
                 let [a, b] = [point(piece as f64), point(piece as f64 + 1.0)];
-                let [ra, rb] = [a, b].map(|p| p.x.hypot(p.y));
+                let [ra, rb] = [a, b].map(|p| libm::hypot(p.x, p.y));
                 let first = (ra.min(rb) - self.core_radius_m) / self.width_m - 0.5;
                 for ring in first.ceil().max(0.0) as usize..RINGS {
                     let r = self.radius_m(ring);
@@ -114,7 +114,7 @@ impl Tracks {
                 break;
             }
             for vertical in 0..VERTICALS {
-                let (sin, cos) = (TAU * vertical as f64 / VERTICALS as f64).sin_cos();
+                let (sin, cos) = libm::sincos(TAU * vertical as f64 / VERTICALS as f64);
                 let (x, y) = (radius * cos, radius * sin);
                 if let Some(z) = lowest_above(cutter, x, y) {
                     self.pass(index, ring, Vector3::new(x, y, z));
@@ -126,7 +126,7 @@ impl Tracks {
     fn pass(&mut self, cutter: usize, ring: usize, point: Vector3<f64>) {
         let pass = &mut self.passes[ring * self.cutters + cutter];
         if point.z > pass.z_m {
-            *pass = Pass { z_m: point.z, angle_rad: point.y.atan2(point.x) };
+            *pass = Pass { z_m: point.z, angle_rad: libm::atan2(point.y, point.x) };
         }
     }
 
@@ -219,7 +219,7 @@ impl Tracks {
                 let area = self.thickness_m(ring, cutter, depth_of_cut_m) * self.width_m;
                 cut.area_m2[cutter] += area;
                 cut.volume_m3[cutter] += area * TAU * self.radius_m(ring);
-                let (sin, cos) = self.ring(ring)[cutter].angle_rad.sin_cos();
+                let (sin, cos) = libm::sincos(self.ring(ring)[cutter].angle_rad);
                 cut.drag_imbalance[0] += area * sin;
                 cut.drag_imbalance[1] -= area * cos;
                 for (sum, across) in cut.thrust_imbalance.iter_mut().zip(self.sideways[cutter]) {

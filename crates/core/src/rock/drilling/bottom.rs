@@ -34,7 +34,7 @@ impl Drilling {
                     let at = (nose_m[axis] + radius_m * across) / grid.size_m[axis];
                     (at.max(0.0) as usize).min(grid.cells[axis] - 1)
                 };
-                let (i, j) = (column(0, angle_rad.cos()), column(1, angle_rad.sin()));
+                let (i, j) = (column(0, libm::cos(angle_rad)), column(1, libm::sin(angle_rad)));
                 if let Some(top_m) = tops_m[i + j * grid.cells[0]] {
                     bottom.set_m(ring, sector, top_m - nose_m.z);
                 }

@@ -25,7 +25,7 @@ impl Drilling {
                     let [from, to] = [i as f64 * d - middle, (i + 1) as f64 * d - middle];
                     [from.max(-to).max(0.0), to.max(-from)]
                 });
-            let [near_m, far_m] = [x[0].hypot(y[0]), x[1].hypot(y[1])];
+            let [near_m, far_m] = [libm::hypot(x[0], y[0]), libm::hypot(x[1], y[1])];
             if near_m >= gauge_m || far_m <= core_m {
                 continue;
             }

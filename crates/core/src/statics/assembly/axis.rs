@@ -37,7 +37,7 @@ pub struct AssemblyNode {
 impl AssemblyNode {
     /// Size of the bending moment, N·m.
     pub fn bending_moment_N_m(&self) -> f64 {
-        self.moment_N_m[0].hypot(self.moment_N_m[1])
+        libm::hypot(self.moment_N_m[0], self.moment_N_m[1])
     }
 }
 

@@ -54,7 +54,7 @@ pub struct Contact {
 impl Contact {
     /// Size of the force, N.
     pub fn size_N(&self) -> f64 {
-        self.force_N[0].hypot(self.force_N[1])
+        libm::hypot(self.force_N[0], self.force_N[1])
     }
 
     /// Whether a force presses the same side of the hole.
@@ -91,7 +91,7 @@ pub(super) fn contacts(string: &DrillString, nodes: &[AssemblyNode]) -> Vec<Cont
     // Of the last contact, where its stretch ended: only the next node may lengthen it.
     let mut last_node = 0;
     for (index, node) in nodes.iter().enumerate() {
-        let force_N = node.push_N[0].hypot(node.push_N[1]);
+        let force_N = libm::hypot(node.push_N[0], node.push_N[1]);
         if index > 0 && force_N <= 0.0 {
             continue;
         }
@@ -116,7 +116,7 @@ pub(super) fn contacts(string: &DrillString, nodes: &[AssemblyNode]) -> Vec<Cont
     }
     for contact in &mut contacts {
         let [high_N, right_N] = contact.force_N;
-        contact.side_rad = right_N.atan2(high_N).rem_euclid(std::f64::consts::TAU);
+        contact.side_rad = libm::atan2(right_N, high_N).rem_euclid(std::f64::consts::TAU);
     }
     contacts
 }

@@ -50,7 +50,7 @@ pub(super) fn sag(model: &Model, nodes: &[AssemblyNode]) -> Vec<Sag> {
         let string = hole * along + high * up + right * aside;
         let [hole_inclination_rad, measured_rad] = [hole, string].map(|of| inclination_rad(&of));
         let azimuth_rad = (hole_inclination_rad > LEAST_INCLINATION_RAD).then(|| {
-            let turn = hole.y.atan2(hole.x) - string.y.atan2(string.x);
+            let turn = libm::atan2(hole.y, hole.x) - libm::atan2(string.y, string.x);
             (turn + PI).rem_euclid(2.0 * PI) - PI
         });
         Sag {
@@ -67,7 +67,7 @@ pub(super) fn sag(model: &Model, nodes: &[AssemblyNode]) -> Vec<Sag> {
 }
 
 fn inclination_rad(of: &Vector3<f64>) -> f64 {
-    of.x.hypot(of.y).atan2(of.z)
+    libm::atan2(libm::hypot(of.x, of.y), of.z)
 }
 
 /// Measured depth, m, and tilt, rad, between two nodes. A bend stands at a node, whose tilt is that

@@ -139,7 +139,7 @@ impl AssemblyErrors {
     fn between(a: &Assembly, b: &Assembly) -> Self {
         let apart = |of: fn(&Assembly) -> [f64; 2]| {
             let ([x, y], [u, v]) = (of(a), of(b));
-            (x - u).hypot(y - v)
+            libm::hypot(x - u, y - v)
         };
         let sag = |of: &Assembly| of.sag.first().map_or(0.0, |sag| sag.inclination_rad);
         Self {

@@ -31,7 +31,7 @@ impl Place {
     /// `(EI w²)^⅓`, N.
     fn vertical_scale_N(&self) -> f64 {
         let weight_N_per_m = self.weight_N_per_m;
-        (self.bending_stiffness_N_m2 * weight_N_per_m * weight_N_per_m).cbrt()
+        libm::cbrt(self.bending_stiffness_N_m2 * weight_N_per_m * weight_N_per_m)
     }
 
     /// Whether a compression, N, is beyond the load of a shape, with the wall load that it makes
@@ -52,7 +52,7 @@ impl Place {
         let mut found = CriticalLoads::none(least_N);
         let (a, b, c) = (self.weight_across_N_per_m, self.build_rad_per_m, self.turn_rad_per_m);
         let stiff = shape.beta() * self.bending_stiffness_N_m2 / self.clearance_m;
-        let curved = b.hypot(c);
+        let curved = libm::hypot(b, c);
         if a <= 0.0 {
             if curved > 0.0 {
                 found.push(stiff * curved);
@@ -72,7 +72,7 @@ impl Place {
         let slope = |f: f64| (4.0 * f * f - 2.0 * quadratic) * f - linear;
         let bend = |f: f64| 12.0 * f * f - 2.0 * quadratic;
         let least = stiff * curved / 6.0_f64.sqrt();
-        let most = 0.5 * (stiff * curved + (stiff * curved).hypot(2.0 * (stiff * a).sqrt()));
+        let most = 0.5 * (stiff * curved + libm::hypot(stiff * curved, 2.0 * (stiff * a).sqrt()));
         let most = most * (1.0 + 1e-9);
         // The function changes sign between two of its turns at most once.
         let mut between = |low: f64, high: f64| {

@@ -97,7 +97,7 @@ impl Place {
     /// compression is a tension.
     pub fn wall_load_N_per_m(&self, compression_N: f64) -> f64 {
         let built = self.weight_across_N_per_m + compression_N * self.build_rad_per_m;
-        built.hypot(compression_N * self.turn_rad_per_m)
+        libm::hypot(built, compression_N * self.turn_rad_per_m)
     }
 
     /// Wall load that a helix adds under a compression, N/m.

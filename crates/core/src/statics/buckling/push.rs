@@ -51,14 +51,14 @@ impl Segment {
 
     /// `dφ/dx` upwards.
     fn turn_per_m(&self, angle: f64, helical: bool) -> f64 {
-        let compression_N = SCALE_N * angle.tan();
+        let compression_N = SCALE_N * libm::tan(angle);
         // `cos²φ` as it follows from the tangent: both stay finite at the right angle.
         let square = compression_N * compression_N + SCALE_N * SCALE_N;
         SCALE_N * (self.rate_N_per_m(compression_N, helical) / square)
     }
 
     fn is_helical(&self, by: Criterion, angle: f64) -> bool {
-        self.place.is_helix(by, SCALE_N * angle.tan())
+        self.place.is_helix(by, SCALE_N * libm::tan(angle))
     }
 
     /// One step of the classical Runge-Kutta method.
@@ -95,7 +95,7 @@ impl Segment {
 /// Compression at the upper end of stretches, from the bit up, that slide down with a compression
 /// at their lower end, N. A pipe is helical beyond the load that the criterion takes.
 pub fn push_through(segments: &[Segment], at_bit_N: f64, by: Criterion) -> Pushed {
-    let mut angle = (at_bit_N / SCALE_N).atan();
+    let mut angle = libm::atan(at_bit_N / SCALE_N);
     let mut below_m = 0.0;
     for segment in segments {
         let next = segment.cross(by, angle, segment.length_m);
@@ -106,15 +106,15 @@ pub fn push_through(segments: &[Segment], at_bit_N: f64, by: Criterion) -> Pushe
         angle = next;
         below_m += segment.length_m;
     }
-    Pushed::Through(SCALE_N * angle.tan())
+    Pushed::Through(SCALE_N * libm::tan(angle))
 }
 
 /// Compression at the lower end of the same stretches under a compression at their upper end, N,
 /// which may be infinite: what of a push arrives at the bit.
 pub fn weight_at_bit_N(segments: &[Segment], at_top_N: f64, by: Criterion) -> f64 {
-    let mut angle = (at_top_N / SCALE_N).atan();
+    let mut angle = libm::atan(at_top_N / SCALE_N);
     for segment in segments.iter().rev() {
         angle = segment.cross(by, angle, -segment.length_m);
     }
-    SCALE_N * angle.tan()
+    SCALE_N * libm::tan(angle)
 }

@@ -160,5 +160,5 @@ fn climb_rad(point: &Point, high_side: &Vector3<f64>, load: &Load) -> Option<f64
     let up = load.q_N_per_m.dot(high_side);
     let right = load.q_N_per_m.dot(&point.tangent.cross(high_side));
     let right = if right.abs() > NO_SIDE * load.side_force_N_per_m { right } else { 0.0 };
-    (load.side_force_N_per_m > 0.0).then(|| right.atan2(-up))
+    (load.side_force_N_per_m > 0.0).then(|| libm::atan2(right, -up))
 }

@@ -47,7 +47,8 @@ pub(super) fn iterate(
         let on_wall = OnWall::press(string, state, equations);
         equations.matrix.solve(&mut equations.force)?;
         let step = &equations.force;
-        let longest_m = step.iter().map(|by| by[0].hypot(by[1]).hypot(by[2])).fold(0.0, f64::max);
+        let longest_m =
+            step.iter().map(|by| libm::hypot(libm::hypot(by[0], by[1]), by[2])).fold(0.0, f64::max);
         if !longest_m.is_finite() {
             return Ok(Iterated { count: count + 1, converged: false });
         }

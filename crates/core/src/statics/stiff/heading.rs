@@ -24,7 +24,7 @@ impl Heading {
         let Some((toward, angle)) = UnitVector3::try_new_and_get(toward, 0.0) else {
             return *self;
         };
-        let (sine, cosine) = angle.sin_cos();
+        let (sine, cosine) = libm::sincos(angle);
         let along = (self.along * cosine + toward.into_inner() * sine).normalize();
         // Carried by the least rotation, so that a bend keeps its tool face.
         let first = self.across[0];

@@ -129,7 +129,8 @@ pub(super) fn iterate(
         }
         equations.stretch(state, part);
         state.advance(step, part);
-        let longest_m = step.iter().map(|by| by[0].hypot(by[1]).hypot(by[2])).fold(0.0, f64::max);
+        let longest_m =
+            step.iter().map(|by| libm::hypot(libm::hypot(by[0], by[1]), by[2])).fold(0.0, f64::max);
         if !longest_m.is_finite() {
             return Ok(Iterated { count, converged: false });
         }

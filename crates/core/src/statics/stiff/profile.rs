@@ -247,7 +247,8 @@ fn along(
         p.torque_N_m.push(at_node(torques_N_m, index));
         p.contact_force_N.push(normal_N);
         p.contact_fraction.push(f64::from(u8::from(normal_N > 0.0)));
-        p.climb_rad.push((normal_N > 0.0).then(|| offset.dot(&right).atan2(-offset.dot(&high))));
+        p.climb_rad
+            .push((normal_N > 0.0).then(|| libm::atan2(offset.dot(&right), -offset.dot(&high))));
         p.lateral_offset_m.push(offset.norm());
         p.element_length_m.push(element.length_m);
         p.element_size.push(element.reason);

@@ -202,7 +202,7 @@ impl<'a> Relaxation<'a> {
         let on_wall = OnWall::press(string, state, equations);
         equations.matrix.solve(&mut equations.force).ok()?;
         let step = &equations.force;
-        let longest_m = step.iter().map(|by| by[0].hypot(by[1])).fold(0.0, f64::max);
+        let longest_m = step.iter().map(|by| libm::hypot(by[0], by[1])).fold(0.0, f64::max);
         if !step.iter().all(|by| by.iter().all(|part| part.is_finite())) {
             return None;
         }
@@ -279,7 +279,7 @@ fn part_of(string: &StringInHole, state: &State, step: &[Entry]) -> f64 {
     let mut at_most = |most: f64, of: f64| part = part.min(most / of.abs().max(f64::MIN_POSITIVE));
     for (index, node) in string.nodes.iter().enumerate() {
         let by = &step[index];
-        at_most(MOST_TURN, by[3].hypot(by[4]));
+        at_most(MOST_TURN, libm::hypot(by[3], by[4]));
         if !node.has_wall() {
             continue;
         }
@@ -289,7 +289,7 @@ fn part_of(string: &StringInHole, state: &State, step: &[Entry]) -> f64 {
                 at_most(MOST_ROUND, round.turn_rad);
                 at_most(out_m, round.outwards_m);
             }
-            None => at_most(out_m, by[0].hypot(by[1])),
+            None => at_most(out_m, libm::hypot(by[0], by[1])),
         }
     }
     part

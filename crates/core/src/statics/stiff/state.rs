@@ -36,7 +36,7 @@ impl Round {
 
     /// Where it is after a part of it.
     fn after(&self, part: f64) -> Vector2<f64> {
-        let (sine, cosine) = (part * self.turn_rad).sin_cos();
+        let (sine, cosine) = libm::sincos(part * self.turn_rad);
         let n = self.direction;
         Vector2::new(n.x * cosine - n.y * sine, n.x * sine + n.y * cosine)
             * (self.radius_m + part * self.outwards_m)

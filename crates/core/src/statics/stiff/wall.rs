@@ -43,7 +43,7 @@ impl Compliance {
     pub(super) fn penetration_m(self, force_N: f64) -> (f64, f64) {
         match self {
             Self::Hertz(stiffness) => {
-                let depth_m = (force_N.max(0.0) / stiffness).powf(2.0 / 3.0);
+                let depth_m = libm::pow(force_N.max(0.0) / stiffness, 2.0 / 3.0);
                 (depth_m, 2.0 / 3.0 * depth_m / force_N.max(f64::MIN_POSITIVE))
             }
             Self::Linear(stiffness) => (force_N / stiffness, 1.0 / stiffness),

@@ -80,8 +80,8 @@ fn tapers(joint: &JointDimensions) -> (f64, f64) {
         return (0.0, 0.0);
     };
     let step_m = (joint.od_m - upset_od_m).max(0.0);
-    let length_m =
-        step_m / 2.0 * (1.0 / 18.0_f64.to_radians().tan() + 1.0 / 35.0_f64.to_radians().tan());
+    let length_m = step_m / 2.0
+        * (1.0 / libm::tan(18.0_f64.to_radians()) + 1.0 / libm::tan(35.0_f64.to_radians()));
     let cone_m3 =
         PI / 12.0 * length_m * (joint.od_m.powi(2) + joint.od_m * upset_od_m + upset_od_m.powi(2));
     let bore_m3 = length_m * ring_area_m2(joint.id_m, 0.0);

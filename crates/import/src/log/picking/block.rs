@@ -121,8 +121,8 @@ fn not_said(slips_N: Option<f64>, unit: &Unit) -> ImportErrorKind {
 /// A weight in the log's unit, in three digits.
 pub(super) fn shown(newtons: f64, unit: &Unit) -> String {
     let value = unit.from_si(newtons);
-    let size = if value == 0.0 { 0.0 } else { value.abs().log10().floor() };
-    let scale = 10f64.powf(2.0 - size);
+    let size = if value == 0.0 { 0.0 } else { libm::log10(value.abs()).floor() };
+    let scale = libm::pow(10f64, 2.0 - size);
     let rounded = if size < -2.0 { 0.0 } else { (value * scale).round() / scale };
     format!("{} {}", number_text(rounded), unit.symbol)
 }

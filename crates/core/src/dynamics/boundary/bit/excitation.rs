@@ -120,7 +120,7 @@ impl Shaker {
             if rms > 0.0 { rms * noise.at(knots) } else { 0.0 }
         };
         Shake {
-            front_m: e.amplitude_m * (f64::from(e.lobes) * angle).sin()
+            front_m: e.amplitude_m * libm::sin(f64::from(e.lobes) * angle)
                 + noise(spread.roughness_m, &self.bottom),
             torque: noise(spread.torque_fluctuation, &self.torque),
         }

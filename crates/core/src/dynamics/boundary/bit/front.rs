@@ -140,9 +140,9 @@ impl Press {
             return (0.0, 0.0);
         }
         let (k, dt) = (self.stiffness_N_per_m, self.dt);
-        let yielding = (k * dt).mul_add(self.mobility_s_per_kg, 1.0);
+        let yielding = libm::fma(k * dt, self.mobility_s_per_kg, 1.0);
         let advance = |weight: f64| dt * rate_m_per_s(weight).max(0.0);
-        let excess = |weight: f64| yielding.mul_add(weight, k * (advance(weight) - self.over_m));
+        let excess = |weight: f64| libm::fma(yielding, weight, k * (advance(weight) - self.over_m));
         let (mut low, mut high) = (0.0, k * self.over_m / yielding);
         let (mut below, mut above) = (excess(low), excess(high));
         if below >= 0.0 {

@@ -323,7 +323,7 @@ impl Record {
     /// looking down the hole; none if it never touched.
     pub fn climb_rad(&self, index: usize) -> Option<f64> {
         let (up, right) = (self.mean_of(index, |s| &s.up), self.mean_of(index, |s| &s.right));
-        (up != 0.0 || right != 0.0).then(|| right.atan2(-up))
+        (up != 0.0 || right != 0.0).then(|| libm::atan2(right, -up))
     }
     /// Mean axial friction of a node on the wall, N, along the hole.
     pub fn axial(&self, index: usize) -> f64 {

@@ -48,7 +48,7 @@ fn new_run(model: &Model, operation: &Operation, settings: &DynamicsSettings) ->
 }
 
 /// Whatever the processor, the string moves the same: instruction sets of different width to the
-/// last bit; the baseline, which rounds products, within 1e-6. A string that settles amplifies
+/// last bit of all that it is; the baseline, which rounds products, within 1e-6. A string that settles amplifies
 /// differences of 1e-16 in its first second, most where friction lets nodes stick, and forgets them
 /// then; what is computed wrongly stays.
 #[test]
@@ -75,18 +75,39 @@ fn every_instruction_set_moves_the_string_alike() {
                     let instructions = stepper.instructions;
                     let mut simulation = Run { stepper, ..initial.clone() };
                     simulation.advance(5.0).unwrap();
-                    (instructions, simulation.outcome())
+                    let state = postcard::to_allocvec(&simulation.chain).expect("plain data");
+                    (instructions, simulation.outcome(), state)
                 })
                 .collect();
-        let (_, first) = &outcomes[0];
+        let (_, first, whole_state) = &outcomes[0];
         assert_eq!(first.numerics.instructions, initial.stepper.instructions);
-        for (name, outcome) in &outcomes[1..] {
+        for (name, outcome, state) in &outcomes[1..] {
+            assert!(*name == "baseline" || state == whole_state, "{name}");
             let gap = |of: fn(&DynamicOutcome) -> f64| (of(outcome) / of(first) - 1.0).abs();
             let hook = gap(|o| o.scalars.hook_load_N);
             let torque = gap(|o| o.scalars.friction_torque_N_m);
             let tolerance = if *name == "baseline" { 1e-6 } else { 0.0 };
             assert!(hook <= tolerance && torque <= tolerance, "{name}: {hook:e}, {torque:e}");
         }
+    }
+}
+
+/// The same in single precision, which has twice as many lanes.
+#[test]
+fn every_width_moves_singles_alike() {
+    let settings = DynamicsSettings { settle_s: 1.0, duration_s: 1.0, ..Default::default() };
+    let executor = RockExecutor::default();
+    let initial: Run<f32> =
+        Run::new(&model(0.3), &REAM, &settings, executor).expect("a sound case");
+    let moved = |stepper: Stepper<f32>| {
+        let name = stepper.instructions;
+        let mut run = Run { stepper, ..initial.clone() };
+        run.advance(2.0).expect("no divergence");
+        (name, postcard::to_allocvec(&run.chain).expect("plain data"))
+    };
+    let moved: Vec<_> = Stepper::all(initial.abilities).into_iter().map(moved).collect();
+    for (name, state) in &moved {
+        assert!(*name == "baseline" || *state == moved[0].1, "{name}");
     }
 }
 

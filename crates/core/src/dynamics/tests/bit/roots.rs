@@ -12,7 +12,7 @@
 //! with the delay `2π/(n ω₀)` under the tilde. The wear flats' part is constant while the bit goes
 //! down.
 
-use nalgebra::Complex;
+use nalgebra::{Complex, ComplexField};
 
 type Number = Complex<f64>;
 
@@ -67,12 +67,12 @@ impl Drilling {
             let slope = (self.characteristic(s + h) - self.characteristic(s - h)) / (2.0 * h);
             let step = f / slope;
             s -= step;
-            if s.norm().is_nan() || s.norm() > 100.0 {
+            if s.modulus().is_nan() || s.modulus() > 100.0 {
                 return None;
             }
-            if step.norm() < 1e-12 {
+            if step.modulus() < 1e-12 {
                 // Zero itself is a root of the undivided equation only.
-                return (s.norm() > 1e-6).then_some(s);
+                return (s.modulus() > 1e-6).then_some(s);
             }
         }
         None

@@ -1,6 +1,6 @@
 //! The linear map of a coupled step in one dimension, by itself: no outside eigenvalue.
 
-use nalgebra::DMatrix;
+use nalgebra::{ComplexField, DMatrix};
 
 /// A chain that moves in one dimension, along or about its axis: held at the top, ordinary elements
 /// above the border, a buffer of them below, and short ones, all at the limits of their steps.
@@ -91,7 +91,7 @@ impl Line {
                 map[(n + row, column)] = v[row];
             }
         }
-        map.complex_eigenvalues().iter().map(|e| e.norm()).fold(0.0, f64::max)
+        map.complex_eigenvalues().iter().map(|e| e.modulus()).fold(0.0, f64::max)
     }
 }
 

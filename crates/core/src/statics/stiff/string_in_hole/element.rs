@@ -83,8 +83,8 @@ pub(super) fn bend(elements: &mut [Element], model: &Model, mesh: &Mesh, high_ra
     for span in model.string.spans() {
         let Some(bend) = span.component.bend else { continue };
         let index = mesh.nearest_inner_node(span.from_bit_m + bend.from_lower_end_m);
-        let (sine, cosine) = (high_rad + bend.toolface_rad).sin_cos();
-        let (across, along) = bend.angle_rad.sin_cos();
+        let (sine, cosine) = libm::sincos(high_rad + bend.toolface_rad);
+        let (across, along) = libm::sincos(bend.angle_rad);
         elements[index].bend = Some(Vector3::new(across * cosine, across * sine, along));
     }
 }

@@ -87,6 +87,6 @@ impl StringInHole {
 pub(super) fn high_side_rad(model: &Model, nodes: &[Node]) -> f64 {
     nodes.last().map_or(0.0, |bit| {
         let high = model.well.path.high_side_of(bit.md_m, &bit.axes[2]);
-        high.dot(&bit.axes[1]).atan2(high.dot(&bit.axes[0]))
+        libm::atan2(high.dot(&bit.axes[1]), high.dot(&bit.axes[0]))
     })
 }

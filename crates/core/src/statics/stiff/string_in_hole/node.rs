@@ -47,7 +47,7 @@ impl Node {
 
     /// A direction across the hole by its parts along the node's two axes.
     pub(super) fn across(&self, angle_rad: f64) -> Vector3<f64> {
-        let (sine, cosine) = angle_rad.sin_cos();
+        let (sine, cosine) = libm::sincos(angle_rad);
         self.axes[0] * cosine + self.axes[1] * sine
     }
 }

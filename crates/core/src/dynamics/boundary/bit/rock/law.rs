@@ -54,7 +54,7 @@ impl RockLaw {
             radius_m: 0.5 * diameter_m,
             core_radius_m: 0.5 * core_m,
             intrinsic_specific_energy_Pa: self.drilling.block.rock.ucs_Pa(),
-            cutter_inclination: (rake_rad + friction.atan()).tan(),
+            cutter_inclination: libm::tan(rake_rad + libm::atan(friction)),
             wear_flat_m: 0.0,
             contact_strength_Pa: 0.0,
             bit_geometry: 1.0,

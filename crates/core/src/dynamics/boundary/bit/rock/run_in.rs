@@ -143,7 +143,7 @@ fn press(
     executor: &RockExecutor,
 ) -> Result<(), SetupError> {
     // Decay of a dashpot alone over a step, exact.
-    let left = (-PRESSING_DAMPING_PER_S * STEP_S).exp();
+    let left = libm::exp(-PRESSING_DAMPING_PER_S * STEP_S);
     for step in 1..=(PRESSING_S / STEP_S) as usize {
         check_running(executor)?;
         let weight_N = standing.weight_N * (step as f64 * STEP_S / GROWING_S).min(1.0);

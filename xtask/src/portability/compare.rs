@@ -1,0 +1,63 @@
+//! Where the files of two machines differ, and by how much.
+
+use super::numbers::Numbers;
+
+/// What a run says of the machine that it ran on.
+const OF_THE_MACHINE: [&str; 3] = ["\"instructions\"", "\"wall_time_s\"", "\"real_time_factor\""];
+
+/// Prints for each file that differs how much does; whether none did.
+pub(super) fn report(here: &Numbers, there: &Numbers) -> bool {
+    let mut differing = 0;
+    for name in here.keys().chain(there.keys().filter(|name| !here.contains_key(*name))) {
+        let difference = match (here.get(name), there.get(name)) {
+            (Some(here), Some(there)) => difference(here, there),
+            (Some(_), None) => Some("is not there".into()),
+            _ => Some("is there alone".into()),
+        };
+        if let Some(difference) = difference {
+            differing += 1;
+            println!("  {name} {difference}");
+        }
+    }
+    println!("  {} of {} files are the same to the last bit", here.len() - differing, here.len());
+    differing == 0
+}
+
+/// How a file differs; none where it is the same.
+fn difference(here: &[u8], there: &[u8]) -> Option<String> {
+    if here == there {
+        return None;
+    }
+    let (Ok(here), Ok(there)) = (std::str::from_utf8(here), std::str::from_utf8(there)) else {
+        return Some("differs".into());
+    };
+    let words = |text: &'_ str| -> Vec<(usize, String)> {
+        let lines = text.lines().enumerate();
+        let lines = lines.filter(|(_, line)| !OF_THE_MACHINE.iter().any(|of| line.contains(of)));
+        let split = |(place, line): (usize, &str)| {
+            let parts: Vec<_> = line.split([',', ' ', '[', ']', '{', '}', ':']).collect();
+            parts.into_iter().map(move |part| (place + 1, part.to_owned())).collect::<Vec<_>>()
+        };
+        lines.flat_map(split).collect()
+    };
+    let (here, there) = (words(here), words(there));
+    if here.len() != there.len() {
+        return Some("has other words".into());
+    }
+    let pairs = here.iter().zip(&there).filter(|((_, a), (_, b))| a != b).map(|(a, b)| {
+        let apart = match (a.1.parse::<f64>(), b.1.parse::<f64>()) {
+            (Ok(x), Ok(y)) => (x - y).abs() / x.abs().max(y.abs()),
+            _ => f64::INFINITY,
+        };
+        (a, b, apart)
+    });
+    let pairs: Vec<_> = pairs.collect();
+    let ((line, a), (_, b), apart) = *pairs.first()?;
+    let most = pairs.iter().map(|(_, _, apart)| *apart).fold(0.0, f64::max);
+    Some(format!(
+        "differs in {} of {} numbers, first in line {line}: {a} here, {b} there ({apart:.1e}); the \
+         farthest are {most:.1e} apart",
+        pairs.len(),
+        here.len()
+    ))
+}
