@@ -1,3 +1,6 @@
+//! Memory under attack, as Linux counts it.
+#![cfg(target_os = "linux")]
+
 mod common;
 
 use std::{fs, io::Write, net::TcpStream};

@@ -19,7 +19,7 @@ pub(super) fn report(here: &Numbers, there: &Numbers) -> bool {
             println!("  {name} {difference}");
         }
     }
-    println!("  {} of {} files are the same to the last bit", here.len() - differing, here.len());
+    println!("  {differing} of {} files are not the same to the last bit", here.len());
     differing == 0
 }
 

@@ -63,8 +63,7 @@ const ELSEWHERE: [&str; 7] = [
 ];
 
 /// Files whose commands take minutes: their cases are checked, and run by `cargo xtask shown --all`.
-const MINUTES: [&str; 3] =
-    ["cases/rock-300.toml", "studies/full-hole-system-dynamics.toml", "studies/three-models.toml"];
+const MINUTES: [&str; 2] = ["cases/rock-300.toml", "studies/full-hole-system-dynamics.toml"];
 
 /// All but what takes minutes.
 pub(crate) fn quick() -> Result<Finding, Failure> {

@@ -1,10 +1,10 @@
 //! Cases get another name, a copy, or go.
 
-use std::{fs, os::unix::fs::symlink};
+use std::fs;
 
 use serde_json::{Value, json};
 
-use crate::common::{CASE, Served};
+use crate::common::{CASE, Served, symlink};
 
 fn path(served: &Served, shown: &str) -> String {
     format!("/api/cases/{}", served.id(shown))

@@ -1,10 +1,10 @@
 //! Nothing leaves the folder.
 
-use std::{fs, os::unix::fs::symlink};
+use std::fs;
 
 use serde_json::json;
 
-use crate::common::{CASE, Served};
+use crate::common::{CASE, Served, symlink};
 
 const STATIONS: &str =
     "stations = [[\"0 m\", \"0 deg\", \"0 deg\"], [\"1000 m\", \"30 deg\", \"0 deg\"]]";

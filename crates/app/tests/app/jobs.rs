@@ -4,14 +4,13 @@ use std::{
     fs,
     io::{BufRead, BufReader, Write},
     net::TcpStream,
-    os::unix::fs::symlink,
     path::Path,
     time::{Duration, Instant},
 };
 
 use serde_json::{Value, json};
 
-use crate::common::{CASE, Served};
+use crate::common::{CASE, Served, symlink};
 
 /// A vertical well that dynamics solve for so long, with a checkpoint whenever one may be written.
 fn dynamic(duration: &str) -> String {

@@ -1,10 +1,10 @@
 //! What lies in the folder of results, and how it is served.
 
-use std::{fs, os::unix::fs::symlink};
+use std::fs;
 
 use serde_json::{Value, json};
 
-use crate::common::Served;
+use crate::common::{Served, symlink};
 
 const PAGE: &str = "<!doctype html><meta name=\"generator\" content=\"wholestring 9.9.9\">";
 
