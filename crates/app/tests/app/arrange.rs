@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::{Value, json};
 
-use crate::common::{CASE, Served, symlink};
+use crate::common::{CASE, Served, link::symlink};
 
 fn path(served: &Served, shown: &str) -> String {
     format!("/api/cases/{}", served.id(shown))

@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::json;
 
-use crate::common::{CASE, Served, symlink};
+use crate::common::{CASE, Served, link::symlink};
 
 const STATIONS: &str =
     "stations = [[\"0 m\", \"0 deg\", \"0 deg\"], [\"1000 m\", \"30 deg\", \"0 deg\"]]";

@@ -10,7 +10,7 @@ use std::{
 
 use serde_json::{Value, json};
 
-use crate::common::{CASE, Served, symlink};
+use crate::common::{CASE, Served, link::symlink};
 
 /// A vertical well that dynamics solve for so long, with a checkpoint whenever one may be written.
 fn dynamic(duration: &str) -> String {

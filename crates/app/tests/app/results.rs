@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::{Value, json};
 
-use crate::common::{Served, symlink};
+use crate::common::{Served, link::symlink};
 
 const PAGE: &str = "<!doctype html><meta name=\"generator\" content=\"wholestring 9.9.9\">";
 

@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "not every test binary needs all of it")]
 
 mod client;
-mod link;
+pub mod link;
 
 use std::{fs, path::Path, thread::JoinHandle};
 
@@ -11,7 +11,6 @@ use serde_json::Value;
 use wholestring_app::{Options, Server, Stop};
 
 pub use client::{Answer, exchange, read_answer};
-pub use link::symlink;
 
 /// A case that is sound.
 pub const CASE: &str = r#"# A slant well.
