@@ -198,6 +198,7 @@ def of_cases(found: Targets, case: ws.Case) -> None:
     found.plain(30, 1, "Case.with_", case.with_)
     found.plain(10, 0, "Case.example", ws.Case.example)
     found.plain(10, 0, "Case.to_toml", case.to_toml)
+    found.plain(10, 0, "Case.well_path", case.well_path)
     found.keywords(20, "Case.check", case.check)
     found.keywords(20, "Case.soft", case.soft)
     found.keywords(20, "Case.stiff", case.stiff)
