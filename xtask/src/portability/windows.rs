@@ -4,7 +4,7 @@ use std::{ffi::OsString, fs, path::PathBuf, process::Command};
 
 use crate::{
     command::{Failure, run},
-    folders::target,
+    folders::{root, target},
 };
 
 /// Debian keeps it out of the way of its 32-bit twin.
@@ -35,6 +35,8 @@ pub(super) fn environment() -> Vec<(String, OsString)> {
         ("WINEPREFIX".into(), prefix().into()),
         ("WINEDEBUG".into(), "-all".into()),
         ("WINEDLLOVERRIDES".into(), "mscoree,mshtml,winemenubuilder.exe=".into()),
+        // Tests would ask cargo, which is none of Windows' here.
+        ("INSTA_WORKSPACE_ROOT".into(), root().into()),
         ("TMP".into(), temporary.clone().into()),
         ("TEMP".into(), temporary.into()),
     ]

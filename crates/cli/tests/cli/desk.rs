@@ -127,15 +127,17 @@ pub(crate) fn args(text: &str) -> Vec<&str> {
     arguments.collect::<Vec<_>>().concat()
 }
 
+/// What was printed, with line ends and paths the same on every system.
+pub(crate) fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec())
+        .unwrap()
+        .replace("\r\n", "\n")
+        .replace('\\', "/")
+        .replace("wholestring.exe", "wholestring")
+}
+
 /// Exit status and everything printed, for snapshots; the same on every system.
 pub(crate) fn transcript(output: &Output) -> String {
-    let text = |bytes: &[u8]| {
-        String::from_utf8(bytes.to_vec())
-            .unwrap()
-            .replace("\r\n", "\n")
-            .replace('\\', "/")
-            .replace("wholestring.exe", "wholestring")
-    };
     format!(
         "exit status {}\n--- standard output\n{}--- standard error\n{}",
         output.status.code().unwrap(),

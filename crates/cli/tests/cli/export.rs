@@ -2,11 +2,7 @@
 
 use std::fs;
 
-use crate::desk::{Desk, args, transcript};
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
+use crate::desk::{Desk, args, text, transcript};
 
 #[test]
 fn a_run_as_csv_excel_and_witsml() {

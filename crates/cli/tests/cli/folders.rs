@@ -5,13 +5,12 @@ use std::{collections::BTreeSet, fs, path::Path, process::Output};
 
 use crate::{
     bit_test,
-    desk::{Desk, args},
+    desk::{Desk, args, text},
 };
 
 const SOFT: [&str; 2] = ["--set", "model=soft"];
 
 fn words(output: &Output) -> (i32, String, String) {
-    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap().replace('\\', "/");
     let status = output.status.code().unwrap();
     (status, text(&output.stdout), text(&output.stderr))
 }

@@ -4,7 +4,7 @@ use std::{collections::BTreeSet, fs};
 
 use insta::assert_snapshot;
 
-use crate::desk::{Desk, args, transcript};
+use crate::desk::{Desk, args, text, transcript};
 
 const SOFT: [&str; 2] = ["--set", "model=soft"];
 
@@ -44,10 +44,7 @@ fn a_run_is_drawn() {
     run(&desk, "out", &more);
     let output = desk.done(&["plot", "out", "--units", "field", "--png"]);
     let names = files(&desk, "out/plots");
-    assert_eq!(
-        String::from_utf8(output.stdout).unwrap(),
-        format!("{} pictures in out/plots\n", names.len() / 2)
-    );
+    assert_eq!(text(&output.stdout), format!("{} pictures in out/plots\n", names.len() / 2));
     let list: Vec<&str> = names.iter().map(String::as_str).collect();
     assert_snapshot!("names_of_a_run", list.join("\n"));
     for name in names.iter().filter(|name| name.ends_with(".svg")) {
@@ -91,7 +88,7 @@ fn two_runs_stand_on_the_same_axes() {
     let second = ["--set", "friction=0.4", "--set", r#"name="Rough & ready""#];
     run(&desk, "second", &second);
     let output = desk.done(&["plot", "first", "second"]);
-    let told = String::from_utf8(output.stdout).unwrap();
+    let told = text(&output.stdout);
     assert!(told.ends_with("pictures in first/plots-second\n"), "{told}");
     // Each operation has its own.
     for operation in ["trip-out", "rotate-off-bottom"] {
@@ -125,7 +122,7 @@ fn a_sweep_is_drawn_and_reported() {
     }
     fs::remove_file(desk.path("sweep/report.html")).unwrap();
     let output = desk.run(&["report", "sweep"]);
-    assert_eq!(output.stdout, b"sweep/report.html\n");
+    assert_eq!(text(&output.stdout), "sweep/report.html\n");
     assert!(page == desk.text("sweep/report.html"));
 
     desk.done(&["plot", "sweep", "--units", "field"]);

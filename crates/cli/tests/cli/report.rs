@@ -5,7 +5,7 @@ use std::fs;
 use wholestring_report::{Cell, Place, Report};
 use wholestring_results::{Finding, Level};
 
-use crate::desk::{Desk, args};
+use crate::desk::{Desk, args, text};
 
 /// The report that stands in a page.
 fn read(page: &str) -> Report {
@@ -25,7 +25,7 @@ fn a_run_writes_it_and_report_makes_it_again() {
     let page = fs::read_to_string(&path).unwrap();
     fs::remove_file(&path).unwrap();
     let output = desk.done(&["report", "out"]);
-    let told = String::from_utf8(output.stdout).unwrap();
+    let told = text(&output.stdout);
     assert_eq!(told.trim_end(), "out/report.html");
     assert!(fs::read_to_string(&path).unwrap() == page, "the same page");
 
@@ -195,6 +195,6 @@ fn a_damaged_folder_is_refused() {
     fs::write(desk.path("out/nodes.parquet"), "not a table").unwrap();
     let output = desk.run(&["report", "out"]);
     assert_eq!(output.status.code(), Some(2));
-    let told = String::from_utf8(output.stderr).unwrap();
+    let told = text(&output.stderr);
     assert!(told.starts_with("error: out/nodes.parquet is not a file of results: "), "{told}");
 }

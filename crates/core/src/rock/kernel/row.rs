@@ -68,6 +68,7 @@ impl Pulls {
 }
 
 /// Sums of a row, lane by lane.
+#[derive(Clone, Copy)]
 struct Books<N> {
     plastic: N,
     viscous: N,
@@ -94,7 +95,9 @@ pub unsafe fn work<N: Number<Real = f64>>(
     if left.iter().all(|&left| left == 0) {
         return false;
     }
-    let mut books = Books { plastic: N::zero(), viscous: N::zero(), least: N::splat(1.0) };
+    let empty = Books { plastic: N::zero(), viscous: N::zero(), least: N::splat(1.0) };
+    // By the register's place in a group: sums are then the same, however wide it is.
+    let mut books = [empty; GROUP];
     let nodes = grid.node([0, j, k]);
     for (group, &left) in left.iter().enumerate() {
         for lane in lanes::<N>() {
@@ -110,7 +113,7 @@ pub unsafe fn work<N: Number<Real = f64>>(
                         row + at,
                         at,
                         out,
-                        &mut books,
+                        &mut books[lane / N::WIDTH],
                     );
                 } else {
                     for corner in 0..8 {
@@ -122,22 +125,26 @@ pub unsafe fn work<N: Number<Real = f64>>(
             }
         }
     }
+    let of_all = |part: fn(&Books<N>) -> N| in_lanes(books.each_ref().map(part));
     let (plastic, viscous, least) =
-        (in_lanes(books.plastic), in_lanes(books.viscous), in_lanes(books.least));
+        (of_all(|of| of.plastic), of_all(|of| of.viscous), of_all(|of| of.least));
     // SAFETY: the book of this row.
     let book: &mut RowBook = unsafe { &mut *fields.books.add(k * grid.element_rows() + j) };
     book.plastic_J += constants.volume_m3 * plastic.iter().sum::<f64>();
     book.viscous_J += viscous.iter().sum::<f64>();
-    book.min_intact = least.into_iter().take(N::WIDTH).fold(1.0, f64::min);
+    book.min_intact = least.into_iter().fold(1.0, f64::min);
     true
 }
 
+/// The lanes of a group's registers.
 #[inline(always)]
-fn in_lanes<N: Number<Real = f64>>(register: N) -> [f64; GROUP] {
-    let mut lanes = [0.0; GROUP];
-    // SAFETY: no register is wider than a group.
-    unsafe { register.store(lanes.as_mut_ptr()) };
-    lanes
+fn in_lanes<N: Number<Real = f64>>(registers: [N; GROUP]) -> [f64; GROUP] {
+    let mut all = [0.0; GROUP];
+    for (lane, register) in lanes::<N>().zip(registers) {
+        // SAFETY: a group is a multiple of the register's lanes.
+        unsafe { register.store(all.as_mut_ptr().add(lane)) };
+    }
+    all
 }
 
 /// A field at the corners of elements.
