@@ -6,8 +6,9 @@ use std::f64::consts::{PI, TAU};
 pub(crate) enum Fourier {
     /// A power of two.
     Halved(Halved),
-    /// Another length, as a convolution with a chirp (L. I. Bluestein, *A linear filtering approach to
-    /// the computation of discrete Fourier transform*, IEEE Trans. Audio Electroacoust. 18, 1970).
+    /// Another length, as a convolution with a chirp (L. I. Bluestein, *A linear filtering approach
+    /// to the computation of discrete Fourier transform*, IEEE Trans. Audio Electroacoust. 18,
+    /// 1970).
     Chirped {
         /// `exp(−πi j²/n)`: real and imaginary parts.
         chirp: [Vec<f64>; 2],
@@ -70,8 +71,8 @@ fn product([a, b]: [f64; 2], [c, d]: [f64; 2]) -> (f64, f64) {
     (a * c - b * d, a * d + b * c)
 }
 
-/// The transform of a power of two, halved again and again (J. W. Cooley, J. W. Tukey, *An algorithm for
-/// the machine calculation of complex Fourier series*, Math. Comp. 19, 1965).
+/// The transform of a power of two, halved again and again (J. W. Cooley, J. W. Tukey, *An
+/// algorithm for the machine calculation of complex Fourier series*, Math. Comp. 19, 1965).
 pub(crate) struct Halved {
     length: usize,
     /// `exp(−2πi j/n)` for the first half of the circle.

@@ -48,9 +48,9 @@ fn new_run(model: &Model, operation: &Operation, settings: &DynamicsSettings) ->
 }
 
 /// Whatever the processor, the string moves the same: instruction sets of different width to the
-/// last bit of all that it is; the baseline, which rounds products, within 1e-6. A string that settles amplifies
-/// differences of 1e-16 in its first second, most where friction lets nodes stick, and forgets them
-/// then; what is computed wrongly stays.
+/// last bit of all that it is; the baseline, which rounds products, within 1e-6. A string that
+/// settles amplifies differences of 1e-16 in its first second, most where friction lets nodes
+/// stick, and forgets them then; what is computed wrongly stays.
 #[test]
 fn every_instruction_set_moves_the_string_alike() {
     for (hertz, friction_law, at_rest) in [
