@@ -3,7 +3,7 @@
 
 pub use crate::{
     dynamics::kernel_speed::{KernelAccess, instruction_sets},
-    simd::{counted::Flops, number::Fused},
+    simd::counted::Flops,
     wall::{
         friction::{independent, vector},
         normal_force::{hertz, linear},

@@ -26,7 +26,7 @@ pub type Avx2<R> = <R as Registers>::Ymm;
 pub type Baseline<R> = <R as Registers>::Xmm;
 /// What it computes with in code for every processor of the target.
 #[cfg(target_arch = "aarch64")]
-pub type Baseline<R> = Pair<<R as Registers>::Fused>;
+pub type Baseline<R> = Pair<<R as Registers>::Scalar>;
 /// What it computes with in code for every processor of the target.
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 pub type Baseline<R> = <R as Registers>::V128;
@@ -39,15 +39,15 @@ pub type Baseline<R> = <R as Registers>::V128;
 pub type Baseline<R> = Pair<R>;
 
 /// Expands a macro once for each instruction set of the target, with the name of a module, the type
-/// of this file that its code computes with, whether a multiplication with addition is one
-/// instruction of it, and the features that it is compiled with, if it needs any.
+/// of this file that its code computes with and
+/// the features that it is compiled with, if it needs any.
 macro_rules! for_each_instruction_set {
     ($compile:ident) => {
         #[cfg(target_arch = "x86_64")]
-        $compile!(avx512, Avx512, true, "avx512f,avx512dq,avx512vl,avx2,fma");
+        $compile!(avx512, Avx512, "avx512f,avx512dq,avx512vl,avx2,fma");
         #[cfg(target_arch = "x86_64")]
-        $compile!(avx2, Avx2, true, "avx2,fma");
-        $compile!(baseline, Baseline, cfg!(target_arch = "aarch64"));
+        $compile!(avx2, Avx2, "avx2,fma");
+        $compile!(baseline, Baseline);
     };
 }
 
@@ -92,3 +92,54 @@ macro_rules! with_fastest_instruction_set {
 pub(crate) use {
     available_instruction_sets, for_each_instruction_set, with_fastest_instruction_set,
 };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simd::number::{Number, Real};
+
+    /// `(1 + ε)(1 − ε) − 1`, and its negative: ε² where the product is not rounded, else zero.
+    #[inline(always)]
+    fn kept<N: Number>(epsilon: f64) -> [f64; 2] {
+        let [plus, minus, one] = [1.0 + epsilon, 1.0 - epsilon, 1.0].map(N::splat);
+        [plus.mul_add(minus, -one), plus.neg_mul_add(minus, one)].map(|number| {
+            let mut lanes = vec![N::Real::default(); N::WIDTH];
+            // SAFETY: there is room for the numbers.
+            unsafe { number.store(lanes.as_mut_ptr()) };
+            lanes[0].to_f64()
+        })
+    }
+
+    macro_rules! compiled_for {
+        ($set:ident, $number:ident $(, $features:literal)?) => {
+            mod $set {
+                $(#[target_feature(enable = $features)])?
+                pub(super) fn kept() -> [[f64; 2]; 2] {
+                    let double = super::kept::<super::$number<f64>>(f64::EPSILON);
+                    let single = super::kept::<super::$number<f32>>(f32::EPSILON.into());
+                    [double, single]
+                }
+            }
+        };
+    }
+    for_each_instruction_set!(compiled_for);
+
+    /// Doubles round a product before they add to it, whatever the processor can: that is why a case
+    /// gives the same bits on all of them.
+    #[test]
+    fn doubles_are_fused_nowhere() {
+        macro_rules! entry {
+            ($set:ident, $name:literal) => {
+                ($name, $set::kept as unsafe fn() -> [[f64; 2]; 2])
+            };
+        }
+        for (name, kept) in available_instruction_sets!(entry) {
+            // SAFETY: the processor has what the function is compiled for.
+            let [double, single] = unsafe { kept() };
+            assert_eq!(double, [0.0, 0.0], "{name}");
+            let fused = name != "baseline" || cfg!(target_arch = "aarch64");
+            let square = if fused { f64::from(f32::EPSILON).powi(2) } else { 0.0 };
+            assert_eq!(single, [-square, square], "{name}");
+        }
+    }
+}

@@ -1,7 +1,6 @@
 //! Numbers: what the mechanics is written over, and the processor's registers that hold several of
 //! them.
 
-pub mod apart;
 pub mod counted;
 pub(crate) mod dispatch;
 pub mod lanes;

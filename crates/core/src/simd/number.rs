@@ -99,7 +99,11 @@ impl Real for f32 {
     }
 }
 
-/// A real number, or several side by side, with or without fused multiply-add.
+/// A real number, or several side by side.
+///
+/// Doubles round a product before they add to it: fused multiply-add is not on every processor, and
+/// without it a case gives the same bits on all of them. Singles are there for speed and use it
+/// where it is.
 ///
 /// The mechanics of an element, of a contact and of a node is written once over this trait: a plain
 /// `f64` or `f32` serves tests and the preparation of a run, the registers of a processor the time
@@ -118,6 +122,8 @@ pub trait Number:
     const TINY: f64;
     /// This value, a constant.
     fn splat(value: f64) -> Self;
+    /// Whether a product is added to before it is rounded.
+    const FUSED: bool = false;
     /// How many it is.
     const WIDTH: usize;
     /// From where it is kept.
@@ -132,7 +138,7 @@ pub trait Number:
     unsafe fn store(self, to: *mut Self::Real);
     /// Square root.
     fn sqrt(self) -> Self;
-    /// `self * factor + term`, fused where the processor has it and not otherwise.
+    /// `self * factor + term`: rounded twice, or once where it is [`Self::FUSED`].
     fn mul_add(self, factor: Self, term: Self) -> Self;
     /// Larger of the two.
     fn max(self, other: Self) -> Self;
@@ -181,23 +187,11 @@ impl Doubles for f64 {
     }
 }
 
-impl Doubles for Fused<f64> {
-    #[inline(always)]
-    unsafe fn widen(from: *const f32) -> Self {
-        // SAFETY: the caller's `from` points to a number.
-        unsafe { Self(f64::from(*from)) }
-    }
-    #[inline(always)]
-    unsafe fn narrow(self, to: *mut f32) {
-        // SAFETY: the caller's `to` points to room for a number.
-        unsafe { *to = self.0 as f32 }
-    }
-}
-
 macro_rules! number {
     ($type:ty, $real:ty, $tiny:literal, $of:expr, $get:expr, $fused:literal) => {
         impl Number for $type {
             type Real = $real;
+            const FUSED: bool = $fused;
             const TINY: f64 = $tiny;
             const WIDTH: usize = 1;
             #[inline(always)]
@@ -222,7 +216,7 @@ macro_rules! number {
             #[allow(clippy::disallowed_methods)]
             #[inline(always)]
             fn mul_add(self, factor: Self, term: Self) -> Self {
-                if $fused {
+                if Self::FUSED {
                     $of($get(self).mul_add($get(factor), $get(term)))
                 } else {
                     $of($get(self) * $get(factor) + $get(term))
@@ -248,21 +242,14 @@ macro_rules! number {
     };
 }
 
-/// A real number in code that is compiled for a processor with fused multiply-add. Without one,
+/// A single in code that is compiled for a processor with fused multiply-add. Without one,
 /// `mul_add` is a library call twenty times slower than a multiplication and an addition.
 #[derive(Debug, Clone, Copy)]
-pub struct Fused<R = f64>(R);
-
-impl<R: Real> Fused<R> {
-    /// Its value.
-    pub fn get(self) -> f64 {
-        self.0.to_f64()
-    }
-}
+pub struct Fused(f32);
 
 macro_rules! fused_operator {
     ($trait:ident, $method:ident, $op:tt) => {
-        impl<R: $trait<Output = R>> $trait for Fused<R> {
+        impl $trait for Fused {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
@@ -276,7 +263,7 @@ fused_operator!(Sub, sub, -);
 fused_operator!(Mul, mul, *);
 fused_operator!(Div, div, /);
 
-impl<R: Neg<Output = R>> Neg for Fused<R> {
+impl Neg for Fused {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -286,5 +273,4 @@ impl<R: Neg<Output = R>> Neg for Fused<R> {
 
 number!(f64, f64, 1e-300, |x: f64| x, |x: f64| x, false);
 number!(f32, f32, 1e-36, |x: f32| x, |x: f32| x, false);
-number!(Fused, f64, 1e-300, Fused, |x: Fused| x.0, true);
-number!(Fused<f32>, f32, 1e-36, Fused, |x: Fused<f32>| x.0, true);
+number!(Fused, f32, 1e-36, Fused, |x: Fused| x.0, true);

@@ -13,6 +13,12 @@ const CHAINS: usize = 12;
 /// floating-point operations that was, a multiplication with addition being two.
 #[inline(always)]
 pub fn work<N: Number>(rounds: usize) -> u64 {
+    if N::FUSED { fused::<N>(rounds) } else { side_by_side::<N>(rounds) }
+}
+
+/// A multiplication with addition is one instruction.
+#[inline(always)]
+fn fused<N: Number>(rounds: usize) -> u64 {
     let (factor, term) = (N::splat(black_box(1.0)), N::splat(black_box(0.0)));
     let mut chains = different::<N, CHAINS>();
     for _ in 0..rounds {
@@ -24,10 +30,9 @@ pub fn work<N: Number>(rounds: usize) -> u64 {
     2 * (CHAINS * N::WIDTH * rounds) as u64
 }
 
-/// The same where a multiplication with addition is two instructions: half of the chains multiply,
-/// the others add.
+/// It is two: half of the chains multiply, the others add.
 #[inline(always)]
-pub fn work_apart<N: Number>(rounds: usize) -> u64 {
+fn side_by_side<N: Number>(rounds: usize) -> u64 {
     const HALF: usize = CHAINS / 2;
     let (factor, term) = (N::splat(black_box(1.0)), N::splat(black_box(0.0)));
     let (mut products, mut sums) = (different::<N, HALF>(), different::<N, HALF>());
@@ -75,7 +80,7 @@ mod tests {
     #[test]
     fn the_work_is_what_it_is_said_to_be() {
         type N = Counted<f64>;
-        for work in [work::<N>, work_apart::<N>] {
+        for work in [fused::<N>, side_by_side::<N>] {
             let mut said = 0;
             let done = count(|| said = work(10));
             assert_eq!(said, done.total() - CHAINS as u64);

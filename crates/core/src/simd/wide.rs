@@ -14,8 +14,8 @@ use super::number::{Doubles, Fused, Number, Real};
 /// The operators of a register are safe to write and sound only in such code, so that neither they
 /// nor the ways to them leave this crate.
 pub trait Registers: Real {
-    /// One of them, with fused multiply-add.
-    type Fused: Number<Real = Self>;
+    /// One of them, on a processor that has fused multiply-add.
+    type Scalar: Number<Real = Self>;
     /// A register of AVX-512.
     #[cfg(target_arch = "x86_64")]
     type Zmm: Number<Real = Self>;
@@ -31,7 +31,7 @@ pub trait Registers: Real {
 }
 
 impl Registers for f64 {
-    type Fused = Fused<f64>;
+    type Scalar = Self;
     #[cfg(target_arch = "x86_64")]
     type Zmm = x86::Zmm64;
     #[cfg(target_arch = "x86_64")]
@@ -43,7 +43,7 @@ impl Registers for f64 {
 }
 
 impl Registers for f32 {
-    type Fused = Fused<f32>;
+    type Scalar = Fused;
     #[cfg(target_arch = "x86_64")]
     type Zmm = x86::Zmm32;
     #[cfg(target_arch = "x86_64")]
@@ -58,7 +58,8 @@ impl Registers for f32 {
 #[derive(Debug, Clone, Copy)]
 pub struct Pair<N>(N, N);
 
-/// Whether the processor has what code for AVX2 is compiled for: AVX2 and fused multiply-add.
+/// Whether the processor has what code for AVX2 is compiled for: AVX2, and fused multiply-add for
+/// singles.
 #[cfg(target_arch = "x86_64")]
 pub fn has_avx2() -> bool {
     is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
@@ -99,6 +100,7 @@ impl<N: Number> Neg for Pair<N> {
 
 impl<N: Number> Number for Pair<N> {
     type Real = N::Real;
+    const FUSED: bool = N::FUSED;
     const WIDTH: usize = 2 * N::WIDTH;
     const TINY: f64 = N::TINY;
     #[inline(always)]
@@ -199,7 +201,7 @@ mod x86 {
             $(#[$doc:meta])* $name:ident, $register:ty, $real:ty, $width:literal, $tiny:literal,
             $set1:ident, $load:ident, $store:ident,
             $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident, $max:ident, $min:ident,
-            |$a:ident, $b:ident, $c:ident| $fma:expr, $fnma:expr, |$x:ident, $then:ident, $otherwise:ident| $select:expr,
+            $fused:literal, |$a:ident, $b:ident, $c:ident| $fma:expr, $fnma:expr, |$x:ident, $then:ident, $otherwise:ident| $select:expr,
             |$any_x:ident| $any:expr
         ) => {
             $(#[$doc])*
@@ -223,6 +225,7 @@ mod x86 {
 
             impl Number for $name {
                 type Real = $real;
+                const FUSED: bool = $fused;
                 const WIDTH: usize = $width;
                 const TINY: f64 = $tiny;
                 #[inline(always)]
@@ -288,7 +291,7 @@ mod x86 {
         Zmm64, __m512d, f64, 8, 1e-300,
         _mm512_set1_pd, _mm512_loadu_pd, _mm512_storeu_pd,
         _mm512_add_pd, _mm512_sub_pd, _mm512_mul_pd, _mm512_div_pd, _mm512_sqrt_pd, _mm512_max_pd, _mm512_min_pd,
-        |a, b, c| _mm512_fmadd_pd(a, b, c), _mm512_fnmadd_pd(a, b, c),
+        false, |a, b, c| _mm512_add_pd(_mm512_mul_pd(a, b), c), _mm512_sub_pd(c, _mm512_mul_pd(a, b)),
         |x, then, otherwise| {
             let mask = _mm512_cmp_pd_mask::<_CMP_GT_OQ>(x, _mm512_setzero_pd());
             _mm512_mask_blend_pd(mask, otherwise, then)
@@ -300,7 +303,7 @@ mod x86 {
         Zmm32, __m512, f32, 16, 1e-36,
         _mm512_set1_ps, _mm512_loadu_ps, _mm512_storeu_ps,
         _mm512_add_ps, _mm512_sub_ps, _mm512_mul_ps, _mm512_div_ps, _mm512_sqrt_ps, _mm512_max_ps, _mm512_min_ps,
-        |a, b, c| _mm512_fmadd_ps(a, b, c), _mm512_fnmadd_ps(a, b, c),
+        true, |a, b, c| _mm512_fmadd_ps(a, b, c), _mm512_fnmadd_ps(a, b, c),
         |x, then, otherwise| {
             let mask = _mm512_cmp_ps_mask::<_CMP_GT_OQ>(x, _mm512_setzero_ps());
             _mm512_mask_blend_ps(mask, otherwise, then)
@@ -308,11 +311,11 @@ mod x86 {
         |x| _mm512_cmp_ps_mask::<_CMP_GT_OQ>(x, _mm512_setzero_ps()) != 0
     );
     register!(
-        /// Four `f64`: AVX2 with FMA.
+        /// Four `f64`: AVX2.
         Ymm64, __m256d, f64, 4, 1e-300,
         _mm256_set1_pd, _mm256_loadu_pd, _mm256_storeu_pd,
         _mm256_add_pd, _mm256_sub_pd, _mm256_mul_pd, _mm256_div_pd, _mm256_sqrt_pd, _mm256_max_pd, _mm256_min_pd,
-        |a, b, c| _mm256_fmadd_pd(a, b, c), _mm256_fnmadd_pd(a, b, c),
+        false, |a, b, c| _mm256_add_pd(_mm256_mul_pd(a, b), c), _mm256_sub_pd(c, _mm256_mul_pd(a, b)),
         |x, then, otherwise| {
             let mask = _mm256_cmp_pd::<_CMP_GT_OQ>(x, _mm256_setzero_pd());
             _mm256_blendv_pd(otherwise, then, mask)
@@ -324,7 +327,7 @@ mod x86 {
         Ymm32, __m256, f32, 8, 1e-36,
         _mm256_set1_ps, _mm256_loadu_ps, _mm256_storeu_ps,
         _mm256_add_ps, _mm256_sub_ps, _mm256_mul_ps, _mm256_div_ps, _mm256_sqrt_ps, _mm256_max_ps, _mm256_min_ps,
-        |a, b, c| _mm256_fmadd_ps(a, b, c), _mm256_fnmadd_ps(a, b, c),
+        true, |a, b, c| _mm256_fmadd_ps(a, b, c), _mm256_fnmadd_ps(a, b, c),
         |x, then, otherwise| {
             let mask = _mm256_cmp_ps::<_CMP_GT_OQ>(x, _mm256_setzero_ps());
             _mm256_blendv_ps(otherwise, then, mask)
@@ -336,7 +339,7 @@ mod x86 {
         Xmm64, __m128d, f64, 2, 1e-300,
         _mm_set1_pd, _mm_loadu_pd, _mm_storeu_pd,
         _mm_add_pd, _mm_sub_pd, _mm_mul_pd, _mm_div_pd, _mm_sqrt_pd, _mm_max_pd, _mm_min_pd,
-        |a, b, c| _mm_add_pd(_mm_mul_pd(a, b), c), _mm_sub_pd(c, _mm_mul_pd(a, b)),
+        false, |a, b, c| _mm_add_pd(_mm_mul_pd(a, b), c), _mm_sub_pd(c, _mm_mul_pd(a, b)),
         |x, then, otherwise| {
             let mask = _mm_cmpgt_pd(x, _mm_setzero_pd());
             _mm_or_pd(_mm_and_pd(mask, then), _mm_andnot_pd(mask, otherwise))
@@ -348,7 +351,7 @@ mod x86 {
         Xmm32, __m128, f32, 4, 1e-36,
         _mm_set1_ps, _mm_loadu_ps, _mm_storeu_ps,
         _mm_add_ps, _mm_sub_ps, _mm_mul_ps, _mm_div_ps, _mm_sqrt_ps, _mm_max_ps, _mm_min_ps,
-        |a, b, c| _mm_add_ps(_mm_mul_ps(a, b), c), _mm_sub_ps(c, _mm_mul_ps(a, b)),
+        false, |a, b, c| _mm_add_ps(_mm_mul_ps(a, b), c), _mm_sub_ps(c, _mm_mul_ps(a, b)),
         |x, then, otherwise| {
             let mask = _mm_cmpgt_ps(x, _mm_setzero_ps());
             _mm_or_ps(_mm_and_ps(mask, then), _mm_andnot_ps(mask, otherwise))

@@ -2,14 +2,9 @@
 //! takes.
 
 use nalgebra::{Rotation3, Unit, Vector3};
-use wholestring::{
-    internals::Fused,
-    rod::{
-        element::{Pose, Reaction, Stiffness, energy, react, shear_factor},
-        number::Number,
-        section::Section,
-        vector::Vector,
-    },
+use wholestring::rod::{
+    element::{Pose, Reaction, Stiffness, energy, react, shear_factor},
+    section::Section,
 };
 
 use crate::{common::assert_close, plane::at_rest, random::Random};
@@ -328,48 +323,6 @@ fn a_bent_pipe_that_whirls_rigidly_loses_next_to_nothing() {
     let by_hand = 1e-5 * k.bending * (w[1] - w[0]).norm_squared();
     assert_close("loss", loss, by_hand, 1e-6);
     assert!(loss < 1e-2, "{loss}");
-}
-
-/// Fused or not, the same mechanics: rounding of the largest terms apart.
-#[test]
-fn fused_arithmetic_gives_the_same_forces() {
-    let k = Stiffness::new(&pipe(), LENGTH_M);
-    let f = |x: f64| <Fused as Number>::splat(x);
-    let v = |Vector(x, y, z): Vector<f64>| Vector(f(x), f(y), f(z));
-    let fused_k = Stiffness {
-        length: f(k.length),
-        axial: f(k.axial),
-        bending_far: f(k.bending_far),
-        half_bow_near: f(k.half_bow_near),
-        bow_far: f(k.bow_far),
-        twist: f(k.twist),
-        bending: f(k.bending),
-    };
-    let mut random = Random(9);
-    for _ in 0..100 {
-        let p = Ends::random(&mut random).pose();
-        let q = Pose {
-            anchor_chord: v(p.anchor_chord),
-            anchor_excess: f(p.anchor_excess),
-            displacement: v(p.displacement),
-            velocity: v(p.velocity),
-            d1: v(p.d1),
-            d2: v(p.d2),
-            w1: v(p.w1),
-            w2: v(p.w2),
-            spin: f(p.spin),
-            twist: f(p.twist),
-        };
-        let plain = react(&k, &p, 1e-4, 1e-5);
-        let fused = react(&fused_k, &q, f(1e-4), f(1e-5));
-        let rounding = 1e-14 * k.axial * k.length;
-        assert!((plain.force.0 - fused.force.0.get()).abs() < rounding);
-        let (d1, d2) = (plain.moment1(p.d1), plain.moment2(p.d2));
-        let (f1, f2) = (fused.moment1(q.d1), fused.moment2(q.d2));
-        assert!((d1.1 - f1.1.get()).abs() < rounding);
-        assert!((d2.2 - f2.2.get()).abs() < rounding);
-        assert!((plain.torque - fused.torque.get()).abs() < rounding);
-    }
 }
 
 /// Cowper's thin ring, `2(1 + ν)/(4 + 3ν)`, and solid circle, `6(1 + ν)/(7 + 6ν)` (his table 1).

@@ -4,7 +4,7 @@ use std::{borrow::Cow, path::Path};
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use wholestring::rock::{DrillingSpec, Stepper, Trial, TrialOutcome};
+use wholestring::rock::{DrillingSpec, Trial, TrialOutcome};
 use wholestring_results::{BIT_TEST_VERSION, BitTestOutcome, ResultsError, ResultsFolder};
 
 use super::points::Point;
@@ -18,18 +18,12 @@ const FILE: &str = "point.json";
 pub(super) struct PointCheckpoint<'a> {
     /// The point's settings, as JSON.
     settings: String,
-    /// Instruction set that the trial was computed with.
-    pub(super) instructions: String,
     pub(super) trial: Cow<'a, Trial>,
 }
 
 impl<'a> PointCheckpoint<'a> {
-    pub(super) fn new(point: &Point, stepper: &Stepper, trial: &'a Trial) -> Self {
-        Self {
-            settings: point.settings.to_string(),
-            instructions: stepper.instructions.to_owned(),
-            trial: Cow::Borrowed(trial),
-        }
+    pub(super) fn new(point: &Point, trial: &'a Trial) -> Self {
+        Self { settings: point.settings.to_string(), trial: Cow::Borrowed(trial) }
     }
 }
 

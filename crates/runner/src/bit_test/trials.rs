@@ -17,7 +17,7 @@ use super::{
 use crate::{
     batch::{BatchOptions, BatchOutcome, FailedCase},
     cancellation::CancellationToken,
-    checkpoint::{Keeper, other_processor},
+    checkpoint::Keeper,
     clock::Instant,
     observer::{BatchSize, CaseEnded, Observer, Watch},
     output::Existing,
@@ -156,7 +156,7 @@ impl<'a> Trials<'a> {
             progress.reach(trial.time_s(), duration_s, false);
             let interrupted = self.cancellation.is_cancelled();
             if interrupted || keeper.is_due() {
-                let stored = PointCheckpoint::new(point, &self.stepper, &trial);
+                let stored = PointCheckpoint::new(point, &trial);
                 // A point does not end because one checkpoint cannot be written: the next may.
                 if let Err(error) = keeper.write(&stored) {
                     self.observer.warning(&format!("no checkpoint: {error}"));
@@ -184,13 +184,7 @@ impl<'a> Trials<'a> {
     /// none that one can.
     fn begun(&self, point: &Point, folder: &ResultsFolder) -> Option<Trial> {
         match PointCheckpoint::read(folder, point, &self.test.drilling) {
-            Ok(stored) => stored.map(|stored| {
-                let now = self.stepper.instructions;
-                if let Some(warning) = other_processor(&stored.instructions, now) {
-                    self.observer.warning(&warning);
-                }
-                stored.trial.into_owned()
-            }),
+            Ok(stored) => stored.map(|stored| stored.trial.into_owned()),
             Err(reason) => {
                 let name = &point.name;
                 let warning = format!("{name}: {reason}; it begins anew");

@@ -61,14 +61,20 @@ fn first_difference<'a>(
     }
 }
 
-/// What to tell whoever resumes a run on a processor of another kind.
-pub(crate) fn other_processor(then: &str, now: &str) -> Option<String> {
-    (then != now).then(|| {
-        format!(
-            "the run was computed with {then} until now and continues with {now}: as good, but \
-             not the same to the last bit"
-        )
-    })
+/// What to tell whoever resumes a run on a processor that rounds its products otherwise: in single
+/// precision, with fused multiply-add or without.
+pub(crate) fn other_arithmetic(then: bool, now: bool) -> Option<&'static str> {
+    match (then, now) {
+        (true, false) => Some(
+            "the run was computed with fused multiply-add until now and continues without: as \
+             good, but not the same to the last bit",
+        ),
+        (false, true) => Some(
+            "the run was computed without fused multiply-add until now and continues with it: as \
+             good, but not the same to the last bit",
+        ),
+        _ => None,
+    }
 }
 
 #[cfg(test)]
@@ -97,9 +103,11 @@ mod tests {
     }
 
     #[test]
-    fn another_processor_is_told() {
-        assert_eq!(other_processor("AVX2", "AVX2"), None);
-        let note = other_processor("AVX-512", "baseline").unwrap();
-        assert!(note.contains("AVX-512") && note.contains("baseline"), "{note}");
+    fn other_arithmetic_is_told() {
+        for alike in [true, false] {
+            assert_eq!(other_arithmetic(alike, alike), None);
+            let told = other_arithmetic(alike, !alike).unwrap();
+            assert!(told.contains("fused multiply-add until now"), "{told}");
+        }
     }
 }

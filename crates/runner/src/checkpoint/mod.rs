@@ -4,6 +4,6 @@ mod difference;
 mod keeper;
 mod run_checkpoint;
 
-pub(crate) use difference::{difference, is_of, other_processor};
+pub(crate) use difference::{difference, is_of, other_arithmetic};
 pub(crate) use keeper::Keeper;
 pub(crate) use run_checkpoint::{RunCheckpoint, UnderWay};

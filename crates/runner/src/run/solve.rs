@@ -17,7 +17,7 @@ use wholestring_results::{ResultsFolder, Status};
 
 use super::{lift::tune, stop::Stop, way::Way};
 use crate::{
-    checkpoint::{self, Keeper, RunCheckpoint, UnderWay},
+    checkpoint::{Keeper, RunCheckpoint, UnderWay, other_arithmetic},
     clock::Instant,
     observer::Watch,
     pace::Pace,
@@ -193,13 +193,12 @@ fn solve_dynamic(
         }
         (Some(begun), _) => {
             before = Duration::from_secs_f64(begun.wall_time_s);
-            let then = begun.simulation.instructions().to_owned();
+            let then = begun.simulation.is_fused();
             let resumed = Simulation::resume(&case.model, operation, &settings, begun.simulation);
             match resumed {
                 Ok(simulation) => {
-                    let now = simulation.instructions();
-                    if let Some(warning) = checkpoint::other_processor(&then, now) {
-                        way.watch.observer.warning(&warning);
+                    if let Some(warning) = other_arithmetic(then, simulation.is_fused()) {
+                        way.watch.observer.warning(warning);
                     }
                     simulation
                 }

@@ -21,17 +21,17 @@ use crate::{
 /// Everything of a run that changes in time, as plain data; what the model, the operation and the
 /// settings determine is found anew.
 ///
-/// [`Simulation::resume`](crate::dynamics::Simulation::resume) continues from it and ends, on a
-/// processor with the same instructions, with the same bits as the run that was never written to a
-/// checkpoint. One that has just been taken borrows from the run; one that has been read back is
-/// its own.
+/// [`Simulation::resume`](crate::dynamics::Simulation::resume) continues from it and ends with the
+/// same bits as the run that was never written to a checkpoint, in double precision on any
+/// processor, in single on one that [fuses](Self::is_fused) alike. One that has just been taken
+/// borrows from the run; one that has been read back is its own.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Checkpoint<'a> {
     /// In double precision, which holds single precision to the bit.
     chain: Chain,
     state: Cow<'a, State>,
     time_s: f64,
-    instructions: String,
+    is_fused: bool,
 }
 
 /// Why a run cannot be resumed.
@@ -71,13 +71,13 @@ impl Checkpoint<'_> {
             chain: self.chain,
             state: Cow::Owned(self.state.into_owned()),
             time_s: self.time_s,
-            instructions: self.instructions,
+            is_fused: self.is_fused,
         }
     }
 
-    /// Instruction set that the run was computed with; another one rounds products otherwise.
-    pub fn instructions(&self) -> &str {
-        &self.instructions
+    /// Whether the run was computed with fused multiply-add.
+    pub fn is_fused(&self) -> bool {
+        self.is_fused
     }
 }
 
@@ -89,7 +89,7 @@ impl<R: Registers> Run<R> {
             chain: self.chain.converted(),
             state: Cow::Borrowed(&self.state),
             time_s: self.time_s(),
-            instructions: self.instructions().to_owned(),
+            is_fused: self.is_fused(),
         }
     }
 

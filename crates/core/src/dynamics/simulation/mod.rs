@@ -316,6 +316,7 @@ accessors! {
     /// angles from the high side to the right, depths below the bit's nose; none without solid
     /// rock.
     bottom_hole: Option<BottomHole>,
-    /// Name of the instruction set that the time loop was compiled for.
-    instructions: &'static str,
+    /// Whether the processor adds to a product before it is rounded (fused multiply-add): in single
+    /// precision alone, where it can. It changes the last digit of a run.
+    is_fused: bool,
 }

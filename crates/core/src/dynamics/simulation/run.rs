@@ -128,9 +128,9 @@ impl<R: Real> Run<R> {
         self.plan.dt_s
     }
 
-    /// Name of the instruction set that the time loop was compiled for.
-    pub fn instructions(&self) -> &'static str {
-        self.stepper.instructions
+    /// Whether a product is added to before it is rounded.
+    pub fn is_fused(&self) -> bool {
+        self.stepper.is_fused
     }
 
     /// Number of elements.

@@ -38,7 +38,7 @@ impl std::fmt::Debug for Stepper {
 }
 
 macro_rules! compiled_for {
-    ($set:ident, $number:ident, $fused:expr $(, $features:literal)?) => {
+    ($set:ident, $number:ident $(, $features:literal)?) => {
         mod $set {
             use super::*;
             type Number = crate::simd::dispatch::$number<f64>;

@@ -7,7 +7,6 @@ use std::ops::Range;
 
 use super::{Chain, NodeBlock, Row, Rows, StateBlock};
 use crate::simd::{
-    apart::Apart,
     dispatch::{for_each_instruction_set, with_fastest_instruction_set},
     lanes::SINGLES,
     number::{Doubles, Number, Real},
@@ -113,10 +112,10 @@ impl Motions {
 }
 
 macro_rules! compiled_for {
-    ($set:ident, $number:ident, $fused:expr $(, $features:literal)?) => {
+    ($set:ident, $number:ident $(, $features:literal)?) => {
         mod $set {
             use super::*;
-            type Lanes = Apart<Pair<crate::simd::dispatch::$number<f64>>>;
+            type Lanes = Pair<crate::simd::dispatch::$number<f64>>;
 
             $(#[target_feature(enable = $features)])?
             pub(super) fn slid<R: Real>(chain: &Chain<R>, reach: R) -> bool {

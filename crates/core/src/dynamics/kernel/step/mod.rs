@@ -78,6 +78,8 @@ pub struct Stepper<R: Real = f64> {
     peak: unsafe fn(usize) -> u64,
     /// Name of the instruction set in use.
     pub instructions: &'static str,
+    /// Whether it adds to a product before it is rounded.
+    pub is_fused: bool,
 }
 
 impl<R: Real> std::fmt::Debug for Stepper<R> {
@@ -87,7 +89,7 @@ impl<R: Real> std::fmt::Debug for Stepper<R> {
 }
 
 macro_rules! compiled_for {
-    ($set:ident, $number:ident, $fused:expr $(, $features:literal)?) => {
+    ($set:ident, $number:ident $(, $features:literal)?) => {
         mod $set {
             use super::*;
             use crate::simd::dispatch::$number;
@@ -110,13 +112,13 @@ macro_rules! compiled_for {
                 super::damping::damp::<$number<R>>(region, mass_damping)
             }
 
+            pub(super) fn is_fused<R: Registers>() -> bool {
+                <$number<R>>::FUSED
+            }
+
             $(#[target_feature(enable = $features)])?
             pub(super) fn peak<R: Registers>(rounds: usize) -> u64 {
-                if $fused {
-                    super::peak::work::<$number<R>>(rounds)
-                } else {
-                    super::peak::work_apart::<$number<R>>(rounds)
-                }
+                super::peak::work::<$number<R>>(rounds)
             }
         }
     };
@@ -152,6 +154,7 @@ impl<R: Registers> Stepper<R> {
                     damp: $set::damp::<R>,
                     peak: $set::peak::<R>,
                     instructions: $name,
+                    is_fused: $set::is_fused::<R>(),
                 }
             };
         }

@@ -11,7 +11,6 @@ use super::{
 use crate::{
     dynamics::kernel::{chain::Rows, layout::Layout},
     simd::{
-        apart::Apart,
         dispatch::{for_each_instruction_set, with_fastest_instruction_set},
         lanes::DOUBLES,
         number::{Doubles, Real},
@@ -309,13 +308,13 @@ impl<R: Real> Source<'_, R> {
 }
 
 macro_rules! compiled_for {
-    ($set:ident, $number:ident, $fused:expr $(, $features:literal)?) => {
+    ($set:ident, $number:ident $(, $features:literal)?) => {
         mod $set {
             use super::*;
 
             $(#[target_feature(enable = $features)])?
             pub(super) fn nodes<R: Real>(source: &Source<'_, R>) -> Vec<NodeSample> {
-                source.nodes_in::<Apart<crate::simd::dispatch::$number<f64>>>()
+                source.nodes_in::<crate::simd::dispatch::$number<f64>>()
             }
         }
     };

@@ -14,7 +14,6 @@ use crate::{
     model::Model,
     rod::mesh::Mesh,
     simd::{
-        apart::Apart,
         dispatch::{for_each_instruction_set, with_fastest_instruction_set},
         lanes::DOUBLES,
         number::{Doubles, Real},
@@ -217,13 +216,13 @@ impl Shapes {
 }
 
 macro_rules! compiled_for {
-    ($set:ident, $number:ident, $fused:expr $(, $features:literal)?) => {
+    ($set:ident, $number:ident $(, $features:literal)?) => {
         mod $set {
             use super::*;
 
             $(#[target_feature(enable = $features)])?
             pub(super) fn look<R: Real>(shapes: &mut Shapes, ends: &Ends<'_, R>) {
-                shapes.look_in::<Apart<crate::simd::dispatch::$number<f64>>, R>(ends);
+                shapes.look_in::<crate::simd::dispatch::$number<f64>, R>(ends);
             }
         }
     };

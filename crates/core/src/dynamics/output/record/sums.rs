@@ -8,7 +8,6 @@ use super::{
     reservoir::ReservoirRow,
 };
 use crate::simd::{
-    apart::Apart,
     dispatch::{for_each_instruction_set, with_fastest_instruction_set},
     lanes::DOUBLES,
     number::{Doubles, Real},
@@ -260,13 +259,13 @@ impl<R: Real> Pass<'_, R> {
 }
 
 macro_rules! compiled_for {
-    ($set:ident, $number:ident, $fused:expr $(, $features:literal)?) => {
+    ($set:ident, $number:ident $(, $features:literal)?) => {
         mod $set {
             use super::*;
 
             $(#[target_feature(enable = $features)])?
             pub(super) fn add<R: Real>(pass: Pass<'_, R>) {
-                pass.add_in::<Apart<Pair<crate::simd::dispatch::$number<f64>>>>();
+                pass.add_in::<Pair<crate::simd::dispatch::$number<f64>>>();
             }
         }
     };
