@@ -11,6 +11,18 @@ const RUN: &[&str] = &["run", "cases/np13-x1042.toml", "--csv"];
 const SHORT: &[&str] =
     &["--set", "dynamics.settle=1 s", "--set", "dynamics.duration=2 s", "--set", "model=dynamic"];
 
+/// Half a second of it, on coarse rock.
+const ON_ROCK: &[&str] = &[
+    "--set",
+    "model=dynamic",
+    "--set",
+    "rock.element_size=16 mm",
+    "--set",
+    "dynamics.settle=0.2 s",
+    "--set",
+    "dynamics.duration=0.3 s",
+];
+
 /// What is run, by the name of its folder.
 const RUNS: &[(&str, &[&[&str]])] = &[
     ("soft", &[RUN, &["--set", "model=soft"]]),
@@ -18,6 +30,7 @@ const RUNS: &[(&str, &[&[&str]])] = &[
     ("dynamic", &[RUN, SHORT, &["--set", "records.spectra=[\"surface_torque\"]"]]),
     ("single", &[RUN, SHORT, &["--set", "dynamics.precision=single"]]),
     ("motor", &[&["run", "cases/bent-motor.toml", "--csv"], SHORT]),
+    ("rock", &[&["run", "cases/rock-300.toml", "--csv"], ON_ROCK]),
     ("bha", &[&["bha", "cases/bent-motor.toml"]]),
     ("modes", &[&["modes", "cases/slant.toml"]]),
     ("plan", &[&["plan", "cases/slant.toml"]]),
