@@ -1,0 +1,36 @@
+// What browsers typeset wrongly. They part an option behind its hyphens (`--` from `units`), and a formula from the
+// bracket before it and from the comma or the bracket behind it. Chromium leaves room behind a small root.
+"use strict";
+(() => {
+  const whole = (...nodes) => {
+    const span = document.createElement("span");
+    span.className = "whole";
+    span.append(...nodes);
+    return span;
+  };
+  for (const code of document.querySelectorAll("main :not(pre) > code")) {
+    if (code.children.length > 0 || !code.textContent.includes("-")) continue;
+    // A word that is longer than a narrow screen must break somewhere.
+    const words = code.textContent.split(/(\s+)/).map((word) => (/-/.test(word) && word.length < 32 ? whole(word) : word));
+    code.replaceChildren(...words);
+  }
+  for (const math of document.querySelectorAll("main math:not([display='block'])")) {
+    const { previousSibling: before, nextSibling: after } = math;
+    const opened = before?.nodeType === Node.TEXT_NODE ? (/[(\[‘“]+$/.exec(before.data)?.[0] ?? "") : "";
+    const closed = after?.nodeType === Node.TEXT_NODE ? (/^[,.;:?!)\]’”]+/.exec(after.data)?.[0] ?? "") : "";
+    if (opened + closed === "") continue;
+    if (opened) before.data = before.data.slice(0, -opened.length);
+    if (closed) after.data = after.data.slice(closed.length);
+    const place = document.createComment("");
+    math.replaceWith(place);
+    place.replaceWith(whole(opened, math, closed));
+  }
+  document.fonts.ready.then(() => {
+    const roots = [...document.querySelectorAll("main msqrt")].map((root) => {
+      const em = parseFloat(getComputedStyle(root).fontSize);
+      const room = root.getBoundingClientRect().right - root.lastElementChild.getBoundingClientRect().right;
+      return [root, room / em];
+    });
+    for (const [root, room] of roots) if (room > 0.2) root.style.marginInlineEnd = `${0.1 - room}em`;
+  });
+})();
