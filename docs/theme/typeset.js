@@ -1,5 +1,6 @@
-// What browsers typeset wrongly. They part an option behind its hyphens (`--` from `units`), and a formula from the
-// bracket before it and from the comma or the bracket behind it. Chromium leaves room behind a small root.
+// What browsers typeset wrongly. They part an option behind its hyphens (`--` from `units`), 1e-3 behind its own, a
+// number from its per cent, and a formula from the bracket before it and from the comma or the bracket behind it.
+// Chromium leaves room behind a small root.
 "use strict";
 (() => {
   const whole = (...nodes) => {
@@ -13,6 +14,17 @@
     // A word that is longer than a narrow screen must break somewhere.
     const words = code.textContent.split(/(\s+)/).map((word) => (/-/.test(word) && word.length < 32 ? whole(word) : word));
     code.replaceChildren(...words);
+  }
+  const texts = document.createTreeWalker(document.querySelector("main"), NodeFilter.SHOW_TEXT);
+  const powers = [];
+  for (let text = texts.nextNode(); text; text = texts.nextNode()) {
+    if (text.parentElement.closest("code, math, script, style")) continue;
+    if (/\d %/.test(text.data)) text.data = text.data.replace(/(\d) %/g, "$1\u00a0%");
+    if (/\de-\d/.test(text.data)) powers.push(text);
+  }
+  for (const text of powers) {
+    const parts = text.data.split(/([\d.]+e-\d+)/).map((part, at) => (at % 2 === 1 ? whole(part) : part));
+    text.replaceWith(...parts);
   }
   for (const math of document.querySelectorAll("main math:not([display='block'])")) {
     const { previousSibling: before, nextSibling: after } = math;
