@@ -7,7 +7,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use wholestring_verification::{FILE, Line, Tolerance, error};
+use wholestring_verification::{FILE, Line, Tolerance, error, unit};
 
 use crate::{
     command::{Failure, WORKSPACE, cargo, run_counted, succeeds},
@@ -184,7 +184,7 @@ fn row(line: &Line<'_>) -> String {
     let many = if *of > 1 { format!(" (of {of})") } else { String::new() };
     let apart = error(*expected, *computed, *tolerance);
     // `climb, rad` is in rad.
-    let unit = quantity.rsplit_once(", ").map_or("", |(_, unit)| unit);
+    let unit = unit(quantity);
     let in_unit = |value: f64| format!("{} {unit}", short(value)).trim_end().to_owned();
     let (apart, within) = match tolerance {
         Tolerance::Relative(most) => (short(apart), short(*most)),

@@ -325,7 +325,7 @@ fn rests_where_the_dynamics_do_in_every_case() {
         ("nodes on another side", |of| 1.0 - of.sides, 1.0 - SIDES, "what is asked for"),
     ];
     for (what, of, most, reason) in numbers {
-        let quantity = format!("stiff string beside the dynamics: {what}, as a part");
+        let quantity = format!("stiff string beside the dynamics: {what} as a part");
         let row = |apart: &&Apart| {
             verify("at rest", quantity.clone()).absolute(most, reason).row(0.0, of(apart))
         };

@@ -160,7 +160,7 @@ fn compare(depth_m: u32, period: Tolerance, peak: Tolerance, reason: &str) {
         ),
     ] {
         println!("{depth_m} m, {quantity}: {found:.2} for {expected}");
-        verify("E08", format!("{quantity}, at {depth_m} m"))
+        verify("E08", format!("at {depth_m} m: {quantity}"))
             .within(tolerance, reason)
             .report(expected, found);
     }

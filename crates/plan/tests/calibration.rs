@@ -63,9 +63,12 @@ fn s4_friction_of_casing_and_open_hole_and_block_weight() {
             let least_there = held(&nelder_mead(held, &from, &scale));
             // The excess grows by 2 · 1.96 for each standard error.
             let off = ((least_there - least) - sought) / (2.0 * sought.sqrt());
-            verify("S4", format!("{name}: an end of its profile interval, standard errors off"))
-                .absolute(0.05, "the file's")
-                .report(0.0, off);
+            verify(
+                "S4",
+                format!("{name}: distance of an end of its profile interval, standard errors"),
+            )
+            .absolute(0.05, "the file's")
+            .report(0.0, off);
         }
     }
     verify("S4", "sum of squared residuals over their errors")
@@ -91,7 +94,7 @@ fn s4_errors_of_readings_are_estimated() {
         assert!(!of.given);
         // The standard error of a root mean square of n numbers is 1/√(2 n) of it: within three.
         let most = 3.0 / (2.0 * of.readings as f64).sqrt();
-        verify("S4", format!("estimated error of the {}, over that made", of.kind.name()))
+        verify("S4", format!("estimated error of the {} over that made", of.kind.name()))
             .absolute(most, "three standard errors of a root mean square of so many")
             .report(1.0, of.value / made);
     }

@@ -61,16 +61,16 @@ fn s3c_three_sections() {
         let cycles = RULE.cycles(equivalent_Pa);
         let name = format!("in {} deg/30 m", input("dls_deg_30m"));
         for (what, unit, computed, key) in [
-            ("curvature at the joint", "1/m", curvature_per_m, "curvature_at_joint"),
-            ("bending", "Pa", bending_Pa, "bending_amplitude_Pa"),
-            ("mean stress", "Pa", mean_Pa, "mean_stress_Pa"),
-            ("equivalent stress", "Pa", equivalent_Pa, "goodman_equivalent_Pa"),
-            ("revolutions", "1", revolutions, "revolutions"),
-            ("cycles to failure", "1", cycles, "cycles_to_failure"),
-            ("damage", "1", revolutions / cycles, "damage"),
+            ("curvature at the joint", ", 1/m", curvature_per_m, "curvature_at_joint"),
+            ("bending", ", Pa", bending_Pa, "bending_amplitude_Pa"),
+            ("mean stress", ", Pa", mean_Pa, "mean_stress_Pa"),
+            ("equivalent stress", ", Pa", equivalent_Pa, "goodman_equivalent_Pa"),
+            ("revolutions", "", revolutions, "revolutions"),
+            ("cycles to failure", "", cycles, "cycles_to_failure"),
+            ("damage", "", revolutions / cycles, "damage"),
         ] {
             let expected = number(&section["expected"], key);
-            compared.push((format!("{what} {name}, {unit}"), computed, expected));
+            compared.push((format!("{what} {name}{unit}"), computed, expected));
         }
         sum += revolutions / cycles;
     }

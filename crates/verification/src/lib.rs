@@ -38,8 +38,56 @@ pub enum Tolerance {
 /// underscore (`E05`) or another name that `verification/README.md` lists; and which number, with
 /// what distinguishes it from the case's others, then its unit if it has one, as in
 /// `climb at friction 0.25, rad`. A comma in it is that before the unit.
+///
+/// # Panics
+/// If what stands behind a comma is none of [`UNITS`].
+#[track_caller]
 pub fn verify<'a>(case: &'a str, quantity: impl Into<Cow<'a, str>>) -> Quantity<'a> {
-    Quantity { case, quantity: quantity.into() }
+    let quantity = quantity.into();
+    let unit = unit(&quantity);
+    assert!(
+        unit.is_empty() || UNITS.contains(&unit),
+        "{case}, {quantity}: `{unit}` is no unit, and there is no other comma in a quantity"
+    );
+    Quantity { case, quantity }
+}
+
+/// Units that quantities are in.
+pub const UNITS: &[&str] = &[
+    "%",
+    "1/h",
+    "1/m",
+    "1/s",
+    "Hz",
+    "J",
+    "J/m²",
+    "J/m³",
+    "MPa",
+    "N",
+    "N/kg",
+    "N/m",
+    "N/m^1.5",
+    "N·m",
+    "N·m/m",
+    "Pa",
+    "ft·lbf",
+    "in",
+    "m",
+    "m/s",
+    "m³/N²",
+    "psi",
+    "rad",
+    "rad/s",
+    "rev/min",
+    "s",
+    "standard errors",
+    "°",
+    "deg",
+];
+
+/// The unit of a quantity, as its name says it; empty where it has none.
+pub fn unit(quantity: &str) -> &str {
+    quantity.rsplit_once(", ").map_or("", |(_, unit)| unit)
 }
 
 /// A number of a case that is to be checked.
@@ -236,6 +284,18 @@ mod tests {
 
     fn row(expected: f64, computed: f64, tolerance: Tolerance) -> Row<'static> {
         verify("X01", "a number").within(tolerance, "a test").row(expected, computed)
+    }
+
+    #[test]
+    fn a_unit_stands_behind_the_only_comma() {
+        assert_eq!(unit("climb at friction 0.25, rad"), "rad");
+        assert_eq!(unit("climb"), "");
+    }
+
+    #[test]
+    #[should_panic(expected = "`at friction 0.25` is no unit")]
+    fn what_stands_behind_a_comma_and_is_no_unit_is_told() {
+        let _ = verify("X01", "climb, at friction 0.25");
     }
 
     #[test]

@@ -4,7 +4,6 @@ use std::{
     collections::{BTreeMap, BTreeSet},
     fs,
     path::Path,
-    time::Duration,
 };
 
 use insta::assert_snapshot;
@@ -218,6 +217,8 @@ fn shards_make_up_the_whole() {
 #[cfg(unix)]
 #[test]
 fn an_interrupted_test_goes_on() {
+    use std::time::Duration;
+
     let desk = desk();
     let stopped = bit_test(&["-o", "stopped", "-j", "1", "--set", "bit_test.rpm=300"]);
     let second = || desk.path("stopped").join(POINTS[1]).exists();

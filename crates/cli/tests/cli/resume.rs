@@ -10,7 +10,7 @@ use std::{
 
 use insta::assert_snapshot;
 use serde_json::Value;
-use wholestring_results::{Data, Table};
+use wholestring_results::Table;
 
 use crate::desk::{Desk, args, transcript};
 
@@ -132,6 +132,8 @@ fn a_run_killed_at_twenty_moments_ends_as_if_nothing_had_happened() {
 #[cfg(unix)]
 #[test]
 fn ctrl_c_lays_a_run_aside() {
+    use wholestring_results::Data;
+
     let desk = Desk::new();
     let with = |more: [&'static str; 2]| arguments("dynamics.duration=100 s", &more);
     desk.done(&with(["-o", "whole"]));

@@ -1,6 +1,6 @@
 //! `sweep`: a case for all combinations of some values.
 
-use std::{collections::BTreeSet, fs, time::Duration};
+use std::{collections::BTreeSet, fs};
 
 use insta::assert_snapshot;
 use wholestring_results::Status;
@@ -360,6 +360,8 @@ fn mistakes_are_underlined() {
 #[cfg(unix)]
 #[test]
 fn an_interrupted_sweep_goes_on() {
+    use std::time::Duration;
+
     let desk = Desk::new();
     let long = ["--csv", "--set", "dynamics.duration=15 s"];
     desk.done(&sweep(&[&long[..], &["-o", "whole"]].concat()));

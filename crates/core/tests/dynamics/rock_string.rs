@@ -129,7 +129,7 @@ fn what_the_rock_takes_the_top_gives() {
     let energy = outcome.numerics.energy.expect("a balance");
     verify(
         "rock",
-        "energy of a string on solid rock that is unaccounted for, part of the bit's work",
+        "energy of a string on solid rock that is unaccounted for as a part of the bit's work",
     )
     .absolute(
         0.05,

@@ -57,7 +57,7 @@ fn a_beam_bends_as_timoshenkos() {
     for (deep, [deflection, hourglass]) in [4, 8].into_iter().zip(found) {
         verify(
             "rock",
-            format!("deflection of a cantilever {deep} elements deep, part of Timoshenko's"),
+            format!("deflection of a cantilever {deep} elements deep as a part of Timoshenko's"),
         )
         .relative(
             1.2 / (deep * deep) as f64,
@@ -65,9 +65,12 @@ fn a_beam_bends_as_timoshenkos() {
                  its part of the depth",
         )
         .report(1.0, deflection);
-        verify("rock", format!("energy in hourglasses of a cantilever {deep} elements deep, part"))
-            .absolute(0.05, "what is asked")
-            .report(0.0, hourglass);
+        verify(
+            "rock",
+            format!("energy in hourglasses of a cantilever {deep} elements deep as a part"),
+        )
+        .absolute(0.05, "what is asked")
+        .report(0.0, hourglass);
     }
     let [coarse, fine] = found.map(|[deflection, _]| deflection - 1.0);
     let order = (coarse / fine).log2();

@@ -104,7 +104,7 @@ fn momentum_passes_from_the_bit_to_the_rock() {
     assert!(passed > 0.1, "only {passed} has passed");
     verify(
         "rock",
-        "momentum that a bit loses to a free block and that does not arrive, part of all",
+        "momentum that a bit loses to a free block and that does not arrive as a part of all",
     )
     .absolute(1e-11, "rounding of 1e4 nodes and steps")
     .report(0.0, off);
@@ -206,16 +206,16 @@ fn drilled(weight_N: f64, step_s: f64) -> [Progress; 2] {
         );
     }
     let (rock, bit) = (drilling.block().energies(), drilling.energies());
-    verify("rock", "energy that is unaccounted for after a bit has drilled, part of its work")
+    verify("rock", "energy that is unaccounted for after a bit has drilled as a part of its work")
         .absolute(0.01, "what is asked")
         .report(0.0, rock.residual_J() / rock.pushed_J);
-    verify("rock", "energy lost between bit and rock, part of the bit's work")
+    verify("rock", "energy lost between bit and rock as a part of the bit's work")
         .absolute(1e-10, "rounding")
         .report(
             0.0,
             (bit.residual_J().abs() + (bit.on_rock_J - rock.pushed_J).abs()) / bit.on_bit_J.abs(),
         );
-    verify("rock", "kinetic energy under a drilling bit, part of the work of deformation")
+    verify("rock", "kinetic energy under a drilling bit as a part of the work of deformation")
         .absolute(0.05, "what density scaling must leave")
         .report(0.0, rock.kinetic_fraction());
     // The block follows: the bit is soon deeper than the block.

@@ -71,7 +71,7 @@ fn an_elastic_cycle_leaves_no_stress() {
         peak = peak.max(block.stress_Pa([0, 0, 0])[0].abs());
     }
     let left = block.stress_Pa([0, 0, 0]).iter().fold(0.0_f64, |a, s| a.max(s.abs()));
-    verify("rock", "stress after 200 elastic cycles, part of the peak")
+    verify("rock", "stress after 200 elastic cycles as a part of the peak")
         .absolute(
             1e-6,
             "the strain increment's series is cut after its square: 4e-9 per step of 6e-5, of \
@@ -106,7 +106,7 @@ fn plastic_cycles_close() {
     let rock = wholestring::rock::Rock { dilation_angle_rad: 0.0, ..rock };
     let mut block = led(rock);
     let peaks: Vec<f64> = (0..cycles).map(|_| peak(&mut block)).collect();
-    verify("rock", "peak shear stress of the 50th plastic cycle, part of the 2nd's")
+    verify("rock", "peak shear stress of the 50th plastic cycle as a part of the 2nd's")
         .relative(
             1e-3,
             "the volume of the sheared element changes by 1.6e-5, the square of the shear",
@@ -125,7 +125,7 @@ fn a_turned_element_feels_nothing() {
         lead(&mut block, &stepper, rotation.into_inner());
     }
     let stress = block.stress_Pa([0, 0, 0]).iter().fold(0.0_f64, |a, s| a.max(s.abs()));
-    verify("rock", "stress after a whole turn, part of Young's modulus")
+    verify("rock", "stress after a whole turn as a part of Young's modulus")
         .absolute(
             1e-8,
             "steps of 1e-3 rad leave a strain of an eighth of their fourth power each, 8e-10 \
@@ -145,7 +145,7 @@ fn a_turned_element_feels_nothing() {
     }
     let expected = rotation * before * rotation.inverse();
     let error = (matrix(block.stress_Pa([0, 0, 0])) - expected).norm() / before.norm();
-    verify("rock", "stress of a strained element after a turn of 2 rad, error")
+    verify("rock", "error of the stress of a strained element after a turn of 2 rad")
         .absolute(
             1e-5,
             "steps of 1e-3 rad: a sixth of their third power each is 3e-7 in all, and the \

@@ -24,7 +24,7 @@ fn energy_balances_through_failure_and_removal() {
     assert!(gone > 50, "only {gone} elements have gone");
     verify(
         "rock",
-        "energy that is unaccounted for after a ball has cut a groove, part of its work",
+        "energy that is unaccounted for after a ball has cut a groove as a part of its work",
     )
     .absolute(0.01, "what is asked")
     .report(0.0, energies.residual_J() / energies.pushed_J);

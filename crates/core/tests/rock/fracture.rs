@@ -90,7 +90,7 @@ fn a_element_takes_the_fracture_energies_whatever_its_size() {
         for size_mm in SIZES_MM {
             let size_m = 1e-3 * size_mm;
             let energies = fail(rock, size_m, speed);
-            verify("rock", format!("energy to {name} an element of {size_mm} mm, J/m2"))
+            verify("rock", format!("energy to {name} an element of {size_mm} mm, J/m²"))
                 .relative(0.02, "its area at rest; it swells, and rings as it softens")
                 .report(expected, energies.plastic_J / (size_m * size_m));
         }
@@ -101,7 +101,7 @@ fn a_element_takes_the_fracture_energies_whatever_its_size() {
 fn a_bar_takes_the_same_energy_to_tear_whatever_its_elements() {
     let rock = Rock::of_strength(50e6);
     for wide in [1, 2, 4] {
-        verify("rock", format!("energy to tear a bar {wide} elements wide, J/m2"))
+        verify("rock", format!("energy to tear a bar {wide} elements wide, J/m²"))
             .relative(0.05, "what the crack's faces shear as it opens")
             .report(WEAK * WEAK * rock.tensile_fracture_energy_J_per_m2, tear(rock, wide));
     }
@@ -114,7 +114,7 @@ fn a_coarse_element_takes_the_crushing_energy_of_its_volume() {
         for size_mm in [3.0, 6.0] {
             let size_m = 1e-3 * size_mm;
             let energies = fail(rock, size_m, speed);
-            verify("rock", format!("energy to {name} a coarse element of {size_mm} mm, J/m3"))
+            verify("rock", format!("energy to {name} a coarse element of {size_mm} mm, J/m³"))
                 .relative(0.02, "its volume at rest; it swells, and rings as it softens")
                 .report(rock.crushing_energy_J_per_m3, energies.plastic_J / size_m.powi(3));
         }

@@ -83,7 +83,7 @@ fn a_sphere_is_borne_as_hertz_has_it() {
         verify(
             "rock",
             format!(
-                "force of a sphere with a contact {elements} elements in radius, part of Hertz'"
+                "force of a sphere with a contact {elements} elements in radius as a part of Hertz'"
             ),
         )
         .within(

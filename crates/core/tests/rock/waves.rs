@@ -60,7 +60,7 @@ fn check(name: &str, pulse: &Pulse, expected: f64) {
     verify("rock", format!("speed of {name} waves, m/s"))
         .relative(0.01, "what is asked, of waves 24 elements long")
         .report(expected, pulse.speed_m_per_s);
-    verify("rock", format!("energy of a {name} pulse that an open face sends back, part"))
+    verify("rock", format!("energy of a {name} pulse that an open face sends back as a part"))
         .absolute(0.05, "what is asked")
         .report(0.0, pulse.returned * pulse.returned);
 }

@@ -70,7 +70,7 @@ fn s1b_assemblies_in_a_straight_hole() {
         let expected_bit = number(&expected["bit_side_force_on_rock_N_pos_high"]);
         let largest = expected_blades.iter().fold(expected_bit.abs(), |a, b| a.max(b.abs()));
         let row = |what: &str, found: f64, expected: f64| {
-            verify("S1b", format!("{what} over the largest force, {id}"))
+            verify("S1b", format!("{id}: {what} over the largest force"))
                 .absolute(1e-3, "elements of 0.3 m; of 0.1 m leave 1e-4")
                 .row(expected / largest, found / largest)
         };
@@ -105,7 +105,7 @@ fn s1b_by_the_assembly_alone() {
         let expected_bit = number(&expected["bit_side_force_on_rock_N_pos_high"]);
         let largest = expected_blades.iter().fold(expected_bit.abs(), |a, b| a.max(b.abs()));
         let row = |what: &str, found: f64, expected: f64| {
-            verify("S1b", format!("{what} of the assembly over the largest force, {id}"))
+            verify("S1b", format!("{id}: {what} of the assembly over the largest force"))
                 .absolute(2e-4, "elements of 0.15 m, 0.05 m where contacts end")
                 .row(expected / largest, found / largest)
         };

@@ -74,8 +74,8 @@ fn a_bent_motor_on_three_points() {
         let across_N = right_N * cosine - high_N * sine;
         let whole_N = per_rad_N * bent_rad;
         let name = format!(
-            "side force of a motor bent by 1.5 deg over that in a straight hole, tool face {toolface} \
-             deg, {part} of the curvature that it fits"
+            "side force of a motor bent by 1.5 deg over that in a straight hole: tool face {toolface} \
+             deg and {part} of the curvature that it fits"
         );
         verify("three-point motor", name)
             .absolute(4e-3, "10 µm of room at the supports: 2e-3")

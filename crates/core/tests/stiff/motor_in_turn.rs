@@ -146,7 +146,7 @@ fn m01_a_bent_motor_in_a_turn() {
         for (side, plane) in [(0, "high side"), (1, "right")] {
             // The file has the force of the wall.
             let expected = -row[7 + side] * POUND_N / bit_N;
-            force(&format!("force of {name} over that of the bit, {plane}"))
+            force(&format!("force of {name} over that of the bit: to the {plane}"))
                 .report(expected, contact.force_N[side] / bit_N);
         }
     }
@@ -155,14 +155,14 @@ fn m01_a_bent_motor_in_a_turn() {
     for (side, plane) in [(0, "high side"), (1, "right")] {
         let moment = |row: &Vec<f64>| {
             let here = at(&found.nodes, row[0] * FOOT, |node| node.moment_N_m[side]);
-            verify("M01", format!("bending moment to the {plane} over the largest, worst node"))
+            verify("M01", format!("worst node: bending moment to the {plane} over the largest"))
                 .absolute(1.5e-2, "as above; 1.1 % next to the bend")
                 .row(row[10 + side] / largest, here / (POUND_N * FOOT) / largest)
         };
         report_worst(within().map(moment));
         let offset = |row: &Vec<f64>| {
             let here = at(&found.nodes, row[0] * FOOT, |node| node.offset_m[side]);
-            verify("M01", format!("offset to the {plane}, worst node, in"))
+            verify("M01", format!("worst node: offset to the {plane}, in"))
                 .absolute(2e-2, "as above; the collar has 1 in of room")
                 .row(row[1 + 2 * side], here / INCH)
         };

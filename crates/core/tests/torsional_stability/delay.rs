@@ -55,7 +55,7 @@ fn chatter_begins_where_the_delay_is_half_a_period() {
     let psi = 14.0;
     let exact = 2.0 * (2.0 * psi / BLADES).sqrt();
     let found = threshold(|speed| drilling(psi, 0.5, 0.0, 0.0, speed), 0.8 * exact, 1.2 * exact);
-    verify("torsional stability", "speed above which a drag bit does not chatter, dimensionless")
+    verify("torsional stability", "speed above which a drag bit does not chatter")
         .relative(2e-6, "halved twenty times")
         .report(exact, found);
 }
@@ -98,7 +98,7 @@ fn the_coupled_string_has_the_roots_of_its_equation() {
         assert_eq!(found.is_stable(), root.re < 0.0, "{root} {found:?}");
         assert!(found.complete);
         let seen = found.worst.expect("a root");
-        let what = format!("damping {damping}, pitch {pitch}, speed {speed}");
+        let what = format!("damping {damping} with pitch {pitch} and speed {speed}");
         for (name, expected, computed) in [
             ("growth", root.re, seen.growth_per_s),
             ("angular frequency", root.im, TAU * seen.frequency_Hz),

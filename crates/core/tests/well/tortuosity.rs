@@ -131,7 +131,7 @@ fn pull_and_torque_are_those_of_a_capstan() {
             };
             let hook = |length_m| solved(length_m, Operation::trip_out).hook_load_N.ln();
             let grows = (hook(4000.0) - hook(2000.0)) / 25.0;
-            verify("tortuosity", format!("logarithm of the pull by a wave, {kind:?} on {named}"))
+            verify("tortuosity", format!("logarithm of the pull by a wave: {kind:?} on {named}"))
                 .relative(tolerance + more, reason)
                 .report(mu * wave_rad, grows);
             let torque =

@@ -69,6 +69,6 @@ pub const BHA_SWEEP: &[ColumnSpec] = specs! {
         "Correction that the first survey sensor's inclination needs; `null` without a sensor",
         null_where "there is no survey sensor";
     "sag_azimuth_rad": Angle,
-        "The same of its azimuth; `null` without a sensor and in a hole steeper than 1°",
-        null_where "there is no survey sensor or the hole is steeper than 1°";
+        "The same of its azimuth; `null` without a sensor and where the hole is within 1° of the vertical",
+        null_where "there is no survey sensor or the hole is within 1° of the vertical";
 };

@@ -334,7 +334,7 @@ fn a_string_breaks_off_at_its_friction() {
             ("break-off torque, N·m", torque, "break_off_torque_Nm"),
             ("twist at break-off, rad", wound, "total_twist_rad"),
         ] {
-            let quantity = format!("{quantity}, at friction {mu}");
+            let quantity = format!("at friction {mu}: {quantity}");
             close("E02", &quantity, found / samples, number(expected, key), 5e-3, SOURCE);
         }
     }

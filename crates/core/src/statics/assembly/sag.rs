@@ -28,7 +28,7 @@ pub struct Sag {
     pub hole_inclination_rad: f64,
     /// Correction of the inclination, rad.
     pub inclination_rad: f64,
-    /// Correction of the azimuth, rad; none where the hole is steeper than 1°.
+    /// Correction of the azimuth, rad; none where the hole is within 1° of the vertical.
     pub azimuth_rad: Option<f64>,
 }
 
