@@ -1,6 +1,7 @@
 //! What a value must look like: one rule reads it, checks it and describes it in the schema.
 
 use serde_json::{Value as Json, json};
+use wholestring_units::number_text;
 
 use crate::{
     diagnostic::Diagnostic,
@@ -32,7 +33,10 @@ pub trait Rule {
     }
     /// A default as people write it.
     fn written(&self, default: &Json) -> String {
-        default.to_string()
+        match default.as_f64() {
+            Some(number) => number_text(number),
+            None => default.to_string(),
+        }
     }
     /// The value as the schema shows defaults.
     fn json(&self, _value: &Self::Value) -> Json {

@@ -129,6 +129,6 @@ fn the_schema_says_which_word_uses_a_key() {
     assert_eq!(about("one"), "Its own. Required with law = \"one\".");
     assert_eq!(about("both"), "It must be there. Required with law = \"one\" or \"two\".");
     assert_eq!(about("two"), "Its own. Used with law = \"two\". Default: 0.5.");
-    assert_eq!(about("after"), "After. Default: 0.0.");
+    assert_eq!(about("after"), "After. Default: 0.");
     assert_eq!(schema["required"], serde_json::json!(["law"]));
 }
