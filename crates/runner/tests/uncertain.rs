@@ -75,7 +75,7 @@ fn hook_load_of_a_slant_has_its_bands() {
     for (input, name) in ["density", "friction"].into_iter().enumerate() {
         let (first, other) = (shares[input] / variance, shares[1 - input] / variance);
         let row = |what: &str, expected: f64, found: f64| {
-            let named = format!("{what} index of {name}, hook load pulling");
+            let named = format!("hook load pulling: {what} index of {name}");
             verify("uncertainty", named).absolute(1e-6, why).row(expected, found)
         };
         rows.push(row("first-order", first, owed.first[input].expect("an index")));

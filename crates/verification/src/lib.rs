@@ -70,11 +70,17 @@ pub const UNITS: &[&str] = &[
     "N·m",
     "N·m/m",
     "Pa",
+    "deg",
+    "deg/30 m",
     "ft·lbf",
     "in",
+    "kN·m",
+    "lbf",
     "m",
     "m/s",
+    "m²",
     "m³/N²",
+    "m³/m",
     "psi",
     "rad",
     "rad/s",
@@ -82,7 +88,6 @@ pub const UNITS: &[&str] = &[
     "s",
     "standard errors",
     "°",
-    "deg",
 ];
 
 /// The unit of a quantity, as its name says it; empty where it has none.
