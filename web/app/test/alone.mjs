@@ -76,7 +76,9 @@ async function drivenAlone(text) {
     it.go_on(100);
     for (let kind = it.news(); kind !== 0; kind = it.news()) {
       const samples = kind === 2 ? samplesOf(left()) : null;
-      if (samples) rows = taken.push(samples.values) && samples.first + samples.rows;
+      if (!samples) continue;
+      taken.push(samples.values);
+      rows = samples.first + samples.rows;
     }
   }
   return Buffer.concat(taken);

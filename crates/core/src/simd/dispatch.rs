@@ -124,8 +124,8 @@ mod tests {
     }
     for_each_instruction_set!(compiled_for);
 
-    /// Doubles round a product before they add to it, whatever the processor can: that is why a case
-    /// gives the same bits on all of them.
+    /// Doubles round a product before they add to it, whatever the processor can: that is why a
+    /// case gives the same bits on all of them.
     #[test]
     fn doubles_are_fused_nowhere() {
         macro_rules! entry {

@@ -9,8 +9,8 @@ use super::{lanes::SINGLES, number::Number};
 /// of AVX2.
 const CHAINS: usize = 12;
 
-/// Multiplies numbers in registers and adds to them, `rounds` times, and does nothing else; how many
-/// floating-point operations that was, a multiplication with addition being two.
+/// Multiplies numbers in registers and adds to them, `rounds` times, and does nothing else; how
+/// many floating-point operations that was, a multiplication with addition being two.
 #[inline(always)]
 pub fn work<N: Number>(rounds: usize) -> u64 {
     let (factor, term) = (N::splat(black_box(1.0)), N::splat(black_box(0.0)));
