@@ -10,6 +10,10 @@ use std::{
 
 use wholestring_results::{Summary, Table};
 
+/// What stands in place of the program that was built with the tests: `cargo xtask portability` says
+/// it, a word on each line, an emulator and the program for the system that it shows.
+const IN_ITS_PLACE: &str = "WHOLESTRING_IN_ITS_PLACE";
+
 /// A folder with the test's case in it.
 pub(crate) struct Desk {
     folder: tempfile::TempDir,
@@ -65,8 +69,11 @@ impl Desk {
         let mut command = self.command(arguments);
         let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
         let start = Instant::now();
+        // An emulator takes some hundred times as long.
+        let patience =
+            Duration::from_secs(if env::var_os(IN_ITS_PLACE).is_some() { 3600 } else { 120 });
         while !so_far() {
-            assert!(start.elapsed() < Duration::from_secs(120), "nothing done");
+            assert!(start.elapsed() < patience, "nothing done");
             assert!(child.try_wait().unwrap().is_none(), "done too soon");
             sleep(Duration::from_millis(2));
         }
@@ -105,10 +112,9 @@ impl Desk {
     }
 }
 
-/// The program that is built with the tests, or in its place what `cargo xtask portability` says, a
-/// word on each line: an emulator, and the program for the system that it shows.
+/// The program that is built with the tests, or what stands in its place.
 fn program() -> Command {
-    let Ok(words) = env::var("WHOLESTRING_IN_ITS_PLACE") else {
+    let Ok(words) = env::var(IN_ITS_PLACE) else {
         return Command::new(env!("CARGO_BIN_EXE_wholestring"));
     };
     let mut words = words.lines();
