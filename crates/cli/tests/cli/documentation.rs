@@ -10,7 +10,8 @@ const END: &str = "<!-- end of keys -->\n";
 /// Set to rewrite the page.
 const UPDATE: &str = "WHOLESTRING_UPDATE_DOCS";
 
-/// A heading and a table of keys for this table of the case file and those below it.
+/// A heading and a table of keys for this table of the case file and those below it, once where it
+/// stands at several places.
 fn describe(schema: &Value, text: &mut String) {
     let (Some(title), Some(keys)) = (schema["title"].as_str(), schema["properties"].as_object())
     else {
@@ -20,12 +21,16 @@ fn describe(schema: &Value, text: &mut String) {
         let required = schema["required"].as_array();
         required.is_some_and(|all| all.iter().any(|name| name == key))
     };
-    let _ = write!(text, "\n### {title}\n\n| key | meaning |\n|---|---|\n");
+    let mut section = format!("\n### {title}\n\n| key | meaning |\n|---|---|\n");
     for (key, value) in keys {
         let meaning = value["description"].as_str().unwrap_or("").replace('|', "\\|");
         let needed = if required(key) { " Required." } else { "" };
-        let _ = writeln!(text, "| `{key}` | {}{needed} |", meaning.replace('\n', " "));
+        let _ = writeln!(section, "| `{key}` | {}{needed} |", meaning.replace('\n', " "));
     }
+    if text.contains(&section) {
+        return;
+    }
+    *text += &section;
     for value in keys.values() {
         describe(value, text);
         describe(&value["items"], text);
