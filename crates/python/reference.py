@@ -112,7 +112,8 @@ def _signature(name: str, of: Any) -> str:
     except (TypeError, ValueError):
         return ""
     if inspect.isclass(of):
-        private = [at for at in signature.parameters if at in ("core", "data", "place")]
+        own = ("core", "data", "place")
+        private = [at for at in signature.parameters if at in own or at.startswith("_")]
         if private or getattr(of, "_is_protocol", False):
             return ""
     kept = [one for at, one in signature.parameters.items() if at not in ("self", "cls")]
@@ -131,7 +132,9 @@ def _parameters(kept: list[inspect.Parameter]) -> list[str]:
     starred = False
     for one in kept:
         text = one.name
-        typed = "" if one.annotation is one.empty else f": {one.annotation}"
+        # A named tuple wraps what is written.
+        written = getattr(one.annotation, "__forward_arg__", one.annotation)
+        typed = "" if written is one.empty else f": {written}"
         if one.kind is one.KEYWORD_ONLY and not starred:
             made.append("*")
             starred = True
@@ -161,8 +164,12 @@ def _item(row: Any) -> str:
 
 
 def _row(of: property) -> str:
-    text = inspect.getdoc(of.fget) or ""
-    return _prose(text).replace("\n", " ").replace("|", "\\|")
+    doc: Any = NumpyDocString(inspect.getdoc(of.fget) or "")
+    parts = [_prose("\n".join(doc[section])) for section in ("Summary", "Extended Summary")]
+    for raised in doc["Raises"]:
+        said = _prose("\n".join(raised.desc))
+        parts.append(f"Raises `{raised.type}` {said[:1].lower()}{said[1:]}")
+    return " ".join(filter(None, parts)).replace("\n", " ").replace("|", "\\|")
 
 
 def _prose(text: str) -> str:
