@@ -21,6 +21,7 @@ export interface StringPart {
   from_m: number;
   to_m: number;
   od_m: number;
+  /** Over joints or blades. */
   contact_od_m: number;
 }
 

@@ -48,7 +48,7 @@ pub struct PathView {
 }
 
 /// A section of the hole.
-#[derive(Debug, Serialize, ToSchema)]
+#[derive(Debug, Clone, Serialize, ToSchema)]
 pub struct Section {
     /// `casing` or `open`.
     kind: &'static str,

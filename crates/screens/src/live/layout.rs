@@ -9,7 +9,7 @@ use wholestring::{
     operation::Operation,
     outcome::WellPath,
     rod::mesh::MeshElement,
-    well::{HoleKind, Path},
+    well::Path,
 };
 use wholestring_case::{Case, MAX_FRICTION, usual_speed_controllers};
 
@@ -20,6 +20,7 @@ use super::{
         MAX_WEIGHT_ON_BIT_N,
     },
 };
+use crate::answers::Section;
 
 /// Points of the path beside its stations.
 const POINTS: usize = 400;
@@ -54,7 +55,7 @@ pub struct Layout {
     /// The path.
     path: LivePath,
     /// Sections of the hole, from the surface down.
-    hole: Vec<LiveHole>,
+    hole: Vec<Section>,
     /// What can be set.
     knobs: Knobs,
 }
@@ -76,16 +77,6 @@ pub struct LivePath {
     tvd_m: Vec<f32>,
     /// Towards the high side: its parts to the north, to the east and down.
     high: [Vec<f32>; 3],
-}
-
-/// A section of the hole.
-#[derive(Debug, Clone, Serialize, ToSchema)]
-pub struct LiveHole {
-    /// `casing` or `open`.
-    kind: &'static str,
-    from_m: f64,
-    to_m: f64,
-    diameter_m: f64,
 }
 
 /// What can be set, in SI units: bounds, and where it stands at the beginning; null what cannot.
@@ -121,15 +112,6 @@ impl Layout {
     ) -> Self {
         let mesh = simulation.mesh();
         let radii = mesh.nodes.iter().map(|node| node.contact_radius_m as f32);
-        let hole = case.model.well.hole.sections().iter().map(|section| LiveHole {
-            kind: match section.kind {
-                HoleKind::Casing => "casing",
-                HoleKind::Open => "open",
-            },
-            from_m: section.from_md_m.max(0.0),
-            to_m: section.to_md_m,
-            diameter_m: section.diameter_m,
-        });
         let units = wholestring_runner::display_units().into_iter().map(|(name, units)| {
             let shown = units.map(|of| ShownUnit { symbol: of.symbol, factor: of.factor });
             (name, shown)
@@ -148,7 +130,7 @@ impl Layout {
             units: units.collect(),
             contact_radius_m: radii.collect(),
             path: path(&case.model.well.path),
-            hole: hole.collect(),
+            hole: case.model.well.hole.sections().iter().map(Section::of).collect(),
             knobs: knobs(case, operation),
         }
     }

@@ -1,5 +1,6 @@
 // Cases of the folder: their texts, drafts, and what the command line says of them.
 
+import type { HoleSection, StringPart } from "../../../components/schematic.ts";
 import { request } from "#asked";
 import { part, type Diagnostic } from "./client";
 
@@ -82,23 +83,9 @@ export interface PathView {
   dogleg_severity_rad_per_m: (number | null)[];
 }
 
-export interface HoleSection {
-  kind: "casing" | "open";
-  from_m: number;
-  to_m: number;
-  diameter_m: number;
-  friction: number;
-}
-
 /** A component of the string and where it lies. */
-export interface Span {
-  name: string;
-  from_m: number;
-  to_m: number;
-  od_m: number;
+export interface Span extends StringPart {
   id_m: number;
-  /** Over joints or blades. */
-  contact_od_m: number;
 }
 
 /** What can be drawn of a case, sound or not. */

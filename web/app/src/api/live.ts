@@ -1,5 +1,6 @@
 // Live strings: begun, listed, taken back, branched, kept. How they move comes over a socket: seat/connection.
 
+import type { HoleSection } from "../../../components/schematic.ts";
 import { request } from "#asked";
 import { part } from "./client";
 
@@ -70,7 +71,7 @@ export interface Layout {
   units: Record<string, [ShownUnit, ShownUnit, ShownUnit]>;
   contact_radius_m: number[];
   path: { md_m: number[]; north_m: number[]; east_m: number[]; tvd_m: number[]; high: [number[], number[], number[]] };
-  hole: { kind: "casing" | "open"; from_m: number; to_m: number; diameter_m: number }[];
+  hole: HoleSection[];
   knobs: Knobs;
 }
 
