@@ -30,8 +30,9 @@ def np13() -> ws.Case:
 
 @pytest.fixture(scope="session")
 def np13_rock() -> ws.Case:
-    """A run on solid rock, slower than real time."""
-    return ws.Case.load(CASES / "np13-x1042-rock.toml")
+    """A run on solid rock, slower than real time; the bit is run in on it within seconds."""
+    case = ws.Case.load(CASES / "np13-x1042-rock.toml")
+    return case.with_(rock__element_size="24 mm", rock__density_factor=500)
 
 
 @pytest.fixture(scope="session")

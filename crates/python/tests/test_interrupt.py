@@ -76,8 +76,8 @@ def test_a_bit_that_is_run_in_on_rock(rock: ws.Case) -> None:
     assert least_s(lambda: rock.dynamic(), 0.25) <= LIMIT_S
 
 
-def test_a_simulation_on_rock(rock: ws.Case) -> None:
-    sim = rock.simulation()
+def test_a_simulation_on_rock(np13_rock: ws.Case) -> None:
+    sim = np13_rock.simulation()
     assert least_s(lambda: sim.advance("1 h"), 0.3) <= LIMIT_S
 
 
