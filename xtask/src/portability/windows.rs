@@ -10,6 +10,9 @@ use crate::{
 /// Debian keeps it out of the way of its 32-bit twin.
 pub(super) const WINE: &str = "/usr/lib/wine/wine64";
 
+/// What its programs talk to.
+const SERVER: &str = "/usr/lib/wine/wineserver64";
+
 /// Rust asks this library for random numbers, and Wine 8 has none of it.
 const RANDOM: &str = "bcryptprimitives.dll";
 
@@ -64,5 +67,9 @@ pub(super) fn prepare(prefix: &std::path::Path) -> Result<(), Failure> {
         compiler.args(["-shared", "-O1", "-o"]).arg(&library).arg(&source).arg("-ladvapi32");
         run(&mut compiler, "the library must compile")?;
     }
-    Ok(())
+    // A server that ends three seconds after its last program breaks off with one that begins just
+    // then. It says so where there is one already.
+    let mut server = Command::new(SERVER);
+    let started = server.envs(environment()).arg("--persistent=600").status();
+    started.map(|_| ()).map_err(|error| failed(SERVER, error))
 }
