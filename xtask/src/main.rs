@@ -15,6 +15,7 @@ mod command;
 mod count;
 mod cycles;
 mod dependencies;
+mod features;
 mod finding;
 mod folders;
 mod metadata;
@@ -53,6 +54,7 @@ const TEST: &[Step] = &[
     ("Table of dependencies", dependencies::check_table),
     ("Picture of the crates", architecture::check),
     ("Packages", packages::check),
+    ("Features of the Python package", features::check),
     ("Equations of the documentation", site::check_equations),
     ("Workflows", workflows::check),
     ("Bundle of the report", page::bundle),
