@@ -21,7 +21,8 @@ LETTERS = (
     "23DE-23DF,27E8-27E9,1D400-1D454,1D456-1D467,1D6E2-1D71B"
 )
 
-# Browsers set a prime as a superscript, for which the font's own are too small and too high.
+# Browsers set a prime as a superscript, for which the font's own are too small and too high. Lengths are in units of the
+# font, 1000 to the em.
 PRIMES = "′″‴⁗"
 SCALE = 1.69
 TOP = 571
@@ -42,7 +43,8 @@ def redraw(font: TTFont, name: str) -> None:
 
 
 def main() -> None:
-    font = TTFont(sys.argv[1])
+    # The same bytes whenever it is made.
+    font = TTFont(sys.argv[1], recalcTimestamp=False)
     names = font.getBestCmap()
     for prime in PRIMES:
         redraw(font, names[ord(prime)])

@@ -8,7 +8,7 @@ import { quantity } from "./units.ts";
 
 /** A section of the hole, SI. */
 export interface HoleSection {
-  kind: string;
+  kind: "casing" | "open";
   from_m: number;
   to_m: number;
   diameter_m: number;

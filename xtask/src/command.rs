@@ -63,6 +63,19 @@ pub(crate) fn succeeds(command: &mut Command) -> bool {
     command.status().is_ok_and(|status| status.success())
 }
 
+/// What a command prints on standard output; `advice` says what to do when it fails.
+pub(crate) fn printed(command: &mut Command, advice: &str) -> Result<String, Failure> {
+    match command.stderr(Stdio::inherit()).output() {
+        Ok(output) if output.status.success() => {
+            Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+        }
+        Ok(output) => {
+            Err(Failure::new(format!("`{}`: {}; {advice}", line(command), output.status)))
+        }
+        Err(error) => Err(cannot_start(command, &error)),
+    }
+}
+
 /// Runs a test runner with its output on the screen and counts the tests that it reports.
 pub(crate) fn run_counted(command: &mut Command) -> Result<Count, Failure> {
     // It writes to a pipe here and would drop its colours.

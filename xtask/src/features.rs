@@ -2,10 +2,10 @@
 //! package that several use the features that all of one command ask for: where those are others
 //! than in the tests of the workspace, all that stands on it is compiled a second time.
 
-use std::{collections::BTreeSet, process::Stdio};
+use std::collections::BTreeSet;
 
 use crate::{
-    command::{Failure, WORKSPACE, cargo},
+    command::{Failure, WORKSPACE, cargo, printed},
     finding::Finding,
 };
 
@@ -28,12 +28,7 @@ pub(crate) fn check() -> Result<Finding, Failure> {
 fn packages(chosen: &[&str]) -> Result<BTreeSet<String>, Failure> {
     let mut command = cargo();
     command.args(["tree", "--locked", "--prefix", "none", "--format", "{p} [{f}]"]).args(chosen);
-    let output = command.stderr(Stdio::inherit()).output();
-    let output = output.map_err(|error| Failure::new(format!("`cargo tree`: {error}")))?;
-    if !output.status.success() {
-        return Err(Failure::new("`cargo tree` fails: is Cargo.lock up to date?"));
-    }
-    let text = String::from_utf8_lossy(&output.stdout);
+    let text = printed(&mut command, "is Cargo.lock up to date?")?;
     // It marks those that it has shown before.
     Ok(text.lines().map(|line| line.trim_end_matches(" (*)").to_owned()).collect())
 }

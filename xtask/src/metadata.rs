@@ -1,10 +1,8 @@
 //! What cargo knows of the workspace.
 
-use std::process::Stdio;
-
 use serde_json::Value;
 
-use crate::command::{Failure, cargo};
+use crate::command::{Failure, cargo, printed};
 
 /// All packages and what each of them uses, as the lock file has it.
 pub(crate) fn all() -> Result<Value, Failure> {
@@ -19,12 +17,7 @@ pub(crate) fn of_members() -> Result<Value, Failure> {
 fn asked(more: &[&str]) -> Result<Value, Failure> {
     let mut command = cargo();
     command.args(["metadata", "--format-version", "1", "--locked"]).args(more);
-    let output = command.stderr(Stdio::inherit()).output();
-    let output = output.map_err(|error| Failure::new(format!("`cargo metadata`: {error}")))?;
-    if !output.status.success() {
-        return Err(Failure::new("`cargo metadata` fails: is Cargo.lock up to date?"));
-    }
-    serde_json::from_slice(&output.stdout)
+    serde_json::from_str(&printed(&mut command, "is Cargo.lock up to date?")?)
         .map_err(|error| Failure::new(format!("`cargo metadata`: {error}")))
 }
 

@@ -17,7 +17,7 @@ use serde_json::Value;
 use self::cases::{CASES, Case, MESHES, Mesh, RINGING};
 use crate::{
     book,
-    command::{Failure, cargo, run},
+    command::{Failure, cargo, printed, run},
     finding::Finding,
     folders::{root, target},
 };
@@ -122,9 +122,7 @@ fn frequencies(mesh: &Mesh) -> Result<Value, Failure> {
     let name = format!("release/examples/natural_frequencies{}", env::consts::EXE_SUFFIX);
     let mut command = Command::new(target().join(name));
     command.current_dir(root()).arg(RINGING.file).args(RINGING.settings).args(mesh.settings);
-    let output = command.stderr(Stdio::inherit()).output();
-    let output = output.map_err(|error| Failure::new(format!("{command:?}: {error}")))?;
-    serde_json::from_slice(&output.stdout)
+    serde_json::from_str(&printed(&mut command, "it must give its frequencies")?)
         .map_err(|error| Failure::new(format!("{command:?}: {error}")))
 }
 

@@ -6,14 +6,14 @@ mod tables;
 use std::{
     env, fs,
     path::{Path, PathBuf},
-    process::{Command, Stdio},
+    process::Command,
 };
 
 use serde_json::Value;
 
 use crate::{
     book,
-    command::{Failure, cargo, run},
+    command::{Failure, cargo, printed, run},
     finding::Finding,
     folders::{root, target},
     python,
@@ -111,12 +111,7 @@ fn absolute(path: &Path) -> PathBuf {
 /// The last line that a program prints, as JSON.
 fn answer(command: &mut Command) -> Result<Value, Failure> {
     let name = format!("{command:?}");
-    let output = command.stderr(Stdio::inherit()).output();
-    let output = output.map_err(|error| Failure::new(format!("{name}: {error}")))?;
-    if !output.status.success() {
-        return Err(Failure::new(format!("{name}: {}", output.status)));
-    }
-    let text = String::from_utf8_lossy(&output.stdout);
+    let text = printed(command, "it must give its answer")?;
     let line = text.lines().rfind(|line| line.starts_with('{')).unwrap_or_default();
     serde_json::from_str(line).map_err(|error| Failure::new(format!("{name}: {error}: {line}")))
 }

@@ -11,8 +11,8 @@ const RUN: &[&str] = &["run", "cases/np13-x1042.toml", "--csv"];
 const SHORT: &[&str] =
     &["--set", "dynamics.settle=1 s", "--set", "dynamics.duration=2 s", "--set", "model=dynamic"];
 
-/// A tenth of a second of it, on rock so coarse that an emulator runs the bit in on it in minutes; by
-/// one thread, for an emulator makes threads wait for each other.
+/// A tenth of a second of it, on rock so coarse that an emulator runs the bit in on it in minutes;
+/// by one thread, for an emulator makes threads wait for each other.
 const ON_ROCK: &[&str] = &[
     "-j",
     "1",

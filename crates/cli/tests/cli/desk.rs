@@ -10,8 +10,8 @@ use std::{
 
 use wholestring_results::{Summary, Table};
 
-/// What stands in place of the program that was built with the tests: `cargo xtask portability` says
-/// it, a word on each line, an emulator and the program for the system that it shows.
+/// What stands in place of the program that was built with the tests, as `cargo xtask portability`
+/// says it, a word on each line: an emulator, and the program for the system that it shows.
 const IN_ITS_PLACE: &str = "WHOLESTRING_IN_ITS_PLACE";
 
 /// A folder with the test's case in it.

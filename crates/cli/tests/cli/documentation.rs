@@ -27,10 +27,9 @@ fn describe(schema: &Value, text: &mut String) {
         let needed = if required(key) { " Required." } else { "" };
         let _ = writeln!(section, "| `{key}` | {}{needed} |", meaning.replace('\n', " "));
     }
-    if text.contains(&section) {
-        return;
+    if !text.contains(&section) {
+        *text += &section;
     }
-    *text += &section;
     for value in keys.values() {
         describe(value, text);
         describe(&value["items"], text);

@@ -1,19 +1,7 @@
 // What can stand beside the form.
 
 import type { Component } from "svelte";
-import type { Change } from "../api/cases";
-
-/** What every panel is given. */
-export interface PanelProps {
-  /** The case. */
-  id: string;
-  /** What stands in the editor now. */
-  text: string;
-  /** Whether it was checked and has no error. */
-  sound: boolean;
-  /** Changes the case. */
-  change: (...changes: Change[]) => void;
-}
+import type { PanelProps } from "./panel";
 
 export interface Panel {
   name: string;
