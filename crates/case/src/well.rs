@@ -42,17 +42,17 @@ table! {
         /// Unit of the lengths in the survey file, such as "m" or "ft", where the file does not
         /// tell it. Without one, such a file is refused.
         survey_unit: &'static Unit = optional(LengthUnit);
-        /// Curve through the survey: "spline" (continuous curvature) or "minimum-curvature"
-        /// (circular arcs).
+        /// Curve through the survey: "minimum-curvature" (circular arcs, as surveys are computed)
+        /// or "spline" (continuous curvature, for a string in motion).
         path: Interpolation = wholestring_config::table::default(
             Choice {
                 noun: "a path",
                 words: &[
-                    ("spline", Interpolation::Spline),
                     ("minimum-curvature", Interpolation::MinimumCurvature),
+                    ("spline", Interpolation::Spline),
                 ],
             },
-            Interpolation::Spline,
+            Interpolation::MinimumCurvature,
         );
         /// Position of the first station. Default: what the survey file says, or on the vertical
         /// under the origin, as deep as its measured depth.

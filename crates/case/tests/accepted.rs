@@ -16,6 +16,34 @@ use wholestring::{
     well::{Interpolation, Roughness},
 };
 
+/// A plan of three corners runs on the curve by which it was computed: a quarter of a circle of 1200/π m, so that the well ends at
+/// `600 + 1200/π` m; every case that comes with the program names its curve.
+#[test]
+fn minimum_curvature_is_the_default() {
+    let stations = "stations = [[0, 0, 30], [600, 0, 30], [1200, 90, 30], [4305, 90, 30]]";
+    let text = changed("survey = \"np13-x1042-survey.csv\"", stations);
+    let case =
+        read(&text.replace("path = \"spline\"", "#")).unwrap_or_else(|report| panic!("{report}"));
+    assert_eq!(case.model.well.path.interpolation(), Interpolation::MinimumCurvature);
+    let end = case.model.well.path.at(4305.0).position_m.z;
+    assert!((end - (600.0 + 1200.0 / std::f64::consts::PI)).abs() < 1e-6, "{end}");
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    for folder in ["cases", "studies", "benchmarks/accuracy"] {
+        for entry in std::fs::read_dir(root.join(folder)).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            let text = std::fs::read_to_string(&path).unwrap_or_default();
+            let has_well = text.lines().any(|line| line.trim() == "[well]");
+            if has_well && path.extension().is_some_and(|extension| extension == "toml") {
+                assert!(
+                    text.lines().any(|line| line.starts_with("path = \"")),
+                    "{}",
+                    path.display()
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn the_documented_example_loads() {
     let case = read(EXAMPLE).unwrap_or_else(|report| panic!("{report}"));

@@ -113,6 +113,7 @@ fn survey(text: &mut String, file: usize, survey: &Survey, set: UnitSet) {
         let _ = writeln!(text, "    [{md}, {inc}, {azi}],");
     }
     text.push_str("]\n");
+    line(text, "path", "\"minimum-curvature\"", "arcs, as the positions of a survey are computed");
     // Without it, the first station lies vertically under the origin.
     let tie_in = survey.tie_in.filter(|tie_in| *tie_in != under_origin(&survey.stations));
     if let Some(tie_in) = tie_in {
