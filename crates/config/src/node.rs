@@ -5,6 +5,8 @@ use toml::{
     de::{DeTable, DeValue},
 };
 
+use wholestring_units::Dimension;
+
 use crate::{
     diagnostic::Diagnostic,
     names::short,
@@ -155,6 +157,14 @@ fn syntax_error(error: &toml::de::Error, text: &str, source: usize, offset: usiz
             .at(place, said)
             .help(in_single_quotes(written));
     }
+    if let Some((written, help)) = foot_or_inch_mark(text, span.start) {
+        return Diagnostic::error(format!(
+            "`{}` is a quantity and stands in quotes",
+            short(written)
+        ))
+        .at(place, "a foot or inch mark is a quotation mark to TOML")
+        .help(help);
+    }
     let diagnostic = Diagnostic::error("this is not TOML").at(place, said);
     if not_quoted(error) {
         if found.is_empty() {
@@ -165,6 +175,26 @@ fn syntax_error(error: &toml::de::Error, text: &str, source: usize, offset: usiz
             .help(format!("write \"{}\"", short(found)));
     }
     diagnostic
+}
+
+/// A length with a foot or inch mark as the value of a line, `8.5"` in double quotes or in none, and how
+/// it is written.
+fn foot_or_inch_mark(text: &str, at: usize) -> Option<(&str, String)> {
+    let line_start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
+    let (_, value) = text[line_start..].lines().next()?.split_once('=')?;
+    let value = value.split('#').next()?.trim();
+    let within = value.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
+    let written = within.into_iter().chain([value]).find(|written| {
+        written.ends_with(['"', '\'']) && Dimension::Diameter.read(written).is_ok()
+    })?;
+    let number = written.trim_end_matches(['"', '\'']).trim();
+    let is_inch = written.ends_with('"') || written.ends_with("''");
+    let help = match (is_inch, number.contains('\'')) {
+        (true, false) => format!("write \"{number} in\", or '{number}\"' in single quotes"),
+        (true, true) => format!("write \"{}\"", written.replace('"', "\\\"")),
+        (false, _) => format!("write \"{number} ft\""),
+    };
+    Some((written, help))
 }
 
 /// What stands in the double quotes around a place of a line, if a backslash is in it.

@@ -1,6 +1,7 @@
 //! Numbers of a single unit: decimal ones and whole ones.
 
 use serde_json::{Value as Json, json};
+use wholestring_units::number_text;
 
 use crate::{
     diagnostic::Diagnostic,
@@ -54,10 +55,24 @@ pub fn out_of_range(
         format!("`{key}` is too small: {written}")
     };
     let mut diagnostic = Diagnostic::error(message).at(node.place, expected);
+    if let Some(part) = per_cent(value, range, unit) {
+        let part = number_text(part);
+        diagnostic = diagnostic.help(format!("if {written} % is meant, write {part}"));
+    }
     if !unit.is_empty() && value.is_finite() && matches!(node.value, Value::Number { .. }) {
         diagnostic = diagnostic.help(format!("a number without unit is in {unit}"));
     }
     Some(diagnostic)
+}
+
+/// The part that a number beyond its range would be in per cent, where it would be usual.
+fn per_cent(value: f64, range: &Range, unit: &str) -> Option<f64> {
+    let part = value / 100.0;
+    let is_usual = match range.usual_numbers() {
+        Some((from, to)) => (from..=to).contains(&part),
+        None => range.holds(part),
+    };
+    (unit.is_empty() && value > range.max && range.max <= 2.0 && is_usual).then_some(part)
 }
 
 /// A plain number, in a unit that texts do not name.

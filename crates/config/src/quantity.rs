@@ -1,7 +1,7 @@
 //! Quantities: numbers with a unit.
 
 use serde_json::{Value as Json, json};
-use wholestring_units::{Dimension, QuantityErrorKind, number_text};
+use wholestring_units::{Dimension, QuantityError, QuantityErrorKind, number_text};
 
 use crate::{
     diagnostic::Diagnostic,
@@ -80,7 +80,7 @@ impl Rule for Quantity {
                         place.start = from + error.span.start;
                         place.end = from + error.span.end;
                     }
-                    reader.report(self.no_quantity(&error.kind, text, place));
+                    reader.report(self.no_quantity(&error, text, place));
                     return None;
                 }
             },
@@ -145,12 +145,12 @@ impl Quantity {
         symbols.join(", ")
     }
 
-    fn no_quantity(&self, kind: &QuantityErrorKind, text: &str, place: Span) -> Diagnostic {
+    fn no_quantity(&self, error: &QuantityError, text: &str, place: Span) -> Diagnostic {
         let name = self.dimension.name();
         let a_name = with_article(name);
         let units = format!("units of {name}: {}", self.units());
         let such_as = format!("expected {a_name} such as \"{}\"", self.example);
-        match kind {
+        match &error.kind {
             QuantityErrorKind::Empty => {
                 Diagnostic::error(format!("there is no {name} here")).at(place, such_as)
             }
@@ -184,6 +184,17 @@ impl Quantity {
                     None => diagnostic,
                 }
                 .help(units)
+            }
+            QuantityErrorKind::AmbiguousUnit { found, meanings } => {
+                Diagnostic::error(format!("`{}` is not a unit of {name}", short(found)))
+                    .at(place, "ambiguous unit")
+                    .help(*meanings)
+                    .help(units)
+            }
+            QuantityErrorKind::AmbiguousComma { found, .. } => {
+                let message = format!("`{}` may be thousands or decimals", short(found));
+                let help = error.help().unwrap_or_default();
+                Diagnostic::error(message).at(place, such_as).help(help)
             }
             QuantityErrorKind::OtherDimension { found, is } => Diagnostic::error(format!(
                 "`{}` is a unit of {}, not of {name}",

@@ -43,8 +43,12 @@ impl Entry<'_> {
         };
         let sets = std::iter::once(&set).chain(UnitSet::ALL);
         let everyday = sets.map(|set| self.dimension.unit_in(*set));
+        // Who writes in feet and pounds means `lbf` before `N`.
+        let own =
+            self.dimension.units().iter().filter(|unit| set == UnitSet::Field && unit.is_field());
         let mut units: Vec<&'static Unit> = Vec::new();
-        for unit in everyday.chain(self.dimension.units()) {
+        let first = std::iter::once(self.dimension.unit_in(set));
+        for unit in first.chain(own).chain(everyday).chain(self.dimension.units()) {
             let si = unit.to_si(self.number);
             let known = units.iter().any(|other| other.factor == unit.factor);
             if (from..=to).contains(&si) && !known {
@@ -111,12 +115,37 @@ impl Entry<'_> {
         }
         let number = number_text(self.number);
         let key = reader.key;
+        let taken = self.dimension.format(self.si, set);
         reader.note_bare(Bare {
             key,
             place: self.node.place,
-            text: format!("taken as {number} {own}, {}", self.dimension.format(self.si, set)),
-            meant: format!("\"{number} {shown}\""),
+            text: format!("taken as {number} {own}, {taken}"),
+            meant: match self.plausible(set) {
+                Some(unit) => format!("\"{number} {}\"", unit.symbol),
+                None => format!("\"{number} {own}\", which is {taken}"),
+            },
         });
+    }
+
+    /// The unit of a set, or another of its kind, in which the number is as large as such numbers
+    /// are.
+    fn plausible(&self, set: UnitSet) -> Option<&'static Unit> {
+        let is_of_set = |unit: &&Unit| (set == UnitSet::Field) == unit.is_field();
+        if self.range.usual_numbers().is_some() {
+            return self.fitting_units(set).into_iter().find(is_of_set);
+        }
+        let unit = self.dimension.unit_in(set);
+        self.range.holds(unit.to_si(self.number)).then_some(unit)
+    }
+
+    /// A number without a unit that is usual in none.
+    fn unit_of_no_size(&self, from: f64, to: f64, reader: &Reader) -> Diagnostic {
+        let show = |si: f64| self.dimension.format(si, reader.units());
+        let symbols: Vec<&str> = self.dimension.units().iter().map(|unit| unit.symbol).collect();
+        Diagnostic::error(format!("`{}` needs a unit", reader.key))
+            .at(self.node.place, "expected a unit after the number")
+            .help(format!("usual are {} to {}", show(from), show(to)))
+            .help(format!("units of {}: {}", self.dimension.name(), symbols.join(", ")))
     }
 
     /// A number without a unit, where the shell may have taken the quotes away.
@@ -125,7 +154,7 @@ impl Entry<'_> {
         let fitting = self.fitting_units(set);
         let unit = match (fitting.first(), self.range.usual_numbers()) {
             (Some(unit), _) => unit.symbol,
-            (None, Some(_)) => self.dimension.unit_in(set).symbol,
+            (None, Some((from, to))) => return self.unit_of_no_size(from, to, reader),
             // Nothing is known of its size: what it was in a file.
             (None, None) => self.unit,
         };

@@ -11,7 +11,7 @@ pub enum QuantityErrorKind {
     /// Nothing but blanks.
     Empty,
     /// The text does not begin with a number, or the number is written in a way that is not read
-    /// (thousands separators, decimal commas, NaN, infinity).
+    /// (decimal commas, NaN, infinity).
     NotANumber {
         /// The part that should be the number.
         found: String,
@@ -32,6 +32,20 @@ pub enum QuantityErrorKind {
         found: String,
         /// Symbol of the unit with the nearest spelling, where one is near.
         nearest: Option<&'static str>,
+    },
+    /// A unit by which people mean different things.
+    AmbiguousUnit {
+        /// The unit as written.
+        found: String,
+        /// What it may mean and what to write instead.
+        meanings: &'static str,
+    },
+    /// A comma that may part thousands or decimals: `1,500 m`.
+    AmbiguousComma {
+        /// The number as written.
+        found: String,
+        /// Symbol of its unit.
+        unit: &'static str,
     },
     /// A unit, but of another dimension.
     OtherDimension {
@@ -63,6 +77,11 @@ impl QuantityError {
         match &self.kind {
             QuantityErrorKind::UnknownUnit { nearest: Some(nearest), .. } => {
                 Some(format!("did you mean '{nearest}'?"))
+            }
+            QuantityErrorKind::AmbiguousUnit { meanings, .. } => Some((*meanings).to_owned()),
+            QuantityErrorKind::AmbiguousComma { found, unit } => {
+                let [whole, decimal] = both_ways(found);
+                Some(format!("write '{whole} {0}' or '{decimal} {0}'", unit))
             }
             _ => None,
         }
@@ -110,6 +129,18 @@ impl fmt::Display for QuantityError {
                     write!(f, "; accepted: {units}")
                 }
             }
+            QuantityErrorKind::AmbiguousUnit { found, meanings } => {
+                write!(f, "'{}' is not a unit of {dimension}: {meanings}", shown(found))
+            }
+            QuantityErrorKind::AmbiguousComma { found, unit } => {
+                let [whole, decimal] = both_ways(found);
+                write!(
+                    f,
+                    "'{0}' may be {whole} or {decimal}; write '{whole} {1}' or '{decimal} {1}'",
+                    shown(found),
+                    unit
+                )
+            }
             QuantityErrorKind::OtherDimension { found, is } => write!(
                 f,
                 "'{}' is a unit of {}; {a_dimension} was expected, with one of: {units}",
@@ -118,6 +149,13 @@ impl fmt::Display for QuantityError {
             ),
         }
     }
+}
+
+/// A number with a comma, taken as thousands and as decimals.
+pub(crate) fn both_ways(found: &str) -> [String; 2] {
+    let decimal = found.replace(',', ".");
+    let decimal = decimal.trim_end_matches('0').trim_end_matches('.').to_owned();
+    [found.replace(',', ""), decimal]
 }
 
 /// The symbols that a dimension accepts.

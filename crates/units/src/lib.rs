@@ -30,16 +30,22 @@
 //! - `lb` is a pound of mass where a mass is requested and a pound-force where a force is; `t` is
 //!   1000 kg or their weight under standard gravity in the same way.
 //! - `ton` is not read: it is 2000 lb to some and 1000 kg to others. Write `t` or `tonfUS`.
+//! - `MT` is a metric ton where a force or a mass is requested, `F` is feet where a length is, as in LAS
+//!   and WITS.
+//! - `20,000 ft` is twenty thousand: with units of the field a comma parts thousands. `1,500 m` may be
+//!   either and is refused; `1,500,000 N` and `1 500 m` can only mean one thing.
 //! - `Hz` is one turn per second as a rotary speed, and 1/s as a frequency or rate.
 //! - `usft` is the US survey foot, 1200/3937 m; `ft` is the international foot, 0.3048 m.
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod dimension;
 mod error;
+mod nearest;
 mod number;
 mod print;
 mod symbol;
 mod table;
+mod thousands;
 mod unit;
 mod unit_set;
 

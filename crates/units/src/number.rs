@@ -1,18 +1,21 @@
 //! Reading a quantity: its number, then its unit.
 
-use crate::{Dimension, QuantityError, QuantityErrorKind, Written, symbol};
+use crate::{Dimension, QuantityError, QuantityErrorKind, Written, nearest, thousands};
 
 impl Dimension {
     /// Reads a number and a unit, and returns the value in SI.
     ///
     /// The number may be a decimal (`-1.5e3`), a fraction (`5/8`) or a mixed one (`5-1/2`,
-    /// `5 1/2`, `5½`). The unit may follow with or without blanks.
+    /// `5 1/2`, `5½`), and its thousands may be parted where that can mean nothing else (`20,000 ft`,
+    /// `1 500 m`). The unit may follow with or without blanks. Feet and inches may be one length:
+    /// `6' 5"`.
     ///
     /// ```
     /// use wholestring_units::Dimension;
     ///
     /// assert_eq!(Dimension::Diameter.parse("9 5/8\"")?, 0.244475);
     /// assert_eq!(Dimension::Length.parse("-1.5e3 m")?, -1500.0);
+    /// assert_eq!(Dimension::Length.parse("20,000 ft")?, 6096.0);
     /// let error = Dimension::Length.parse("4305").unwrap_err();
     /// assert!(error.to_string().starts_with("'4305' has no unit; a length was expected"));
     /// # Ok::<(), wholestring_units::QuantityError>(())
@@ -45,6 +48,12 @@ fn quantity(dimension: Dimension, text: &str) -> Result<Written, QuantityError> 
         return Err(error(QuantityErrorKind::Empty, 0, text.len()));
     }
 
+    if let Some(written) = with_thousands(dimension, text, start, end) {
+        return written;
+    }
+    if let Some(written) = feet_and_inches(dimension, &text[start..end]) {
+        return Ok(written);
+    }
     let Some((number, number_end)) = number(&text[..end], start) else {
         let stop = word_end(text, start, end);
         let found = text[start..stop].to_owned();
@@ -80,14 +89,60 @@ fn quantity(dimension: Dimension, text: &str) -> Result<Written, QuantityError> 
     }
     let other = Dimension::ALL.iter().find(|other| other.find_unit(unit_text).is_some());
     let found = unit_text.to_owned();
-    let kind = match other {
-        Some(&is) => QuantityErrorKind::OtherDimension { found, is },
-        None => QuantityErrorKind::UnknownUnit {
-            nearest: symbol::nearest(dimension.units(), unit_text),
+    let kind = match (other, nearest::meanings(unit_text)) {
+        (Some(&is), _) => QuantityErrorKind::OtherDimension { found, is },
+        (None, Some(meanings)) => QuantityErrorKind::AmbiguousUnit { found, meanings },
+        (None, None) => QuantityErrorKind::UnknownUnit {
+            nearest: nearest::nearest(dimension.units(), unit_text),
             found,
         },
     };
     Err(error(kind, unit_start, end))
+}
+
+/// A number whose thousands are parted, with its unit; none where the text is something else.
+fn with_thousands(
+    dimension: Dimension,
+    text: &str,
+    start: usize,
+    end: usize,
+) -> Option<Result<Written, QuantityError>> {
+    let sign = text[start..].chars().next().filter(|c| "+-−".contains(*c));
+    let digits = start + sign.map_or(0, char::len_utf8);
+    let parted = thousands::parted(&text[..end], digits)?;
+    let unit = dimension.find_unit(&text[parted.end..end])?;
+    let found = || text[start..parted.end].to_owned();
+    let error = |kind| QuantityError { kind, span: start..parted.end, dimension };
+    if parted.is_unsure && !unit.is_field() {
+        return Some(Err(error(QuantityErrorKind::AmbiguousComma {
+            found: found(),
+            unit: unit.symbol,
+        })));
+    }
+    let number = if matches!(sign, Some('-' | '−')) { -parted.value } else { parted.value };
+    let si = unit.to_si(number);
+    Some(match si.is_finite() {
+        true => Ok(Written { number, unit, si }),
+        false => Err(error(QuantityErrorKind::TooLarge { found: found() })),
+    })
+}
+
+/// A length in feet and inches, `6' 5-1/2"`: both in feet.
+fn feet_and_inches(dimension: Dimension, text: &str) -> Option<Written> {
+    let feet_text = text.find(['\'', '’', '′']).filter(|at| *at > 0)?;
+    let mark = text[feet_text..].chars().next()?;
+    let inches_text = text[feet_text + mark.len_utf8()..].trim_start().trim_start_matches('-');
+    let (feet_unit, inch_unit) = (dimension.find_unit("ft")?, dimension.find_unit("in")?);
+    let (feet, feet_end) = number(&text[..feet_text], 0)?;
+    let (inches, inches_end) = number(inches_text, 0)?;
+    let is_inch = matches!(inches_text[inches_end..].trim(), "\"" | "”" | "″" | "''" | "in");
+    let is_whole = feet.fract() == 0.0 && text[feet_end..feet_text].trim().is_empty();
+    if !is_inch || !is_whole || feet < 0.0 || !(0.0..12.0).contains(&inches) {
+        return None;
+    }
+    let si = feet_unit.to_si(feet) + inch_unit.to_si(inches);
+    let number = feet + inches / 12.0;
+    si.is_finite().then_some(Written { number, unit: feet_unit, si })
 }
 
 /// The number that begins at `start`, and where it ends.

@@ -3,7 +3,7 @@
 use crate::Unit;
 
 /// No spelling of a unit is longer, in bytes, however freely spaced.
-const LONGEST: usize = 64;
+pub(crate) const LONGEST: usize = 64;
 
 /// The bare form of a unit's spelling: no spaces, no sign between the factors of a product, plain
 /// letters and digits for typographic ones.
@@ -121,32 +121,6 @@ fn same_but_for_capitals(spelling: &str, written: &str) -> bool {
         .any(|base| spelling.to_ascii_lowercase()[1..].starts_with(base));
     let first = |text: &str| text.chars().next();
     !(prefixed && matches!(first(spelling), Some('m' | 'M')) && first(spelling) != first(written))
-}
-
-/// The symbol of the unit whose spelling is nearest to an unknown one, where one is near.
-pub(crate) fn nearest(units: &'static [Unit], written: &str) -> Option<&'static str> {
-    if written.len() > LONGEST {
-        return None;
-    }
-    let written = bare(written).to_lowercase();
-    let length = written.chars().count();
-    units
-        .iter()
-        .flat_map(|unit| unit.spellings().map(move |spelling| (unit, spelling)))
-        .filter_map(|(unit, spelling)| {
-            let spelling = bare(spelling).to_lowercase();
-            let longest = spelling.chars().count().max(length);
-            let shortest = spelling.chars().count().min(length);
-            // Checked first: the distance is quadratic in the lengths.
-            if longest - shortest > longest.div_ceil(3) {
-                return None;
-            }
-            let distance = strsim::damerau_levenshtein(&spelling, &written);
-            let near = distance <= longest.div_ceil(3) && distance < shortest;
-            near.then_some((distance, unit.symbol))
-        })
-        .min_by_key(|&(distance, _)| distance)
-        .map(|(_, symbol)| symbol)
 }
 
 #[cfg(test)]

@@ -3,7 +3,8 @@
 //! Every factor is built from definitions: the international yard and pound agreement of 1959
 //! (foot, pound), the standard acceleration of gravity (CGPM 1901), the US gallon of 231 cubic
 //! inches, the standard atmosphere of 101 325 Pa. The spellings of the Energistics Unit of Measure
-//! Standard stand among the aliases where they differ from the field's.
+//! Standard are among the aliases where they differ from the field's. So are the symbols of WITS level
+//! 0 (`F`, `KDN`, `KFLB`, `KGM3`, `L/M`, `PHSF`) and of LAS files, and those in Cyrillic letters.
 
 use std::f64::consts::PI;
 
@@ -30,23 +31,29 @@ const fn unit(symbol: &'static str, factor: f64, aliases: &'static [&'static str
     Unit { symbol, aliases, factor }
 }
 
-const METRE: Unit = unit("m", 1.0, &["metre", "metres", "meter", "meters", "mtr", "mtrs"]);
+const METRE: Unit = unit(
+    "m",
+    1.0,
+    &["metre", "metres", "meter", "meters", "mtr", "mtrs", "mt", "mts", "м", "М", "метр", "метров"],
+);
 const FEET: Unit = unit("ft", FOOT, &["'", "feet", "foot"]);
+/// Feet of a depth: `F` is their symbol in LAS and WITS, which have no diameters in feet.
+const FEET_ALONG: Unit = unit("ft", FOOT, &["'", "feet", "foot", "F"]);
 const INCHES: Unit = unit("in", INCH, &["\"", "''", "inch", "inches"]);
-const CENTIMETRE: Unit = unit("cm", 0.01, &[]);
-const MILLIMETRE: Unit = unit("mm", 0.001, &[]);
-const KILOMETRE: Unit = unit("km", 1000.0, &[]);
+const CENTIMETRE: Unit = unit("cm", 0.01, &["см"]);
+const MILLIMETRE: Unit = unit("mm", 0.001, &["мм"]);
+const KILOMETRE: Unit = unit("km", 1000.0, &["км"]);
 const YARDS: Unit = unit("yd", YARD, &["yard", "yards"]);
 const SURVEY_FEET: Unit = unit("usft", US_SURVEY_FOOT, &["ftUS", "ft[US]", "US ft", "ft US"]);
 
 pub(crate) const LENGTH: &[Unit] =
-    &[METRE, FEET, MILLIMETRE, INCHES, CENTIMETRE, KILOMETRE, YARDS, SURVEY_FEET];
+    &[METRE, FEET_ALONG, MILLIMETRE, INCHES, CENTIMETRE, KILOMETRE, YARDS, SURVEY_FEET];
 
 pub(crate) const DIAMETER: &[Unit] =
     &[MILLIMETRE, INCHES, METRE, CENTIMETRE, FEET, KILOMETRE, YARDS, SURVEY_FEET];
 
 pub(crate) const FORCE: &[Unit] = &[
-    unit("kN", 1e3, &[]),
+    unit("kN", 1e3, &["кН"]),
     unit(
         "t",
         TONNE_FORCE,
@@ -61,6 +68,9 @@ pub(crate) const FORCE: &[Unit] = &[
             "metric tons",
             "kkgf",
             "1000 kgf",
+            "MT",
+            "т",
+            "тс",
         ],
     ),
     unit(
@@ -68,17 +78,17 @@ pub(crate) const FORCE: &[Unit] = &[
         1e3 * POUND_FORCE,
         &["klb", "klbs", "kip", "kips", "kipf", "1000 lbf", "1000 lb", "1000 lbs"],
     ),
-    unit("N", 1.0, &["newton"]),
-    unit("MN", 1e6, &[]),
-    unit("daN", 10.0, &[]),
-    unit("kdaN", 1e4, &[]),
+    unit("N", 1.0, &["newton", "Н"]),
+    unit("MN", 1e6, &["МН"]),
+    unit("daN", 10.0, &["даН"]),
+    unit("kdaN", 1e4, &["KDN"]),
     unit("lbf", POUND_FORCE, &["lb", "lbs"]),
-    unit("kgf", GRAVITY, &["kp"]),
+    unit("kgf", GRAVITY, &["kp", "кгс"]),
     unit("tonfUS", SHORT_TON_FORCE, &["tonf[US]", "US tonf", "short tonf", "short ton-force"]),
 ];
 
 pub(crate) const TORQUE: &[Unit] = &[
-    unit("kN.m", 1e3, &[]),
+    unit("kN.m", 1e3, &["кН.м"]),
     unit(
         "ft-lbf",
         FOOT * POUND_FORCE,
@@ -104,44 +114,49 @@ pub(crate) const TORQUE: &[Unit] = &[
             "1000 lbf.ft",
             "1000 ft-lb",
             "1000 ft-lbs",
+            "KFLB",
         ],
     ),
-    unit("N.m", 1.0, &[]),
+    unit("N.m", 1.0, &["Н.м"]),
     unit("MN.m", 1e6, &[]),
     unit("daN.m", 10.0, &[]),
-    unit("kgf.m", GRAVITY, &["m.kgf"]),
+    unit("kgf.m", GRAVITY, &["m.kgf", "kg.m", "кгс.м"]),
     unit("in-lbf", INCH * POUND_FORCE, &["lbf.in", "in.lb", "lb.in", "in.lbs", "lbs.in"]),
 ];
 
 pub(crate) const PRESSURE: &[Unit] = &[
-    unit("MPa", 1e6, &["N/mm2", "MJ/m3"]),
-    unit("bar", 1e5, &["bars", "barg"]),
-    unit("psi", PSI, &["lbf/in2", "psig"]),
+    unit("MPa", 1e6, &["N/mm2", "MJ/m3", "МПа"]),
+    unit("bar", 1e5, &["bars", "barg", "бар"]),
+    unit("psi", PSI, &["lbf/in2", "psig", "psia"]),
     unit("Pa", 1.0, &["N/m2", "J/m3"]),
-    unit("kPa", 1e3, &["kN/m2"]),
+    unit("kPa", 1e3, &["kN/m2", "кПа"]),
     unit("GPa", 1e9, &["kN/mm2"]),
     unit("ksi", 1e3 * PSI, &["kpsi", "klbf/in2"]),
     unit("Mpsi", 1e6 * PSI, &["Msi"]),
-    unit("atm", 101_325.0, &[]),
+    unit("atm", 101_325.0, &["атм"]),
 ];
 
 pub(crate) const DENSITY: &[Unit] = &[
-    unit("kg/m3", 1.0, &["g/l", "g/L", "g/dm3"]),
+    unit("kg/m3", 1.0, &["g/l", "g/L", "g/dm3", "KGM3", "K/M3", "кг/м3"]),
     unit("sg", 1e3, &["SG", "specific gravity"]),
     unit(
         "ppg",
         POUND / US_GALLON,
         &["lb/gal", "lbs/gal", "lbm/gal", "lbm/galUS", "lbm/gal[US]", "lb/USgal", "lbs/USgal"],
     ),
-    unit("g/cm3", 1e3, &["g/cc", "kg/l", "kg/L", "kg/dm3", "t/m3", "Mg/m3", "g/ml", "g/mL"]),
+    unit(
+        "g/cm3",
+        1e3,
+        &["g/cc", "kg/l", "kg/L", "kg/dm3", "t/m3", "Mg/m3", "g/ml", "g/mL", "G/C3", "г/см3"],
+    ),
     unit("lb/ft3", POUND / (FOOT * FOOT * FOOT), &["lbm/ft3", "lbs/ft3", "pcf", "lb/cu ft"]),
     unit("psi/ft", PSI / FOOT / GRAVITY, &[]),
     unit("kPa/m", 1e3 / GRAVITY, &[]),
 ];
 
 pub(crate) const MASS_PER_LENGTH: &[Unit] = &[
-    unit("kg/m", 1.0, &[]),
-    unit("lb/ft", POUND / FOOT, &["lbm/ft", "lbs/ft", "ppf", "#/ft", "#"]),
+    unit("kg/m", 1.0, &["кг/м"]),
+    unit("lb/ft", POUND / FOOT, &["lbm/ft", "lbs/ft", "ppf", "#/ft", "#", "LB/F"]),
     unit("t/m", 1e3, &[]),
 ];
 
@@ -157,18 +172,22 @@ pub(crate) const FORCE_PER_LENGTH: &[Unit] = &[
 ];
 
 pub(crate) const ROTARY_SPEED: &[Unit] = &[
-    unit("rpm", TURN / MINUTE, &["rev/min", "revs/min", "r/min", "1/min", "c/min"]),
+    unit("rpm", TURN / MINUTE, &["rev/min", "revs/min", "r/min", "1/min", "c/min", "об/мин"]),
     unit("rad/s", 1.0, &[]),
     unit("rev/s", TURN, &["Hz", "rps", "r/s", "c/s"]),
     unit("deg/s", DEGREE, &["dega/s"]),
 ];
 
 pub(crate) const RATE_OF_PENETRATION: &[Unit] = &[
-    unit("m/h", 1.0 / HOUR, &["m/hr", "m/hour", "metres/hour", "meters/hour"]),
-    unit("ft/h", FOOT / HOUR, &["ft/hr", "fph", "ft/hour", "feet/h", "feet/hr", "feet/hour"]),
-    unit("m/s", 1.0, &["m/sec"]),
-    unit("m/min", 1.0 / MINUTE, &[]),
-    unit("ft/min", FOOT / MINUTE, &["fpm", "feet/min"]),
+    unit("m/h", 1.0 / HOUR, &["m/hr", "m/hour", "metres/hour", "meters/hour", "м/ч"]),
+    unit(
+        "ft/h",
+        FOOT / HOUR,
+        &["ft/hr", "fph", "ft/hour", "feet/h", "feet/hr", "feet/hour", "F/H", "F/HR"],
+    ),
+    unit("m/s", 1.0, &["m/sec", "м/с"]),
+    unit("m/min", 1.0 / MINUTE, &["м/мин"]),
+    unit("ft/min", FOOT / MINUTE, &["fpm", "feet/min", "F/MIN"]),
     unit("ft/s", FOOT, &["ft/sec"]),
     unit("mm/s", 1e-3, &[]),
 ];
@@ -176,14 +195,14 @@ pub(crate) const RATE_OF_PENETRATION: &[Unit] = &[
 pub(crate) const TRIP_SPEED: &[Unit] = RATE_OF_PENETRATION;
 
 pub(crate) const ANGLE: &[Unit] = &[
-    unit("deg", DEGREE, &["°", "dega", "degree", "degrees", "degs"]),
+    unit("deg", DEGREE, &["°", "dega", "degree", "degrees", "degs", "град"]),
     unit("rad", 1.0, &["radian", "radians"]),
     unit("turn", TURN, &["turns", "rev", "revs"]),
 ];
 
 pub(crate) const DOGLEG_SEVERITY: &[Unit] = &[
     unit("deg/30m", DEGREE / 30.0, &["dega/30m"]),
-    unit("deg/100ft", DEGREE / (100.0 * FOOT), &["dega/100ft", "deg/100'", "deg/100feet"]),
+    unit("deg/100ft", DEGREE / (100.0 * FOOT), &["dega/100ft", "deg/100'", "deg/100feet", "DGHF"]),
     unit("deg/10m", DEGREE / 10.0, &["dega/10m"]),
     unit("deg/m", DEGREE, &["dega/m"]),
     unit("deg/ft", DEGREE / FOOT, &["dega/ft"]),
@@ -238,22 +257,23 @@ pub(crate) const SHEAR_STRESS: &[Unit] = &[
             "lb/100sqft",
             "lbs/100sqft",
             "0.01 lbf/ft2",
+            "PHSF",
         ],
     ),
     unit("dyn/cm2", 0.1, &["dyne/cm2"]),
 ];
 
 pub(crate) const FLOW_RATE: &[Unit] = &[
-    unit("L/min", 1e-3 / MINUTE, &["l/min", "lpm", "LPM", "litres/min"]),
+    unit("L/min", 1e-3 / MINUTE, &["l/min", "lpm", "LPM", "litres/min", "L/M", "л/мин"]),
     unit(
         "gpm",
         US_GALLON / MINUTE,
         &["gal/min", "galUS/min", "gal[US]/min", "USgpm", "US gal/min", "USgal/min"],
     ),
-    unit("m3/s", 1.0, &[]),
-    unit("m3/min", 1.0 / MINUTE, &[]),
-    unit("m3/h", 1.0 / HOUR, &["m3/hr"]),
-    unit("L/s", 1e-3, &["l/s", "l/sec", "dm3/s"]),
+    unit("m3/s", 1.0, &["м3/с"]),
+    unit("m3/min", 1.0 / MINUTE, &["M3/M", "м3/мин"]),
+    unit("m3/h", 1.0 / HOUR, &["m3/hr", "м3/ч"]),
+    unit("L/s", 1e-3, &["l/s", "l/sec", "dm3/s", "л/с"]),
     unit("bbl/min", 42.0 * US_GALLON / MINUTE, &["bpm"]),
 ];
 
@@ -279,10 +299,10 @@ pub(crate) const HOIST_GAIN: &[Unit] = &[
 ];
 
 pub(crate) const TIME: &[Unit] = &[
-    unit("s", 1.0, &["sec", "secs", "second", "seconds"]),
+    unit("s", 1.0, &["sec", "secs", "second", "seconds", "с", "сек"]),
     unit("ms", 1e-3, &[]),
-    unit("min", MINUTE, &["mins", "minute", "minutes"]),
-    unit("h", HOUR, &["hr", "hrs", "hour", "hours"]),
+    unit("min", MINUTE, &["mins", "minute", "minutes", "мин"]),
+    unit("h", HOUR, &["hr", "hrs", "hour", "hours", "ч"]),
     unit("d", DAY, &["day", "days"]),
 ];
 
@@ -294,7 +314,7 @@ pub(crate) const FREQUENCY: &[Unit] = &[
 
 pub(crate) const MASS: &[Unit] = &[
     unit("kg", 1.0, &[]),
-    unit("t", 1e3, &["tonne", "tonnes", "Mg"]),
+    unit("t", 1e3, &["tonne", "tonnes", "Mg", "MT", "т"]),
     unit("lb", POUND, &["lbm", "lbs"]),
     unit("klb", 1e3 * POUND, &["klbm", "klbs"]),
     unit("g", 1e-3, &[]),

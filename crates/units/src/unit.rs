@@ -1,5 +1,11 @@
 //! One unit of measurement.
 
+/// Words of units of the field.
+const FIELD: &[&str] = &[
+    "ft", "usft", "in", "yd", "lb", "lbf", "klb", "klbf", "kft", "psi", "ksi", "Mpsi", "ppg",
+    "gpm", "gal", "bbl", "tonUS", "tonfUS",
+];
+
 /// A unit of one dimension.
 #[derive(Debug, PartialEq)]
 pub struct Unit {
@@ -21,6 +27,12 @@ impl Unit {
     /// An SI value, in this unit.
     pub fn from_si(&self, si: f64) -> f64 {
         si / self.factor
+    }
+
+    /// Whether it is of the field: of feet, pounds, gallons. Where they are used a comma parts
+    /// thousands.
+    pub fn is_field(&self) -> bool {
+        self.symbol.split(|c: char| !c.is_alphabetic()).any(|word| FIELD.contains(&word))
     }
 
     /// The symbol and the aliases.

@@ -165,10 +165,13 @@ fn a_text_that_is_no_quantity_gets_a_sentence() {
         assert!(matches!(kind, QuantityErrorKind::NotANumber { .. }), "{text}: {kind:?}");
     }
     for (text, at) in [
-        ("1,500 m", "1,500"),
         ("1.2.3 m", "1.2.3"),
-        ("1 500 m", "1 500"),
-        ("1_500 m", "1_500"),
+        ("15,00 m", "15,00"),
+        ("0,250 ft", "0,250"),
+        ("1500,000 ft", "1500,000"),
+        ("1,500,00 ft", "1,500,00"),
+        ("1.500,5 m", "1.500,5"),
+        ("1 50 m", "1 50"),
         ("12,5 m", "12,5"),
         ("5 9/8 m", "5 9/8"),
         ("1/0 m", "1/0"),
@@ -178,14 +181,87 @@ fn a_text_that_is_no_quantity_gets_a_sentence() {
         assert_eq!(&text[kind.span.clone()], at);
         assert!(matches!(kind.kind, QuantityErrorKind::NotANumber { .. }), "{text}: {kind:?}");
     }
-    let sentence = Length.parse("1,500 m").unwrap_err().to_string();
+    let sentence = Length.parse("12,5 m").unwrap_err().to_string();
     assert!(sentence.contains("thousands not separated: '1500.5 m'"), "{sentence}");
+    // Where a comma is a decimal sign to some.
+    let sentence = "'1,500' may be 1500 or 1.5; write '1500 m' or '1.5 m'";
+    let kind = refused(Length, "1,500 m", "1,500", sentence);
+    assert!(matches!(kind, QuantityErrorKind::AmbiguousComma { .. }), "{kind:?}");
     for (text, at) in [("1e400 m", "1e400"), ("1e308 km", "1e308"), ("-1e999 m", "-1e999")] {
         let kind = refused(Length, text, at, &format!("'{at}' is too large for a length"));
         assert!(matches!(kind, QuantityErrorKind::TooLarge { .. }), "{text}: {kind:?}");
     }
-    let kind = refused(Force, "6 ton", "ton", "'ton' is not a unit of force; did you mean 't'?");
-    assert!(matches!(kind, QuantityErrorKind::UnknownUnit { nearest: Some("t"), .. }));
+    // A `ton` is 907 kg, 1000 kg or 1016 kg: no unit is suggested.
+    let kind =
+        refused(Force, "6 ton", "ton", "'ton' is not a unit of force: a ton is 2000 lb to some");
+    assert!(matches!(kind, QuantityErrorKind::AmbiguousUnit { .. }));
+}
+
+/// Thousands that are parted where that can mean nothing else; feet and inches in one length.
+#[test]
+fn thousands_and_inches_are_read() {
+    use Dimension::{Density, Diameter, Force, Length, Torque};
+    let pound = 0.45359237 * 9.80665;
+    close(Length, "20,000 ft", 6096.0);
+    close(Length, "20,000ft", 6096.0);
+    close(Length, "-1,234.5 ft", -1234.5 * 0.3048);
+    close(Length, "20 000 ft", 6096.0);
+    close(Length, "20\u{202f}000 m", 20_000.0);
+    close(Length, "1 500 m", 1500.0);
+    close(Length, "1_500 m", 1500.0);
+    close(Length, "20'000 m", 20_000.0);
+    close(Force, "1,200,000 N", 1.2e6);
+    close(Force, "110,000 lbf", 110e3 * pound);
+    close(Torque, "35,000 ft-lbf", 35e3 * 0.3048 * pound);
+    close(Density, "1,200.5 kg/m3", 1200.5);
+    close(Diameter, "8.5\"", 8.5 * 0.0254);
+    close(Diameter, "8.5''", 8.5 * 0.0254);
+    close(Length, "30'", 30.0 * 0.3048);
+    close(Length, "31' 6\"", 31.5 * 0.3048);
+    close(Length, "31'-6 1/2\"", (31.0 + 6.5 / 12.0) * 0.3048);
+}
+
+/// The symbols of WITS level 0, of LAS files and in Cyrillic letters.
+#[test]
+fn the_symbols_of_wits_and_las_are_read() {
+    use Dimension as D;
+    let pound = 0.45359237 * 9.80665;
+    let gallon = 231.0 * 0.0254f64.powi(3);
+    for (dimension, symbol, si) in [
+        (D::Length, "F", 0.3048),
+        (D::Length, "M", 1.0),
+        (D::Length, "м", 1.0),
+        (D::Length, "метр", 1.0),
+        (D::Diameter, "MM", 1e-3),
+        (D::Diameter, "IN", 0.0254),
+        (D::Force, "KDN", 1e4),
+        (D::Force, "KLB", 1e3 * pound),
+        (D::Force, "MT", 9806.65),
+        (D::Force, "тс", 9806.65),
+        (D::Torque, "KFLB", 1e3 * 0.3048 * pound),
+        (D::Torque, "KNM", 1e3),
+        (D::Pressure, "KPA", 1e3),
+        (D::Pressure, "PSI", pound / (0.0254 * 0.0254)),
+        (D::Density, "KGM3", 1.0),
+        (D::Density, "PPG", 0.45359237 / gallon),
+        (D::Density, "G/CC", 1e3),
+        (D::MassPerLength, "KG/M", 1.0),
+        (D::MassPerLength, "LB/F", 0.45359237 / 0.3048),
+        (D::FlowRate, "L/M", 1e-3 / 60.0),
+        (D::FlowRate, "GPM", gallon / 60.0),
+        (D::FlowRate, "M3/M", 1.0 / 60.0),
+        (D::RateOfPenetration, "M/HR", 1.0 / 3600.0),
+        (D::RateOfPenetration, "F/HR", 0.3048 / 3600.0),
+        (D::TripSpeed, "FPM", 0.3048 / 60.0),
+        (D::ShearStress, "PHSF", pound / 9.290304),
+        (D::Angle, "DEG", 1f64.to_radians()),
+        (D::Time, "SEC", 1.0),
+        (D::Viscosity, "CP", 1e-3),
+    ] {
+        close(dimension, &format!("3 {symbol}"), 3.0 * si);
+    }
+    // Feet across the hole are not written so.
+    assert_eq!(D::Diameter.find_unit("F"), None);
 }
 
 #[test]

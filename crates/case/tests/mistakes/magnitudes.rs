@@ -53,6 +53,38 @@ fn numbers_without_unit_in_a_field_case() {
     assert!(shown_in_si.warnings.is_empty(), "{}", shown_in_si.warnings);
 }
 
+/// Of a number without a unit, the unit that is proposed gives a weight that a block can have: no
+/// 110000 klbf, which are 489 MN.
+#[test]
+fn a_proposed_unit_gives_a_number_that_can_be() {
+    let text = changed("[rig]                                 #", "[rig]\nblock_weight = 110000 #")
+        .replace("model = \"dynamic\"", "model = \"dynamic\"\nunits = \"field\"");
+    let warnings = read(&text).expect("a sound case").warnings.render(false);
+    assert!(warnings.contains("\"110000 lbf\""), "{warnings}");
+    assert!(!warnings.contains("110000 klbf"), "{warnings}");
+    warned("usual_bare_block_weight", read(&text));
+    // In no unit is it as large as block weights are.
+    let answer = read_with(&text, &["rig.block_weight=7e-9"]);
+    refused("block_weight_of_no_size", answer);
+}
+
+/// Foot and inch marks, thousands that are parted, units by which people mean different things.
+#[test]
+fn lengths_and_weights_as_they_are_written() {
+    each_refused(
+        r#"
+        inch_mark_in_double_quotes: `"215.9 mm"\nfriction` -> `"8.5""\nfriction`
+        inch_mark_without_quotes: `"215.9 mm"\nfriction` -> `8-1/2"  # of the bit\nfriction`
+        foot_mark_without_quotes: `"4305 m"                  # default` -> `14124' # default`
+        thousands_or_decimals: `"4305 m"                  # default` -> `"4,305 m" # default`
+        ton_of_whom: `"6 tf"` -> `"6 ton"`
+        "#,
+    );
+    let text = changed("\"4305 m\"                  # default", "'14,120 ft' # default");
+    let case = read(&text).expect("a sound case");
+    assert!(case.warnings.is_empty(), "{}", case.warnings);
+}
+
 /// Zero switches something off, and needs no unit.
 #[test]
 fn zero_is_not_doubted() {
