@@ -32,7 +32,7 @@ pub(crate) fn unfit(
     noun: &str,
     reader: &mut Reader,
 ) -> Diagnostic {
-    let sentence = error.kind().to_string();
+    let sentence = error.sentence();
     let (message, expected) = sentence.split_once("; ").unwrap_or((&sentence, ""));
     let diagnostic = Diagnostic::error(message);
     match (error.text(), error.span(), error.place()) {

@@ -53,7 +53,7 @@ pub(crate) fn explained(error: &TableError) -> Error {
 /// The mistake underlined in the survey, where it is a text.
 fn report(error: &TableError) -> Option<Report> {
     let (text, span) = error.text().zip(error.span())?;
-    let sentence = error.kind().to_string();
+    let sentence = error.sentence();
     let (message, expected) = sentence.split_once("; ").unwrap_or((&sentence, ""));
     Some(Report {
         sources: vec![Source { name: error.file().to_owned(), text: text.to_owned() }],

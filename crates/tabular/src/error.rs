@@ -197,6 +197,12 @@ pub enum TableErrorKind {
         /// The cell's text.
         found: String,
     },
+    /// A formula without its result.
+    #[error(
+        "the cell holds a formula whose result was never calculated; open the workbook in Excel or \
+         LibreOffice and save it"
+    )]
+    FormulaNotCalculated,
     /// A cell that should hold something.
     #[error("the {column} is missing in this row")]
     EmptyCell {
@@ -331,6 +337,8 @@ struct Detail {
     kind: TableErrorKind,
     place: Option<Place>,
     text: Option<String>,
+    /// What of the file is not read and may be what is missing.
+    unread: Option<String>,
 }
 
 impl TableError {
@@ -345,7 +353,30 @@ impl TableError {
             kind,
             place,
             text: text.map(str::to_owned),
+            unread: None,
         }))
+    }
+
+    /// The same of a file of which something is not read, where that may be what is missing.
+    pub(crate) fn with_unread(mut self, unread: &str) -> Self {
+        use TableErrorKind as K;
+        let is_missing = matches!(
+            self.kind(),
+            K::NoSurveySheet { .. }
+                | K::NoHeader
+                | K::MissingColumn { .. }
+                | K::NoUnits
+                | K::MissingUnit { .. }
+                | K::MissingReadingUnit { .. }
+                | K::NoReadings { .. }
+                | K::NoTally { .. }
+                | K::EmptyCell { .. }
+                | K::TooFewStations { .. }
+        );
+        if is_missing && !unread.is_empty() {
+            self.0.unread = Some(unread.to_owned());
+        }
+        self
     }
 
     /// The same of a file that should hold readings.
@@ -366,6 +397,14 @@ impl TableError {
     /// What is wrong.
     pub fn kind(&self) -> &TableErrorKind {
         &self.0.kind
+    }
+
+    /// What is wrong, and what of the file was not read where that may be why.
+    pub fn sentence(&self) -> String {
+        match &self.0.unread {
+            Some(unread) => format!("{} ({unread})", self.kind()),
+            None => self.kind().to_string(),
+        }
     }
 
     /// Where it is, if it is in one place.
@@ -395,8 +434,8 @@ impl std::error::Error for TableError {}
 impl fmt::Display for TableError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.place() {
-            Some(place) => write!(f, "{}, {place}: {}", self.file(), self.kind()),
-            None => write!(f, "{}: {}", self.file(), self.kind()),
+            Some(place) => write!(f, "{}, {place}: {}", self.file(), self.sentence()),
+            None => write!(f, "{}: {}", self.file(), self.sentence()),
         }
     }
 }

@@ -27,6 +27,9 @@ pub struct Held {
     pub readings: Vec<String>,
     /// Where none has: what comes nearest to a tally, and nearer than to a survey.
     pub nearly_tally: Option<TableError>,
+    /// What of a workbook is not read and might be missed: hidden sheets, rows and columns, formulas
+    /// without a result. Empty where there is nothing.
+    pub unread: String,
 }
 
 /// Says what a file holds, by its headings alone.
@@ -34,8 +37,8 @@ pub struct Held {
 /// # Errors
 /// It is neither a text nor a workbook, or holds more than is read.
 pub fn held(bytes: &[u8], name: &str) -> Result<Held, TableError> {
-    of_tables(bytes, name, |tables| {
-        let mut held = Held::default();
+    of_tables(bytes, name, |tables, unread| {
+        let mut held = Held { unread: unread.to_owned(), ..Held::default() };
         for table in tables {
             let name = match table.source {
                 Source::Sheet { sheet, .. } => sheet.to_owned(),
@@ -75,7 +78,7 @@ pub fn read_tally(
     sheet: Option<&str>,
     said: &mut dyn FnMut(Column) -> Option<&'static Unit>,
 ) -> Result<ImportedTally, TableError> {
-    of_tables(bytes, name, |tables| {
+    of_tables(bytes, name, |tables, unread| {
         let is_it = |table: &&Table| match (table.source, sheet) {
             (Source::Sheet { sheet, .. }, Some(wanted)) => sheet == wanted,
             _ => true,
@@ -83,23 +86,28 @@ pub fn read_tally(
         let tables = || tables.iter().filter(|table| keeps_empty_cells(table));
         tables().filter(is_it).find_map(|table| tally::read(table, said)).unwrap_or_else(|| {
             let found = "no row names the columns of a tally";
-            Err(TableError::new(name, TableErrorKind::NoTally { found }, None, None))
+            let kind = TableErrorKind::NoTally { found };
+            Err(TableError::new(name, kind, None, None).with_unread(unread))
         })
     })?
 }
 
 /// What is made of the tables of a file: a text is also cut in columns that stand one below the
 /// other.
-fn of_tables<R>(bytes: &[u8], name: &str, of: impl FnOnce(&[Table]) -> R) -> Result<R, TableError> {
+fn of_tables<R>(
+    bytes: &[u8],
+    name: &str,
+    of: impl FnOnce(&[Table], &str) -> R,
+) -> Result<R, TableError> {
     if cells::is_workbook(bytes, name) {
-        return cells::of_workbook(bytes, name, |tables, _| of(tables));
+        return cells::of_workbook(bytes, name, |tables, book| of(tables, &book.unread));
     }
     cells::of_text(bytes, name, |tables, source| {
         let mut tables = tables.to_vec();
         if let Source::Text { text, .. } = source {
             tables.push(fixed::cut(source, text));
         }
-        of(&tables)
+        of(&tables, "")
     })
 }
 

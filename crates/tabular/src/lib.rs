@@ -30,6 +30,7 @@ mod error;
 mod held;
 mod read;
 mod readings;
+mod sheets;
 mod survey;
 mod tally;
 
@@ -38,6 +39,7 @@ pub use error::{Place, TableError, TableErrorKind};
 pub use held::{Held, held, read_tally};
 pub use read::{read, read_all, read_as, read_csv, read_excel, read_readings};
 pub use readings::{ImportedReading, ImportedReadings};
+pub use sheets::{SheetText, is_workbook, sheets};
 pub use survey::{
     imported::{ImportedSurvey, StatedPosition, SurveyTable, under_origin},
     preamble::{About, Stated},

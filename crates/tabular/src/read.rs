@@ -80,19 +80,17 @@ fn first(mut tables: Vec<SurveyTable>, name: &str) -> Result<ImportedSurvey, Tab
 /// # Errors
 /// Everything that [`TableErrorKind`] lists, with its place.
 pub fn read_readings(bytes: &[u8], name: &str) -> Result<ImportedReadings, TableError> {
-    let first = |tables: &[Table]| read_readings_of(tables);
-    let found = match cells::is_workbook(bytes, name) {
-        true => cells::of_workbook(bytes, name, |tables, _| first(tables)),
-        false => cells::of_text(bytes, name, |tables, _| first(tables)),
+    let first = |tables: &[Table], unread: &str| {
+        read_readings_of(tables).unwrap_or_else(|| {
+            let kind = TableErrorKind::NoReadings { found: "no header names them" };
+            Err(TableError::new(name, kind, None, None).with_unread(unread))
+        })
     };
-    found.map_err(|error| error.of_readings())?.ok_or_else(|| {
-        TableError::new(
-            name,
-            TableErrorKind::NoReadings { found: "no header names them" },
-            None,
-            None,
-        )
-    })?
+    let found = match cells::is_workbook(bytes, name) {
+        true => cells::of_workbook(bytes, name, |tables, book| first(tables, &book.unread)),
+        false => cells::of_text(bytes, name, |tables, _| first(tables, "")),
+    };
+    found.map_err(|error| error.of_readings())?
 }
 
 fn read_readings_of(tables: &[Table]) -> Option<Result<ImportedReadings, TableError>> {
@@ -138,10 +136,10 @@ pub fn read_excel(bytes: &[u8], name: &str) -> Result<ImportedSurvey, TableError
 }
 
 fn excel(bytes: &[u8], name: &str, said: &Said) -> Result<Vec<SurveyTable>, TableError> {
-    cells::of_workbook(bytes, name, |tables, names| {
+    cells::of_workbook(bytes, name, |tables, book| {
         surveys(tables, said).unwrap_or_else(|| {
-            let kind = TableErrorKind::NoSurveySheet { sheets: names.to_vec() };
-            Err(TableError::new(name, kind, None, None))
+            let kind = TableErrorKind::NoSurveySheet { sheets: book.names.clone() };
+            Err(TableError::new(name, kind, None, None).with_unread(&book.unread))
         })
     })?
 }

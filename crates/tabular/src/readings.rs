@@ -74,6 +74,8 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Ta
         notes.push("a comma is read as the decimal sign".to_owned());
     }
     let keys = keys(&layout, &mut notes);
+    let read: Vec<usize> = keys.iter().map(|key| key.index).collect();
+    table.check_calculated(&read, layout.data)?;
     let mut readings = Vec::new();
     for &row in &rows {
         let row = &table.rows[row];

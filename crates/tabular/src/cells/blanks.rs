@@ -58,10 +58,9 @@ pub(crate) fn cut_from<'a>(source: Source<'a>, text: &'a str, from: usize) -> Ta
         };
         let cells = spans
             .into_iter()
-            .map(|span| Cell {
-                text: text[span.clone()].trim().to_owned(),
-                number: None,
-                at: Position(span.start, span.end),
+            .map(|span| {
+                let at = Position(span.start, span.end);
+                Cell::new(text[span].trim().to_owned(), at)
             })
             .collect();
         rows.push(Row { cells, end: Position(line.end, line.end) });

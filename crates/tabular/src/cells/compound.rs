@@ -34,7 +34,13 @@ pub(crate) fn workbook_stream(bytes: &[u8]) -> Result<Vec<u8>, TableErrorKind> {
     let entry = ["Workbook", "Book"]
         .iter()
         .find_map(|name| entries.iter().find(|entry| has_name(entry, name)))
-        .ok_or_else(|| damaged("it holds no workbook"))?;
+        .ok_or_else(|| {
+            let is_locked = entries.iter().any(|entry| has_name(entry, "EncryptedPackage"));
+            damaged(match is_locked {
+                true => "it is locked with a password: save it without",
+                false => "it holds no workbook",
+            })
+        })?;
     let length = u32_at(entry, 120).unwrap_or(0) as usize;
     if length > limits::STREAM_BYTES {
         let [found, most] =

@@ -47,7 +47,7 @@ fn cell(text: &str, start: usize, sign: u8) -> (Cell, usize) {
         let words: Vec<&str> = inside.split_whitespace().collect();
         let end = close + 1 + bytes[close + 1..].iter().take_while(|byte| blank(byte)).count();
         let at = Position(first + 1, close);
-        return (Cell { text: words.join(" "), number: None, at }, end);
+        return (Cell::new(words.join(" "), at), end);
     }
     let ends = |byte: &u8| *byte == sign || matches!(byte, b'\n' | b'\r');
     let end = bytes[start..].iter().position(ends).map_or(text.len(), |length| start + length);
@@ -56,7 +56,7 @@ fn cell(text: &str, start: usize, sign: u8) -> (Cell, usize) {
     let from = start + (content.len() - content.trim_start().len());
     let from = if trimmed.is_empty() { start } else { from };
     let at = Position(from, from + trimmed.len());
-    (Cell { text: trimmed.to_owned(), number: None, at }, end)
+    (Cell::new(trimmed.to_owned(), at), end)
 }
 
 /// The quote that closes a cell: not doubled, and nothing but blanks before the cell's end.

@@ -117,7 +117,7 @@ fn cell(text: &str, span: Range<usize>) -> Cell {
     let from = span.start + (content.len() - content.trim_start().len());
     let from = if trimmed.is_empty() { span.start } else { from };
     let at = Position(from, from + trimmed.len());
-    Cell { text: trimmed.to_owned(), number: None, at }
+    Cell::new(trimmed.to_owned(), at)
 }
 
 #[cfg(test)]

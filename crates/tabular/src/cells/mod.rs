@@ -10,6 +10,7 @@ pub(crate) mod limits;
 pub(crate) mod number;
 mod open;
 pub(crate) mod records;
+pub(crate) mod shown;
 pub(crate) mod table;
 pub(crate) mod workbook;
 

@@ -62,27 +62,48 @@ fn fits(text: &str) -> Result<(), TableErrorKind> {
     Ok(())
 }
 
-/// What is made of the sheets of a workbook, and their names.
+/// A workbook as a whole.
+#[derive(Debug)]
+pub(crate) struct Book {
+    /// Names of its visible sheets.
+    pub(crate) names: Vec<String>,
+    /// What of it is not read and might be missed, in words.
+    pub(crate) unread: String,
+}
+
+/// What is made of the visible sheets of a workbook.
 pub(crate) fn of_workbook<R>(
     bytes: &[u8],
     name: &str,
-    of: impl FnOnce(&[Table], &[String]) -> R,
+    of: impl FnOnce(&[Table], &Book) -> R,
 ) -> Result<R, TableError> {
-    let sheets = workbook::sheets(bytes).map_err(|kind| TableError::new(name, kind, None, None))?;
-    let (names, held): (Vec<String>, Vec<_>) =
-        sheets.into_iter().map(|sheet| (sheet.name, (sheet.rows, sheet.notes))).unzip();
-    let tables: Vec<Table> = names
+    let workbook::Workbook { sheets, hidden } = workbook::read(bytes, workbook::Dates::Named)
+        .map_err(|kind| TableError::new(name, kind, None, None))?;
+    let hidden = workbook::hidden_sheets(&hidden);
+    let unread: Vec<String> = sheets
         .iter()
-        .zip(held)
-        .map(|(sheet, (rows, notes))| Table {
-            source: Source::Sheet { file: name, sheet },
+        .map(|sheet| {
+            let all = sheet.hidden.iter().chain(&sheet.uncalculated).chain(&hidden);
+            all.map(String::as_str).collect::<Vec<_>>().join("; ")
+        })
+        .collect();
+    let whole = sheets.iter().flat_map(|sheet| sheet.hidden.iter().chain(&sheet.uncalculated));
+    let book = Book {
+        names: sheets.iter().map(|sheet| sheet.name.clone()).collect(),
+        unread: whole.chain(&hidden).map(String::as_str).collect::<Vec<_>>().join("; "),
+    };
+    let tables: Vec<Table> = sheets
+        .into_iter()
+        .zip(book.names.iter().zip(&unread))
+        .map(|(workbook::Sheet { rows, notes, hidden: own, .. }, (sheet, unread))| Table {
+            source: Source::Sheet { file: name, sheet, unread },
             rows,
             parted_by: None,
             counted: None,
-            notes,
+            notes: notes.into_iter().chain(own).chain(hidden.clone()).collect(),
         })
         .collect();
-    Ok(of(&tables, &names))
+    Ok(of(&tables, &book))
 }
 
 /// The part of a table above a row.

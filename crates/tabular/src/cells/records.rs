@@ -3,14 +3,15 @@
 //! The reader of workbooks makes a table of every sheet that is named, as large as its farthest
 //! cells and its own claim say, and copies a shared string into each cell that shows it. So all of
 //! this is counted first. Claims of extent, names and formulas, which are not needed, are taken
-//! out.
+//! out. What is hidden, and which formulas have no result, is seen on the way.
 //!
 //! Format: \[MS-XLS\] Excel Binary File Format.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 
 use crate::cells::compound::{u16_at, u32_at};
 use crate::cells::limits::{self, Budget, too_much};
+use crate::cells::shown::Shown;
 use crate::error::TableErrorKind;
 
 /// Kinds of records.
@@ -18,12 +19,14 @@ const FORMULA: u16 = 0x0006;
 const END: u16 = 0x000a;
 const NAME: u16 = 0x0018;
 const CONTINUE: u16 = 0x003c;
+const COLUMN_FORMAT: u16 = 0x007d;
 const SHEET: u16 = 0x0085;
 const MANY_NUMBERS: u16 = 0x00bd;
 const STRINGS: u16 = 0x00fc;
 const SHARED_TEXT: u16 = 0x00fd;
 const EXTENT: u16 = 0x0200;
 const TEXT: u16 = 0x0207;
+const ROW_FORMAT: u16 = 0x0208;
 const BEGIN: u16 = 0x0809;
 
 /// A kind that no reader knows.
@@ -37,8 +40,9 @@ const COLUMNS: u16 = 256;
 
 /// Refuses a workbook whose cells are more than are read or beyond the limits of the format, and
 /// takes out of its records what would make room for more than there is. What follows the last whole
-/// record goes: filled up to a sector it would be a record that was not looked at.
-pub(crate) fn check(stream: &mut Vec<u8>) -> Result<(), TableErrorKind> {
+/// record goes: filled up to a sector it would be a record that was not looked at. Returns what each
+/// sheet shows, in the order in which the workbook names them.
+pub(crate) fn check(stream: &mut Vec<u8>) -> Result<Vec<Shown>, TableErrorKind> {
     let all: Vec<Record> = records(stream, 0).collect();
     let end = all.last().ok_or_else(|| damaged("its workbook holds no record"))?.to;
     stream.truncate(end);
@@ -56,13 +60,24 @@ pub(crate) fn check(stream: &mut Vec<u8>) -> Result<(), TableErrorKind> {
     // Where a sheet begins elsewhere, what is taken out below would change its cells.
     let begins: HashSet<usize> = all.iter().map(|record| record.from - 4).collect();
     let mut budget = Budget::default();
+    let mut views = Vec::new();
     for sheet in sheets {
         let start = sheet as usize;
         if !begins.contains(&start) {
             return Err(damaged("a sheet does not begin with a record"));
         }
-        count(stream, start, &strings, &mut budget)?;
+        views.push(count(stream, start, &strings, &mut budget)?);
     }
+    // Excel writes empty texts and zeros that are results. Where no formula of the workbook has
+    // another one, they are what a program wrote in place of results.
+    let is_calculated = views.iter().any(|view| view.has_result);
+    let shown = views.into_iter().map(|mut view| {
+        if !is_calculated {
+            view.shown.uncalculated = view.placeholders;
+        }
+        view.shown
+    });
+    let shown = shown.collect();
     for record in all {
         let length = record.to - record.from;
         match record.kind {
@@ -77,22 +92,77 @@ pub(crate) fn check(stream: &mut Vec<u8>) -> Result<(), TableErrorKind> {
             _ => {}
         }
     }
-    Ok(())
+    Ok(shown)
 }
 
-/// Counts the cells of a sheet.
+/// What is seen of a sheet while its cells are counted.
+#[derive(Default)]
+struct View {
+    shown: Shown,
+    /// Formulas whose result is an empty text, or a zero that is to be calculated anew.
+    placeholders: BTreeSet<(u32, u32)>,
+    /// Whether a formula has another result.
+    has_result: bool,
+}
+
+impl View {
+    fn take(&mut self, kind: u16, data: &[u8]) {
+        match kind {
+            // Row, two columns, height, four bytes, options.
+            ROW_FORMAT => {
+                let (Some(row), Some(options)) = (u16_at(data, 0), u16_at(data, 12)) else {
+                    return;
+                };
+                if options & 0x20 != 0 {
+                    self.shown.hidden_rows.insert(u32::from(row));
+                }
+            }
+            // First and last column, width, format, options.
+            COLUMN_FORMAT => {
+                let number = |at| u16_at(data, at);
+                let [Some(first), Some(last), Some(width), Some(options)] =
+                    [0, 2, 4, 8].map(number)
+                else {
+                    return;
+                };
+                if options & 1 != 0 || width == 0 {
+                    self.shown.hide_columns(u32::from(first), u32::from(last));
+                }
+            }
+            // Row, column, format, result in eight bytes, options.
+            FORMULA => {
+                let (Some(row), Some(column)) = (u16_at(data, 0), u16_at(data, 2)) else { return };
+                let (Some(low), Some(high)) = (u32_at(data, 6), u32_at(data, 10)) else { return };
+                let options = u16_at(data, 14).unwrap_or(0);
+                let is_empty_text = high >> 16 == 0xffff && low & 0xff == 3;
+                let is_zero = low == 0 && high == 0;
+                // Bit 1: to be calculated when the workbook is opened.
+                if is_empty_text || (is_zero && options & 2 != 0) {
+                    self.placeholders.insert((u32::from(row), u32::from(column)));
+                } else if !is_zero {
+                    self.has_result = true;
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Counts the cells of a sheet, and sees what it shows.
 fn count(
     stream: &[u8],
     start: usize,
     strings: &[usize],
     budget: &mut Budget,
-) -> Result<(), TableErrorKind> {
+) -> Result<View, TableErrorKind> {
+    let mut view = View::default();
     let (mut cells, mut formulas) = (Extent::default(), Extent::default());
     // Where a formula's text goes, which stands in a record of its own.
     let mut at = (0, 0);
     let mut depth = 0_usize;
     for record in records(stream, start) {
         let data = record.data(stream);
+        view.take(record.kind, data);
         match record.kind {
             BEGIN => depth += 1,
             // A chart within the sheet ends before it does.
@@ -126,7 +196,8 @@ fn count(
     }
     // A table has all the cells between its corners.
     budget.cells(cells.area())?;
-    budget.cells(formulas.area())
+    budget.cells(formulas.area())?;
+    Ok(view)
 }
 
 /// Row, first and last column of the cells that a record holds, if it holds any.

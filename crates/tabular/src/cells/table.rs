@@ -15,9 +15,16 @@ pub(crate) struct Cell {
     /// Its number, where the file holds one and not its text.
     pub(crate) number: Option<f64>,
     pub(crate) at: Position,
+    /// A formula whose result was never calculated: empty to whoever reads values.
+    pub(crate) is_uncalculated: bool,
 }
 
 impl Cell {
+    /// A cell of a text.
+    pub(crate) fn new(text: String, at: Position) -> Self {
+        Self { text, number: None, at, is_uncalculated: false }
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.text.is_empty()
     }
@@ -72,6 +79,27 @@ pub(crate) struct Table<'a> {
 }
 
 impl Table<'_> {
+    /// Whether the cells of columns, from a row on, are all calculated.
+    ///
+    /// # Errors
+    /// The first that is not.
+    pub(crate) fn check_calculated(
+        &self,
+        columns: &[usize],
+        from: usize,
+    ) -> Result<(), TableError> {
+        let rows = self.rows.iter().skip(from);
+        let mut cells = rows.flat_map(|row| {
+            row.cells.iter().enumerate().filter(|(index, _)| columns.contains(index))
+        });
+        match cells.find(|(_, cell)| cell.is_uncalculated) {
+            Some((_, cell)) => {
+                Err(self.source.error(TableErrorKind::FormulaNotCalculated, Some(cell.at)))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// A note on a thing found, and on what parts the cells.
     pub(crate) fn note(&self, found: &str) -> String {
         match self.parted_by {
@@ -84,8 +112,16 @@ impl Table<'_> {
 /// A text or a sheet of a workbook.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Source<'a> {
-    Text { file: &'a str, text: &'a str },
-    Sheet { file: &'a str, sheet: &'a str },
+    Text {
+        file: &'a str,
+        text: &'a str,
+    },
+    /// `unread`: what of the sheet is not read and might be missed, in words.
+    Sheet {
+        file: &'a str,
+        sheet: &'a str,
+        unread: &'a str,
+    },
 }
 
 impl Source<'_> {
@@ -94,7 +130,9 @@ impl Source<'_> {
         let place = at.map(|at| self.place(at));
         match *self {
             Source::Text { file, text } => TableError::new(file, kind, place, Some(text)),
-            Source::Sheet { file, .. } => TableError::new(file, kind, place, None),
+            Source::Sheet { file, unread, .. } => {
+                TableError::new(file, kind, place, None).with_unread(unread)
+            }
         }
     }
 

@@ -1,32 +1,57 @@
 //! The sheets of an Excel workbook as rows of cells.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Cursor;
 
-use calamine::{Data, DataRef, Reader, SheetType, Xls, Xlsx};
+use calamine::{Data, DataRef, ExcelDateTime, Reader, SheetType, SheetVisible, Xls, Xlsx};
 use wholestring_contain::contain;
 
 use crate::cells::limits::{self, Budget, too_much};
+use crate::cells::shown::{self, Shown};
 use crate::cells::table::{Cell, Position, Row};
 use crate::error::{TableErrorKind, letters};
 use crate::{cells::archive, cells::compound, cells::records};
 
-/// A sheet with its rows, empty ones above the last included.
+/// The sheets of a workbook that are read.
+#[derive(Debug)]
+pub(crate) struct Workbook {
+    pub(crate) sheets: Vec<Sheet>,
+    /// Names of hidden sheets, which are not read.
+    pub(crate) hidden: Vec<String>,
+}
+
+/// A sheet with its rows, empty ones above the last included, hidden ones left out.
 #[derive(Debug)]
 pub(crate) struct Sheet {
     pub(crate) name: String,
     pub(crate) rows: Vec<Row>,
     /// What of it is not read.
     pub(crate) notes: Vec<String>,
+    /// Of these, what is hidden.
+    pub(crate) hidden: Vec<String>,
+    /// Where its first formula without a result is.
+    pub(crate) uncalculated: Option<String>,
+}
+
+/// What becomes of a date.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Dates {
+    /// `a date`, for no number of a survey or a tally is one.
+    Named,
+    /// As ISO 8601 has it: `2024-03-17T04:00:02.500`.
+    Written,
 }
 
 /// Whether the bytes begin as a workbook does: a zip archive or a compound file.
 pub(crate) fn is_workbook(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(compound::MARK)
+    // A zip archive begins so with a part, without any, or where it is one of several.
+    let is_zip =
+        [b"PK\x03\x04", b"PK\x05\x06", b"PK\x07\x08"].iter().any(|mark| bytes.starts_with(*mark));
+    is_zip || bytes.starts_with(compound::MARK)
 }
 
-/// The workbook's sheets.
-pub(crate) fn sheets(bytes: &[u8]) -> Result<Vec<Sheet>, TableErrorKind> {
+/// Reads the visible sheets of a workbook.
+pub(crate) fn read(bytes: &[u8], dates: Dates) -> Result<Workbook, TableErrorKind> {
     if bytes.is_empty() {
         return Err(TableErrorKind::Empty);
     }
@@ -36,20 +61,39 @@ pub(crate) fn sheets(bytes: &[u8]) -> Result<Vec<Sheet>, TableErrorKind> {
         return Err(unreadable("in a browser alone none can: save its sheet as CSV"));
     }
     // The reader of workbooks is not ours, and a damaged file may make it panic.
-    let sheets = contain(|| if bytes.starts_with(b"PK") { xlsx(bytes) } else { xls(bytes) });
-    sheets.unwrap_or_else(|_| Err(unreadable("it is damaged")))
+    let read =
+        contain(|| if bytes.starts_with(b"PK") { xlsx(bytes, dates) } else { xls(bytes, dates) });
+    read.unwrap_or_else(|_| Err(unreadable("it is damaged")))
+}
+
+/// What is said of hidden sheets.
+pub(crate) fn hidden_sheets(names: &[String]) -> Option<String> {
+    const LISTED: usize = 5;
+    let mut listed: Vec<String> =
+        names.iter().take(LISTED).map(|name| format!("'{name}'")).collect();
+    if names.len() > LISTED {
+        listed.push(format!("{} more", names.len() - LISTED));
+    }
+    match names {
+        [] => None,
+        [_] => Some(format!("the sheet {} is hidden and not read", listed.concat())),
+        _ => Some(format!("the sheets {} are hidden and not read", listed.join(", "))),
+    }
 }
 
 fn unreadable(reason: impl ToString) -> TableErrorKind {
     TableErrorKind::NotAWorkbook { reason: reason.to_string() }
 }
 
-fn xlsx(bytes: &[u8]) -> Result<Vec<Sheet>, TableErrorKind> {
-    archive::check(bytes)?;
+fn xlsx(bytes: &[u8], dates: Dates) -> Result<Workbook, TableErrorKind> {
+    let parts = archive::check(bytes)?;
     let mut workbook = Xlsx::new(Cursor::new(bytes)).map_err(unreadable)?;
+    let Worksheets { visible, hidden, .. } = worksheets(workbook.sheets_metadata())?;
+    let views = shown::of_sheets(&parts, &visible)?;
+    drop(parts);
     let mut sheets = Vec::new();
     let mut budget = Budget::default();
-    for name in worksheets(workbook.sheets_metadata())? {
+    for (name, view) in visible.into_iter().zip(views) {
         // Cell by cell: the whole range of a sheet is as large as its farthest cell says.
         let mut reader = workbook.worksheet_cells_reader(&name).map_err(unreadable)?;
         let mut cells = BTreeMap::new();
@@ -68,48 +112,94 @@ fn xlsx(bytes: &[u8]) -> Result<Vec<Sheet>, TableErrorKind> {
                 }
                 continue;
             }
-            if let Some(cell) = self::cell(&Data::from(cell.get_value().clone()), row, column) {
+            let value = Data::from(cell.get_value().clone());
+            if let Some(cell) = self::cell(&value, row, column, dates) {
                 cells.insert((row, column), cell);
             }
         }
-        let rows = rows(cells, &mut budget)?;
-        sheets.push(Sheet { name, rows, notes: far });
+        sheets.push(sheet(name, cells, &view, far, &mut budget)?);
     }
-    Ok(sheets)
+    Ok(Workbook { sheets, hidden })
 }
 
-fn xls(bytes: &[u8]) -> Result<Vec<Sheet>, TableErrorKind> {
+fn xls(bytes: &[u8], dates: Dates) -> Result<Workbook, TableErrorKind> {
     let mut stream = compound::workbook_stream(bytes)?;
-    records::check(&mut stream)?;
+    let mut views: Vec<Shown> = records::check(&mut stream)?;
     let file = compound::file_of(&stream);
     drop(stream);
     let mut workbook = Xls::new(Cursor::new(file)).map_err(unreadable)?;
+    let Worksheets { visible, places, hidden } = worksheets(workbook.sheets_metadata())?;
     let mut sheets = Vec::new();
     let mut budget = Budget::default();
-    for name in worksheets(workbook.sheets_metadata())? {
+    for (name, place) in visible.into_iter().zip(places) {
         let range = workbook.worksheet_range(&name).map_err(unreadable)?;
         let (top, left) = range.start().unwrap_or((0, 0));
         let cells = range
             .used_cells()
             .filter_map(|(row, column, data)| {
                 let (row, column) = (top + row as u32, left + column as u32);
-                Some(((row, column), cell(data, row, column)?))
+                Some(((row, column), cell(data, row, column, dates)?))
             })
             .collect();
-        let rows = rows(cells, &mut budget)?;
-        sheets.push(Sheet { name, rows, notes: Vec::new() });
+        let view = views.get_mut(place).map(std::mem::take).unwrap_or_default();
+        sheets.push(sheet(name, cells, &view, Vec::new(), &mut budget)?);
     }
-    Ok(sheets)
+    Ok(Workbook { sheets, hidden })
 }
 
-/// The names of the sheets that hold cells and not a chart.
-fn worksheets(sheets: &[calamine::Sheet]) -> Result<Vec<String>, TableErrorKind> {
+/// A sheet of cells without what is hidden of it.
+fn sheet(
+    name: String,
+    mut cells: BTreeMap<(u32, u32), Cell>,
+    view: &Shown,
+    notes: Vec<String>,
+    budget: &mut Budget,
+) -> Result<Sheet, TableErrorKind> {
+    for &(row, column) in view.uncalculated.iter().filter(|at| !is_far(at.0, at.1)) {
+        let at = Position(row as usize, column as usize);
+        let cell = Cell { is_uncalculated: true, ..Cell::new(String::new(), at) };
+        cells.insert((row, column), cell);
+    }
+    let hidden: BTreeSet<(u32, u32)> =
+        cells.keys().copied().filter(|at| view.is_hidden(at.0, at.1)).collect();
+    cells.retain(|at, _| !hidden.contains(at));
+    let first = cells.iter().find(|(_, cell)| cell.is_uncalculated);
+    let uncalculated = first.map(|((row, column), _)| {
+        format!(
+            "cell {}{} of sheet '{name}' holds a formula that was never calculated",
+            letters(column + 1),
+            row + 1
+        )
+    });
+    let hidden = view.notes(&name, &hidden);
+    let rows = rows(cells, view, budget)?;
+    Ok(Sheet { name, rows, notes, hidden, uncalculated })
+}
+
+/// The sheets that hold cells and not a chart.
+struct Worksheets {
+    visible: Vec<String>,
+    /// Places of the visible ones among all sheets.
+    places: Vec<usize>,
+    hidden: Vec<String>,
+}
+
+fn worksheets(sheets: &[calamine::Sheet]) -> Result<Worksheets, TableErrorKind> {
     if sheets.len() > limits::SHEETS {
         return Err(too_much(sheets.len(), "sheets", limits::SHEETS));
     }
-    let holds_cells = |sheet: &&calamine::Sheet| sheet.typ == SheetType::WorkSheet;
-    let names = sheets.iter().filter(holds_cells);
-    Ok(names.map(|sheet| sheet.name.clone()).collect())
+    let mut found = Worksheets { visible: Vec::new(), places: Vec::new(), hidden: Vec::new() };
+    for (place, sheet) in sheets.iter().enumerate() {
+        match (sheet.typ, sheet.visible) {
+            (SheetType::WorkSheet, SheetVisible::Visible) => {
+                found.visible.push(sheet.name.clone());
+                found.places.push(place);
+            }
+            (SheetType::WorkSheet, _) => found.hidden.push(sheet.name.clone()),
+            _ => {}
+        }
+    }
+    Ok(found)
 }
 
 /// Whether a cell is too far out to be read: a single one at the far corner would make a table of the
@@ -130,7 +220,7 @@ fn far_note(row: u32, column: u32) -> String {
 }
 
 /// One cell, unless it is empty.
-fn cell(data: &Data, row: u32, column: u32) -> Option<Cell> {
+fn cell(data: &Data, row: u32, column: u32, dates: Dates) -> Option<Cell> {
     let (text, number) = match data {
         Data::Empty => return None,
         Data::Float(number) => (number.to_string(), Some(*number)),
@@ -139,32 +229,60 @@ fn cell(data: &Data, row: u32, column: u32) -> Option<Cell> {
             (text.split_whitespace().collect::<Vec<_>>().join(" "), None)
         }
         Data::Bool(value) => (value.to_string(), None),
+        Data::DateTime(date) if dates == Dates::Written => (date_text(date), None),
         Data::DateTime(_) => ("a date".to_owned(), None),
         Data::Error(error) => (error.to_string(), None),
     };
     let at = Position(row as usize, column as usize);
-    (!text.is_empty()).then_some(Cell { text, number, at })
+    (!text.is_empty()).then(|| Cell { number, ..Cell::new(text, at) })
 }
 
-/// Cells as rows without gaps.
+/// A date, a time of the day, or both, as ISO 8601 has them.
+fn date_text(date: &ExcelDateTime) -> String {
+    let serial = date.as_f64();
+    let (year, month, day, hour, minute, second, milli) = date.to_ymd_hms_milli();
+    let time = match milli {
+        0 => format!("{hour:02}:{minute:02}:{second:02}"),
+        _ => format!("{hour:02}:{minute:02}:{second:02}.{milli:03}"),
+    };
+    let day = format!("{year:04}-{month:02}-{day:02}");
+    match serial {
+        _ if (0.0..1.0).contains(&serial) => time,
+        _ if serial.fract() == 0.0 => day,
+        _ => format!("{day}T{time}"),
+    }
+}
+
+/// Cells as rows without gaps; hidden rows and columns are none.
 fn rows(
     cells: BTreeMap<(u32, u32), Cell>,
+    view: &Shown,
     budget: &mut Budget,
 ) -> Result<Vec<Row>, TableErrorKind> {
+    // The columns in their order: one more than the farthest, where a missing cell would be.
+    let last = cells.keys().map(|(_, column)| column + 1).max().unwrap_or(0);
+    let columns: Vec<usize> = (0..=last + view.hidden_columns.len() as u32)
+        .filter(|column| !view.hidden_columns.contains(column))
+        .map(|column| column as usize)
+        .collect();
     let mut rows: Vec<Row> = Vec::new();
+    let mut next = 0;
     for ((row, column), cell) in cells {
-        let (row, column) = (row as usize, column as usize);
-        while rows.len() <= row {
-            rows.push(Row { cells: Vec::new(), end: Position(rows.len(), 0) });
+        while next <= row {
+            if !view.hidden_rows.contains(&next) {
+                rows.push(Row { cells: Vec::new(), end: Position(next as usize, columns[0]) });
+            }
+            next += 1;
         }
-        let row = &mut rows[row];
-        budget.cells(column - row.cells.len())?;
-        while row.cells.len() < column {
-            let at = Position(row.end.0, row.cells.len());
-            row.cells.push(Cell { text: String::new(), number: None, at });
+        let Some(row) = rows.last_mut() else { continue };
+        let index = columns.partition_point(|of| *of < column as usize);
+        budget.cells(index - row.cells.len())?;
+        while row.cells.len() < index {
+            let at = Position(row.end.0, columns[row.cells.len()]);
+            row.cells.push(Cell::new(String::new(), at));
         }
         row.cells.push(cell);
-        row.end.1 = row.cells.len();
+        row.end.1 = columns[row.cells.len()];
     }
     Ok(rows)
 }

@@ -112,6 +112,8 @@ pub(crate) fn below(table: &Table, header: Header, said: &Said) -> Result<Layout
     if !in_degrees.is_empty() {
         notes.push(format!("no unit for {}: read in degrees", in_degrees.join(" and ")));
     }
+    let read: Vec<usize> = columns.iter().map(|found| found.index).collect();
+    table.check_calculated(&read, header.row)?;
     Ok(Layout { columns, data, header: header.texts, notes })
 }
 

@@ -94,6 +94,8 @@ pub(crate) fn below(
         });
         columns.push(Laid { column, index: headed.index, heading, unit });
     }
+    let read: Vec<usize> = columns.iter().map(|laid| laid.index).collect();
+    table.check_calculated(&read, header.row)?;
     let data = units.map_or(header.row, |row| row) + 1;
     Ok(Layout { columns, data, notes })
 }

@@ -14,6 +14,10 @@ pub(crate) enum Value<'a> {
     Shorts(&'a [f64]),
     /// A day by its number, which the cell's format shows as a date.
     Date(f64),
+    /// A formula whose result is an empty text.
+    EmptyFormula,
+    /// A formula whose result is 0, to be calculated when the workbook is opened.
+    ZeroFormula,
 }
 
 /// A workbook whose sheet "Survey" holds these cells at row and column.
@@ -31,7 +35,33 @@ pub(crate) fn workbook_merged(cells: &[(u16, u16, Value)], merged: &[[u16; 4]]) 
     whole(cells, 1, merged)
 }
 
+/// A workbook with a row that is hidden, and a column.
+pub(crate) fn workbook_hidden(
+    cells: &[(u16, u16, Value)],
+    row: u16,
+    column: Option<u16>,
+) -> Vec<u8> {
+    let mut hidden = record(
+        0x0208,
+        &[&row.to_le_bytes()[..], &[0, 0, 3, 0, 0xff, 0, 0, 0, 0, 0], &[0x20, 1, 15, 0]].concat(),
+    );
+    if let Some(column) = column {
+        let at = column.to_le_bytes();
+        hidden.extend(record(0x007d, &[&at[..], &at, &[0, 8, 15, 0, 1, 0, 0, 0]].concat()));
+    }
+    of_records(cells, 1, &[], &hidden)
+}
+
 fn whole(cells: &[(u16, u16, Value)], times: usize, merged: &[[u16; 4]]) -> Vec<u8> {
+    of_records(cells, times, merged, &[])
+}
+
+fn of_records(
+    cells: &[(u16, u16, Value)],
+    times: usize,
+    merged: &[[u16; 4]],
+    hidden: &[u8],
+) -> Vec<u8> {
     let mut shared: Vec<&str> = Vec::new();
     let mut sheet = record(0x0809, &[&[0, 6, 0x10, 0], &[0; 12][..]].concat());
     let rows = cells.iter().map(|cell| cell.0 + 1).max().unwrap_or(0);
@@ -44,6 +74,7 @@ fn whole(cells: &[(u16, u16, Value)], times: usize, merged: &[[u16; 4]]) -> Vec<
         &[0, 0],
     ];
     sheet.extend(record(0x0200, &dimensions.concat()));
+    sheet.extend(hidden);
     for (row, column, value) in cells {
         let place = [row.to_le_bytes(), column.to_le_bytes()].concat();
         let format = u16::from(matches!(value, Value::Date(_)));
@@ -63,6 +94,13 @@ fn whole(cells: &[(u16, u16, Value)], times: usize, merged: &[[u16; 4]]) -> Vec<
                     shared.push(text);
                 }
                 record(0x00fd, &[&at[..], &index.to_le_bytes()].concat())
+            }
+            Value::EmptyFormula => {
+                let result = [3, 0, 0, 0, 0, 0, 0xff, 0xff];
+                record(0x0006, &[&at[..], &result, &[0; 6], &[0, 0]].concat())
+            }
+            Value::ZeroFormula => {
+                record(0x0006, &[&at[..], &[0; 8], &[3, 0, 0, 0, 0, 0], &[0, 0]].concat())
             }
             Value::Short(number) => record(0x027e, &[&at[..], &short(*number)].concat()),
             Value::Shorts(numbers) => {
