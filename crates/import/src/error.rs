@@ -13,7 +13,7 @@ pub enum ImportErrorKind {
         reason: String,
     },
     /// A table that cannot be read.
-    #[error("{}", .0.kind())]
+    #[error("{}", .0.sentence())]
     Table(TableError),
     /// None of the formats that are known.
     #[error(

@@ -30,6 +30,10 @@ impl Format {
     pub fn of(input: &mut Input) -> Result<Self, ImportError> {
         let name = input.name().to_owned();
         let head = input.head()?;
+        // The texts within an archive that is not compressed are none of the file's.
+        if wholestring_tabular::is_workbook(head) {
+            return Ok(Format::Table);
+        }
         xml::check(&name, head)?;
         if let Some(kind) = log::Kind::of(head) {
             return Ok(Format::Log(kind));

@@ -5,11 +5,16 @@ use wholestring_import::Choices;
 use super::{
     imports::{XML, reads},
     reader::{New, Reader},
+    workbooks,
 };
 
 /// The readers of this file.
-pub(super) const READERS: &[(&str, New)] =
-    &[("import-las", las), ("import-log-csv", csv), ("import-log-witsml", witsml)];
+pub(super) const READERS: &[(&str, New)] = &[
+    ("import-las", las),
+    ("import-log-csv", csv),
+    ("import-log-witsml", witsml),
+    ("import-log-xlsx", xlsx),
+];
 
 /// What stands in logs.
 const WORDS: &[&str] = &[
@@ -119,4 +124,15 @@ fn witsml() -> Reader {
 /// What a log's weights are picked with.
 fn block() -> Choices {
     Choices::default().value("block-weight", "20 tf")
+}
+
+/// Shared strings of a log's workbook.
+const STRINGS: &str = r#"<?xml version="1.0"?><sst xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" count="4" uniqueCount="4"><si><t>Time</t></si><si><t>Bit Depth (m)</t></si><si><t>Hook Load (klbs)</t></si><si><t>Block Position (ft)</t></si></sst>"#;
+
+/// Its sheet, with dates of Excel and a row that is hidden.
+const SHEET: &str = r#"<?xml version="1.0"?><worksheet xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main"><dimension ref="A1:D4"/><sheetData><row r="1"><c r="A1" t="s"><v>0</v></c><c r="B1" t="s"><v>1</v></c><c r="C1" t="s"><v>2</v></c><c r="D1" t="s"><v>3</v></c></row><row r="2"><c r="A2" s="1"><v>45368.1666</v></c><c r="B2"><v>1000</v></c><c r="C2"><v>250.5</v></c><c r="D2"><v>5</v></c></row><row r="3" hidden="1"><c r="A3" s="1"><v>45368.1667</v></c><c r="B3"><v>1000.5</v></c><c r="C3"><f>250+1</f><v>251</v></c><c r="D3"><v>3</v></c></row><row r="4"><c r="A4" s="1"><v>45368.1668</v></c><c r="B4"><v>1001</v></c><c r="C4"><v>252</v></c><c r="D4"><v>1</v></c></row></sheetData></worksheet>"#;
+
+/// A log in a new workbook.
+fn xlsx() -> Reader {
+    workbooks::new("import-log-xlsx", STRINGS, SHEET, reads(block()))
 }

@@ -57,6 +57,14 @@ const TAGS: &[&str] = &[
     "<mergeCell ref=\"A1:XFD1048576\"/>",
     "<xf/>",
     "A1:XFD1048576",
+    "<row r=\"2\" hidden=\"1\">",
+    "hidden=\"1\"",
+    "ht=\"0\"",
+    "<col min=\"1\" max=\"4294967295\" hidden=\"1\"/>",
+    "<f>1</f>",
+    "<f t=\"array\" ref=\"A1:XFD1048576\">1</f><v>0</v>",
+    "<calcPr fullCalcOnLoad=\"1\"/>",
+    "state=\"veryHidden\"",
 ];
 
 /// The least header of an old workbook: the header itself, the table of sectors and the directory.

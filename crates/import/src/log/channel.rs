@@ -133,12 +133,20 @@ fn one(
         return take(quantity, column, found, choices, chosen);
     }
     let mut candidates = Vec::new();
+    let of_trips = is_of_trips(columns);
     for (column, Column { mnemonic, alias, unit: written, index, .. }) in columns.iter().enumerate()
     {
         let by_name = mnemonics::quantity(mnemonic)
             .or_else(|| alias.as_deref().and_then(mnemonics::quantity));
         let rank = match (index, by_name) {
             (Some(index), _) if *index == quantity => Rank::Index,
+            // In a log of trips the only depth is the bit's.
+            (_, Some((Quantity::HoleDepth, Rank::Loose))) if of_trips => {
+                if quantity != Quantity::BitDepth {
+                    continue;
+                }
+                Rank::Loose
+            }
             (_, Some((of, rank))) if of == quantity => rank,
             _ => continue,
         };
@@ -147,13 +155,15 @@ fn one(
             continue;
         }
         let found = unit(dimension, written);
-        if found.is_none() && !is_no_unit(written) {
+        if found.is_none()
+            && !is_no_unit(written)
+            && said(quantity, column, choices, chosen)?.is_none()
+        {
             let name = &chosen.channels[column].mnemonic;
             let (words, measures) = (quantity.words(), dimension.name());
             chosen.notes.push(Note::LeftOut(format!(
                 "{name} is not taken for the {words}, for its unit '{written}' is none of \
-                 {measures} ({} --unit {}=UNIT takes it)",
-                pick(quantity, name),
+                 {measures} (--unit {}=UNIT takes it)",
                 quantity.name()
             )));
             continue;
@@ -183,7 +193,14 @@ fn one(
         chosen.notes.push(Note::Read(note));
     }
     let (column, unit) = (best.column, best.unit);
-    if best.rank == Rank::Loose {
+    if best.rank == Rank::Loose && of_trips {
+        let name = &chosen.channels[column].mnemonic;
+        chosen.notes.push(Note::Assumed(format!(
+            "{name} is taken for the depth of the bit, for the log is one of trips ({} takes it for \
+             the hole's)",
+            pick(Quantity::HoleDepth, name)
+        )));
+    } else if best.rank == Rank::Loose {
         let name = &chosen.channels[column].mnemonic;
         chosen.notes.push(Note::Assumed(format!(
             "{name} is taken for the depth of the hole, not of the bit ({} takes it for that)",
@@ -199,6 +216,30 @@ fn one(
         )));
     }
     take(quantity, column, unit, choices, chosen)
+}
+
+/// Whether the channels are those of a log of trips: `TRIPNUM`, `TRIPFILL`, `STANDSTOGO`, and no
+/// depth but one.
+fn is_of_trips(columns: &[Column]) -> bool {
+    /// So many of its channels.
+    const FEWEST: usize = 3;
+    let is_of_trip = |column: &&Column| {
+        let name = column.mnemonic.to_ascii_uppercase();
+        name.starts_with("TRIP") || name.starts_with("STANDS")
+    };
+    let is_depth = |column: &&Column| {
+        matches!(
+            mnemonics::quantity(&column.mnemonic),
+            Some((Quantity::BitDepth | Quantity::HoleDepth, _))
+        )
+    };
+    let is_time = |column: &Column| {
+        column.index == Some(Quantity::Time)
+            || matches!(mnemonics::quantity(&column.mnemonic), Some((Quantity::Time, _)))
+    };
+    columns.iter().filter(is_of_trip).count() >= FEWEST
+        && columns.iter().filter(is_depth).count() == 1
+        && columns.iter().any(is_time)
 }
 
 /// The option that picks a channel, as a shell takes it.

@@ -70,6 +70,16 @@ impl Clock {
                     String::from_utf8_lossy(cell)
                 )));
             }
+            // Whatever the unit: so many days are a date, and no rig logs a thousand rows a second.
+            Some(value)
+                if is_serial_day(value)
+                    && said.or(of_file).is_some_and(|unit| {
+                        unit.factor == DAY_S || (unit.factor == 1.0 && are_days(cells(), marks))
+                    }) =>
+            {
+                assume(format!("{name} is taken to be days as Excel counts them"));
+                Form::Excel
+            }
             Some(_) if said.is_some() => Form::Number { seconds: said.map_or(1.0, |s| s.factor) },
             Some(_) if of_file.is_some() => {
                 Form::Number { seconds: of_file.map_or(1.0, |unit| unit.factor) }
@@ -82,7 +92,9 @@ impl Clock {
                         assume(format!("{name} is taken to be the time of the day as HHMMSS"));
                     }
                     Form::OfDay { packed: true }
-                } else if (20_000.0..80_000.0).contains(&value) && value.fract() != 0.0 {
+                } else if is_serial_day(value)
+                    && cells().filter_map(|cell| marked(cell, marks)).any(|day| day.fract() != 0.0)
+                {
                     assume(format!("{name} is taken to be days as Excel counts them"));
                     Form::Excel
                 } else if (5e8..5e9).contains(&value) {
@@ -208,6 +220,23 @@ impl Clock {
             _ => None,
         }
     }
+}
+
+/// A day, s.
+const DAY_S: f64 = 86_400.0;
+
+/// Whether a number of days is a date as Excel counts them: of the years 1954 to 2119.
+fn is_serial_day(value: f64) -> bool {
+    (20_000.0..80_000.0).contains(&value)
+}
+
+/// Whether numbers grow by less than a thousandth from row to row: parts of days, not seconds.
+fn are_days<'a>(cells: impl Iterator<Item = &'a [u8]>, marks: Marks) -> bool {
+    let values: Vec<f64> = cells.filter_map(|cell| marked(cell, marks)).collect();
+    let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+    let mut steps: Vec<f64> = steps.filter(|step| *step > 0.0).collect();
+    steps.sort_by(f64::total_cmp);
+    steps.get(steps.len() / 2).is_some_and(|step| *step < 1e-3)
 }
 
 /// Which way round dates are: by one that can only be so, or as is said.

@@ -1,6 +1,6 @@
 //! What a log holds, for people.
 
-use super::{channel::Channel, kind::Kind, quantity::Quantity, read::unasked};
+use super::{channel::Channel, kind::Kind, log::Log, quantity::Quantity, read::unasked};
 use crate::{choices::Choices, error::ImportError, fragment::Contents, input::Input};
 
 /// Channels that are not used and still named.
@@ -9,7 +9,11 @@ const NAMED: usize = 200;
 /// What a log is, and what it holds. Its rows are counted; what must be said before it can be
 /// imported stands at the end.
 pub(crate) fn contents(input: Input, kind: Kind) -> Result<Contents, ImportError> {
-    let mut log = unasked(input, kind, &Choices::default())?;
+    contents_of(unasked(input, kind, &Choices::default())?)
+}
+
+/// What a log that is open is, and what it holds.
+pub(super) fn contents_of(mut log: Log) -> Result<Contents, ImportError> {
     let mut lines = Vec::new();
     lines.extend(log.well.iter().map(|well| format!("well: {well}")));
     for channel in &log.channels {

@@ -17,6 +17,9 @@ pub enum Kind {
 impl Kind {
     /// The kind of a file that begins so; none where it is no log.
     pub(crate) fn of(head: &[u8]) -> Option<Self> {
+        if wholestring_tabular::is_workbook(head) {
+            return None;
+        }
         if let Some(root) = xml::root(head) {
             return witsml::is_log(&root.name).then_some(Kind::Witsml);
         }

@@ -20,6 +20,9 @@ use crate::{
 /// Rows that are read before the first is given, to see how numbers and times are written.
 const AHEAD: usize = 64;
 
+/// Bytes of the rows of a log that is put into the order of time: all of them are read first.
+const SORTED_BYTES: usize = 256 << 20;
+
 /// What stands for nothing in many logs, whatever their heads say. Nothing on a rig measures them.
 const USUAL_NULLS: [f64; 7] = [-999.25, -9999.25, -999.0, -9999.0, -8888.0, -99_999.0, -999.99];
 
@@ -103,7 +106,16 @@ impl<'a> Log<'a> {
                 None
             }
         };
-        let nulls = |of: &Wanted| null.into_iter().chain(columns[of.column].null).collect();
+        let mut zeros = Vec::new();
+        let mut nulls = |of: &Wanted| {
+            let all = null.into_iter().chain(columns[of.column].null);
+            let (zero, others): (Vec<f64>, Vec<f64>) = all.partition(|null| *null == 0.0);
+            if zero.is_empty() || !of.quantity.is_often_zero() {
+                return [zero, others].concat();
+            }
+            zeros.push(of.quantity.words());
+            others
+        };
         let wanted: Vec<(Wanted, Vec<f64>)> = chosen
             .wanted
             .into_iter()
@@ -112,8 +124,22 @@ impl<'a> Log<'a> {
                 (of, nulls)
             })
             .collect();
+        if !zeros.is_empty() {
+            notes.push(Note::Assumed(format!(
+                "a 0 is a value of {}, though the head says that 0 stands for nothing: it is often one",
+                zeros.join(", ")
+            )));
+        }
         notes.extend(chosen.notes);
-        ahead.reverse();
+        if clock.as_ref().is_some_and(|clock| is_newest_first(clock, &ahead)) {
+            more &= read_all(&mut *rows, &mut ahead, &mut notes, &file)?;
+            notes.push(Note::Read(
+                "the log runs newest first: its rows are read from the last one to the first"
+                    .to_owned(),
+            ));
+        } else {
+            ahead.reverse();
+        }
         let mut log = Self {
             what,
             well,
@@ -133,7 +159,7 @@ impl<'a> Log<'a> {
             ended: false,
         };
         if let Some(mut clock) = log.clock.clone() {
-            let mut times = log.ahead.iter().rev().map(|row| clock.time_s(row));
+            let mut times = log.ahead.iter().rev().take(AHEAD).map(|row| clock.time_s(row));
             let _ = times.find(|time| matches!(time, Ok(Some(_))));
             drop(times);
             log.start = clock.start().or(log.start);
@@ -251,6 +277,47 @@ impl Iterator for Log<'_> {
         let next = self.next_record().transpose();
         self.ended |= matches!(next, Some(Err(_)));
         next
+    }
+}
+
+/// Whether the time of the first rows goes back from row to row.
+fn is_newest_first(clock: &Clock, rows: &[Row]) -> bool {
+    /// Longer steps are midnights of a clock without a date, s.
+    const LONGEST_STEP_S: f64 = 43_200.0;
+    let mut clock = clock.clone();
+    let times: Vec<f64> = rows.iter().filter_map(|row| clock.time_s(row).ok().flatten()).collect();
+    let steps = times.windows(2).map(|pair| pair[1] - pair[0]);
+    let steps: Vec<f64> = steps.filter(|step| step.abs() < LONGEST_STEP_S).collect();
+    let back = steps.iter().filter(|step| **step < 0.0).count();
+    let forth = steps.iter().filter(|step| **step > 0.0).count();
+    back >= 2 && 20 * forth <= back
+}
+
+/// Reads the rows that follow behind those that were read; whether there are more is answered with no.
+fn read_all(
+    rows: &mut dyn Rows,
+    ahead: &mut Vec<Row>,
+    notes: &mut Vec<Note>,
+    file: &str,
+) -> Result<bool, ImportError> {
+    let mut bytes = 0;
+    loop {
+        let mut row = Row::default();
+        if !rows.next(&mut row, notes)? {
+            return Ok(false);
+        }
+        bytes += row.bytes.len() + std::mem::size_of_val(row.cells.as_slice());
+        if bytes > SORTED_BYTES {
+            let sentence = format!(
+                "the log runs newest first and has more than {} MB; expected rows in the order of \
+                 time (sort it by its time)",
+                SORTED_BYTES >> 20
+            );
+            return Err(ImportError::new(file, None, ImportErrorKind::Refused(sentence)));
+        }
+        row.bytes.shrink_to_fit();
+        row.cells.shrink_to_fit();
+        ahead.push(row);
     }
 }
 

@@ -62,6 +62,7 @@ const NAMES: &[(Quantity, Rank, &str)] = &[
         Rank::Plain,
         "bpos blkpos bkpos blockposition blockpos blockheight blkht blkhgt blockhgt tbpos \
          travellingblockposition travelingblockposition travellingblock travelingblock hookposition \
+         blockcomp blkcomp bposcomp blockposcomp blockpositioncompensated blockheightcompensated \
          hkpos hookheight hkht hkh blockelevation 0112",
     ),
     (HookLoad, Rank::Average, "hkla hklav hkldav hookloadav 0114"),
@@ -135,10 +136,18 @@ pub(crate) fn quantity(name: &str) -> Option<(Quantity, Rank)> {
     if name.len() > 80 || is_number(name) {
         return None;
     }
-    let words = words(name);
+    let mut words = words(name);
+    // `GS_HKLD`: a prefix of the service company.
+    if words.len() > 1 && words[0] == "gs" {
+        words.remove(0);
+    }
     let whole = words.concat();
     if let Some(found) = find(&whole) {
         return Some(found);
+    }
+    // `RPM30s`: an average over half a minute.
+    if let Some((quantity, Rank::Plain)) = over_a_time(&whole).and_then(find) {
+        return Some((quantity, Rank::Average));
     }
     // "Avg TQ", "Hook Load (max)", "HKLD_MIN".
     let qualifier = |word: &String| match word.as_str() {
@@ -153,6 +162,13 @@ pub(crate) fn quantity(name: &str) -> Option<(Quantity, Rank)> {
         words.iter().filter(|word| qualifier(word).is_none()).map(String::as_str).collect();
     let (quantity, found) = find(&rest)?;
     (found == Rank::Plain).then_some((quantity, rank))
+}
+
+/// The name before the time over which it is an average: `rpm` of `rpm30s`.
+fn over_a_time(squeezed: &str) -> Option<&str> {
+    let rest = ["sec", "min", "s"].iter().find_map(|unit| squeezed.strip_suffix(unit))?;
+    let name = rest.trim_end_matches(|c: char| c.is_ascii_digit());
+    (name.len() < rest.len()).then_some(name)
 }
 
 /// Whether a name means a date.
@@ -211,6 +227,11 @@ mod tests {
             ("0108", Some((Quantity::BitDepth, Rank::Plain))),
             ("DEPT", Some((Quantity::HoleDepth, Rank::Loose))),
             ("Surf RPM", Some((Quantity::RotarySpeed, Rank::Plain))),
+            ("RPM30s", Some((Quantity::RotarySpeed, Rank::Average))),
+            ("HKLD_10sec", Some((Quantity::HookLoad, Rank::Average))),
+            ("BLOCKCOMP", Some((Quantity::BlockPosition, Rank::Plain))),
+            ("GS_TQA", Some((Quantity::Torque, Rank::Average))),
+            ("HKLDs", None),
             ("YYYY/MM/DD HH:MM:SS", Some((Quantity::Time, Rank::Plain))),
             // A motor turns the bit faster than the rig the string.
             ("Bit RPM", None),

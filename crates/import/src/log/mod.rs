@@ -23,6 +23,7 @@ mod quantity;
 mod read;
 mod record;
 mod row;
+pub(crate) mod sheet;
 mod watch;
 mod witsml;
 

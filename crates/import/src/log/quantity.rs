@@ -74,6 +74,15 @@ impl Quantity {
         }
     }
 
+    /// Whether 0 is a value that its sensor often gives: a string that does not turn, pumps that are
+    /// off, a block on the floor.
+    pub(crate) fn is_often_zero(self) -> bool {
+        !matches!(
+            self,
+            Quantity::Time | Quantity::BitDepth | Quantity::HoleDepth | Quantity::HookLoad
+        )
+    }
+
     /// Its place in a row.
     pub(crate) fn field(self, record: &mut Record) -> &mut f64 {
         match self {

@@ -62,7 +62,15 @@ pub(super) fn unasked<'a>(
 /// Picks weights and torques of a log.
 pub(crate) fn read(input: Input, kind: Kind, choices: &Choices) -> Result<Fragment, ImportError> {
     let name = input.name().to_owned();
-    let mut log = open(input, kind, choices)?;
+    read_log(open(input, kind, choices)?, &name, choices)
+}
+
+/// Picks weights and torques of a log that is open.
+pub(super) fn read_log(
+    mut log: Log,
+    name: &str,
+    choices: &Choices,
+) -> Result<Fragment, ImportError> {
     let measured = [Quantity::HookLoad, Quantity::Torque];
     if !measured.iter().any(|quantity| log.has(*quantity)) {
         let channels: Vec<&str> =
@@ -87,16 +95,37 @@ pub(crate) fn read(input: Input, kind: Kind, choices: &Choices) -> Result<Fragme
              it is: --pick hookload=CHANNEL){left_out}",
             channels.join(", "),
         );
-        return Err(ImportError::new(&name, None, ImportErrorKind::Refused(sentence)));
+        return Err(ImportError::new(name, None, ImportErrorKind::Refused(sentence)));
     }
     let unit = log.unit(Quantity::HookLoad).unwrap_or(Dimension::Force.unit_in(UnitSet::Si));
-    let picks = picking::pick(log.by_ref(), &name, unit, &Thresholds::default(), choices)?;
+    let picked = picking::pick(log.by_ref(), name, unit, &Thresholds::default(), choices);
+    let picks = picked.map_err(|error| explained(error, &log.notes))?;
     let mut fragment = picks.fragment();
     fragment.what = format!("{}, {}", log.what, fragment.what);
     let mut notes = vec![Note::Read(format!("channels: {}", taken(&log)))];
     notes.append(&mut log.notes);
     notes.append(&mut fragment.notes);
     Ok(Fragment { notes, ..fragment })
+}
+
+/// The error of a log that lacks something, with the channels that may be it and were left out.
+fn explained(error: ImportError, notes: &[Note]) -> ImportError {
+    let ImportErrorKind::Refused(sentence) = error.kind() else { return error };
+    let is_missing = |quantity: &&Quantity| {
+        sentence.contains("is missing")
+            && sentence.contains(&format!("--pick {}=", quantity.name()))
+    };
+    let Some(missing) = Quantity::ALL.iter().find(is_missing) else { return error };
+    let words = format!("is not taken for the {}", missing.words());
+    let others = |text: &str| text.contains("is not taken for the ") && !text.contains(&words);
+    let all = || notes.iter().filter(|note| matches!(note, Note::LeftOut(_))).map(Note::text);
+    let mut left_out: Vec<&str> = all().filter(|text| text.contains(&words)).collect();
+    if left_out.is_empty() {
+        return error;
+    }
+    left_out.extend(all().filter(|text| others(text)));
+    let sentence = format!("{sentence}; {}", left_out.join("; "));
+    ImportError::new(error.file(), None, ImportErrorKind::Refused(sentence))
 }
 
 /// What each channel that is used was taken for.

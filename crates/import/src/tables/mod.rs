@@ -3,13 +3,14 @@
 mod survey;
 mod tally;
 
-use wholestring_tabular::{Held, TableErrorKind, held, read_readings};
+use wholestring_tabular::{Held, TableErrorKind, held, read_readings, sheets};
 
 use crate::{
     choices::Choices,
     error::{ImportError, ImportErrorKind},
     fragment::{Contents, Fragment, Note},
     input::Input,
+    log,
 };
 
 /// No table of a well is larger.
@@ -24,18 +25,41 @@ const READINGS: &str = "readings";
 pub(crate) fn read(input: Input, choices: &Choices) -> Result<Fragment, ImportError> {
     let name = input.name().to_owned();
     let bytes = input.bytes(LARGEST_BYTES)?;
-    let held = held(&bytes, &name)?;
-    let sorts = sorts(&held, &name, choices)?;
-    if sorts.is_empty() {
+    let mut held = held(&bytes, &name)?;
+    let sheets = sheets(&bytes, &name)?;
+    let logs = log::sheet::logs(&sheets);
+    if let Some(sheet) = log::sheet::picked(&logs, &name, choices)? {
+        let mut whole = log::sheet::read(sheet, &name, choices)?;
+        for kinds in [&mut held.surveys, &mut held.tallies, &mut held.readings] {
+            kinds.retain(|kind| logs.iter().all(|sheet| sheet.name != *kind));
+        }
+        let readings = std::mem::take(&mut held.readings);
+        if !readings.is_empty() {
+            let text = format!("the weights in sheet '{}', beside a log", readings.join("', '"));
+            whole.notes.push(Note::LeftOut(text));
+        }
+        return others(whole, &bytes, &held, &name, choices);
+    }
+    if sorts(&held, &name, choices)?.is_empty() {
         // A table without a heading may be a survey still.
         return survey::read(&bytes, &name, choices).map_err(|error| unheaded(error, held, &name));
     }
-    let mut whole = Fragment::default();
-    for sort in sorts {
+    others(Fragment::default(), &bytes, &held, &name, choices)
+}
+
+/// The tables of a file, joined to what was read of it before.
+fn others(
+    mut whole: Fragment,
+    bytes: &[u8],
+    held: &Held,
+    name: &str,
+    choices: &Choices,
+) -> Result<Fragment, ImportError> {
+    for sort in sorts(held, name, choices)? {
         let fragment = match sort {
-            SURVEY => survey::read(&bytes, &name, choices)?,
-            TALLY => tally::read(&bytes, &name, sheet(&held.tallies, &name, choices)?, choices)?,
-            _ => readings(&bytes, &name)?,
+            SURVEY => survey::read(bytes, name, choices)?,
+            TALLY => tally::read(bytes, name, sheet(&held.tallies, name, choices)?, choices)?,
+            _ => readings(bytes, name)?,
         };
         join(&mut whole, fragment);
     }
@@ -46,6 +70,14 @@ pub(crate) fn read(input: Input, choices: &Choices) -> Result<Fragment, ImportEr
 pub(crate) fn contents(input: Input) -> Result<Contents, ImportError> {
     let name = input.name().to_owned();
     let bytes = input.bytes(LARGEST_BYTES)?;
+    let sheets = sheets(&bytes, &name)?;
+    let logs = log::sheet::logs(&sheets);
+    if let [sheet, others @ ..] = logs.as_slice() {
+        let mut contents = log::sheet::contents(sheet, &name)?;
+        let others = others.iter().map(|sheet| format!("another log in sheet '{}'", sheet.name));
+        contents.lines.extend(others);
+        return Ok(contents);
+    }
     let again = Input::of_bytes(name.clone(), &bytes);
     match read(again, &Choices::default()) {
         Ok(fragment) => {
@@ -134,9 +166,17 @@ fn readings(bytes: &[u8], name: &str) -> Result<Fragment, ImportError> {
     Ok(Fragment {
         what: format!("weights and torques at {} depths of the bit", read.readings.len()),
         measured: read.readings,
-        notes: read.notes.into_iter().map(Note::Read).collect(),
+        notes: read.notes.into_iter().map(note).collect(),
         ..Fragment::default()
     })
+}
+
+/// What a reader of tables says: how something was read, or what is hidden and was not.
+fn note(text: String) -> Note {
+    match text.ends_with("hidden and not read") {
+        true => Note::LeftOut(text),
+        false => Note::Read(text),
+    }
 }
 
 /// Adds what another sheet of the same file holds.
@@ -160,7 +200,11 @@ fn join(whole: &mut Fragment, part: Fragment) {
     }
     whole.measured.extend(part.measured);
     whole.overlay.extend(part.overlay);
-    whole.notes.extend(part.notes);
+    whole.picks = whole.picks.take().or(part.picks);
+    // Hidden sheets are those of the whole file.
+    let new = |note: &Note| !whole.notes.contains(note);
+    let notes: Vec<Note> = part.notes.into_iter().filter(new).collect();
+    whole.notes.extend(notes);
 }
 
 /// The error of a file none of whose rows is a header.
@@ -172,8 +216,13 @@ fn unheaded(error: ImportError, held: Held, name: &str) -> ImportError {
     if !matches!(table.kind(), TableErrorKind::NoHeader | TableErrorKind::NoSurveySheet { .. }) {
         return error;
     }
-    let sentence = "no row names the columns; write headings above the numbers, such as 'MD (m), \
-                    Inc (deg), Azi (deg)' for a survey or 'Component, OD (in), ID (in), Length \
-                    (ft), Weight (lb/ft)' for a tally";
-    ImportError::new(name, None, ImportErrorKind::Refused(sentence.to_owned()))
+    let mut sentence =
+        "no row names the columns; write headings above the numbers, such as 'MD (m), \
+                        Inc (deg), Azi (deg)' for a survey or 'Component, OD (in), ID (in), Length \
+                        (ft), Weight (lb/ft)' for a tally"
+            .to_owned();
+    if !held.unread.is_empty() {
+        sentence.push_str(&format!(" ({})", held.unread));
+    }
+    ImportError::new(name, None, ImportErrorKind::Refused(sentence))
 }

@@ -28,7 +28,7 @@ pub(crate) fn read(bytes: &[u8], name: &str, choices: &Choices) -> Result<Fragme
     notes.extend(reference(&survey.preamble));
     notes.extend(survey.notes.iter().map(|note| match is_assumed(note) {
         true => Note::Assumed(note.clone()),
-        false => Note::Read(note.clone()),
+        false => super::note(note.clone()),
     }));
     let of = well(&survey.preamble);
     Ok(Fragment {

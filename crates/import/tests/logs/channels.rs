@@ -39,9 +39,9 @@ fn a_unit_of_another_dimension_is_not_that_channel() {
     assert_eq!(
         notes(&log),
         "left out: Hook Load is not taken for the hook load, for its unit 'm' is none of force \
-         (--pick 'hookload=Hook Load' --unit hookload=UNIT takes it)\n\
+         (--unit hookload=UNIT takes it)\n\
          left out: Torque is not taken for the torque, for its unit 'furlong' is none of torque \
-         (--pick torque=Torque --unit torque=UNIT takes it)\n"
+         (--unit torque=UNIT takes it)\n"
     );
 }
 

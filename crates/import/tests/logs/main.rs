@@ -1,6 +1,7 @@
 //! Logs of a rig: LAS, text of recorders, WITSML.
 
 mod channels;
+mod field;
 mod hostile;
 mod las;
 mod samples;

@@ -107,10 +107,12 @@ fn rows_that_go_back_are_left_out_and_said() {
 
 #[test]
 fn a_log_against_time_backwards_is_refused() {
-    let text = csv("Time (s)", &["30", "20", "10", "0"]);
+    // Newest first it is read from its last row on.
+    assert_eq!(times_s(&csv("Time (s)", &["30", "20", "10", "0"])), [0.0, 10.0, 20.0, 30.0]);
+    let text = csv("Time (s)", &["30", "20", "10", "40", "5", "3"]);
     assert_eq!(
         refused(&text),
-        "a log: the time goes back: 3 of 4 rows are earlier than one above, the first in line 3; \
+        "a log: the time goes back: 4 of 6 rows are earlier than one above, the first in line 3; \
          expected rows in the order of time (cut the file there and read its parts one by one, or say \
          another column: --pick time=CHANNEL)"
     );

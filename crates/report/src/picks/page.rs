@@ -33,9 +33,9 @@ fn page(of: &PickedLog, units: &str) -> StudyPage {
         description = format!("{}.\n\n{description}", facts.join("; "));
     }
     description.extend(of.notes.iter().map(|note| format!("\n\n{note}.")));
-    let block = if of.added_N > 0.0 {
-        "Hook loads of the curve are as they were logged, without the block; so are the points here. \
-         The picked weights have the block added."
+    let block = if of.added_N != 0.0 {
+        "Hook loads of the curve are as they were logged, and so are the points here. The picked \
+         weights have the block's weight added, less what the indicator shows in slips."
     } else {
         "Hook loads are as they were logged, with the block."
     };

@@ -123,6 +123,12 @@ impl Found {
     }
 }
 
+/// Whether a row names channels: three at least, and no number.
+pub(super) fn is_heading(row: &Row) -> bool {
+    let named = (0..row.cells.len()).filter(|&at| names(&heading(&cell(row, at)))).count();
+    named >= 3 && !is_data(row)
+}
+
 /// A line parted at a sign.
 pub(super) fn parted(line: &[u8], sign: u8) -> Row {
     let mut row = Row { bytes: line.to_vec(), ..Row::default() };

@@ -9,7 +9,7 @@ use super::{
         number::Marks,
         row::{Row, Rows},
     },
-    head::Found,
+    head::{self, Found},
 };
 use crate::{
     error::{ImportError, ImportErrorKind},
@@ -26,6 +26,9 @@ struct CsvRows<'a> {
     line: u64,
     sign: u8,
     columns: usize,
+    /// The cells of the headings and of the units below them, and where they came again.
+    headings: Vec<Vec<Vec<u8>>>,
+    repeated: (u64, u64),
 }
 
 /// The log below its headings.
@@ -50,11 +53,16 @@ pub(super) fn open<'a>(
         notes.push(Note::LeftOut(format!("line {}, which is no row: '{line}'", at + 1)));
     }
     let columns_of_head = columns.len();
+    let above = headings..data.min(ahead.len());
+    let headings = ahead[above].iter().map(|line| cells(&head::parted(line, sign)));
+    let headings = headings.filter(|cells| cells.iter().any(|cell| !cell.is_empty())).collect();
     let rows = CsvRows {
         ahead: ahead.into_iter().skip(data).collect(),
         line: data as u64,
         sign,
         columns: columns_of_head,
+        headings,
+        repeated: (0, 0),
         lines,
     };
     Ok(Opened {
@@ -70,7 +78,57 @@ pub(super) fn open<'a>(
     })
 }
 
+/// The cells of a row, empty ones at its end left out.
+fn cells(row: &Row) -> Vec<Vec<u8>> {
+    let mut cells: Vec<Vec<u8>> =
+        (0..row.cells.len()).map(|at| row.cell(at).to_ascii_lowercase()).collect();
+    while cells.last().is_some_and(Vec::is_empty) {
+        cells.pop();
+    }
+    cells
+}
+
 impl CsvRows<'_> {
+    /// Whether a row has the headings again, or the units below them: of a log that was joined of
+    /// several.
+    ///
+    /// # Errors
+    /// It has other headings.
+    fn is_heading(&mut self, row: &Row) -> Result<bool, ImportError> {
+        let first = row.cells.iter().find(|(from, to)| to > from);
+        let first = first.map(|&(from, _)| row.bytes[from as usize]);
+        // Rows of data begin with a number or a date.
+        if first.is_none_or(|byte| byte.is_ascii_digit() || matches!(byte, b'-' | b'+' | b'.')) {
+            return Ok(false);
+        }
+        if self.headings.contains(&cells(row)) {
+            if self.repeated.0 == 0 {
+                self.repeated.1 = row.line;
+            }
+            self.repeated.0 += 1;
+            return Ok(true);
+        }
+        if head::is_heading(row) {
+            let sentence = "the headings of another log follow, in another order or of other \
+                            channels; cut the file there and read its parts one by one";
+            let place = Some(format!("line {}", row.line));
+            let kind = ImportErrorKind::Refused(sentence.to_owned());
+            return Err(ImportError::new(self.lines.file(), place, kind));
+        }
+        Ok(false)
+    }
+
+    /// Says what was passed over.
+    fn finish(&self, notes: &mut Vec<Note>) {
+        let (count, line) = self.repeated;
+        if count > 0 {
+            let lines = if count == 1 { "1 line".to_owned() } else { format!("{count} lines") };
+            notes.push(Note::LeftOut(format!(
+                "{lines} with the headings again, the first line {line}"
+            )));
+        }
+    }
+
     fn line(&mut self, into: &mut Vec<u8>) -> Result<bool, ImportError> {
         self.line += 1;
         match self.ahead.pop_front() {
@@ -88,6 +146,7 @@ impl Rows for CsvRows<'_> {
         loop {
             row.clear();
             if !self.line(&mut row.bytes)? {
+                self.finish(notes);
                 return Ok(false);
             }
             row.line = self.line;
@@ -109,7 +168,7 @@ impl Rows for CsvRows<'_> {
             }
             let filled = row.cells.iter().any(|(from, to)| to > from);
             let first = row.bytes.first();
-            if !filled || first == Some(&b'#') {
+            if !filled || first == Some(&b'#') || self.is_heading(row)? {
                 continue;
             }
             break;
@@ -134,6 +193,7 @@ impl Rows for CsvRows<'_> {
                 "the last row, line {}: the file ends within it",
                 row.line
             )));
+            self.finish(notes);
             return Ok(false);
         }
         Ok(true)

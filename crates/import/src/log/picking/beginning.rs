@@ -25,6 +25,8 @@ pub(super) struct Beginning {
     /// there is no torque.
     pub(super) idle_torque_N_m: Option<f64>,
     pub(super) has: Channels,
+    /// Whether anything tells that the bit is off bottom.
+    pub(super) tells_bottom: bool,
 }
 
 /// Which sensors say anything.
@@ -58,6 +60,7 @@ impl Beginning {
             slips: still_bit(rows, heavy_N).or_else(|| lowest_peak(rows)),
             heavy_N,
             idle_torque_N_m: torque.map(|torque| IDLE * torque),
+            tells_bottom: true,
             has: Channels {
                 time: has(|row| row.time_s),
                 bit_depth: has(|row| row.bit_depth_m),

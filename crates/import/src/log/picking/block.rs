@@ -31,6 +31,10 @@ const NAME: &str = "block-weight";
 /// hang on the hook.
 const AGREES: f64 = 0.15;
 
+/// How much of the block's weight a weight indicator shows another one in slips without being
+/// corrected: as much as its scale is read to.
+const SAME: f64 = 0.01;
+
 impl BlockWeight {
     /// The weight that is said, held against the hook load in slips.
     ///
@@ -57,7 +61,8 @@ impl BlockWeight {
         let in_log = match slips_N {
             None => true,
             Some(slips_N) if (slips_N - weight_N).abs() <= AGREES * weight_N => true,
-            Some(slips_N) if slips_N.abs() <= AGREES * weight_N => false,
+            // Nothing weighs less than nothing: below it the sensor's zero is off.
+            Some(slips_N) if slips_N <= AGREES * weight_N => false,
             Some(slips_N) => {
                 let slips = self::shown(slips_N, unit);
                 return Err(ImportErrorKind::Refused(format!(
@@ -71,14 +76,20 @@ impl BlockWeight {
         Ok(Self { said, weight_N, slips_N, in_log })
     }
 
-    /// What is added to a hook load of the log so that it is what a weight indicator shows, N.
+    /// What is added to a hook load of the log so that it is what a weight indicator shows whose zero
+    /// is right, N: below the block hangs what is logged less what is logged in slips.
     pub fn added_N(&self) -> f64 {
-        if self.in_log { 0.0 } else { self.weight_N }
+        let off_N = self.slips_N.map_or(0.0, |slips_N| self.weight_N - slips_N);
+        if self.in_log && off_N.abs() <= SAME * self.weight_N { 0.0 } else { off_N }
     }
 
     /// What hangs on the sensor besides the string, N.
     pub(super) fn on_sensor_N(&self) -> f64 {
         self.slips_N.unwrap_or(self.weight_N)
+    }
+
+    fn shown_added(&self, unit: &Unit) -> String {
+        shown(self.added_N(), unit)
     }
 
     /// How hook loads and the block's weight belong together.
@@ -88,11 +99,26 @@ impl BlockWeight {
             None => Note::Assumed(format!(
                 "the hook loads hold the block's {said}, for no slips show what is left on the hook"
             )),
-            Some(slips) if self.in_log => Note::Checked(format!(
+            Some(slips) if self.in_log && self.added_N() == 0.0 => Note::Checked(format!(
                 "in slips the hook load is {slips} at the median, and the block was said to weigh \
                  {said}: the weights are as they were logged, with the block; `block_weight` of \
                  [rig] takes it off"
             )),
+            Some(slips) if self.in_log => Note::Assumed(format!(
+                "in slips the hook load is {slips} at the median, and the block was said to weigh \
+                 {said}: the zero of the weight indicator is off, and {} were added to the weights, \
+                 so that `block_weight` of [rig] leaves what hangs below the block",
+                self.shown_added(unit)
+            )),
+            Some(slips) if self.slips_N.is_some_and(|off| off.abs() > SAME * self.weight_N) => {
+                Note::Assumed(format!(
+                    "in slips the hook load is {slips} at the median, so the sensor was set to zero \
+                     with the block on it, and its zero is off by {slips}: {} were added to the \
+                     weights, the block's {said} less that, which are those of a weight indicator; \
+                     `block_weight` of [rig] takes it off again",
+                    self.shown_added(unit)
+                ))
+            }
             Some(slips) => Note::Assumed(format!(
                 "in slips the hook load is {slips} at the median, so the sensor was set to zero with \
                  the block on it: its {said} were added to the weights, which are those of a weight \

@@ -8,6 +8,7 @@
 mod beginning;
 mod block;
 mod counts;
+mod depths;
 mod estimate;
 mod motion;
 mod part;
@@ -31,7 +32,7 @@ pub use window::{Kind, Refusal, Refused, Window};
 
 use wholestring_units::Unit;
 
-use self::{beginning::Beginning, picker::Picker, row::Row};
+use self::{beginning::Beginning, depths::Depths, picker::Picker, row::Row};
 use super::Record;
 use crate::{
     choices::Choices,
@@ -74,7 +75,9 @@ pub fn pick(
             break;
         }
     }
-    let log = Beginning::of(&first);
+    let depths = Depths::of(&first, limits);
+    first.iter_mut().for_each(|row| depths.give(row));
+    let log = Beginning { tells_bottom: depths.tells_bottom(), ..Beginning::of(&first) };
     check(&log, limits).map_err(at)?;
     let block = BlockWeight::of(choices, &log, unit).map_err(at)?;
     let on_sensor_N = block.on_sensor_N();
@@ -95,7 +98,8 @@ pub fn pick(
     first.drain(..).for_each(|row| picker.push(row));
     drop(first);
     for record in records {
-        if let Some(row) = clock.row(&record?) {
+        if let Some(mut row) = clock.row(&record?) {
+            depths.give(&mut row);
             picker.push(row);
         }
         if picker.done.counts.stands > picker::STANDS {
@@ -111,7 +115,7 @@ pub fn pick(
     counts.rows_without_time = clock.without;
     Ok(Picks {
         file: file.to_owned(),
-        notes: notes(&log, &counts, hook_from_N, unit),
+        notes: [depths.notes(), notes(&log, &counts, hook_from_N, unit)].concat(),
         block,
         step_s: log.step_s,
         windows: done.windows,

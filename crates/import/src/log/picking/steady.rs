@@ -29,6 +29,9 @@ impl Judge<'_> {
         let mut found = Vec::new();
         for (motion, first, end) in moving.runs() {
             let Some(kind) = Kind::of(motion) else { continue };
+            if kind == Kind::Rotating && !self.log.tells_bottom {
+                continue;
+            }
             let rows = &moving.rows[first..end];
             if duration_s(rows) < self.shortest_s(kind) {
                 continue;

@@ -1,0 +1,306 @@
+//! Logs as the field writes them: symbols of WITS and LAS, nulls, serial days, rows newest first, joined
+//! exports, a sensor whose zero is off, workbooks. All are of one trip of five stands, whose pick-ups are
+//! known: those that were put into the log, in which the indicator has the block's 55 klbf.
+
+use wholestring_import::{Choices, Input, contents, import};
+
+/// The trip with depths in `F`, as a recorder writes it to LAS.
+const TRIP: &str = include_str!("../samples/own/trip-in-feet.las");
+
+/// Weights at pick-up with the block, kN, from the deepest on: of the log's own makers.
+const PICK_UPS_KN: [f64; 5] = [1200.8, 1192.0, 1183.5, 1174.6, 1165.6];
+
+/// A pound-force, kN.
+const KLBF_KN: f64 = 4.448_221_615;
+
+struct Picked {
+    pick_ups_kN: Vec<f64>,
+    notes: Vec<String>,
+}
+
+impl Picked {
+    fn says(&self, part: &str) -> bool {
+        self.notes.iter().any(|note| note.contains(part))
+    }
+}
+
+fn picked_with(name: &str, bytes: &[u8], choices: &Choices) -> Result<Picked, String> {
+    let choices = choices.clone().value("block-weight", "55 klbf");
+    let imported = import(vec![Input::of_bytes(name, bytes)], &choices);
+    let imported = imported.map_err(|error| error.to_string())?;
+    let mut readings: Vec<(f64, f64)> = imported.picks[0]
+        .readings()
+        .iter()
+        .filter_map(|reading| Some((reading.bit_depth_m, 1e-3 * reading.pick_up_N?)))
+        .collect();
+    readings.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let notes = imported.notes.iter().map(|(_, note)| note.text().to_owned()).collect();
+    Ok(Picked { pick_ups_kN: readings.into_iter().map(|reading| reading.1).collect(), notes })
+}
+
+fn picked(name: &str, bytes: &[u8]) -> Picked {
+    picked_with(name, bytes, &Choices::default()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The pick-ups that were put in. They were printed to 0.1 kN; the median in slips is within 0.1 klbf of
+/// the block's weight, which is not corrected.
+#[track_caller]
+fn assert_pick_ups(picked: &Picked) {
+    assert_eq!(picked.pick_ups_kN.len(), 5, "{:?}", picked.notes);
+    for (found, expected) in picked.pick_ups_kN.iter().zip(PICK_UPS_KN) {
+        assert!((found - expected).abs() < 0.06, "{:?}", picked.pick_ups_kN);
+    }
+}
+
+/// The rows of the trip, from the first on, as numbers.
+fn rows() -> Vec<Vec<f64>> {
+    let (_, data) = TRIP.split_once("~ASCII").unwrap();
+    let rows = data.lines().skip(1).filter(|line| !line.trim().is_empty());
+    rows.map(|line| line.split_whitespace().map(|cell| cell.parse().unwrap()).collect()).collect()
+}
+
+/// The trip with other rows.
+fn with_rows(rows: &[Vec<f64>]) -> String {
+    let (head, data) = TRIP.split_once("~ASCII").unwrap();
+    let title = data.lines().next().unwrap();
+    let lines = rows.iter().map(|row| {
+        let cells: Vec<String> = row.iter().map(|cell| format!("{cell}")).collect();
+        cells.join(" ")
+    });
+    format!("{head}~ASCII{title}\n{}\n", lines.collect::<Vec<_>>().join("\n"))
+}
+
+#[test]
+fn feet_are_f_in_las() {
+    assert_pick_ups(&picked("trip.las", TRIP.as_bytes()));
+    // In metres as they are written in Cyrillic letters, and in WITS.
+    for metres in ["м", "метр", "M", "mts"] {
+        let in_metres: Vec<Vec<f64>> = rows()
+            .into_iter()
+            .map(|mut row| {
+                row[1..4].iter_mut().for_each(|depth| *depth *= 0.3048);
+                row
+            })
+            .collect();
+        let text = with_rows(&in_metres).replace(".F ", &format!(".{metres} "));
+        assert_pick_ups(&picked("trip.las", text.as_bytes()));
+    }
+}
+
+/// The symbols of WITS level 0: KLB and KFLB, KDN and KNM.
+#[test]
+fn the_symbols_of_wits_are_read() {
+    let field = TRIP.replace(".klbs ", ".KLB ").replace(".ft-lbs", ".KFLB").replace(".psi", ".PSI");
+    assert_pick_ups(&picked("trip.las", field.as_bytes()));
+    let metric: Vec<Vec<f64>> = rows()
+        .into_iter()
+        .map(|mut row| {
+            row[4] *= 0.1 * KLBF_KN;
+            row[5] *= 0.1 * KLBF_KN;
+            row
+        })
+        .collect();
+    let metric = with_rows(&metric).replace(".klbs ", ".KDN ").replace(".ft-lbs", ".KNM");
+    assert_pick_ups(&picked("trip.las", metric.as_bytes()));
+}
+
+/// A channel that was left out is named where it is missed, and the unit alone takes it.
+#[test]
+fn a_channel_left_out_is_named_where_it_is_missed() {
+    let odd = TRIP.replace(".F ", ".ftx ");
+    let refused = picked_with("trip.las", odd.as_bytes(), &Choices::default());
+    let refused = refused.err().expect("a log without depths");
+    assert!(refused.contains("the depth of the bit is missing"), "{refused}");
+    let reason = "DBTM is not taken for the bit depth, for its unit 'ftx' is none of length (--unit \
+                  bit-depth=UNIT takes it)";
+    assert!(refused.contains(reason), "{refused}");
+    let mut said = Choices::default();
+    for name in ["bit-depth", "hole-depth", "block-position"] {
+        said = said.unit(name, "ft");
+    }
+    let found = picked_with("trip.las", odd.as_bytes(), &said);
+    assert_pick_ups(&found.unwrap_or_else(|error| panic!("{error}")));
+}
+
+/// A null of 0 would make nothing of every speed and torque of a string that does not turn.
+#[test]
+fn a_null_of_zero_is_not_believed_of_what_is_often_zero() {
+    let text = TRIP.replace("-999.25 : NULL", "0 : NULL");
+    assert_ne!(text, TRIP);
+    let found = picked("trip.las", text.as_bytes());
+    assert_pick_ups(&found);
+    assert!(found.says("a 0 is a value of"), "{:?}", found.notes);
+}
+
+/// Days as Excel counts them, whatever the unit says: 45368.1666 is 2024-03-17 04:00.
+#[test]
+fn serial_days_are_dates() {
+    let days: Vec<Vec<f64>> = rows()
+        .into_iter()
+        .map(|mut row| {
+            row[0] = 45_368.0 + (4.0 * 3600.0 + row[0]) / 86_400.0;
+            row
+        })
+        .collect();
+    for unit in ["d", "days", "D", "S", ""] {
+        let text = with_rows(&days).replace("TIME .S ", &format!("TIME .{unit} "));
+        let held = contents(Input::of_bytes("trip.las", text.as_bytes())).unwrap();
+        let from = held.lines.iter().any(|line| line.contains("from 2024-03-17 04:00:00"));
+        assert!(from, "{unit}: {:?}", held.lines);
+        assert_pick_ups(&picked("trip.las", text.as_bytes()));
+    }
+    // Hours of a long campaign stay hours.
+    let hours = with_rows(&rows());
+    assert_pick_ups(&picked("trip.las", hours.as_bytes()));
+}
+
+#[test]
+fn rows_newest_first_are_read_from_the_last_on() {
+    let mut newest = rows();
+    newest.reverse();
+    let found = picked("trip.las", with_rows(&newest).as_bytes());
+    assert_pick_ups(&found);
+    assert!(found.says("the log runs newest first"), "{:?}", found.notes);
+    // A clock that is set back once is no log that runs backwards.
+    let mut back = rows();
+    let late = back.len() / 2;
+    back[late..].iter_mut().for_each(|row| row[0] -= 1.0);
+    let found = picked("trip.las", with_rows(&back).as_bytes());
+    assert!(!found.says("newest first"), "{:?}", found.notes);
+}
+
+/// The trip as text of a recorder.
+fn text_of(rows: &[Vec<f64>], heading: &str) -> String {
+    let mut text = format!("{heading}\n");
+    for row in rows {
+        let at_s = 4.0 * 3600.0 + row[0];
+        let (hour, minute, second) = (at_s / 3600.0, at_s / 60.0 % 60.0, at_s % 60.0);
+        text += &format!(
+            "2024/03/17 {:02}:{:02}:{:02},{},{},{},{},{},{},{}\n",
+            hour as u32,
+            minute as u32,
+            second as u32,
+            row[1],
+            row[2],
+            row[3],
+            row[4],
+            row[5],
+            row[6],
+            row[7]
+        );
+    }
+    text
+}
+
+const HEADING: &str = "YYYY/MM/DD HH:MM:SS,Bit Depth (feet),Hole Depth (feet),Block Height \
+                       (feet),Hook Load (klbs),Weight on Bit (klbs),Rotary Torque (ft_lbs),Rotary RPM \
+                       (RPM)";
+
+/// Two exports joined have their headings twice.
+#[test]
+fn headings_in_the_middle_are_passed_over() {
+    let rows = rows();
+    let half = rows.len() / 2;
+    let text = text_of(&rows[..half], HEADING) + &text_of(&rows[half..], HEADING);
+    let found = picked("edr.csv", text.as_bytes());
+    assert_pick_ups(&found);
+    let line = format!("1 line with the headings again, the first line {}", half + 2);
+    assert!(found.says(&line), "{:?}", found.notes);
+    // Other headings are another log.
+    let other =
+        HEADING.replace("Bit Depth (feet),Hole Depth (feet)", "Hole Depth (feet),Bit Depth (feet)");
+    let text = text_of(&rows[..half], HEADING) + &text_of(&rows[half..], &other);
+    let refused = picked_with("edr.csv", text.as_bytes(), &Choices::default()).err().unwrap();
+    assert!(refused.contains("the headings of another log follow"), "{refused}");
+}
+
+/// What hangs below the block is what is read less what is read in slips, wherever the zero is.
+#[test]
+fn a_weight_indicator_off_zero_is_corrected() {
+    // In slips the indicator shows 55 klbf; these shift it.
+    for (shift, said) in [
+        (-47.0, "its zero is off by 8"),
+        (-62.0, "its zero is off by -6.99"),
+        (-90.0, "its zero is off by -35"),
+        (4.0, "the zero of the weight indicator is off"),
+        (-4.0, "the zero of the weight indicator is off"),
+    ] {
+        let off: Vec<Vec<f64>> = rows()
+            .into_iter()
+            .map(|mut row| {
+                row[4] += shift;
+                row
+            })
+            .collect();
+        let found = picked("trip.las", with_rows(&off).as_bytes());
+        assert!(found.says(said), "{shift}: {:?}", found.notes);
+        assert_eq!(found.pick_ups_kN.len(), 5, "{shift}");
+        for (found, expected) in found.pick_ups_kN.iter().zip(PICK_UPS_KN) {
+            // The noise of the median in slips, 0.1 klbf.
+            assert!((found - expected).abs() < 0.6, "{shift}: {found} for {expected}");
+        }
+    }
+}
+
+/// A recorder's export as a workbook is a log, its date and time cells of Excel.
+#[test]
+fn a_log_as_a_workbook_is_a_log() {
+    let bytes = include_bytes!("../samples/own/recorder.xlsx");
+    let held = contents(Input::of_bytes("edr.xlsx", bytes)).unwrap();
+    assert_eq!(held.what, "a log of a rig in sheet 'EDR'");
+    let from = held
+        .lines
+        .iter()
+        .any(|line| line.contains("390 rows") && line.contains("2024-05-14 23:55"));
+    assert!(from, "{:?}", held.lines);
+    let found = picked("edr.xlsx", bytes);
+    assert_eq!(found.pick_ups_kN.len(), 5, "{:?}", found.notes);
+    for (found, expected) in found.pick_ups_kN.iter().zip(PICK_UPS_KN) {
+        // Hook loads are written to 0.1 klbf.
+        assert!((found - expected).abs() < 0.1 * KLBF_KN, "{found} for {expected}");
+    }
+    // A fault names the row of the sheet.
+    let mut workbook = rust_xlsxwriter::Workbook::new();
+    let sheet = workbook.add_worksheet().set_name("Rig").unwrap();
+    for (column, text) in ["Time (s)", "Bit Depth (m)", "Hook Load (kN)"].into_iter().enumerate() {
+        sheet.write_string(0, column as u16, text).unwrap();
+    }
+    for row in 1..5_u32 {
+        for column in 0..3 {
+            sheet.write_number(row, column, f64::from(row)).unwrap();
+        }
+    }
+    sheet.write_string(3, 2, "off").unwrap();
+    let bytes = workbook.save_to_buffer().unwrap();
+    let error = contents(Input::of_bytes("rig.xlsx", &bytes)).unwrap_err().to_string();
+    assert!(error.starts_with("rig.xlsx, sheet 'Rig', row 4: 'off' is not a number"), "{error}");
+}
+
+/// In a log of trips the only depth is the bit's.
+#[test]
+fn the_only_depth_of_a_log_of_trips_is_the_bits() {
+    let names = "Time,TRIPNUM,TRIPFILL,STANDSTOGO,Depth,BLOCKCOMP,HKLD,RPM30s,TORQUE30s";
+    let units = "s,unitless,m3,unitless,ft,ft,klbf,rpm,ft-lbf";
+    let data = rows().into_iter().map(|row| {
+        format!(
+            "<data>{},1,0,5,{},{},{},{},{}</data>",
+            row[0], row[1], row[3], row[4], row[7], row[6]
+        )
+    });
+    let text = format!(
+        "<logs xmlns=\"http://www.witsml.org/schemas/1series\" version=\"1.4.1.1\"><log>\
+         <nameWell>W</nameWell><name>TripTime</name><indexType>elapsed time</indexType>\
+         <indexCurve>Time</indexCurve><logData><mnemonicList>{names}</mnemonicList>\
+         <unitList>{units}</unitList>{}</logData></log></logs>",
+        data.collect::<String>()
+    );
+    let found = picked("trip.xml", text.as_bytes());
+    assert_pick_ups(&found);
+    assert!(found.says("Depth is taken for the depth of the bit"), "{:?}", found.notes);
+    assert!(found.says("it is off bottom all along"), "{:?}", found.notes);
+    // By what it does, where no channel tells that it is of trips: no hole gets shallower.
+    let plain = text.replace("TRIPNUM,TRIPFILL,STANDSTOGO", "A,B,C");
+    let found = picked("trip.xml", plain.as_bytes());
+    assert_pick_ups(&found);
+    assert!(found.says("the only depth goes up and down"), "{:?}", found.notes);
+}
