@@ -18,7 +18,7 @@ pub enum ImportErrorKind {
     /// None of the formats that are known.
     #[error(
         "{found}; expected a survey or a tally as text or Excel, WITSML, Landmark EDM, LAS, or a \
-         log as CSV"
+         log as CSV or Excel"
     )]
     NotRecognised {
         /// What it is instead.

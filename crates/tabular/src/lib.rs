@@ -34,6 +34,7 @@ mod sheets;
 mod survey;
 mod tally;
 
+pub use cells::decode::single_bytes;
 pub use columns::column::Column;
 pub use error::{Place, TableError, TableErrorKind};
 pub use held::{Held, held, read_tally};

@@ -87,11 +87,11 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// A line as text; one that is not UTF-8 is taken as Latin-1.
+/// A line as text; one that is not UTF-8 has a byte for each letter.
 pub(crate) fn text(line: &[u8]) -> String {
     match std::str::from_utf8(line) {
         Ok(text) => text.to_owned(),
-        Err(_) => line.iter().map(|&byte| char::from(byte)).collect(),
+        Err(_) => wholestring_tabular::single_bytes(line),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Tables in text and workbooks: surveys, tallies, and weights read at the surface.
 
+mod note;
 mod survey;
 mod tally;
 
@@ -166,17 +167,9 @@ fn readings(bytes: &[u8], name: &str) -> Result<Fragment, ImportError> {
     Ok(Fragment {
         what: format!("weights and torques at {} depths of the bit", read.readings.len()),
         measured: read.readings,
-        notes: read.notes.into_iter().map(note).collect(),
+        notes: read.notes.into_iter().map(note::of).collect(),
         ..Fragment::default()
     })
-}
-
-/// What a reader of tables says: how something was read, or what is hidden and was not.
-fn note(text: String) -> Note {
-    match text.ends_with("hidden and not read") {
-        true => Note::LeftOut(text),
-        false => Note::Read(text),
-    }
 }
 
 /// Adds what another sheet of the same file holds.

@@ -11,6 +11,7 @@ use crate::{
     choices::Choices,
     error::{ImportError, ImportErrorKind},
     fragment::{Entry, Fragment, Note, Origin, Survey, Value},
+    tables::note,
 };
 
 /// What `--pick` calls one of several surveys in a file, and what `--unit` calls measured depths and
@@ -26,9 +27,9 @@ pub(crate) fn read(bytes: &[u8], name: &str, choices: &Choices) -> Result<Fragme
     notes.extend(columns(&survey));
     notes.extend(check::check(&survey));
     notes.extend(reference(&survey.preamble));
-    notes.extend(survey.notes.iter().map(|note| match is_assumed(note) {
-        true => Note::Assumed(note.clone()),
-        false => super::note(note.clone()),
+    notes.extend(survey.notes.iter().map(|text| match is_assumed(text) {
+        true => Note::Assumed(text.clone()),
+        false => note::of(text.clone()),
     }));
     let of = well(&survey.preamble);
     Ok(Fragment {

@@ -70,21 +70,32 @@ fn with_rows(rows: &[Vec<f64>]) -> String {
     format!("{head}~ASCII{title}\n{}\n", lines.collect::<Vec<_>>().join("\n"))
 }
 
+/// The rows with their depths in metres.
+fn in_metres() -> Vec<Vec<f64>> {
+    let mut rows = rows();
+    for row in &mut rows {
+        row[1..4].iter_mut().for_each(|depth| *depth *= 0.3048);
+    }
+    rows
+}
+
 #[test]
 fn feet_are_f_in_las() {
     assert_pick_ups(&picked("trip.las", TRIP.as_bytes()));
     // In metres as they are written in Cyrillic letters, and in WITS.
     for metres in ["м", "метр", "M", "mts"] {
-        let in_metres: Vec<Vec<f64>> = rows()
-            .into_iter()
-            .map(|mut row| {
-                row[1..4].iter_mut().for_each(|depth| *depth *= 0.3048);
-                row
-            })
-            .collect();
-        let text = with_rows(&in_metres).replace(".F ", &format!(".{metres} "));
+        let text = with_rows(&in_metres()).replace(".F ", &format!(".{metres} "));
         assert_pick_ups(&picked("trip.las", text.as_bytes()));
     }
+}
+
+/// The letters of Windows-1251, a byte each, in which `м` is no text of UTF-8.
+#[test]
+fn cyrillic_letters_of_a_byte_are_read() {
+    let text = with_rows(&in_metres()).replace(".F ", ".\u{ec} ");
+    let bytes: Vec<u8> = text.chars().map(|letter| letter as u8).collect();
+    assert!(std::str::from_utf8(&bytes).is_err());
+    assert_pick_ups(&picked("trip.las", &bytes));
 }
 
 /// The symbols of WITS level 0: KLB and KFLB, KDN and KNM.

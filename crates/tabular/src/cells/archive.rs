@@ -64,7 +64,9 @@ pub(crate) fn check(bytes: &[u8]) -> Result<Parts, TableErrorKind> {
                 return Err(too_much(tags, "tags of styles", limits::STYLE_TAGS));
             }
         }
-        if name.ends_with(".rels") || name.contains("workbook") || name.contains("sheet") {
+        let is_other = ["sharedstrings", "styles", "theme", "docprops"];
+        let is_xml = name.ends_with(".xml") || name.ends_with(".rels");
+        if is_xml && !is_other.iter().any(|other| name.contains(other)) {
             kept.insert(name, content);
         }
     }

@@ -1,7 +1,7 @@
 //! From bytes to text.
 
-/// The text of a file in UTF-8 or UTF-16 with a mark, UTF-8 without, or Windows-1252 (of which
-/// Latin-1 is the part that matters here). `None` if the bytes are no text.
+/// The text of a file in UTF-8 or UTF-16 with a mark, UTF-8 without, Windows-1251 or Windows-1252 (of
+/// which Latin-1 is the part that matters here). `None` if the bytes are no text.
 pub(crate) fn text(bytes: &[u8]) -> Option<String> {
     let text = match bytes {
         [0xef, 0xbb, 0xbf, rest @ ..] => std::str::from_utf8(rest).ok()?.to_owned(),
@@ -9,7 +9,7 @@ pub(crate) fn text(bytes: &[u8]) -> Option<String> {
         [0xfe, 0xff, rest @ ..] => utf16(rest, u16::from_be_bytes)?,
         _ => match std::str::from_utf8(bytes) {
             Ok(text) => text.to_owned(),
-            Err(_) => bytes.iter().map(|&byte| western(byte)).collect(),
+            Err(_) => single_bytes(bytes),
         },
     };
     // A form feed parts the pages of a report; an old end-of-file mark may close it.
@@ -23,6 +23,40 @@ fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Option<String> {
     if rest.is_empty() { String::from_utf16(&units).ok() } else { None }
 }
 
+/// The text of bytes that are a letter each: Windows-1251 where words are in Cyrillic letters alone, as
+/// `м` and `Забой` are, else Windows-1252, whose letters beyond ASCII stand within words.
+pub fn single_bytes(bytes: &[u8]) -> String {
+    let of = if is_cyrillic(bytes) { cyrillic } else { western };
+    bytes.iter().map(|&byte| of(byte)).collect()
+}
+
+fn is_cyrillic(bytes: &[u8]) -> bool {
+    let is_high = |byte: &u8| *byte >= 0xc0 || matches!(byte, 0xa8 | 0xb8);
+    let words = bytes.split(|byte| !byte.is_ascii_alphabetic() && !is_high(byte));
+    let mut has_words = false;
+    for word in words.filter(|word| word.iter().any(is_high)) {
+        if !word.iter().all(is_high) {
+            return false;
+        }
+        // Alone these are signs of the West: × ÷ Ø ø ß Å å à.
+        has_words |= !matches!(word, [0xd7 | 0xf7 | 0xd8 | 0xf8 | 0xdf | 0xc5 | 0xe5 | 0xe0]);
+    }
+    has_words
+}
+
+/// One byte of Windows-1251.
+fn cyrillic(byte: u8) -> char {
+    match byte {
+        0xc0.. => {
+            char::from_u32(0x410 + u32::from(byte - 0xc0)).unwrap_or(char::REPLACEMENT_CHARACTER)
+        }
+        0xa8 => 'Ё',
+        0xb8 => 'ё',
+        0xb9 => '№',
+        _ => western(byte),
+    }
+}
+
 /// One byte of Windows-1252. Its quotes and dashes matter; the rest of its own block is rare.
 fn western(byte: u8) -> char {
     match byte {
@@ -34,5 +68,18 @@ fn western(byte: u8) -> char {
         0x96 => '–',
         0x97 => '—',
         _ => char::from(byte),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::single_bytes;
+
+    #[test]
+    fn words_tell_the_letters() {
+        // `DBTM .м : Глубина`, `Tiefe in °, Länge`, `Ø 8.5 in`.
+        assert_eq!(single_bytes(b"DBTM .\xec : \xc3\xeb\xf3\xe1\xe8\xed\xe0"), "DBTM .м : Глубина");
+        assert_eq!(single_bytes(b"Tiefe in \xb0, L\xe4nge"), "Tiefe in °, Länge");
+        assert_eq!(single_bytes(b"\xd8 8.5 in"), "Ø 8.5 in");
     }
 }

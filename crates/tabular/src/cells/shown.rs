@@ -92,24 +92,22 @@ fn listed(numbers: &[u32], show: &dyn Fn(u32) -> String) -> String {
     }
 }
 
-/// What each of some sheets of an `.xlsx` shows.
-pub(crate) fn of_sheets(parts: &Parts, names: &[String]) -> Result<Vec<Shown>, TableErrorKind> {
+/// What each of some sheets of an `.xlsx` shows, which are named by their places among all.
+pub(crate) fn of_sheets(parts: &Parts, places: &[usize]) -> Result<Vec<Shown>, TableErrorKind> {
     let workbook = workbook_part(parts);
     let (folder, file) = workbook.rsplit_once('/').unwrap_or(("", &workbook));
     let folder = if folder.is_empty() { String::new() } else { format!("{folder}/") };
     let relations = relations(parts, &format!("{folder}_rels/{file}.rels"));
     let Some(content) = parts.get(&workbook) else { return Err(missing("its workbook")) };
-    let mut ids: Vec<(String, String)> = Vec::new();
+    let mut ids: Vec<String> = Vec::new();
     let mut is_calculated_on_load = false;
     each(content, |start| match start.local_name().as_ref() {
-        "sheet" => {
-            ids.push((attribute(start, "name"), attribute(start, "id")));
-        }
+        "sheet" => ids.push(attribute(start, "id")),
         "calcPr" => is_calculated_on_load |= is_true(&attribute(start, "fullCalcOnLoad")),
         _ => {}
     });
-    let sheet = |name: &String| {
-        let (_, id) = ids.iter().find(|(of, _)| of == name)?;
+    let sheet = |place: usize| {
+        let id = ids.get(place)?;
         let (_, target) = relations.iter().find(|(of, _)| of == id)?;
         let path = match target.strip_prefix('/') {
             Some(path) => path.to_owned(),
@@ -117,11 +115,11 @@ pub(crate) fn of_sheets(parts: &Parts, names: &[String]) -> Result<Vec<Shown>, T
         };
         parts.get(&path.to_ascii_lowercase().replace('\\', "/"))
     };
-    let shown = |name: &String| {
-        let content = sheet(name).ok_or_else(|| missing(&format!("the part of sheet '{name}'")))?;
+    let shown = |&place: &usize| {
+        let content = sheet(place).ok_or_else(|| missing("the part of a sheet"))?;
         Ok(of_sheet(content, is_calculated_on_load))
     };
-    names.iter().map(shown).collect()
+    places.iter().map(shown).collect()
 }
 
 fn missing(what: &str) -> TableErrorKind {

@@ -88,8 +88,8 @@ fn unreadable(reason: impl ToString) -> TableErrorKind {
 fn xlsx(bytes: &[u8], dates: Dates) -> Result<Workbook, TableErrorKind> {
     let parts = archive::check(bytes)?;
     let mut workbook = Xlsx::new(Cursor::new(bytes)).map_err(unreadable)?;
-    let Worksheets { visible, hidden, .. } = worksheets(workbook.sheets_metadata())?;
-    let views = shown::of_sheets(&parts, &visible)?;
+    let Worksheets { visible, places, hidden } = worksheets(workbook.sheets_metadata())?;
+    let views = shown::of_sheets(&parts, &places)?;
     drop(parts);
     let mut sheets = Vec::new();
     let mut budget = Budget::default();

@@ -28,6 +28,8 @@ struct CsvRows<'a> {
     columns: usize,
     /// The cells of the headings and of the units below them, and where they came again.
     headings: Vec<Vec<Vec<u8>>>,
+    /// Whether a heading begins with a digit, as `0108` does.
+    has_items: bool,
     repeated: (u64, u64),
 }
 
@@ -55,13 +57,17 @@ pub(super) fn open<'a>(
     let columns_of_head = columns.len();
     let above = headings..data.min(ahead.len());
     let headings = ahead[above].iter().map(|line| cells(&head::parted(line, sign)));
-    let headings = headings.filter(|cells| cells.iter().any(|cell| !cell.is_empty())).collect();
+    let headings = headings.filter(|cells| cells.iter().any(|cell| !cell.is_empty()));
+    let headings: Vec<Vec<Vec<u8>>> = headings.collect();
+    let begins = |cell: &Vec<u8>| cell.first().is_some_and(u8::is_ascii_digit);
+    let has_items = headings.iter().flatten().any(begins);
     let rows = CsvRows {
         ahead: ahead.into_iter().skip(data).collect(),
         line: data as u64,
         sign,
         columns: columns_of_head,
         headings,
+        has_items,
         repeated: (0, 0),
         lines,
     };
@@ -95,10 +101,12 @@ impl CsvRows<'_> {
     /// # Errors
     /// It has other headings.
     fn is_heading(&mut self, row: &Row) -> Result<bool, ImportError> {
-        let first = row.cells.iter().find(|(from, to)| to > from);
-        let first = first.map(|&(from, _)| row.bytes[from as usize]);
-        // Rows of data begin with a number or a date.
-        if first.is_none_or(|byte| byte.is_ascii_digit() || matches!(byte, b'-' | b'+' | b'.')) {
+        // Rows of data have numbers or dates; no row of headings but one of WITS items does.
+        let is_number = |&(from, to): &(u32, u32)| {
+            let byte = row.bytes[from as usize..to as usize].first();
+            byte.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'-' | b'+' | b'.'))
+        };
+        if !self.has_items && row.cells.iter().any(is_number) {
             return Ok(false);
         }
         if self.headings.contains(&cells(row)) {

@@ -21,6 +21,7 @@ use crate::{
     choices::Choices,
     error::{ImportError, ImportErrorKind},
     fragment::{Block, Fragment, Note},
+    tables::note,
 };
 use length::Length;
 use part::{Part, Refusal};
@@ -56,7 +57,7 @@ pub(crate) fn read(
         .map_err(|(place, kind)| ImportError::new(name, place, kind))?;
     let count = string.len();
     let of = tally.sheet.map_or(String::new(), |sheet| format!(" in sheet '{sheet}'"));
-    notes.extend(tally.notes.into_iter().map(super::note));
+    notes.extend(tally.notes.into_iter().map(note::of));
     notes.extend(tally.left_out.into_iter().map(Note::LeftOut));
     let what = format!("a tally of {count} component{}{of}", if count == 1 { "" } else { "s" });
     Ok(Fragment { what, string, notes, ..Fragment::default() })
