@@ -165,6 +165,15 @@ fn syntax_error(error: &toml::de::Error, text: &str, source: usize, offset: usiz
         .at(place, "a foot or inch mark is a quotation mark to TOML")
         .help(help);
     }
+    if let Some(written) = parted_thousands(text, span.start) {
+        return Diagnostic::error(format!("`{}` is not a number of TOML", short(written)))
+            .at(place, said)
+            .help(format!(
+                "write {}, or in quotes with its unit: \"{} ft\"",
+                written.replace(',', "_"),
+                short(written)
+            ));
+    }
     let diagnostic = Diagnostic::error("this is not TOML").at(place, said);
     if not_quoted(error) {
         if found.is_empty() {
@@ -195,6 +204,18 @@ fn foot_or_inch_mark(text: &str, at: usize) -> Option<(&str, String)> {
         (false, _) => format!("write \"{number} ft\""),
     };
     Some((written, help))
+}
+
+/// A number as the value of a line whose thousands are parted by commas.
+fn parted_thousands(text: &str, at: usize) -> Option<&str> {
+    let line_start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
+    let (_, value) = text[line_start..].lines().next()?.split_once('=')?;
+    let value = value.split('#').next()?.trim();
+    let mut groups = value.split(',');
+    let is_number = |group: &str| !group.is_empty() && group.bytes().all(|b| b.is_ascii_digit());
+    let first = groups.next().is_some_and(|group| is_number(group) && group.len() <= 3);
+    let others = value.contains(',') && groups.all(|group| is_number(group) && group.len() == 3);
+    (first && others).then_some(value)
 }
 
 /// What stands in the double quotes around a place of a line, if a backslash is in it.

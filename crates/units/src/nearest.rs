@@ -28,10 +28,13 @@ const SHORTEST: usize = 4;
 /// The meanings of a unit that is not read because people mean different things by it.
 pub(crate) fn meanings(written: &str) -> Option<&'static str> {
     let word = bare(written).to_lowercase();
-    let is_ton = ["ton", "tons", "tonf", "tonforce", "tonsforce", "longton", "longtons", "tonuk"]
-        .iter()
-        .any(|ton| word.split('/').any(|part| part == *ton));
-    let is_ton = is_ton || (word.starts_with("tonf") && word != "tonfus");
+    // A `tonne` is 1000 kg to everybody.
+    let is_ton = word.split('/').any(|part| {
+        let rest = ["", "long", "uk", "metric"]
+            .iter()
+            .find_map(|kind| part.strip_prefix(kind)?.strip_prefix("ton"));
+        rest.is_some_and(|rest| !rest.starts_with('n')) && !["tonfus", "tonus"].contains(&part)
+    });
     is_ton.then_some(
         "a ton is 2000 lb to some, 2240 lb or 1000 kg to others; write 't' for 1000 kg, 'tonfUS' or \
          'tonUS' for 2000 lb",
@@ -162,6 +165,7 @@ mod tests {
             (Dimension::Force, "ton"),
             (Dimension::Force, "tons"),
             (Dimension::Force, "tonfUK"),
+            (Dimension::Force, "tonfm"),
             (Dimension::Force, "cN"),
             (Dimension::Force, "GN"),
             (Dimension::Force, "mN"),

@@ -77,6 +77,7 @@ fn lengths_and_weights_as_they_are_written() {
         inch_mark_without_quotes: `"215.9 mm"\nfriction` -> `8-1/2"  # of the bit\nfriction`
         foot_mark_without_quotes: `"4305 m"                  # default` -> `14124' # default`
         thousands_or_decimals: `"4305 m"                  # default` -> `"4,305 m" # default`
+        thousands_without_quotes: `"4305 m"                  # default` -> `14,124 # default`
         ton_of_whom: `"6 tf"` -> `"6 ton"`
         "#,
     );
