@@ -9,7 +9,11 @@
 //! and the flow rate; `2π B` per length loads the effective tension, `2π C` is the torque. Theory:
 //! `docs/src/theory/mud.md`.
 
-use std::{f64::consts::PI, sync::LazyLock};
+use std::{
+    f64::consts::PI,
+    ops::{Add, Mul},
+    sync::LazyLock,
+};
 
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
@@ -62,6 +66,34 @@ pub struct AnnulusDrag {
     pub gradient_Pa_per_m: f64,
     /// What that gains per velocity of the pipe towards the bit, Pa·s/m²: surge.
     pub surge_Pa_s_per_m2: f64,
+}
+
+impl Add for AnnulusDrag {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            pull_N_per_m: self.pull_N_per_m + other.pull_N_per_m,
+            drag_Pa_s: self.drag_Pa_s + other.drag_Pa_s,
+            spin_drag_N_s: self.spin_drag_N_s + other.spin_drag_N_s,
+            gradient_Pa_per_m: self.gradient_Pa_per_m + other.gradient_Pa_per_m,
+            surge_Pa_s_per_m2: self.surge_Pa_s_per_m2 + other.surge_Pa_s_per_m2,
+        }
+    }
+}
+
+impl Mul<f64> for AnnulusDrag {
+    type Output = Self;
+
+    fn mul(self, factor: f64) -> Self {
+        Self {
+            pull_N_per_m: self.pull_N_per_m * factor,
+            drag_Pa_s: self.drag_Pa_s * factor,
+            spin_drag_N_s: self.spin_drag_N_s * factor,
+            gradient_Pa_per_m: self.gradient_Pa_per_m * factor,
+            surge_Pa_s_per_m2: self.surge_Pa_s_per_m2 * factor,
+        }
+    }
 }
 
 impl AnnulusDrag {

@@ -33,7 +33,41 @@ pub struct Hydraulics {
     pub pump_pressure_Pa: f64,
 }
 
+/// A number of [`Hydraulics`] and what it may be.
+pub type PlausibleRange = (&'static str, fn(&Hydraulics) -> f64, [f64; 2]);
+
+/// Greatest pressure that a number of [`Hydraulics`] may have, Pa: ten times what the strongest mud
+/// pumps deliver.
+const MAX_PRESSURE: f64 = 1e9;
+
+/// Greatest force, N: that of the heaviest hoists, and of no mud.
+const MAX_FORCE: f64 = 1e8;
+
+/// Greatest torque, N·m.
+const MAX_TORQUE: f64 = 1e7;
+
 impl Hydraulics {
+    /// What each number may be in a string that lets mud pass. Pressures may be negative: a string that
+    /// is pulled out sucks.
+    pub const PLAUSIBLE: [PlausibleRange; 8] = [
+        ("mud_drag_N", |of| of.mud_drag_N, [-MAX_FORCE, MAX_FORCE]),
+        ("mud_torque_N_m", |of| of.mud_torque_N_m, [-MAX_TORQUE, MAX_TORQUE]),
+        ("jet_thrust_N", |of| of.jet_thrust_N, [0.0, MAX_FORCE]),
+        ("bore_loss_Pa", |of| of.bore_loss_Pa, [0.0, MAX_PRESSURE]),
+        ("bit_loss_Pa", |of| of.bit_loss_Pa, [0.0, MAX_PRESSURE]),
+        ("motor_loss_Pa", |of| of.motor_loss_Pa, [0.0, MAX_PRESSURE]),
+        ("annulus_loss_Pa", |of| of.annulus_loss_Pa, [-MAX_PRESSURE, MAX_PRESSURE]),
+        ("pump_pressure_Pa", |of| of.pump_pressure_Pa, [-MAX_PRESSURE, MAX_PRESSURE]),
+    ];
+
+    /// The first number that is none that mud makes, and what it is.
+    pub fn implausible(&self) -> Option<(&'static str, f64)> {
+        let values = Self::PLAUSIBLE.iter().map(|(name, of, range)| (*name, of(self), *range));
+        let mut beyond =
+            values.filter(|(_, value, [least, most])| !(*least..=*most).contains(value));
+        beyond.next().map(|(name, value, _)| (name, value))
+    }
+
     /// Each number of this and the other, joined.
     fn join(self, other: Self, join: impl Fn(f64, f64) -> f64) -> Self {
         Self {

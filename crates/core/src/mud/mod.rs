@@ -2,12 +2,14 @@
 
 pub mod annulus;
 pub mod bore;
+mod conduit;
 pub mod gel;
 pub mod hydraulics;
 pub mod rheology;
 mod turbulence;
 
 pub use annulus::{Annulus, AnnulusDrag, Motion};
+pub(crate) use conduit::Conduit;
 pub use gel::AnnulusGel;
 pub use hydraulics::Hydraulics;
 pub use rheology::Rheology;

@@ -33,7 +33,6 @@ pub struct Section {
 impl Section {
     /// The mean section of `string` between two distances from the bit, m.
     pub fn between(string: &DrillString, from_bit_m: f64, to_bit_m: f64) -> Self {
-        let span = to_bit_m - from_bit_m;
         let mut mean = Self {
             axial_stiffness_N: 0.0,
             shear_stiffness_N: 0.0,
@@ -46,16 +45,7 @@ impl Section {
             od_m: 0.0,
             pressure_strain_per_Pa: 0.0,
         };
-        let mut bottom = 0.0;
-        let last = string.components().len() - 1;
-        for (index, component) in string.components().iter().enumerate() {
-            // The last component takes whatever rounding leaves above it.
-            let top = if index == last { f64::INFINITY } else { bottom + component.length_m };
-            let part = (to_bit_m.min(top) - from_bit_m.max(bottom)) / span;
-            bottom = top;
-            if part <= 0.0 {
-                continue;
-            }
+        for (component, part) in string.parts_between(from_bit_m, to_bit_m) {
             let (e, g) =
                 (component.material.youngs_modulus_Pa, component.material.shear_modulus_Pa);
             let area = component.area_m2();

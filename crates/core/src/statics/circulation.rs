@@ -1,19 +1,19 @@
 //! What the mud does to each stretch of the string as it moves and circulates.
 
-use std::f64::consts::FRAC_PI_4;
-
 use crate::{
     model::Model,
-    mud::{Annulus, Hydraulics, Motion, bore, hydraulics::pressure_strain},
+    mud::{Conduit, Hydraulics, Motion, hydraulics::pressure_strain},
     operation::Operation,
 };
 
 /// A stretch as the mud meets it.
 pub(crate) struct Passage {
     pub(crate) length_m: f64,
-    pub(crate) od_m: f64,
+    /// Mean areas of the body's outside and of its bore, m²: what pressures stretch it by.
+    pub(crate) outer_m2: f64,
     pub(crate) bore_m2: f64,
-    pub(crate) hole_diameter_m: f64,
+    /// Bores and annuli.
+    pub(crate) conduit: Conduit,
     /// `(1 − 2ν)/E`, 1/Pa.
     pub(crate) pressure_strain_per_Pa: f64,
 }
@@ -53,10 +53,7 @@ pub(crate) fn along(
         spin_rad_per_s: operation.rotation_rad_per_s(),
         flow_m3_per_s,
     };
-    let drags: Vec<_> = segments
-        .iter()
-        .map(|s| Annulus::new(s.od_m, s.hole_diameter_m).drag(&model.mud, &motion))
-        .collect();
+    let drags: Vec<_> = segments.iter().map(|s| s.conduit.drag(&model.mud, &motion)).collect();
     let annulus_loss_Pa: f64 =
         segments.iter().zip(&drags).map(|(s, drag)| s.length_m * drag.gradient_Pa_per_m).sum();
     let bit_loss_Pa = operation.bit_loss_Pa(flow_m3_per_s);
@@ -72,12 +69,12 @@ pub(crate) fn along(
     // From the bit up the pressure falls outside and rises inside.
     let (mut outer_Pa, mut inner_Pa) = (annulus_loss_Pa, annulus_loss_Pa + below_Pa);
     let circulating = segments.iter().zip(&drags).map(|(s, drag)| {
-        let inner_rise_Pa_per_m = bore::gradient_Pa_per_m(&model.mud, s.bore_m2, flow_m3_per_s);
+        let inner_rise_Pa_per_m = s.conduit.bore_gradient_Pa_per_m(&model.mud, flow_m3_per_s);
         let rise = s.length_m * inner_rise_Pa_per_m;
         let fall = s.length_m * drag.gradient_Pa_per_m;
         let strain = pressure_strain(
             s.pressure_strain_per_Pa,
-            (outer_Pa - 0.5 * fall, FRAC_PI_4 * s.od_m * s.od_m),
+            (outer_Pa - 0.5 * fall, s.outer_m2),
             (inner_Pa + 0.5 * rise, s.bore_m2),
         );
         let lower_end_Pa = (outer_Pa, inner_Pa);

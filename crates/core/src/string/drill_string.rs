@@ -87,6 +87,23 @@ impl DrillString {
         (index, &self.components[index])
     }
 
+    /// The components between two distances from the bit, m, from the bit up, each with the part of
+    /// that length which it takes; the parts add up to one. The topmost component takes what
+    /// rounding leaves above it.
+    pub fn parts_between(
+        &self,
+        from_bit_m: f64,
+        to_bit_m: f64,
+    ) -> impl Iterator<Item = (&Component, f64)> {
+        let span_m = to_bit_m - from_bit_m;
+        let last = self.components.len() - 1;
+        self.spans().enumerate().filter_map(move |(index, span)| {
+            let top_m = if index == last { f64::INFINITY } else { span.to_bit_m };
+            let part = (to_bit_m.min(top_m) - from_bit_m.max(span.from_bit_m)) / span_m;
+            (part > 0.0).then_some((span.component, part))
+        })
+    }
+
     /// The components with their places, from the bit up.
     pub fn spans(&self) -> impl DoubleEndedIterator<Item = Span<'_>> + ExactSizeIterator {
         (0..self.components.len()).map(|index| Span {

@@ -5,10 +5,12 @@ mod common;
 
 mod assemblies;
 mod buckled;
+mod circulation;
 mod criteria;
 
 mod ends;
 mod friction;
+mod inside_of_bends;
 mod joints;
 mod mesh;
 mod motor;

@@ -103,11 +103,6 @@ impl Borehole {
         depths.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Diameter of the hole at a measured depth, m.
-    pub fn hole_diameter_m(&self, md_m: f64) -> f64 {
-        self.bore.section(md_m).diameter_m
-    }
-
     /// The coefficients of friction at a measured depth, m.
     pub fn friction(&self, md_m: f64) -> Friction {
         self.bore.section(md_m).friction

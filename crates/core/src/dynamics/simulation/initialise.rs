@@ -114,7 +114,7 @@ impl<R: Registers> Run<R> {
         chain.find_drag(dt);
         if let Some(mud) = &mut viscous {
             mud.attach(&mut chain, &anchors, dt);
-            mud.update(&mut chain, &anchors, &basis.borehole, dt, dt);
+            mud.update(&mut chain, &anchors, model, dt, dt);
         }
         let top = anchors[0].md_m + chain.displacement(0).dot(chain.tangent(0));
         let bottom = anchors[last].md_m + chain.displacement(last).dot(chain.tangent(last));

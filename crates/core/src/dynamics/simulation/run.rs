@@ -274,7 +274,7 @@ impl<R: Real> Run<R> {
         chain.find_drag(self.plan.dt_s);
         if let Some(mud) = &mut self.state.viscous {
             let every_s = FOLLOW_STEPS as f64 * self.plan.dt_s;
-            mud.update(chain, anchors, &self.borehole, self.plan.dt_s, every_s);
+            mud.update(chain, anchors, &self.model, self.plan.dt_s, every_s);
         }
     }
 

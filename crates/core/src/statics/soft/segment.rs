@@ -5,10 +5,13 @@ use super::{
     hole::{Node, Stretch},
     load::{Load, Point, Totals},
 };
+use std::f64::consts::FRAC_PI_4;
+
 use nalgebra::Vector3;
 
 use crate::{
     model::{Model, MudColumn},
+    mud::Conduit,
     operation::Operation,
     statics::{
         buckling::{Criterion, Pipe, Place},
@@ -100,9 +103,9 @@ impl<'a> Segment<'a> {
     pub(super) fn passage(&self) -> Passage {
         Passage {
             length_m: self.to_md_m - self.from_md_m,
-            od_m: self.outer_diameter_m,
+            outer_m2: FRAC_PI_4 * self.outer_diameter_m * self.outer_diameter_m,
             bore_m2: self.bore_m2,
-            hole_diameter_m: self.hole_diameter_m,
+            conduit: Conduit::uniform(self.outer_diameter_m, self.bore_m2, self.hole_diameter_m),
             pressure_strain_per_Pa: self.pressure_strain_per_Pa,
         }
     }

@@ -18,22 +18,24 @@ use super::flow_pressures::FlowPressures;
 use crate::{
     damage::{Damaged, ensure},
     dynamics::{
-        boundary::{
-            anchor::{Anchor, middle_m},
-            hole::Borehole,
-        },
+        boundary::anchor::{Anchor, middle_m},
         kernel::chain::{Chain, node, upkeep::Motions},
     },
     model::Model,
-    mud::{Annulus, AnnulusDrag, Hydraulics, Motion, Mud, bore, hydraulics::pressure_strain},
+    mud::{AnnulusDrag, Conduit, Hydraulics, Motion, Mud, hydraulics::pressure_strain},
     operation::Operation,
     rod::mesh::Mesh,
     simd::number::Real,
+    string::DrillString,
+    well::Hole,
 };
 
 /// Change of an element's motion, as a part of all that shears the mud there, after which its drag
 /// is found anew.
 const STALE: f64 = 0.003;
+
+/// The same part beyond which a sample does not follow the drag along its slope.
+const FAR: f64 = 0.1;
 
 /// What the mud is sheared by when nothing moves, as far as that comparison goes, m/s.
 const STILL_M_PER_S: f64 = 0.01;
@@ -62,12 +64,14 @@ struct Beyond {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct Passage {
     length_m: f64,
+    /// Its lower and upper end, from the bit, m.
+    from_bit_m: [f64; 2],
     od_m: f64,
     bore_m2: f64,
     pressure_strain_per_Pa: f64,
     /// Where the hole was looked at, m.
     md_m: f64,
-    annulus: Annulus,
+    conduit: Conduit,
     /// Mean speed at which the pumps drive the mud up, m/s.
     rising_m_per_s: f64,
     bore_gradient_Pa_per_m: f64,
@@ -126,24 +130,27 @@ impl Viscous {
         let flow_m3_per_s = operation.flow_now_m3_per_s();
         let motion =
             Motion { axial_m_per_s, spin_rad_per_s: operation.rotation_rad_per_s(), flow_m3_per_s };
-        let passages = mesh.elements.iter().zip(&mesh.nodes).map(|(element, top)| {
-            let md_m = bit_md_m - top.from_bit_m + 0.5 * element.length_m;
+        let ends = mesh.nodes.windows(2).map(|pair| [pair[1].from_bit_m, pair[0].from_bit_m]);
+        let passages = mesh.elements.iter().zip(ends).map(|(element, from_bit_m)| {
+            let md_m = bit_md_m - from_bit_m[1] + 0.5 * element.length_m;
             let section = &element.section;
-            let hole_m = model.well.hole.at(md_m).diameter_m;
+            let hole = &model.well.hole;
             let mut passage = Passage {
                 length_m: element.length_m,
+                from_bit_m,
                 od_m: section.od_m,
                 bore_m2: section.bore_m2,
                 pressure_strain_per_Pa: section.pressure_strain_per_Pa,
                 md_m,
-                annulus: Annulus::new(section.od_m, hole_m),
+                conduit: Conduit::uniform(section.od_m, section.bore_m2, hole.at(md_m).diameter_m),
                 rising_m_per_s: 0.0,
                 bore_gradient_Pa_per_m: 0.0,
                 motion,
                 drag: AnnulusDrag::default(),
                 annulus_loss_Pa: 0.0,
             };
-            passage.find(&model.mud, motion, hole_m);
+            passage.lie_at(&model.string, hole, md_m);
+            passage.find(&model.mud, motion);
             passage
         });
         Some(Self {
@@ -193,7 +200,7 @@ impl Viscous {
         &mut self,
         chain: &mut Chain<impl Real>,
         anchors: &[Anchor],
-        borehole: &Borehole,
+        model: &Model,
         dt: f64,
         every_s: f64,
     ) {
@@ -210,8 +217,8 @@ impl Viscous {
             let md_m = 0.5 * (anchors[index].md_m + anchors[index + 1].md_m);
             let changed = passage.is_stale(&motion, md_m);
             if changed {
-                passage.md_m = md_m;
-                passage.find(&self.mud, motion, borehole.hole_diameter_m(md_m));
+                passage.lie_at(&model.string, &model.well.hole, md_m);
+                passage.find(&self.mud, motion);
             }
             if changed || changed_above {
                 self.load(chain, anchors, index, dt);
@@ -308,10 +315,16 @@ impl Viscous {
         let of_elements = axial_m_per_s.windows(2).zip(spin_rad_per_s.windows(2));
         for (passage, (axial, spin)) in self.passages.iter_mut().zip(of_elements) {
             let velocity = 0.5 * (axial[0] + axial[1]);
-            passage.annulus_loss_Pa = passage.length_m * passage.gradient_Pa_per_m(velocity);
             let spin = 0.5 * (spin[0] + spin[1]);
-            now.mud_drag_N += passage.length_m * passage.drag.axial_N_per_m(velocity);
-            now.mud_torque_N_m -= passage.length_m * passage.drag.torque_N(spin);
+            let motion = Motion {
+                axial_m_per_s: velocity,
+                spin_rad_per_s: spin,
+                flow_m3_per_s: self.flow_m3_per_s,
+            };
+            let (drag, gradient_Pa_per_m) = passage.sampled(&self.mud, &motion);
+            passage.annulus_loss_Pa = passage.length_m * gradient_Pa_per_m;
+            now.mud_drag_N += passage.length_m * drag.axial_N_per_m(velocity);
+            now.mud_torque_N_m -= passage.length_m * drag.torque_N(spin);
             now.annulus_loss_Pa += passage.annulus_loss_Pa;
             now.bore_loss_Pa += passage.length_m * passage.bore_gradient_Pa_per_m;
         }
@@ -365,14 +378,28 @@ impl Viscous {
 }
 
 impl Passage {
-    /// Gradient of the annulus's pressure by friction at a velocity near that of the motion that
-    /// the drag was found for.
-    fn gradient_Pa_per_m(&self, axial_m_per_s: f64) -> f64 {
-        let since = axial_m_per_s - self.motion.axial_m_per_s;
-        self.drag.gradient_Pa_per_m + self.drag.surge_Pa_s_per_m2 * since
+    /// Drag and gradient of the annulus's pressure by friction at a motion: near the one that the
+    /// drag was found for along its slope, farther off found anew. A mud at its yield point has a
+    /// slope there that is ten thousand times its own, and no motion of a string in vibration stays
+    /// on it.
+    fn sampled(&self, mud: &Mud, motion: &Motion) -> (AnnulusDrag, f64) {
+        if self.has_changed(motion, FAR) {
+            let drag = self.conduit.drag(mud, motion);
+            return (drag, drag.gradient_Pa_per_m);
+        }
+        let since = motion.axial_m_per_s - self.motion.axial_m_per_s;
+        (self.drag, self.drag.gradient_Pa_per_m + self.drag.surge_Pa_s_per_m2 * since)
     }
 
     fn is_stale(&self, motion: &Motion, md_m: f64) -> bool {
+        self.has_changed(motion, STALE)
+            || motion.flow_m3_per_s != self.motion.flow_m3_per_s
+            || (md_m - self.md_m).abs() > REACH_M
+    }
+
+    /// Whether a motion differs from the known one by more than such a part of all that shears the
+    /// mud.
+    fn has_changed(&self, motion: &Motion, part: f64) -> bool {
         let radius = 0.5 * self.od_m;
         let known = &self.motion;
         // Speeds of the pipe's surface: what shears the mud.
@@ -382,18 +409,23 @@ impl Passage {
             + radius * known.spin_rad_per_s.abs()
             + self.rising_m_per_s
             + STILL_M_PER_S;
-        change > STALE * shear
-            || motion.flow_m3_per_s != known.flow_m3_per_s
-            || (md_m - self.md_m).abs() > REACH_M
+        change > part * shear
     }
 
-    /// Finds what the mud does at a motion in a hole of a diameter.
-    fn find(&mut self, mud: &Mud, motion: Motion, hole_m: f64) {
+    /// Looks at the hole around it with its middle at a measured depth, m.
+    fn lie_at(&mut self, string: &DrillString, hole: &Hole, md_m: f64) {
+        self.md_m = md_m;
+        let half_m = 0.5 * self.length_m;
+        self.conduit =
+            Conduit::between(string, hole, self.from_bit_m, [md_m + half_m, md_m - half_m]);
+    }
+
+    /// Finds what the mud does at a motion.
+    fn find(&mut self, mud: &Mud, motion: Motion) {
         self.motion = motion;
-        self.annulus = Annulus::new(self.od_m, hole_m);
-        self.drag = self.annulus.drag(mud, &motion);
-        self.rising_m_per_s = self.annulus.mean_m_per_s(motion.flow_m3_per_s);
+        self.drag = self.conduit.drag(mud, &motion);
+        self.rising_m_per_s = self.conduit.rising_m_per_s(motion.flow_m3_per_s);
         self.bore_gradient_Pa_per_m =
-            bore::gradient_Pa_per_m(mud, self.bore_m2, motion.flow_m3_per_s);
+            self.conduit.bore_gradient_Pa_per_m(mud, motion.flow_m3_per_s);
     }
 }

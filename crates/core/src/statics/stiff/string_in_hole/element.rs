@@ -1,11 +1,13 @@
 //! The elements between the nodes, and the mud that flows along them.
 
+use std::f64::consts::FRAC_PI_4;
+
 use nalgebra::Vector3;
 
 use super::{super::heading::Heading, node::Node};
 use crate::{
     model::Model,
-    mud::Hydraulics,
+    mud::{Conduit, Hydraulics},
     operation::Operation,
     rod::{
         element::Stiffness,
@@ -26,7 +28,8 @@ pub(in super::super) struct Element {
     pub(in super::super) anchor_chord_m: Vector3<f64>,
     /// Its stiffness.
     pub(in super::super) stiffness: Stiffness<f64>,
-    /// `g` of the element without tension, m: on the hole's axis it has the soft string's tension.
+    /// `g` of the element without tension, m: where it lies on the wall as the soft string does, it
+    /// has that one's tension.
     pub(in super::super) slack_m: f64,
     /// That tension, N.
     pub(in super::super) guess_N: f64,
@@ -54,10 +57,11 @@ pub(super) fn between(
     bore: &Bore,
     nodes: &[Node],
     circulating: &[Circulating],
-    soft: &SoftProfile,
+    (soft, inside_m): (&SoftProfile, &[f64]),
 ) -> Vec<Element> {
-    let pairs = nodes.windows(2).zip(&mesh.elements).zip(circulating);
-    let element = |((pair, of), flow): ((&[Node], &MeshElement), &Circulating)| {
+    let pairs = nodes.windows(2).zip(&mesh.elements).zip(circulating).zip(inside_m);
+    type Pair<'a> = (((&'a [Node], &'a MeshElement), &'a Circulating), &'a f64);
+    let element = |(((pair, of), flow), inside_m): Pair<'_>| {
         let (upper, lower) = (&pair[0], &pair[1]);
         let stiffness = Stiffness::new(&of.section, of.length_m);
         let middle_m = 0.5 * (upper.md_m + lower.md_m);
@@ -66,7 +70,7 @@ pub(super) fn between(
         let centred = Ends { chord_m: anchor_chord_m, directors: [upper.axes[2], lower.axes[2]] };
         Element {
             anchor_chord_m,
-            slack_m: centred.longer_m(&stiffness) - guess_N / stiffness.axial,
+            slack_m: centred.longer_m(&stiffness) - inside_m - guess_N / stiffness.axial,
             stiffness,
             guess_N,
             mud_torque_N_m: of.length_m * flow.torque_N_m_per_m,
@@ -100,12 +104,18 @@ pub(super) fn circulation(
         .rev()
         .map(|index| {
             let element = &mesh.elements[index];
-            let middle_m = 0.5 * (depths_m[index] + depths_m[index + 1]);
+            let nodes = [&mesh.nodes[index + 1], &mesh.nodes[index]];
+            let conduit = Conduit::between(
+                &model.string,
+                &model.well.hole,
+                nodes.map(|node| node.from_bit_m),
+                [depths_m[index + 1], depths_m[index]],
+            );
             Passage {
                 length_m: element.length_m,
-                od_m: element.section.od_m,
+                outer_m2: FRAC_PI_4 * element.section.od_m * element.section.od_m,
                 bore_m2: element.section.bore_m2,
-                hole_diameter_m: model.well.hole.at(middle_m).diameter_m,
+                conduit,
                 pressure_strain_per_Pa: element.section.pressure_strain_per_Pa,
             }
         })

@@ -44,11 +44,12 @@ impl StringInHole {
         soft: &SoftProfile,
     ) -> Self {
         let bore = Bore::new(&model.well.hole);
-        let depths_m = node::depths_m(model, &bore, operation.bit_depth_m, mesh, soft);
-        let (circulating, hydraulics) = element::circulation(model, operation, mesh, &depths_m);
+        let depths = node::Depths::new(model, &bore, operation.bit_depth_m, mesh, soft);
+        let (circulating, hydraulics) = element::circulation(model, operation, mesh, &depths.md_m);
         let around = (Sliding::of(operation), soft);
-        let mut nodes = node::along(model, &bore, settings, mesh, &depths_m, around);
-        let mut elements = element::between(mesh, &bore, &nodes, &circulating, soft);
+        let mut nodes = node::along(model, &bore, settings, mesh, &depths.md_m, around);
+        let on_wall = (soft, depths.inside_m.as_slice());
+        let mut elements = element::between(mesh, &bore, &nodes, &circulating, on_wall);
         let high_rad = high_side_rad(model, &nodes);
         element::bend(&mut elements, model, mesh, high_rad);
         load::add_weight(&mut nodes, mesh, &circulating, model.mud.density_kg_per_m3);

@@ -110,31 +110,42 @@ pub(super) fn along(
     nodes
 }
 
-/// Measured depths of the nodes of a string whose bit is at a depth, m: stretched by the soft
-/// string's tension, and reaching farther on the inside of a bend than the hole's axis does.
-pub(super) fn depths_m(
-    model: &Model,
-    bore: &Bore,
-    bit_depth_m: f64,
-    mesh: &Mesh,
-    soft: &SoftProfile,
-) -> Vec<f64> {
-    // What a metre of string on the wall is shorter by than a metre of axis.
-    let inside = |index: usize, md_m: f64| {
-        let clearance_m = bore.smooth_radius_m(md_m) - mesh.nodes[index].contact_radius_m;
-        let curvature_per_m = model.well.path.at(md_m).curvature_per_m;
-        clearance_m.max(0.0) * soft.contact_direction_at(md_m).dot(&curvature_per_m)
-    };
-    let mut depths = vec![bit_depth_m; mesh.nodes.len()];
-    let mut below = inside(mesh.nodes.len() - 1, bit_depth_m);
-    for index in (0..mesh.elements.len()).rev() {
-        let element = &mesh.elements[index];
-        let tension_N = soft.tension_at_N(depths[index + 1] - 0.5 * element.length_m);
-        let strain = tension_N / element.section.axial_stiffness_N;
-        let above = inside(index, depths[index + 1] - element.length_m);
-        let longer = 1.0 + strain + 0.5 * (above + below);
-        depths[index] = depths[index + 1] - element.length_m * longer;
-        below = above;
+/// Where the nodes of a string are whose bit is at a depth: stretched by the soft string's tension,
+/// and reaching farther on the inside of a bend than the hole's axis does.
+pub(super) struct Depths {
+    /// Measured depths, m, from the top down.
+    pub(super) md_m: Vec<f64>,
+    /// What each element spans more of the hole's axis than its own length, by lying on the inside of
+    /// a bend, m.
+    pub(super) inside_m: Vec<f64>,
+}
+
+impl Depths {
+    pub(super) fn new(
+        model: &Model,
+        bore: &Bore,
+        bit_depth_m: f64,
+        mesh: &Mesh,
+        soft: &SoftProfile,
+    ) -> Self {
+        // What a metre of string on the wall is shorter by than a metre of axis.
+        let inside = |index: usize, md_m: f64| {
+            let clearance_m = bore.smooth_radius_m(md_m) - mesh.nodes[index].contact_radius_m;
+            let curvature_per_m = model.well.path.at(md_m).curvature_per_m;
+            clearance_m.max(0.0) * soft.contact_direction_at(md_m).dot(&curvature_per_m)
+        };
+        let mut md = vec![bit_depth_m; mesh.nodes.len()];
+        let mut inside_m = vec![0.0; mesh.elements.len()];
+        let mut below = inside(mesh.nodes.len() - 1, bit_depth_m);
+        for index in (0..mesh.elements.len()).rev() {
+            let element = &mesh.elements[index];
+            let tension_N = soft.tension_at_N(md[index + 1] - 0.5 * element.length_m);
+            let strain = tension_N / element.section.axial_stiffness_N;
+            let above = inside(index, md[index + 1] - element.length_m);
+            inside_m[index] = 0.5 * (above + below) * element.length_m;
+            md[index] = md[index + 1] - element.length_m * (1.0 + strain) - inside_m[index];
+            below = above;
+        }
+        Self { md_m: md, inside_m }
     }
-    depths
 }
