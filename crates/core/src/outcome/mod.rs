@@ -25,7 +25,7 @@ pub use hole_wear::{HOLE_STEP_M, HOLE_WEAR, HoleWear};
 pub(crate) use hole_wear::{hole_depths_m, hole_steps, spread};
 pub(crate) use method::IN_TIME;
 pub use method::{Cost, Method, ModelKind};
-pub(crate) use profile::{SLACK, neutral_point_among};
+pub(crate) use profile::{SLACK, neutral_point_among, neutral_rows};
 pub use profile::{cutoff_depth_m, cutoff_in_build_m, neutral_point_m};
 pub use quantity::Quantity;
 pub use quantity_kind::QuantityKind;

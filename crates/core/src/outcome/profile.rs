@@ -30,17 +30,26 @@ pub(crate) fn neutral_point_among(
     largest_N: f64,
     md_m: impl Fn(usize) -> f64,
 ) -> Option<f64> {
+    let [(above, tension_above), (below, tension_below)] = neutral_rows(tension_N, largest_N)?;
+    Some(zero_between(md_m(above), tension_above, md_m(below), tension_below))
+}
+
+/// The rows between which [`neutral_point_among`] finds the change, with their tensions.
+pub(crate) fn neutral_rows(
+    tension_N: impl Iterator<Item = (usize, f64)>,
+    largest_N: f64,
+) -> Option<[(usize, f64); 2]> {
     let mut previous: Option<(usize, f64)> = None;
-    for (index, tension) in tension_N {
-        if tension.abs() <= SLACK * largest_N {
+    for row in tension_N {
+        if row.1.abs() <= SLACK * largest_N {
             continue;
         }
-        if let Some((above, tension_above)) = previous
-            && (tension > 0.0) != (tension_above > 0.0)
+        if let Some(above) = previous
+            && (row.1 > 0.0) != (above.1 > 0.0)
         {
-            return Some(zero_between(md_m(above), tension_above, md_m(index), tension));
+            return Some([above, row]);
         }
-        previous = Some((index, tension));
+        previous = Some(row);
     }
     None
 }

@@ -16,7 +16,7 @@ use nalgebra::Vector3;
 use super::{Interpolation, Station, station::angle_between};
 
 /// Share of a segment that each of its two curvature transitions takes; 1/(1 − 1/6) = 1.2.
-const TRANSITION: f64 = 1.0 / 6.0;
+pub(super) const TRANSITION: f64 = 1.0 / 6.0;
 
 /// Largest turn within one piece, rad. The error of the five-point rule below is then less than
 /// 1e-14 of the piece's length, transitions included.

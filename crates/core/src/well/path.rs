@@ -280,6 +280,33 @@ impl Path {
         Heading { tangent, curvature_per_m }
     }
 
+    /// The same at the end of a stretch in which the path has no kink: the limit from a measured
+    /// depth in that stretch. Where the curvature jumps the two sides differ.
+    pub(crate) fn heading_beside(&self, md_m: f64, inside_md_m: f64) -> Heading {
+        if inside_md_m >= self.last_md_m() || inside_md_m < self.first_md_m() {
+            let PathPoint { tangent, curvature_per_m, .. } = self.at(inside_md_m);
+            return Heading { tangent, curvature_per_m };
+        }
+        let piece = &self.pieces[self.piece_index(inside_md_m)];
+        let (tangent, curvature_per_m) = piece.heading(md_m - piece.md_m);
+        Heading { tangent, curvature_per_m }
+    }
+
+    /// Measured depths where the curvature or its slope may jump, m, in no order: the stations, and
+    /// of a spline the ends of its transitions besides.
+    pub(crate) fn kinks_m(&self) -> impl Iterator<Item = f64> {
+        let between = match self.interpolation {
+            Interpolation::MinimumCurvature => [None; 2],
+            Interpolation::Spline => [Some(curve::TRANSITION), Some(1.0 - curve::TRANSITION)],
+        };
+        let stations = self.stations.iter().map(|station| station.md_m);
+        let inside = self.stations.windows(2).flat_map(move |pair| {
+            let length_m = pair[1].md_m - pair[0].md_m;
+            between.into_iter().flatten().map(move |part| pair[0].md_m + part * length_m)
+        });
+        stations.chain(inside)
+    }
+
     /// Dogleg severity: the magnitude of the curvature, rad/m.
     pub fn dogleg_severity_rad_per_m(&self, md_m: f64) -> f64 {
         self.at(md_m).curvature_per_m.norm()

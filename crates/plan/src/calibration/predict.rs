@@ -104,8 +104,8 @@ pub struct SoftPredictions<'a> {
     pub settings: SoftSettings,
 }
 
-/// Longest step of the soft string, m, where hundreds of strings are solved: the kink of its side
-/// force costs `μ |dq/ds| step²`, some tens of newtons: hundredths of a per cent of what a weight is read to.
+/// Longest step of the soft string, m, where hundreds of strings are solved: at the kinks of its side
+/// force it is halved.
 const STEP_M: f64 = 5.0;
 
 impl<'a> SoftPredictions<'a> {

@@ -7,7 +7,7 @@ use super::load::Point;
 use crate::{
     model::Model,
     statics::buckling::{BucklingLoads, Pipe},
-    well::Path,
+    well::{Heading, Path},
 };
 
 /// The end of a step.
@@ -46,13 +46,13 @@ pub(super) fn stretches(model: &Model, bit_depth_m: f64, longest_m: f64) -> Vec<
     ends.windows(2).map(of).collect()
 }
 
-/// Ends of the stretches, from the bit up: where the path's curvature, the component or the hole
-/// section may change.
+/// Ends of the stretches, from the bit up: where the path's curvature or its slope, the component or
+/// the hole section may change.
 fn ends(model: &Model, bit_depth_m: f64) -> Vec<f64> {
-    let stations = model.well.path.stations().iter().map(|station| station.md_m);
+    let kinks = model.well.path.kinks_m();
     let sections = model.well.hole.sections().iter().map(|section| section.to_md_m);
     let components = model.string.spans().map(|span| bit_depth_m - span.to_bit_m);
-    let mut ends: Vec<f64> = stations
+    let mut ends: Vec<f64> = kinks
         .chain(sections)
         .chain(components)
         .filter(|&md_m| md_m > SHORTEST_M && md_m < bit_depth_m - SHORTEST_M)
@@ -63,8 +63,13 @@ fn ends(model: &Model, bit_depth_m: f64) -> Vec<f64> {
     ends
 }
 
-/// Boundaries that lie closer together than this are one, m.
+/// Boundaries that lie closer together than this are one, m. The path's headings are taken as far
+/// inside a stretch.
 const SHORTEST_M: f64 = 1e-6;
+
+/// Part of a step that a stretch may be longer by than so many of them: last digits of depths, which
+/// other units change, make no further step.
+const SAME_STEPS: f64 = 1e-6;
 
 fn stretch(
     model: &Model,
@@ -79,14 +84,15 @@ fn stretch(
     let pipe = Pipe::new(component, hole_diameter_m, model.mud.density_kg_per_m3);
     let node = |md_m: f64, point: Point| node(model, &pipe, md_m, point);
     let length_m = to_md_m - from_md_m;
-    let count = (length_m / longest_m).ceil().max(1.0);
+    let count = (length_m / longest_m - SAME_STEPS).ceil().max(1.0);
     let step_m = length_m / count;
-    let lowest = Point::new(path.heading_at(to_md_m.next_down()), path.at(to_md_m).position_m.z);
+    let heading = |md_m: f64| heading_within(path, [from_md_m, to_md_m], md_m);
+    let lowest = Point::new(heading(to_md_m), path.at(to_md_m).position_m.z);
     let (mut lower_md_m, mut lower) = (to_md_m, lowest);
     let steps = (1..=count as usize).map(|index| {
         let upper_md_m =
             if index == count as usize { from_md_m } else { to_md_m - index as f64 * step_m };
-        let (middle, upper) = points(path, [lower_md_m, upper_md_m], step_m, &lower);
+        let (middle, upper) = points(heading, [lower_md_m, upper_md_m], step_m, &lower);
         (lower_md_m, lower) = (upper_md_m, upper);
         Step { middle, upper: node(upper_md_m, upper) }
     });
@@ -94,15 +100,22 @@ fn stretch(
     Stretch { from_md_m, to_md_m, step_m, lowest: node(to_md_m, lowest), steps }
 }
 
+/// The path's heading at a measured depth of a stretch between two others, m: at its ends that of the
+/// stretch, on whichever side of a station rounding has them.
+pub(super) fn heading_within(path: &Path, [from_md_m, to_md_m]: [f64; 2], md_m: f64) -> Heading {
+    let inside_m = SHORTEST_M.min(0.5 * (to_md_m - from_md_m));
+    path.heading_beside(md_m, md_m.max(from_md_m + inside_m).min(to_md_m - inside_m))
+}
+
 /// The middle and the upper end of a step, of which the lower end is known.
-fn points(
-    path: &Path,
+pub(super) fn points(
+    heading: impl Fn(f64) -> Heading,
     [lower_md_m, upper_md_m]: [f64; 2],
     step_m: f64,
     lower: &Point,
 ) -> (Point, Point) {
-    let middle = path.heading_at(0.5 * (lower_md_m + upper_md_m));
-    let upper = path.heading_at(upper_md_m);
+    let middle = heading(0.5 * (lower_md_m + upper_md_m));
+    let upper = heading(upper_md_m);
     // Simpson's rule from the stretch's lower end up: `κ⁴ step⁵/2880` a step, for pressures.
     let [low_z, middle_z, up_z] = [lower.tangent.z, middle.tangent.z, upper.tangent.z];
     let middle_tvd_m = lower.tvd_m - step_m / 24.0 * (5.0 * low_z + 8.0 * middle_z - up_z);

@@ -1,8 +1,10 @@
 //! Integration from the bit to the surface.
 
+use nalgebra::Vector3;
+
 use super::{
     SoftError, SoftSettings,
-    hole::{Node, Step, Stretch},
+    hole::{self, Node, Step, Stretch},
     load::{Load, Point, Totals},
     segment::{Course, Segment},
 };
@@ -59,6 +61,86 @@ fn step(
     let k4 = segment.rate(upper, &(at + k3 * step_m), course);
     at + (k1 + (k2 + k3) * 2.0 + k4) * (step_m / 6.0)
 }
+
+/// A stretch with an operation on it, along which a string is integrated on one course.
+struct Climb<'a> {
+    segment: &'a Segment<'a>,
+    path: &'a Path,
+    course: Course,
+}
+
+impl Climb<'_> {
+    /// A step from a lower to an upper depth, halved wherever the wall load has a kink: what has
+    /// accumulated, and the load there. `load` is the one at its lower end.
+    fn step(
+        &self,
+        [lower_md_m, upper_md_m]: [f64; 2],
+        points: [&Point; 3],
+        step_m: f64,
+        (at, load): (Totals, &Load),
+        halvings: usize,
+    ) -> (Totals, Load) {
+        let [lower, middle, upper] = points;
+        let totals = step(self.segment, points, step_m, (at, load), self.course);
+        let end = self.segment.load(upper, totals.tension_N, self.course);
+        let ends = [&load.q_N_per_m, &end.q_N_per_m];
+        let bend = || {
+            let tension_N = 0.5 * (at.tension_N + totals.tension_N);
+            let half_way = self.segment.load(middle, tension_N, self.course).q_N_per_m;
+            (half_way - (ends[0] + ends[1]) * 0.5).norm()
+        };
+        if halvings == 0 || kink_N(ends, bend, step_m) < KINK_N {
+            return (totals, end);
+        }
+        let ends_m = [self.segment.from_md_m, self.segment.to_md_m];
+        let heading = |md_m: f64| hole::heading_within(self.path, ends_m, md_m);
+        let (half_m, middle_md_m) = (0.5 * step_m, 0.5 * (lower_md_m + upper_md_m));
+        let half = |mds_m: [f64; 2], from: &Point, (at, load): (Totals, &Load)| {
+            let (middle, end) = hole::points(heading, mds_m, half_m, from);
+            let found = self.step(mds_m, [from, &middle, &end], half_m, (at, load), halvings - 1);
+            (found, end)
+        };
+        let ((totals, load), there) = half([lower_md_m, middle_md_m], lower, (at, load));
+        half([middle_md_m, upper_md_m], &there, (totals, &load)).0
+    }
+}
+
+/// Error of a step that is let pass, N: 2e-12 of a hook load of 10 kN.
+const KINK_N: f64 = 2e-8;
+
+/// Most halvings of a step: each makes the error of a kink a quarter.
+const MAX_HALVINGS: usize = 20;
+
+/// By how much Simpson's rule errs on the size of a vector that goes from one value to another over a
+/// step, N: what the fourth derivative is at most, `step⁵/2880` times. With the change `δ`, the
+/// distance `d` of the straight line between the two from zero, the least size `r` on it, and `b` by
+/// which the vector is off that line half-way, that is `12 d² δ⁴/r⁵`, `192 b²/r` and `96 b δ²/r²` over
+/// `step⁴`. Where the vector goes through zero its size has a kink, which costs `δ step/16` at most.
+/// `b` is read only where the least size is much less than the largest: elsewhere it costs nothing.
+fn kink_N([from, to]: [&Vector3<f64>; 2], bend: impl Fn() -> f64, step_m: f64) -> f64 {
+    let by = to - from;
+    let square = by.norm_squared();
+    if square == 0.0 {
+        return 0.0;
+    }
+    let part = (-from.dot(&by) / square).clamp(0.0, 1.0);
+    let least = (from + by * part).norm_squared();
+    let line = from.cross(&by).norm_squared() / square;
+    let change = square.sqrt();
+    let size = least.sqrt();
+    // Not numbers where the least is zero, of which the least of two makes the other.
+    let straight = (change * square * line / (240.0 * least * least * size)).min(1.0 / 16.0);
+    let mut off = change * straight;
+    if least < SMALL * from.norm_squared().max(to.norm_squared()) || size < LIGHT_N_PER_M {
+        let bend = bend();
+        off += bend * (bend / (15.0 * size) + square / (30.0 * least)).min(1.0 / 16.0);
+    }
+    step_m * off
+}
+
+/// Part of the larger square below which a wall load is small, and the load that is small anyhow, N/m.
+const SMALL: f64 = 0.5;
+const LIGHT_N_PER_M: f64 = 30.0;
 
 /// The step from a lower to an upper depth in which a helix begins or ends: to there, and on from
 /// there.
@@ -134,20 +216,28 @@ pub(super) fn from_bit(
     for (segment, stretch) in segments.iter().zip(stretches) {
         let step_m = stretch.step_m;
         let mut lower = &stretch.lowest;
+        let mut known: Option<(Course, Load)> = None;
         for Step { middle, upper } in &stretch.steps {
             let before = totals;
             let course = segment.course(helix_counts, &lower.point, before.tension_N);
-            let load = segment.load(&lower.point, before.tension_N, course);
+            let load = match known {
+                Some((same, load)) if same == course => load,
+                _ => segment.load(&lower.point, before.tension_N, course),
+            };
             keep.node(segment, lower, &before, &load);
             let points = [&lower.point, middle, &upper.point];
-            totals = step(segment, points, step_m, (before, &load), course);
+            let mds_m = [lower.md_m, upper.md_m];
+            let climb = Climb { segment, path, course };
+            let found = climb.step(mds_m, points, step_m, (before, &load), MAX_HALVINGS);
+            totals = found.0;
+            known = Some((course, found.1));
             if helix_counts {
                 if course == Course::Helix && segment.locks_up(before.tension_N, step_m) {
                     return Err(SoftError::LocksUp { md_m: lower.md_m });
                 }
                 if segment.course(helix_counts, &upper.point, totals.tension_N) != course {
-                    let mds_m = [lower.md_m, upper.md_m];
                     totals = divided(segment, path, mds_m, points, before, course);
+                    known = None;
                 }
             }
             if !(totals.tension_N.is_finite()

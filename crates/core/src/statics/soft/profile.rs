@@ -13,7 +13,7 @@ use crate::{
     mud::Hydraulics,
     operation::Operation,
     outcome::{
-        HOLE_STEP_M, HoleWear, Profile, Scalars, cutoff_in_build_m, hole_depths_m, neutral_point_m,
+        HOLE_STEP_M, HoleWear, Profile, Scalars, cutoff_in_build_m, hole_depths_m, neutral_rows,
     },
 };
 
@@ -77,7 +77,7 @@ impl SoftProfile {
             bit_torque_N_m,
             twist_rad: totals.twist_rad,
             stretch_m: totals.stretch_m,
-            neutral_point_m: neutral_point_m(&md_m, &tension_N),
+            neutral_point_m: neutral_point_m(&rows),
             cutoff_depth_m: cutoff_in_build_m(
                 &model.well.path,
                 operation.bit_depth_m,
@@ -155,6 +155,36 @@ impl SoftProfile {
         let nearer_above = md_m - self.md_m[above] < self.md_m[below] - md_m;
         self.contact_direction[if nearer_above { above } else { below }]
     }
+}
+
+/// Measured depth of the shallowest change between tension and compression, m, of rows from the
+/// surface down. Between two of them the tension is a parabola that leaves the lower one with its
+/// rate: a straight line would move with the rows by some tenths of a millimetre.
+fn neutral_point_m(rows: &[Row]) -> Option<f64> {
+    let tensions_N = || rows.iter().map(|row| row.totals.tension_N);
+    let largest_N = tensions_N().fold(0.0_f64, |largest, tension| largest.max(tension.abs()));
+    let [(above, _), (below, _)] = neutral_rows(tensions_N().enumerate(), largest_N)?;
+    let pair = rows[above..=below].windows(2).find(|pair| {
+        let [upper_N, lower_N] = [0, 1].map(|index| pair[index].totals.tension_N);
+        (upper_N > 0.0) != (lower_N > 0.0)
+    })?;
+    let (upper, lower) = (&pair[0], &pair[1]);
+    let length_m = lower.md_m - upper.md_m;
+    let (from_N, to_N) = (lower.totals.tension_N, upper.totals.tension_N);
+    let by_N = lower.tension_rate_N_per_m * length_m;
+    let bend_N = to_N - from_N - by_N;
+    // `from + by x + bend x²` is zero between 0 and 1, by halves.
+    let (mut same, mut other) = (0.0, 1.0);
+    for _ in 0..60 {
+        let part: f64 = 0.5 * (same + other);
+        let there_N = from_N + part * (by_N + part * bend_N);
+        if (there_N > 0.0) == (from_N > 0.0) {
+            same = part;
+        } else {
+            other = part;
+        }
+    }
+    Some(lower.md_m - other * length_m)
 }
 
 fn interpolate(md: &[f64], values: &[f64], at_m: f64) -> f64 {

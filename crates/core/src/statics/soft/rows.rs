@@ -18,6 +18,8 @@ use crate::{
 pub(super) struct Row {
     pub(super) md_m: f64,
     pub(super) totals: Totals,
+    /// What the tension gains per metre upwards, N/m.
+    pub(super) tension_rate_N_per_m: f64,
     pub(super) load: Load,
     pub(super) high_side: Vector3<f64>,
     pub(super) bearing: Bearing,
@@ -53,6 +55,7 @@ impl Keep for Rows {
         self.rows.push(Row {
             md_m: *md_m,
             totals: *totals,
+            tension_rate_N_per_m: segment.rate_under(point, totals, load).tension_N,
             load: *load,
             high_side: *high_side,
             bearing: segment.carrier.bears(point, high_side, load, totals, pressures_Pa),

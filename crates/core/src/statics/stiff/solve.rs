@@ -37,9 +37,8 @@ const HALVED: usize = 3;
 /// for: of those of a thousand random wells none rests in a state that would stay.
 const FAR_BEYOND: f64 = 25.0;
 
-/// Steps of the soft string with which it begins, m. That says where the nodes stand, and a kink
-/// where the pipe changes sides costs it some 15 N, by which a kilometre of pipe stretches 0.01 mm;
-/// no force comes of it.
+/// Steps of the soft string with which it begins, m: it says where the nodes stand, and no force comes
+/// of it.
 const SOFT: SoftSettings = SoftSettings { step_m: 4.0, helix_side_force: false };
 
 /// Torque and drag of one operation by the stiff string.
