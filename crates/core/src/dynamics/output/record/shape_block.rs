@@ -141,9 +141,7 @@ impl ShapeBlock {
             add(&mut self.sag, lane, shape.sag);
             add(&mut self.touched, lane, shape.touches);
         }
-        let [even, half_way] =
-            [shape.at_ends, shape.half_way].map(|part| deflection.bending + deflection.pull * part);
-        EndStiffness { even, odd, half_way }
+        EndStiffness::of(&deflection, [shape.at_ends, shape.half_way], odd)
     }
 
     /// How elements at lanes of a block resist being turned by their ends, as they did when last
@@ -155,9 +153,8 @@ impl ShapeBlock {
         lane: usize,
     ) -> EndStiffness<N> {
         let deflection = self.deflection::<N, R>(ends, block, lane);
-        let [even, half_way] = [&self.at_ends, &self.half_way]
-            .map(|part| deflection.bending + deflection.pull * at::<N, f64>(part, lane));
-        EndStiffness { even, odd: at(&self.odd, lane), half_way }
+        let parts = [&self.at_ends, &self.half_way].map(|part| at::<N, f64>(part, lane));
+        EndStiffness::of(&deflection, parts, at(&self.odd, lane))
     }
 
     /// Shares what a node has to hand on out between the elements above and below it, in proportion
