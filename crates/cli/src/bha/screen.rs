@@ -240,10 +240,12 @@ fn quantity(si: f64, dimension: Dimension, units: UnitSet) -> String {
     format!("{} {}", plain(number(si, dimension, units)), dimension.unit_in(units).symbol)
 }
 
-/// A number in the reader's unit, with four digits or to the third decimal.
+/// A number in the reader's unit, with four digits or to the third decimal; a length to the second
+/// decimal at least, because a contact is found by its depth.
 fn number(si: f64, dimension: Dimension, units: UnitSet) -> String {
     let value = dimension.unit_in(units).from_si(si);
     let digits = match value.abs() {
+        size if size >= 10.0 && dimension == Dimension::Length => 2,
         size if size >= 1000.0 => 0,
         size if size >= 100.0 => 1,
         size if size >= 10.0 => 2,

@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 use wholestring::{
+    ends::BitEnd,
     prelude::*,
     statics::assembly::{self, AssemblySettings, Extent, Touching},
     string::{Blades, ComponentLength, ComponentSpec, Material},
@@ -158,5 +159,61 @@ fn c05_pendulum() {
         verify("C05", format!("side force of the bit {}, N", row["id"].as_str().expect("a name")))
             .relative(2e-2, "the file's; tension that grows up the pipe, and shear")
             .report(-expected, found.bit_side_force_N[0]);
+    }
+}
+
+/// Blades as long as their component end where the next one begins: the force at their edges is
+/// theirs, not the neighbour's. A pinned bit, which neither wall nor spring has, is pressed on its
+/// place with the side force: the first contact.
+#[test]
+fn contacts_have_the_name_of_what_touches() {
+    let part = |name: &str, od_m: f64, length_m: f64| {
+        let length = ComponentLength::Metres(length_m);
+        ComponentSpec::uniform(name, od_m, 0.0714, length, common::steel())
+    };
+    let blades = |name: &str, length_m: f64| ComponentSpec {
+        blades: Some(Blades { od_m: 0.2133, length_m }),
+        ..part(name, 0.165, length_m)
+    };
+    let components = vec![
+        part("bit", 0.2159, 0.3),
+        part("motor", 0.165, 8.0),
+        blades("lower stabiliser", 1.5),
+        part("collar", 0.165, 9.0),
+        blades("upper stabiliser", 1.2),
+        part("collars", 0.165, 80.0),
+    ];
+    let path = common::arcs(&[[0.0, 30.0, 0.0], [100.0, 30.0, 0.0]]);
+    let hole = common::open_hole(0.2159, 0.2, 100.0);
+    for bit in [BitEnd::Held, BitEnd::Pinned, BitEnd::Clamped] {
+        let mut model = common::model(
+            path.clone(),
+            hole.clone(),
+            components.clone(),
+            common::mud(1200.0),
+            100.0,
+        );
+        model.ends.bit = bit;
+        let operation = pressed(100.0, 50e3);
+        let found = assembly::solve(&model, &operation, &AssemblySettings::default()).unwrap();
+        let bit_force = found.contacts[0].force_N;
+        assert_eq!(found.contacts[0].touching, Touching::Bit);
+        assert_eq!(bit_force, found.bit_side_force_N, "{bit:?}");
+        assert!(bit_force[0].abs() > 1.0, "{bit_force:?}");
+        for contact in found.contacts.iter().skip(1) {
+            let [low_m, high_m] = contact.from_bit_m;
+            let on = |from_m: f64, to_m: f64| low_m > from_m - 0.01 && high_m < to_m + 0.01;
+            let name = if on(8.3, 9.8) {
+                "lower stabiliser"
+            } else if on(18.8, 20.0) {
+                "upper stabiliser"
+            } else {
+                assert_eq!(contact.touching, Touching::Body, "{contact:?}");
+                continue;
+            };
+            assert_eq!((contact.name.as_str(), contact.touching), (name, Touching::Blades));
+        }
+        let named = |name: &str| found.contacts.iter().any(|of| of.name == name);
+        assert!(named("lower stabiliser") && named("upper stabiliser"), "{:?}", found.contacts);
     }
 }

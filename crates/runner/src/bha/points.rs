@@ -17,6 +17,13 @@ use crate::{
 
 const DEGREE: f64 = PI / 180.0;
 
+/// Greatest weight on bit that is tried, N: that of the case file.
+const MAX_WEIGHT_N: f64 = 5e6;
+
+/// Sharpest build of the holes in which the inclination is varied, rad/m: 180° in 30 m is a radius of
+/// 9.5 m. Short-radius holes, the sharpest that are drilled with a rotating string, have 12 m.
+const MAX_BUILD_RAD_PER_M: f64 = 180.0 * DEGREE / 30.0;
+
 /// What is varied, one after the other, SI; what a front leaves out has a default.
 #[derive(Debug, Clone, Default)]
 pub struct Sweeps {
@@ -93,10 +100,13 @@ impl Base<'_> {
             }
             None => Vec::new(),
         };
-        if let Some(wrong) = weights.iter().find(|weight_N| **weight_N < 0.0) {
+        if let Some(wrong) =
+            weights.iter().find(|weight_N| !(0.0..=MAX_WEIGHT_N).contains(*weight_N))
+        {
             return Err(Error::BadInput(format!(
-                "a weight on bit of {:.1} kN is less than nothing",
-                1e-3 * wrong
+                "a weight on bit of {:.1} kN is outside 0 to {} kN",
+                1e-3 * wrong,
+                1e-3 * MAX_WEIGHT_N
             )));
         }
         let inclinations = match &sweeps.inclinations_rad {
@@ -109,6 +119,7 @@ impl Base<'_> {
                 wrong / DEGREE
             )));
         }
+        check_build(sweeps.build_rate_rad_per_m)?;
         let all = [
             (BhaVaried::Toolface, toolfaces),
             (BhaVaried::Weight, weights),
@@ -171,6 +182,19 @@ impl Base<'_> {
         }
         point
     }
+}
+
+/// Whether holes are built at such a rate, rad/m.
+fn check_build(rate_rad_per_m: f64) -> Result<(), Error> {
+    if rate_rad_per_m.abs() <= MAX_BUILD_RAD_PER_M {
+        return Ok(());
+    }
+    let per_30_m = |rate: f64| 30.0 * rate / DEGREE;
+    Err(Error::BadInput(format!(
+        "a build rate of {} deg/30m is outside -{most} to {most} deg/30m",
+        per_30_m(rate_rad_per_m).round(),
+        most = per_30_m(MAX_BUILD_RAD_PER_M).round(),
+    )))
 }
 
 /// The operation at another weight; its bit's torque in proportion.

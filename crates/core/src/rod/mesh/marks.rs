@@ -4,7 +4,7 @@
 use super::node::MeshNode;
 use crate::{
     sizing::Sizing,
-    string::{Blades, Component, DrillString, NEAREST_BEND_M},
+    string::{Blades, Component, DrillString, NEAREST_BEND_M, Span},
 };
 
 /// A place where a node must stand.
@@ -34,6 +34,9 @@ const CROWDED_M: f64 = 2.0;
 /// A blade's edge nearer than this to another one or to an end of the string shares its node, m.
 const SAME_M: f64 = 0.05;
 
+/// Radii that differ by less are the same, m.
+const RADIUS_M: f64 = 1e-9;
+
 /// How far a blade stands out over its neighbours, m.
 pub(super) const BLADE_HEIGHT_M: f64 = 1e-3;
 
@@ -49,6 +52,32 @@ pub(super) fn body_radius_m(string: &DrillString, from_bit_m: f64) -> f64 {
         }
     }
     component.od_m / 2.0
+}
+
+/// The component that touches at a node, counted from the bit: the one whose radius the node has.
+/// At the end of a component that is the one with the blades or the joint, whichever of the two the
+/// mark is of.
+pub(super) fn touching_component(string: &DrillString, node: &MeshNode) -> usize {
+    let (above, _) = string.component_at(node.from_bit_m);
+    let near = string.spans().enumerate().filter(|(_, span)| {
+        (span.from_bit_m - SAME_M..=span.to_bit_m + SAME_M).contains(&node.from_bit_m)
+    });
+    let touches = |component: &Component| {
+        let blades = component.blades.map(|blades| 0.5 * blades.od_m);
+        let radii_m = [component.contact_radius_m(), 0.5 * component.od_m];
+        let own = |radius_m: f64| (radius_m - node.contact_radius_m).abs() < RADIUS_M;
+        // Blades first, then the widest, then the body.
+        if blades.is_some_and(own) {
+            3
+        } else if own(radii_m[0]) {
+            2
+        } else {
+            usize::from(own(radii_m[1]))
+        }
+    };
+    // Of equal ones that in which the node is.
+    let rank = |(index, span): &(usize, Span<'_>)| (touches(span.component), *index == above);
+    near.max_by_key(rank).map_or(above, |(index, _)| index)
 }
 
 /// What touches between two nodes that stay where they are: blades only between nodes on them, so

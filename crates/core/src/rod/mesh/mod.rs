@@ -112,6 +112,11 @@ impl Mesh {
         gaps().find(|gap| 2 * many(*gap) > self.nodes.len()).unwrap_or(1)
     }
 
+    /// The component that touches at a node, counted from the bit.
+    pub fn touching_component(&self, string: &DrillString, node: usize) -> usize {
+        marks::touching_component(string, &self.nodes[node])
+    }
+
     /// The body with the smallest section modulus within half an element on either side of a node:
     /// what bears the stress there.
     pub(crate) fn weakest_body<'a>(&self, string: &'a DrillString, node: usize) -> &'a Component {

@@ -12,8 +12,10 @@ pub struct AssemblyNode {
     pub md_m: f64,
     /// Distance from the bit, m.
     pub from_bit_m: f64,
-    /// Component, counted from the bit.
+    /// Component, counted from the bit; at its end the one above.
     pub component: usize,
+    /// Component that touches, counted from the bit: at an end the one with the wider radius.
+    pub touching: usize,
     /// Radius of the hole, m.
     pub hole_radius_m: f64,
     /// Offset from the hole's axis, m.
@@ -59,14 +61,19 @@ impl Largest {
     }
 }
 
-/// The nodes of what was solved, from the bit up. `from_bit_m` are their distances from the bit,
-/// from the top down.
-pub(super) fn nodes(model: &Model, of: &StiffProfile, from_bit_m: &[f64]) -> Vec<AssemblyNode> {
+/// The nodes of what was solved, from the bit up. `places` are their distances from the bit, m, and
+/// the components that touch there, from the top down.
+pub(super) fn nodes(
+    model: &Model,
+    of: &StiffProfile,
+    places: &[(f64, usize)],
+) -> Vec<AssemblyNode> {
     let axis = &of.axis;
     let node = |index: usize| AssemblyNode {
         md_m: of.md_m[index],
-        from_bit_m: from_bit_m[index],
-        component: model.string.component_at(from_bit_m[index]).0,
+        from_bit_m: places[index].0,
+        component: model.string.component_at(places[index].0).0,
+        touching: places[index].1,
         hole_radius_m: axis.hole_radius_m[index],
         offset_m: axis.offset_m[index],
         tilt_rad: axis.tilt_rad[index],
@@ -77,5 +84,5 @@ pub(super) fn nodes(model: &Model, of: &StiffProfile, from_bit_m: &[f64]) -> Vec
         bending_stress_Pa: of.bending_stress_Pa[index],
         von_mises_stress_Pa: of.von_mises_stress_Pa[index],
     };
-    (0..from_bit_m.len()).rev().map(node).collect()
+    (0..places.len()).rev().map(node).collect()
 }

@@ -65,8 +65,8 @@ impl Contact {
     fn begin(string: &DrillString, node: &AssemblyNode, touching: Touching) -> Self {
         Self {
             touching,
-            component: node.component,
-            name: string.components()[node.component].name.clone(),
+            component: node.touching,
+            name: string.components()[node.touching].name.clone(),
             md_m: node.md_m,
             from_bit_m: [node.from_bit_m; 2],
             force_N: node.push_N,
@@ -95,10 +95,10 @@ pub(super) fn contacts(string: &DrillString, nodes: &[AssemblyNode]) -> Vec<Cont
         if index > 0 && force_N <= 0.0 {
             continue;
         }
-        let of = touching(&string.components()[node.component], index);
+        let of = touching(&string.components()[node.touching], index);
         match contacts.last_mut() {
             Some(last)
-                if last.component == node.component
+                if last.component == node.touching
                     && last.touching == of
                     && last.same_side(&node.push_N)
                     && (of == Touching::Blades
@@ -125,7 +125,7 @@ pub(super) fn contacts(string: &DrillString, nodes: &[AssemblyNode]) -> Vec<Cont
 pub(super) fn ends_m(string: &DrillString, nodes: &[AssemblyNode], to_m: f64) -> Vec<f64> {
     let on = |node: &AssemblyNode| node.push_N != [0.0; 2];
     let is_body = |node: &AssemblyNode| {
-        let component = &string.components()[node.component];
+        let component = &string.components()[node.touching];
         component.blades.is_none() && component.joints.is_none()
     };
     let pairs = nodes.windows(2).skip(1);

@@ -103,9 +103,11 @@ fn once(
     refinement: u32,
 ) -> Result<Assembly, StiffError> {
     let mesh = extent::mesh(model, operation, settings, ends_m, refinement)?;
-    let from_bit_m: Vec<f64> = mesh.nodes.iter().map(|node| node.from_bit_m).collect();
+    let place =
+        |node: usize| (mesh.nodes[node].from_bit_m, mesh.touching_component(&model.string, node));
+    let places: Vec<(f64, usize)> = (0..mesh.nodes.len()).map(place).collect();
     let found = stiff::solve_on(model, operation, &settings.stiff, soft, mesh)?;
-    Ok(Assembly::new(model, settings, &found, &from_bit_m))
+    Ok(Assembly::new(model, settings, &found, &places))
 }
 
 impl Assembly {
@@ -113,10 +115,10 @@ impl Assembly {
         model: &Model,
         settings: &AssemblySettings,
         found: &StiffProfile,
-        from_bit_m: &[f64],
+        places: &[(f64, usize)],
     ) -> Self {
         let reach = Reach::of(model, settings);
-        let nodes = axis::nodes(model, found, from_bit_m);
+        let nodes = axis::nodes(model, found, places);
         let within = nodes.partition_point(|node| node.from_bit_m <= reach.assembly_m);
         let assembly = &nodes[..within];
         Self {

@@ -50,4 +50,18 @@ impl StringAxis {
         }
         axis
     }
+
+    /// Measured depth where it crosses the hole's axis downwards, from its high to its low half, m:
+    /// of nodes at measured depths `md_m` the crossing that is nearest to a depth, and no farther
+    /// from it than `within_m`.
+    pub(super) fn crossing_near_m(&self, md_m: &[f64], near_m: f64, within_m: f64) -> Option<f64> {
+        let pairs = md_m.windows(2).zip(self.offset_m.windows(2));
+        let crossings = pairs.filter_map(|(md_m, offset_m)| {
+            let ([above_m, _], [below_m, _]) = (offset_m[0], offset_m[1]);
+            (above_m > 0.0 && below_m <= 0.0)
+                .then(|| md_m[0] + (md_m[1] - md_m[0]) * above_m / (above_m - below_m))
+        });
+        let off = |at_m: &f64| (at_m - near_m).abs();
+        crossings.filter(|at_m| off(at_m) <= within_m).min_by(|a, b| off(a).total_cmp(&off(b)))
+    }
 }

@@ -72,7 +72,7 @@ impl StiffProfile {
         profile.torque_N_m[0] = surface_torque_N_m;
         profile.torque_N_m[last] = string.bit_torque_N_m;
         let bending = Bending::of(string, state, mesh, model.mud.density_kg_per_m3);
-        let axis = StringAxis::new(model, string, state, &bending);
+        let mut axis = StringAxis::new(model, string, state, &bending);
         bear(model, operation, mesh, string, bending, &mut profile);
         deform(model, mesh, string, state, &torques_N_m, &mut profile);
         let rubbing = Rubbing { operation, string, state };
@@ -94,14 +94,13 @@ impl StiffProfile {
             twist_rad: profile.twist_rad[0],
             stretch_m: profile.stretch_m[0],
             neutral_point_m: neutral_point_m(&profile.md_m, &profile.tension_N),
-            cutoff_depth_m: cutoff_in_build_m(
-                &model.well.path,
-                operation.bit_depth_m,
-                &profile.md_m,
-                &profile.side_force_N_per_m,
-            ),
+            cutoff_depth_m: cutoff_depth_m(model, operation, &profile, &axis),
         };
         let [bit_side_force_N, bit_tilt_rad] = at_bit(model, string, state, &torques_N_m);
+        if let BitEnd::Pinned | BitEnd::Clamped = string.ends.bit {
+            // No wall and no spring has it: what holds the bit to the axis.
+            axis.push_N[last] = bit_side_force_N;
+        }
         Self {
             profile,
             wear: hole_wear(mesh, &rubbing),
@@ -120,6 +119,25 @@ impl Equilibrium {
     pub fn profile(&self, model: &Model, operation: &Operation) -> StiffProfile {
         StiffProfile::new(model, operation, self)
     }
+}
+
+/// Length over which the side force says where the string changes sides, m: the mean that
+/// [`cutoff_in_build_m`] takes, to both sides of it.
+const CUTOFF_WITHIN_M: f64 = 30.0;
+
+/// The cut-off: where the string's axis crosses that of the hole next to where the mean side force
+/// changes sides. Between the last contact above and the first below it the string hangs free over
+/// tens of metres, in which the mean of the contacts moves with every node of the mesh.
+fn cutoff_depth_m(
+    model: &Model,
+    operation: &Operation,
+    profile: &Profile,
+    axis: &StringAxis,
+) -> Option<f64> {
+    let (path, md_m) = (&model.well.path, &profile.md_m);
+    let by_force_m =
+        cutoff_in_build_m(path, operation.bit_depth_m, md_m, &profile.side_force_N_per_m)?;
+    Some(axis.crossing_near_m(md_m, by_force_m, CUTOFF_WITHIN_M).unwrap_or(by_force_m))
 }
 
 /// Torque at the top, of what the elements carry, N·m.
