@@ -8,6 +8,8 @@ use wholestring_config::{
     schema::{homes_of, top_level},
 };
 
+use crate::hole::MAX_FRICTION;
+
 /// One `--set KEY=VALUE`.
 ///
 /// The key is a dotted key of the case file, lists counted from zero (`well.hole.0.friction`), or
@@ -268,28 +270,43 @@ fn set_in_table(
 
 /// A number in place of a table of friction coefficients is the kinetic one; the others keep their
 /// ratios to it. Whether that is what was requested.
-fn set_friction(entry: &mut Node, node: &Node) -> bool {
+fn set_friction(entry: &mut Node, node: &Node) -> Result<bool, Problem> {
     let (Value::Table(table), Value::Number { value: new, .. }) = (&mut entry.value, &node.value)
     else {
-        return false;
+        return Ok(false);
     };
     let Some(Value::Number { value: old, .. }) = table.get("kinetic").map(|old| old.value.clone())
     else {
-        return false;
+        return Ok(false);
     };
     if old.is_nan() || old <= 0.0 {
-        return false;
+        return Ok(false);
     }
     for (key, coefficient) in &mut table.0 {
         if key.name == "kinetic" {
             *coefficient = node.clone();
         } else if let Value::Number { value, whole } = &mut coefficient.value {
-            *value = new * (*value / old);
+            let scaled = new * (*value / old);
+            // A number that is no coefficient by itself is refused as such.
+            if scaled > MAX_FRICTION && (0.0..=MAX_FRICTION).contains(new) {
+                let name = &key.name;
+                return Err(Problem {
+                    message: format!(
+                        "a friction of {new} makes `{name}` {scaled}, which is too large"
+                    ),
+                    label: format!(
+                        "`{name}` keeps its ratio to `kinetic`, {} in the case; expected 0 to \
+                         {MAX_FRICTION}",
+                        *value / old
+                    ),
+                });
+            }
+            *value = scaled;
             *whole = None;
             coefficient.place = node.place;
         }
     }
-    true
+    Ok(true)
 }
 
 fn set_in(
@@ -300,7 +317,7 @@ fn set_in(
     key_place: Span,
 ) -> Result<(), Problem> {
     let Some((first, rest)) = path.split_first() else {
-        if !(name == "friction" && set_friction(entry, node)) {
+        if !(name == "friction" && set_friction(entry, node)?) {
             *entry = node.clone();
         }
         return Ok(());

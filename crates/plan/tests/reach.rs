@@ -385,3 +385,23 @@ fn a_hanging_string_stops_at_hoist_and_yield() {
     let (_, first) = first_stop(&first).expect("a stop");
     assert_eq!(first.limit, Limit::Hoist);
 }
+
+/// A level hole is not vertical, locked up or not; one that begins vertical is there. The wall of the
+/// level hole holds the pipe by 2.83 sqrt(EI w/r), the weight in a vertical one by 5.55 (EI w²)^(1/3).
+#[test]
+fn a_level_hole_has_no_vertical_stretch() {
+    let file = verification("S5_reach.json");
+    let level = setup(&file["inputs"], &[[0.0, 90.0], [100.0, 90.0]], 0.3);
+    let turned = setup(&file["inputs"], &[[0.0, 0.0], [300.0, 0.0], [900.0, 90.0]], 0.3);
+    let named = |setup: &Setup, depth_m: f64| {
+        let slide = Operation::slide(depth_m).weight_on_bit_N(50e3);
+        let all = margins(setup, &slide, &HELIX).expect("margins");
+        all.iter().map(|margin| margin.limit).collect::<Vec<Limit>>()
+    };
+    for depth_m in [1000.0, 20_000.0] {
+        let limits = named(&level, depth_m);
+        assert!(limits.contains(&Limit::Helix), "{limits:?}");
+        assert!(!limits.contains(&Limit::VerticalHelix), "{limits:?}");
+        assert!(named(&turned, depth_m).contains(&Limit::VerticalHelix));
+    }
+}

@@ -25,3 +25,11 @@ fn key_and_value() {
         refused(name, read_with(EXAMPLE, &[setting]));
     }
 }
+
+/// A coefficient that keeps its ratio to the kinetic one and leaves the range by that is named with
+/// the ratio: what was set is in the range.
+#[test]
+fn a_ratio_that_leads_out_of_the_range() {
+    let table = "well.hole.0.friction={ kinetic = 0.1, around = 0.5 }";
+    refused("set_friction_beyond_around", read_with(EXAMPLE, &[table, "friction=0.5"]));
+}

@@ -4,7 +4,7 @@ use wholestring::{
     model::Model,
     operation::Operation,
     statics::{
-        buckling::Place,
+        buckling::{Place, Shape},
         soft::{SoftError, SoftProfile, SoftSettings, solve},
     },
 };
@@ -58,6 +58,8 @@ pub fn margins(
     let model = setup.at(operation.bit_depth_m)?;
     let concerned = Limit::ALL.into_iter();
     let concerned = concerned.filter(|limit| limit.concerns(operation, &model.rig, &model.string));
+    let has_vertical = has_vertical_hole(&model, operation.bit_depth_m);
+    let concerned = concerned.filter(|limit| has_vertical || *limit != Limit::VerticalHelix);
     let profile = match solve(&model, operation, soft) {
         Ok(profile) => profile,
         Err(SoftError::LocksUp { md_m }) => {
@@ -181,21 +183,15 @@ impl At<'_> {
         })
     }
 
-    /// Whether a critical load is that of a vertical hole, which the weight alone gives.
+    /// Whether a critical load is that of a vertical hole, which the weight alone gives: nothing
+    /// exceeds it there, and the hole is so steep that the weight across it holds the pipe no better.
+    /// In a level hole whose curvature lifts the pipe off the wall the same load is the least that
+    /// counts, but the hole is not vertical.
     fn is_vertical(&self, row: usize, shape: usize, critical_N: f64) -> bool {
-        let from_bit_m = self.operation.bit_depth_m - self.profile.md_m[row];
-        let (_, component) = self.model.string.component_at(from_bit_m);
-        let density = self.model.mud.density_kg_per_m3;
-        let place = Place {
-            bending_stiffness_N_m2: component.bending_stiffness_N_m2(),
-            clearance_m: 0.0,
-            weight_N_per_m: component.buoyed_weight_per_length_N_per_m(density).abs(),
-            weight_across_N_per_m: 0.0,
-            build_rad_per_m: 0.0,
-            turn_rad_per_m: 0.0,
-        };
-        let held_N = place.vertical_load_N(self.model.buckling.shapes()[shape]);
-        critical_N <= held_N * (1.0 + ROUNDING)
+        let md_m = self.profile.md_m[row];
+        let place = Place::above(self.model, self.operation.bit_depth_m, md_m);
+        let shape = self.model.buckling.shapes()[shape];
+        critical_N <= place.vertical_load_N(shape) * (1.0 + ROUNDING) && is_steep(&place, shape)
     }
 
     /// Part of an added push at the top that arrives at the bit; more than all of it where it takes
@@ -215,6 +211,20 @@ impl At<'_> {
         let less = solve(self.model, &pushed, self.soft)?;
         Ok(less_N / (less.scalars.hook_load_N - self.profile.scalars.hook_load_N))
     }
+}
+
+/// Whether the weight across the hole holds a pipe no better than a vertical hole does.
+fn is_steep(place: &Place, shape: Shape) -> bool {
+    let held_N = place.vertical_load_N(shape) * (1.0 + ROUNDING);
+    place.threshold_N(shape, place.weight_across_N_per_m) <= held_N
+}
+
+/// Whether a well has a vertical stretch above the bit: without one no string is a helix in it.
+fn has_vertical_hole(model: &Model, bit_depth_m: f64) -> bool {
+    let shape = model.buckling.helix();
+    let stations = model.well.path.stations().iter().map(|station| station.md_m);
+    let mut depths = stations.filter(|md_m| *md_m <= bit_depth_m).chain([JUST_M, bit_depth_m]);
+    depths.any(|md_m| is_steep(&Place::above(model, bit_depth_m, md_m), shape))
 }
 
 /// A load as a part of what hangs; where nothing does, its sign.
