@@ -88,14 +88,7 @@ pub fn read_values(option: &str, values: &str, dimension: Dimension) -> Result<V
     for value in found.iter().flat_map(Variation::bare_values) {
         match dimension.parse(value) {
             Ok(number) if number.is_finite() => numbers.push(number),
-            Ok(_) => {
-                let place = text.place(text.start, text.quoted.len());
-                let message = format!("`{}` is not a finite number", short(value));
-                Diagnostic::error(message)
-                    .at(place, "expected a finite number")
-                    .report(&mut reader);
-                break;
-            }
+            Ok(_) => {}
             Err(error) => {
                 let place = text.place(text.start, text.quoted.len());
                 let message = format!("`{}` is no {}", short(value), dimension.name());

@@ -20,6 +20,9 @@ pub struct ConduitPart {
     pub annulus: Annulus,
 }
 
+/// What rounding leaves of the sum of all parts.
+const WHOLE: f64 = 1e-6;
+
 /// Bores and annuli of a stretch.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Conduit {
@@ -53,6 +56,12 @@ impl Conduit {
             }
         });
         Self { parts: parts.collect() }
+    }
+
+    /// Whether its parts add up to the stretch: not so of a stored one that is damaged.
+    pub fn is_whole(&self) -> bool {
+        let sum: f64 = self.parts.iter().map(|of| of.part).sum();
+        (sum - 1.0).abs() < WHOLE
     }
 
     /// Mean drag of the annuli.

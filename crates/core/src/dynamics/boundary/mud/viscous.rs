@@ -109,6 +109,7 @@ impl Viscous {
     pub(in crate::dynamics) fn check(&self, mesh: &Mesh) -> Result<(), Damaged> {
         let nodes = mesh.nodes.len();
         let fits = self.passages.len() == mesh.elements.len()
+            && self.passages.iter().all(|passage| passage.conduit.is_whole())
             && [&self.weight_N, &self.pull_N].iter().all(|each| each.len() == nodes)
             && self.beyond.len() == nodes
             && [&self.pressures, &self.sum_pressures]
