@@ -6,13 +6,12 @@ use super::bench::{Bench, PIPE_M};
 use crate::{
     common::{operation, viscous_mud},
     dynamics::{
-        boundary::{anchor::Anchor, hole::Borehole, mud::viscous::Viscous},
+        boundary::{anchor::Anchor, mud::viscous::Viscous},
         kernel::chain::node,
     },
     mud::{Annulus, Motion, Mud, Rheology},
     operation::OperationKind,
     simd::vector::Vector,
-    wall::contact::ContactLaw,
 };
 
 const HOLE_M: f64 = 0.2159;
@@ -31,7 +30,6 @@ struct Wet {
     bench: Bench,
     viscous: Viscous,
     anchors: Vec<Anchor>,
-    borehole: Borehole,
     steps: u64,
 }
 
@@ -56,12 +54,10 @@ impl Wet {
         let operation = operation(OperationKind::RotateOffBottom, LENGTH_M)
             .rotary_speed_rad_per_s(spin)
             .trip_speed_m_per_s(0.0);
-        let law = ContactLaw::Linear { stiffness_N_per_m: 1e7, damping_ratio: 0.0 };
-        let borehole = Borehole::new(&bench.model, &bench.mesh, law);
         let viscous = Viscous::new(&bench.model, &bench.mesh, &operation, velocity, LENGTH_M);
         let mut viscous = viscous.expect("the mud has a rheology");
         viscous.attach(&mut bench.chain, &anchors, bench.input.dt);
-        Self { bench, viscous, anchors, borehole, steps: 0 }
+        Self { bench, viscous, anchors, steps: 0 }
     }
 
     fn go(&mut self, seconds: f64) {
@@ -70,8 +66,8 @@ impl Wet {
             self.bench.step();
             self.steps += 1;
             if self.steps.is_multiple_of(16) {
-                let chain = &mut self.bench.chain;
-                self.viscous.update(chain, &self.anchors, &self.borehole, dt, 16.0 * dt);
+                let Bench { chain, model, .. } = &mut self.bench;
+                self.viscous.update(chain, &self.anchors, model, dt, 16.0 * dt);
             }
         }
     }
