@@ -1,13 +1,10 @@
 //! `wholestring new`: a commented case to begin with.
 
-use std::{
-    fs::OpenOptions,
-    io::{self, Write},
-    path::PathBuf,
-};
+use std::{io, path::PathBuf};
 
 use clap::Args;
 use wholestring_case::new_case;
+use wholestring_results::{ResultsError, write_new_files};
 
 use crate::{
     failure::Failure,
@@ -33,9 +30,7 @@ pub(crate) fn new(args: &NewArgs) -> Result<(), Failure> {
     };
     let text = new_case(&stem);
     // Nothing that is there is written over.
-    let file = OpenOptions::new().write(true).create_new(true).open(&path);
-    let written = file.and_then(|mut file| file.write_all(text.as_bytes()));
-    if let Err(error) = written {
+    if let Err((_, error)) = write_new_files(&[(path.clone(), text.as_bytes())]) {
         return Err(match error.kind() {
             io::ErrorKind::AlreadyExists => Failure::BadInput(format!(
                 "error: {shown} is there already\nhelp: give another name: wholestring new NAME"
@@ -43,7 +38,7 @@ pub(crate) fn new(args: &NewArgs) -> Result<(), Failure> {
             io::ErrorKind::NotFound => {
                 Failure::BadInput(format!("error: cannot write {shown}: there is no such folder"))
             }
-            _ => Failure::Failed(format!("error: cannot write {shown}: {error}")),
+            _ => ResultsError::Write { path: path.clone(), source: error }.into(),
         });
     }
     print_stdout(&format!(

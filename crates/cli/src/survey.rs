@@ -1,9 +1,10 @@
 //! `wholestring survey`: position and dogleg severity along a survey.
 
-use std::{fs, path::PathBuf};
+use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use wholestring::well::Interpolation;
+use wholestring_results::write_file;
 use wholestring_runner::survey::{self, Said};
 use wholestring_units::{Dimension, Unit};
 
@@ -67,9 +68,7 @@ pub(crate) fn survey(args: &SurveyArgs) -> Result<(), Failure> {
         positions.map_err(|error| Failure::BadInput(format!("error: {file}: {error}")))?;
     let text = survey::to_csv(&positions);
     match &args.output {
-        Some(output) => fs::write(output, &text).map_err(|error| {
-            Failure::Failed(format!("error: cannot write {}: {error}", output.display()))
-        }),
+        Some(output) => Ok(write_file(output, text.as_bytes())?),
         None => print_stdout(&text),
     }
 }

@@ -1,7 +1,7 @@
 //! Writing a file whole or not at all.
 
 use std::{
-    fs::{self, File},
+    fs::{self, File, OpenOptions},
     io::{self, BufWriter, Read, Write},
     path::{Path, PathBuf},
 };
@@ -51,6 +51,71 @@ fn write_then(
     })
 }
 
+/// Writes a file whole or not at all; a file of that name is replaced. A device or a pipe is written
+/// to as it is.
+///
+/// # Errors
+/// A file that cannot be written; what was there before is unchanged then.
+pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), ResultsError> {
+    let is_special = path.metadata().is_ok_and(|there| !there.is_file() && !there.is_dir());
+    if is_special {
+        let written = OpenOptions::new().write(true).open(path);
+        let written = written.and_then(|mut file| file.write_all(bytes));
+        return written.map_err(|source| ResultsError::Write { path: path.to_owned(), source });
+    }
+    // Where the name is a link, the file behind it is replaced and the link stays.
+    let target = if path.is_symlink() { fs::canonicalize(path).ok() } else { None };
+    write_whole(target.as_deref().unwrap_or(path), |writer| writer.write_all(bytes))
+}
+
+/// Writes new files, all of them or none. A file that is there is not replaced.
+///
+/// # Errors
+/// The path of the first file that is there already or cannot be written, and the reason.
+pub fn write_new_files(files: &[(PathBuf, &[u8])]) -> Result<(), (PathBuf, io::Error)> {
+    let mut partials = Partials(Vec::new());
+    for (path, bytes) in files {
+        let partial = partial_name(path);
+        let mut write = || {
+            if path.try_exists()? {
+                return Err(io::ErrorKind::AlreadyExists.into());
+            }
+            let mut file = File::create(&partial)?;
+            partials.0.push(partial.clone());
+            file.write_all(bytes)?;
+            file.sync_all()
+        };
+        write().map_err(|error| (path.clone(), error))?;
+    }
+    let mut named = Partials(Vec::new());
+    for (path, _) in files {
+        let partial = partial_name(path);
+        let linked = match fs::hard_link(&partial, path) {
+            Err(error) if error.kind() != io::ErrorKind::AlreadyExists => {
+                // A disk without hard links.
+                fs::rename(&partial, path)
+            }
+            linked => linked,
+        };
+        linked.map_err(|error| (path.clone(), error))?;
+        named.0.push(path.clone());
+    }
+    named.0.clear();
+    Ok(())
+}
+
+/// Files that are removed with this, whatever comes between.
+struct Partials(Vec<PathBuf>);
+
+impl Drop for Partials {
+    fn drop(&mut self) {
+        for path in &self.0 {
+            // Renamed ones are not there any more.
+            let _ = fs::remove_file(path);
+        }
+    }
+}
+
 /// Reads a file that holds no more than so many bytes.
 pub(crate) fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, ResultsError> {
     let unreadable = |source| ResultsError::Read { path: path.to_owned(), source };
@@ -89,6 +154,38 @@ mod tests {
         assert_eq!(error.to_string(), format!("cannot write {}: the disk is full", path.display()));
         assert_eq!(fs::read_to_string(&path).unwrap(), "old");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn new_files_are_written_together_or_not_at_all() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        let count = || fs::read_dir(folder.path()).unwrap().count();
+        let files = [(at("a.toml"), &b"case"[..]), (at("a-measured.csv"), b"rows")];
+        write_new_files(&files).unwrap();
+        assert_eq!((fs::read(at("a.toml")).unwrap(), count()), (b"case".to_vec(), 2));
+        // The second is there, and the first is not written either.
+        let (path, error) = write_new_files(&[(at("b.toml"), b"x"), files[1].clone()]).unwrap_err();
+        assert_eq!((path, error.kind()), (at("a-measured.csv"), io::ErrorKind::AlreadyExists));
+        let (path, _) =
+            write_new_files(&[(at("c.toml"), b"x"), (at("none/c.csv"), b"y")]).unwrap_err();
+        assert_eq!(path, at("none/c.csv"));
+        assert_eq!((fs::read(at("a-measured.csv")).unwrap(), count()), (b"rows".to_vec(), 2));
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_full_device_is_an_error_and_a_link_stays_a_link() {
+        let error = write_file(Path::new("/dev/full"), b"bytes").unwrap_err();
+        assert_eq!(error.to_string(), "cannot write /dev/full: the disk is full");
+        write_file(Path::new("/dev/null"), b"bytes").unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let [file, link] = ["file", "link"].map(|name| folder.path().join(name));
+        fs::write(&file, "old").unwrap();
+        std::os::unix::fs::symlink(&file, &link).unwrap();
+        write_file(&link, b"new").unwrap();
+        assert_eq!(fs::read_to_string(&file).unwrap(), "new");
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
     }
 
     #[test]

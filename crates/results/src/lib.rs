@@ -59,6 +59,7 @@ pub use columns::{
 };
 pub use digest::digest;
 pub use error::ResultsError;
+pub use file::{write_file, write_new_files};
 pub use finding::{Finding, Level};
 pub use folder::ResultsFolder;
 pub use frames::{FrameWriter, FramesSoFar};

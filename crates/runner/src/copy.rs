@@ -48,10 +48,22 @@ pub fn copy_results(
     for file in files {
         let path = to.join(&file);
         let copied = path.parent().map_or(Ok(()), fs::create_dir_all);
-        let copied = copied.and_then(|()| fs::copy(from.join(&file), &path));
-        copied.map_err(|source| ResultsError::Write { path, source })?;
+        // Under another name until it is whole.
+        let partial = partial(&path);
+        let copied = copied.and_then(|()| fs::copy(from.join(&file), &partial));
+        let copied = copied.and_then(|_| fs::rename(&partial, &path));
+        copied.map_err(|source| {
+            let _ = fs::remove_file(&partial);
+            ResultsError::Write { path, source }
+        })?;
     }
     Ok(to.to_owned())
+}
+
+fn partial(path: &Path) -> PathBuf {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(".partial");
+    path.with_file_name(name)
 }
 
 /// What results are of that do not say it.

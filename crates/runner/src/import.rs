@@ -1,13 +1,14 @@
 //! Cases from the files of other programs.
 
 use std::{
-    fs::{File, OpenOptions},
-    io::{self, Write},
+    fs::File,
+    io,
     path::{Path, PathBuf},
 };
 
 pub use wholestring_import::{Choices, Contents, Imported, Note};
 use wholestring_import::{ImportError, ImportErrorKind, Input};
+use wholestring_results::{ResultsError, write_new_files};
 
 use crate::{error::Error, picks::picks_html, survey::explained};
 
@@ -28,6 +29,14 @@ pub fn contents(file: &Path) -> Result<Contents, Error> {
     wholestring_import::contents(open(file)?).map_err(refusal)
 }
 
+/// What a file in memory is, and what it holds; messages call it by the name.
+///
+/// # Errors
+/// As [`read`].
+pub fn contents_of(name: &str, bytes: &[u8]) -> Result<Contents, Error> {
+    wholestring_import::contents(Input::of_bytes(name, bytes)).map_err(refusal)
+}
+
 /// Writes a case, and what stands beside it. Nothing that is there is written over.
 ///
 /// # Errors
@@ -38,14 +47,9 @@ pub fn write(imported: &Imported, case: &Path) -> Result<Vec<PathBuf>, Error> {
     let beside = beside(imported).into_iter().map(|(ending, text)| (sibling(case, &ending), text));
     let case = std::iter::once((case.to_owned(), text));
     let all: Vec<(PathBuf, String)> = case.chain(beside).collect();
-    if let Some((there, _)) = all.iter().find(|(path, _)| path.exists()) {
-        return Err(Error::BadInput(format!("{} is there already", there.display())));
-    }
-    for (path, text) in &all {
-        let file = OpenOptions::new().write(true).create_new(true).open(path);
-        let written = file.and_then(|mut file| file.write_all(text.as_bytes()));
-        written.map_err(|error| not_written(path, &error))?;
-    }
+    let files: Vec<(PathBuf, &[u8])> =
+        all.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
+    write_new_files(&files).map_err(|(path, error)| not_written(&path, error))?;
     Ok(all.into_iter().map(|(path, _)| path).collect())
 }
 
@@ -93,13 +97,13 @@ fn refusal(error: ImportError) -> Error {
     }
 }
 
-fn not_written(path: &Path, error: &io::Error) -> Error {
+fn not_written(path: &Path, error: io::Error) -> Error {
     let shown = path.display();
     match error.kind() {
         io::ErrorKind::AlreadyExists => Error::BadInput(format!("{shown} is there already")),
         io::ErrorKind::NotFound => {
             Error::BadInput(format!("cannot write {shown}: there is no such folder"))
         }
-        _ => Error::Failed(format!("cannot write {shown}: {error}")),
+        _ => ResultsError::Write { path: path.to_owned(), source: error }.into(),
     }
 }

@@ -3,10 +3,11 @@
 mod args;
 mod screen;
 
-use std::{env, fs, path::Path};
+use std::{env, path::Path};
 
 use indicatif::ProgressBar;
 use serde::Serialize;
+use wholestring_results::write_file;
 use wholestring_runner::{
     Error,
     bench::{
@@ -133,8 +134,5 @@ impl<'a> Parts<'a> {
 
 fn write(path: &Path, numbers: &Numbers) -> Result<(), Failure> {
     let text = serde_json::to_string_pretty(numbers).map_err(|error| failed(&error))?;
-    fs::write(path, text + "\n").map_err(|error| {
-        let place = path.display();
-        Failure::Failed(format!("error: cannot write {place}: {error}"))
-    })
+    Ok(write_file(path, (text + "\n").as_bytes())?)
 }

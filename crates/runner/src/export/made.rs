@@ -1,13 +1,10 @@
 //! What was made, and its way to the disk.
 
-use std::{
-    fs,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use wholestring_export::Look;
 use wholestring_report::Workbook;
-use wholestring_results::{ResultsError, ResultsFolder};
+use wholestring_results::{ResultsFolder, write_file};
 
 use super::{
     format::{Format, What},
@@ -48,8 +45,7 @@ impl Made {
                         false => beside(from, &name),
                     }
                 });
-                fs::write(&path, content)
-                    .map_err(|source| ResultsError::Write { path: path.clone(), source })?;
+                write_file(&path, &content)?;
                 Ok(vec![path])
             }
             Self::Files(files) => {
