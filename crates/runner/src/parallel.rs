@@ -2,6 +2,7 @@
 
 use std::{
     num::NonZeroUsize,
+    panic::resume_unwind,
     sync::{
         Mutex, PoisonError,
         atomic::{AtomicUsize, Ordering},
@@ -9,13 +10,23 @@ use std::{
     thread,
 };
 
-/// How much is done side by side: as much as is asked for, else one task per core.
-pub(crate) fn jobs(asked: Option<NonZeroUsize>) -> usize {
-    asked.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get)
+/// Number of parallel jobs: as many as are requested, else one per core.
+pub(crate) fn jobs(requested: Option<NonZeroUsize>) -> usize {
+    requested.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get)
 }
 
-/// Does `work` on every item of `order`, on so many threads; each takes the next item that is left.
+/// Does `work` on every item of `order`, on at most so many threads; each takes the next item that
+/// is left. Where the system refuses a thread, the threads that there are do all of it.
 pub(crate) fn in_parallel(jobs: usize, order: &[usize], work: impl Fn(usize) + Sync) {
+    in_parallel_on(&thread::Builder::new, jobs, order, work);
+}
+
+fn in_parallel_on(
+    builder: &dyn Fn() -> thread::Builder,
+    jobs: usize,
+    order: &[usize],
+    work: impl Fn(usize) + Sync,
+) {
     let next = AtomicUsize::new(0);
     let busy = || {
         while let Some(item) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
@@ -24,12 +35,69 @@ pub(crate) fn in_parallel(jobs: usize, order: &[usize], work: impl Fn(usize) + S
     };
     thread::scope(|scope| {
         for _ in 1..jobs.min(order.len()) {
-            scope.spawn(busy);
+            if builder().spawn_scoped(scope, busy).is_err() {
+                break;
+            }
         }
         busy();
     });
 }
 
+/// Does `other` on a thread of its own while this one does `own`; where the system refuses the
+/// thread, one after the other.
+pub(crate) fn beside<O: Send, T>(
+    other: impl FnOnce() -> O + Send,
+    own: impl FnOnce() -> T,
+) -> (O, T) {
+    beside_on(thread::Builder::new(), other, own)
+}
+
+fn beside_on<O: Send, T>(
+    builder: thread::Builder,
+    other: impl FnOnce() -> O + Send,
+    own: impl FnOnce() -> T,
+) -> (O, T) {
+    // A thread that is refused does not give back its work: it is taken from here.
+    let other = Mutex::new(Some(other));
+    thread::scope(|scope| {
+        let take = || lock(&other).take();
+        let thread = builder.spawn_scoped(scope, move || take().map(|other| other()));
+        let own = own();
+        let done = match thread {
+            Ok(thread) => thread.join().unwrap_or_else(|panic| resume_unwind(panic)),
+            Err(_) => None,
+        };
+        let done = done.or_else(|| take().map(|other| other()));
+        (done.expect("the work is done once, here or there"), own)
+    })
+}
+
 pub(crate) fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    /// Threads with a stack that no memory holds: the system refuses each.
+    fn refused() -> thread::Builder {
+        thread::Builder::new().stack_size(1 << 60)
+    }
+
+    #[test]
+    fn refused_threads_leave_no_work_undone() {
+        assert!(thread::scope(|scope| refused().spawn_scoped(scope, || ()).is_err()));
+        for builder in [&refused as &dyn Fn() -> thread::Builder, &thread::Builder::new] {
+            let done = Mutex::new(BTreeSet::new());
+            let order: Vec<usize> = (0..40).collect();
+            in_parallel_on(builder, 4, &order, |item| {
+                lock(&done).insert(item);
+            });
+            assert_eq!(lock(&done).len(), 40);
+            assert_eq!(beside_on(builder(), || 3, || "own"), (3, "own"));
+        }
+    }
 }

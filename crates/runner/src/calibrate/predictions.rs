@@ -1,8 +1,10 @@
 //! What the readings would be, by either model, on all cores.
 
-use std::sync::Mutex;
+use std::sync::{
+    Mutex,
+    atomic::{AtomicBool, Ordering},
+};
 
-use rayon::prelude::*;
 use wholestring::statics::stiff::{self, StiffSettings};
 use wholestring_plan::calibration::{
     Asked, Assembly, CalibrationError, HolePart, Loads, Predict, SoftPredictions,
@@ -11,7 +13,7 @@ use wholestring_plan::calibration::{
 use crate::{
     cancellation::CancellationToken,
     observer::{BatchSize, CaseEnded, Observer},
-    parallel::lock,
+    parallel::{in_parallel, jobs, lock},
 };
 
 /// A model on all cores.
@@ -25,6 +27,28 @@ pub(super) struct Predictions<'a> {
 }
 
 impl Predictions<'_> {
+    /// The loads of each, on all cores; `ended` is called after each.
+    fn all(
+        &self,
+        asked: &[Asked],
+        ended: impl Fn() + Sync,
+    ) -> Result<Vec<Loads>, CalibrationError> {
+        let order: Vec<usize> = (0..asked.len()).collect();
+        let loads: Vec<Mutex<Option<Result<Loads, CalibrationError>>>> =
+            asked.iter().map(|_| Mutex::default()).collect();
+        let failed = AtomicBool::new(false);
+        in_parallel(jobs(None), &order, |place| {
+            if !failed.load(Ordering::Relaxed) {
+                let found = self.one(&asked[place]);
+                failed.fetch_or(found.is_err(), Ordering::Relaxed);
+                *lock(&loads[place]) = Some(found);
+                ended();
+            }
+        });
+        let loads = loads.iter().filter_map(|loads| lock(loads).take());
+        loads.collect()
+    }
+
     fn one(&self, asked: &Asked) -> Result<Loads, CalibrationError> {
         if self.cancellation.is_cancelled() {
             return Err(CalibrationError::NotFitted("interrupted".into()));
@@ -51,19 +75,16 @@ impl Predict for Predictions<'_> {
 
     fn loads(&self, asked: &[Asked]) -> Result<Vec<Loads>, CalibrationError> {
         if self.stiff.is_none() {
-            return asked.par_iter().map(|asked| self.one(asked)).collect();
+            return self.all(asked, || {});
         }
         let of = asked.len();
         self.observer.batch_started(&BatchSize { cases: of, finished: 0, simulated_s: 0.0 });
         let ended = Mutex::new(0);
-        let loads = asked.par_iter().map(|asked| {
-            let loads = self.one(asked);
+        let loads = self.all(asked, || {
             let mut ended = lock(&ended);
             *ended += 1;
             self.observer.case_ended(&CaseEnded { ended: *ended, of, reused_s: 0.0 });
-            loads
         });
-        let loads = loads.collect();
         self.observer.batch_ended();
         loads
     }

@@ -1,6 +1,6 @@
 //! What an operation did in time, as much of it as a page can show.
 
-use std::{collections::BTreeMap, panic::resume_unwind, thread};
+use std::collections::BTreeMap;
 
 use wholestring_report::{
     BottomPicture, ContactPicture, DrillOff, Packed, contact_columns, drill_off_columns, thinned,
@@ -8,7 +8,10 @@ use wholestring_report::{
 use wholestring_results::Table;
 
 use super::rows::rows;
-use crate::column::{numbers, words};
+use crate::{
+    column::{numbers, words},
+    parallel::beside,
+};
 
 /// Rows of time histories that a page holds, all operations together.
 const MAX_ROWS: usize = 12_000;
@@ -52,12 +55,8 @@ pub(super) fn history(time: &Table, operation: &str, many: usize) -> History {
     };
     // Half of them on another core: who interrupts a long run waits for its page.
     let (some, others) = names.split_at(names.len() / 2);
-    let columns = thread::scope(|scope| {
-        let others = scope.spawn(|| of_names(others));
-        let some = of_names(some);
-        let others = others.join().unwrap_or_else(|panic| resume_unwind(panic));
-        some.into_iter().chain(others)
-    });
+    let (others, some) = beside(|| of_names(others), || of_names(some));
+    let columns = some.into_iter().chain(others);
     let times = ("time_s".into(), Packed::single(thinned(&times, &[], most).0));
     History {
         samples: rows.len(),

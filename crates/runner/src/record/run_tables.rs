@@ -1,6 +1,6 @@
 //! The tables of a run.
 
-use std::{panic::resume_unwind, thread};
+use std::sync::{Mutex, PoisonError};
 
 use wholestring_case::Records;
 use wholestring_results::{
@@ -8,7 +8,10 @@ use wholestring_results::{
     WEAR,
 };
 
-use crate::keep::Keep;
+use crate::{
+    keep::Keep,
+    parallel::{in_parallel, lock},
+};
 
 /// Name of the table of the bottom of the hole, without the ending of its file.
 const BOTTOM_HOLE_FILE: &str = "bottom_hole";
@@ -125,11 +128,15 @@ fn write_side_by_side(
     folder: &ResultsFolder,
     csv: bool,
 ) -> Result<(), ResultsError> {
-    thread::scope(|scope| {
-        let written = tables.map(|table| scope.spawn(|| table.write(folder, csv)));
-        let written = written.map(|one| one.join().unwrap_or_else(|panic| resume_unwind(panic)));
-        written.into_iter().collect()
-    })
+    let tables = tables.map(Mutex::new);
+    let written = Mutex::new(Ok(()));
+    let order: Vec<usize> = (0..tables.len()).collect();
+    in_parallel(tables.len(), &order, |place| {
+        if let Err(error) = lock(&tables[place]).write(folder, csv) {
+            *lock(&written) = Err(error);
+        }
+    });
+    written.into_inner().unwrap_or_else(PoisonError::into_inner)
 }
 
 fn remove(folder: &ResultsFolder, name: &str) -> Result<(), ResultsError> {

@@ -1,6 +1,6 @@
 //! Solving a case, operation by operation, with whatever model it requires.
 
-use std::{panic::resume_unwind, thread, time::Duration};
+use std::time::Duration;
 
 use wholestring::{
     dynamics::{
@@ -21,6 +21,7 @@ use crate::{
     clock::Instant,
     observer::Watch,
     pace::Pace,
+    parallel::beside,
     record::{
         Record,
         rows::{CarriedOut, Effort},
@@ -280,11 +281,7 @@ fn solve_dynamic(
 
 /// The answers of a run, made while something else is done: who interrupts waits for both.
 fn outcome_beside(simulation: &Simulation, other: impl FnOnce()) -> DynamicOutcome {
-    thread::scope(|scope| {
-        let outcome = scope.spawn(|| simulation.outcome());
-        other();
-        outcome.join().unwrap_or_else(|panic| resume_unwind(panic))
-    })
+    beside(|| simulation.outcome(), other).0
 }
 
 /// What is done before an operation's first step.
