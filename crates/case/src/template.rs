@@ -9,7 +9,7 @@ use std::{
 
 use wholestring_config::{
     diagnostic::Report,
-    file::read_file,
+    file::{read_file, read_pipe},
     source::{Disk, Files},
 };
 
@@ -47,6 +47,22 @@ impl Template {
         let (name, text) = read_file(path, "case")?;
         let files = Remembered { disk: Some(Box::new(Disk::beside(path))), read: Mutex::default() };
         Ok(Self { name, text, files })
+    }
+
+    /// Reads the case that comes through a pipe; the files that it names are sought from the folder
+    /// that the program was begun in.
+    ///
+    /// # Errors
+    /// A report that says why it cannot be read.
+    pub fn read_pipe(path: &Path) -> Result<Self, Report> {
+        let (name, text) = read_pipe(path, "case")?;
+        let files = Remembered { disk: Some(Box::new(Disk::new(""))), read: Mutex::default() };
+        Ok(Self { name, text, files })
+    }
+
+    /// The text, as it was read.
+    pub fn bytes(&self) -> &[u8] {
+        &self.text
     }
 
     /// A case from its text and the files that it names, each by the name that it has there;

@@ -11,10 +11,15 @@ use wholestring::{
     sizing::SizeReason,
 };
 use wholestring_case::{BitTest, Case};
-use wholestring_runner::import;
+use wholestring_runner::import::{self, Contents};
 use wholestring_units::Dimension;
 
-use crate::{failure::Failure, input::load, shared_args::CaseArgs, terminal::print_stdout};
+use crate::{
+    failure::Failure,
+    input::{case_of, is_pipe, load, read},
+    shared_args::CaseArgs,
+    terminal::print_stdout,
+};
 
 #[derive(Debug, Args)]
 pub(crate) struct CheckArgs {
@@ -24,10 +29,20 @@ pub(crate) struct CheckArgs {
 
 pub(crate) fn check(args: &CheckArgs) -> Result<(), Failure> {
     let file = &args.case.case;
-    if file.exists() && args.case.overrides.is_empty() && !is_case(file) {
-        return contents(file);
-    }
-    let case = load(&args.case, false)?;
+    let case = if is_pipe(file) {
+        // What comes through a pipe can be read once only.
+        let template = read(file)?;
+        let (name, bytes) = (template.name(), template.bytes());
+        let is_case = wholestring_case::is_case(&String::from_utf8_lossy(bytes));
+        if args.case.overrides.is_empty() && !is_case {
+            return show(name, import::contents_of(name, bytes)?);
+        }
+        case_of(&template, &args.case, false)?
+    } else if file.exists() && args.case.overrides.is_empty() && !is_case(file) {
+        return show(&file.display().to_string(), import::contents(file)?);
+    } else {
+        load(&args.case, false)?
+    };
     print_stdout(&format!(
         "{} is sound: {}\n{}{}{}{}",
         args.case.case.display(),
@@ -45,7 +60,6 @@ const HEAD: u64 = 1 << 16;
 /// Whether a file is a case: its content tells, and its name only where that does not.
 fn is_case(file: &Path) -> bool {
     let is_called = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-    // What comes through a pipe can be read once only.
     if !file.is_file() {
         return is_called;
     }
@@ -58,10 +72,9 @@ fn is_case(file: &Path) -> bool {
 }
 
 /// What the file of another program is, and what it holds.
-fn contents(file: &Path) -> Result<(), Failure> {
-    let contents = import::contents(file)?;
+fn show(name: &str, contents: Contents) -> Result<(), Failure> {
     let lines: String = contents.lines.iter().map(|line| format!("  {line}\n")).collect();
-    print_stdout(&format!("{}: {}\n{lines}", file.display(), contents.what))
+    print_stdout(&format!("{name}: {}\n{lines}", contents.what))
 }
 
 /// What a run of the case would solve, in a line.

@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use clap::Args;
-use wholestring_case::{Template, Variation};
+use wholestring_case::Variation;
 use wholestring_runner::sweep::{self, Request};
 
 use crate::{
     conclusion::{conclude, judge},
     failure::Failure,
+    input::read,
     interrupt,
     progress::BatchScreen,
     shared_args::{BatchArgs, CaseArgs, KeptArgs},
@@ -39,7 +40,7 @@ pub(crate) struct SweepArgs {
 pub(crate) fn sweep(args: &SweepArgs) -> Result<(), Failure> {
     args.kept.check(&args.batch)?;
     let variations = Variation::read_all(&args.vary)?;
-    let template = Arc::new(Template::read(&args.case.case)?);
+    let template = Arc::new(read(&args.case.case)?);
     let request = Request {
         template: &template,
         overrides: &args.case.overrides,

@@ -14,7 +14,20 @@ use crate::{
 /// What diagnostics call the file, and what it holds.
 pub fn read_file(path: &Path, noun: &str) -> Result<(String, Vec<u8>), Report> {
     let name = path.display().to_string();
-    match source::read_file(path) {
+    with_reason(name, source::read_file(path), noun)
+}
+
+/// The same of what comes through a pipe.
+pub fn read_pipe(path: &Path, noun: &str) -> Result<(String, Vec<u8>), Report> {
+    with_reason(path.display().to_string(), source::read_pipe(path), noun)
+}
+
+fn with_reason(
+    name: String,
+    read: io::Result<Vec<u8>>,
+    noun: &str,
+) -> Result<(String, Vec<u8>), Report> {
+    match read {
         Ok(text) => Ok((name, text)),
         Err(error) => {
             let why = match error.kind() {

@@ -1,7 +1,7 @@
 //! Texts that diagnostics point into, and where files beside the case are read from.
 
 use std::{
-    io,
+    io::{self, Read},
     path::{Path, PathBuf},
 };
 
@@ -85,6 +85,19 @@ fn read_bounded(path: &Path) -> io::Result<Vec<u8>> {
         ));
     }
     std::fs::read(path)
+}
+
+/// Reads what comes through a pipe, to its end.
+///
+/// # Errors
+/// Whatever the system says, and a sentence for more than 64 MB.
+pub fn read_pipe(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    std::fs::File::open(path)?.take(LARGEST_FILE_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > LARGEST_FILE_BYTES {
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, "it holds more than 64 MB"));
+    }
+    Ok(bytes)
 }
 
 /// Files in memory, by name.

@@ -19,6 +19,34 @@ fn a_case_on_solid_rock() {
     assert_snapshot!(transcript(&desk.run(&["check", "rock.toml"])));
 }
 
+/// What comes through a pipe is read once: a case is a case, a survey a survey.
+#[cfg(unix)]
+#[test]
+fn a_case_and_a_survey_through_a_pipe() {
+    use std::{io::Write, process::Stdio};
+
+    let desk = Desk::new();
+    let piped = |arguments: &[&str], file: &str| {
+        let mut command = desk.command(arguments);
+        let command = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().unwrap();
+        child.stdin.take().unwrap().write_all(desk.text(file).as_bytes()).unwrap();
+        child.wait_with_output().unwrap()
+    };
+    let case = piped(&["check", "/dev/stdin"], "slant.toml");
+    let from_file = desk.done(&["check", "slant.toml"]);
+    let text = |output: &[u8]| String::from_utf8_lossy(output).replace("/dev/stdin", "slant.toml");
+    assert_eq!(text(&case.stdout), text(&from_file.stdout), "{}", transcript(&case));
+    let survey = piped(&["check", "/dev/stdin"], "survey.csv");
+    assert!(text(&survey.stdout).contains("a survey of"), "{}", transcript(&survey));
+    let run = piped(&["run", "/dev/stdin", "--set", "model=soft", "-q", "-o", "out"], "slant.toml");
+    assert!(run.status.success(), "{}", transcript(&run));
+    fs::write(desk.path("broken.toml"), "[well]\nstations = [oops").unwrap();
+    let broken = piped(&["check", "/dev/stdin"], "broken.toml");
+    assert_eq!(broken.status.code(), Some(2));
+    assert!(transcript(&broken).contains("oops"), "{}", transcript(&broken));
+}
+
 #[test]
 fn mistakes_are_underlined() {
     let desk = Desk::new();
