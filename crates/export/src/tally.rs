@@ -21,6 +21,10 @@ pub struct Component {
     pub blade_od_m: Option<f64>,
     /// Length of the blades, which are at its middle, m, if it has any.
     pub blade_length_m: Option<f64>,
+    /// Density of its metal, kg/m³, where that is not the usual steel.
+    pub density_kg_per_m3: Option<f64>,
+    /// Young's modulus and shear modulus of its metal, Pa, where that is not the usual steel.
+    pub moduli_Pa: Option<[f64; 2]>,
     /// Minimum yield strength, Pa, where known.
     pub yield_strength_Pa: Option<f64>,
 }

@@ -112,6 +112,75 @@ fn a_string_as_a_tally() {
     assert!(desk.text("slant-tally.xml").contains("<Len uom=\"ft\">1968.5039</Len>"));
 }
 
+/// A tally has the metal of each component, in every format and set of units that tables have, and is
+/// read again: lighter pipe is not refused for its weight.
+#[test]
+fn a_string_of_aluminium_goes_out_and_comes_back() {
+    let desk = Desk::new();
+    let text = desk.text("slant.toml");
+    let (head, pipe) = text.split_once("component = \"pipe\"").unwrap();
+    let metal = "component = \"pipe\"\ndensity = 2800\nyoungs_modulus = \"71 GPa\"\n\
+                 shear_modulus = \"26.7 GPa\"";
+    fs::write(desk.path("light.toml"), format!("{head}{metal}{pipe}")).unwrap();
+    let of = |case: &str| {
+        let folder = format!("{case}-results");
+        desk.done(&["run", case, "--set", "model=soft", "-q", "-o", &folder]);
+        let summary = desk.summary(&folder);
+        let string = summary.settings["string"].as_array().unwrap().clone();
+        let numbers = [
+            "density_kg_per_m3",
+            "youngs_modulus_Pa",
+            "shear_modulus_Pa",
+            "mass_per_length_kg_per_m",
+        ];
+        string.iter().map(|part| numbers.map(|key| part[key].as_f64().unwrap())).collect::<Vec<_>>()
+    };
+    let before = of("light.toml");
+    assert_eq!(before.last().unwrap()[..3], [2800.0, 71e9, 26.7e9]);
+    for (units, format) in [("si", "csv"), ("field", "csv"), ("metric", "xlsx")] {
+        desk.done(&["export", "light.toml", "--what", "tally", "--to", format, "--units", units]);
+        let tally = format!("light-tally.{format}");
+        let rest = text.split("[[string]]").next().unwrap();
+        let imported = desk.done(&["import", &tally]);
+        let imported = String::from_utf8(imported.stdout).unwrap();
+        let string = &imported[imported.find("[[string]]").unwrap()..];
+        let string = string.split("\n[").map(|part| part.trim_start_matches('['));
+        let string: String = string
+            .filter(|part| part.starts_with("string]]"))
+            .map(|part| format!("[[{part}\n"))
+            .collect();
+        let after = text.rsplit("[[string]]").next().unwrap();
+        let after = after.split_once("\n[").map_or(String::new(), |(_, rest)| format!("[{rest}"));
+        let again = format!("again-{units}.toml");
+        fs::write(desk.path(&again), format!("{rest}{string}{after}")).unwrap();
+        for (one, other) in before.iter().zip(of(&again)) {
+            for (one, other) in one.iter().zip(other) {
+                // Tables have ten digits, and units in between.
+                assert!((one - other).abs() <= 1e-8 * one.abs(), "{units}: {one} {other}");
+            }
+        }
+    }
+    let witsml = desk.done(&["export", "light.toml", "--what", "tally", "--to", "witsml"]);
+    assert!(transcript(&witsml).contains("of other metals than steel are left out"));
+}
+
+/// A file that is exported replaces another one whole or not at all; a device is written to.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_leaves_what_was_there() {
+    let desk = Desk::new();
+    for arguments in [
+        &["export", "slant.toml", "--what", "survey", "--to", "csv", "-o", "/dev/full"][..],
+        &["survey", "survey.csv", "-o", "/dev/full"],
+    ] {
+        let full = desk.run(arguments);
+        assert_eq!(full.status.code(), Some(3), "{}", transcript(&full));
+        let told = transcript(&full);
+        assert!(told.contains("cannot write /dev/full: the disk is full"), "{told}");
+    }
+    desk.done(&["survey", "survey.csv", "-o", "/dev/null"]);
+}
+
 #[test]
 fn what_cannot_be_exported_is_said() {
     let desk = Desk::new();

@@ -1,6 +1,7 @@
 //! The string of a case as a tally.
 
 use serde_json::Value as Json;
+use wholestring::string::Material;
 use wholestring_export::{Component, Look, tubular};
 use wholestring_results::{Column, Data, Table};
 
@@ -12,11 +13,12 @@ use super::{
 use crate::error::Error;
 
 /// What a component may have that a tally has no column for.
-const NO_PLACE: [(&str, &str); 4] = [
+const NO_PLACE: [(&str, &str); 5] = [
     ("bend_rad", "bends"),
     ("lateral_force_N", "lateral forces"),
     ("eccentricity_m", "eccentricities"),
     ("survey_sensor_m", "survey sensors"),
+    ("connection", "ratings of connections"),
 ];
 
 /// The tally as it is requested.
@@ -43,6 +45,11 @@ pub(super) fn export(
         if listed.iter().any(|component| !component[key].is_null()) {
             notes.push(format!("{what} are left out: a tally has no place for them"));
         }
+    }
+    let is_steel = |of: &Component| of.density_kg_per_m3.is_none() && of.moduli_Pa.is_none();
+    if matches!(format, Format::Witsml(_)) && !components.iter().all(is_steel) {
+        let metals = "density and moduli of other metals than steel";
+        notes.push(format!("{metals} are left out: a WITSML tubular has no place for them"));
     }
     let xml = |version| {
         let text = tubular(look, &components, version).map_err(Error::failed)?;
@@ -74,13 +81,27 @@ fn component(of: &Json) -> Component {
         blade_od_m: number("blade_od_m"),
         blade_length_m: number("blade_length_m"),
         yield_strength_Pa: number("yield_strength_Pa"),
+        density_kg_per_m3: number("density_kg_per_m3")
+            .filter(|density| differs(*density, Material::STEEL.density_kg_per_m3)),
+        moduli_Pa: number("youngs_modulus_Pa").zip(number("shear_modulus_Pa")).and_then(
+            |(youngs, shear)| {
+                let other = differs(youngs, Material::STEEL.youngs_modulus_Pa)
+                    || differs(shear, Material::STEEL.shear_modulus_Pa);
+                other.then_some([youngs, shear])
+            },
+        ),
     }
+}
+
+/// Whether two numbers are not the same but for rounding.
+fn differs(one: f64, other: f64) -> bool {
+    (one - other).abs() > 1e-9 * other.abs()
 }
 
 /// A row for each component.
 fn table(components: &[Component]) -> Table {
     type Of = fn(&Component) -> Option<f64>;
-    let columns: [(&str, &str, &str, Of); 8] = [
+    let columns: [(&str, &str, &str, Of); 12] = [
         ("od_m", "m", "Outside diameter of the body", |of| Some(of.od_m)),
         ("id_m", "m", "Inside diameter of the body", |of| Some(of.id_m)),
         ("length_m", "m", "Length", |of| Some(of.length_m)),
@@ -90,6 +111,16 @@ fn table(components: &[Component]) -> Table {
         ("joint_od_m", "m", "Outside diameter of the tool joints", |of| of.joint_od_m),
         ("joint_spacing_m", "m", "Distance between tool joints", |of| of.joint_spacing_m),
         ("blade_od_m", "m", "Diameter over the blades", |of| of.blade_od_m),
+        ("blade_length_m", "m", "Length of the blades", |of| of.blade_length_m),
+        ("metal_density_kg_per_m3", "kg/m³", "Density of the metal, where it is not steel", |of| {
+            of.density_kg_per_m3
+        }),
+        ("youngs_modulus_Pa", "Pa", "Young's modulus, where it is not that of steel", |of| {
+            of.moduli_Pa.map(|[youngs, _]| youngs)
+        }),
+        ("shear_modulus_Pa", "Pa", "Shear modulus, where it is not that of steel", |of| {
+            of.moduli_Pa.map(|[_, shear]| shear)
+        }),
         ("yield_strength_Pa", "Pa", "Minimum yield strength", |of| of.yield_strength_Pa),
     ];
     let names = components.iter().map(|of| of.name.clone()).collect();
@@ -97,7 +128,13 @@ fn table(components: &[Component]) -> Table {
         meaning: "What it is called".to_owned(),
         ..Column::words("component", names)
     }];
-    all.extend(columns.into_iter().map(|(name, unit, meaning, of)| Column {
+    // Columns of what few strings have are there for those that have it.
+    let is_used = |(name, .., of): &(&str, &str, &str, Of)| {
+        let rare =
+            ["blade_length_m", "metal_density_kg_per_m3", "youngs_modulus_Pa", "shear_modulus_Pa"];
+        !rare.contains(name) || components.iter().any(|component| of(component).is_some())
+    };
+    all.extend(columns.into_iter().filter(is_used).map(|(name, unit, meaning, of)| Column {
         name: name.to_owned(),
         unit: unit.to_owned(),
         meaning: meaning.to_owned(),

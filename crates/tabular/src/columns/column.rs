@@ -71,6 +71,14 @@ pub enum Column {
     Grade,
     /// Minimum yield strength of the steel.
     YieldStrength,
+    /// Length of the blades of a stabiliser.
+    BladeLength,
+    /// Density of the metal.
+    MetalDensity,
+    /// Young's modulus of the metal.
+    YoungsModulus,
+    /// Shear modulus of the metal.
+    ShearModulus,
 }
 
 impl Column {
@@ -101,7 +109,7 @@ impl Column {
     ];
 
     /// Every column of a tally.
-    pub const TALLY: [Column; 17] = [
+    pub const TALLY: [Column; 21] = [
         Column::Component,
         Column::OutsideDiameter,
         Column::Length,
@@ -118,6 +126,10 @@ impl Column {
         Column::Connection,
         Column::Grade,
         Column::YieldStrength,
+        Column::BladeLength,
+        Column::MetalDensity,
+        Column::YoungsModulus,
+        Column::ShearModulus,
         Column::Number,
     ];
 
@@ -146,7 +158,7 @@ impl Column {
             Column::Inclination | Column::Azimuth => Dimension::Angle,
             Column::PickUp | Column::SlackOff | Column::Rotating => Dimension::Force,
             Column::Torque | Column::TorqueOnBottom => Dimension::Torque,
-            Column::MudDensity => Dimension::Density,
+            Column::MudDensity | Column::MetalDensity => Dimension::Density,
             Column::OutsideDiameter
             | Column::InsideDiameter
             | Column::Gauge
@@ -154,7 +166,9 @@ impl Column {
             | Column::JointInsideDiameter => Dimension::Diameter,
             Column::Mass | Column::NominalMass => Dimension::MassPerLength,
             Column::TotalMass => Dimension::Mass,
-            Column::YieldStrength => Dimension::Pressure,
+            Column::YieldStrength | Column::YoungsModulus | Column::ShearModulus => {
+                Dimension::Pressure
+            }
             _ => Dimension::Length,
         }
     }
@@ -194,6 +208,10 @@ impl Column {
             Column::Connection => "Connection",
             Column::Grade => "Grade",
             Column::YieldStrength => "Yield strength (psi)",
+            Column::BladeLength => "Blade length (ft)",
+            Column::MetalDensity => "Metal density (kg/m3)",
+            Column::YoungsModulus => "Young's modulus (GPa)",
+            Column::ShearModulus => "Shear modulus (GPa)",
         }
     }
 }
@@ -233,6 +251,10 @@ impl fmt::Display for Column {
             Column::Connection => "connection",
             Column::Grade => "grade",
             Column::YieldStrength => "yield strength",
+            Column::BladeLength => "length of the blades",
+            Column::MetalDensity => "density of the metal",
+            Column::YoungsModulus => "Young's modulus",
+            Column::ShearModulus => "shear modulus",
         })
     }
 }

@@ -181,6 +181,18 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
     ),
     (Column::Grade, 0, "grade steelgrade materialgrade pipegrade"),
     (Column::YieldStrength, 0, "yieldstrength minyield minimumyield minyieldstrength smys"),
+    (Column::BladeLength, 0, "bladelength bladeslength lengthofblades"),
+    (
+        Column::MetalDensity,
+        0,
+        "metaldensity materialdensity steeldensity densityofmetal densityofmaterial",
+    ),
+    (
+        Column::YoungsModulus,
+        0,
+        "youngsmodulus youngmodulus elasticmodulus modulusofelasticity emodulus",
+    ),
+    (Column::ShearModulus, 0, "shearmodulus gmodulus modulusofrigidity"),
 ];
 
 /// What each name may head, in the order of [`NAMES`]: a table of numbers with a hundred columns asks

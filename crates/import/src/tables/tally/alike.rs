@@ -70,6 +70,10 @@ fn is_alike(one: &Part, other: &Part) -> bool {
             Column::JointOutsideDiameter,
             Column::JointInsideDiameter,
             Column::YieldStrength,
+            Column::BladeLength,
+            Column::MetalDensity,
+            Column::YoungsModulus,
+            Column::ShearModulus,
         ]
         .into_iter()
         .all(same)

@@ -8,7 +8,7 @@ use super::{
     designation, grade, joints,
     length::Length,
     mass::{self, Body},
-    order,
+    metal, order,
     part::{Part, Refusal},
     quote::{origin, quantity, unit, written},
     said::Said,
@@ -118,6 +118,9 @@ pub(crate) fn of(
     }
     if let Some(blades) = blades {
         block.push("blade_od", quantity(blades), origin(blades));
+        if let Some(length) = given(part, Column::BladeLength) {
+            block.push("blade_length", quantity(length), origin(length));
+        }
         said.bladed.push(part.name.clone());
     } else if has_blades_by_name(&part.name) && entry.is_none() {
         said.bladeless.push(part.name.clone());
@@ -130,7 +133,9 @@ pub(crate) fn of(
         joint_od_m: joints_m,
         has_blades: blades.is_some(),
         is_listed: entry.is_some(),
+        density_kg_per_m3: metal::density(part)?.map(|(_, density)| density),
     };
+    metal::of(part, &mut block)?;
     // A bit is no ring of steel: its mass is whatever it is.
     let bit_mass =
         is_bit.then(|| row.get(Column::Mass).is_none() && row.get(Column::TotalMass).is_none());
@@ -162,6 +167,11 @@ pub(crate) fn of(
         connection(part, entry, notes);
     }
     Ok(block)
+}
+
+/// The cell of a column that holds a quantity above zero.
+fn given<'a>(part: &Part<'a>, column: Column) -> Option<&'a TallyCell> {
+    part.row().get(column).filter(|cell| cell.si() > Some(0.0))
 }
 
 /// Whether a name is that of a component with blades.

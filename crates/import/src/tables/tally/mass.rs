@@ -39,6 +39,8 @@ pub(crate) struct Body {
     pub(crate) has_blades: bool,
     /// An entry of the catalogue knows its mass.
     pub(crate) is_listed: bool,
+    /// Density of its metal, where the table has it.
+    pub(crate) density_kg_per_m3: Option<f64>,
 }
 
 /// The mass per length of a component and where it comes from; none where the table has none.
@@ -88,8 +90,8 @@ pub(crate) fn of(
         }
     };
     let mass = value.si().unwrap_or_default();
-    let ring =
-        |od_m: f64, id_m: f64| STEEL_DENSITY_KG_PER_M3 * FRAC_PI_4 * (od_m.powi(2) - id_m.powi(2));
+    let density = body.density_kg_per_m3.unwrap_or(STEEL_DENSITY_KG_PER_M3);
+    let ring = |od_m: f64, id_m: f64| density * FRAC_PI_4 * (od_m.powi(2) - id_m.powi(2));
     let steel = ring(body.od_m, body.id_m);
     let solid = ring(body.joint_od_m.unwrap_or(body.od_m), 0.0);
     let found = format!("{} of '{}'", shown(&value), part.name);
@@ -123,8 +125,9 @@ pub(crate) fn of(
     }
     if mass < LIGHTEST * steel {
         notes.push(Note::Checked(format!(
-            "{found} is less than its body of steel weighs, {}: if its metal is lighter, give \
-             its density too",
+            "{found} is less than its body of {} weighs, {}: if its metal is lighter, give its \
+             density too",
+            if body.density_kg_per_m3.is_some() { "this metal" } else { "steel" },
             kg(steel)
         )));
     }

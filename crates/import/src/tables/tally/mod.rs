@@ -8,6 +8,7 @@ mod joints;
 mod length;
 mod lengths;
 mod mass;
+mod metal;
 mod order;
 mod part;
 mod quote;

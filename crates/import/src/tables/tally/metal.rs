@@ -1,0 +1,54 @@
+//! What a component of a tally is made of, where that is not the usual steel.
+
+use wholestring_tabular::{Column, TallyCell};
+
+use super::{
+    part::{Part, Refusal},
+    quote::{origin, quantity, written},
+};
+use crate::{error::ImportErrorKind, fragment::Block};
+
+/// A column of the metal: what a case calls it, the least and the most that a case accepts, in
+/// SI, and these in words.
+type Kind = (Column, &'static str, [f64; 2], &'static str);
+
+const DENSITY: Kind = (Column::MetalDensity, "density", [1000.0, 25_000.0], "1000 to 25000 kg/m3");
+const MODULI: [Kind; 2] = [
+    (Column::YoungsModulus, "youngs_modulus", [1e9, 1e12], "1 to 1000 GPa"),
+    (Column::ShearModulus, "shear_modulus", [1e9, 1e12], "1 to 1000 GPa"),
+];
+
+/// Density of the metal, kg/m³, and its cell; none where the table has none.
+pub(super) fn density<'a>(part: &Part<'a>) -> Result<Option<(&'a TallyCell, f64)>, Refusal> {
+    cell(part, &DENSITY)
+}
+
+/// The keys of the metal that the row has.
+pub(super) fn of(part: &Part, block: &mut Block) -> Result<(), Refusal> {
+    for kind in [&DENSITY, &MODULI[0], &MODULI[1]] {
+        if let Some((cell, _)) = cell(part, kind)? {
+            block.push(kind.1, quantity(cell), origin(cell));
+        }
+    }
+    Ok(())
+}
+
+fn cell<'a>(
+    part: &Part<'a>,
+    (column, _, [least, most], expected): &Kind,
+) -> Result<Option<(&'a TallyCell, f64)>, Refusal> {
+    let cell = part.row().get(*column);
+    let Some((cell, si)) = cell.and_then(|cell| Some((cell, cell.si().filter(|si| *si != 0.0)?)))
+    else {
+        return Ok(None);
+    };
+    if (*least..=*most).contains(&si) {
+        return Ok(Some((cell, si)));
+    }
+    let kind = ImportErrorKind::OutOfRange {
+        what: format!("{column} of '{}'", part.name),
+        found: written(cell),
+        expected: (*expected).to_owned(),
+    };
+    Err((Some(cell.place.clone()), kind))
+}
