@@ -21,6 +21,12 @@ pub(crate) fn conclude(
         print_stdout(&format!(
             "{finished} of {all} {items} finished in {took_s:.1} s\nResults in {place}\n",
         ))?;
+        let (known, of_all_shares) = outcome.known;
+        if of_all_shares > all {
+            print_stdout(&format!(
+                "Tables and page have {known} of the {of_all_shares} {items} of all shares\n"
+            ))?;
+        }
     }
     let failed = outcome.failed.iter();
     let failed: Vec<String> = failed.map(|of| format!("  {}: {}", of.name, of.reason)).collect();

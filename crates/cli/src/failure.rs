@@ -95,6 +95,9 @@ fn way_out(refused: &FolderRefused) -> String {
         FolderRefused::Busy { .. } => {
             "wait until it has ended, or name another folder with -o".to_owned()
         }
+        FolderRefused::ShareBusy { .. } => "wait until it has ended; the shares of one folder are \
+             all of one number, and each is solved once"
+            .to_owned(),
         FolderRefused::AllOccupied { .. } => "name another folder with -o".to_owned(),
     }
 }

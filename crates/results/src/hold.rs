@@ -122,6 +122,11 @@ impl Hold {
         Ok(())
     }
 
+    /// What the folder is written for by what its file says now.
+    pub fn says(&mut self) -> Option<Occupant> {
+        read(&mut self.file)
+    }
+
     /// Lets others share the folder. False where one that does not share it came between.
     pub fn share(&self) -> bool {
         // A lock is not turned into another at once on every system.

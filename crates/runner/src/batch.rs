@@ -45,8 +45,10 @@ pub struct BatchOutcome {
     pub finished: usize,
     /// Those of them that failed.
     pub failed: Vec<FailedCase>,
-    /// Those of all shares in whose answers errors were found.
+    /// Those of them in whose answers errors were found.
     pub with_errors: Vec<CaseWithErrors>,
+    /// Cases or points of all shares that the tables have, and how many there are in all.
+    pub known: (usize, usize),
     /// Whether it was cancelled.
     pub cancelled: bool,
     /// Time on the clock.
@@ -80,6 +82,7 @@ impl BatchOutcome {
             finished: 0,
             failed: Vec::new(),
             with_errors: Vec::new(),
+            known: (0, all),
             cancelled: of.is_cancelled(),
             took: since.elapsed(),
         }

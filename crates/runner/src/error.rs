@@ -4,6 +4,7 @@ use std::fmt;
 
 use thiserror::Error as Explained;
 use wholestring_case::Report;
+use wholestring_contain::{Panicked, contain};
 use wholestring_results::ResultsError;
 
 use crate::claim::FolderRefused;
@@ -58,6 +59,16 @@ impl Error {
     pub(crate) fn failed(error: impl fmt::Display) -> Self {
         Self::Failed(error.to_string())
     }
+}
+
+/// Work on files that may be damaged: a mistake of the program in it is an error like others.
+pub(crate) fn contained<T>(work: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
+    contain(work).unwrap_or_else(|Panicked(mistake)| Err(Error::failed(mistake_of(&mistake))))
+}
+
+/// A sentence about a mistake of the program.
+pub(crate) fn mistake_of(mistake: &str) -> String {
+    format!("a mistake of the program, please report it: {mistake}")
 }
 
 /// Mistakes in case files.

@@ -86,6 +86,7 @@ mod results_kind;
 mod results_kinds;
 pub mod run;
 mod shard;
+mod share;
 mod sheet;
 pub mod study;
 pub mod survey;

@@ -1,6 +1,9 @@
 //! Equal shares of many cases, for several machines.
 
-use std::str::FromStr;
+use std::{fmt, str::FromStr};
+
+/// Folder of the files of shares, in that of their batch.
+pub(crate) const SHARES: &str = ".shares";
 
 /// One share of the cases: every `of`-th, beginning with the `index`-th, counted from one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,9 +27,31 @@ impl Shard {
         (1..=of).contains(&index).then_some(Self { index, of })
     }
 
+    /// Whether it is a part of the cases only.
+    pub fn is_part(self) -> bool {
+        self.of > 1
+    }
+
+    /// How many shares there are.
+    pub(crate) fn count(self) -> usize {
+        self.of
+    }
+
+    /// All shares of as many, itself included.
+    pub(crate) fn siblings(self) -> impl Iterator<Item = Self> {
+        (1..=self.of).map(move |index| Self { index, of: self.of })
+    }
+
     /// Whether it has the case of that number, counted from zero.
     pub fn has(self, case: usize) -> bool {
         case % self.of == self.index - 1
+    }
+}
+
+/// `1/4`.
+impl fmt::Display for Shard {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}", self.index, self.of)
     }
 }
 

@@ -77,7 +77,7 @@ fn refusal(of: &FolderRefused) -> Option<Refusal> {
     match of {
         FolderRefused::Occupied { .. } => Some(Refusal::Occupied),
         FolderRefused::Unfinished { .. } => Some(Refusal::Unfinished),
-        FolderRefused::Busy { .. } => Some(Refusal::Busy),
+        FolderRefused::Busy { .. } | FolderRefused::ShareBusy { .. } => Some(Refusal::Busy),
         FolderRefused::AllOccupied { .. } => None,
     }
 }

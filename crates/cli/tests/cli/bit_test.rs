@@ -215,6 +215,25 @@ fn shards_make_up_the_whole() {
     assert!(points.iter().all(|point| point.status == Status::Complete));
 }
 
+/// Shares that begin at once leave what one test of all points leaves.
+#[test]
+fn shares_at_once_make_up_the_whole() {
+    let desk = desk();
+    desk.done(&bit_test(&["-o", "whole", "--quiet"]));
+    let begun = ["1/4", "2/4", "3/4", "4/4"].map(|shard| {
+        let arguments = bit_test(&["-o", "shares", "--quiet", "--resume", "--shard", shard]);
+        desk.command(&arguments).stderr(std::process::Stdio::piped()).spawn().unwrap()
+    });
+    for share in begun {
+        let output = share.wait_with_output().unwrap();
+        assert!(output.status.success(), "{}", transcript(&output));
+    }
+    for name in ["bit-table.csv", "summary.json"] {
+        let of = |folder: &str| fs::read(desk.path(folder).join(name)).unwrap();
+        assert!(of("shares") == of("whole"), "{name}");
+    }
+}
+
 /// Ctrl-C keeps all.
 #[cfg(unix)]
 #[test]

@@ -332,6 +332,27 @@ fn shares_make_a_whole() {
     assert_eq!(rows(&desk, "statics.csv").len(), 8);
 }
 
+/// Shares that begin at once leave the tables and the page of the whole study.
+#[test]
+fn shares_at_once_make_a_whole() {
+    let desk = desk();
+    let done = study(&desk, &["--quiet"]);
+    assert!(done.status.success(), "{}", transcript(&done));
+    let begun = ["1/3", "2/3", "3/3"].map(|shard| {
+        let arguments =
+            ["study", "friction-on-a-slant.toml", "-o", "shares", "--quiet", "--resume", "--shard"];
+        let mut command = desk.command(&[&arguments[..], &[shard]].concat());
+        command.stderr(std::process::Stdio::piped()).spawn().unwrap()
+    });
+    for share in begun {
+        let output = share.wait_with_output().unwrap();
+        assert!(output.status.success(), "{}", transcript(&output));
+    }
+    for name in ["statics/sweep.csv", "tables/statics.csv"] {
+        assert_eq!(desk.text(&format!("shares/{name}")), read(&desk, name), "{name}");
+    }
+}
+
 /// A mistake in a case that the study makes is underlined where the study says it.
 #[test]
 fn mistakes_are_underlined_in_the_study() {

@@ -53,6 +53,7 @@ fn folders(desk: &Desk, folder: &str) -> BTreeSet<String> {
         .map(|entry| entry.unwrap())
         .filter(|entry| entry.path().is_dir())
         .map(|entry| entry.file_name().into_string().unwrap())
+        .filter(|name| !name.starts_with('.'))
         .collect()
 }
 
@@ -270,8 +271,8 @@ fn what_is_kept_of_a_case() {
     assert_eq!(output.status.code(), Some(2));
 }
 
-/// Every case is in one share; their tables make up that of all, and a last call over the same
-/// folder makes it without solving anything.
+/// Every case is in one share. Shares in folders of their own have tables that make up that of all;
+/// in one folder each adds to the table, which in the end is that of all to the byte.
 #[test]
 fn shards_make_up_the_whole() {
     let desk = Desk::new();
@@ -280,19 +281,75 @@ fn shards_make_up_the_whole() {
     desk.done(&with(&["-o", "whole"]));
     let whole = rows(&desk, "whole");
     let mut parts = Vec::new();
-    for shard in ["1/4", "2/4", "3/4", "4/4"] {
-        desk.done(&with(&["-o", "parts", "--shard", shard]));
-        let mut part = rows(&desk, "parts");
+    for (shard, folder) in [("1/4", "1"), ("2/4", "2"), ("3/4", "3"), ("4/4", "4")] {
+        desk.done(&with(&["-o", folder, "--shard", shard]));
+        let mut part = rows(&desk, folder);
         assert_eq!(part.remove(0), whole[0]);
         parts.extend(part);
+        desk.done(&with(&["-o", "parts", "--shard", shard]));
+        assert_eq!(rows(&desk, "parts").len(), parts.len() + 1);
     }
     parts.sort();
     let mut sorted = whole[1..].to_vec();
     sorted.sort();
     assert_eq!(parts, sorted);
     assert_eq!(folders(&desk, "parts"), CASES.map(String::from).into());
+    let bytes = |folder: &str| fs::read(desk.path(folder).join("sweep.csv")).unwrap();
+    assert!(bytes("parts") == bytes("whole"));
+    // A call over the whole folder solves nothing, and leaves nothing of the shares.
     desk.done(&with(&["-o", "parts", "--resume"]));
-    assert_eq!(rows(&desk, "parts"), whole);
+    assert!(bytes("parts") == bytes("whole"));
+    assert!(!desk.path("parts/.shares").exists());
+}
+
+/// Shares that begin at once and write to one folder, as the jobs of a cluster do: all succeed, and
+/// the last one to end leaves the table of all.
+#[test]
+fn shares_at_once_make_up_the_whole() {
+    let desk = Desk::new();
+    let with = |more: &[&str]| {
+        let soft = ["--set", "model=soft", "--quiet", "-j", "1"];
+        sweep(&[&soft[..], more].concat()).into_iter().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let args =
+        |words: &[String]| desk.command(&words.iter().map(String::as_str).collect::<Vec<_>>());
+    assert!(args(&with(&["-o", "whole"])).status().unwrap().success());
+    let whole = fs::read(desk.path("whole/sweep.csv")).unwrap();
+    for (trial, shares) in [4, 6, 3].into_iter().enumerate() {
+        let folder = format!("trial-{trial}");
+        let begun: Vec<_> = (1..=shares)
+            .map(|share| {
+                let share = format!("{share}/{shares}");
+                let more = ["-o", &folder, "--resume", "--shard", &share];
+                let mut command = args(&with(&more));
+                command.stderr(std::process::Stdio::piped()).spawn().unwrap()
+            })
+            .collect();
+        for share in begun {
+            let output = share.wait_with_output().unwrap();
+            assert!(output.status.success(), "{}", transcript(&output));
+        }
+        assert!(fs::read(desk.path(&folder).join("sweep.csv")).unwrap() == whole, "{folder}");
+    }
+}
+
+/// A case that failed in one share is a row of the table that another share writes.
+#[test]
+fn a_failure_of_another_share_is_in_the_table() {
+    let desk = Desk::new();
+    let with =
+        |more: &[&'static str]| sweep(&[&["--set", "model=soft", "--quiet"][..], more].concat());
+    // A file where the folder of a case would be: the case cannot be written.
+    fs::create_dir_all(desk.path("parts")).unwrap();
+    fs::write(desk.path("parts").join(CASES[0]), "").unwrap();
+    let failed = desk.run(&with(&["-o", "parts", "--shard", "1/2"]));
+    assert_eq!(failed.status.code(), Some(3), "{}", transcript(&failed));
+    desk.done(&with(&["-o", "parts", "--shard", "2/2"]));
+    let table = rows(&desk, "parts");
+    let status = table[0].iter().position(|name| name == "status").unwrap();
+    let failed: Vec<_> = table.iter().filter(|row| row[status] == "failed").collect();
+    assert_eq!(failed.len(), 1, "{table:?}");
+    assert!(failed[0].contains(&CASES[0].to_owned()), "{failed:?}");
 }
 
 /// Names that a folder cannot bear, or that some system takes for the same, give way to numbers.

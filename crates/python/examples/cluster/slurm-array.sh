@@ -5,7 +5,8 @@
 #     sbatch slurm-array.sh
 #
 # A share that is killed is begun again with the same command: what is finished is left alone.
-# The last job, which waits for all others, writes the table and the page of the whole sweep:
+# The last share to end writes the table and the page of the whole sweep. Where shares were killed, a job that waits for all others
+# solves what is left:
 #
 #     sbatch --dependency=afterany:JOB --array=0 slurm-array.sh
 #

@@ -20,7 +20,7 @@ use crate::{
     observer::Observer,
     output::Existing,
     results_kind::Results,
-    shard::Shard,
+    share::Share,
 };
 
 /// A case whose bit is to be tried on its rock.
@@ -65,7 +65,7 @@ pub fn run(
     // Before anything is drilled, so that a long test does not end on a folder it may not write to.
     let occupant = Occupant { kind: "bit test".into(), name, identity: digest(&parts) };
     let claimed = Claim {
-        shared: options.shard != Shard::ALL,
+        shared: options.shard.is_part(),
         is_unfinished: &|path| {
             let mine = (0..points.len()).filter(|point| options.shard.has(*point));
             let mut places = mine.map(|point| path.join(&points[point].name));
@@ -80,7 +80,9 @@ pub fn run(
     }
     .folder()?;
     let folder = &claimed.folder;
-    let trials = Trials::new(options, case, test, points, folder.clone(), observer, cancellation)?;
+    let share = Share::begin(&claimed, options.shard)?;
+    let mut trials =
+        Trials::new(options, share, case, test, points, folder.clone(), observer, cancellation)?;
     trials.solve_all()?;
     let units = request.units.unwrap_or(case.units);
     let summary = trials.summary();

@@ -1,6 +1,6 @@
 //! The trials of a bit test, on all cores.
 
-use std::sync::Mutex;
+use std::sync::{Mutex, PoisonError};
 
 use wholestring::rock::{Alone, DrillingResponse, Stepper, Trial, TrialOutcome};
 use wholestring_case::{BitTest, Case};
@@ -23,6 +23,7 @@ use crate::{
     output::Existing,
     parallel::{in_parallel, lock},
     run::{Stop, checkpoint_every},
+    share::{Gathering, Share},
 };
 
 /// How a point ended.
@@ -31,6 +32,9 @@ type Ending = Result<TrialOutcome, Stop>;
 /// Points that are drilled together.
 pub(super) struct Trials<'a> {
     options: &'a BatchOptions,
+    share: Share,
+    /// Held from the end of its points on, for tables and page are of all shares.
+    gathering: Option<Gathering>,
     case: &'a Case,
     test: &'a BitTest,
     points: Vec<Point>,
@@ -49,8 +53,10 @@ pub(super) struct Trials<'a> {
 
 impl<'a> Trials<'a> {
     /// Trials of these points, with results in the folder; the tables of an earlier test go.
+    #[allow(clippy::too_many_arguments, reason = "each is a part of what is tried, once")]
     pub(super) fn new(
         options: &'a BatchOptions,
+        share: Share,
         case: &'a Case,
         test: &'a BitTest,
         points: Vec<Point>,
@@ -62,6 +68,8 @@ impl<'a> Trials<'a> {
         let mine: Vec<usize> = (0..points.len()).filter(|point| shard.has(*point)).collect();
         let trials = Self {
             options,
+            share,
+            gathering: None,
             case,
             test,
             endings: Mutex::new(points.iter().map(|_| None).collect()),
@@ -77,7 +85,9 @@ impl<'a> Trials<'a> {
         if options.output.existing == Existing::Resume {
             trials.find_finished()?;
         }
-        trials.write()?;
+        if !trials.share.is_part() {
+            trials.write()?;
+        }
         Ok(trials)
     }
 
@@ -96,8 +106,30 @@ impl<'a> Trials<'a> {
         Ok(())
     }
 
+    /// Takes up what the other shares have left, and keeps them from writing tables and page until
+    /// this is dropped.
+    fn gather(&mut self) -> Result<(), ResultsError> {
+        let endings = self.endings.get_mut().unwrap_or_else(PoisonError::into_inner);
+        let failed = self.points.iter().zip(&*endings).filter_map(|(point, ending)| {
+            let reason = ending.as_ref()?.as_ref().err()?.reason()?;
+            Some((point.name.clone(), reason))
+        });
+        self.gathering = Some(self.share.gather(failed.collect())?);
+        if self.share.is_part() {
+            let mut failed = self.share.failed_of_others();
+            for (point, ending) in self.points.iter().zip(endings) {
+                if ending.is_none() {
+                    let place = self.folder.path().join(&point.name);
+                    let failed = failed.remove(&point.name).map(|why| Err(Stop::Unsolved(why)));
+                    *ending = point_checkpoint::finished(&place, point).map(Ok).or(failed);
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// Drills the points of this shard.
-    pub(super) fn solve_all(&self) -> Result<(), ResultsError> {
+    pub(super) fn solve_all(&mut self) -> Result<(), ResultsError> {
         let durations_s = self.mine.iter();
         let durations_s = durations_s.map(|point| self.points[*point].spec.duration_s());
         self.observer.batch_started(&BatchSize {
@@ -111,6 +143,7 @@ impl<'a> Trials<'a> {
         order.sort_by(|a, b| duration_s(b).total_cmp(&duration_s(a)));
         in_parallel(self.options.jobs(), &order, |point| self.solve(point));
         self.observer.batch_ended();
+        self.gather()?;
         self.write()
     }
 
@@ -127,8 +160,10 @@ impl<'a> Trials<'a> {
         let ending = self.ending(index);
         lock(&self.endings)[index] = Some(ending);
         self.report_end(0.0);
-        // What cannot be written now is reported at the end.
-        let _ = self.write();
+        if !self.share.is_part() {
+            // What cannot be written now is reported at the end.
+            let _ = self.write();
+        }
     }
 
     fn ending(&self, index: usize) -> Ending {
@@ -256,6 +291,7 @@ impl<'a> Trials<'a> {
         let endings = std::mem::take(&mut *lock(&self.endings));
         let (folder, all) = (self.folder.path(), self.mine.len());
         let mut outcome = BatchOutcome::begin(folder, all, self.start, self.cancellation);
+        outcome.known = (endings.iter().flatten().count(), endings.len());
         for point in &self.mine {
             match &endings[*point] {
                 Some(Ok(_)) => outcome.finished += 1,

@@ -10,6 +10,7 @@ use wholestring_results::{Hold, Holding, Occupant, ResultsFolder};
 
 use super::{leftovers, refusal::FolderRefused};
 use crate::{
+    clock::Instant,
     error::Error,
     folder_name::default_output,
     observer::Observer,
@@ -59,9 +60,10 @@ enum FolderState {
 /// More folders of one name than this are a mistake.
 const MAX_FOLDERS: usize = 1000;
 
-/// How often, and after which time, a shard asks again for a folder that another shard only looks
-/// at.
-const PATIENCE: (usize, Duration) = (50, Duration::from_millis(20));
+/// How long a share waits for a folder that another share only looks at, and how often it looks
+/// again: with many shares that begin at once on a busy machine each look takes long.
+const PATIENCE: Duration = Duration::from_secs(60);
+const PAUSE: Duration = Duration::from_millis(5);
 
 impl<'a> Claim<'a> {
     /// A claim for work that one program does at once, in the folder that is called like it.
@@ -138,9 +140,8 @@ impl Claim<'_> {
 
     fn inspect(&self, path: &Path) -> Result<FolderState, Error> {
         let folder = ResultsFolder::create(path)?;
-        let (mut tries, pause) = PATIENCE;
+        let since = Instant::now();
         let hold = loop {
-            tries -= 1;
             match folder.hold(self.shared)? {
                 Holding::Alone(hold) => break hold,
                 // Nobody shares what is not the same.
@@ -153,10 +154,10 @@ impl Claim<'_> {
                 Holding::Busy(there) => {
                     let same = there.as_ref();
                     let same = same.is_none_or(|there| self.occupant.is_same(there));
-                    if !(self.shared && same) || tries == 0 {
+                    if !(self.shared && same) || since.elapsed() > PATIENCE {
                         return Ok(FolderState::Busy(there));
                     }
-                    thread::sleep(pause);
+                    thread::sleep(PAUSE);
                 }
             }
         };
@@ -191,13 +192,16 @@ impl Claim<'_> {
         (self.refuse)(folder.path())?;
         hold.occupy(&self.occupant)?;
         if self.shared {
-            let (mut tries, pause) = PATIENCE;
+            let since = Instant::now();
             while !hold.share() {
-                tries -= 1;
-                if tries == 0 {
+                if since.elapsed() > PATIENCE {
                     return Err(busy(folder.path()));
                 }
-                thread::sleep(pause);
+                thread::sleep(PAUSE);
+            }
+            // While nobody held the folder, other work may have taken it.
+            if !hold.says().is_some_and(|there| self.occupant.is_same(&there)) {
+                return Err(busy(folder.path()));
             }
         }
         self.observer.folder(folder.path());
@@ -223,6 +227,11 @@ pub(crate) fn hold(folder: &ResultsFolder) -> Result<Claimed, Error> {
 }
 
 impl Claimed {
+    /// Digest of all that the results depend on.
+    pub(crate) fn identity(&self) -> &str {
+        self.hold.occupant().map_or("", |occupant| &occupant.identity)
+    }
+
     /// Says what the folder is written for from now on.
     pub(crate) fn occupy(mut self, occupant: &Occupant) -> Result<Self, Error> {
         self.hold.occupy(occupant)?;

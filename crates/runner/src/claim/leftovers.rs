@@ -7,7 +7,7 @@ use std::{
 
 use wholestring_results::{Occupant, ResultsError, ResultsFolder, Summary, TABLES};
 
-use crate::{page::FILE, results_kinds::KINDS};
+use crate::{page::FILE, results_kinds::KINDS, shard::SHARES};
 
 /// Files by which a folder is known to hold results, whatever wrote them.
 const KNOWN: [&str; 4] = ["summary.json", "checkpoint.bin", "sweep.csv", "point.json"];
@@ -17,8 +17,8 @@ const OTHERS: [&str; 2] = [FILE, "checkpoint.bin.partial"];
 
 /// Folders that commands make in the folder of their results, and the endings of what they put
 /// there.
-const MADE: [&str; 4] = ["plots", "figures", "tables", "frames.parts"];
-const PUT_THERE: [&str; 5] = [".svg", ".png", ".csv", ".md", ".parquet"];
+const MADE: [&str; 5] = ["plots", "figures", "tables", "frames.parts", SHARES];
+const PUT_THERE: [&str; 7] = [".svg", ".png", ".csv", ".md", ".parquet", ".json", ".lock"];
 
 /// Whether a command wrote a file of that name into the folder of its results.
 fn is_written(name: &str) -> bool {
@@ -120,6 +120,8 @@ mod tests {
             "friction=0.1/summary.json",
             "friction=0.1/nodes.parquet",
             "sweep/friction=0.1/checkpoint.bin",
+            ".shares/1-of-2.json",
+            ".shares/1-of-2.lock",
         ];
         let others = [
             "survey.csv",

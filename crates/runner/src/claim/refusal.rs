@@ -35,6 +35,15 @@ pub enum FolderRefused {
         path: PathBuf,
     },
 
+    /// Another program solves a share there that has cases of this one.
+    #[error("another run is solving share {share} in {}", path.display())]
+    ShareBusy {
+        /// The folder.
+        path: PathBuf,
+        /// The other share: `2/4`.
+        share: String,
+    },
+
     /// The default folder and all that are called like it hold other results.
     #[error("{} and {count} folders like it hold other results", path.display())]
     AllOccupied {

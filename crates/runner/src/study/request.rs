@@ -19,6 +19,7 @@ use crate::{
     folder_name::file_name,
     keep::Keep,
     observer::Observer,
+    share::Share,
     sweep::{Batch, CheckedPoints, Ending, Set},
 };
 
@@ -73,6 +74,7 @@ pub fn run(
     let of_set = |path: &Path, set: usize| path.join(file_name(&study.sweeps[set].name));
     let claimed = valid.claim("study", &study.name, options, observer, &of_set)?;
     let folder = &claimed.folder;
+    let share = Share::begin(&claimed, options.shard)?;
     let sets = study.sweeps.iter().enumerate().map(|(i, sweep)| {
         Ok(Set {
             prefix: format!("{}/", sweep.name),
@@ -83,7 +85,7 @@ pub fn run(
         })
     });
     let sets = sets.collect::<Result<_, Error>>()?;
-    let mut batch = Batch::new(options, sets, valid, observer, cancellation);
+    let mut batch = Batch::new(options, share, sets, valid, observer, cancellation);
     batch.solve_all()?;
     let mut results = CaseResults(Vec::new());
     for (set, point, ending) in batch.cases() {

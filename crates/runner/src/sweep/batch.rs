@@ -17,6 +17,7 @@ use crate::{
     clock::Instant,
     observer::{BatchSize, CaseEnded, Observer},
     parallel::{in_parallel, lock},
+    share::{Gathering, Share},
 };
 
 /// How far a batch has come.
@@ -34,6 +35,9 @@ pub(crate) struct Batch<'a> {
     cases: Cases,
     observer: &'a dyn Observer,
     cancellation: &'a CancellationToken,
+    share: Share,
+    /// Held from the end of its cases on, for tables and page are of all shares.
+    gathering: Option<Gathering>,
     /// The cases of this shard, the longest first.
     mine: Vec<usize>,
     progress: Mutex<Reached>,
@@ -44,17 +48,19 @@ impl<'a> Batch<'a> {
     /// A batch of sound cases that belong to these sets.
     pub(crate) fn new(
         options: &'a BatchOptions,
+        share: Share,
         sets: Vec<Set>,
         valid: CheckedPoints,
         observer: &'a dyn Observer,
         cancellation: &'a CancellationToken,
     ) -> Self {
-        Self::of(options, Cases::new(sets, valid), observer, cancellation)
+        Self::of(options, share, Cases::new(sets, valid), observer, cancellation)
     }
 
     /// A batch of these cases.
     pub(super) fn of(
         options: &'a BatchOptions,
+        share: Share,
         cases: Cases,
         observer: &'a dyn Observer,
         cancellation: &'a CancellationToken,
@@ -64,6 +70,8 @@ impl<'a> Batch<'a> {
             options,
             observer,
             cancellation,
+            share,
+            gathering: None,
             mine: cases.longest_first(options.shard),
             cases,
             progress: Mutex::new(Reached { endings, count: 0, pace: Pace::default() }),
@@ -71,7 +79,8 @@ impl<'a> Batch<'a> {
         }
     }
 
-    /// Solves the cases of this shard, and writes table and page of each set.
+    /// Solves the cases of this shard, and writes table and page of each set: of all cases that
+    /// have ended, those of other shares too. No other share writes them until this is dropped.
     pub(crate) fn solve_all(&mut self) -> Result<(), ResultsError> {
         let simulated_s = self.mine.iter().map(|case| self.cases.checked[*case].simulated_s);
         self.observer.batch_started(&BatchSize {
@@ -81,10 +90,14 @@ impl<'a> Batch<'a> {
         });
         in_parallel(self.options.jobs(), &self.mine, |case| self.solve(case));
         self.observer.batch_ended();
-        self.cases.write(&lock(&self.progress).endings)
+        let reached = self.progress.get_mut().unwrap_or_else(PoisonError::into_inner);
+        let gathering = self.cases.gather(&mut reached.endings, &self.share, self.options)?;
+        self.cases.write(&reached.endings)?;
+        self.gathering = Some(gathering);
+        Ok(())
     }
 
-    /// Each case with its set and how it ended; nothing where it has not, or is another shard's.
+    /// Each case with its set and how it ended; nothing where it has not.
     pub(crate) fn cases(&mut self) -> impl Iterator<Item = (&Set, &Point, Option<&Ending>)> {
         let reached = self.progress.get_mut();
         let reached = reached.unwrap_or_else(PoisonError::into_inner);
@@ -110,6 +123,9 @@ impl<'a> Batch<'a> {
             of: self.mine.len(),
             reused_s,
         });
+        if self.share.is_part() {
+            return;
+        }
         let Reached { endings, pace, .. } = &mut *reached;
         pace.when_due(|| {
             // What cannot be written now is reported at the end.
@@ -121,6 +137,6 @@ impl<'a> Batch<'a> {
     pub(crate) fn outcome(self, place: &Path) -> BatchOutcome {
         let endings = std::mem::take(&mut lock(&self.progress).endings);
         let outcome = BatchOutcome::begin(place, self.mine.len(), self.start, self.cancellation);
-        self.cases.conclude(&endings, outcome)
+        self.cases.conclude(&endings, &self.share, outcome)
     }
 }

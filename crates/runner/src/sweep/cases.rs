@@ -1,8 +1,11 @@
 //! Sound cases, the sets that they belong to, and the tables of how they ended.
 
-use std::path::PathBuf;
+use std::{
+    path::PathBuf,
+    sync::{Mutex, PoisonError},
+};
 
-use wholestring_results::{ResultsError, ResultsFolder};
+use wholestring_results::{ENGINE_VERSION, ResultsError, ResultsFolder, Summary};
 
 use super::{
     checked::Checked,
@@ -19,8 +22,10 @@ use crate::{
     cancellation::CancellationToken,
     findings,
     observer::{Observer, Watch},
+    parallel::{in_parallel, lock},
     run::Stop,
     shard::Shard,
+    share::{Gathering, Share},
 };
 
 /// Sound cases, and the sets that they belong to.
@@ -111,6 +116,50 @@ impl Cases {
         table.table().write_csv(&path)
     }
 
+    /// Takes up what other shares have left, and keeps them from writing tables and page as long as
+    /// the answer lives.
+    pub(super) fn gather(
+        &self,
+        endings: &mut [Option<Ending>],
+        share: &Share,
+        options: &BatchOptions,
+    ) -> Result<Gathering, ResultsError> {
+        let failed = endings.iter().enumerate().filter_map(|(case, ending)| {
+            let reason = ending.as_ref()?.why.as_ref()?.reason()?;
+            Some((self.label(case), reason))
+        });
+        let gathering = share.gather(failed.collect())?;
+        if share.is_part() {
+            let failed = share.failed_of_others();
+            let others: Vec<usize> =
+                (0..endings.len()).filter(|case| endings[*case].is_none()).collect();
+            let found = Mutex::new(Vec::new());
+            in_parallel(options.jobs(), &others, |case| {
+                let why = failed.get(&self.label(case)).cloned();
+                if let Some(ending) = self.left_by_another(case, why) {
+                    lock(&found).push((case, ending));
+                }
+            });
+            for (case, ending) in found.into_inner().unwrap_or_else(PoisonError::into_inner) {
+                endings[case] = Some(ending);
+            }
+        }
+        Ok(gathering)
+    }
+
+    /// How a case ended by what another share has left; nothing where it has not begun, or where
+    /// what lies there is of other settings or another version.
+    fn left_by_another(&self, case: usize, why: Option<String>) -> Option<Ending> {
+        let summary = Summary::read(&self.folder(case).join("summary.json")).ok();
+        let summary = summary.filter(|summary| {
+            summary.identity.as_ref() == Some(&self.checked[case].identity)
+                && summary.engine_version.as_deref() == Some(ENGINE_VERSION)
+        });
+        let solved = summary.map_or_else(Vec::new, |summary| summary.operations);
+        let why = why.map(Stop::Unsolved);
+        (why.is_some() || !solved.is_empty()).then_some(Ending { solved, why, reused_s: 0.0 })
+    }
+
     /// Writes table and page of each set.
     pub(super) fn write(&self, endings: &[Option<Ending>]) -> Result<(), ResultsError> {
         (0..self.sets.len()).try_for_each(|set| {
@@ -119,14 +168,17 @@ impl Cases {
         })
     }
 
-    /// Adds to an outcome how it went.
+    /// Adds to an outcome how the cases of the share went.
     pub(super) fn conclude(
         &self,
         endings: &[Option<Ending>],
+        share: &Share,
         mut outcome: BatchOutcome,
     ) -> BatchOutcome {
+        outcome.known = (endings.iter().flatten().count(), endings.len());
         for (case, ending) in endings.iter().enumerate() {
-            let Some(Ending { solved, why, .. }) = ending else {
+            let Some(Ending { solved, why, .. }) = ending.as_ref().filter(|_| share.has(case))
+            else {
                 continue;
             };
             match why.as_ref().map(Stop::reason) {

@@ -14,7 +14,6 @@ use crate::{
     claim::{Claim, Claimed},
     error::Error,
     observer::Observer,
-    shard::Shard,
 };
 
 /// The cases of a batch, read and checked.
@@ -66,7 +65,7 @@ impl CheckedPoints {
         let occupant =
             Occupant { kind: kind.to_owned(), name: name.to_owned(), identity: self.identity() };
         Claim {
-            shared: shard != Shard::ALL,
+            shared: shard.is_part(),
             is_unfinished: &|path| {
                 mine().any(|point| case(path, point).join("checkpoint.bin").is_file())
             },

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use wholestring_contain::{Panicked, contain};
 use wholestring_results::OperationSummary;
 
-use crate::run::Stop;
+use crate::{error::mistake_of, run::Stop};
 
 /// How a case ended.
 pub(crate) struct Ending {
@@ -20,11 +20,7 @@ impl Ending {
     /// others.
     pub(crate) fn of(work: impl FnOnce() -> Result<Self, Stop>) -> Self {
         contain(work)
-            .unwrap_or_else(|Panicked(mistake)| {
-                Err(Stop::Unsolved(format!(
-                    "a mistake of the program, please report it: {mistake}"
-                )))
-            })
+            .unwrap_or_else(|Panicked(mistake)| Err(Stop::Unsolved(mistake_of(&mistake))))
             .unwrap_or_else(|why| Self { solved: Vec::new(), why: Some(why), reused_s: 0.0 })
     }
 }

@@ -31,6 +31,7 @@ use crate::{
     output::Existing,
     page,
     parallel::{in_parallel, lock},
+    share::Share,
 };
 
 /// Checks every case, solves them, and writes `sweep.csv` and a page beside the folders of the
@@ -56,6 +57,7 @@ pub struct PreparedSweep {
     cases: Cases,
     options: BatchOptions,
     claimed: Claimed,
+    share: Share,
     endings: Vec<Option<Ending>>,
     pace: Pace,
     start: Instant,
@@ -81,6 +83,7 @@ impl PreparedSweep {
         let name = format!("{} sweep", valid.first_name());
         let within_itself = |path: &Path, _| path.to_owned();
         let claimed = valid.claim("sweep", &name, options, observer, &within_itself)?;
+        let share = Share::begin(&claimed, options.shard)?;
         let keys = request.variations.iter().map(|of| of.key.clone());
         let set = Set {
             prefix: String::new(),
@@ -95,6 +98,7 @@ impl PreparedSweep {
             cases,
             options: options.clone(),
             claimed,
+            share,
             pace: Pace::default(),
             start: Instant::now(),
         })
@@ -109,7 +113,7 @@ impl PreparedSweep {
         observer: &dyn Observer,
         cancellation: &CancellationToken,
     ) -> Result<BatchOutcome, Error> {
-        let mut batch = Batch::of(&self.options, self.cases, observer, cancellation);
+        let mut batch = Batch::of(&self.options, self.share, self.cases, observer, cancellation);
         batch.solve_all()?;
         Ok(batch.outcome(self.claimed.folder.path()))
     }
@@ -232,6 +236,9 @@ impl PreparedSweep {
     /// Takes up how a case ended.
     pub fn take(&mut self, case: usize, ended: Ended) {
         self.endings[case] = Some(ended.into());
+        if self.share.is_part() {
+            return;
+        }
         let (cases, endings) = (&self.cases, &self.endings);
         self.pace.when_due(|| {
             // What cannot be written now is reported at the end.
@@ -239,15 +246,16 @@ impl PreparedSweep {
         });
     }
 
-    /// Writes table and page of what has ended, and says how it went.
+    /// Writes table and page of what has ended, and gives the outcome.
     ///
     /// # Errors
     /// Results that cannot be written.
-    pub fn end(&self, cancellation: &CancellationToken) -> Result<BatchOutcome, ResultsError> {
+    pub fn end(&mut self, cancellation: &CancellationToken) -> Result<BatchOutcome, ResultsError> {
+        let _gathering = self.cases.gather(&mut self.endings, &self.share, &self.options)?;
         self.cases.write(&self.endings)?;
         let shard = self.options.shard;
         let mine = (0..self.count()).filter(|case| shard.has(*case)).count();
         let outcome = BatchOutcome::begin(self.folder(), mine, self.start, cancellation);
-        Ok(self.cases.conclude(&self.endings, outcome))
+        Ok(self.cases.conclude(&self.endings, &self.share, outcome))
     }
 }
