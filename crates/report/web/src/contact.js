@@ -58,7 +58,7 @@ export function contactMap(report) {
 
   function draw() {
     const run = chosenRun(report);
-    if (!run?.contact) return;
+    if (!run?.contact?.values[plot.column]) return;
     const ratio = Math.max(devicePixelRatio, 2);
     const width = isPrinting() ? PAPER : holder.clientWidth || 1200;
     canvas.width = width * ratio;

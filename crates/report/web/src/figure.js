@@ -79,14 +79,18 @@ export function figure(name, otherwise, describe = null) {
     return spot;
   }
 
+  const narrow = matchMedia("(max-width: 800px)");
+
   function draw() {
-    const template = document.getElementById(`${name}-${state.units}`);
+    const slim = narrow.matches && document.getElementById(`${name}-narrow-${state.units}`);
+    const template = slim || document.getElementById(`${name}-${state.units}`);
     const copy = template?.content.cloneNode(true);
     holder.replaceChildren(...(copy?.firstElementChild ? [copy] : [otherwise]));
     const picture = holder.querySelector("svg");
     if (picture) wake(picture);
   }
   on("units", draw);
+  narrow.addEventListener("change", draw);
   draw();
   return {
     element: holder,

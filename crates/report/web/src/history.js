@@ -30,6 +30,7 @@ export function history(report, timePlots, follows) {
   /** Plots of the chosen operation, with their data. */
   function shownPlots(run) {
     const columns = run.history;
+    if (!columns.time_s) return [];
     const fixed = timePlots
       .map((plot) => ({ ...plot, columns: plot.columns.filter(([name]) => columns[name]) }))
       .filter((plot) => plot.columns.length)
@@ -59,10 +60,10 @@ export function history(report, timePlots, follows) {
         chooses: report.node_channels.filter(({ column }) => frames.channels[column]),
       };
     }
-    if (contact) {
+    const [{ column, title, dimension, min_span }] = report.contact_plots;
+    if (contact?.values[column]) {
       const stretches = contact.md_m.length;
       const stretch = nearest(contact.md_m, state.depth);
-      const [{ column, title, dimension, min_span }] = report.contact_plots;
       const values = Float32Array.from(contact.time_s, (_, k) => contact.values[column][k * stretches + stretch]);
       return {
         title: `${title} around ${quantity(contact.md_m[stretch], "length", 5)}`,
@@ -149,7 +150,7 @@ export function history(report, timePlots, follows) {
         value: legendText,
       });
     }
-    const view = state.times ?? [0, Math.max(run.history.time_s.at(-1), 1e-3)];
+    const view = state.times ?? [0, Math.max(endOf(run), 1e-3)];
     const made = new uPlot(
       {
         width: widthOf(body),
@@ -194,7 +195,7 @@ export function history(report, timePlots, follows) {
     following = true;
     const { min, max } = plot.scales.x;
     const run = chosenRun(report);
-    const end = run.history.time_s.at(-1);
+    const end = endOf(run);
     for (const other of plots) if (other !== plot) other.setScale("x", { min, max });
     choose({ times: min <= 1e-6 && max >= end - 1e-6 ? null : [min, max] });
     following = false;
@@ -242,7 +243,7 @@ export function history(report, timePlots, follows) {
   /** Ctrl + wheel zooms about the pointer, Shift + drag moves. */
   function listen(plot) {
     const { over } = plot;
-    const end = () => chosenRun(report).history.time_s.at(-1);
+    const end = () => endOf(chosenRun(report));
     const set = (min, max) => {
       const low = Math.max(min, 0);
       const high = Math.min(max, end());
@@ -284,7 +285,7 @@ export function history(report, timePlots, follows) {
     if (following) return;
     const run = chosenRun(report);
     if (!run) return;
-    const [min, max] = state.times ?? [0, run.history.time_s.at(-1)];
+    const [min, max] = state.times ?? [0, endOf(run)];
     following = true;
     for (const plot of plots) plot.setScale("x", { min, max });
     following = false;
@@ -304,8 +305,12 @@ export function history(report, timePlots, follows) {
   return { element: el("div", {}, hint, holder), redraw: draw };
 }
 
+/** The last moment of a run; 0 of one that took no sample. */
+const endOf = (run) => run?.history.time_s?.at(-1) ?? 0;
+
 /** The index whose depth is nearest. */
 export function nearest(depths, depth) {
+  if (depths.length < 2) return 0;
   const next = Math.min(Math.max(below(depths, depth ?? 0), 1), depths.length - 1);
   return Math.abs(depths[next] - depth) < Math.abs(depths[next - 1] - depth) ? next : next - 1;
 }

@@ -5,7 +5,7 @@ import { plain, quantity } from "../../../../web/components/units.ts";
 import { findingsOf } from "./findings.js";
 import { levelMark, LEVELS, worstOf } from "./levels.js";
 import { cellText } from "./page_table.js";
-import { chosen, chosenAtRest, modelName } from "./solutions.js";
+import { chosen, chosenAnswer, chosenAtRest, hasNumbers, modelName } from "./solutions.js";
 import { on, state } from "./state.js";
 
 export function facts(report) {
@@ -88,19 +88,21 @@ export function keyResults(report) {
   const holder = el("div", {});
   const draw = () => {
     const all = chosen(report);
-    const [main] = all;
+    const main = chosenAnswer(report);
     const rest = chosenAtRest(report);
     const beside = (result) =>
       rest && rest !== main && { name: modelName(report, rest), result: rest.key_results.find((other) => other.label === result.label) };
     const messages = all
       .filter((solved) => solved.message)
       .map((solved) => el("p", { class: "warning" }, `${modelName(report, solved)}: ${solved.message}`));
+    if (main && main !== all[0] && hasNumbers(main)) messages.push(el("p", { class: "note" }, `Numbers of the ${modelName(report, main)}:`));
+    if (!main || !hasNumbers(main)) messages.push(el("p", { class: "note" }, "No model has numbers of this operation."));
     holder.replaceChildren(
       ...messages,
       el(
         "div",
         { class: "key-results" },
-        main.key_results.map((result) => card(report, result, beside(result), findingsOf(report, state.operation))),
+        (main?.key_results ?? []).map((result) => card(report, result, beside(result), findingsOf(report, state.operation))),
       ),
     );
   };

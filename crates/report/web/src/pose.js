@@ -1,9 +1,9 @@
 // Where the string lies in the hole, and what colours it: at a moment where frames were kept, on average otherwise.
 
 import { below, valueAt } from "../../../../web/components/curve.ts";
-import { chosen } from "./solutions.js";
+import { chosen, hasProfile } from "./solutions.js";
 
-/** The string as the mean over the window has it. */
+/** The string as the mean over the window has it; as the equilibrium has it where that is all. */
 function meanPose(report, solved) {
   const { profile } = solved;
   const depths = profile.md_m;
@@ -34,7 +34,7 @@ function climbs(profile) {
   for (let i = 0; i < profile.md_m.length; i++) {
     const climb = profile.climb_rad?.[i];
     if (Number.isFinite(climb)) known.push([profile.md_m[i], Math.cos(climb), Math.sin(climb)]);
-    else if (!profile.climb_rad && profile.side_force_N_per_m[i] !== 0)
+    else if (!profile.climb_rad && Number.isFinite(profile.side_force_N_per_m?.[i]) && profile.side_force_N_per_m[i] !== 0)
       known.push([profile.md_m[i], profile.side_force_N_per_m[i] > 0 ? -1 : 1, 0]);
   }
   if (known.length === 0) return profile.md_m.map(() => 0);
@@ -59,10 +59,11 @@ function framePose(frames, k) {
   };
 }
 
-/** The pose of the chosen operation; `k` is the frame, or null for the mean. */
+/** The pose of the chosen operation; `k` is the frame, or null for the mean. None where no model has an answer. */
 export function poseOf(report, run, k) {
   if (run?.frames && k !== null) return framePose(run.frames, k);
-  return meanPose(report, chosen(report)[0]);
+  const solved = chosen(report).find(hasProfile);
+  return solved ? meanPose(report, solved) : null;
 }
 
 /** The quantities that can colour the string. */
@@ -70,7 +71,7 @@ export const quantitiesOf = (report, pose) => report.string_colours.filter(({ co
 
 /** The range of a quantity over all that may be shown of it, so that colours mean the same at all times. */
 export function rangeOf(pose, run, k, name, signed) {
-  const all = run?.frames && k !== null ? run.frames.channels[name] : pose.values(name);
+  const all = (run?.frames && k !== null ? run.frames.channels[name] : pose.values(name)) ?? [];
   const finite = Array.from(all)
     .filter(Number.isFinite)
     .sort((a, b) => a - b);

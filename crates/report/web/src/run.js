@@ -13,14 +13,14 @@ import { history } from "./history.js";
 import { countMarks, countText } from "./levels.js";
 import { scene } from "./scene.js";
 import { pageTable } from "./page_table.js";
-import { chosenRun, operations, readable } from "./solutions.js";
+import { answeredOperations, chosenRun, operations, readable } from "./solutions.js";
 import { spectra } from "./spectra.js";
-import { choose, on, state } from "./state.js";
+import { choose, each, on, state } from "./state.js";
 import { tracks } from "./tracks.js";
 
-/** The operation with the gravest finding, if that is more than a note. */
-function worstOperation(report) {
-  const all = allFindings(report);
+/** Of these operations the one with the most severe finding, if that is more than a note. */
+function worstOperation(report, among) {
+  const all = allFindings(report).filter((of) => among.includes(of.solved.operation));
   if (!all.length || all[0].level === "note") return null;
   // Of several as grave, the one with the most of them; of those alike the first.
   const grave = all.filter((of) => of.level === all[0].level).map((of) => of.solved.operation);
@@ -38,10 +38,13 @@ function named(report, operation) {
 /** Shows the report of a run. */
 export function runPage(report) {
   const all = operations(report);
-  const last = report.runs.at(-1);
+  // A page opens on an operation that has numbers, if any has.
+  const answered = answeredOperations(report);
+  const among = answered.length ? answered : all;
+  const last = report.runs.filter((run) => among.includes(run.operation)).at(-1);
   Object.assign(state, {
     // What is wrong is seen first.
-    operation: worstOperation(report) ?? last?.operation ?? all.at(-1),
+    operation: worstOperation(report, among) ?? last?.operation ?? among.at(-1),
     depth: (report.well.md_m.at(-1) ?? 0) / 2,
   });
 
@@ -59,11 +62,14 @@ export function runPage(report) {
   if (report.runs.some((run) => run.bottom)) parts.bottom = bottomView(() => chosenRun(report)?.bottom, true);
   if (report.well.md_m.length > 1) parts.scene = scene(report);
 
+  /** A part that fails leaves the others drawn. */
+  const redrawAll = () => Object.values(parts).forEach((part) => each(part.redraw));
+
   const section = (id, title, ...children) => el("section", { id }, el("h2", {}, title), children);
   const pageTables = (place) => report.page_tables.filter((table) => table.place === place).map(pageTable);
 
   function noteOf(run) {
-    const rows = run.history.time_s.length;
+    const rows = run.history.time_s?.length ?? 0;
     const thin =
       rows < run.samples
         ? `${run.samples} samples are drawn as ${rows}, the smallest and the largest of each few: peaks keep their height`
@@ -89,7 +95,7 @@ export function runPage(report) {
         )
       : null;
   page.append(
-    header(report.title, facts(report), () => Object.values(parts).forEach((part) => part.redraw())),
+    header(report.title, facts(report), redrawAll),
     section(
       "answer",
       "Answer",
@@ -109,7 +115,7 @@ export function runPage(report) {
     const note = el("p", { class: "note" }, "As the operation left it.");
     add((run) => run?.bottom, "bottom", "Bottom of the hole", parts.bottom.element, note);
   }
-  if (parts.contact) add((run) => run, "contact", "Contact over depth and time", parts.contact.element);
+  if (parts.contact) add((run) => run?.contact, "contact", "Contact over depth and time", parts.contact.element);
   page.append(...some.map(([section]) => section));
   if (parts.scene) page.append(section("scene", "In space", parts.scene.element));
   page.append(
@@ -140,5 +146,5 @@ export function runPage(report) {
   };
   on("operation", hide);
   hide();
-  Object.values(parts).forEach((part) => part.redraw());
+  redrawAll();
 }

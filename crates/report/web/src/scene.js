@@ -122,7 +122,8 @@ export function scene(report) {
     const run = chosenRun(report);
     frame = run?.frames && state.moment !== null ? frameAt(run.frames, state.moment) : null;
     const pose = poseOf(report, run, frame);
-    const offered = quantitiesOf(report, pose);
+    const offered = pose ? quantitiesOf(report, pose) : [];
+    if (!offered.length) return withoutString();
     if (!offered.some(({ column }) => column === quantity)) quantity = offered[0].column;
     const { title, dimension, signed } = offered.find(({ column }) => column === quantity);
     quantityHolder.replaceChildren(
@@ -175,9 +176,19 @@ export function scene(report) {
     }
   }
 
+  /** The hole alone, of an operation that no model has an answer of. */
+  function withoutString() {
+    if (drawn) space.remove([drawn]);
+    [tube, drawn] = [null, null];
+    quantityHolder.replaceChildren();
+    moments.hidden = true;
+    key.replaceChildren(`${state.operation ? `${readable(state.operation)}: ` : ""}no model has an answer; the hole without the string`);
+  }
+
   /** The string as it is drawn, for a file. */
   function table() {
     const pose = poseOf(report, chosenRun(report), frame);
+    if (!drawn) return [[`md, ${symbol("length")}`], []];
     const { title, dimension } = quantitiesOf(report, pose).find(({ column }) => column === quantity);
     const values = pose.values(quantity);
     const heads = [

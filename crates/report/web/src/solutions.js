@@ -47,9 +47,21 @@ export const chosen = (report) =>
     report.solved.filter((solved) => solved.operation === state.operation && solved.model === name),
   );
 
-/** The most detailed of them that is in time, or that is an equilibrium. */
-export const chosenInTime = (report) => chosen(report).find((solved) => modelOf(report, solved).in_time);
-export const chosenAtRest = (report) => chosen(report).find((solved) => !modelOf(report, solved).in_time);
+/** Whether a model has numbers of an operation, and whether it has the string along the hole: one without an answer has neither. */
+export const hasNumbers = (solved) => solved.key_results.length > 0;
+export const hasProfile = (solved) => Boolean(solved.profile.md_m?.length);
+
+/** The first that has numbers; the first of all where none has. */
+const answered = (all) => all.find(hasNumbers) ?? all[0];
+
+/** The most detailed answer of the chosen operation: of all models, of those in time, of those at rest. */
+export const chosenAnswer = (report) => answered(chosen(report));
+export const chosenInTime = (report) => answered(chosen(report).filter((solved) => modelOf(report, solved).in_time));
+export const chosenAtRest = (report) => answered(chosen(report).filter((solved) => !modelOf(report, solved).in_time));
+
+/** Operations of which some model has numbers. */
+export const answeredOperations = (report) =>
+  operations(report).filter((operation) => report.solved.some((solved) => solved.operation === operation && hasNumbers(solved)));
 
 /** The chosen operation in time; none where dynamics did not solve it. */
 export const chosenRun = (report) => report.runs.find((run) => run.operation === state.operation);

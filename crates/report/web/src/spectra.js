@@ -33,7 +33,9 @@ export function spectra(report) {
       if (!groups.has(key)) groups.set(key, []);
       groups.get(key).push(of);
     }
-    return [...groups.values()];
+    // A signal that does not move has no density that a logarithm has a place for.
+    const moves = (of) => of.density.slice(1).some((value) => value > 0);
+    return [...groups.values()].filter((group) => group.some(moves));
   }
 
   function draw() {

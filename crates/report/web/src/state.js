@@ -34,5 +34,14 @@ export function choose(changes) {
     state[name] = value;
     for (const listener of listeners.get(name) ?? []) called.add(listener);
   }
-  for (const listener of called) listener();
+  called.forEach(each);
+}
+
+/** Calls one of several that need nothing of each other: where it fails, that is reported and the others go on. */
+export function each(call) {
+  try {
+    call();
+  } catch (error) {
+    reportError(error);
+  }
 }

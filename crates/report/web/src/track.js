@@ -9,13 +9,13 @@ import { state } from "./state.js";
 function curvesOf(report, track) {
   if (track.from === "well") {
     const values = report.well[track.column];
-    return values.length ? [{ depths: report.well.md_m, values, well: true }] : [];
+    return values?.length ? [{ depths: report.well.md_m, values, well: true }] : [];
   }
   return report.solved.flatMap((solved) => {
     const table = track.from === "wear" ? solved.wear : solved.profile;
     const values = table[track.column];
-    if (!values) return [];
     const depths = table.md_m;
+    if (!values || !depths) return [];
     const [low, high] = (track.band ?? []).map((name) => table[name]);
     const curve = { solved, depths, values, low, high };
     if (track.touches) curve.values = largestNear(depths, values, report.rules.joint_reach_m);

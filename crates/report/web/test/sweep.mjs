@@ -85,4 +85,16 @@ await check("the figure follows the page into the dark", async () => {
   assert.equal(await ink(), light);
 });
 
+await check("every panel is in view on a narrow screen", async () => {
+  const narrow = await open({ viewport: { width: 420, height: 900 } });
+  const panels = (of) => of.locator(".figure path.stroke-frame").count();
+  assert.equal(await panels(narrow), await panels(page));
+  const frames = narrow.locator(".figure path.stroke-frame");
+  for (let i = 0; i < (await frames.count()); i++) {
+    const { x, width } = await frames.nth(i).boundingBox();
+    assert.ok(x >= 0 && x + width <= 420, `panel ${i}: ${x} to ${x + width}`);
+  }
+  await narrow.close();
+});
+
 await close(page, 10_000, "the page of a sweep");
