@@ -22,13 +22,13 @@ pub struct BottomPicture {
 }
 
 impl BottomPicture {
-    /// A bottom whose depths have any origin; none where no depth is known. What is farther from
-    /// the rim than the bottom is from its axis to its edge has come loose, and is left out.
-    ///
-    /// # Panics
-    /// If there is not one depth for each sector of each ring.
+    /// A bottom whose depths have any origin; none where no depth is known, or where there is not
+    /// one depth for each sector of each ring. What is farther from the rim than the bottom is from
+    /// its axis to its edge has come loose, and is left out.
     pub fn new(radius_m: &[f64], angle_rad: &[f64], depth_m: &[f64]) -> Option<Self> {
-        assert_eq!(depth_m.len(), radius_m.len() * angle_rad.len(), "a depth for each cell");
+        if depth_m.len() != radius_m.len() * angle_rad.len() {
+            return None;
+        }
         let known = depth_m.iter().copied().filter(|depth| depth.is_finite());
         let mut known: Vec<f64> = known.collect();
         known.sort_by(f64::total_cmp);
@@ -92,5 +92,6 @@ mod tests {
         let [inner, outer] = bottom.edges_m();
         assert!(inner.abs() < 1e-9 && (outer - 0.04).abs() < 1e-9);
         assert_eq!(BottomPicture::new(&[0.1], &[0.0], &[f64::NAN]), None);
+        assert_eq!(BottomPicture::new(&[0.1, 0.2], &[0.0], &[1.0]), None);
     }
 }

@@ -125,11 +125,20 @@ pub fn sweep_html(sweep: &Sweep) -> String {
     };
     let figures = SETS.map(|units| {
         let plot = sweep_plots(sweep, units).into_iter().next();
-        template("figure", units, plot)
+        // On a narrow screen all panels are one below the other.
+        let narrow = plot.clone().map(|mut plot| {
+            plot.figure.layout.columns = 1;
+            plot.figure.layout.width_mm = NARROW_MM;
+            plot
+        });
+        template("figure", units, plot) + &template("figure-narrow", units, narrow)
     });
     let rest = figures.join("\n");
     page(&sweep.head.title, &sweep.head.program, &data, &rest, SWEEP_PROGRAM)
 }
+
+/// Width of a figure with one column of panels, mm.
+const NARROW_MM: f64 = 85.0;
 
 /// A picture in a set of units, ready to be shown under a name.
 fn template(name: &str, units: &str, plot: Option<Plot>) -> String {

@@ -196,6 +196,39 @@ impl Table {
         self.append(&words, &numbers);
     }
 
+    /// The table of a file with the columns that are declared for it. A column of numbers that it
+    /// lacks, as the table of an earlier version may, is empty.
+    ///
+    /// # Errors
+    /// A column of words that is not there, or a column that holds words in place of numbers or the
+    /// reverse: the file holds another table.
+    pub fn with_declared(
+        mut self,
+        declared: &[ColumnSpec],
+        path: &Path,
+    ) -> Result<Self, ResultsError> {
+        let rows = self.rows();
+        for spec in declared {
+            let (expected, found) = match self.column(spec.name).map(|column| &column.data) {
+                Some(Data::Text(_)) if !spec.text => ("numbers", "words"),
+                Some(Data::Number(_)) if spec.text => ("words", "numbers"),
+                Some(_) => continue,
+                None if spec.text => {
+                    let reason = format!("it has no column `{}`", spec.name);
+                    return Err(ResultsError::format(path, reason));
+                }
+                None => {
+                    let data = Data::Number(vec![None; rows]);
+                    self.columns.push(Column { data, ..Column::empty(spec) });
+                    continue;
+                }
+            };
+            let reason = format!("its column `{}` holds {found}, expected {expected}", spec.name);
+            return Err(ResultsError::format(path, reason));
+        }
+        Ok(self)
+    }
+
     /// Whether another table has the same columns: their names, units and kinds.
     pub fn is_like(&self, other: &Self) -> bool {
         let about = |column: &Column| {

@@ -6,7 +6,10 @@ use wholestring_report::Plot;
 use wholestring_units::UnitSet;
 
 use crate::{
-    error::Error, folder_name::file_name, results_kind::Overlay, results_kinds::kind_of,
+    error::{Error, contained},
+    folder_name::file_name,
+    results_kind::Overlay,
+    results_kinds::kind_of,
     run::pictures::overlaid,
 };
 
@@ -15,11 +18,11 @@ use crate::{
 /// # Errors
 /// Folders whose results cannot be drawn, or not together.
 pub fn pictures(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Vec<Plot>, Error> {
-    let plots = match folders {
-        [] => return Err(Error::bad_input("no folder is given")),
-        [folder] => (kind_of(folder)?.plots)(folder, units)?,
-        _ => together(folders, units)?,
-    };
+    let plots = contained(|| match folders {
+        [] => Err(Error::bad_input("no folder is given")),
+        [folder] => (kind_of(folder)?.plots)(folder, units),
+        _ => together(folders, units),
+    })?;
     if plots.is_empty() {
         let place = folders[0].display();
         return Err(Error::BadInput(format!("nothing was solved in {place}")));

@@ -2,6 +2,8 @@
 
 use std::{fs, path::Path, process::Output};
 
+use wholestring_results::Table;
+
 use crate::desk::{Desk, args, transcript};
 
 #[track_caller]
@@ -23,6 +25,46 @@ fn a_damaged_table_is_named() {
         for command in ["report", "plot"] {
             refused(&desk.run(&[command, "results"]), "nodes.parquet");
         }
+    }
+}
+
+/// A table of another command, or without one of its columns of words, is named with the column; one
+/// that lacks numbers is drawn without them. Numbers beyond all reason are drawn in no time.
+#[test]
+fn foreign_tables_and_wild_numbers_are_no_end() {
+    let desk = Desk::new();
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    fs::copy(data.join("slant-600-read.csv"), desk.path("read.csv")).unwrap();
+    desk.done(&args("calibrate slant.toml --data read.csv --quiet -o calibrated"));
+    let bands = desk.path("calibrated/calibration_bands.parquet");
+    let whole = Table::read_parquet(&bands).unwrap();
+    let without = |names: &[&str]| {
+        let kept = whole.columns().iter().filter(|of| !names.contains(&of.name.as_str()));
+        Table::new(kept.cloned().collect()).write_parquet(&bands).unwrap();
+    };
+    without(&["reading"]);
+    for command in ["report", "plot"] {
+        let output = desk.run(&[command, "calibrated"]);
+        refused(&output, "calibration_bands.parquet");
+        assert!(transcript(&output).contains("it has no column `reading`"));
+    }
+    without(&["bit_depth_m", "mean_low_N"]);
+    for command in ["report", "plot"] {
+        desk.done(&[command, "calibrated"]);
+    }
+    fs::copy(desk.path("calibrated/calibration_profiles.parquet"), &bands).unwrap();
+    refused(&desk.run(&["report", "calibrated"]), "calibration_bands.parquet");
+
+    desk.done(&args("bha slant.toml --quiet -o assembly"));
+    let summary = desk.text("assembly/summary.json");
+    let wild: serde_json::Value = serde_json::from_str(&summary).unwrap();
+    for (number, more) in [(1e300, &["--png"][..]), (-1e300, &[]), (1e20, &[])] {
+        let mut wild = wild.clone();
+        wild["parts"][0]["od_m"] = number.into();
+        wild["parts"][0]["to_bit_m"] = number.into();
+        fs::write(desk.path("assembly/summary.json"), wild.to_string()).unwrap();
+        desk.done(&["report", "assembly"]);
+        desk.done(&[&["plot", "assembly"][..], more].concat());
     }
 }
 

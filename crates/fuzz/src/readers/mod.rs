@@ -2,6 +2,7 @@
 //! with an input.
 
 mod cases;
+mod folders;
 mod imports;
 mod logs;
 mod reader;
@@ -24,6 +25,7 @@ fn all() -> impl Iterator<Item = (&'static str, New)> {
         logs::READERS,
         results::READERS,
         stored::READERS,
+        folders::READERS,
     ];
     lists.into_iter().flatten().copied()
 }

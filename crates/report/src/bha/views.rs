@@ -120,10 +120,16 @@ impl View<'_> {
     /// A quantity of the nodes at a distance from the bit.
     fn at(&self, of: &[f64], from_bit_m: f64) -> f64 {
         let at = &self.bha.from_bit_m;
-        let above = at.partition_point(|node| *node < from_bit_m).clamp(1, at.len() - 1);
-        let (low, high) = (at[above - 1], at[above]);
+        let above = at.partition_point(|node| *node < from_bit_m).min(at.len().saturating_sub(1));
+        let below = above.saturating_sub(1);
+        let above = below + 1;
+        let (Some(low), Some(high), Some(from), Some(to)) =
+            (at.get(below), at.get(above), of.get(below), of.get(above))
+        else {
+            return of.first().copied().unwrap_or(f64::NAN);
+        };
         let part = ((from_bit_m - low) / (high - low)).clamp(0.0, 1.0);
-        of[above - 1] + part * (of[above] - of[above - 1])
+        from + part * (to - from)
     }
 
     fn offset_m(&self, from_bit_m: f64) -> f64 {
@@ -179,7 +185,7 @@ impl View<'_> {
             let points = edges.iter().map(|edge| (edge.0, side(edge))).collect();
             marks.push(Mark::Curve { ink, stroke: Stroke::Solid, points });
         }
-        for edge in [edges[0], edges[edges.len() - 1]] {
+        for edge in edges.first().into_iter().chain(edges.last()) {
             let points = vec![(edge.0, edge.1), (edge.0, edge.2)];
             marks.push(Mark::Curve { ink, stroke: Stroke::Solid, points });
         }

@@ -1,6 +1,6 @@
 //! What is drawn in a panel.
 
-use super::{Map, Mark, Shape, Stroke, found, place::Place};
+use super::{Map, Mark, Shape, Stroke, found, names::crowd, place::Place};
 use crate::draw::{
     Anchor, Box, ColourScale, Drawing, Hue, Image, Ink, Pen, envelope, text_width, thinned,
 };
@@ -212,80 +212,6 @@ fn row(label: &str, x: f64, all: &[Mark], place: &Place) -> usize {
         taken.push((row, left, right));
     }
     0
-}
-
-/// Names of curves beside their ends, each where it covers no other and few curves; what belongs to
-/// keys of the legend goes with them.
-pub(super) fn names(on: &mut Drawing, all: &[Mark], place: &Place) {
-    const SIZE: f64 = 6.5;
-    let frame = place.frame;
-    let mut taken: Vec<Box> = Vec::new();
-    let mut keys: &[usize] = &[];
-    for mark in all {
-        let (at, text, is_foot) = match mark {
-            Mark::Of { keys: of } => {
-                keys = of;
-                continue;
-            }
-            Mark::Name { at, text } => (place.of(*at), text, false),
-            Mark::Foot { at, text } => (place.of(*at), text, true),
-            _ => continue,
-        };
-        if !(at.0 + at.1).is_finite() {
-            continue;
-        }
-        let width = text_width(text, SIZE) + 2.0;
-        let room = |(left, y): (f64, f64)| Box { left, top: y - 4.0, width, height: 8.0 };
-        let offsets =
-            (0..8).flat_map(|step| [-1.0, 1.0].map(|side| side * (6.5 + 4.0 * f64::from(step))));
-        let lefts = [at.0 - width - 3.0, at.0 + 3.0, at.0 - 0.5 * width];
-        let places = offsets.flat_map(|off| lefts.map(|left| (left, at.1 + off)));
-        // Below the end, one row after the other, and where there is none as any other.
-        let feet = (0..if is_foot { 3 } else { 0 })
-            .map(|row| (at.0 - 0.5 * width, at.1 + 7.0 + 8.5 * f64::from(row)));
-        let free = feet.chain(places).filter(|at| {
-            let room = room(*at);
-            room.left >= frame.left
-                && room.right() <= frame.right()
-                && room.top >= frame.top
-                && room.bottom() <= frame.bottom()
-                && !taken.iter().any(|other| overlap(other, &room))
-        });
-        // Of places alike the first, which is nearest.
-        let Some(chosen) = free.min_by_key(|at| crowd(&room(*at), all, place)) else {
-            continue;
-        };
-        taken.push(room(chosen));
-        on.begin(keys, false);
-        on.fill(room(chosen).corners().to_vec(), Ink::Paper, 0.7);
-        let start = (chosen.0 + 1.0, chosen.1);
-        on.text(text, start, SIZE, Ink::Text, Anchor::Start);
-        on.end();
-    }
-}
-
-fn overlap(a: &Box, b: &Box) -> bool {
-    a.left < b.right() && b.left < a.right() && a.top < b.bottom() && b.top < a.bottom()
-}
-
-/// How many pieces of curves run through a box.
-fn crowd(room: &Box, all: &[Mark], place: &Place) -> usize {
-    let runs_through = |pair: &[(f64, f64)]| {
-        let [a, b] = [place.of(pair[0]), place.of(pair[1])];
-        // In so many steps that none jumps over the box.
-        let steps = ((a.0 - b.0).abs() + (a.1 - b.1).abs()) / (0.5 * room.height);
-        let steps = if steps.is_finite() { steps.ceil() } else { 0.0 };
-        (0..=steps as usize).any(|step| {
-            let part = step as f64 / steps.max(1.0);
-            let (x, y) = (a.0 + part * (b.0 - a.0), a.1 + part * (b.1 - a.1));
-            (room.left..=room.right()).contains(&x) && (room.top..=room.bottom()).contains(&y)
-        })
-    };
-    let curves = all.iter().filter_map(|mark| match mark {
-        Mark::Curve { points, .. } => Some(points),
-        _ => None,
-    });
-    curves.map(|points| points.windows(2).filter(|pair| runs_through(pair)).count()).sum()
 }
 
 /// Colours as pixels: as many as there are values where those are few, and no more than print.

@@ -5,6 +5,7 @@ mod found;
 mod layout;
 mod legend;
 mod marks;
+mod names;
 mod outliers;
 mod panel;
 mod place;
@@ -235,15 +236,14 @@ pub enum Mark {
         /// Places of the keys in [`Figure::keys`].
         keys: Vec<usize>,
     },
-    /// The name of a curve, beside its end.
+    /// The name of a point, beside it.
     Name {
-        /// The end.
+        /// The point.
         at: (f64, f64),
         /// The name.
         text: String,
     },
-    /// The name of a curve that ends within its panel, below its end, for a shared axis that points
-    /// down.
+    /// The name of a curve, at its end: names of curves that end together are in the order of the ends.
     Foot {
         /// The end.
         at: (f64, f64),

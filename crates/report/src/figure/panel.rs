@@ -1,7 +1,7 @@
 //! A panel: its frame, its ticks and what is in it.
 
 use super::{
-    Axis, Figure, Map, Mark, Panel, Scale, beyond, marks,
+    Axis, Figure, Map, Mark, Panel, Scale, beyond, marks, names,
     place::{LABEL, Place, TICK, inside, widest},
     ruler::Ruler,
 };
@@ -46,7 +46,7 @@ pub(super) fn draw(on: &mut Drawing, figure: &Figure, panel: &Panel, place: &Pla
             on.end();
         }
     });
-    marks::names(on, &panel.marks, place);
+    names::names(on, &panel.marks, place);
     on.frame(frame, Pen::new(Ink::Frame, FRAME));
     if panel.axis.clips {
         beyond::draw(on, &panel.marks, place);

@@ -6,6 +6,10 @@ use crate::draw::{Box, text_width};
 pub(super) const TICK: f64 = 7.0;
 pub(super) const LABEL: f64 = 8.0;
 
+/// Nothing is drawn farther from the page than this, points: the dashes of a line to a value that is
+/// beyond all reason would have no end.
+const FAR: f64 = 1e6;
+
 /// Where values lie in a frame.
 pub(super) struct Place<'a> {
     pub(super) frame: Box,
@@ -40,11 +44,11 @@ impl<'a> Place<'a> {
     }
 
     pub(super) fn across(&self, part: f64) -> f64 {
-        self.frame.left + self.frame.width * part
+        (self.frame.left + self.frame.width * part).clamp(-FAR, FAR)
     }
 
     pub(super) fn below(&self, part: f64) -> f64 {
-        self.frame.top + self.frame.height * part
+        (self.frame.top + self.frame.height * part).clamp(-FAR, FAR)
     }
 
     pub(super) fn own_y(&self, own: f64) -> f64 {

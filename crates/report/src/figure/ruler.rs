@@ -49,11 +49,13 @@ impl Ruler {
     }
 
     fn linear(from: f64, to: f64, count: f64) -> Self {
+        let (from, to) = drawable(from, to);
         let step = round_step((to - from) / count.max(1.0));
         // A tick at the very end of the range survives rounding.
         let slack = 1e-9;
         let (first, last) = (from / step, to / step);
         let ticks = ((first - slack).ceil() as i64..=(last + slack).floor() as i64)
+            .take(MAX_TICKS)
             .map(|index| index as f64 * step)
             .map(|tick| (tick, tick_text(tick, step)))
             .collect();
@@ -61,6 +63,8 @@ impl Ruler {
     }
 
     fn logarithmic(from: f64, to: f64, count: f64) -> Self {
+        let from = if from.is_finite() { from.clamp(-300.0, 299.0) } else { -1.0 };
+        let to = if to > from { to.min(300.0) } else { from + 1.0 };
         let every = ((to - from) / count.max(1.0)).ceil().max(1.0) as i32;
         let (first, last) = (from.floor() as i32, to.ceil() as i32);
         // Of few decades, two steps in each beside them.
@@ -108,6 +112,21 @@ impl Ruler {
     pub(super) fn value(&self, place: f64) -> f64 {
         self.from + place * (self.to - self.from)
     }
+}
+
+/// More ticks than any axis has.
+const MAX_TICKS: usize = 200;
+
+/// The ends of a range that ticks can divide: of values that are not finite, beyond all reason, or
+/// so close to each other that no number lies between them, others.
+fn drawable(from: f64, to: f64) -> (f64, f64) {
+    const LARGEST: f64 = 1e100;
+    if !(from.is_finite() && to.is_finite()) {
+        return (0.0, 1.0);
+    }
+    let [from, to] = [from, to].map(|end| end.clamp(-LARGEST, LARGEST));
+    let least = (1e-9 * from.abs().max(to.abs())).max(1e-290);
+    if to - from > least { (from, to) } else { (from, from + 1.0_f64.max(2.0 * least)) }
 }
 
 /// The ends of a linear axis; it has some length whatever the values.
@@ -250,6 +269,22 @@ mod tests {
         let small = Ruler::new(&axis, [2e-7, 1e-6], 10.0);
         assert_eq!(labels(&small), ["2·10⁻⁷", "5·10⁻⁷", "10⁻⁶"]);
         assert!(ruler.place(0.0).is_nan());
+    }
+
+    #[test]
+    fn ranges_beyond_all_reason_have_ticks() {
+        let ends = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, 1e300, -1e300, 1e20, 5e-324];
+        for values in ends.iter().flat_map(|low| ends.map(|high| [*low, high])) {
+            for scale in [Scale::Linear, Scale::Logarithmic] {
+                let fixed = Range::Fixed(values[0], values[1]);
+                for range in [Range::Tight, Range::Near, Range::Zero, fixed] {
+                    let axis = Axis { scale: scale.clone(), ..Axis::new("", range) };
+                    let ruler = Ruler::new(&axis, values, 5.0);
+                    assert!(ruler.to > ruler.from, "{values:?} {ruler:?}");
+                    assert!(ruler.ticks.len() <= MAX_TICKS, "{values:?}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -7,30 +7,31 @@ pub(crate) const JOINT_REACH_M: f64 = 6.0;
 
 /// Something of the values within `reach` of each depth.
 fn near(depths: &[f64], values: &[f64], reach: f64, of: fn(&[f64]) -> f64) -> Vec<f64> {
-    let within = |range: Range<usize>| of(&values[range]);
+    let within = |range: Range<usize>| of(values.get(range).unwrap_or_default());
     intervals(depths, reach).map(within).collect()
 }
 
-/// The rows within `reach` of each depth.
+/// The rows within `reach` of each depth. Depths that do not grow, as those of a damaged file, give
+/// any rows.
 fn intervals(depths: &[f64], reach: f64) -> impl Iterator<Item = Range<usize>> {
     let mut from = 0;
     let mut to = 0;
     depths.iter().map(move |depth| {
-        while depths[from] < depth - reach {
+        while from < depths.len() && depths[from] < depth - reach {
             from += 1;
         }
         while to < depths.len() && depths[to] <= depth + reach {
             to += 1;
         }
-        from..to
+        from.min(to)..to
     })
 }
 
 /// Of the rows within `reach` of each depth the one with the largest value: a joint, of what joints
 /// do.
 pub(crate) fn row_of_largest(depths: &[f64], values: &[f64], reach: f64) -> Vec<usize> {
-    let row =
-        |rows: Range<usize>| rows.max_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap_or(0);
+    let value = |row: usize| values.get(row).copied().unwrap_or(f64::NAN);
+    let row = |rows: Range<usize>| rows.max_by(|a, b| value(*a).total_cmp(&value(*b))).unwrap_or(0);
     intervals(depths, reach).map(row).collect()
 }
 
@@ -59,5 +60,14 @@ mod tests {
         );
         assert_eq!(smallest(&depths, &values, 2.0), [1.0; 10]);
         assert_eq!(row_of_largest(&depths, &values, 2.0)[2..7], [4; 5]);
+    }
+
+    #[test]
+    fn depths_of_a_damaged_file_give_a_row_each() {
+        let depths = [5.0, f64::NAN, 1e300, -3.0, 2.0];
+        for values in [&[1.0, 2.0, 3.0, 4.0, 5.0][..], &[1.0]] {
+            assert_eq!(largest(&depths, values, 2.0).len(), 5);
+            assert_eq!(row_of_largest(&depths, values, 2.0).len(), 5);
+        }
     }
 }

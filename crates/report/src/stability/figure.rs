@@ -83,8 +83,10 @@ impl StabilityPicture {
             [place(&self.speeds_rad_per_s, speed), place(&self.weights_N, weight)];
         let columns = self.speeds_rad_per_s.len();
         let at = |row: usize, column: usize| {
-            let (row, column) = (row.min(self.weights_N.len() - 1), column.min(columns - 1));
-            self.growth_per_s[row * columns + column]
+            let rows = self.weights_N.len();
+            let (row, column) =
+                (row.min(rows.saturating_sub(1)), column.min(columns.saturating_sub(1)));
+            self.growth_per_s.get(row * columns + column).copied().unwrap_or(f64::NAN)
         };
         let row = |j: usize| at(j, i) + right * (at(j, i + 1) - at(j, i));
         row(j) + up * (row(j + 1) - row(j))

@@ -54,7 +54,7 @@ impl Drawing<'_> {
                 let last = mean.iter().rev().find(|(at, value)| (at + value).is_finite());
                 // Where two models are one beside the other, one name is enough.
                 if let (Some(end), false) = (last, name.is_empty() || names.contains(&name)) {
-                    curves.push(Mark::Name { at: *end, text: name.clone() });
+                    curves.push(Mark::Foot { at: *end, text: name.clone() });
                     names.push(name);
                 }
                 let mut of_band = keys;

@@ -197,7 +197,7 @@ fn the_page_of_a_sweep_is_whole() {
     sweep.head.title = nasty.into();
     let page = crate::sweep_html(&sweep);
     assert_eq!(page.matches("<svg class=\"figure\"").count(), 3);
-    assert_eq!(page.matches("</template").count(), 3);
+    assert_eq!(page.matches("</template").count(), 6);
     assert_eq!(page.matches("</script").count(), 2);
     for label in ["Hook load without block", "klbf", "kN"] {
         assert!(page.contains(label), "{label}");
@@ -232,7 +232,7 @@ fn operations_differ_by_stroke_and_have_their_names() {
         .marks
         .iter()
         .filter_map(|mark| match mark {
-            Mark::Name { text, .. } => Some(text.as_str()),
+            Mark::Foot { text, .. } => Some(text.as_str()),
             _ => None,
         })
         .collect();
@@ -244,7 +244,8 @@ fn operations_differ_by_stroke_and_have_their_names() {
         assert!(page.matches(&group).count() >= 6, "{group}");
         assert_eq!(
             page.matches(&format!("<g class=\"legend-key\" data-keys=\"{key}\">")).count(),
-            3
+            // Wide and narrow.
+            6
         );
     }
     // Place and row of each point: two of each operation in a panel.

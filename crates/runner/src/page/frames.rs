@@ -45,10 +45,15 @@ pub(super) fn read(folder: &Path, runs: usize) -> Result<BTreeMap<String, Frames
     let taken = reader.taken.into_iter();
     Ok(taken
         .filter_map(|(operation, taken)| {
-            let kept = reader.kept[&operation].frames;
+            let kept = reader.kept.get(&operation)?.frames;
             Some((operation, taken.frames(kept, &reader.columns)?))
         })
         .collect())
+}
+
+/// The number of a row; not a number where the column has none.
+fn number(column: &[Option<f64>], row: usize) -> f64 {
+    column.get(row).copied().flatten().unwrap_or(f64::NAN)
 }
 
 fn larger(a: f64, b: f64) -> f64 {
@@ -94,10 +99,11 @@ impl Reader {
         for (row, node) in nodes.iter().enumerate() {
             if *node == Some(0.0) {
                 self.end_moment();
-                self.begin_moment(&operations[row], times[row].unwrap_or(f64::NAN));
+                let Some(operation) = operations.get(row) else { return };
+                self.begin_moment(operation, number(times, row));
             }
             if let Some(moment) = &mut self.moment {
-                moment.md_m.push(depths[row].unwrap_or(f64::NAN));
+                moment.md_m.push(number(depths, row));
                 for (values, channel) in moment.channels.iter_mut().zip(&channels) {
                     if let Some(value) = channel.get(row) {
                         values.push(value.unwrap_or(f64::NAN));
@@ -111,7 +117,7 @@ impl Reader {
         let seen = self.seen.entry(operation.to_owned()).or_default();
         let place = *seen;
         *seen += 1;
-        let kept = &self.kept[operation];
+        let Some(kept) = self.kept.get(operation).filter(|kept| kept.frames > 0) else { return };
         let nodes = (kept.rows / kept.frames).min(MAX_NODES);
         let most = (self.share / (nodes * self.columns.len())).max(2);
         let every = kept.frames.div_ceil(most).max(1);
@@ -145,6 +151,7 @@ struct Taken {
 
 impl Taken {
     fn add(&mut self, moment: Moment, columns: &[&str]) {
+        let Some(bit_md_m) = moment.md_m.last().copied() else { return };
         let nodes = moment.md_m.len();
         if self.time_s.is_empty() {
             self.nodes = nodes;
@@ -159,7 +166,7 @@ impl Taken {
             return;
         }
         self.time_s.push(moment.time_s);
-        self.bit_md_m.push(moment.md_m[nodes - 1]);
+        self.bit_md_m.push(bit_md_m);
         let mut above = 0;
         for node in &self.chosen {
             for (channel, (all, values)) in

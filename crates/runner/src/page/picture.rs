@@ -1,7 +1,12 @@
 //! Pictures as files.
 
+use std::io;
+
+use wholestring_contain::{Panicked, contain};
 use wholestring_report::figure::Figure;
 use wholestring_results::{ResultsError, ResultsFolder};
+
+use crate::error::mistake_of;
 
 /// Dots per inch that printers and journals require.
 const DOTS_PER_INCH: f64 = 300.0;
@@ -16,13 +21,20 @@ pub fn write_picture(
     figure: &Figure,
     png: bool,
 ) -> Result<(), ResultsError> {
-    let drawing = figure.drawing();
-    folder.write_file(&format!("{name}.svg"), drawing.svg().as_bytes())?;
-    let painted = format!("{name}.png");
-    if png {
-        folder.write_file(&painted, &drawing.png(DOTS_PER_INCH))
-    } else {
+    let path = folder.path().join(format!("{name}.svg"));
+    let drawn = contain(|| {
+        let drawing = figure.drawing();
+        (drawing.svg(), png.then(|| drawing.png(DOTS_PER_INCH)))
+    });
+    let (svg, painted) = drawn.map_err(|Panicked(mistake)| ResultsError::Write {
+        path,
+        source: io::Error::other(mistake_of(&mistake)),
+    })?;
+    folder.write_file(&format!("{name}.svg"), svg.as_bytes())?;
+    let name = format!("{name}.png");
+    match painted {
+        Some(bytes) => folder.write_file(&name, &bytes),
         // One that was painted before is not of what was drawn now.
-        folder.remove(&painted)
+        None => folder.remove(&name),
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use wholestring_results::{ResultsError, Table};
+use wholestring_results::{ResultsError, TABLES, Table};
 
 /// The tables of a run. They are large, and are read operation by operation.
 pub(crate) struct Tables {
@@ -27,8 +27,19 @@ impl Tables {
     }
 }
 
-/// A whole table of the folder, without rows where there is none.
+/// A whole table of the folder with all of its declared columns, without rows where there is no
+/// such file.
+///
+/// # Errors
+/// A file that cannot be read, or holds another table.
 pub(crate) fn table(folder: &Path, name: &str) -> Result<Table, ResultsError> {
     let path = folder.join(format!("{name}.parquet"));
-    if path.is_file() { Table::read_parquet(&path) } else { Ok(Table::new(Vec::new())) }
+    if !path.is_file() {
+        return Ok(Table::new(Vec::new()));
+    }
+    let table = Table::read_parquet(&path)?;
+    match TABLES.iter().find(|(known, _)| *known == name) {
+        Some((_, declared)) => table.with_declared(declared, &path),
+        None => Ok(table),
+    }
 }
