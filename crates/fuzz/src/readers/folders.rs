@@ -90,7 +90,8 @@ fn run(folder: &Path) {
     );
     let mut request = run::Request::new(&slant.case);
     request.output = to(folder);
-    run::run(&request, &Silent, &CancellationToken::new()).expect("a run");
+    let done = run::run(&request, &Silent, &CancellationToken::new()).expect("a run");
+    done.finished().expect("a whole run");
 }
 
 fn sweep(folder: &Path) {
@@ -181,7 +182,7 @@ fn calibrate(folder: &Path) {
             by_section: false,
             friction_around: false,
             block_weight: false,
-            bit_torque: true,
+            bit_torque: false,
             hold: Vec::new(),
             errors: [None; 3],
             outlier_beyond: 3.0,

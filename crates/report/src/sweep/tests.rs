@@ -196,7 +196,8 @@ fn the_page_of_a_sweep_is_whole() {
     let mut sweep = sweep(["friction", "bit_depth"], [&["0.1", nasty], &["300m", "600m"]]);
     sweep.head.title = nasty.into();
     let page = crate::sweep_html(&sweep);
-    assert_eq!(page.matches("<svg class=\"figure\"").count(), 3);
+    // Each wide and narrow.
+    assert_eq!(page.matches("<svg class=\"figure\"").count(), 6);
     assert_eq!(page.matches("</template").count(), 6);
     assert_eq!(page.matches("</script").count(), 2);
     for label in ["Hook load without block", "klbf", "kN"] {
@@ -256,7 +257,7 @@ fn operations_differ_by_stroke_and_have_their_names() {
         numbers.chunks(3).map(|spot| spot[2].to_owned()).collect()
     };
     for pair in [["0", "1"], ["2", "3"]] {
-        assert_eq!(spots.iter().map(rows).filter(|rows| *rows == pair).count(), 3);
+        assert_eq!(spots.iter().map(rows).filter(|rows| *rows == pair).count(), 6);
     }
     // Files for a paper hold none of that.
     let file = figure.drawing().svg();
