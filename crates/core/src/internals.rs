@@ -9,3 +9,7 @@ pub use crate::{
         normal_force::{hertz, linear},
     },
 };
+
+/// Digest of the engine's sources, sixteen hexadecimal digits: two builds of one version that
+/// compute otherwise have different ones.
+pub const ENGINE_BUILD: &str = env!("WHOLESTRING_ENGINE_BUILD");

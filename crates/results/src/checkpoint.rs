@@ -1,9 +1,9 @@
 //! `checkpoint.bin`: what an unfinished run needs to continue.
 //!
-//! Twelve bytes of a mark and the version of this layout; the version of the program that wrote it;
-//! the content in [postcard](https://postcard.jamesmunns.com)'s format; its length and its
+//! Twelve bytes of a mark and the version of this layout; the version of the program that wrote it,
+//! and the digest of its engine's sources; the content in [postcard](https://postcard.jamesmunns.com)'s format; its length and its
 //! checksum. Numbers keep every bit. Only the version of the program that wrote a checkpoint reads
-//! it: what changes in a run is what the engine is made of.
+//! it, and only a build of the same engine: what changes in a run is what the engine is made of.
 
 use std::{
     fs, io,
@@ -12,6 +12,7 @@ use std::{
 };
 
 use serde::{Serialize, de::DeserializeOwned};
+use wholestring::internals::ENGINE_BUILD;
 
 use crate::{
     ResultsError, ResultsFolder,
@@ -24,10 +25,13 @@ use crate::{
 const MARK: &[u8; 8] = b"wholestr";
 
 /// Version of the layout around the content.
-const LAYOUT: u32 = 11;
+const LAYOUT: u32 = 12;
 
 /// Version of the program; all of its crates share it.
 const PROGRAM: &str = env!("CARGO_PKG_VERSION");
+
+/// Digits of the digest of the engine's sources.
+const BUILD_DIGITS: usize = ENGINE_BUILD.len();
 
 impl ResultsFolder {
     fn checkpoint_path(&self) -> PathBuf {
@@ -102,6 +106,7 @@ fn wrap(content: &impl Serialize, mut writer: impl Write) -> io::Result<()> {
     writer.write_all(&LAYOUT.to_le_bytes())?;
     writer.write_all(&[PROGRAM.len() as u8])?;
     writer.write_all(PROGRAM.as_bytes())?;
+    writer.write_all(ENGINE_BUILD.as_bytes())?;
     let mut summed = Summed::new(&mut writer);
     // The disk's own error, where there is one, says more than that it could not be written.
     if let Err(error) = postcard::to_io(content, &mut summed) {
@@ -123,11 +128,26 @@ fn unwrap<T: DeserializeOwned>(bytes: &[u8], path: &Path) -> Result<T, ResultsEr
     let length = take(&mut rest).map(u8::from_le_bytes);
     let program = length.and_then(|length| rest.split_off(..usize::from(length)));
     let program = program.map(String::from_utf8_lossy).ok_or_else(damaged)?;
+    // What is no version is not shown.
+    if !program.bytes().all(|byte| byte.is_ascii_graphic()) {
+        return Err(damaged());
+    }
     if layout != Some(LAYOUT) || program != PROGRAM {
         let layout = layout.filter(|_| program == PROGRAM).map_or_else(String::new, |layout| {
             format!(": its layout is {layout}, this program reads {LAYOUT}")
         });
         return Err(bad(format!("wholestring {program} wrote it, this is {PROGRAM}{layout}")));
+    }
+    let build = take::<BUILD_DIGITS>(&mut rest).ok_or_else(damaged)?;
+    if build != ENGINE_BUILD.as_bytes() {
+        if !build.iter().all(u8::is_ascii_hexdigit) {
+            return Err(damaged());
+        }
+        let build = String::from_utf8_lossy(&build).into_owned();
+        return Err(bad(format!(
+            "another build of wholestring {PROGRAM} wrote it (its engine is {build}, this one is \
+             {ENGINE_BUILD}): finish the run with that build, or begin it again"
+        )));
     }
     let end = rest.len().checked_sub(16).ok_or_else(damaged)?;
     let (content, mut end) = rest.split_at(end);
@@ -277,6 +297,25 @@ mod tests {
             format!(
                 "PATH is no checkpoint that can be resumed: wholestring {other} wrote it, this is \
                  {PROGRAM}"
+            )
+        );
+    }
+    /// Two builds of one version may compute otherwise: their checkpoints are told apart by the
+    /// digest of the engine's sources.
+    #[test]
+    fn another_builds_checkpoint_is_refused() {
+        let (_place, folder) = written();
+        let path = folder.checkpoint_path();
+        let mut bytes = fs::read(&path).unwrap();
+        let place = MARK.len() + 5 + PROGRAM.len();
+        bytes[place..place + BUILD_DIGITS].copy_from_slice(b"0123456789abcdef");
+        fs::write(&path, bytes).unwrap();
+        assert_eq!(
+            message(&folder),
+            format!(
+                "PATH is no checkpoint that can be resumed: another build of wholestring {PROGRAM} \
+                 wrote it (its engine is 0123456789abcdef, this one is {ENGINE_BUILD}): finish the \
+                 run with that build, or begin it again"
             )
         );
     }
