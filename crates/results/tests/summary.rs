@@ -130,6 +130,7 @@ fn dynamic() -> OperationSummary {
                 settled: Some(true),
                 mean_bit_depth_m: 4305.5,
                 bit_travel_m: 1.5,
+                buckled_element: None,
             },
             wall_time_s: 2.5,
             real_time_factor: 32.0,

@@ -77,9 +77,13 @@ const TORQUE_MAX: Quantity =
     loose("– its largest, kN·m", "/statistics/surface_torque_N_m/max", 1e-3, 2);
 const FRICTION_TORQUE: Quantity =
     mean("friction torque, kN·m", "/statistics/friction_torque_N_m/mean", 1e-3, 3);
+const FRICTION_TORQUE_STD: Quantity =
+    loose("– its std, kN·m", "/statistics/friction_torque_N_m/std", 1e-3, 3);
 const AXIAL_FRICTION: Quantity =
     mean("axial friction, kN", "/statistics/axial_friction_N/mean", 1e-3, 2);
 const SIDE_FORCE: Quantity = mean("side force, kN", "/statistics/side_force_total_N/mean", 1e-3, 1);
+const SIDE_FORCE_STD: Quantity =
+    loose("– its std, kN", "/statistics/side_force_total_N/std", 1e-3, 1);
 const WEIGHT: Quantity = mean("weight on bit, kN", "/statistics/weight_on_bit_N/mean", 1e-3, 3);
 const WEIGHT_STD: Quantity = loose("– its std, kN", "/statistics/weight_on_bit_N/std", 1e-3, 3);
 const WEIGHT_MAX: Quantity = loose("– its largest, kN", "/statistics/weight_on_bit_N/max", 1e-3, 1);
@@ -96,7 +100,7 @@ const BIT_SPEED_STD: Quantity =
 const BIT_SPEED_MAX: Quantity =
     loose("– its largest, rev/min", "/statistics/bit_rotary_speed_rad_per_s/max", RPM, 1);
 
-pub(super) const CASES: [Case; 6] = [
+pub(super) const CASES: [Case; 8] = [
     Case {
         title: "NP13-X1042, drilling, quiet",
         file: "cases/np13-x1042.toml",
@@ -171,6 +175,40 @@ pub(super) const CASES: [Case; 6] = [
         settings: &[],
         seeds: 1,
         quantities: &[HOOK_LOAD, TORQUE, FRICTION_TORQUE, SIDE_FORCE, WEIGHT],
+    },
+    Case {
+        title: "Bent motor, rotary drilling",
+        file: "benchmarks/accuracy/rotating-bend.toml",
+        settings: &[],
+        seeds: 3,
+        quantities: &[
+            HOOK_LOAD,
+            HOOK_LOAD_STD,
+            TORQUE,
+            TORQUE_STD,
+            FRICTION_TORQUE,
+            FRICTION_TORQUE_STD,
+            SIDE_FORCE,
+            SIDE_FORCE_STD,
+            WEIGHT,
+            WEIGHT_STD,
+            BIT_SPEED_STD,
+        ],
+    },
+    Case {
+        title: "Eccentric collar, excited",
+        file: "benchmarks/accuracy/eccentric-collar.toml",
+        settings: &[],
+        seeds: 3,
+        quantities: &[
+            HOOK_LOAD,
+            HOOK_LOAD_STD,
+            TORQUE,
+            TORQUE_STD,
+            WEIGHT,
+            WEIGHT_STD,
+            BIT_SPEED_STD,
+        ],
     },
 ];
 

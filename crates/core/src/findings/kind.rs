@@ -90,6 +90,9 @@ kinds! {
     BitTableLeft, "bit_table_left", Ratio;
     /// Standard deviation of the tension of a node, against what its neighbours let expect.
     NodeUnsettled, "node_unsettled", Force;
+    /// Compression on an element beyond its own buckling load: it gives way between its nodes, where
+    /// no wall holds it.
+    ElementBuckles, "element_buckles", Force;
     /// Standard deviation of the friction torque of a string that the bit shakes, where elements
     /// from joint to joint leave out how the pipe vibrates between its contacts.
     BendingWavesLeftOut, "bending_waves_left_out", Torque;

@@ -5,6 +5,7 @@ use crate::{
     dynamics::{DynamicOutcome, TableUse},
     model::Model,
     outcome::Profile,
+    rod::buckled_element::BuckledElement,
     sizing::SizeReason,
     statics::stiff::{Convergence, StiffError},
 };
@@ -66,6 +67,7 @@ pub fn findings(model: &Model, outcome: &DynamicOutcome) -> Vec<Finding> {
     let of = &outcome.numerics;
     let mut found = Vec::new();
     found.extend(penetration(mean_clearance_m(model), of.max_penetration_m));
+    found.extend(element_buckles(of.buckled_element.as_ref()));
     found.extend(energy_residual(of.energy_residual));
     found.extend(outcome.bit_table.and_then(|of| bit_table(&of)));
     found.extend(unsettled(&outcome.nodes));
@@ -113,6 +115,16 @@ fn energy_residual(residual: f64) -> Option<Finding> {
 fn bit_table(of: &TableUse) -> Option<Finding> {
     (of.outside_fraction > 0.0).then(|| {
         Finding::new(Kind::BitTableLeft, Level::Warning).value(of.outside_fraction).limit(0.0)
+    })
+}
+
+/// The element that buckles most between its nodes: the string folds there as no pipe does.
+pub fn element_buckles(element: Option<&BuckledElement>) -> Option<Finding> {
+    element.map(|element| {
+        Finding::new(Kind::ElementBuckles, Level::Error)
+            .at(element.md_m)
+            .value(element.compression_N)
+            .limit(element.own_load_N)
     })
 }
 

@@ -135,7 +135,7 @@ columns! {
             "Length of the element below the node; at the bit, of the one above", known_by IN_ELEMENTS;
         element_size = size_reasons => Ratio,
             "What asked for that length: `given`, or where the mesh chooses itself `joint to joint`, \
-             `plain pipe`, `assembly`, `body contact` or `compression`", known_by IN_ELEMENTS;
+             `plain pipe`, `assembly`, `rotating bend`, `body contact` or `compression`", known_by IN_ELEMENTS;
     }
     beside {
         /// What asked for the length of each node's element.

@@ -53,7 +53,7 @@ pub struct Shape<N> {
 }
 
 /// `π²/64`: where [`BeamColumn::of`] is Euler's load of the element on pins.
-const EULER: f64 = std::f64::consts::PI * std::f64::consts::PI / 64.0;
+pub const EULER: f64 = std::f64::consts::PI * std::f64::consts::PI / 64.0;
 
 impl<N: Number> BeamColumn<N> {
     /// Of `T L²/64EI`. In compression beyond Euler's load of the element, which a mesh should not

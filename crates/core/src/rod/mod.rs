@@ -15,6 +15,7 @@
 
 pub(crate) mod beam_column;
 pub mod bent;
+pub mod buckled_element;
 pub(crate) mod contact_length;
 pub mod dual;
 pub mod element;

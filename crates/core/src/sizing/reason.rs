@@ -11,6 +11,8 @@ pub enum SizeReason {
     PlainPipe,
     /// The bottom-hole assembly.
     Assembly,
+    /// Next to a bend that turns with the string.
+    RotatingBend,
     /// The body touches the wall between the joints.
     BodyContact,
     /// Compression near or beyond the critical load of sinusoidal buckling.
@@ -22,11 +24,12 @@ pub enum SizeReason {
 
 impl SizeReason {
     /// Every reason.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Given,
         Self::JointToJoint,
         Self::PlainPipe,
         Self::Assembly,
+        Self::RotatingBend,
         Self::BodyContact,
         Self::Compression,
         Self::Refined,
@@ -39,6 +42,7 @@ impl SizeReason {
             Self::JointToJoint => "joint to joint",
             Self::PlainPipe => "plain pipe",
             Self::Assembly => "assembly",
+            Self::RotatingBend => "rotating bend",
             Self::BodyContact => "body contact",
             Self::Compression => "compression",
             Self::Refined => "refined",

@@ -8,6 +8,7 @@ use super::{
 use crate::{
     model::Model,
     operation::Operation,
+    rod::buckled_element::own_load_N,
     statics::{
         buckling::{Place, Shape},
         soft::{self, SoftError, SoftProfile, SoftSettings},
@@ -28,6 +29,11 @@ const PLAIN_M: f64 = 9.6;
 /// Elements of the assembly, m.
 const ASSEMBLY_M: f64 = 3.0;
 
+/// Elements next to a bend that turns with the string, m, and how far to either side of it: once a
+/// revolution it lifts the bit and the blades beside it, over lengths of a metre or two.
+const BEND_M: f64 = 1.5;
+const AROUND_BEND_M: f64 = 9.0;
+
 /// Elements for a joint whose body touches between its ends: a node at the middle and on either
 /// side of it.
 const PER_TOUCHING_JOINT: f64 = 4.0;
@@ -39,11 +45,22 @@ const PER_HALF_WAVE: f64 = 4.0;
 /// foretells the compression, knows nothing of what buckling adds to it.
 const NEAR_CRITICAL: f64 = 0.5;
 
+/// Part of its own buckling load between its nodes, `π² EI/h²`, from which an element of ordinary
+/// length is too long for its compression; what is cut bears twice the compression.
+const NEAR_OWN: f64 = 0.5;
+
 /// How much heavier than the lightest pipe a component of the assembly is, per length.
 const HEAVY: f64 = 1.5;
 
 /// Length from which a stretch of light pipe ends the assembly, m.
 const PIPE_M: f64 = 60.0;
+
+/// Inside diameter of drill pipe, coiled tubing and casing over the outside one, at least: collars
+/// and heavy-weight pipe have thicker walls.
+const THIN: f64 = 0.7;
+
+/// Length from which a thick-walled component is no part of an assembly, m.
+const LONG_M: f64 = 300.0;
 
 /// Side force below which pipe hangs: less than a tenth of its weight lies on the wall, N/m.
 const LIGHT_N_PER_M: f64 = 10.0;
@@ -74,14 +91,18 @@ impl Sizing {
         operations: &[Operation],
         accuracy: Accuracy,
     ) -> Result<Self, SoftError> {
-        let mut demands = ordinary(model, accuracy);
+        let ordinary = ordinary(model, accuracy);
+        let mut demands = ordinary.clone();
+        if operations.iter().any(|operation| operation.kind.rotates()) {
+            demands.extend(rotating_bends(model, accuracy));
+        }
         for operation in operations {
             let profile = soft::solve(
                 model,
                 operation,
                 &SoftSettings { step_m: STEP_M, ..SoftSettings::default() },
             )?;
-            loaded(model, operation, &profile, accuracy, &mut demands);
+            loaded(model, operation, &profile, accuracy, &ordinary, &mut demands);
         }
         Ok(Self::of_demands(&demands))
     }
@@ -116,12 +137,14 @@ impl Sizing {
 
 /// What the components ask for whatever loads them.
 fn ordinary(model: &Model, accuracy: Accuracy) -> Vec<Demand> {
-    let assembly_top_m = assembly_top_m(&model.string);
+    let assembly_top_m = meshed_as_assembly_m(&model.string);
     let halved = if accuracy == Accuracy::Fine { 0.5 } else { 1.0 };
     let spans = model.string.spans();
     spans
         .map(|span| {
-            let assembly = span.to_bit_m <= assembly_top_m && accuracy != Accuracy::Coarse;
+            let whirls = span.component.eccentricity.is_some();
+            let assembly =
+                (span.to_bit_m <= assembly_top_m || whirls) && accuracy != Accuracy::Coarse;
             let (element_length_m, reason) = match joint_m(span.component) {
                 _ if assembly => (ASSEMBLY_M, SizeReason::Assembly),
                 Some(joint_m) => (joint_m, SizeReason::JointToJoint),
@@ -136,6 +159,26 @@ fn ordinary(model: &Model, accuracy: Accuracy) -> Vec<Demand> {
         .collect()
 }
 
+/// What bends that turn with the string ask for.
+fn rotating_bends(model: &Model, accuracy: Accuracy) -> Vec<Demand> {
+    let element_length_m = match accuracy {
+        Accuracy::Coarse => return Vec::new(),
+        Accuracy::Standard => BEND_M,
+        Accuracy::Fine => 0.5 * BEND_M,
+    };
+    let bends = model
+        .string
+        .spans()
+        .filter_map(|span| span.component.bend.map(|bend| span.from_bit_m + bend.from_lower_end_m));
+    bends
+        .map(|at_m| Demand {
+            from_bit_m: [(at_m - AROUND_BEND_M).max(0.0), at_m + AROUND_BEND_M],
+            element_length_m,
+            reason: SizeReason::RotatingBend,
+        })
+        .collect()
+}
+
 /// Element from joint to joint of a component, m; none where it has no joints of a pipe.
 fn joint_m(component: &Component) -> Option<f64> {
     let spacing_m = component.joints?.spacing_m;
@@ -143,21 +186,44 @@ fn joint_m(component: &Component) -> Option<f64> {
 }
 
 /// Upper end of the bottom-hole assembly, from the bit, m: where ordinary drill pipe begins, which
-/// has joints unless nothing in the string has. None of a string that is the same from end to end
-/// is an assembly.
+/// has joints unless nothing in the string has; zero where there is none.
 pub(crate) fn assembly_top_m(string: &DrillString) -> f64 {
+    pipe_from_m(string, |one| one.length_m >= PIPE_M).unwrap_or(0.0)
+}
+
+/// Upper end of what is meshed as an assembly, from the bit, m: where pipe begins that has walls
+/// thinner than a collar's, or joints, or is longer than any assembly. All of a string without such
+/// pipe is, but one that is the same from end to end.
+fn meshed_as_assembly_m(string: &DrillString) -> f64 {
+    let is_pipe = |one: &Component| {
+        one.length_m >= PIPE_M && (one.id_m >= THIN * one.od_m || one.length_m >= LONG_M)
+    };
+    match pipe_from_m(string, is_pipe) {
+        Some(from_bit_m) => from_bit_m,
+        None if is_uniform(string) => 0.0,
+        None => string.length_m(),
+    }
+}
+
+/// Where ordinary drill pipe begins, from the bit, m: the first 60 m or more with joints, or where
+/// nothing in the string has joints, of what may be pipe without.
+fn pipe_from_m(string: &DrillString, is_plain_pipe: impl Fn(&Component) -> bool) -> Option<f64> {
     let components = string.components();
     let any_jointed = components.iter().any(|one| joint_m(one).is_some());
-    let may_be = |one: &Component| {
-        if any_jointed { joint_m(one).is_some() } else { one.length_m >= PIPE_M }
-    };
+    let may_be =
+        |one: &Component| if any_jointed { joint_m(one).is_some() } else { is_plain_pipe(one) };
     let lightest = components.iter().filter(|one| may_be(one));
     let lightest = lightest.map(|one| one.mass_per_length_kg_per_m).fold(f64::INFINITY, f64::min);
     let is_pipe = |one: &Component| {
         one.length_m >= PIPE_M && may_be(one) && one.mass_per_length_kg_per_m < HEAVY * lightest
     };
-    let mut spans = string.spans();
-    spans.find(|span| is_pipe(span.component)).map_or(0.0, |pipe| pipe.from_bit_m)
+    string.spans().find(|span| is_pipe(span.component)).map(|pipe| pipe.from_bit_m)
+}
+
+/// Whether a string has the same body from end to end: none of it is an assembly.
+fn is_uniform(string: &DrillString) -> bool {
+    let body = |one: &Component| [one.od_m, one.id_m, one.mass_per_length_kg_per_m];
+    string.components().windows(2).all(|pair| body(&pair[0]) == body(&pair[1]))
 }
 
 /// What the loads ask for: joints whose body touches, and stretches that buckle.
@@ -166,6 +232,7 @@ fn loaded(
     operation: &Operation,
     profile: &SoftProfile,
     accuracy: Accuracy,
+    ordinary: &[Demand],
     demands: &mut Vec<Demand>,
 ) {
     let coarser = match accuracy {
@@ -204,8 +271,17 @@ fn loaded(
         if tension_N < 0.0 {
             let place = Place::of(model, bit_depth_m, md_m);
             let wall_load = place.wall_load_N_per_m(-tension_N);
-            if -tension_N > NEAR_CRITICAL * place.threshold_N(Shape::Sinusoidal, wall_load) {
-                ask(half_wave_m(&place, -tension_N) / PER_HALF_WAVE, SizeReason::Compression);
+            let critical_N = place.threshold_N(Shape::Sinusoidal, wall_load);
+            let part = ordinary.partition_point(|one| one.from_bit_m[1] <= from_bit_m);
+            let own_N = ordinary.get(part).map_or(f64::INFINITY, |one| {
+                own_load_N(place.bending_stiffness_N_m2, one.element_length_m)
+            });
+            let half_wave_m = half_wave_m(&place, -tension_N);
+            if -tension_N > NEAR_CRITICAL * critical_N {
+                ask(half_wave_m / PER_HALF_WAVE, SizeReason::Compression);
+            } else if -tension_N > NEAR_OWN * own_N {
+                // What bears twice the compression, whatever the accuracy.
+                ask(half_wave_m / (2.0 * coarser.max(1.0)), SizeReason::Compression);
             }
         }
     }

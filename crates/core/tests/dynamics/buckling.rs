@@ -1,7 +1,12 @@
 //! A string under load in a straight hole: straight below the load of Dawson and Paslay, buckled
 //! above it.
 
-use wholestring::{dynamics::HoistControl, prelude::*, well::Interpolation};
+use wholestring::{
+    dynamics::{HoistControl, MeshSettings},
+    prelude::*,
+    rod::buckled_element::BuckledElement,
+    well::Interpolation,
+};
 
 use crate::{
     common::{Row, operation, path, report_worst, verification, verify},
@@ -259,4 +264,48 @@ fn the_onset_hardly_depends_on_length_and_mesh() {
             snaking(&quantity, &shape).report();
         }
     }
+}
+
+/// A pipe of 5 in on the floor of a level hole under 140 to 145 kN, in elements of 9.6 m, which
+/// 131 kN buckle between their nodes (`π² EI/L²`): the run names one, with the load that is its own.
+/// In elements of 2.4 m, which bear sixteen times as much, none does.
+#[test]
+fn elements_that_buckle_between_their_nodes_are_named() {
+    let level = |length_m: f64| {
+        let stations = [[0.0, 90.0, 0.0], [192.0, 90.0, 0.0]];
+        let pipe = ComponentSpec::uniform(
+            "pipe",
+            0.127,
+            0.1086,
+            ComponentLength::ToSurface,
+            crate::common::steel(),
+        );
+        let hole = vec![HoleSection::open(0.0..200.0, 0.2159, 0.1)];
+        let model = model(path(&stations, Interpolation::Spline), hole, vec![pipe], 192.0);
+        let slide = operation(OperationKind::Slide, 192.0)
+            .weight_on_bit_N(140e3)
+            .rate_of_penetration_m_per_s(1e-6);
+        let mut case = Case::new(model, slide);
+        case.settings.mesh = MeshSettings::uniform(length_m);
+        case.settings.hoist_control = Some(HoistControl::HookLoad(-145e3));
+        let ei = case.model.string.components()[0].bending_stiffness_N_m2();
+        let mut simulation = case.start();
+        go(&mut simulation, 8.0);
+        // The answer has it where the string was on average over the window.
+        let in_answer = simulation.outcome().numerics.buckled_element;
+        let load_N = |element: BuckledElement| element.compression_N;
+        assert_eq!(in_answer.map(load_N), simulation.buckled_element().map(load_N));
+        (ei, simulation.buckled_element())
+    };
+    let (ei, found) = level(9.6);
+    let found = found.expect("an element that buckles");
+    assert!((found.length_m - 9.6).abs() < 1e-9, "{found:?}");
+    let own_N = std::f64::consts::PI.powi(2) * ei / 9.6_f64.powi(2);
+    assert!((found.own_load_N / own_N - 1.0).abs() < 1e-12, "{found:?}");
+    assert!(found.compression_N > own_N && found.compression_N < 160e3, "{found:?}");
+    assert!((0.0..192.0).contains(&found.md_m), "{found:?}");
+    // Elements that bear four times the compression are half as long over its root.
+    let bears_N = std::f64::consts::PI.powi(2) * ei / found.sufficient_length_m().powi(2);
+    assert!((bears_N / found.compression_N - 4.0).abs() < 1e-9);
+    assert_eq!(level(2.4).1, None);
 }

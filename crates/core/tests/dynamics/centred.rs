@@ -26,7 +26,8 @@ fn it_starts_with_its_static_tension() {
     case.settings.settle_s = 0.0;
     case.settings.sample_interval_s = 1e-6;
     let mut simulation = case.start();
-    go(&mut simulation, 1e-6);
+    let step_s = simulation.sample_interval_s();
+    go(&mut simulation, step_s);
     let outcome = simulation.outcome();
     let pipe = &case.model.string.components()[0];
     let along = pipe.buoyed_weight_per_length_N_per_m(mud().density_kg_per_m3)

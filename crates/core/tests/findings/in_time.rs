@@ -7,6 +7,7 @@ use wholestring::{
     findings::{Finding, Kind, Level, of_dynamic},
     operation::OperationKind::*,
     prelude::*,
+    rod::buckled_element::BuckledElement,
     sizing::SizeReason,
 };
 
@@ -338,6 +339,19 @@ fn means_that_drift_and_settling_without_end_are_told() {
     let found = ran.has(Kind::NeverSteady).expect("a finding");
     assert_eq!(found.level, Level::Warning);
     assert_eq!(found.value, Some(ran.outcome.numerics.settle_s));
+}
+
+/// An element that buckles between its nodes makes the answer useless, however steady the run is.
+#[test]
+fn an_element_beyond_its_own_buckling_load_is_an_error() {
+    let mut ran = Ran::new(OperationKind::TripIn);
+    assert_eq!(ran.outcome.numerics.buckled_element, None);
+    let element =
+        BuckledElement { md_m: 77.0, length_m: 9.6, compression_N: 160e3, own_load_N: 133e3 };
+    ran.outcome.numerics.buckled_element = Some(element);
+    let found = ran.has(Kind::ElementBuckles).expect("a finding");
+    assert_eq!((found.level, found.from_md_m), (Level::Error, Some(77.0)));
+    assert_eq!((found.value, found.limit), (Some(160e3), Some(133e3)));
 }
 
 /// Settling that takes longer than foreseen moves the bit on; a time that is given is meant so.

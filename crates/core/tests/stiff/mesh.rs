@@ -1,6 +1,7 @@
 //! A mesh that finds its contacts, equilibria that begin with others, and strings that have none.
 
 use wholestring::{
+    findings::{Kind, Level, of_stiff},
     operation::OperationKind,
     prelude::*,
     sizing::{Accuracy, ElementLength, SizeReason},
@@ -215,4 +216,27 @@ fn the_cutoff_does_not_jump_with_the_mesh() {
     }
     let found_m = cutoff_m(&auto(Accuracy::Standard));
     assert!((found_m - fine_m).abs() < 1.5, "{found_m} for {fine_m}");
+}
+
+/// The same string under 72 kN and what friction adds: beyond `π² EI/h²`, 82.8 kN, but below the
+/// `12 EI/h²` at which the chain of elements gives way. The equilibrium that is found is reported
+/// with the element that buckles most between its nodes; elements of half that length bear it.
+#[test]
+fn an_equilibrium_with_an_element_beyond_its_own_load_is_reported() {
+    let path = common::arcs(&[[0.0, 90.0, 0.0], [500.0, 90.0, 0.0]]);
+    let pipe =
+        ComponentSpec::uniform("pipe", 0.127, 0.1086, ComponentLength::ToSurface, common::steel());
+    let hole = common::open_hole(0.2159, 0.2, 500.0);
+    let model = common::model(path, hole, vec![pipe], common::mud(1200.0), 500.0);
+    let slide = Operation { weight_on_bit_N: 72e3, ..Operation::slide(500.0) };
+    let solve = |length_m| stiff::solve(&model, &slide, &settings(length_m)).expect("at rest");
+    let found = solve(12.0);
+    let element = found.convergence.buckled_element.expect("an element that buckles");
+    assert!((element.own_load_N / 82.8e3 - 1.0).abs() < 1e-3, "{element:?}");
+    assert!(element.compression_N > element.own_load_N, "{element:?}");
+    let reported = of_stiff(&model, &slide, &found);
+    assert!(
+        reported.iter().any(|one| one.kind == Kind::ElementBuckles && one.level == Level::Error)
+    );
+    assert_eq!(solve(6.0).convergence.buckled_element, None);
 }

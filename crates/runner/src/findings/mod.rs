@@ -7,7 +7,7 @@ mod sentence;
 use wholestring::findings as core;
 use wholestring_results::{Finding, Level, OperationSummary};
 
-pub use sentence::Around;
+pub use sentence::{Around, shorter_element};
 
 /// The findings of an operation as its summary holds them, the gravest first.
 pub fn in_words(

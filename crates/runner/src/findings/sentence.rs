@@ -9,6 +9,7 @@ use wholestring::{
     dynamics::{TableUse, Whirl},
     findings::{Finding, Kind, Level},
     rig::Rig,
+    rod::buckled_element::BuckledElement,
 };
 use wholestring_results::OperationSummary;
 use wholestring_units::{Dimension, UnitSet};
@@ -90,6 +91,15 @@ pub(super) fn sentence(found: &Finding, of: &OperationSummary, around: &Around<'
             words.force(words.value()),
             words.force(words.limit() / 10.0),
         ),
+        Kind::ElementBuckles => format!(
+            "An element of the mesh buckles between its nodes{}: compression of {}, its own \
+             buckling load is {}, and the string folds there as no pipe does. Shorter elements are \
+             needed{}",
+            words.place(),
+            words.force(words.value()),
+            words.force(words.limit()),
+            words.sufficient_length(),
+        ),
         Kind::BendingWavesLeftOut => format!(
             "The friction torque varies by more than ± {}, and so does the side force: elements \
              from joint to joint leave out how the shaken pipe vibrates between its contacts. \
@@ -123,6 +133,14 @@ pub(super) fn sentence(found: &Finding, of: &OperationSummary, around: &Around<'
         ),
         Kind::BitElsewhere => words.bit_elsewhere(),
     }
+}
+
+/// `2.4 m`: a length of elements that do not buckle where one has, rounded down to two digits.
+pub fn shorter_element(element: &BuckledElement, units: UnitSet) -> String {
+    let unit = Dimension::Length.unit_in(units);
+    let length = unit.from_si(element.sufficient_length_m());
+    let scale = libm::pow(10.0_f64, 1.0 - libm::log10(length).floor());
+    format!("{} {}", (length * scale).floor() / scale, unit.symbol)
 }
 
 struct Words<'a> {
@@ -163,6 +181,14 @@ impl Words<'_> {
     fn depth(&self, md_m: f64) -> String {
         let unit = Dimension::Length.unit_in(self.units);
         format!("{:.0} {}", unit.from_si(md_m) + 0.0, unit.symbol)
+    }
+
+    /// `, such as mesh.element_length = "2.4 m"`: elements that bear four times the compression.
+    fn sufficient_length(&self) -> String {
+        let in_time = self.of.numerics.as_ref().and_then(|of| of.run.buckled_element);
+        let at_rest = self.of.at_rest.as_ref().and_then(|of| of.convergence.buckled_element);
+        let Some(element) = in_time.or(at_rest) else { return String::new() };
+        format!(", such as mesh.element_length = {:?}", shorter_element(&element, self.units))
     }
 
     fn across(&self, length_m: f64) -> String {

@@ -5,7 +5,7 @@ use std::{num::NonZeroUsize, sync::Arc, time::Duration};
 
 use serde::{Deserialize, Serialize};
 use wholestring::{
-    dynamics::{Checkpoint, ScheduleStep, SetupError, Simulation, SpeedController},
+    dynamics::{Checkpoint, HoistSetPoint, ScheduleStep, SetupError, Simulation, SpeedController},
     operation::Operation,
     outcome::Solution,
 };
@@ -14,6 +14,7 @@ use wholestring_results::{Status, checkpoint_bytes, digest, read_checkpoint_byte
 
 use super::{
     answers::Answers,
+    buckled,
     own_laws::{OwnLaws, StoredLaws},
     solve::no_answer,
 };
@@ -130,7 +131,8 @@ impl Live {
     /// Advances by `seconds`, to the nearest sample; stops before where it is cancelled.
     ///
     /// # Errors
-    /// A cancellation, a law of one's own that gave no answer, and a run that diverged; what it had
+    /// A cancellation, a law of one's own that gave no answer, a run that diverged, and one whose
+    /// elements are too long for its compression; what it had
     /// sampled before stays available. The run stands at a sample then, on solid rock maybe between
     /// two, and can go on but for one that diverged. Where a law gave no answer, it held the one before until that sample.
     pub fn advance(
@@ -143,6 +145,7 @@ impl Live {
             let message = format!("a simulation was asked to advance by {seconds} s");
             return Err(Error::BadInput(message));
         }
+        self.check_elements()?;
         let start = Instant::now();
         let sample_s = self.simulation.sample_interval_s();
         let from_s = self.simulation.time_s();
@@ -165,6 +168,9 @@ impl Live {
                 pace.work(missing, |next| (next, self.simulation.advance(next as f64 * sample_s)));
             done = advanced.map_err(|diverged| Error::Failed(diverged.to_string()));
             missing -= next;
+            if done.is_ok() {
+                done = self.check_elements();
+            }
             if done.is_ok() && self.failed.is_cancelled() {
                 let message = format!("no answer of {}", self.laws.titles());
                 done = Err(Error::Failed(message));
@@ -178,9 +184,30 @@ impl Live {
     /// Adds a line to the schedule: set points that go to new values. A time that has passed is now.
     ///
     /// # Errors
-    /// A time or a set point that is out of range.
+    /// A time or a set point that is out of range, and a weight on bit that the elements are too
+    /// long for.
     pub fn add_to_schedule(&mut self, line: ScheduleStep) -> Result<(), Error> {
+        if let Some(HoistSetPoint::WeightOnBit(weight_N)) = line.hoist
+            && weight_N > self.set_weight_N()
+            && let Some(element) = self.simulation.buckled_element_under(weight_N)
+        {
+            return Err(Error::BadInput(buckled::refused(weight_N, &element, self.case.units)));
+        }
         self.simulation.add_to_schedule(line).map_err(|fault| Error::BadInput(fault.to_string()))
+    }
+
+    /// Weight on bit that the autodriller holds, N; the operation's where it holds none.
+    fn set_weight_N(&self) -> f64 {
+        let set_N = self.simulation.series().weight_on_bit_set_N.last().copied().flatten();
+        set_N.unwrap_or(self.operation.weight_on_bit_N)
+    }
+
+    /// An error where an element has buckled between its nodes: from then on the string folds.
+    fn check_elements(&self) -> Result<(), Error> {
+        match self.simulation.buckled_element() {
+            Some(element) => Err(Error::Failed(buckled::stopped(&element, self.case.units))),
+            None => Ok(()),
+        }
     }
 
     /// Sets the kinetic coefficient of friction: one for the whole hole, or one for each of its

@@ -1,6 +1,7 @@
 //! A run: a case with all of its operations and models, solved one after the other.
 
 mod answers;
+mod buckled;
 mod lift;
 mod live;
 mod own_laws;

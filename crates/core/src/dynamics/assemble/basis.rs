@@ -1,7 +1,7 @@
 //! What a run is before its string is initialised: settings that can be used, the hoist, the mesh
 //! and the step.
 
-use super::{chain, error::SetupError, hoisting::hoisting, numbers::check_numbers};
+use super::{chain, error::SetupError, foreseen, hoisting::hoisting, numbers::check_numbers};
 use crate::{
     dynamics::{
         body::Body,
@@ -150,7 +150,7 @@ fn check_shaken(bit: &BitSettings) -> Result<(), SetupError> {
 }
 
 /// How long the elements are: of a length of its own choice, by what the operation does to the
-/// string, and where a schedule may stop its rotation, by what sliding would do.
+/// string, and by what its schedule and its hoist may bring.
 fn sizing(
     model: &Model,
     operation: &Operation,
@@ -160,12 +160,7 @@ fn sizing(
         ElementLength::Uniform(length_m) => return Ok(Sizing::uniform(length_m)),
         ElementLength::Auto(accuracy) => accuracy,
     };
-    let slid = Operation { kind: operation.kind.without_rotation(), ..*operation };
-    let mut operations = vec![*operation];
-    if !settings.schedule.is_empty() && slid.kind != operation.kind {
-        operations.push(slid);
-    }
-    Sizing::auto(model, &operations, accuracy)
+    Sizing::auto(model, &foreseen::operations(model, operation, settings)?, accuracy)
 }
 
 /// The string in elements, how it settles, and the step.

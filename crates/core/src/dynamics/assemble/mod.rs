@@ -3,5 +3,6 @@
 pub mod basis;
 pub mod chain;
 pub mod error;
+pub mod foreseen;
 pub mod hoisting;
 pub mod numbers;

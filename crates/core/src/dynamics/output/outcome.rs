@@ -9,6 +9,7 @@ use crate::{
     dynamics::boundary::bit::TableUse,
     mud::Hydraulics,
     outcome::{ContactMap, HoleWear, Profile, Scalars, TimeSeries, VARYING},
+    rod::buckled_element::BuckledElement,
 };
 
 /// How the run was computed and how well.
@@ -68,6 +69,10 @@ pub struct Numerics {
         skip_serializing_if = "crate::finite::is_unknown"
     )]
     pub bit_travel_m: f64,
+    /// The element that buckled most beyond its own load between its nodes, at any time of the run;
+    /// none of a string whose elements are short enough for the compression on them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub buckled_element: Option<BuckledElement>,
 }
 
 impl DynamicOutcome {

@@ -90,6 +90,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
         ),
     };
     let indicators = indicators_of(s, &nodes);
+    let back_m = back_m(s, from);
     DynamicOutcome {
         scalars,
         statistics,
@@ -120,6 +121,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
             },
             mean_bit_depth_m,
             bit_travel_m,
+            buckled_element: s.record.buckled_element(s.mesh, |i| s.anchors[i].md_m - back_m),
         },
         indicators,
         bit_table: s.bit.table_use(),

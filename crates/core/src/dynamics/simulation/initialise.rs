@@ -173,6 +173,7 @@ impl<R: Registers> Run<R> {
                 .first_change_s()
                 .map_or(FADING_S, |change_s| change_s.min(FADING_S)),
             steps: 0,
+            remainder_s: 0.0,
             since_sample: SinceSample::default(),
             record,
             wear,

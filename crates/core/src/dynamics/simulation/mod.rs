@@ -41,7 +41,10 @@ use crate::{
     operation::Operation,
     outcome::TimeSeries,
     rock::{Alone, Executor, bit_face::BottomHole},
-    rod::mesh::{Mesh, MeshNode},
+    rod::{
+        buckled_element::BuckledElement,
+        mesh::{Mesh, MeshNode},
+    },
     sizing::ElementLength,
 };
 
@@ -185,7 +188,8 @@ impl Simulation {
         either!(&mut self.0, run => run.apply_impulse(impulse));
     }
 
-    /// Advances by `seconds`, to the nearest sample. On solid rock, where one may take a long time,
+    /// Advances by `seconds`, to the nearest sample. What that leaves is carried over to the next
+    /// call, so that many short calls take as long as their sum. On solid rock, where one may take a long time,
     /// it ends between two steps if the [executor](Self::set_executor) says stop; the next call goes
     /// on with that sample, to the same bits.
     ///
@@ -207,6 +211,13 @@ impl Simulation {
             line.at_s = self.time_s();
         }
         either!(&mut self.0, run => run.state.set_points.add(line))
+    }
+
+    /// The element that a weight on bit, N, would load most beyond its own buckling load, by the soft
+    /// string as the string turns or slides now: a weight that the mesh was not chosen for. None
+    /// where all elements are short enough.
+    pub fn buckled_element_under(&self, weight_on_bit_N: f64) -> Option<BuckledElement> {
+        either!(&self.0, run => run.buckled_element_under(weight_on_bit_N))
     }
 
     /// Sets the kinetic coefficient of friction of each section of the hole from now on: cuttings
@@ -306,6 +317,10 @@ accessors! {
     elements: usize,
     /// Elements times the steps that each takes for a simulated second.
     element_steps_per_s: f64,
+    /// The element that buckled most beyond its own load between its nodes, at any time since the
+    /// start: from then on the string folds there as no pipe does. None while the elements are short
+    /// enough for the compression on them.
+    buckled_element: Option<BuckledElement>,
     /// The nodes and elements of the string.
     mesh: &Mesh,
     /// Kinetic, elastic and potential energy of the string, J: second-order accurate in the step.

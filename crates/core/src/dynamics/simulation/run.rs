@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use super::{diverged::Diverged, settling::Settling, state::State};
 use crate::{
     dynamics::{
-        assemble::basis::Basis,
+        assemble::{basis::Basis, foreseen},
         boundary::{
             executor::{RockExecutor, SharedExecutor},
             hole::Borehole,
@@ -33,6 +33,7 @@ use crate::{
     outcome::TimeSeries,
     rock::{Drilling, Executor, bit_face::BottomHole},
     rod::{
+        buckled_element::BuckledElement,
         mesh::{Mesh, MeshNode},
         stability::StepPlan,
     },
@@ -209,13 +210,14 @@ impl<R: Real> Run<R> {
         }
     }
 
-    /// Advances by `seconds`, to the nearest sample. On solid rock, where one may take a long time,
+    /// Advances by `seconds`, to the nearest sample; the next call carries on with the rest. On solid rock, where one may take a long time,
     /// it ends between two steps if the executor says stop; the next call goes on with that sample.
     ///
     /// # Errors
     /// A run that diverged; what it had sampled before stays available.
     pub fn advance(&mut self, seconds: f64) -> Result<(), Diverged> {
-        let samples = (seconds / self.sample_interval_s()).round().max(1.0) as u64;
+        let requested_s = std::mem::take(&mut self.state.remainder_s) + seconds;
+        let samples = (requested_s / self.sample_interval_s()).round().max(0.0) as u64;
         for _ in 0..samples {
             if self.steps_of_sample() == 0 {
                 // Until here they are what the last sample saw.
@@ -249,9 +251,11 @@ impl<R: Real> Run<R> {
             }
             self.sample();
             if self.is_stopped() {
-                break;
+                return Ok(());
             }
         }
+        let remainder_s = requested_s - samples as f64 * self.sample_interval_s();
+        self.state.remainder_s = if remainder_s.is_finite() { remainder_s } else { 0.0 };
         Ok(())
     }
 
@@ -382,6 +386,26 @@ impl<R: Real> Run<R> {
     pub fn mean_weight_on_bit_N(&self) -> f64 {
         let record = &self.state.record;
         Statistic::of(&record.series.weight_on_bit_N[record.window_row..]).map_or(0.0, |s| s.mean)
+    }
+
+    /// The element that buckled most beyond its own load between its nodes, at any time since the
+    /// start.
+    pub fn buckled_element(&self) -> Option<BuckledElement> {
+        let anchors = &self.state.anchors;
+        self.state.record.buckled_element(&self.mesh, |index| anchors[index].md_m)
+    }
+
+    /// The element that a weight on bit would load most beyond its own buckling load, by the soft
+    /// string.
+    pub fn buckled_element_under(&self, weight_on_bit_N: f64) -> Option<BuckledElement> {
+        let rotation = self.state.set_points.rotary_speed_rad_per_s(self.time_s());
+        let mut operation = Operation { weight_on_bit_N, ..self.operation };
+        if rotation > 0.0 {
+            operation.rotary_speed_rad_per_s = rotation;
+        } else {
+            operation.kind = operation.kind.without_rotation();
+        }
+        foreseen::buckled_element(&self.model, &operation, &self.mesh)
     }
 
     /// The answer so far: over the window if it has begun, over everything sampled otherwise.

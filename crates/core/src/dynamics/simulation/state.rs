@@ -46,6 +46,9 @@ pub(super) struct State {
     /// Time over which the extra damping of the start fades, s.
     pub(super) fading_s: f64,
     pub(super) steps: u64,
+    /// Part of a sample that was requested and is not computed yet, s; negative where more was
+    /// computed than requested.
+    pub(super) remainder_s: f64,
     pub(super) since_sample: SinceSample,
     pub(super) record: Record,
     pub(super) wear: Wear,
@@ -90,6 +93,8 @@ impl State {
         )?;
         ensure(self.high.len() == layout.blocks(), "the high side")?;
         ensure(self.viscous.is_some() == model.mud.rheology.is_some(), "the mud")?;
+        let most_s = settings.sample_interval_s.max(1.0);
+        ensure(self.remainder_s.abs() <= most_s, "the time that is left of a sample")?;
         self.set_points.check(&settings.schedule)?;
         self.body.check(chain, &Body::new(model, mesh))?;
         self.top_drive.check(&settings.top_drive)?;

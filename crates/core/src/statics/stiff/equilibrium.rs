@@ -3,7 +3,10 @@
 use serde::{Deserialize, Serialize};
 
 use super::{StiffSettings, mesh_error::MeshError, state::State, string_in_hole::StringInHole};
-use crate::{finite, rod::mesh::Mesh};
+use crate::{
+    finite,
+    rod::{buckled_element::BuckledElement, mesh::Mesh},
+};
 
 /// How the equilibrium was found.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -25,6 +28,10 @@ pub struct Convergence {
     /// lengths are given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh_error: Option<MeshError>,
+    /// The element that is most beyond its own buckling load, where one is: the state holds only as
+    /// long as nothing moves between its nodes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub buckled_element: Option<BuckledElement>,
 }
 
 /// The string at rest: what a neighbouring load, depth or friction begins with.

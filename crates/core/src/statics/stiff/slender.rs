@@ -1,9 +1,8 @@
 //! Elements that are too long for the compression on them: they buckle between their nodes, where no
 //! wall holds them.
 
-use std::f64::consts::PI;
-
 use super::string_in_hole::{Element, StringInHole};
+use crate::rod::buckled_element::own_load_N;
 
 /// Elements for a half wave of the buckled pipe, as of the rule that sizes compressed stretches.
 const PER_HALF_WAVE: f64 = 4.0;
@@ -11,7 +10,7 @@ const PER_HALF_WAVE: f64 = 4.0;
 /// `π² EI/h²` of an element, N: under it a pipe that is hinged at its nodes buckles between them.
 fn euler_load_N(element: &Element) -> f64 {
     let stiffness = &element.stiffness;
-    PI * PI * stiffness.bending / stiffness.length
+    own_load_N(stiffness.bending * stiffness.length, stiffness.length)
 }
 
 /// The element that bears most of its own buckling load, if that is more than all of it.

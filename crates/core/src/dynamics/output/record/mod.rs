@@ -28,7 +28,10 @@ use crate::{
     },
     model::Model,
     outcome::{ContactMap, TimeSeries},
-    rod::mesh::Mesh,
+    rod::{
+        buckled_element::{BuckledElement, own_load_N},
+        mesh::{Mesh, MeshElement},
+    },
     simd::number::Real,
     well::Path,
 };
@@ -287,6 +290,20 @@ impl Record {
     pub fn tension(&self, index: usize) -> Spread {
         let about = self.sum_of(index, |s| &s.about[0]);
         self.spread_of(index, about, |s| &s.tension)
+    }
+    /// The element whose compression exceeds its own buckling load most: that of a second or two at
+    /// any time since the start of the run, or the mean over the window.
+    pub fn buckled_element(
+        &self,
+        mesh: &Mesh,
+        md_m: impl Fn(usize) -> f64,
+    ) -> Option<BuckledElement> {
+        BuckledElement::most(mesh, md_m, |index| {
+            let MeshElement { section, length_m, .. } = &mesh.elements[index];
+            let own_load_N = own_load_N(section.bending_stiffness_N_m2, *length_m);
+            let passing_N = self.shapes.most_compressed(index) * own_load_N;
+            passing_N.max(-self.tension(index).mean)
+        })
     }
     /// Torque of an element, N·m, in the sign of the chain.
     pub fn torque(&self, index: usize) -> Spread {

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     dynamics::kernel::layout::Layout,
-    rod::beam_column::{BeamColumn, Middle},
+    rod::beam_column::{BeamColumn, EULER, Middle},
     simd::{
         lanes::DOUBLES,
         number::{Doubles, Real},
@@ -43,7 +43,15 @@ pub struct ShapeBlock {
     pub sag: Lane,
     /// How often the body touched.
     pub touched: Lane,
+    /// Compression over the element's own buckling load, averaged over the last looks.
+    pub compressed: Lane,
+    /// The largest of these averages since the start of the run.
+    pub most_compressed: Lane,
 }
+
+/// Weight of the last look at an element in the average of its compression: of a compression that
+/// stays the average reaches nine tenths after eight looks.
+const LAST_LOOK: f64 = 0.25;
 
 /// Nothing yet.
 pub const NONE: Lane = [0.0; DOUBLES];
@@ -62,6 +70,8 @@ impl ShapeBlock {
         radius: NONE,
         sag: NONE,
         touched: NONE,
+        compressed: NONE,
+        most_compressed: NONE,
     };
 
     /// What moments at the lower ends are made with.
@@ -140,6 +150,12 @@ impl ShapeBlock {
         if counts {
             add(&mut self.sag, lane, shape.sag);
             add(&mut self.touched, lane, shape.touches);
+            let share = tension * at(&self.column, lane) * N::splat(-1.0 / EULER);
+            let before: N = at(&self.compressed, lane);
+            let compressed = before + N::splat(LAST_LOOK) * (share - before);
+            put(&mut self.compressed, lane, compressed);
+            let most = compressed.max(at(&self.most_compressed, lane));
+            put(&mut self.most_compressed, lane, most);
         }
         EndStiffness::of(&deflection, [shape.at_ends, shape.half_way], odd)
     }

@@ -118,6 +118,13 @@ impl Shapes {
         self.blocks[block].sag[lane] / self.looks.max(1) as f64
     }
 
+    /// The largest compression of the element below a node since the start of the run over its own
+    /// buckling load, averaged over some looks: a second or two.
+    pub fn most_compressed(&self, index: usize) -> f64 {
+        let (block, lane) = self.layout.place(index);
+        self.blocks[block].most_compressed[lane]
+    }
+
     /// How often the middle of the element below a node touched the wall, from 0 to 1.
     pub fn touched(&self, index: usize) -> f64 {
         let (block, lane) = self.layout.place(index);

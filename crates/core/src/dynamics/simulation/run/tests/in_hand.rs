@@ -120,3 +120,27 @@ fn a_controller_goes_on_from_the_torque_of_the_one_before() {
     let mut constant = new_run(&model(0.25), &REAM, &DynamicsSettings::default());
     assert!(!constant.set_speed_controller(STIFF));
 }
+
+/// A thousand requests of 3 ms take three seconds, as one does, though samples are 10 ms apart; and a
+/// checkpoint holds what is left of the last one.
+#[test]
+fn short_requests_add_up() {
+    let settings = DynamicsSettings { settle_s: 3.0, ..DynamicsSettings::default() };
+    let mut often = new_run(&model(0.25), &REAM, &settings);
+    let mut once = often.clone();
+    once.advance(3.0).unwrap();
+    for _ in 0..500 {
+        often.advance(0.003).unwrap();
+    }
+    assert!((often.time_s() - 1.5).abs() <= 0.5 * often.sample_interval_s());
+    let bytes = postcard::to_stdvec(&often.checkpoint()).unwrap();
+    let read = postcard::from_bytes(&bytes).unwrap();
+    let mut resumed = Run::resume(&often.model, &REAM, &settings, read).unwrap();
+    for run in [&mut often, &mut resumed] {
+        for _ in 0..500 {
+            run.advance(0.003).unwrap();
+        }
+        assert_eq!(run.time_s(), once.time_s());
+        assert_eq!(run.frame(), once.frame());
+    }
+}
