@@ -3,7 +3,7 @@
 //!
 //! 2,000 random wells, each changed in every way. Tolerance 1e-9 of the largest force, torque or
 //! length: rounding of inputs is 1e-15, a kink costs 2e-12 of a hook load, and the default step errs
-//! by 5e-10 of the side force in the sharpest transitions of a spline.
+//! by up to 8e-10 in the sharpest transitions of a spline.
 
 mod common;
 
