@@ -29,7 +29,9 @@ mod columns;
 mod error;
 mod held;
 mod read;
+mod reading_checks;
 mod readings;
+mod row_names;
 mod sheets;
 mod survey;
 mod tally;
@@ -39,7 +41,9 @@ pub use columns::column::Column;
 pub use error::{Place, TableError, TableErrorKind};
 pub use held::{Held, held, read_tally};
 pub use read::{read, read_all, read_as, read_csv, read_excel, read_readings};
+pub use reading_checks::{CheckSeverity, ReadingCheck};
 pub use readings::{ImportedReading, ImportedReadings};
+pub use row_names::row_names;
 pub use sheets::{SheetText, is_workbook, sheets};
 pub use survey::{
     imported::{ImportedSurvey, StatedPosition, SurveyTable, under_origin},

@@ -1,18 +1,25 @@
 //! From rows of numbers to readings at the surface.
 
+use wholestring_units::Unit;
+
 use crate::{
     cells::number::Style,
     cells::table::{Row, Table},
     columns::column::Column,
-    columns::layout::Layout,
+    columns::layout::{Found, Layout},
     columns::sort::READINGS,
     error::{TableError, TableErrorKind},
+    row_names::row_names,
     survey::reader::{Reader, style, whole},
     survey::stations::data_rows,
 };
 
 /// No hole is deeper along its axis, m.
 const DEEPEST_M: f64 = 1e5;
+
+/// The columns that are measured: weights, then torques.
+const MEASURED: [Column; 5] =
+    [Column::PickUp, Column::SlackOff, Column::Rotating, Column::Torque, Column::TorqueOnBottom];
 
 /// What was read with the bit at a depth.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,23 +55,20 @@ pub struct ImportedReadings {
     pub readings: Vec<ImportedReading>,
     /// What was recognised and passed over, in sentences for people.
     pub notes: Vec<String>,
+    /// Half of the last digit to which the depths of the bit are written, m: a depth may be so far off.
+    pub half_digit_m: f64,
+    /// Units of the pick-up, slack-off and rotating weights, of the torques off and on bottom.
+    pub units: [Option<&'static Unit>; 5],
 }
 
 /// Reads the rows below the header.
 pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, TableError> {
     let mut notes = layout.notes.clone();
     let none = |found| TableErrorKind::NoReadings { found };
-    let measured = [
-        Column::PickUp,
-        Column::SlackOff,
-        Column::Rotating,
-        Column::Torque,
-        Column::TorqueOnBottom,
-    ];
     let Some(depth) = layout.column(Column::BitDepth) else {
         return Err(table.source.error(none("no column is the bit's depth"), None));
     };
-    if measured.iter().all(|column| layout.column(*column).is_none()) {
+    if MEASURED.iter().all(|column| layout.column(*column).is_none()) {
         let at = table.rows.get(layout.data.saturating_sub(1)).map(whole);
         return Err(table.source.error(none("no column is a weight or a torque"), at));
     }
@@ -77,17 +81,25 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Ta
     let read: Vec<usize> = keys.iter().map(|key| key.index).collect();
     table.check_calculated(&read, layout.data)?;
     let mut readings = Vec::new();
+    let mut nulls = Nulls::default();
+    let mut half_digit_m = f64::INFINITY;
     for &row in &rows {
         let row = &table.rows[row];
         if let Some(expected) = table.counted.filter(|&count| row.cells.len() < count) {
             let kind = TableErrorKind::ShortRow { found: row.cells.len(), expected };
             return Err(table.source.error(kind, Some(whole(row))));
         }
-        let maybe = |column: Column| match layout.column(column) {
+        let place = table.source.row_name(whole(row));
+        let mut maybe = |column: Column| match layout.column(column) {
+            Some(found) if nulls.hold(&reader, row, found, &place) => Ok(None),
             Some(found) if !is_blank(row.text(found.index)) => reader.value(row, found).map(Some),
             _ => Ok(None),
         };
+        if maybe(Column::BitDepth)?.is_none() && !is_blank(row.text(depth.index)) {
+            continue;
+        }
         let bit_depth_m = reader.value(row, depth)?;
+        half_digit_m = half_digit_m.min(half_digit(row.text(depth.index), reader.style, depth));
         if !(bit_depth_m > 0.0 && bit_depth_m <= DEEPEST_M) {
             return Err(reader.out_of_range(row, depth, "more than 0, to 100 km"));
         }
@@ -112,14 +124,19 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Ta
             },
         };
         let case = layout.column(Column::Case).map(|found| row.text(found.index));
+        let mut values = [None; MEASURED.len()];
+        for (value, column) in values.iter_mut().zip(MEASURED) {
+            *value = maybe(column)?;
+        }
+        let [pick_up_N, slack_off_N, rotating_N, torque_N_m, torque_on_bottom_N_m] = values;
         readings.push(ImportedReading {
-            place: table.source.row_name(whole(row)),
+            place,
             bit_depth_m,
-            pick_up_N: maybe(Column::PickUp)?,
-            slack_off_N: maybe(Column::SlackOff)?,
-            rotating_N: maybe(Column::Rotating)?,
-            torque_N_m: maybe(Column::Torque)?,
-            torque_on_bottom_N_m: maybe(Column::TorqueOnBottom)?,
+            pick_up_N,
+            slack_off_N,
+            rotating_N,
+            torque_N_m,
+            torque_on_bottom_N_m,
             mud_density_kg_per_m3,
             case: case.filter(|case| !case.is_empty()).map(str::to_owned),
             held_out,
@@ -131,8 +148,84 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Ta
         return Err(table.source.error(none("no row follows the header"), at));
     }
     notes.extend(table.notes.iter().cloned());
+    notes.extend(nulls.notes());
     notes.push(format!("{} rows", readings.len()));
-    Ok(ImportedReadings { readings, notes })
+    let units = MEASURED.map(|column| layout.column(column).map(|found| found.unit));
+    Ok(ImportedReadings { readings, notes, half_digit_m, units })
+}
+
+/// Half of the last digit of a depth as it is written, m.
+fn half_digit(text: &str, style: Style, depth: &Found) -> f64 {
+    let sign = if style == Style::Comma { ',' } else { '.' };
+    let digits = |rest: &str| rest.chars().take_while(char::is_ascii_digit).count();
+    let decimals = text.split_once(sign).map_or(0, |(_, rest)| digits(rest));
+    0.5 * 10_f64.powi(-(decimals.min(9) as i32)) * depth.unit.factor
+}
+
+/// Cells that stand for no value: what a data base or a logger writes there in place of a number.
+#[derive(Default)]
+struct Nulls {
+    /// Column, text and the rows that have it.
+    found: Vec<(Column, String, Vec<String>)>,
+}
+
+/// Numbers that data bases and loggers write where nothing was measured.
+const NULLS: [f64; 11] = [
+    -999.0,
+    -999.25,
+    -999.99,
+    -9999.0,
+    -9999.25,
+    -99_999.0,
+    -99_999.25,
+    -999_999.0,
+    -999_999.25,
+    -32_767.0,
+    -32_768.0,
+];
+
+/// Words that stand where nothing was measured.
+const NULL_WORDS: [&str; 9] =
+    ["n/a", "na", "n.a.", "nan", "null", "none", "#n/a", "nr", "not recorded"];
+
+impl Nulls {
+    /// Whether a cell stands for no value; it is kept.
+    fn hold(&mut self, reader: &Reader, row: &Row, found: &Found, place: &str) -> bool {
+        let Some(cell) = row.cells.get(found.index).filter(|cell| !cell.is_empty()) else {
+            return false;
+        };
+        let number = reader.read(cell, found.column).ok();
+        let is_null = match number {
+            Some(number) => NULLS.contains(&number),
+            None => NULL_WORDS.iter().any(|word| cell.text.eq_ignore_ascii_case(word)),
+        };
+        if is_null {
+            let same =
+                |of: &&mut (Column, String, Vec<String>)| of.0 == found.column && of.1 == cell.text;
+            match self.found.iter_mut().find(same) {
+                Some((_, _, places)) => places.push(place.to_owned()),
+                None => {
+                    let places = vec![place.to_owned()];
+                    self.found.push((found.column, cell.text.clone(), places));
+                }
+            }
+        }
+        is_null
+    }
+
+    fn notes(&self) -> impl Iterator<Item = String> {
+        self.found.iter().map(|(column, text, places)| {
+            let rows = row_names(places);
+            match column {
+                Column::BitDepth => format!(
+                    "{rows}: left out, because the bit depth is '{text}', which stands for no value"
+                ),
+                _ => {
+                    format!("{rows}: the {column} is '{text}', which stands for no value: left out")
+                }
+            }
+        })
+    }
 }
 
 /// A column that is a key of the case.

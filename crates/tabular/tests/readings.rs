@@ -94,3 +94,124 @@ fn bad_files_get_an_answer() {
         assert!(error.contains(expected), "{error}\nlacks: {expected}");
     }
 }
+
+/// Headings in abbreviations of daily reports.
+#[test]
+fn torques_under_abbreviated_headings() {
+    for (heading, on_bottom) in [
+        ("Tq off btm", false),
+        ("TQ_OFF_BTM", false),
+        ("Off Btm TQ", false),
+        ("Trq Off Bot", false),
+        ("Rot tq", false),
+        ("Torque off-btm (rotating)", false),
+        ("Tq on btm", true),
+        ("Drlg torque", true),
+        ("On-Btm Trq", true),
+    ] {
+        let text = format!(
+            "Depth (ft),Dn wt (klbs),Hkld up (klbs),Rot wgt (klbs),{heading} (kft-lbs)\n9000,170,230,200,9.5\n"
+        );
+        let read = read_readings(text.as_bytes(), "a.csv")
+            .unwrap_or_else(|error| panic!("{heading}: {error}"));
+        let of = &read.readings[0];
+        let found = if on_bottom { of.torque_on_bottom_N_m } else { of.torque_N_m };
+        let expected = 9.5e3 * 1.355_817_948_331_4;
+        assert!((found.unwrap_or_else(|| panic!("{heading}")) / expected - 1.0).abs() < 1e-12);
+        assert!(
+            of.slack_off_N < of.rotating_N && of.rotating_N < of.pick_up_N,
+            "{heading}: {of:?}"
+        );
+    }
+}
+
+/// What stands for no value is left out and said, as the last digit of the depths is.
+#[test]
+fn values_that_stand_for_none() {
+    let text = "Depth (ft),PU (kN),SO (kN),Torque (kN.m)\n9000,700,-999.25,-9999\n9100,710,N/A,5\n\
+                -999.25,720,600,5\n9200.5,720,-999.25,NaN\n";
+    let read = read_readings(text.as_bytes(), "a.csv").expect("readings");
+    assert_eq!(read.readings.len(), 3);
+    assert!(read.readings.iter().all(|of| of.slack_off_N.is_none() && of.pick_up_N.is_some()));
+    let torques: Vec<_> = read.readings.iter().map(|of| of.torque_N_m).collect();
+    assert_eq!(torques, [None, Some(5e3), None]);
+    // The finest of the depths has one decimal.
+    assert!((read.half_digit_m - 0.05 * 0.3048).abs() < 1e-12);
+    for note in [
+        "lines 2 and 5: the slack-off weight is '-999.25', which stands for no value: left out",
+        "line 3: the slack-off weight is 'N/A', which stands for no value: left out",
+        "line 2: the torque off bottom is '-9999', which stands for no value: left out",
+        "line 4: left out, because the bit depth is '-999.25', which stands for no value",
+    ] {
+        assert!(read.notes.iter().any(|of| of == note), "{:?}\nlacks: {note}", read.notes);
+    }
+}
+
+/// Zeros, signs and orders that no string gives.
+#[test]
+fn readings_that_no_string_gives() {
+    use wholestring_tabular::CheckSeverity::{Error, Warning};
+    use wholestring_units::UnitSet;
+
+    let head = "Depth (m),PU (kN),SO (kN),ROT (kN),Torque (kN.m)\n";
+    for (rows, kind, severity, sentence) in [
+        (
+            "1,700,0,650,3\n2,710,600,655,3.5\n3,720,0,0,4\n",
+            "zero",
+            Warning,
+            "the slack-off weight is 0 in lines 2 and 4, 2 of 3 rows",
+        ),
+        (
+            "1,700,600,0,0\n2,710,600,0,0\n",
+            "zero",
+            Warning,
+            "the rotating weight is 0 in all 2 rows (lines 2 and 3)",
+        ),
+        (
+            "1,700,600,650,-3\n2,710,600,655,3.5\n",
+            "negative",
+            Warning,
+            "is -3 kN.m in line 2, 1 of 2",
+        ),
+        (
+            "1,-700,-600,-650,\n2,-710,-600,-655,\n",
+            "negative",
+            Error,
+            "is negative, -700 kN to -710 kN",
+        ),
+        ("1,0,0,0,0\n2,0,0,0,0\n", "no_readings", Error, "no weight and no torque is left"),
+        (
+            "1,600,700,650,3\n2,610,710,655,3.5\n3,800,790,795,4\n",
+            "swapped",
+            Error,
+            "the pick-up weight is below the slack-off weight in 2 of 3 rows (lines 2 and 3), by most in line \
+             2: 600 kN below 700 kN; friction makes pick-up ≥ rotating ≥ slack-off: are the columns swapped?",
+        ),
+        ("1,150,700,,\n2,155,710,,\n", "swapped", Error, "is one of the columns in another unit?"),
+        (
+            "1,700,600,650,3\n2,610,710,655,3.5\n3,800,690,750,4\n",
+            "order_of_loads",
+            Warning,
+            "in 1 of 3 rows (line 3), by most in line 3: 610 kN below 710 kN",
+        ),
+        // Pumps lift the string while it turns: no error.
+        ("1,700,690,600,3\n2,710,695,610,3\n", "order_of_loads", Warning, "do the pumps lift"),
+    ] {
+        let text = format!("{head}{rows}");
+        let read = read_readings(text.as_bytes(), "a.csv").expect("readings");
+        let (left, checks) = read.measured(UnitSet::Si);
+        let found = checks.iter().find(|of| of.kind == kind && of.sentence.contains(sentence));
+        let found = found.unwrap_or_else(|| panic!("{rows}: {checks:?}"));
+        assert_eq!(found.severity, severity, "{found:?}");
+        for of in &left.readings {
+            assert!(of.torque_N_m.is_none_or(|torque| torque > 0.0) || severity == Error);
+            assert!(of.slack_off_N != Some(0.0) && of.rotating_N != Some(0.0));
+        }
+    }
+    // Sound ones, one of them of a vertical hole with an indicator that errs by 1 %.
+    for rows in ["1,700,600,650,3\n2,710,605,655,3.5\n", "1,702,699,705,0.1\n2,798,801,800,0.1\n"] {
+        let read = read_readings(format!("{head}{rows}").as_bytes(), "a.csv").expect("readings");
+        let (left, checks) = read.clone().measured(UnitSet::Si);
+        assert_eq!((left, checks), (read, Vec::new()));
+    }
+}

@@ -3,7 +3,7 @@
 use wholestring_units::{Dimension, Unit};
 
 use crate::columns::column::Column;
-use crate::columns::names::{NAMES, columns_named, is_beside, is_subsea};
+use crate::columns::names::{NAMES, columns_named, is_beside, is_subsea, written_out};
 use crate::columns::sort::Sort;
 use crate::columns::words::Words;
 
@@ -104,13 +104,22 @@ fn named(words: &Words, count: usize, sort: &Sort) -> Option<(Column, u8)> {
     let find = |joined: &str| {
         columns_named(joined).iter().find(|(column, _)| sort.columns.contains(column)).copied()
     };
-    find(words.first(count)).or_else(|| {
-        let first = || words.lower().take(count);
-        // Without them there is nothing else to ask.
-        first().any(is_beside).then_some(())?;
-        let core: String = first().filter(|word| !is_beside(word)).collect();
-        find(&core)
-    })
+    find(words.first(count))
+        .or_else(|| {
+            let first = || words.lower().take(count);
+            // Without them there is nothing else to look for.
+            first().any(is_beside).then_some(())?;
+            let core: String = first().filter(|word| !is_beside(word)).collect();
+            find(&core)
+        })
+        .or_else(|| {
+            // "Tq off btm": of readings only, where no other column is called so.
+            let is_read = sort.columns.contains(&Column::BitDepth);
+            let first = || words.lower().take(count);
+            (is_read && first().any(|word| written_out(word) != word)).then_some(())?;
+            let whole: String = first().filter(|word| !is_beside(word)).map(written_out).collect();
+            find(&whole)
+        })
 }
 
 /// The unit among the bracketed parts of a heading.

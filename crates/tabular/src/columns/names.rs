@@ -66,13 +66,15 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
         Column::Torque,
         0,
         "torqueoffbottom offbottomtorque torqueoff rotatingtorque freerotatingtorque freetorque offbtmtorque \
-         robtorque torquerob",
+         robtorque torquerob torqueoffbottomrotating rotatingoffbottomtorque rotatingtorqueoffbottom \
+         torquerotating torquerotatingoffbottom torquefreerotating",
     ),
     (Column::Torque, 1, "torque surfacetorque tq trq"),
     (
         Column::TorqueOnBottom,
         0,
-        "torqueonbottom onbottomtorque torqueon drillingtorque torquedrilling onbtmtorque",
+        "torqueonbottom onbottomtorque torqueon drillingtorque torquedrilling onbtmtorque \
+         torquewhiledrilling drillingtorqueonbottom torqueonbottomdrilling",
     ),
     (Column::MudDensity, 0, "mud muddensity mudweight mudwt mw mudin densityofmud"),
     (Column::Case, 0, "case"),
@@ -230,6 +232,22 @@ static BESIDE: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
 /// Whether a word in small letters may stand beside a name.
 pub(crate) fn is_beside(word: &str) -> bool {
     BESIDE.contains(word)
+}
+
+/// A word of a heading of readings, in small letters, in place of its abbreviation.
+pub(crate) fn written_out(word: &str) -> &str {
+    match word {
+        "tq" | "trq" | "trque" | "torq" | "tor" => "torque",
+        "btm" | "bot" | "bttm" | "btom" | "bott" => "bottom",
+        "wt" | "wgt" | "wght" | "weights" => "weight",
+        "hkld" | "hkl" | "hookld" | "hkload" => "hookload",
+        "rot" | "rotn" | "rotg" | "rotate" | "rotation" => "rotating",
+        "dn" | "dwn" => "down",
+        "drlg" | "drl" | "drill" | "drlng" => "drilling",
+        "pickingup" => "pickup",
+        "slackingoff" => "slackoff",
+        other => other,
+    }
 }
 
 /// Whether a word in small letters says that depths are below the sea and not below the rig floor:

@@ -52,7 +52,8 @@ impl Reader<'_> {
         }
     }
 
-    fn read(&self, cell: &Cell, column: Column) -> Result<f64, Fault> {
+    /// The number of a cell as it is written, in the unit of its column.
+    pub(crate) fn read(&self, cell: &Cell, column: Column) -> Result<f64, Fault> {
         if let Some(number) = cell.number {
             return Ok(number);
         }

@@ -1,0 +1,277 @@
+//! What no weight and no torque at the surface can be.
+//!
+//! Friction makes pick-up ≥ rotating ≥ slack-off (Johancsik, Friesen and Dawson 1984), a hook load with a
+//! string in the hole is more than nothing, and so is the torque of a string that turns. These checks need
+//! nothing but the readings; those that need the string are made where it is known.
+
+use wholestring_units::{Dimension, UnitSet};
+
+use crate::{
+    readings::{ImportedReading, ImportedReadings},
+    row_names::row_names,
+};
+
+/// How serious a check of readings is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum CheckSeverity {
+    /// Good to know.
+    Note,
+    /// The answer may be wrong.
+    Warning,
+    /// There can be no answer.
+    Error,
+}
+
+impl CheckSeverity {
+    /// `note`, `warning` or `error`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Note => "note",
+            Self::Warning => "warning",
+            Self::Error => "error",
+        }
+    }
+}
+
+/// A reading, or a column of readings, that cannot be what it says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReadingCheck {
+    /// `zero`, `negative`, `swapped`, `order_of_loads`, ...
+    pub kind: &'static str,
+    /// How serious it is.
+    pub severity: CheckSeverity,
+    /// Where the readings stand in their file.
+    pub places: Vec<String>,
+    /// The value, SI.
+    pub value: Option<f64>,
+    /// What it is compared with, SI.
+    pub limit: Option<f64>,
+    /// A whole sentence without its full stop.
+    pub sentence: String,
+}
+
+/// A column of readings.
+struct Channel {
+    name: &'static str,
+    dimension: Dimension,
+    get: fn(&ImportedReading) -> Option<f64>,
+    put: fn(&mut ImportedReading) -> &mut Option<f64>,
+}
+
+const PICK_UP: usize = 0;
+const SLACK_OFF: usize = 1;
+const ROTATING: usize = 2;
+
+const CHANNELS: [Channel; 5] = [
+    Channel {
+        name: "pick-up weight",
+        dimension: Dimension::Force,
+        get: |of| of.pick_up_N,
+        put: |of| &mut of.pick_up_N,
+    },
+    Channel {
+        name: "slack-off weight",
+        dimension: Dimension::Force,
+        get: |of| of.slack_off_N,
+        put: |of| &mut of.slack_off_N,
+    },
+    Channel {
+        name: "rotating weight",
+        dimension: Dimension::Force,
+        get: |of| of.rotating_N,
+        put: |of| &mut of.rotating_N,
+    },
+    Channel {
+        name: "torque off bottom",
+        dimension: Dimension::Torque,
+        get: |of| of.torque_N_m,
+        put: |of| &mut of.torque_N_m,
+    },
+    Channel {
+        name: "torque on bottom",
+        dimension: Dimension::Torque,
+        get: |of| of.torque_on_bottom_N_m,
+        put: |of| &mut of.torque_on_bottom_N_m,
+    },
+];
+
+/// Loads that ought to be greater, and smaller, and whether it is an error where most rows differ. A
+/// rotating weight below the slack-off weight is none: the mud that is pumped meanwhile lifts the string.
+const ORDER: [(usize, usize, bool); 3] =
+    [(PICK_UP, SLACK_OFF, true), (PICK_UP, ROTATING, true), (ROTATING, SLACK_OFF, false)];
+
+/// Two weights of a row are out of order beyond this part of them: twice what a weight indicator errs by, and
+/// what rounding to 5 klbf leaves.
+const OUT_OF_ORDER: f64 = 0.03;
+
+/// Columns whose weights differ by more than this factor are hardly in one unit.
+const OTHER_UNIT: f64 = 2.5;
+
+impl ImportedReadings {
+    /// Readings that were measured: without what is no reading, and with what is to be said of them, in these
+    /// units. Loads that another program computed are not held to this.
+    pub fn measured(mut self, units: UnitSet) -> (Self, Vec<ReadingCheck>) {
+        let mut checks = Vec::new();
+        for channel in &CHANNELS {
+            checks.extend(zeros(&mut self.readings, channel));
+            checks.extend(negatives(&mut self.readings, channel, units));
+        }
+        let is_empty = |of: &ImportedReading| CHANNELS.iter().all(|by| (by.get)(of).is_none());
+        let is_error = |of: &ReadingCheck| of.severity == CheckSeverity::Error;
+        if self.readings.iter().all(is_empty) && !checks.iter().any(is_error) {
+            checks.push(ReadingCheck {
+                kind: "no_readings",
+                severity: CheckSeverity::Error,
+                places: self.readings.iter().map(|of| of.place.clone()).collect(),
+                value: None,
+                limit: None,
+                sentence: "no weight and no torque is left of the readings".to_owned(),
+            });
+        }
+        checks.extend(order(&self.readings, units));
+        (self, checks)
+    }
+}
+
+/// Zeros in a column, which are taken out of it.
+fn zeros(readings: &mut [ImportedReading], channel: &Channel) -> Option<ReadingCheck> {
+    let values = readings.iter().filter_map(channel.get);
+    let (count, zeros) =
+        values.fold((0, 0), |(count, zeros), value| (count + 1, zeros + usize::from(value == 0.0)));
+    if zeros == 0 {
+        return None;
+    }
+    let mut places = Vec::new();
+    for reading in readings.iter_mut().filter(|of| (channel.get)(of) == Some(0.0)) {
+        *(channel.put)(reading) = None;
+        places.push(reading.place.clone());
+    }
+    let (name, rows) = (channel.name, row_names(&places));
+    let why = match channel.dimension {
+        Dimension::Torque => "a string that turns has torque",
+        _ => "a string in the hole has weight",
+    };
+    let sentence = match (zeros == count, zeros) {
+        (true, 1) => {
+            format!("the {name} is 0 in {rows}: {why}, and a zero is no reading; left out")
+        }
+        (true, _) => format!(
+            "the {name} is 0 in all {count} rows ({rows}): {why}, and a zero is no reading; the column is left out"
+        ),
+        (false, _) => format!(
+            "the {name} is 0 in {rows}, {zeros} of {count} rows: {why}, and a zero is no reading; left out"
+        ),
+    };
+    Some(ReadingCheck {
+        kind: "zero",
+        severity: CheckSeverity::Warning,
+        places,
+        value: Some(0.0),
+        limit: None,
+        sentence,
+    })
+}
+
+/// Negative values in a column, which are taken out of it; where all are negative the column is refused.
+fn negatives(
+    readings: &mut [ImportedReading],
+    channel: &Channel,
+    units: UnitSet,
+) -> Option<ReadingCheck> {
+    let values = || readings.iter().filter_map(channel.get);
+    let count = values().count();
+    let negative: Vec<f64> = values().filter(|value| *value < 0.0).collect();
+    if negative.is_empty() {
+        return None;
+    }
+    let shown = |value: &f64| channel.dimension.format(*value, units);
+    let least = negative.iter().copied().fold(f64::INFINITY, f64::min);
+    let all = negative.len() == count;
+    let is_negative = |of: &ImportedReading| (channel.get)(of).is_some_and(|value| value < 0.0);
+    let places: Vec<String> =
+        readings.iter().filter(|of| is_negative(of)).map(|of| of.place.clone()).collect();
+    let (name, rows) = (channel.name, row_names(&places));
+    let written = match &negative[..] {
+        [one] => format!("is {}", shown(one)),
+        [first, .., last] => format!("is negative, {} to {}", shown(first), shown(last)),
+        [] => String::new(),
+    };
+    let sentence = match all {
+        true => format!(
+            "the {name} {written} in every row that has one ({rows}): hook loads and torques are more than zero; \
+             turn the sign of the column, or leave it out"
+        ),
+        false => format!(
+            "the {name} {written} in {rows}, {} of {count} rows: the sign is wrong, or it is no reading; left out",
+            negative.len()
+        ),
+    };
+    if !all {
+        for reading in readings.iter_mut().filter(|of| is_negative(of)) {
+            *(channel.put)(reading) = None;
+        }
+    }
+    Some(ReadingCheck {
+        kind: "negative",
+        severity: if all { CheckSeverity::Error } else { CheckSeverity::Warning },
+        places,
+        value: Some(least),
+        limit: Some(0.0),
+        sentence,
+    })
+}
+
+/// Pairs of columns whose order is not that of friction, in most rows or in some.
+fn order(readings: &[ImportedReading], units: UnitSet) -> Vec<ReadingCheck> {
+    let mut checks: Vec<ReadingCheck> = Vec::new();
+    for (greater, smaller, is_error) in ORDER {
+        let (greater, smaller) = (&CHANNELS[greater], &CHANNELS[smaller]);
+        let both = readings.iter().filter_map(|of| {
+            Some((of, (greater.get)(of)?, (smaller.get)(of)?)).filter(|of| of.1 > 0.0 && of.2 > 0.0)
+        });
+        let both: Vec<_> = both.collect();
+        let wrong: Vec<_> = both.iter().filter(|of| of.2 > of.1 * (1.0 + OUT_OF_ORDER)).collect();
+        let Some(worst) = wrong.iter().max_by(|a, b| (a.2 / a.1).total_cmp(&(b.2 / b.1))) else {
+            continue;
+        };
+        let places: Vec<String> = wrong.iter().map(|of| of.0.place.clone()).collect();
+        let most = 2 * wrong.len() > both.len();
+        let severity = match (most, is_error) {
+            (true, true) => CheckSeverity::Error,
+            _ => CheckSeverity::Warning,
+        };
+        let mut sentence = format!(
+            "the {} is below the {} in {} of {} rows ({}), by most in {}: {} below {}; friction makes pick-up ≥ \
+             rotating ≥ slack-off",
+            greater.name,
+            smaller.name,
+            wrong.len(),
+            both.len(),
+            row_names(&places),
+            worst.0.place,
+            Dimension::Force.format(worst.1, units),
+            Dimension::Force.format(worst.2, units),
+        );
+        sentence += match (most, is_error, worst.2 / worst.1 > OTHER_UNIT) {
+            (true, true, true) => ": is one of the columns in another unit?",
+            (true, true, false) => ": are the columns swapped?",
+            (true, false, _) => {
+                ": are the columns swapped, or do the pumps lift the string while it rotates?"
+            }
+            _ => ": these rows contradict themselves; they are kept",
+        };
+        checks.push(ReadingCheck {
+            kind: if severity == CheckSeverity::Error { "swapped" } else { "order_of_loads" },
+            severity,
+            places,
+            value: Some(worst.1),
+            limit: Some(worst.2),
+            sentence,
+        });
+    }
+    // Columns that are swapped contradict all others.
+    if checks.iter().any(|of| of.severity == CheckSeverity::Error) {
+        checks.retain(|of| of.severity == CheckSeverity::Error);
+    }
+    checks
+}
