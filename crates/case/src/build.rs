@@ -251,7 +251,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let spec = spec?;
     let gel_strength_Pa = case.mud.get()?.gel_strength_Pa()?;
     let setup = plan::setup(&model, &spec);
-    let beside = plan::Beside { setup: &setup, own: &operations, gel_strength_Pa, files };
+    let units = *case.units.get()?;
+    let beside = plan::Beside { setup: &setup, own: &operations, gel_strength_Pa, files, units };
     let plan = plan::build(case.plan.get()?, &beside, reader)?;
     let name = match case.name.optional()? {
         Some(given) => given.value.clone(),
@@ -259,7 +260,6 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
             .file_stem()
             .map_or_else(|| "case".to_owned(), |stem| stem.to_string_lossy().into_owned()),
     };
-    let units = *case.units.get()?;
     let given = Given {
         name: &name,
         units,

@@ -3,7 +3,8 @@
 use wholestring::operation::{Operation, OperationKind};
 use wholestring_config::prelude::*;
 use wholestring_plan::Setup;
-use wholestring_tabular::{ImportedReading, read_readings};
+use wholestring_tabular::{CheckSeverity, ImportedReading, read_readings};
+use wholestring_units::UnitSet;
 
 use crate::beside::{read_beside, unfit};
 
@@ -16,12 +17,14 @@ pub struct Measured {
     pub readings: Vec<ImportedReading>,
     /// How the file was understood, in sentences.
     pub notes: Vec<String>,
+    /// Half of the last digit to which the depths of the bit are written, m.
+    pub half_digit_m: f64,
 }
 
 /// The readings of a file, and whether the case can be held against them.
 pub(crate) fn from_file(
     file: &Spanned<String>,
-    setup: &Setup,
+    (setup, units): (&Setup, UnitSet),
     own: &[Operation],
     files: &dyn Files,
     reader: &mut Reader,
@@ -31,6 +34,23 @@ pub(crate) fn from_file(
         Ok(imported) => imported,
         Err(error) => return unfit(&error, file, "measured weights", reader).refuse(reader),
     };
+    let (imported, checks) = imported.measured(units);
+    for check in checks {
+        match check.severity {
+            CheckSeverity::Error => {
+                return Diagnostic::error(check.sentence)
+                    .at(file.place, "the measured weights")
+                    .refuse(reader);
+            }
+            // A row that contradicts itself is shown beside the plan, where it is seen.
+            CheckSeverity::Warning if check.kind != "order_of_loads" => {
+                let diagnostic = Diagnostic::warning(check.sentence);
+                diagnostic.at(file.place, "the measured weights").report(reader);
+            }
+            _ => {}
+        }
+    }
+    let half_digit_m = imported.half_digit_m;
     let mut readings = imported.readings;
     let drills = own.iter().any(|of| of.kind == OperationKind::Drill);
     let mut on_bottom = readings.iter().filter(|row| row.torque_on_bottom_N_m.is_some());
@@ -56,5 +76,5 @@ pub(crate) fn from_file(
             .help("give `block_weight` under [rig]; `wholestring calibrate` finds it");
         reader.report(diagnostic);
     }
-    Some(Measured { file: file.value.clone(), readings, notes: imported.notes })
+    Some(Measured { file: file.value.clone(), readings, notes: imported.notes, half_digit_m })
 }

@@ -12,6 +12,7 @@ use wholestring_plan::{
     CampaignSettings, FrictionLevel, Frictions, KindFriction, LevelFriction, Setup, Statics,
     bit_depths_m, dynamic::DynamicPlan, limits::LimitSettings,
 };
+use wholestring_units::UnitSet;
 
 use crate::{
     hole::{FrictionRule, coefficient},
@@ -208,10 +209,12 @@ pub(crate) struct Beside<'a> {
     pub(crate) gel_strength_Pa: Option<f64>,
     /// The files that the case names.
     pub(crate) files: &'a dyn Files,
+    /// Units in which the case is shown.
+    pub(crate) units: UnitSet,
 }
 
 pub(crate) fn build(table: &PlanTable, beside: &Beside<'_>, reader: &mut Reader) -> Option<Plan> {
-    let Beside { setup, own, gel_strength_Pa, files } = *beside;
+    let Beside { setup, own, gel_strength_Pa, files, units } = *beside;
     let frictions = frictions(table, setup, reader);
     let depths_m = depths_m(table, setup, own.first()?.bit_depth_m, reader);
     let operations = operations(table, own, reader);
@@ -230,7 +233,7 @@ pub(crate) fn build(table: &PlanTable, beside: &Beside<'_>, reader: &mut Reader)
         None => None,
     };
     let measured = match table.measured.optional()? {
-        Some(file) => Some(measured::from_file(file, setup, own, files, reader)?),
+        Some(file) => Some(measured::from_file(file, (setup, units), own, files, reader)?),
         None => None,
     };
     let campaign = campaign?;

@@ -11,7 +11,7 @@ use well_of_s4::{CHANNELS, PARAMETERS, assembly, readings, settings};
 use wholestring::prelude::*;
 use wholestring_plan::calibration::{
     Asked, BandPoint, Calibration, CalibrationError, Channel, ErrorKind, Factors, HolePart, Loads,
-    Parameter, Predict, Reading, Settings, SoftPredictions, calibrate, normal_within,
+    Parameter, Predict, Reading, Settings, SoftPredictions, calibrate, normal_within, outliers,
 };
 use wholestring_verification::verify;
 
@@ -374,4 +374,84 @@ fn cholesky(of: &[Vec<f64>]) -> Vec<Vec<f64>> {
         }
     }
     lower
+}
+
+/// Readings that were written wrongly are found by Huber's loss and no others, whether their errors are given or
+/// not; the fit without them is that of the sound ones.
+#[test]
+fn outliers_are_those_that_were_made() {
+    let oracle = Oracle::read();
+    let assemblies = [assembly(&oracle)];
+    let model = SoftPredictions::new(&assemblies);
+    let sound = readings(&Oracle::data());
+    let settings = Settings { errors: [None; 3], profiles: false, ..settings() };
+    // A tight hole, two digits in the wrong order, a torque by half.
+    let wrong = [(12, 120e3), (33, -150e3), (70, 150e3), (59, -8e3)];
+    let mut of = sound.clone();
+    for (place, off) in wrong {
+        of[place].value += off;
+    }
+    let found = outliers(&model, &of, &settings).expect("a fit");
+    let places: Vec<usize> = (0..of.len()).filter(|&place| found.outlier[place]).collect();
+    let mut expected: Vec<usize> = wrong.iter().map(|of| of.0).collect();
+    expected.sort_unstable();
+    assert_eq!((places, found.too_many), (expected, None), "{:?}", found.scales);
+    let none = outliers(&model, &sound, &settings).expect("a fit");
+    assert!(none.outlier.iter().filter(|is| **is).count() <= 1, "{:?}", none.scales);
+    // Where a third of the readings are off, up and down, it is not a matter of outliers.
+    for (row, readings) in of.chunks_mut(4).enumerate().filter(|(row, _)| row % 3 == 0) {
+        let factor = if row % 2 == 0 { 1.5 } else { 0.5 };
+        readings.iter_mut().for_each(|of| of.value *= factor);
+    }
+    let many = outliers(&model, &of, &settings).expect("a fit");
+    assert!(many.too_many.is_some() && !many.outlier.contains(&true), "{many:?}");
+}
+
+/// Neither a block nor a bit weighs or turns less than nothing; zeros in place of readings are refused by name.
+#[test]
+fn no_block_is_negative() {
+    let oracle = Oracle::read();
+    let assemblies = [assembly(&oracle)];
+    let model = SoftPredictions::new(&assemblies);
+    let mut of = readings(&oracle.rows(&Oracle::depths(), [0.2, 0.3, 0.0]));
+    for reading in of.iter_mut().filter(|of| !of.channel.is_torque()) {
+        reading.value -= 30e3;
+    }
+    let found = calibrate(&model, &of, &[], &[], &settings()).expect("a fit");
+    let block = &found.estimates[2];
+    assert!(block.at_bound && block.value == 0.0, "{block:?}");
+    assert_eq!((block.interval[0], block.standard_error), (Some(0.0), None));
+    for reading in of.iter_mut().filter(|of| of.channel.is_torque()) {
+        reading.value = 0.0;
+    }
+    let zero = calibrate(&model, &of, &[], &[], &settings()).expect_err("zeros");
+    assert_eq!(zero, CalibrationError::AllZero(ErrorKind::Torque));
+    assert!(zero.to_string().contains("the torques are all zero"), "{zero}");
+}
+
+/// Predictions in a box that is narrower than the intervals are made anew in a wider one: the ends are found, and
+/// they are those of a wide box.
+#[test]
+fn intervals_beyond_a_narrow_box_are_found() {
+    let oracle = Oracle::read();
+    let assemblies = [assembly(&oracle)];
+    let model = SoftPredictions::new(&assemblies);
+    let rows = Oracle::data();
+    let few = readings(&rows[15..]);
+    let wide = calibrate(&model, &few, &[], &[], &settings()).expect("a fit");
+    let values = values(&wide);
+    let narrow = Settings {
+        first_box: [values[0].min(values[1]) - 0.01, values[0].max(values[1]) + 0.01],
+        nodes: 3,
+        ..settings()
+    };
+    let found = calibrate(&model, &few, &[], &[], &narrow).expect("a fit");
+    for (one, other) in found.estimates.iter().zip(&wide.estimates).take(2) {
+        let error = other.standard_error.expect("an error");
+        for (end, expected) in one.interval.iter().zip(other.interval) {
+            let apart = (end.expect("an end") - expected.expect("an end")) / error;
+            // Predictions between nodes are off by up to a fiftieth of a reading's error.
+            assert!(apart.abs() < 0.05, "{one:?}\n{other:?}");
+        }
+    }
 }

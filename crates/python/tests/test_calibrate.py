@@ -177,6 +177,36 @@ def test_bad_readings(readings: Any, error: type[Exception], message: str, rig: 
         rig.calibrate(readings)
 
 
+def test_readings_that_no_string_gives(rig: ws.Case, data: dict[str, Any]) -> None:
+    up, down = data["pick_up_kN"], data["slack_off_kN"]
+    with pytest.raises(ws.InputError, match="are the columns swapped"):
+        rig.calibrate({**data, "pick_up_kN": down, "slack_off_kN": up})
+    klbf = {name: data[name] / 4448.22 for name in ("rotating_N",)}
+    weights = {"pick_up_kN": up / 4.44822, "slack_off_kN": down / 4.44822}
+    with pytest.raises(ws.InputError, match="Is the unit klbf"):
+        rig.calibrate({"bit_depth_m": DEPTHS, **weights, "rotating_kN": klbf["rotating_N"]})
+    deep = np.asarray(DEPTHS) > 800.0
+    zeros = {**data, "slack_off_kN": np.where(deep, 0.0, down)}
+    found = rig.calibrate(zeros, **ERRORS)
+    kinds = [of["kind"] for of in found.summary["checks"]]
+    assert "zero" in kinds
+    assert any("no reading" in of.message for of in found.findings if of.level == "warning")
+    assert found.friction_open == pytest.approx(0.3, abs=2e-3)
+
+
+def test_outliers_with_and_without(rig: ws.Case, data: dict[str, Any]) -> None:
+    noise = np.random.default_rng(3).normal(0.0, 1.0, len(DEPTHS))
+    wrong = {**data, "pick_up_kN": data["pick_up_kN"] + noise + 80.0 * (np.arange(9) == 6)}
+    both = rig.calibrate(wrong)
+    comparison = both.summary["comparison"]
+    assert comparison["loss"] == "Huber"
+    assert not comparison["left_out"]
+    without = rig.calibrate(wrong, without_outliers=True)
+    assert without.summary["comparison"]["left_out"]
+    other = {of["parameter"]: of["value"] for of in comparison["estimates"]}
+    assert without["friction_open"].value == pytest.approx(other["friction_open"])
+
+
 def test_dynamics_check_what_was_found(rig: ws.Case, data: dict[str, Any]) -> None:
     coarse = rig.with_(
         {"mesh.element_length": 20.0, "dynamics.duration": 0.5, "dynamics.settle": 0.5}

@@ -32,7 +32,7 @@ pub use bit_test::{BitTest, BitTestPoint, bit_test_plots};
 pub use bottom::BottomPicture;
 pub use calibration::{
     CALIBRATION_PICTURES, CalibratedRow, Calibration, CalibrationBand, CalibrationCheck,
-    CalibrationPoint, calibration_html, calibration_plots,
+    CalibrationComparison, CalibrationPoint, calibration_html, calibration_plots,
 };
 pub use cell::Cell;
 pub use conventions::Conventions;

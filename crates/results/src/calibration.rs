@@ -60,14 +60,54 @@ pub struct CalibrationSummary {
     pub interpolation_error: f64,
     /// How many strings were solved.
     pub strings: usize,
-    /// What is to be known of the answer, in sentences.
+    /// How many readings lie in their band, and how wide it is, in a sentence.
+    #[serde(default)]
+    pub status: String,
+    /// The same fit with the outliers where they were left out, and without them where they were not; none where
+    /// there are none.
+    #[serde(default)]
+    pub comparison: Option<OutlierComparison>,
+    /// Every check of the readings and of the fit.
+    #[serde(default)]
+    pub checks: Vec<ReadingCheck>,
+    /// What is to be known of the answer, in sentences; those of the checks too.
     pub notes: Vec<String>,
-    /// What is to be wary of, in sentences.
+    /// Warnings, in sentences: those of the checks.
     pub warnings: Vec<String>,
     /// The string in motion, with the numbers that were found, beside some of the readings; empty where it was not asked
     /// for.
     #[serde(default)]
     pub dynamics: Vec<DynamicCheck>,
+}
+
+/// A check of readings, or of what was found from them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ReadingCheck {
+    /// `zero`, `order_of_loads`, `unit`, `outlier`, ...
+    pub kind: String,
+    /// `note` or `warning`.
+    pub severity: String,
+    /// Where the readings stand in their file; empty where it is not a matter of some of them.
+    pub lines: Vec<String>,
+    /// The value, SI.
+    pub value: Option<f64>,
+    /// What it is compared with, SI.
+    pub limit: Option<f64>,
+    /// A sentence in the units of the case.
+    pub sentence: String,
+}
+
+/// The fit of all readings beside that without outliers.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct OutlierComparison {
+    /// Name of the loss by which the outliers were found.
+    pub loss: String,
+    /// The outliers: `pick-up of line 5`.
+    pub outliers: Vec<String>,
+    /// Whether the estimates of the summary leave the outliers out; those here are the others.
+    pub left_out: bool,
+    /// What is found the other way.
+    pub estimates: Vec<EstimateFound>,
 }
 
 /// A reading, and what the string in motion makes of it.
@@ -119,7 +159,7 @@ pub struct EstimateFound {
     pub standard_error: Option<f64>,
     /// The interval by the profile likelihood; an end that is not found is none.
     pub interval: [Option<f64>; 2],
-    /// It is a factor that would be negative, and is zero.
+    /// It would be negative, and is zero.
     pub at_bound: bool,
 }
 

@@ -46,7 +46,7 @@ pub use bit_test::{BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummar
 pub use bit_test_table::bit_test_table;
 pub use calibration::{
     CALIBRATION_VERSION, CalibrationSummary, CalibrationTables, DynamicCheck, ErrorFound,
-    EstimateFound, InMotion, calibration_dynamic_table,
+    EstimateFound, InMotion, OutlierComparison, ReadingCheck, calibration_dynamic_table,
 };
 pub use checkpoint::{checkpoint_bytes, read_checkpoint_bytes};
 pub use columns::{

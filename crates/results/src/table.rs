@@ -389,8 +389,9 @@ fn finite(value: f64) -> Option<f64> {
 }
 
 fn io_error(error: csv::Error) -> io::Error {
+    let sentence = error.to_string();
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,
-        other => io::Error::other(format!("{other:?}")),
+        _ => io::Error::other(sentence),
     }
 }

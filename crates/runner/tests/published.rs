@@ -104,6 +104,7 @@ fn fit(bit_torque: bool) -> Fit {
         hold: Vec::new(),
         errors: [None; 3],
         outlier_beyond: 3.0,
+        without_outliers: false,
         band_confidence: 0.9,
         model: ModelKind::Soft,
     }

@@ -263,6 +263,7 @@ fn calibration(work: &Work, stem: &str, workspace: &Workspace) -> Result<Calibra
             hold: held.collect::<Result<_, _>>().map_err(bad)?,
             errors: [None; 3],
             outlier_beyond: 3.0,
+            without_outliers: false,
             band_confidence: 0.9,
             model,
         },

@@ -74,6 +74,10 @@ pub(crate) struct CalibrateArgs {
     #[arg(long, value_name = "N", default_value = "3", value_parser = beyond)]
     pub(crate) outlier: f64,
 
+    /// Leave outliers out of the fit, as Huber's loss finds them; by default both fits are shown
+    #[arg(long)]
+    pub(crate) without_outliers: bool,
+
     /// Confidence of the bands, %
     #[arg(long, value_name = "PERCENT", default_value = "90", value_parser = confidence)]
     pub(crate) band: f64,

@@ -41,6 +41,7 @@ pub(crate) fn calibrate(args: &CalibrateArgs) -> Result<(), Failure> {
             hold: args.hold.clone(),
             errors: [args.weight_error, args.rotating_error, args.torque_error],
             outlier_beyond: args.outlier,
+            without_outliers: args.without_outliers,
             band_confidence: args.band,
             model: args.model.into(),
         },

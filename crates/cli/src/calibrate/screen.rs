@@ -1,6 +1,6 @@
 //! What a calibration shows on the screen.
 
-use wholestring_results::{CalibrationSummary, EstimateFound};
+use wholestring_results::{CalibrationSummary, EstimateFound, OutlierComparison};
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::screen_table::Table;
@@ -33,13 +33,13 @@ pub(super) fn text(summary: &CalibrationSummary, units: UnitSet) -> String {
         ]);
     }
     let mut text = table.text();
+    if let Some(other) = &summary.comparison {
+        text += &comparison(summary, other, units);
+    }
+    text.extend(summary.warnings.iter().map(|warning| format!("warning: {warning}\n")));
     text += &format!(
-        "χ² {:.1}, {} degrees of freedom; {} of {} readings within the band of {:.0} %\n",
-        summary.chi2,
-        summary.degrees_of_freedom,
-        summary.within_band,
-        summary.readings,
-        100.0 * summary.band_confidence
+        "χ² {:.1}, {} degrees of freedom; {}\n",
+        summary.chi2, summary.degrees_of_freedom, summary.status
     );
     if summary.held_out > 0 {
         text += &format!(
@@ -51,8 +51,28 @@ pub(super) fn text(summary: &CalibrationSummary, units: UnitSet) -> String {
         text += &dynamics(summary, units);
     }
     text.extend(summary.notes.iter().map(|note| format!("note: {note}\n")));
-    text.extend(summary.warnings.iter().map(|warning| format!("warning: {warning}\n")));
     text
+}
+
+/// What is found of all readings beside what is found without the outliers.
+fn comparison(summary: &CalibrationSummary, other: &OutlierComparison, units: UnitSet) -> String {
+    let title = format!("With and without the outliers that {}'s loss finds", other.loss);
+    let mut table = Table::new(&title, 1, &["number", "all readings", "without outliers"]);
+    for of in &summary.estimates {
+        let same = other.estimates.iter().find(|one| one.parameter == of.parameter);
+        let value = |of: Option<&EstimateFound>| {
+            of.map_or("–".to_owned(), |of| {
+                let error = of
+                    .standard_error
+                    .map_or(String::new(), |error| format!(" ± {}", shown(of, error, units)));
+                shown(of, of.value, units) + &error
+            })
+        };
+        let (own, same) = (value(Some(of)), value(same));
+        let [all, without] = if other.left_out { [same, own] } else { [own, same] };
+        table.row(vec![of.words.clone(), all, without]);
+    }
+    table.text()
 }
 
 /// Readings beside the string in motion.

@@ -361,6 +361,7 @@ fn friction_by_the_stiff_string() {
             hold: Vec::new(),
             errors: [Some(5e3), Some(3e3), Some(200.0)],
             outlier_beyond: 3.0,
+            without_outliers: false,
             band_confidence: 0.9,
             model: wholestring::outcome::ModelKind::Stiff,
         },
@@ -378,6 +379,8 @@ fn friction_by_the_stiff_string() {
     // pick-up at 1200 m changes by more than 100 kN where the friction does by one.
     assert!((friction.value - 0.25).abs() < 1e-3, "{friction:?}");
     assert!((block.value - BLOCK_N).abs() < 100.0, "{block:?}");
+    // Both have intervals, wherever the first box of factors ends.
+    assert!(!friction.interval.contains(&None) && !block.interval.contains(&None), "{summary:?}");
     let counts = counts.0.into_inner().unwrap();
     assert!(counts.iter().all(|[asked, ended]| asked == ended), "{counts:?}");
     assert_eq!(counts.iter().map(|[asked, _]| asked).sum::<usize>(), summary.strings);
@@ -546,6 +549,7 @@ fn a_check_that_is_interrupted_leaves_the_calibration() {
             hold: Vec::new(),
             errors: [Some(5e3), Some(3e3), Some(200.0)],
             outlier_beyond: 3.0,
+            without_outliers: false,
             band_confidence: 0.9,
             model: wholestring::outcome::ModelKind::Soft,
         },

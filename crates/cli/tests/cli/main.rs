@@ -4,6 +4,7 @@ mod bench;
 mod bha;
 mod bit_test;
 mod calibrate;
+mod calibrate_checks;
 mod catalogue;
 mod check;
 mod columns;

@@ -18,6 +18,11 @@ const BOX_ROUNDS: usize = 6;
 /// Predictions between nodes may be off by this part of a reading's error.
 const INTERPOLATION: f64 = 0.02;
 
+/// How often the box is made wider for the intervals after that, and how far beyond their ends by the standard
+/// error: profiles are not parabolas.
+const WIDER_ROUNDS: usize = 2;
+const WIDER: f64 = 1.4;
+
 /// A narrower box reaches so many standard errors and so far at least.
 const REACH: f64 = 6.0;
 const LEAST_REACH: f64 = 0.02;
@@ -44,8 +49,8 @@ pub(super) fn best(
     model: &impl Predict,
     settings: &Settings,
     readings: &[Reading],
-    stations: &[Station],
-    station_of: &[usize],
+    (stations, station_of): (&[Station], &[usize]),
+    interval_factor: f64,
 ) -> Result<Best, CalibrationError> {
     let parameters = &settings.parameters;
     let mut span = vec![settings.first_box; parameters.len()];
@@ -58,13 +63,27 @@ pub(super) fn best(
     let mut errors = first_errors(settings, readings);
     let mut strings = 0;
     let mut round = 0;
+    // A fit that stands, in a box that its intervals leave: its answer where a wider box has none.
+    let mut narrow: Option<Best> = None;
+    let mut widened = 0;
     loop {
         round += 1;
         let counted = Counted { model, strings: Default::default() };
-        let surfaces = Surfaces::new(&counted, settings, stations, span.clone())?;
-        let mut likelihood =
-            Likelihood { settings, surfaces: &surfaces, readings, station_of, errors };
+        let surfaces = match Surfaces::new(&counted, settings, stations, span.clone()) {
+            Ok(surfaces) => surfaces,
+            Err(error) if error.is_interruption() => return Err(error),
+            Err(error) => return narrow.take().ok_or(error),
+        };
+        let mut likelihood = Likelihood {
+            settings,
+            surfaces: &surfaces,
+            readings,
+            station_of,
+            errors,
+            weights: Vec::new(),
+        };
         let (found, at_bound, spread) = with_errors(&mut likelihood, &values)?;
+        let all = Spread::of(&likelihood.design(&found), &vec![false; found.len()], settings)?;
         errors = likelihood.errors;
         values = found;
         let outside = |of: usize| {
@@ -73,7 +92,10 @@ pub(super) fn best(
         };
         if let Some(of) = (0..values.len()).find(|&of| outside(of)) {
             strings += counted.strings.get();
-            if values[of] > LARGEST_FACTOR || round == BOX_ROUNDS {
+            if let Some(narrow) = narrow.take() {
+                return Ok(Best { strings, ..narrow });
+            }
+            if values[of] > LARGEST_FACTOR || round >= BOX_ROUNDS {
                 let limit = surfaces.span[of][1].max(LARGEST_FACTOR.min(values[of]));
                 return Err(CalibrationError::Beyond { parameter: parameters[of], limit });
             }
@@ -100,8 +122,17 @@ pub(super) fn best(
             apart.abs() / errors[reading.channel.error().place()]
         };
         let interpolation_error = readings.iter().zip(station_of).map(off).fold(0.0, f64::max);
-        if interpolation_error <= INTERPOLATION || round == BOX_ROUNDS {
-            return Ok(Best { values, at_bound, errors, surfaces, interpolation_error, strings });
+        if interpolation_error <= INTERPOLATION || round >= BOX_ROUNDS {
+            let reach = |of: usize| WIDER * interval_factor * all.standard_error(of);
+            let wider = wider(parameters, &surfaces.span, &values, reach)
+                .filter(|_| settings.profiles && widened < WIDER_ROUNDS);
+            let best = Best { values, at_bound, errors, surfaces, interpolation_error, strings };
+            let Some(wider) = wider else { return Ok(best) };
+            widened += 1;
+            span = wider;
+            values = best.values.clone();
+            narrow = Some(best);
+            continue;
         }
         for (of, span) in span.iter_mut().enumerate() {
             if parameters[of].is_factor() {
@@ -111,6 +142,23 @@ pub(super) fn best(
             }
         }
     }
+}
+
+/// A box that the intervals of the factors lie in, where this one is too narrow for them.
+fn wider(
+    parameters: &[super::Parameter],
+    span: &[[f64; 2]],
+    values: &[f64],
+    reach: impl Fn(usize) -> f64,
+) -> Option<Vec<[f64; 2]>> {
+    let wide = |of: usize| {
+        let [from, to] = span[of];
+        let low = (values[of] - reach(of)).max(0.0).min(from);
+        let high = (values[of] + reach(of)).min(LARGEST_FACTOR).max(to);
+        if parameters[of].is_factor() && high.is_finite() { [low, high] } else { [from, to] }
+    };
+    let wide: Vec<[f64; 2]> = (0..values.len()).map(wide).collect();
+    (wide != span).then_some(wide)
 }
 
 /// A model whose answers are counted.

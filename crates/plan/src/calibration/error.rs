@@ -31,6 +31,9 @@ pub enum CalibrationError {
          give their standard error", .0.name()
     )]
     UnknownError(ErrorKind),
+    /// Readings of a kind that are all zero.
+    #[error("the {} are all zero, which is no reading: leave them out", .0.name())]
+    AllZero(ErrorKind),
     /// The fit runs away.
     #[error(
         "the {} that fits best lies beyond {limit}: the readings or the case are not what they seem \
@@ -45,6 +48,9 @@ pub enum CalibrationError {
     /// The fit comes to no end.
     #[error("the fit did not come to an end: {0}")]
     NotFitted(String),
+    /// Who asked for it does not want it any more.
+    #[error("interrupted")]
+    Interrupted,
     /// A model has no answer.
     #[error(
         "no {model} string with the bit at {bit_depth_m:.1} m, {} with friction {along:.3} along the \
@@ -72,4 +78,11 @@ pub enum CalibrationError {
         /// Measured depth of the bit, m.
         bit_depth_m: f64,
     },
+}
+
+impl CalibrationError {
+    /// Whether the work was interrupted, so that another try is not wanted.
+    pub(super) fn is_interruption(&self) -> bool {
+        *self == Self::Interrupted
+    }
 }

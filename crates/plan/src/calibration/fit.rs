@@ -15,9 +15,17 @@ pub(super) struct Likelihood<'a> {
     pub(super) station_of: &'a [usize],
     /// Standard errors by kind.
     pub(super) errors: [f64; 3],
+    /// Weights of the squared residuals, by which a robust loss takes less of those that are large; all one
+    /// where there are none.
+    pub(super) weights: Vec<f64>,
 }
 
 impl Likelihood<'_> {
+    /// The root of a reading's weight.
+    fn root_weight(&self, row: usize) -> f64 {
+        self.weights.get(row).map_or(1.0, |weight| weight.sqrt())
+    }
+
     /// What each reading would be, and its slope by each parameter.
     pub(super) fn predictions(&self, values: &[f64]) -> Vec<(f64, Vec<f64>)> {
         let stations = self.surfaces.at(values);
@@ -51,10 +59,10 @@ impl Likelihood<'_> {
     /// Residuals, measured less predicted, over their errors.
     pub(super) fn residuals(&self, values: &[f64]) -> Vec<f64> {
         let predictions = self.predictions(values);
-        let of = |(reading, (predicted, _)): (&Reading, &(f64, Vec<f64>))| {
-            (reading.value - predicted) / self.error_of(reading)
+        let of = |(row, (reading, (predicted, _))): (usize, (&Reading, &(f64, Vec<f64>)))| {
+            self.root_weight(row) * (reading.value - predicted) / self.error_of(reading)
         };
-        self.readings.iter().zip(&predictions).map(of).collect()
+        self.readings.iter().zip(&predictions).enumerate().map(of).collect()
     }
 
     /// The sum of their squares.
@@ -66,18 +74,17 @@ impl Likelihood<'_> {
     pub(super) fn design(&self, values: &[f64]) -> DMatrix<f64> {
         let predictions = self.predictions(values);
         DMatrix::from_fn(self.readings.len(), values.len(), |row, column| {
-            predictions[row].1[column] / self.error_of(&self.readings[row])
+            self.root_weight(row) * predictions[row].1[column] / self.error_of(&self.readings[row])
         })
     }
 
-    /// The best values where some are held, from others; no factor is below zero. Which of them lie
-    /// there is told too.
+    /// The best values where some are held, from others; none is below zero, for neither friction nor the
+    /// block's weight nor the bit's torque is. The second list marks those that lie there.
     pub(super) fn fit(
         &self,
         from: &[f64],
         held: &[Option<f64>],
     ) -> Result<(Vec<f64>, Vec<bool>), CalibrationError> {
-        let parameters = &self.settings.parameters;
         let mut at_bound = vec![false; from.len()];
         let mut released = vec![false; from.len()];
         let mut values = from.to_vec();
@@ -89,7 +96,7 @@ impl Likelihood<'_> {
                 .collect();
             values = self.free_fit(&values, &now)?;
             let below = (0..values.len())
-                .filter(|&of| now[of].is_none() && parameters[of].is_factor() && values[of] < 0.0)
+                .filter(|&of| now[of].is_none() && values[of] < 0.0)
                 .min_by(|&a, &b| values[a].total_cmp(&values[b]));
             if let Some(of) = below {
                 at_bound[of] = true;
@@ -122,12 +129,25 @@ impl Likelihood<'_> {
         match report.termination {
             TerminationReason::NoImprovementPossible(_) => {}
             of if of.was_successful() => {}
-            other => return Err(CalibrationError::NotFitted(format!("{other:?}"))),
+            reason => return Err(CalibrationError::NotFitted(explained(&reason).to_owned())),
         }
         for (place, &of) in free.iter().enumerate() {
             values[of] = problem.at[place];
         }
         Ok(values)
+    }
+}
+
+/// Why the optimiser stopped, in a sentence.
+fn explained(reason: &TerminationReason) -> &'static str {
+    match reason {
+        TerminationReason::Numerical(_) => {
+            "a prediction or a reading is no finite number, or the readings of a kind are all zero"
+        }
+        TerminationReason::LostPatience => {
+            "its steps did not become small: the readings hardly depend on what is looked for"
+        }
+        _ => "the readings do not fit together with what is looked for",
     }
 }
 

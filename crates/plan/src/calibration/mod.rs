@@ -17,6 +17,7 @@ mod predict;
 mod profile;
 mod quantile;
 mod reading;
+mod robust;
 mod settings;
 mod solve;
 mod spread;
@@ -28,5 +29,6 @@ pub use parameter::{AroundRatio, Factors, HolePart, MOST_SECTIONS, Parameter, St
 pub use predict::{Asked, Assembly, Loads, Predict, SoftPredictions};
 pub use quantile::{normal_below, normal_within, student_within};
 pub use reading::{Channel, ErrorKind, Motion, Reading};
+pub use robust::{LOSS, Outliers, outliers};
 pub use settings::Settings;
 pub use solve::calibrate;

@@ -13,7 +13,7 @@ pub struct Estimate {
     pub standard_error: Option<f64>,
     /// The interval within which the likelihood allows it; an end that is not found is none.
     pub interval: [Option<f64>; 2],
-    /// It is a factor that would be negative, and is zero.
+    /// It would be negative, and is zero.
     pub at_bound: bool,
     /// The likelihood along it, all others at their best.
     pub profile: Vec<ProfilePoint>,

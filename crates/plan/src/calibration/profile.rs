@@ -46,13 +46,9 @@ impl Along<'_> {
         (0..POINTS).map(point).collect()
     }
 
-    /// Where the sum of squares has grown by so much, to either side. A factor's lower end is zero
-    /// where it has not grown so much there.
-    pub(super) fn ends(
-        &self,
-        grown: f64,
-        bounded: bool,
-    ) -> Result<[Option<f64>; 2], CalibrationError> {
+    /// Where the sum of squares has grown by so much, to either side. The lower end is zero where it has not
+    /// grown so much there.
+    pub(super) fn ends(&self, grown: f64) -> Result<[Option<f64>; 2], CalibrationError> {
         let least = self.likelihood.chi2(self.values);
         let best = self.values[self.of];
         let end = |sign: f64| -> Result<Option<f64>, CalibrationError> {
@@ -67,7 +63,7 @@ impl Along<'_> {
                 }
                 let excess = self.excess(value, least)?;
                 if outside && excess < grown {
-                    return Ok((bounded && sign < 0.0 && limit == 0.0).then_some(0.0));
+                    return Ok((sign < 0.0 && limit == 0.0).then_some(0.0));
                 }
                 if (excess / grown - 1.0).abs() < EXACT {
                     return Ok(Some(value));

@@ -32,18 +32,6 @@ pub fn calibrate(
     check(readings, settings)?;
     check_finite(held_out)?;
     let (stations, station_of) = stations(model, settings, readings);
-    let best = best(model, settings, readings, &stations, &station_of)?;
-    let likelihood = Likelihood {
-        settings,
-        surfaces: &best.surfaces,
-        readings,
-        station_of: &station_of,
-        errors: best.errors,
-    };
-    let design = likelihood.design(&best.values);
-    let spread = Spread::of(&design, &best.at_bound, settings)?;
-    // How far a factor at its bound would be known, for the reach of its profile.
-    let all = Spread::of(&design, &vec![false; best.values.len()], settings)?;
     let freedom = readings.len() - settings.parameters.len();
     let kinds = readings.iter().map(|reading| reading.channel.error());
     let estimated = kinds.clone().any(|kind| settings.errors[kind.place()].is_none());
@@ -52,6 +40,19 @@ pub fn calibrate(
         false => normal_within(probability),
     };
     let interval_factor = within(settings.confidence);
+    let best = best(model, settings, readings, (&stations, &station_of), interval_factor)?;
+    let likelihood = Likelihood {
+        settings,
+        surfaces: &best.surfaces,
+        readings,
+        station_of: &station_of,
+        errors: best.errors,
+        weights: Vec::new(),
+    };
+    let design = likelihood.design(&best.values);
+    let spread = Spread::of(&design, &best.at_bound, settings)?;
+    // How far a factor at its bound would be known, for the reach of its profile.
+    let all = Spread::of(&design, &vec![false; best.values.len()], settings)?;
     let band_factor = within(settings.band_confidence);
     let points = points(&likelihood, &best, &spread, band_factor);
     let (bands, more) = bands(model, settings, readings, depths, &best, &spread, band_factor)?;
@@ -79,7 +80,7 @@ pub fn calibrate(
     })
 }
 
-fn check(readings: &[Reading], settings: &Settings) -> Result<(), CalibrationError> {
+pub(super) fn check(readings: &[Reading], settings: &Settings) -> Result<(), CalibrationError> {
     let parameters = &settings.parameters;
     if parameters.is_empty() {
         return Err(CalibrationError::NothingAsked);
@@ -96,6 +97,12 @@ fn check(readings: &[Reading], settings: &Settings) -> Result<(), CalibrationErr
         }
     }
     check_finite(readings)?;
+    for kind in ErrorKind::ALL {
+        let mut of = readings.iter().filter(|reading| reading.channel.error() == kind).peekable();
+        if of.peek().is_some() && of.all(|reading| reading.value == 0.0) {
+            return Err(CalibrationError::AllZero(kind));
+        }
+    }
     let (readings, parameters) = (readings.len(), parameters.len());
     match readings < parameters {
         true => Err(CalibrationError::TooFew { readings, parameters }),
@@ -129,15 +136,16 @@ fn estimates(
         let scale = if at_bound { all.standard_error(of) } else { spread.standard_error(of) };
         let span = match parameter.is_factor() {
             true => best.surfaces.span[of],
-            false => [f64::NEG_INFINITY, f64::INFINITY],
+            false => [0.0, f64::INFINITY],
         };
         let along = Along { likelihood, values: &best.values, of, standard_error: scale, span };
         let value = best.values[of];
         let (interval, profile) = if likelihood.settings.profiles {
             let grown = interval_factor * interval_factor;
-            (along.ends(grown, parameter.is_factor())?, along.points()?)
+            (along.ends(grown)?, along.points()?)
         } else {
-            let ends = [value - interval_factor * scale, value + interval_factor * scale];
+            let ends =
+                [(value - interval_factor * scale).max(0.0), value + interval_factor * scale];
             (ends.map(Some), Vec::new())
         };
         let standard_error = (!at_bound).then_some(scale);

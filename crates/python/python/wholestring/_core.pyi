@@ -195,6 +195,7 @@ class CalibrateOptions(TypedDict):
     rotating_error: str | None
     torque_error: str | None
     outlier: str
+    without_outliers: bool
     band: str
     model: str
     check_dynamics: list[float] | None

@@ -257,6 +257,7 @@ class Planning(Checked):
         rotating_error: Scalar | None = None,
         torque_error: Scalar | None = None,
         outlier: float = 3.0,
+        without_outliers: bool = False,
         band: float = 90.0,
         model: Literal["soft", "stiff"] = "soft",
         check_dynamics: bool | Values = False,
@@ -296,6 +297,9 @@ class Planning(Checked):
             estimated where they are not given.
         outlier
             Residuals larger than so many of their standard errors are outliers.
+        without_outliers
+            Whether outliers, as Huber's loss finds them, take no part in the fit; otherwise
+            ``summary["comparison"]`` has what is found without them.
         band
             Confidence of the bands, %.
         model
@@ -359,6 +363,7 @@ class Planning(Checked):
             "rotating_error": _values.written("rotating_error", rotating_error, "force"),
             "torque_error": _values.written("torque_error", torque_error, "torque"),
             "outlier": str(outlier),
+            "without_outliers": without_outliers,
             "band": str(band),
             "model": model,
             "check_dynamics": depths,

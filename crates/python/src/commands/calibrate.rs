@@ -33,6 +33,7 @@ pub(crate) struct CalibrateOptions {
     rotating_error: Option<String>,
     torque_error: Option<String>,
     outlier: String,
+    without_outliers: bool,
     band: String,
     model: String,
     check_dynamics: Option<Vec<f64>>,
@@ -66,6 +67,7 @@ impl CalibrateOptions {
                 error("torque_error", &self.torque_error, option::torque)?,
             ],
             outlier_beyond: read("outlier", &self.outlier, option::beyond)?,
+            without_outliers: self.without_outliers,
             band_confidence: read("band", &self.band, option::confidence)?,
             model: model.ok_or_else(|| no_statics(&self.model))?,
         })

@@ -20,6 +20,9 @@ pub struct Calibration {
     pub correlation: Vec<Vec<f64>>,
     /// Errors of the readings: which, how large, whether it is a torque, given, how many.
     pub errors: Vec<(String, f64, bool, bool, usize)>,
+    /// What is found with the outliers, where they were left out, or without them: the loss that found them, their
+    /// names, whether they were left out, and a value with its standard error for each estimate.
+    pub comparison: Option<CalibrationComparison>,
     /// Every reading.
     pub points: Vec<CalibrationPoint>,
     /// Predictions with their bands.
@@ -34,6 +37,19 @@ pub struct Calibration {
     pub notes: Vec<String>,
     /// What is to be wary of, in sentences.
     pub warnings: Vec<String>,
+}
+
+/// The other answer, with the outliers or without them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CalibrationComparison {
+    /// Name of the loss that found the outliers.
+    pub loss: String,
+    /// Their names.
+    pub outliers: Vec<String>,
+    /// Whether the main answer leaves them out.
+    pub left_out: bool,
+    /// By the words of each estimate, its value and standard error.
+    pub values: Vec<(String, f64, Option<f64>)>,
 }
 
 /// A number that was looked for.

@@ -54,6 +54,7 @@ fn page(of: &Calibration, units: &str) -> StudyPage {
         ),
     ];
     let mut parts = vec![estimates(of, shown, &interval)];
+    parts.extend(comparison(of, shown));
     for (plot, (title, caption)) in calibration_plots(of, units).into_iter().zip(captions) {
         parts.push(StudyPart::Figure {
             title: title.to_owned(),
@@ -103,6 +104,39 @@ fn estimates(of: &Calibration, shown: Shown<'_>, interval: &str) -> StudyPart {
         files: "summary".into(),
         endings: &["json"],
     }
+}
+
+/// All readings beside those without the outliers.
+fn comparison(of: &Calibration, shown: Shown<'_>) -> Option<StudyPart> {
+    let other = of.comparison.as_ref()?;
+    let heads = heads(&[("number", true), ("all readings", false), ("without outliers", false)]);
+    let rows = of.estimates.iter().map(|own| {
+        let say = |value: f64| match own.dimension.as_str() {
+            "" => format!("{value:.4}"),
+            dimension => shown.quantity(value, dimension),
+        };
+        let text = |value: f64, error: Option<f64>| match error {
+            Some(error) => format!("{} ± {}", say(value), say(error)),
+            None => say(value),
+        };
+        let same = other.values.iter().find(|(words, ..)| *words == own.words);
+        let same = same.map_or("–".to_owned(), |(_, value, error)| text(*value, *error));
+        let own_text = text(own.value, own.standard_error);
+        let [all, without] = if other.left_out { [same, own_text] } else { [own_text, same] };
+        row(vec![own.words.clone(), all, without])
+    });
+    Some(StudyPart::Table {
+        title: "With and without outliers".into(),
+        caption: format!(
+            "Outliers, found by {}'s loss: {}. The answer above is that {}.",
+            other.loss,
+            other.outliers.join(", "),
+            if other.left_out { "without them" } else { "of all readings" }
+        ),
+        grid: Grid { heads, rows: rows.collect() },
+        files: "summary".into(),
+        endings: &["json"],
+    })
 }
 
 fn dynamics(of: &Calibration, shown: Shown<'_>) -> Option<StudyPart> {

@@ -23,6 +23,9 @@ pub struct Fit {
     pub errors: [Option<f64>; 3],
     /// Residuals larger than so many of their standard errors are outliers.
     pub outlier_beyond: f64,
+    /// Outliers, as a robust fit finds them, take no part in the fit and are held against it; otherwise what is
+    /// found without them is shown beside it.
+    pub without_outliers: bool,
     /// Confidence of the bands.
     pub band_confidence: f64,
     /// The model that predicts: soft or stiff.

@@ -1,5 +1,6 @@
 //! Friction factors, block weight and bit torque from what was read at the surface.
 
+mod checks;
 mod dynamic;
 mod fit;
 mod notes;

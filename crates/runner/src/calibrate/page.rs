@@ -4,7 +4,7 @@ use std::path::Path;
 
 use wholestring_report::{
     CALIBRATION_PICTURES, CalibratedRow, Calibration, CalibrationBand, CalibrationCheck,
-    CalibrationPoint, Cell, Fact, Plot, calibration_html, calibration_plots,
+    CalibrationComparison, CalibrationPoint, Cell, Fact, Plot, calibration_html, calibration_plots,
 };
 use wholestring_results::{CalibrationSummary, DynamicCheck, ResultsError, Table};
 use wholestring_units::UnitSet;
@@ -47,6 +47,16 @@ impl Results for Calibration {
         Ok(Self {
             estimates: rows.collect(),
             errors: errors.collect(),
+            comparison: summary.comparison.as_ref().map(|other| CalibrationComparison {
+                loss: other.loss.clone(),
+                outliers: other.outliers.clone(),
+                left_out: other.left_out,
+                values: other
+                    .estimates
+                    .iter()
+                    .map(|of| (of.words.clone(), of.value, of.standard_error))
+                    .collect(),
+            }),
             points: points(&table(folder, POINTS)?),
             bands: bands(&table(folder, BANDS)?),
             correlation: summary.correlation.clone(),
@@ -91,12 +101,17 @@ fn facts(summary: &CalibrationSummary) -> Vec<Fact> {
     let fact = |label: &str, text: String| Fact { label: label.into(), value: Cell::Text(text) };
     let file = Path::new(&summary.data).file_name();
     let file = file.map_or(summary.data.clone(), |name| name.to_string_lossy().into_owned());
-    vec![
+    let mut facts = vec![
         fact("Readings", format!("{} of {file}", summary.readings)),
         fact("Model", format!("{} string", summary.model)),
         fact("χ²", format!("{:.1}", summary.chi2)),
         fact("Degrees of freedom", summary.degrees_of_freedom.to_string()),
-    ]
+    ];
+    // Folders of older versions have none.
+    if !summary.status.is_empty() {
+        facts.push(fact("Band", summary.status.clone()));
+    }
+    facts
 }
 
 fn numbers(table: &Table, name: &str) -> Vec<f64> {

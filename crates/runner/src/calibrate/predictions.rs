@@ -51,7 +51,7 @@ impl Predictions<'_> {
 
     fn one(&self, asked: &Asked) -> Result<Loads, CalibrationError> {
         if self.cancellation.is_cancelled() {
-            return Err(CalibrationError::NotFitted("interrupted".into()));
+            return Err(CalibrationError::Interrupted);
         }
         let Some(settings) = &self.stiff else {
             return SoftPredictions::new(self.assemblies).one(asked);

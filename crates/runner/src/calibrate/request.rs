@@ -6,12 +6,18 @@ use std::{
 };
 
 use wholestring::outcome::ModelKind;
-use wholestring_plan::calibration::{Calibration, Settings, calibrate};
+use wholestring_plan::calibration::{
+    Calibration, CalibrationError, LOSS, Outliers, Settings, calibrate, outliers,
+};
 use wholestring_report as report;
-use wholestring_results::{CALIBRATION_VERSION, CalibrationSummary, Occupant, digest};
+use wholestring_results::{
+    CALIBRATION_VERSION, CalibrationSummary, Occupant, OutlierComparison, digest,
+};
+use wholestring_tabular::{CheckSeverity, ReadingCheck};
 use wholestring_units::UnitSet;
 
 use super::{
+    checks,
     dynamic::{self, CheckDynamics},
     fit::Fit,
     notes,
@@ -34,9 +40,10 @@ use crate::{
 const DEPTHS: usize = 30;
 const STIFF_DEPTHS: usize = 10;
 
-/// Nodes of a factor where the stiff string predicts, and how far from the soft string's answer.
+/// Nodes of a factor where the stiff string predicts, and how far from the soft string's answer: nearer where
+/// strings so far off have no answer.
 const STIFF_NODES: usize = 3;
-const STIFF_REACH: f64 = 0.08;
+const STIFF_REACH: [f64; 2] = [0.08, 0.025];
 
 /// Readings that are to tell friction.
 #[derive(Debug)]
@@ -95,8 +102,20 @@ pub fn run(
         return Err(Error::BadInput("no case is given".into()));
     };
     let bytes = readings::bytes(request.data, request.content)?;
-    let data = readings::read(request.data, &bytes, request.cases)?;
+    let mut data = readings::read(request.data, &bytes, request.cases)?;
+    let units = request.units.unwrap_or(first.case.units);
+    let name = request.data.display().to_string();
+    let first_settings = settings(&request.fit, request.cases, &data)?;
+    checks::by_string(&name, &mut data, &first_settings, units, cancellation)?;
+    // Readings that were left out may have been the only ones of a part of the hole.
     let settings = settings(&request.fit, request.cases, &data)?;
+    let robust = robust(request, &data, &settings, cancellation)?;
+    let parted = robust.as_ref().and_then(|robust| Parted::of(&data, robust));
+    let (data, other) = match (parted, request.fit.without_outliers) {
+        (Some(parted), true) => (parted.without, Some((data, parted.outliers))),
+        (Some(parted), false) => (data, Some((parted.without, parted.outliers))),
+        (None, _) => (data, None),
+    };
     let check = match &request.check {
         Some(check) => Some((check, dynamic::chosen(check, &data)?)),
         None => None,
@@ -107,53 +126,173 @@ pub fn run(
     let claimed = Claim::new(occupant, &request.output, observer).folder()?;
     let folder = &claimed.folder;
     let begun = Instant::now();
-    let found = find(request, &data, &settings, (observer, cancellation))?;
+    let found = find(request, &data, &settings, true, (observer, cancellation))?;
+    let comparison = match other {
+        Some((other, outliers)) => {
+            let work = (observer, cancellation);
+            // Too few may be left: then there is nothing to compare with.
+            match find(request, &other, &settings, false, work) {
+                Ok(found) => Some(OutlierComparison {
+                    loss: LOSS.to_owned(),
+                    outliers,
+                    left_out: request.fit.without_outliers,
+                    estimates: tables::estimates(&found),
+                }),
+                Err(Error::Interrupted) => return Err(Error::Interrupted),
+                Err(_) => None,
+            }
+        }
+        None => None,
+    };
     let took = begun.elapsed();
-    let units = request.units.unwrap_or(first.case.units);
+    let robust = robust.filter(|of| of.outlier.len() == found.points.len());
+    let mut all = data.checks.clone();
+    all.extend(checks::of_fit(&data, &found, &settings, robust.as_ref(), units));
+    all.extend(outlier_check(comparison.as_ref()));
     let mut summary = summary(request, &data, &settings, &found, units);
+    summary.comparison = comparison;
+    let (fragment, refused) = toml::fragment(first, &summary, &found, first.case.units);
+    all.extend(refused);
     if let Some((check, depths)) = check {
         let of = (request.cases, check);
         summary.dynamics = dynamic::checked(of, &data, &found, &depths, observer, cancellation);
-        summary.warnings.extend(dynamic::warnings(&summary.dynamics, units));
+        let warnings = dynamic::warnings(&summary.dynamics, units).into_iter();
+        all.extend(warnings.map(|sentence| checks::warning("dynamics", sentence)));
     }
     let interrupted = cancellation.is_cancelled();
     if interrupted {
-        summary.warnings.push("the check by the dynamics was interrupted".to_owned());
+        let sentence = "the check by the dynamics was interrupted".to_owned();
+        all.push(checks::warning("interrupted", sentence));
     }
+    summary.notes.extend(checks::sentences(&all, CheckSeverity::Note));
+    summary.warnings = checks::sentences(&all, CheckSeverity::Warning);
+    summary.checks = checks::recorded(&all);
     tables::write(folder, &data, &summary, &found)?;
-    folder.write_file(toml::FRAGMENT, toml::fragment(first.case, &summary, &found).as_bytes())?;
+    folder.write_file(toml::FRAGMENT, fragment.as_bytes())?;
     report::Calibration::gather(folder.path(), Some(units))?.write(folder, request.png)?;
     Ok(Outcome { summary, folder: folder.path().to_owned(), took, interrupted })
+}
+
+/// The readings that a robust fit by the soft string does not follow; none where there is no such fit.
+fn robust(
+    request: &Request<'_>,
+    data: &Readings,
+    settings: &Settings,
+    cancellation: &CancellationToken,
+) -> Result<Option<Outliers>, Error> {
+    let model = Predictions {
+        assemblies: &data.assemblies,
+        stiff: None,
+        cancellation,
+        observer: &crate::observer::Silent,
+    };
+    let settings = Settings { outlier_beyond: request.fit.outlier_beyond, ..settings.clone() };
+    match outliers(&model, &data.readings, &settings) {
+        Ok(found) => Ok(Some(found)),
+        Err(CalibrationError::Interrupted) => Err(Error::Interrupted),
+        // The fit itself says why.
+        Err(_) => Ok(None),
+    }
+}
+
+/// Readings without their outliers, which are held out.
+struct Parted {
+    without: Readings,
+    outliers: Vec<String>,
+}
+
+impl Parted {
+    /// Nothing where there are no outliers.
+    fn of(data: &Readings, robust: &Outliers) -> Option<Self> {
+        if !robust.outlier.contains(&true) {
+            return None;
+        }
+        let mut without = Readings { readings: Vec::new(), places: Vec::new(), ..data.clone() };
+        let mut outliers = Vec::new();
+        let rows = data.readings.iter().zip(&data.places);
+        for ((reading, place), is) in rows.zip(&robust.outlier) {
+            let (readings, places) = match is {
+                false => (&mut without.readings, &mut without.places),
+                true => (&mut without.held_out, &mut without.held_out_places),
+            };
+            readings.push(*reading);
+            places.push(place.clone());
+            if *is {
+                let name = reading.channel.name().replace('_', "-");
+                outliers.push(format!("{name} of {place}"));
+            }
+        }
+        Some(Self { without, outliers })
+    }
+}
+
+/// That there is another answer, with the outliers or without them.
+fn outlier_check(comparison: Option<&OutlierComparison>) -> Option<ReadingCheck> {
+    let of = comparison?;
+    let (count, loss) = (of.outliers.len(), &of.loss);
+    let noun = if count == 1 { "outlier" } else { "outliers" };
+    let sentence = match of.left_out {
+        true => format!(
+            "{count} {noun} ({}), found by {loss}'s loss, took no part in the fit",
+            of.outliers.join(", ")
+        ),
+        false => format!(
+            "{count} {noun} ({}), found by {loss}'s loss, are in the fit; what is found without them is shown \
+             beside it, and `--without-outliers` takes it",
+            of.outliers.join(", ")
+        ),
+    };
+    Some(ReadingCheck {
+        value: Some(count as f64),
+        places: of.outliers.clone(),
+        ..checks::warning("outliers", sentence)
+    })
 }
 
 fn find(
     request: &Request<'_>,
     data: &Readings,
     settings: &Settings,
+    is_main: bool,
     (observer, cancellation): (&dyn Observer, &CancellationToken),
 ) -> Result<Calibration, Error> {
     let is_stiff = request.fit.model == ModelKind::Stiff;
-    let depths = depths(data, if is_stiff { STIFF_DEPTHS } else { DEPTHS });
+    // Beside the main fit the numbers alone are wanted.
+    let settings = &Settings { profiles: is_main && settings.profiles, ..settings.clone() };
+    let depths = match is_main {
+        true => depths(data, if is_stiff { STIFF_DEPTHS } else { DEPTHS }),
+        false => Vec::new(),
+    };
     let solve = |stiff, settings: &Settings, depths: &[(usize, f64)]| {
         let model = Predictions { assemblies: &data.assemblies, stiff, cancellation, observer };
-        let found = calibrate(&model, &data.readings, &data.held_out, depths, settings);
-        found.map_err(|error| match cancellation.is_cancelled() {
-            true => Error::Interrupted,
-            false => Error::BadInput(error.to_string()),
-        })
+        calibrate(&model, &data.readings, &data.held_out, depths, settings)
+    };
+    let explained = |error: CalibrationError| match cancellation.is_cancelled() {
+        true => Error::Interrupted,
+        false => Error::BadInput(error.to_string()),
     };
     if !is_stiff {
-        return solve(None, settings, &depths);
+        return solve(None, settings, &depths).map_err(explained);
     }
-    let soft = solve(None, &Settings { profiles: false, ..settings.clone() }, &[])?;
+    let soft = Settings { profiles: false, ..settings.clone() };
+    let soft = solve(None, &soft, &[]).map_err(explained)?;
     let factors = soft.estimates.iter().filter(|of| of.parameter.is_factor());
     let factors: Vec<f64> = factors.map(|of| of.value).collect();
     let least = factors.iter().copied().fold(f64::INFINITY, f64::min);
     let most = factors.iter().copied().fold(0.0, f64::max);
-    let first_box = [(least.min(most) - STIFF_REACH).max(0.0), most + STIFF_REACH];
     let stiff = data.cases.iter().map(|&of| request.cases[of].case.dynamics.stiff_string());
-    let settings = Settings { first_box, nodes: STIFF_NODES, ..settings.clone() };
-    solve(Some(stiff.collect()), &settings, &depths)
+    let stiff: Vec<_> = stiff.collect();
+    let within = |reach: f64| {
+        let first_box = [(least.min(most) - reach).max(0.0), most + reach];
+        let settings = Settings { first_box, nodes: STIFF_NODES, ..settings.clone() };
+        solve(Some(stiff.clone()), &settings, &depths)
+    };
+    let [far, near] = STIFF_REACH;
+    let found = match within(far) {
+        Err(CalibrationError::NoAnswer { .. }) => within(near),
+        found => found,
+    };
+    found.map_err(explained)
 }
 
 /// Depths of the bands: of each case from its first reading to its last, of the deepest to the end of
@@ -210,8 +349,11 @@ fn summary(
         held_out_within_band: found.held_out.iter().filter(|of| of.within_band).count(),
         interpolation_error: found.interpolation_error,
         strings: found.strings,
+        status: notes::status(found, settings, units),
+        comparison: None,
+        checks: Vec::new(),
         notes: notes::notes(data, found, settings, units),
-        warnings: notes::warnings(data, found, settings, units),
+        warnings: Vec::new(),
         dynamics: Vec::new(),
     }
 }

@@ -185,7 +185,7 @@ fn ends(found: &Calibration) -> Vec<Row<'static>> {
     found.estimates.iter().flat_map(of).collect()
 }
 
-/// What was looked for.
+/// What was looked for, with what was found.
 pub(super) fn estimates(found: &Calibration) -> Vec<EstimateFound> {
     let estimate = |of: &wholestring_plan::calibration::Estimate| EstimateFound {
         parameter: of.parameter.name().to_owned(),

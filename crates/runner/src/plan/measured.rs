@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use wholestring::operation::Operation;
+use wholestring_case::Measured as Measurements;
 use wholestring_plan::{
     Broomstick, BroomstickTask,
     calibration::{Assembly, Channel, Reading},
@@ -53,7 +54,8 @@ impl Measured {
             overrides: request.overrides,
             case,
         };
-        let readings = readings::of_rows(&measured.file, &measured.readings, &[named])?;
+        let Measurements { file, readings, half_digit_m, .. } = measured;
+        let readings = readings::of_rows(file, readings, *half_digit_m, &[named])?;
         let of_string = |of: &Assembly| {
             let plan = &case.plan;
             let models = plan.models.clone();

@@ -8,12 +8,15 @@ use std::{borrow::Cow, path::Path};
 
 use wholestring_case::Override;
 use wholestring_plan::calibration::{Assembly, Channel, Reading};
-use wholestring_tabular::{ImportedReading, ImportedReadings, read_readings};
+use wholestring_tabular::{
+    CheckSeverity, ImportedReading, ImportedReadings, ReadingCheck, read_readings,
+};
+use wholestring_units::{Dimension, Unit, UnitSet};
 
 use crate::{error::Error, survey};
 
 /// Readings with what was in the hole.
-#[derive(Default)]
+#[derive(Debug, Default, Clone)]
 pub(crate) struct Readings {
     pub(crate) readings: Vec<Reading>,
     /// Where each stands in its file.
@@ -27,6 +30,10 @@ pub(crate) struct Readings {
     pub(crate) cases: Vec<usize>,
     /// How the file was understood.
     pub(crate) notes: Vec<String>,
+    /// What is to be said of the readings themselves.
+    pub(crate) checks: Vec<ReadingCheck>,
+    /// Units of the columns, by channel.
+    pub(crate) units: [Option<&'static Unit>; Channel::ALL.len()],
 }
 
 /// Bits this near to the end of the hole are at it, m.
@@ -40,18 +47,38 @@ pub(crate) fn bytes<'a>(file: &Path, content: Option<&'a [u8]>) -> Result<Cow<'a
     }
 }
 
-/// Reads the bytes of a file, and finds each row's case.
+/// Reads the bytes of a file, and finds each row's case; readings that cannot be any are left out and said.
 pub(crate) fn read(file: &Path, bytes: &[u8], cases: &[NamedCase<'_>]) -> Result<Readings, Error> {
     let name = file.display().to_string();
-    let ImportedReadings { readings, notes } =
-        read_readings(bytes, &name).map_err(|error| survey::explained(&error))?;
-    Ok(Readings { notes, ..of_rows(&name, &readings, cases)? })
+    let imported = read_readings(bytes, &name).map_err(|error| survey::explained(&error))?;
+    let (imported, checks) = imported.measured(units_of(cases));
+    refused(&name, &checks)?;
+    let ImportedReadings { readings, notes, half_digit_m, units } = imported;
+    let mut data = of_rows(&name, &readings, half_digit_m, cases)?;
+    data.checks.splice(0..0, checks);
+    Ok(Readings { notes, units, ..data })
+}
+
+/// Units in which the first case is shown.
+fn units_of(cases: &[NamedCase<'_>]) -> UnitSet {
+    cases.first().map_or(UnitSet::Si, |of| of.case.units)
+}
+
+/// The checks that leave no answer, as one error.
+pub(crate) fn refused(name: &str, checks: &[ReadingCheck]) -> Result<(), Error> {
+    let errors = checks.iter().filter(|of| of.severity == CheckSeverity::Error);
+    let errors: Vec<&str> = errors.map(|of| of.sentence.as_str()).collect();
+    match errors[..] {
+        [] => Ok(()),
+        _ => Err(Error::BadInput(format!("{name}: {}", errors.join("\n")))),
+    }
 }
 
 /// Finds the case of each row of a file.
 pub(crate) fn of_rows(
     name: &str,
     rows: &[ImportedReading],
+    half_digit_m: f64,
     cases: &[NamedCase<'_>],
 ) -> Result<Readings, Error> {
     let mut data = Readings::default();
@@ -70,7 +97,10 @@ pub(crate) fn of_rows(
                 data.cases.len() - 1
             }
         };
-        within(row.bit_depth_m, &data.assemblies[setup]).map_err(bad)?;
+        let units = cases[case].case.units;
+        let bit_depth_m =
+            within(row, half_digit_m, &data.assemblies[setup], units, &mut data.checks)
+                .map_err(bad)?;
         let values = [
             row.pick_up_N,
             row.slack_off_N,
@@ -80,7 +110,6 @@ pub(crate) fn of_rows(
         ];
         for (channel, value) in Channel::ALL.into_iter().zip(values) {
             let Some(value) = value else { continue };
-            let bit_depth_m = row.bit_depth_m;
             let (readings, places) = match row.held_out {
                 false => (&mut data.readings, &mut data.places),
                 true => (&mut data.held_out, &mut data.held_out_places),
@@ -141,18 +170,50 @@ pub(crate) fn deepest_m(assembly: &Assembly) -> f64 {
     hole_m.min(well.path.last_md_m())
 }
 
-fn within(depth_m: f64, assembly: &Assembly) -> Result<(), String> {
+/// The depth of a reading's bit in its case, m: the end of the hole where the depth as it is written is rounded
+/// beyond it.
+fn within(
+    row: &ImportedReading,
+    half_digit_m: f64,
+    assembly: &Assembly,
+    units: UnitSet,
+    checks: &mut Vec<ReadingCheck>,
+) -> Result<f64, String> {
+    let depth_m = row.bit_depth_m;
     let (least, most) = (assembly.setup.shallowest_m(), deepest_m(assembly));
-    if depth_m > most + ROUNDED_M {
+    let shown = |depth_m: f64| {
+        let unit = Dimension::Length.unit_in(units);
+        format!("{:.1} {}", unit.from_si(depth_m), unit.symbol)
+    };
+    if depth_m > most + half_digit_m.max(ROUNDED_M) {
         return Err(format!(
-            "the bit is at {depth_m:.1} m, but hole and survey of its case end at {most:.1} m"
+            "the bit is at {}, but hole and survey of its case end at {}",
+            shown(depth_m),
+            shown(most)
         ));
     }
+    if depth_m > most + ROUNDED_M {
+        checks.push(ReadingCheck {
+            kind: "rounded_depth",
+            severity: CheckSeverity::Note,
+            places: vec![row.place.clone()],
+            value: Some(depth_m),
+            limit: Some(most),
+            sentence: format!(
+                "{}: the bit is at {}, rounded beyond the end of hole and survey at {}; taken as at the end",
+                row.place,
+                shown(depth_m),
+                shown(most)
+            ),
+        });
+    }
+    let depth_m = depth_m.min(most);
     if depth_m <= least {
         return Err(format!(
-            "the bit is at {depth_m:.1} m, but the string of its case is {least:.1} m long below its \
-             topmost component"
+            "the bit is at {}, but the string of its case is {} long below its topmost component",
+            shown(depth_m),
+            shown(least)
         ));
     }
-    Ok(())
+    Ok(depth_m)
 }

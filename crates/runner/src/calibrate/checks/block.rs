@@ -1,0 +1,163 @@
+//! Weights against those of the block and of the string.
+
+use wholestring_plan::calibration::Channel;
+use wholestring_tabular::{CheckSeverity, ReadingCheck, row_names};
+use wholestring_units::{Dimension, UnitSet};
+
+use super::{
+    dimension, median, shown,
+    trial::{Block, MOST, Trial, rows, weight_rows},
+    units::is_free,
+    words,
+};
+use crate::readings::Readings;
+
+/// The kind of a check that finds no block in weights.
+pub(super) const NOT_IN_READINGS: &str = "block_not_in_readings";
+
+/// Weights that a block held as the case has it misses by more than this part, and by so many times what one
+/// that is looked for misses them by, are those of another block.
+const OFF: f64 = 0.03;
+const WORSE: f64 = 2.5;
+
+/// Fewest weights that tell a block.
+const FEWEST: usize = 4;
+
+/// A pick-up or rotating weight below this part of what the string weighs in the mud is no reading.
+const LIGHT: f64 = 0.5;
+
+/// Readings that less than half of a column are: more of them are another matter.
+const FEW: f64 = 0.5;
+
+/// Friction that changes no weight by more than this part, and asks for less than this part of the torques, is
+/// told by none of them.
+const WEIGHT_CHANGE: f64 = 0.003;
+const TORQUE_CHANGE: f64 = 0.2;
+
+/// The block of the case against that in the weights.
+pub(super) fn of_case(data: &Readings, trial: &Trial, units: UnitSet) -> Option<ReadingCheck> {
+    let Block::Held(held_N) = trial.block else { return None };
+    let rows = weight_rows(data);
+    if rows.len() < FEWEST {
+        return None;
+    }
+    let (held, free) =
+        (trial.misfit(data, &rows, 1.0, trial.block), trial.misfit(data, &rows, 1.0, Block::Any));
+    if held.part < OFF || held.part < WORSE * free.part {
+        return None;
+    }
+    let size_N = median(rows.iter().map(|&row| data.readings[row].value.abs()).collect());
+    let force = |of: f64| shown(of, Dimension::Force, units);
+    let off_N = free.block_N - held_N;
+    let without = free.block_N.abs() < (0.2 * held_N).max(0.02 * size_N);
+    let (kind, sentence) = match without {
+        true => (
+            NOT_IN_READINGS,
+            format!(
+                "the weights lie {} below what is expected, about the weight of the block, {}: they seem not to \
+                 hold the block. Add it to them, or look for it (`--block-weight`), which then comes to about {}",
+                force(-off_N),
+                force(held_N),
+                force(free.block_N.max(0.0)),
+            ),
+        ),
+        false => (
+            "block_weight",
+            format!(
+                "the weights lie {} {} what is expected with the case's block of {}; a block of {} would bring \
+                 them into line: is `block_weight` right, is the weight indicator off, or the mud or the string \
+                 another? `--block-weight` looks for it",
+                force(off_N.abs()),
+                if off_N > 0.0 { "above" } else { "below" },
+                force(held_N),
+                force(free.block_N),
+            ),
+        ),
+    };
+    Some(ReadingCheck {
+        kind,
+        severity: CheckSeverity::Warning,
+        places: Vec::new(),
+        value: Some(free.block_N),
+        limit: Some(held_N),
+        sentence,
+    })
+}
+
+/// Hook loads below the block's weight, or far below the string's, which are taken out where they are few.
+pub(super) fn below(data: &mut Readings, trial: &Trial, units: UnitSet) -> Vec<ReadingCheck> {
+    let mut checks = Vec::new();
+    let mut out = vec![false; data.readings.len()];
+    for channel in [Channel::PickUp, Channel::SlackOff, Channel::Rotating] {
+        let own = rows(data, |of| of == channel);
+        let least_N = |row: usize| match trial.block {
+            Block::Held(block_N) if block_N > 0.0 => block_N,
+            _ if channel == Channel::SlackOff => 0.0,
+            _ => LIGHT * trial.weights_N[row],
+        };
+        let low: Vec<usize> =
+            own.iter().copied().filter(|&row| data.readings[row].value < least_N(row)).collect();
+        let (Some(&first), true) = (low.first(), (low.len() as f64) < FEW * own.len() as f64)
+        else {
+            continue;
+        };
+        low.iter().for_each(|&row| out[row] = true);
+        let places: Vec<String> = low.iter().map(|&row| data.places[row].clone()).collect();
+        let force = |of: f64| shown(of, Dimension::Force, units);
+        let why = match is_free(trial.block) {
+            true => format!("the string weighs {} in the mud", force(trial.weights_N[first])),
+            false => format!("the block alone weighs {}", force(least_N(first))),
+        };
+        checks.push(ReadingCheck {
+            kind: "below_block",
+            severity: CheckSeverity::Warning,
+            value: Some(data.readings[first].value),
+            limit: Some(least_N(first)),
+            sentence: format!(
+                "the {} is {} in {}, where {why}: no reading; left out",
+                words(channel),
+                force(data.readings[first].value),
+                row_names(&places),
+            ),
+            places,
+        });
+    }
+    let mut kept = out.iter().map(|out| !out);
+    data.readings.retain(|_| kept.next().unwrap_or(true));
+    let mut kept = out.iter().map(|out| !out);
+    data.places.retain(|_| kept.next().unwrap_or(true));
+    checks
+}
+
+/// A hole that hardly presses the string to its wall: no friction shows in what was read.
+pub(super) fn no_friction(data: &Readings, trial: &Trial, units: UnitSet) -> Option<ReadingCheck> {
+    let change = |row: usize| {
+        let reading = &data.readings[row];
+        let change = (trial.load(row, MOST) - trial.load(row, 0.0)).abs();
+        let enough = if reading.channel.is_torque() { TORQUE_CHANGE } else { WEIGHT_CHANGE };
+        (row, change, change / (enough * reading.value.abs().max(1e-9)))
+    };
+    let (row, most, share) =
+        (0..data.readings.len()).map(change).max_by(|a, b| a.2.total_cmp(&b.2))?;
+    if share >= 1.0 {
+        return None;
+    }
+    let reading = &data.readings[row];
+    let quantity = |of: f64| shown(of, dimension(reading.channel), units);
+    Some(ReadingCheck {
+        kind: "no_friction",
+        severity: CheckSeverity::Error,
+        places: Vec::new(),
+        value: Some(most),
+        limit: Some(reading.value),
+        sentence: format!(
+            "friction shows in none of the readings: a factor of {MOST} would change the {} of {} ({}) by {}, and \
+             the others by less; the hole is so straight that the string hardly touches it. Readings with the bit \
+             in a bend or an inclined part tell it",
+            words(reading.channel),
+            quantity(reading.value),
+            data.places[row],
+            quantity(most),
+        ),
+    })
+}

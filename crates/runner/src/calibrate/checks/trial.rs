@@ -1,0 +1,152 @@
+//! What the readings would be with one friction factor everywhere, from none to more than any hole has.
+
+use wholestring_plan::calibration::{
+    Asked, CalibrationError, Channel, Factors, Motion, Parameter, Predict, Settings,
+};
+
+use super::{super::predictions::Predictions, median};
+use crate::{cancellation::CancellationToken, error::Error, observer::Silent, readings::Readings};
+
+/// Friction factors with which the strings are solved.
+const NODES: [f64; 5] = [0.0, 0.15, 0.3, 0.45, 0.6];
+
+/// The largest of them.
+pub(super) const MOST: f64 = NODES[NODES.len() - 1];
+
+/// Steps between no friction and the most.
+const STEPS: usize = 24;
+
+/// The block in the weights.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Block {
+    /// As the case gives it, N.
+    Held(f64),
+    /// What fits best; nothing at least.
+    Free,
+    /// What fits best, less than nothing too.
+    Any,
+}
+
+/// How well weights are met.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Misfit {
+    /// Median of what they are off by, over their median.
+    pub(super) part: f64,
+    pub(super) friction: f64,
+    pub(super) block_N: f64,
+}
+
+/// Loads of every reading with each friction.
+pub(super) struct Trial {
+    /// Weights, N, without the block; torques, N·m, without the bit's.
+    loads: Vec<[f64; NODES.len()]>,
+    /// Hook loads without friction, N.
+    pub(super) weights_N: Vec<f64>,
+    /// The block as the fit has it.
+    pub(super) block: Block,
+    /// The bit's torque, N·m; none where it is looked for.
+    pub(super) bit_torque_N_m: Option<f64>,
+}
+
+impl Trial {
+    /// Solves the strings; nothing where one of them has no answer.
+    pub(super) fn of(
+        data: &Readings,
+        settings: &Settings,
+        cancellation: &CancellationToken,
+    ) -> Result<Option<Self>, Error> {
+        let mut stations: Vec<(usize, f64, Motion)> = Vec::new();
+        let place = data.readings.iter().map(|of| {
+            let station = (of.setup, of.bit_depth_m, of.channel.motion());
+            stations.iter().position(|known| *known == station).unwrap_or_else(|| {
+                stations.push(station);
+                stations.len() - 1
+            })
+        });
+        let place: Vec<usize> = place.collect();
+        let asked = stations.iter().flat_map(|&(setup, bit_depth_m, motion)| {
+            NODES.map(|friction| Asked {
+                setup,
+                bit_depth_m,
+                motion,
+                factors: Factors::of_walls(friction, friction),
+            })
+        });
+        let asked: Vec<Asked> = asked.collect();
+        let model = Predictions {
+            assemblies: &data.assemblies,
+            stiff: None,
+            cancellation,
+            observer: &Silent,
+        };
+        let loads = match model.loads(&asked) {
+            Ok(loads) => loads,
+            Err(CalibrationError::Interrupted) => return Err(Error::Interrupted),
+            Err(_) => return Ok(None),
+        };
+        let of_reading = |(reading, place): (&wholestring_plan::calibration::Reading, &usize)| {
+            let own = &loads[place * NODES.len()..];
+            let is_torque = reading.channel.is_torque();
+            std::array::from_fn(|k| if is_torque { own[k].torque_N_m } else { own[k].hook_load_N })
+        };
+        let looked_for = |of: Parameter| settings.parameters.contains(&of);
+        Ok(Some(Self {
+            loads: data.readings.iter().zip(&place).map(of_reading).collect(),
+            weights_N: place.iter().map(|place| loads[place * NODES.len()].hook_load_N).collect(),
+            block: match looked_for(Parameter::BlockWeight) {
+                true => Block::Free,
+                false => Block::Held(settings.held.block_weight_N),
+            },
+            bit_torque_N_m: (!looked_for(Parameter::BitTorque))
+                .then_some(settings.held.bit_torque_N_m),
+        }))
+    }
+
+    /// The load of a reading with a friction, on a straight line between two that were solved.
+    pub(super) fn load(&self, row: usize, friction: f64) -> f64 {
+        let loads = &self.loads[row];
+        let at = (friction / MOST * (NODES.len() - 1) as f64).clamp(0.0, (NODES.len() - 1) as f64);
+        let low = (at.floor() as usize).min(NODES.len() - 2);
+        loads[low] + (loads[low + 1] - loads[low]) * (at - low as f64)
+    }
+
+    /// How well the weights of some rows are met, in the best of all frictions, where they are multiplied.
+    pub(super) fn misfit(
+        &self,
+        data: &Readings,
+        rows: &[usize],
+        factor: f64,
+        block: Block,
+    ) -> Misfit {
+        let value = |row: usize| factor * data.readings[row].value;
+        let size = median(rows.iter().map(|&row| value(row).abs()).collect()).max(1e-9);
+        let of = |step: usize| {
+            let friction = MOST * step as f64 / STEPS as f64;
+            let off: Vec<f64> =
+                rows.iter().map(|&row| value(row) - self.load(row, friction)).collect();
+            let block_N = match block {
+                Block::Held(block_N) => block_N,
+                Block::Free => median(off.clone()).max(0.0),
+                Block::Any => median(off.clone()),
+            };
+            let part = median(off.iter().map(|off| (off - block_N).abs()).collect()) / size;
+            Misfit { part, friction, block_N }
+        };
+        let all = (0..=STEPS).map(of);
+        all.min_by(|a, b| a.part.total_cmp(&b.part)).unwrap_or(Misfit {
+            part: f64::INFINITY,
+            friction: 0.0,
+            block_N: 0.0,
+        })
+    }
+}
+
+/// Rows whose readings are of these channels.
+pub(super) fn rows(data: &Readings, is: impl Fn(Channel) -> bool) -> Vec<usize> {
+    (0..data.readings.len()).filter(|&row| is(data.readings[row].channel)).collect()
+}
+
+/// Rows of weights.
+pub(super) fn weight_rows(data: &Readings) -> Vec<usize> {
+    rows(data, |channel| !channel.is_torque())
+}

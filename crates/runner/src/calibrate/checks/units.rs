@@ -1,0 +1,271 @@
+//! Columns in another unit than their headings say.
+//!
+//! With the right unit some friction and some block make the string meet the weights; in another unit none does,
+//! and a factor between two units brings them into line.
+
+use wholestring_plan::calibration::Channel;
+use wholestring_tabular::{CheckSeverity, ReadingCheck};
+use wholestring_units::{Dimension, Unit, UnitSet};
+
+use super::{
+    dimension, median, shown,
+    trial::{Block, MOST, Trial, rows, weight_rows},
+    whole, words,
+};
+use crate::readings::Readings;
+
+/// Weights that are met worse than this, as they stand, are looked at in other units.
+const POOR: f64 = 0.08;
+/// In the right unit they are met as well as this, and so many times better.
+const GOOD: f64 = 0.04;
+const BETTER: f64 = 3.0;
+
+/// No block and top drive are heavier, N.
+const HEAVIEST_BLOCK_N: f64 = 2.5e6;
+
+/// Fewest readings that tell a unit.
+const FEWEST: usize = 4;
+
+/// Friction factors that holes have, and beyond which a torque is in another unit.
+const USUAL: [f64; 2] = [0.05, 0.7];
+const POSSIBLE: [f64; 2] = [0.03, 1.0];
+
+/// Torque per unit of friction over the string's weight, m, below which the hole is so straight that torques
+/// tell no unit.
+const SIDE_FORCE_M: f64 = 0.008;
+
+/// Units so near to each other, as tonnes and kilodecanewtons are, are named by the first.
+const ALIKE: f64 = 0.03;
+
+/// Friction by torques over friction by weights is this near to the ratio of N·m and ft·lbf where the unit is in
+/// doubt, and the readings this even.
+const NEAR: f64 = 0.03;
+const EVEN: f64 = 0.03;
+
+/// Other units of a dimension than one, each with the factor that brings numbers written in it into line.
+fn others(dimension: Dimension, heading: &Unit) -> Vec<(&'static Unit, f64)> {
+    let mut others: Vec<(&'static Unit, f64)> = Vec::new();
+    for unit in dimension.units() {
+        let factor = unit.factor / heading.factor;
+        let known = others.iter().any(|(_, other)| (other / factor - 1.0).abs() < ALIKE);
+        if (factor - 1.0).abs() > ALIKE && !known {
+            others.push((unit, factor));
+        }
+    }
+    others
+}
+
+/// Units by their symbols: `klbf`, `klbf or t`.
+fn named(units: &[&'static Unit]) -> String {
+    units.iter().take(2).map(|unit| unit.symbol).collect::<Vec<_>>().join(" or ")
+}
+
+fn error(data: &Readings, rows: &[usize], sentence: String) -> ReadingCheck {
+    ReadingCheck {
+        kind: "unit",
+        severity: CheckSeverity::Error,
+        places: rows.iter().map(|&row| data.places[row].clone()).collect(),
+        value: None,
+        limit: None,
+        sentence,
+    }
+}
+
+/// Weights in another unit: all of them, or one column.
+pub(super) fn weights(data: &Readings, trial: &Trial, units: UnitSet) -> Vec<ReadingCheck> {
+    let all = weight_rows(data);
+    if all.len() < FEWEST {
+        return Vec::new();
+    }
+    let headings = Channel::ALL.map(|channel| data.units[channel as usize]);
+    let mut used = all.iter().filter_map(|&row| headings[data.readings[row].channel as usize]);
+    let Some(heading) = used.next() else { return Vec::new() };
+    let is_one = used.all(|unit| unit == heading);
+    let as_is = trial.misfit(data, &all, 1.0, trial.block);
+    if is_one && as_is.part > POOR {
+        let met = others(Dimension::Force, heading)
+            .into_iter()
+            .map(|(unit, factor)| (unit, factor, trial.misfit(data, &all, factor, trial.block)));
+        let mut met: Vec<_> = met
+            .filter(|(_, _, of)| {
+                of.part < GOOD && of.part * BETTER < as_is.part && of.block_N < HEAVIEST_BLOCK_N
+            })
+            .collect();
+        met.sort_by(|a, b| a.2.part.total_cmp(&b.2.part));
+        if let Some(&(unit, factor, best)) = met.first() {
+            let row = all[all.len() / 2];
+            let reading = &data.readings[row];
+            let force = |of: f64| shown(of, Dimension::Force, units);
+            let likely: Vec<_> =
+                met.iter().filter(|of| of.2.part < 2.0 * best.part).map(|of| of.0).collect();
+            let sentence = format!(
+                "the weights are not in {}, as their headings say: no friction brings them nearer than {:.0} % to \
+                 what the string in this hole gives, but in {} they meet it within {:.1} % (a factor of {}); \
+                 {}: a {} of {} with the bit at {}, where {} is expected. Is the unit {}?",
+                heading.symbol,
+                100.0 * as_is.part,
+                unit.symbol,
+                100.0 * best.part.max(1e-3),
+                wholestring_units::number_text((1e4 * factor).round() / 1e4),
+                data.places[row],
+                words(reading.channel),
+                force(reading.value),
+                whole(reading.bit_depth_m, units),
+                force(trial.load(row, best.friction) + best.block_N),
+                named(&likely),
+            );
+            return vec![error(data, &all, sentence)];
+        }
+    }
+    let channels = [Channel::PickUp, Channel::SlackOff, Channel::Rotating];
+    channels.into_iter().filter_map(|of| column(data, trial, of, headings)).collect()
+}
+
+/// A column of weights that is in another unit than the others.
+fn column(
+    data: &Readings,
+    trial: &Trial,
+    channel: Channel,
+    headings: [Option<&'static Unit>; 5],
+) -> Option<ReadingCheck> {
+    /// The column is off by so much of its weights, and in the right unit by less than this.
+    const OFF: f64 = 0.3;
+    const ON: f64 = 0.1;
+    let own = rows(data, |of| of == channel);
+    let other = rows(data, |of| of != channel && !of.is_torque());
+    if own.len() + 1 < FEWEST || other.len() < FEWEST {
+        return None;
+    }
+    let met = trial.misfit(data, &other, 1.0, trial.block);
+    let expected = |row: usize| trial.load(row, met.friction) + met.block_N;
+    let size = median(own.iter().map(|&row| expected(row)).collect()).max(1e-9);
+    let off = |factor: f64| {
+        let off = own.iter().map(|&row| (factor * data.readings[row].value - expected(row)).abs());
+        median(off.collect()) / size
+    };
+    let heading = headings[channel as usize]?;
+    if met.part > GOOD || off(1.0) < OFF {
+        return None;
+    }
+    let others = others(Dimension::Force, heading).into_iter();
+    let best = others.map(|(unit, factor)| (unit, off(factor)));
+    let (unit, part) = best.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|of| of.1 < ON)?;
+    let sentence = format!(
+        "the {}s are not in {}, as their heading says: the other weights are met within {:.1} %, these are off by \
+         {:.0} %, and in {} by {:.1} %. Is the unit {}?",
+        words(channel),
+        heading.symbol,
+        100.0 * met.part.max(1e-3),
+        100.0 * off(1.0),
+        unit.symbol,
+        100.0 * part,
+        unit.symbol,
+    );
+    Some(error(data, &own, sentence))
+}
+
+/// Torques in another unit: the friction that they ask for is none that a hole has.
+pub(super) fn torques(data: &Readings, trial: &Trial, units: UnitSet) -> Vec<ReadingCheck> {
+    let channels = [Channel::OffBottomTorque, Channel::OnBottomTorque];
+    channels.into_iter().filter_map(|channel| torque(data, trial, channel, units)).collect()
+}
+
+fn torque(
+    data: &Readings,
+    trial: &Trial,
+    channel: Channel,
+    units: UnitSet,
+) -> Option<ReadingCheck> {
+    let own = rows(data, |of| of == channel);
+    let heading = data.units[channel as usize]?;
+    let bit_N_m = match channel {
+        Channel::OnBottomTorque => trial.bit_torque_N_m?,
+        _ => 0.0,
+    };
+    let slope = |row: usize| trial.load(row, MOST) / MOST;
+    let weight_N = median(own.iter().map(|&row| trial.weights_N[row]).collect());
+    if own.len() < 3
+        || median(own.iter().map(|&row| slope(row)).collect()) < SIDE_FORCE_M * weight_N
+    {
+        return None;
+    }
+    let frictions = |factor: f64| -> Vec<f64> {
+        let of = |&row: &usize| (factor * data.readings[row].value - bit_N_m) / slope(row);
+        own.iter().map(of).collect()
+    };
+    let friction = median(frictions(1.0));
+    let by_weights = by_weights(data, trial);
+    let said = |of: f64| wholestring_units::number_text((1e3 * of).round() / 1e3);
+    if (USUAL[0]..=USUAL[1]).contains(&friction) {
+        return as_feet(data, &own, (heading, &frictions(1.0), friction), by_weights?);
+    }
+    let target = by_weights.unwrap_or(0.25).max(0.02);
+    let candidates = others(Dimension::Torque, heading).into_iter();
+    let candidates = candidates.map(|(unit, factor)| (unit, factor, median(frictions(factor))));
+    let mut likely: Vec<_> =
+        candidates.filter(|of| (USUAL[0]..=USUAL[1]).contains(&of.2)).collect();
+    let far = |friction: f64| libm::log(friction / target).abs();
+    likely.sort_by(|a, b| far(a.2).total_cmp(&far(b.2)));
+    let row = own[own.len() / 2];
+    let (unit, factor, would) = *likely.first()?;
+    let sentence = format!(
+        "the {}s ask for a friction factor of {}, which no hole has; in {} it would be {} (a factor of {}). {}: {} \
+         with the bit at {}, where {} is expected with a friction of {}. Is the unit {}?",
+        words(channel),
+        said(friction),
+        unit.symbol,
+        said(would),
+        wholestring_units::number_text(format!("{factor:.3e}").parse().unwrap_or(factor)),
+        data.places[row],
+        shown(data.readings[row].value, dimension(channel), units),
+        whole(data.readings[row].bit_depth_m, units),
+        shown(slope(row) * target + bit_N_m, dimension(channel), units),
+        said(target),
+        named(&likely.iter().map(|of| of.0).collect::<Vec<_>>()),
+    );
+    let mut check = error(data, &own, sentence);
+    if (POSSIBLE[0]..=POSSIBLE[1]).contains(&friction) {
+        check.severity = CheckSeverity::Warning;
+    }
+    check.value = Some(friction);
+    check.limit = Some(if friction > target { USUAL[1] } else { USUAL[0] });
+    Some(check)
+}
+
+/// The friction factor that pick-up and slack-off weights ask for, where they are met well.
+fn by_weights(data: &Readings, trial: &Trial) -> Option<f64> {
+    let all = weight_rows(data);
+    let has = |channel| all.iter().any(|&row| data.readings[row].channel == channel);
+    let met = trial.misfit(data, &all, 1.0, trial.block);
+    (has(Channel::PickUp) && has(Channel::SlackOff) && met.part < EVEN).then_some(met.friction)
+}
+
+/// Torques whose friction is that of the weights but for the ratio of N·m and ft·lbf.
+fn as_feet(
+    data: &Readings,
+    own: &[usize],
+    (heading, frictions, friction): (&Unit, &[f64], f64),
+    by_weights: f64,
+) -> Option<ReadingCheck> {
+    let apart = frictions.iter().map(|of| (of - friction).abs()).collect();
+    let even = median(apart) < EVEN * friction && own.len() >= FEWEST;
+    let close = |(unit, factor): &(&'static Unit, f64)| {
+        let is_feet = (0.7..1.4).contains(factor);
+        (is_feet && even && (friction * factor / by_weights - 1.0).abs() < NEAR).then_some(*unit)
+    };
+    let unit = others(Dimension::Torque, heading).iter().find_map(close)?;
+    let sentence = format!(
+        "the torques ask for a friction factor of {friction:.3} and the pick-up and slack-off weights for \
+         {by_weights:.3}: they would be the same if the torques were in {} and not in {}; is that so?",
+        unit.symbol, heading.symbol
+    );
+    let mut check = error(data, own, sentence);
+    check.severity = CheckSeverity::Warning;
+    (check.value, check.limit) = (Some(friction), Some(by_weights));
+    Some(check)
+}
+
+/// The block is free where the fit looks for it.
+pub(super) fn is_free(block: Block) -> bool {
+    matches!(block, Block::Free)
+}
