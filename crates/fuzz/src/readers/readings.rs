@@ -1,6 +1,7 @@
 //! Weights and torques read at the surface.
 
-use wholestring_tabular::read_readings;
+use wholestring_tabular::{CheckSeverity, ReadingCheck, read_readings};
+use wholestring_units::UnitSet;
 
 use super::reader::{New, Reader};
 
@@ -27,6 +28,9 @@ const WORDS: &[&str] = &[
     "Case",
     "kN",
     "1,500.0",
+    "0",
+    "-999.25",
+    "NaN",
     "-",
     "—",
     "#",
@@ -51,6 +55,14 @@ fn csv() -> Reader {
                 let weights = [of.pick_up_N, of.slack_off_N, of.rotating_N];
                 assert!(weights.into_iter().flatten().all(f64::is_finite));
             }
+            let (left, checks) = read.measured(UnitSet::Field);
+            let is_error = |of: &ReadingCheck| of.severity == CheckSeverity::Error;
+            for of in &left.readings {
+                let weights = [of.pick_up_N, of.slack_off_N, of.rotating_N];
+                let is_load = |load: &f64| *load > 0.0;
+                assert!(weights.iter().flatten().all(is_load) || checks.iter().any(is_error));
+            }
+            assert!(checks.iter().all(|of| !of.sentence.is_empty()));
             true
         }
         Err(error) => {

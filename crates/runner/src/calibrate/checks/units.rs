@@ -37,10 +37,10 @@ const SIDE_FORCE_M: f64 = 0.008;
 /// Units so near to each other, as tonnes and kilodecanewtons are, are named by the first.
 const ALIKE: f64 = 0.03;
 
-/// Friction by torques over friction by weights is this near to the ratio of N·m and ft·lbf where the unit is in
+/// Friction by torques over friction by drag is this near to the ratio of N·m and ft·lbf where the unit is in
 /// doubt, and the readings this even.
-const NEAR: f64 = 0.03;
-const EVEN: f64 = 0.03;
+const NEAR: f64 = 0.04;
+const EVEN: f64 = 0.05;
 
 /// Other units of a dimension than one, each with the factor that brings numbers written in it into line.
 fn others(dimension: Dimension, heading: &Unit) -> Vec<(&'static Unit, f64)> {
@@ -194,12 +194,11 @@ fn torque(
         own.iter().map(of).collect()
     };
     let friction = median(frictions(1.0));
-    let by_weights = by_weights(data, trial);
     let said = |of: f64| wholestring_units::number_text((1e3 * of).round() / 1e3);
     if (USUAL[0]..=USUAL[1]).contains(&friction) {
-        return as_feet(data, &own, (heading, &frictions(1.0), friction), by_weights?);
+        return as_feet(data, trial, &own, (heading, bit_N_m));
     }
-    let target = by_weights.unwrap_or(0.25).max(0.02);
+    let target = by_weights(data, trial).unwrap_or(0.25).max(0.05);
     let candidates = others(Dimension::Torque, heading).into_iter();
     let candidates = candidates.map(|(unit, factor)| (unit, factor, median(frictions(factor))));
     let mut likely: Vec<_> =
@@ -240,28 +239,57 @@ fn by_weights(data: &Readings, trial: &Trial) -> Option<f64> {
     (has(Channel::PickUp) && has(Channel::SlackOff) && met.part < EVEN).then_some(met.friction)
 }
 
-/// Torques whose friction is that of the weights but for the ratio of N·m and ft·lbf.
+/// Torques whose friction is that of the weights but for the ratio of N·m and ft·lbf: at each depth the drag,
+/// pick-up less slack-off weight, tells a friction in which the block has no part.
 fn as_feet(
     data: &Readings,
+    trial: &Trial,
     own: &[usize],
-    (heading, frictions, friction): (&Unit, &[f64], f64),
-    by_weights: f64,
+    (heading, bit_N_m): (&Unit, f64),
 ) -> Option<ReadingCheck> {
-    let apart = frictions.iter().map(|of| (of - friction).abs()).collect();
-    let even = median(apart) < EVEN * friction && own.len() >= FEWEST;
-    let close = |(unit, factor): &(&'static Unit, f64)| {
-        let is_feet = (0.7..1.4).contains(factor);
-        (is_feet && even && (friction * factor / by_weights - 1.0).abs() < NEAR).then_some(*unit)
+    let at = |row: usize, channel: Channel| {
+        let here = &data.readings[row];
+        let is = |of: &&usize| {
+            let other = &data.readings[**of];
+            (other.setup, other.bit_depth_m, other.channel)
+                == (here.setup, here.bit_depth_m, channel)
+        };
+        (0..data.readings.len()).collect::<Vec<_>>().iter().find(is).copied()
     };
-    let unit = others(Dimension::Torque, heading).iter().find_map(close)?;
+    let ratio = |&row: &usize| {
+        let (up, down) = (at(row, Channel::PickUp)?, at(row, Channel::SlackOff)?);
+        let drag_N = data.readings[up].value - data.readings[down].value;
+        let of = |friction: f64| trial.load(up, friction) - trial.load(down, friction) - drag_N;
+        let (mut low, mut high) = (0.0, MOST);
+        if of(low) > 0.0 || of(high) < 0.0 {
+            return None;
+        }
+        for _ in 0..30 {
+            let middle = 0.5 * (low + high);
+            if of(middle) < 0.0 { low = middle } else { high = middle }
+        }
+        let by_torque = (data.readings[row].value - bit_N_m) * MOST / trial.load(row, MOST);
+        Some(by_torque / low).filter(|ratio| ratio.is_finite() && low > 0.02)
+    };
+    let ratios: Vec<f64> = own.iter().filter_map(ratio).collect();
+    let middle = median(ratios.clone());
+    let apart = median(ratios.iter().map(|of| (of - middle).abs()).collect());
+    let feet = |(_, factor): &&(&'static Unit, f64)| {
+        (0.7..1.4).contains(factor) && (middle * factor - 1.0).abs() < NEAR
+    };
+    if ratios.len() < FEWEST || apart > EVEN * middle {
+        return None;
+    }
+    let others = others(Dimension::Torque, heading);
+    let (unit, _) = others.iter().find(feet)?;
     let sentence = format!(
-        "the torques ask for a friction factor of {friction:.3} and the pick-up and slack-off weights for \
-         {by_weights:.3}: they would be the same if the torques were in {} and not in {}; is that so?",
+        "the torques ask for {middle:.2} times the friction that pick-up and slack-off weights do: it would be the \
+         same if the torques were in {} and not in {}; is that so?",
         unit.symbol, heading.symbol
     );
     let mut check = error(data, own, sentence);
     check.severity = CheckSeverity::Warning;
-    (check.value, check.limit) = (Some(friction), Some(by_weights));
+    (check.value, check.limit) = (Some(middle), Some(1.0));
     Some(check)
 }
 
