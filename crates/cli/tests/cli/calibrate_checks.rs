@@ -150,8 +150,8 @@ fn swapped_columns_are_refused() {
 /// klbf under `kN`, whether the block is looked for or held; one column of it; kN under `t`.
 #[test]
 fn weights_in_another_unit_are_refused_with_it() {
-    const KLBF_kN: f64 = 4.448_221_615;
-    let all = file(|_, [md, a, b, c, torque]| [md, a / KLBF_kN, b / KLBF_kN, c / KLBF_kN, torque]);
+    const KLBF: f64 = 4.448_221_615;
+    let all = file(|_, [md, a, b, c, torque]| [md, a / KLBF, b / KLBF, c / KLBF, torque]);
     for more in [&[][..], &["--set=rig.block_weight=250 kN"]] {
         let text = refused(&all, more);
         assert!(
@@ -159,7 +159,7 @@ fn weights_in_another_unit_are_refused_with_it() {
             "{text}"
         );
     }
-    let one = file(|_, [md, a, b, c, torque]| [md, a, b / KLBF_kN, c, torque]);
+    let one = file(|_, [md, a, b, c, torque]| [md, a, b / KLBF, c, torque]);
     let text = refused(&one, &[]);
     assert!(
         text.contains("the slack-off weights are not in kN") && text.contains("Is the unit klbf?"),
