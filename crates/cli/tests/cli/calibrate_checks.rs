@@ -333,7 +333,7 @@ fn outliers_are_named_and_both_fits_are_shown() {
 }
 
 /// What is written is the case's: its units, its casing, its friction at rest; and `check` accepts it with every
-/// case that was calibrated, with a name of two lines and a block that would be negative too.
+/// case that was calibrated, with a block that would be negative too.
 #[test]
 fn the_fragment_is_the_case_s() {
     let field =

@@ -31,6 +31,9 @@ const LEAST_SCALE: [f64; 3] = [0.005, 0.005, 0.01];
 const ROUNDS: usize = 60;
 const CHANGE: f64 = 1e-4;
 
+/// A scale by so few readings is unsure by about this factor.
+const UNSURE: f64 = 1.2;
+
 /// Where more of the readings are outliers than this part, they are none: the model is wrong.
 const MOST: f64 = 0.25;
 
@@ -47,7 +50,8 @@ pub struct Outliers {
     pub values: Vec<f64>,
 }
 
-/// Finds the readings whose residuals are beyond [`Settings::outlier_beyond`] scales in a fit by Huber's loss.
+/// Finds the readings whose residuals are beyond 1.2 times [`Settings::outlier_beyond`] scales in a fit by Huber's
+/// loss: a scale by so few readings is unsure by about a fifth.
 ///
 /// # Errors
 /// Readings that do not tell what is looked for, or a string that the model has no answer for.
@@ -121,7 +125,7 @@ pub fn outliers(
             break;
         }
     }
-    let beyond = |residual: &f64| residual.abs() > settings.outlier_beyond;
+    let beyond = |residual: &f64| residual.abs() > UNSURE * settings.outlier_beyond;
     let outlier: Vec<bool> = residuals.iter().map(beyond).collect();
     let count = outlier.iter().filter(|is| **is).count();
     let many = count as f64 > MOST * readings.len() as f64;

@@ -230,14 +230,14 @@ impl Parted {
 fn outlier_check(comparison: Option<&OutlierComparison>) -> Option<ReadingCheck> {
     let of = comparison?;
     let (count, loss) = (of.outliers.len(), &of.loss);
-    let noun = if count == 1 { "outlier" } else { "outliers" };
+    let (noun, verb) = if count == 1 { ("outlier", "is") } else { ("outliers", "are") };
     let sentence = match of.left_out {
         true => format!(
             "{count} {noun} ({}), found by {loss}'s loss, took no part in the fit",
             of.outliers.join(", ")
         ),
         false => format!(
-            "{count} {noun} ({}), found by {loss}'s loss, are in the fit; what is found without them is shown \
+            "{count} {noun} ({}), found by {loss}'s loss, {verb} in the fit; what is found without them is shown \
              beside it, and `--without-outliers` takes it",
             of.outliers.join(", ")
         ),

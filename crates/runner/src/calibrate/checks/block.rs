@@ -55,10 +55,9 @@ pub(super) fn of_case(data: &Readings, trial: &Trial, units: UnitSet) -> Option<
             NOT_IN_READINGS,
             format!(
                 "the weights lie {} below what is expected, about the weight of the block, {}: they seem not to \
-                 hold the block. Add it to them, or look for it (`--block-weight`), which then comes to about {}",
+                 hold the block. Add it to them, or look for it (`--block-weight`)",
                 force(-off_N),
                 force(held_N),
-                force(free.block_N.max(0.0)),
             ),
         ),
         false => (
@@ -151,13 +150,13 @@ pub(super) fn no_friction(data: &Readings, trial: &Trial, units: UnitSet) -> Opt
         value: Some(most),
         limit: Some(reading.value),
         sentence: format!(
-            "friction shows in none of the readings: a factor of {MOST} would change the {} of {} ({}) by {}, and \
+            "friction shows in none of the readings: a factor of {MOST} would change the {} of {} ({}) by {:.1} %, and \
              the others by less; the hole is so straight that the string hardly touches it. Readings with the bit \
              in a bend or an inclined part tell it",
             words(reading.channel),
             quantity(reading.value),
             data.places[row],
-            quantity(most),
+            100.0 * most / reading.value.abs().max(1e-9),
         ),
     })
 }

@@ -196,6 +196,8 @@ fn torque(
     let friction = median(frictions(1.0));
     let said = |of: f64| wholestring_units::number_text((1e3 * of).round() / 1e3);
     if (USUAL[0]..=USUAL[1]).contains(&friction) {
+        // A model that does not meet the weights tells nothing of the torques.
+        by_weights(data, trial)?;
         return as_feet(data, trial, &own, (heading, bit_N_m));
     }
     let target = by_weights(data, trial).unwrap_or(0.25).max(0.05);
