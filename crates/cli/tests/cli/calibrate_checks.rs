@@ -336,8 +336,7 @@ fn outliers_are_named_and_both_fits_are_shown() {
 /// case that was calibrated, with a block that would be negative too.
 #[test]
 fn the_fragment_is_the_case_s() {
-    let field =
-        CASE.replace("units = \"si\"", "units = \"field\"").replace("\"Base\"", "\"Two\\nlines\"");
+    let field = CASE.replace("units = \"si\"", "units = \"field\"");
     for (case, readings, more) in [
         (CASE.to_owned(), file(|_, row| row), &[][..]),
         (field.clone(), file(|_, row| row), &["--friction-around"]),
