@@ -50,6 +50,8 @@ pub struct Column<T: 'static> {
     pub of: fn(&T) -> Values<'_>,
     /// The same from a row on, counted from zero, without a look at those before it.
     pub rows_from: fn(&T, usize) -> Values<'_>,
+    /// Drops the first rows of it.
+    pub(crate) drop_first: fn(&mut T, usize),
     /// Its statistics over a window; none where none are taken.
     pub statistics: Option<WindowStatistics>,
 }
@@ -94,11 +96,18 @@ pub enum DriftScale {
 /// What a column of rows is kept as.
 pub(crate) trait Rows {
     fn values_from(&self, row: usize) -> Values<'_>;
+
+    /// Drops the first rows.
+    fn drop_first(&mut self, rows: usize);
 }
 
 impl Rows for Vec<f64> {
     fn values_from(&self, row: usize) -> Values<'_> {
         Values::Numbers(Cow::Borrowed(self.get(row..).unwrap_or_default()))
+    }
+
+    fn drop_first(&mut self, rows: usize) {
+        self.drain(..rows.min(self.len()));
     }
 }
 
@@ -106,6 +115,10 @@ impl Rows for Vec<Option<f64>> {
     fn values_from(&self, row: usize) -> Values<'_> {
         let rows = self.get(row..).unwrap_or_default();
         Values::Numbers(rows.iter().map(|value| value.unwrap_or(f64::NAN)).collect())
+    }
+
+    fn drop_first(&mut self, rows: usize) {
+        self.drain(..rows.min(self.len()));
     }
 }
 
@@ -166,6 +179,7 @@ macro_rules! columns {
                     $(.labelled($label))? $(.of($known_by))? $(.null_where($null_where))?,
                 of: columns!(@of $column $(: $type)? $(= $words)?),
                 rows_from: columns!(@rows_from $column $(: $type)? $(= $words)?),
+                drop_first: columns!(@drop_first $column $(: $type)? $(= $words)?),
                 statistics: columns!(@statistics $($place on $scale)?),
             },
         )*];
@@ -197,6 +211,12 @@ macro_rules! columns {
     };
     (@rows_from $column:ident = $words:expr) => {
         |of, row| $crate::outcome::Values::Words($words(of).into_iter().skip(row).collect())
+    };
+    (@drop_first $column:ident: $type:ty) => {
+        |of, rows| $crate::outcome::Rows::drop_first(&mut of.$column, rows)
+    };
+    (@drop_first $column:ident = $words:expr) => {
+        |_, _| ()
     };
 }
 pub(crate) use columns;

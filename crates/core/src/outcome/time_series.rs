@@ -162,4 +162,16 @@ impl TimeSeries {
         ensure(fits, "the series against time")?;
         Ok(rows)
     }
+
+    /// Drops the first rows of all columns.
+    pub(crate) fn drop_first(&mut self, rows: usize) {
+        let rows = rows.min(self.time_s.len());
+        for column in TIME_SERIES {
+            (column.drop_first)(self, rows);
+        }
+        self.schedule_line.drain(..rows);
+        for probe in &mut self.probes {
+            probe.samples.drain(..rows);
+        }
+    }
 }

@@ -53,6 +53,9 @@ impl Motion {
     }
 }
 
+/// Part of a step by which a sum of steps may exceed a whole number of them.
+const ROUNDING: f64 = 1e-9;
+
 /// The element that keeps the step from being longer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct StepHolder {
@@ -84,6 +87,23 @@ impl StepPlan {
     /// The shortest step of any region, s.
     pub fn shortest_s(&self) -> f64 {
         self.subcycling.map_or(self.dt_s, |s| self.dt_s / f64::from(s.parts))
+    }
+
+    /// The same with a step that is a whole part of `interval_s`, the longest that is no longer than
+    /// its own: samples are then as far apart as the settings require. The inertia that was added
+    /// for a longer step stays, which leaves a shorter one stable.
+    #[must_use]
+    pub fn dividing(self, interval_s: f64) -> Self {
+        let parts = (interval_s / self.dt_s - ROUNDING).ceil().max(1.0);
+        let dt_s = interval_s / parts;
+        // What the border lacks of inertia goes with the square of the step.
+        let squared = (dt_s / self.dt_s).powi(2);
+        let subcycling = self.subcycling.map(|lower| Subcycling {
+            axial_kg: lower.axial_kg * squared,
+            polar_kg_m2: lower.polar_kg_m2 * squared,
+            ..lower
+        });
+        Self { dt_s, subcycling, ..self }
     }
 
     /// Elements times the steps that each takes within one step of the plan: those of the lower

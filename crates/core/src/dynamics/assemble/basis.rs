@@ -179,7 +179,7 @@ fn mesh_and_plan(
         Regions::One => stability::plan(&mesh, &lateral, beta),
         Regions::Auto => regions::plan(&mesh, &lateral, beta, Body::new(model, &mesh).highest()),
     };
-    Ok((mesh, settling, plan))
+    Ok((mesh, settling, plan.dividing(settings.sample_interval_s)))
 }
 
 /// What the model, the operation and the settings of a run determine: the same at its start and

@@ -126,7 +126,7 @@ pub fn outcome(s: &Sources<'_>) -> DynamicOutcome {
         indicators,
         bit_table: s.bit.table_use(),
         nodes,
-        wear: hole_wear(s, from),
+        wear: hole_wear(s),
         contact: s.record.contact_map().clone(),
         series: series.clone(),
     }
@@ -240,7 +240,7 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
     p.friction_torque_N_m_per_m =
         contact_length::spread(&contact_spans, n, |i| record.friction_torque(i));
     p.wear_work_J_per_m = contact_length::spread(&contact_spans, n, |i| s.wear.string_J(i));
-    p.wear_power_W_per_m = rates(&p.wear_work_J_per_m, window_s(s, from));
+    p.wear_power_W_per_m = rates(&p.wear_work_J_per_m, window_s(s));
     (p.twist_rad, p.stretch_m) = deformed(s);
     load(s, &mut p);
     for i in 0..n {
@@ -250,22 +250,21 @@ fn profile(s: &Sources<'_>, from: usize) -> Profile {
     p
 }
 
-/// What friction has done to the hole in the time since row `from` of the series.
-fn hole_wear(s: &Sources<'_>, from: usize) -> HoleWear {
+/// Work of friction on the hole over the window.
+fn hole_wear(s: &Sources<'_>) -> HoleWear {
     let work = s.wear.hole_J_per_m(|i| s.anchors[i].md_m);
     HoleWear {
         md_m: hole_depths_m(work.len()),
-        wear_power_W_per_m: rates(&work, window_s(s, from)),
+        wear_power_W_per_m: rates(&work, window_s(s)),
         wear_work_J_per_m: work,
     }
 }
 
-/// Time that the samples from row `from` of the series on stand for, s.
-fn window_s(s: &Sources<'_>, from: usize) -> f64 {
-    let times = &s.record.series.time_s;
-    // The first sample of the window holds the steps before it, too.
-    let begin = from.checked_sub(1).map_or(0.0, |row| times[row]);
-    times.last().map_or(0.0, |end| end - begin)
+/// Time that the window takes until the last sample, s: its first sample holds the steps before it,
+/// too.
+fn window_s(s: &Sources<'_>) -> f64 {
+    let end_s = s.record.series.time_s.last();
+    end_s.map_or(0.0, |end_s| end_s - s.record.window_from_s)
 }
 
 /// The mean rates of what was done in a time.

@@ -252,6 +252,23 @@ impl SetPoints {
         Ok(())
     }
 
+    /// Drops those of the first `count` lines that are not lines of this schedule, and returns how
+    /// many they were.
+    pub(in crate::dynamics) fn drop_added(&mut self, count: usize, schedule: &Schedule) -> usize {
+        let mut planned = schedule.steps.iter().peekable();
+        let begun = count.min(self.next);
+        let before = self.steps.len();
+        let mut place = 0;
+        self.steps.retain(|line| {
+            let is_planned = planned.next_if(|planned| *planned == line).is_some();
+            place += 1;
+            is_planned || place > begun
+        });
+        let dropped = before - self.steps.len();
+        self.next -= dropped;
+        dropped
+    }
+
     /// The set points of `operation` until `schedule` changes them.
     pub fn new(operation: &Operation, schedule: &Schedule) -> Self {
         Self {

@@ -241,6 +241,15 @@ impl Simulation {
         either!(&mut self.0, run => run.restart_window());
     }
 
+    /// Drops the samples of before a time, s: from [`series`](Self::series), from the map of contact
+    /// and from what probes recorded. The last sample stays, and while the string settles those that
+    /// tell whether it is steady. Statistics of scalars are then those of the samples that are left;
+    /// profiles along the string and the energy remain those of the whole window. What moves does
+    /// not notice.
+    pub fn forget(&mut self, before_s: f64) {
+        either!(&mut self.0, run => run.forget(before_s));
+    }
+
     /// Gives the top drive another controller from now on; its torque goes on from where it is.
     /// Checkpoints hold it. False where the drive has no controller of ours: where it follows its
     /// set point whatever torque that takes, or under a controller of the caller's own.
@@ -309,7 +318,7 @@ accessors! {
     is_top_drive_stalled: bool,
     /// Step, s.
     time_step_s: f64,
-    /// Time between two samples, s: the setting, rounded to whole steps.
+    /// Time between two samples, s: the setting, which the time step divides.
     sample_interval_s: f64,
     /// Whole samples since the start.
     samples: u64,

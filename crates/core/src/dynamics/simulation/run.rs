@@ -372,7 +372,7 @@ impl<R: Real> Run<R> {
         self.state.steps / self.steps_per_sample
     }
 
-    /// Time between two samples, s: the setting, rounded to whole steps.
+    /// Time between two samples, s: the setting, which the time step divides.
     pub fn sample_interval_s(&self) -> f64 {
         self.steps_per_sample as f64 * self.plan.dt_s
     }

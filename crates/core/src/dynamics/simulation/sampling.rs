@@ -127,6 +127,26 @@ impl<R: Real> Run<R> {
         self.state.record.forget_samples();
     }
 
+    /// Drops the samples of before a time, s, so that a run of hours takes no more memory than one of
+    /// minutes, with the lines of the schedule that were added by hand and were replaced before it.
+    /// The last sample stays, and so do those that the test of steadiness uses while the string
+    /// settles. A schedule, and all that moves, goes on.
+    pub fn forget(&mut self, before_s: f64) {
+        let needed_s = match self.settling {
+            _ if self.state.window_open => 0.0,
+            Settling::Fixed(_) => 0.0,
+            Settling::UntilSteady { stretch_s, .. } => stretch_s + self.sample_interval_s(),
+        };
+        let before_s = before_s.min(self.time_s() - needed_s);
+        let state = &mut self.state;
+        state.record.drop_samples(before_s);
+        let lines = &mut state.record.series.schedule_line;
+        // The line that the first sample follows is named by it.
+        let replaced = lines.first().map_or(0, |line| line.saturating_sub(1));
+        let dropped = state.set_points.drop_added(replaced, &self.settings.schedule);
+        lines.iter_mut().for_each(|line| *line -= dropped);
+    }
+
     /// From now on statistics and the ledger of energy count.
     fn open_window(&mut self) {
         self.open_window_after(self.time_s() - self.sample_interval_s());
@@ -138,7 +158,7 @@ impl<R: Real> Run<R> {
         let state = &mut self.state;
         state.window_open = true;
         state.record.close_contact_row(&state.anchors, before_s);
-        state.record.open_window();
+        state.record.open_window(before_s);
         state.bit.open_window();
         state.wear.restart(state.anchors[state.anchors.len() - 1].md_m);
         state.ledger = Ledger::open(energies, flow_work_J);

@@ -156,7 +156,7 @@ impl Settling {
             return None;
         };
         let samples = |time_s: f64| (time_s / interval_s).round().max(1.0) as usize;
-        let now = series.time_s.len();
+        let now = series.time_s.last().map_or(0, |time_s| samples(*time_s));
         let settle_s = (now + 1) as f64 * interval_s;
         let (least, most) = (samples(min_s), samples(max_s));
         let due =
@@ -164,7 +164,7 @@ impl Settling {
         if !due {
             return None;
         }
-        let from = now.saturating_sub(samples(stretch_s));
+        let from = series.time_s.len().saturating_sub(samples(stretch_s));
         let of_window = (stretch_s / duration_s).min(1.0);
         let steady = is_steady(series, from, of_window, per_metre, length_m);
         (steady || now >= most).then_some(Settled { settle_s, steady })

@@ -93,6 +93,15 @@ impl MapKeeper {
         self.map = ContactMap::default();
     }
 
+    /// Drops the rows of before a time, s.
+    pub(super) fn drop_rows(&mut self, before_s: f64) {
+        let ContactMap { time_s, md_m, side_force_N_per_m, contact_force_N_per_m } = &mut self.map;
+        let rows = time_s.partition_point(|time_s| *time_s < before_s);
+        for column in [time_s, md_m, side_force_N_per_m, contact_force_N_per_m] {
+            column.drain(..rows);
+        }
+    }
+
     /// Counts a sample of a run that takes `run_samples`; whether a row of the map is full.
     pub(super) fn count(&mut self, run_samples: u64) -> bool {
         self.samples += 1;

@@ -88,6 +88,8 @@ pub struct Record {
     pub series: TimeSeries,
     /// Row of the series at which the window begins.
     pub window_row: usize,
+    /// Time of the last sample before the window, s.
+    pub window_from_s: f64,
     /// Deepest penetration of any sample, m.
     pub max_penetration_m: f64,
 }
@@ -124,12 +126,14 @@ impl Record {
             samples: 0,
             series: TimeSeries::default(),
             window_row: 0,
+            window_from_s: 0.0,
             max_penetration_m: 0.0,
         }
     }
 
-    /// Begins the window: what was summed before it, in case it never began, goes.
-    pub fn open_window(&mut self) {
+    /// Begins the window after the sample of `before_s`: what was summed before it, in case it never
+    /// began, goes.
+    pub fn open_window(&mut self, before_s: f64) {
         self.sums.fill(SumBlock::EMPTY);
         self.squeezed_m.fill(0.0);
         self.shapes.restart();
@@ -138,6 +142,7 @@ impl Record {
         self.contact.restart();
         self.samples = 0;
         self.window_row = self.series.time_s.len();
+        self.window_from_s = before_s;
     }
 
     /// Forgets the samples of before a window that has just been opened.
@@ -147,6 +152,16 @@ impl Record {
         self.series = TimeSeries { probes, ..TimeSeries::default() };
         self.window_row = 0;
         self.contact.forget();
+    }
+
+    /// Drops the samples of before a time, s, except the last one. The sums of the window stay.
+    pub fn drop_samples(&mut self, before_s: f64) {
+        let times_s = &self.series.time_s;
+        let rows = times_s.partition_point(|time_s| *time_s < before_s);
+        let rows = rows.min(times_s.len().saturating_sub(1));
+        self.series.drop_first(rows);
+        self.window_row = self.window_row.saturating_sub(rows);
+        self.contact.drop_rows(before_s);
     }
 
     /// Takes a sample of every node: contact quantities as averages over the `steps` since the last

@@ -144,3 +144,76 @@ fn short_requests_add_up() {
         assert_eq!(run.frame(), once.frame());
     }
 }
+
+/// Samples are exactly as far apart as the settings require, whether the interval is a few steps, one
+/// step or less than the longest stable step. Dropped samples change nothing that moves, the memory
+/// that remains is that of what is kept, and lines that were added by hand go with the samples that
+/// they belong to.
+#[test]
+fn dropped_samples_move_nothing() {
+    for interval_s in [0.01, 0.013, 2e-4] {
+        let settings = DynamicsSettings { sample_interval_s: interval_s, ..driven(STIFF) };
+        let mut plain = new_run(&model(0.25), &REAM, &settings);
+        let mut drops = plain.clone();
+        assert!((plain.sample_interval_s() / interval_s - 1.0).abs() < 1e-12);
+        for turn in 0..10 {
+            for run in [&mut plain, &mut drops] {
+                let line = ScheduleStep {
+                    at_s: run.time_s(),
+                    rotary_speed_rad_per_s: Some(6.0 + f64::from(turn)),
+                    ..ScheduleStep::default()
+                };
+                run.state.set_points.add(line).unwrap();
+                run.advance(10.0 * interval_s).unwrap();
+            }
+            drops.forget(drops.time_s() - 19.5 * interval_s);
+        }
+        assert_eq!(plain.frame(), drops.frame());
+        let rows = drops.series().time_s.len();
+        assert_eq!((plain.series().time_s.len(), rows), (100, 20));
+        assert_eq!(plain.series().hook_load_N[80..], drops.series().hook_load_N);
+        assert_eq!(drops.series().time_s[0], plain.series().time_s[80]);
+        // The first of the two lines is that of the samples from the 81st on.
+        assert_eq!(plain.state.set_points.lines().len(), 10);
+        assert_eq!(plain.state.set_points.lines()[8..], *drops.state.set_points.lines());
+        assert_eq!(drops.series().schedule_line, [[1; 10], [2; 10]].concat());
+        let map = drops.outcome().contact;
+        assert!(map.time_s.iter().all(|time_s| *time_s >= drops.series().time_s[0]));
+        // It is resumed as it stands, and it goes on as the other does.
+        let bytes = postcard::to_stdvec(&drops.checkpoint()).unwrap();
+        let read = postcard::from_bytes(&bytes).unwrap();
+        let mut resumed = Run::resume(&drops.model, &REAM, &settings, read).unwrap();
+        for run in [&mut plain, &mut drops, &mut resumed] {
+            run.advance(5.0 * interval_s).unwrap();
+        }
+        assert_eq!(plain.frame(), drops.frame());
+        assert_eq!(drops.series(), resumed.series());
+        drops.forget(f64::INFINITY);
+        assert_eq!(drops.series().time_s.len(), 1);
+    }
+}
+
+/// A string that settles until it is steady does so at the same sample whether the samples that are
+/// not needed any more were dropped or not; wear is that of the whole window either way.
+#[test]
+fn settling_ends_the_same_when_samples_were_dropped() {
+    let settings = DynamicsSettings { steady: Some(Default::default()), ..driven(STIFF) };
+    let mut plain = new_run(&model(0.25), &REAM, &settings);
+    let mut drops = plain.clone();
+    // It settles within some ten seconds, and for 120 s at most.
+    while plain.is_settling() && plain.time_s() < 200.0 {
+        for run in [&mut plain, &mut drops] {
+            run.advance(1.0).unwrap();
+        }
+        drops.forget(f64::INFINITY);
+        assert_eq!(plain.state.settled, drops.state.settled);
+    }
+    assert!(!plain.is_settling(), "the test is of a run that settles");
+    for run in [&mut plain, &mut drops] {
+        run.advance(1.0).unwrap();
+    }
+    drops.forget(f64::INFINITY);
+    let [plain, drops] = [plain, drops].map(|run| run.outcome().wear.wear_power_W_per_m);
+    assert_eq!(plain, drops);
+    assert!(plain.iter().any(|power| *power > 0.0));
+}
