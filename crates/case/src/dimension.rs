@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::LazyLock};
 use wholestring_config::Json;
 use wholestring_units::Dimension;
 
-use crate::{overrides::SHORT, schema::TABLES};
+use crate::{overrides::long_key, schema::TABLES};
 
 /// Keys of the settings that no table declares and whose unit leaves open what they are: key, name
 /// without unit, dimension.
@@ -85,8 +85,7 @@ pub fn dimension_of(key: &str) -> Option<(Dimension, &str)> {
 /// assert_eq!(dimension_at("well.hole.0.friction"), None);
 /// ```
 pub fn dimension_at(path: &str) -> Option<Dimension> {
-    let key = SHORT.iter().find(|(short, _)| *short == path).map_or(path, |(_, long)| long);
-    at(&TABLES, &mut key.split('.')).and_then(declared_by)
+    at(&TABLES, &mut long_key(path).split('.')).and_then(declared_by)
 }
 
 /// What a schema says of the place to which keys lead.

@@ -51,6 +51,9 @@ pub fn edited(name: &str, text: &str, changes: &[Override]) -> Result<String, Re
 
 /// Brings a table from what was read of it to what it is to be.
 fn change_table(table: &mut dyn TableLike, before: &Entries, after: &Entries) {
+    for (key, _) in before.0.iter().filter(|(key, _)| after.get(&key.name).is_none()) {
+        table.remove(&key.name);
+    }
     for (key, value) in &after.0 {
         match (before.get(&key.name), table.get_mut(&key.name)) {
             (Some(old), Some(item)) => change(item, &old.value, &value.value),
@@ -153,7 +156,7 @@ fn value(of: &Value) -> Written {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{InMemory, parse};
+    use crate::{InMemory, Quote, parse};
 
     const CASE: &str = r#"# A slant well.
 name = "slant"
@@ -201,6 +204,24 @@ kind = "trip_out"
             .replace("friction = 0.3  # a guess", "friction = 0.4  # a guess")
             .replace("1.2 sg", "9 ppg");
         assert_eq!(text, expected);
+    }
+
+    /// A key that is removed goes with its comment; those beside it, and their comments, stay.
+    #[test]
+    fn a_key_is_removed() {
+        let removal = |key: &str| {
+            let (text, all) = (key.into(), 0..key.len());
+            let quote =
+                Quote { name: "test".into(), text, key: all.clone(), value: all, verbatim: true };
+            Override::removal(key, quote)
+        };
+        let text = edited("well.toml", CASE, &[removal("name"), removal("friction")]).unwrap();
+        assert!(!text.contains("name =") && !text.contains("friction"), "{text}");
+        assert!(text.contains("[[well.hole]]   # cased") && text.starts_with("\n[well]"), "{text}");
+        for key in ["wob", "operation.fish", "well.hole.1", "string.0.", ""] {
+            let report = edited("well.toml", CASE, &[removal(key)]).unwrap_err().render(false);
+            assert!(report.contains("could be removed"), "{report}");
+        }
     }
 
     /// The text says what the overrides do, those with short keys and new tables too.

@@ -30,8 +30,10 @@ use crate::hole::MAX_FRICTION;
 pub struct Override {
     /// Dotted or short key.
     pub key: String,
-    /// Value as written.
+    /// Value as written; empty where the key is removed.
     pub value: String,
+    /// Whether the key is removed, so that its default holds.
+    removes: bool,
     /// Where it was written, if not in an argument of its own.
     quote: Option<Quote>,
 }
@@ -54,7 +56,14 @@ pub struct Quote {
 impl Override {
     /// An override that stems from something else than its own `--set`.
     pub fn quoted(key: &str, value: &str, quote: Quote) -> Self {
-        Self { key: key.to_owned(), value: value.to_owned(), quote: Some(quote) }
+        let (key, value) = (key.to_owned(), value.to_owned());
+        Self { key, value, removes: false, quote: Some(quote) }
+    }
+
+    /// One that removes a key, so that its default holds; of an item of a list it is refused.
+    pub fn removal(key: &str, quote: Quote) -> Self {
+        let (key, value) = (key.to_owned(), String::new());
+        Self { key, value, removes: true, quote: Some(quote) }
     }
 
     /// The value without quotes.
@@ -90,7 +99,8 @@ impl std::str::FromStr for Override {
     fn from_str(text: &str) -> Result<Self, OverrideError> {
         match text.split_once('=') {
             Some((key, value)) if !key.trim().is_empty() && !value.trim().is_empty() => {
-                Ok(Self { key: key.trim().to_owned(), value: value.trim().to_owned(), quote: None })
+                let (key, value) = (key.trim().to_owned(), value.trim().to_owned());
+                Ok(Self { key, value, removes: false, quote: None })
             }
             _ => Err(OverrideError(text.to_owned())),
         }
@@ -115,6 +125,13 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
     let source = reader.add_source(&quote.name, &quote.text);
     let place = |of: Range<usize>| Span { source, start: of.start, end: of.end };
     let key_place = place(quote.key);
+    if change.removes {
+        if !remove(root, &parts(&change.key)) {
+            let message = format!("the case has no `{}` that could be removed", short(&change.key));
+            reader.report(Diagnostic::error(message).at(key_place, "expected a key of the case"));
+        }
+        return;
+    }
     let mut node = match value_node(&change.value, source, quote.value.start) {
         Ok(node) => node,
         Err(diagnostic) => return reader.report(diagnostic),
@@ -133,10 +150,47 @@ pub(crate) fn apply(root: &mut Entries, change: &Override, reader: &mut Reader) 
     put(root, &change.key, &node, key_place, reader);
 }
 
+/// Removes a key from the tree of the case; whether it was there. Items of lists stay.
+fn remove(table: &mut Entries, path: &[&str]) -> bool {
+    match path {
+        [] => false,
+        [last] => {
+            let before = table.0.len();
+            table.0.retain(|(key, _)| key.name != *last);
+            table.0.len() < before
+        }
+        [first, rest @ ..] => table.get_mut(first).is_some_and(|entry| remove_in(entry, rest)),
+    }
+}
+
+fn remove_in(entry: &mut Node, path: &[&str]) -> bool {
+    match (&mut entry.value, path) {
+        (Value::Table(table), path) => remove(table, path),
+        (Value::List(items), ["*", rest @ ..]) => {
+            items.iter_mut().fold(false, |removed, item| remove_in(item, rest) | removed)
+        }
+        (Value::List(items), [first, rest @ ..]) => {
+            let index = first.parse().ok();
+            let item = index.and_then(|index: usize| items.get_mut(index));
+            item.is_some_and(|item| remove_in(item, rest))
+        }
+        _ => false,
+    }
+}
+
+/// The long form of a key: `operation.wob` of `wob`.
+///
+/// ```
+/// assert_eq!(wholestring_case::long_key("wob"), "operation.wob");
+/// assert_eq!(wholestring_case::long_key("mud.density"), "mud.density");
+/// ```
+pub fn long_key(key: &str) -> &str {
+    SHORT.iter().find(|(short, _)| *short == key).map_or(key, |(_, long)| long)
+}
+
 /// The parts of a key between its dots, a short key written out.
 fn parts(key: &str) -> Vec<&str> {
-    let long = SHORT.iter().find(|(short, _)| *short == key);
-    long.map_or(key, |(_, long)| long).split('.').collect()
+    long_key(key).split('.').collect()
 }
 
 /// Puts a value into the tree of the case at a dotted or short key.

@@ -22,41 +22,72 @@ table! {
         ));
         /// Time in which the set points go to their new values, in proportion to it. Raising it
         /// starts and stops more gently.
-        ramp: f64 = default(
-            Quantity::si(Dimension::Time, Range::from_to(0.0, 86_400.0), "10 s"),
-            0.0,
-        );
+        ramp: f64 = default(ramp_rule(), 0.0);
         /// Rotary speed at surface; a bare number is in rev/min.
-        rpm: f64 = optional(
-            Quantity::si(
-                Dimension::RotarySpeed,
-                Range::from_to(0.0, 1000.0 * PI / 30.0),
-                "60 rpm",
-            )
-            .bare("rev/min", PI / 30.0),
-        );
+        rpm: f64 = optional(rotary_speed_rule());
         /// Speed of the block, positive downwards.
-        block_velocity: f64 = optional(Quantity::si(
-            Dimension::TripSpeed,
-            Range::from_to(-10.0, 10.0),
-            "-0.3 m/s",
-        ));
+        block_velocity: f64 = optional(block_velocity_rule());
         /// Weight on bit that the autodriller holds, with the gain, filter and limits of [hoist].
-        wob: f64 = optional(Quantity::si(
-            Dimension::Force,
-            Range::from_to(0.0, 5e6).usual(1e3, 7e5),
-            "80 kN",
-        ));
+        wob: f64 = optional(weight_rule());
         /// What the pumps deliver; the pressure drop of the bit goes with its square. It acts on a
         /// mud with a rheology.
-        flow_rate: f64 = optional(Quantity::si(
-            Dimension::FlowRate,
-            Range::from_to(0.0, 0.5).usual(5e-4, 0.15),
-            "2000 L/min",
-        ));
+        flow_rate: f64 = optional(flow_rate_rule());
         /// What the line is called in the table against time.
         note: String = optional(Text);
     }
+}
+
+fn ramp_rule() -> Quantity {
+    Quantity::si(Dimension::Time, Range::from_to(0.0, 86_400.0), "10 s")
+}
+
+fn rotary_speed_rule() -> Quantity {
+    let range = Range::from_to(0.0, 1000.0 * PI / 30.0);
+    Quantity::si(Dimension::RotarySpeed, range, "60 rpm").bare("rev/min", PI / 30.0)
+}
+
+fn block_velocity_rule() -> Quantity {
+    Quantity::si(Dimension::TripSpeed, Range::from_to(-10.0, 10.0), "-0.3 m/s")
+}
+
+fn weight_rule() -> Quantity {
+    Quantity::si(Dimension::Force, Range::from_to(0.0, 5e6).usual(1e3, 7e5), "80 kN")
+}
+
+fn flow_rate_rule() -> Quantity {
+    let range = Range::from_to(0.0, 0.5).usual(5e-4, 0.15);
+    Quantity::si(Dimension::FlowRate, range, "2000 L/min")
+}
+
+/// Why a line that is added to the schedule of a run in hand is refused: a set point or a ramp that
+/// a case could not have. The value of the case's own key decides, so that both have the same
+/// limits.
+///
+/// ```
+/// use wholestring::dynamics::ScheduleStep;
+/// use wholestring_case::refused_set_point;
+///
+/// let fast = ScheduleStep { rotary_speed_rad_per_s: Some(120.0), ..ScheduleStep::default() };
+/// assert_eq!(
+///     refused_set_point(&fast).as_deref(),
+///     Some("rotary speed of 1145.916 rev/min: expected 0 to 1000 rev/min"),
+/// );
+/// ```
+pub fn refused_set_point(line: &ScheduleStep) -> Option<String> {
+    let (velocity, weight) = match line.hoist {
+        Some(HoistSetPoint::BlockVelocity(velocity)) => (Some(velocity), None),
+        Some(HoistSetPoint::WeightOnBit(weight)) => (None, Some(weight)),
+        None => (None, None),
+    };
+    [
+        ("ramp", Some(line.ramp_s), ramp_rule()),
+        ("rotary speed", line.rotary_speed_rad_per_s, rotary_speed_rule()),
+        ("block velocity", velocity, block_velocity_rule()),
+        ("weight on bit", weight, weight_rule()),
+        ("flow rate", line.flow_rate_m3_per_s, flow_rate_rule()),
+    ]
+    .into_iter()
+    .find_map(|(name, value, rule)| Some(format!("{name} of {}", rule.refusal(value?)?)))
 }
 
 /// What a schedule is checked against.

@@ -34,6 +34,16 @@ impl Quantity {
         Self { dimension, range, bare: (dimension.si_symbol(), 1.0), example }
     }
 
+    /// Why the key does not take a value, SI; none where it does.
+    pub fn refusal(&self, si: f64) -> Option<String> {
+        if self.range.holds(si) {
+            return None;
+        }
+        let (unit, worth) = self.bare;
+        let (shown, expected) = (number_text(si / worth), self.range.text(unit, worth));
+        Some(format!("{shown} {unit}: expected {expected}"))
+    }
+
     /// The same, but a bare number is in `unit`, which is worth so much in SI.
     pub fn bare(self, unit: &'static str, worth: f64) -> Self {
         Self { bare: (unit, worth), ..self }
