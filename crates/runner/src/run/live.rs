@@ -9,7 +9,7 @@ use wholestring::{
     operation::Operation,
     outcome::Solution,
 };
-use wholestring_case::{Case, MAX_FRICTION};
+use wholestring_case::{Case, MAX_FRICTION, refused_set_point};
 use wholestring_results::{Status, checkpoint_bytes, digest, read_checkpoint_bytes};
 
 use super::{
@@ -41,6 +41,8 @@ pub struct Live {
     simulation: Simulation,
     rock_threads: RockThreads,
     took: Duration,
+    /// Sum of the times that it was advanced by, s: the nearest sample is where it stands.
+    target_s: f64,
     laws: StoredLaws,
     /// Used by a law of one's own that gave no answer.
     failed: CancellationToken,
@@ -52,6 +54,7 @@ struct Stored<'a> {
     identity: String,
     operation: String,
     took_s: f64,
+    target_s: f64,
     laws: StoredLaws,
     simulation: Checkpoint<'a>,
 }
@@ -94,7 +97,9 @@ impl Live {
         })?;
         drop(shown);
         let took = start.elapsed();
-        Ok(Self { case, operation, simulation, rock_threads, took, laws: stored, failed })
+        let target_s = simulation.time_s();
+        let laws = stored;
+        Ok(Self { case, operation, simulation, rock_threads, took, target_s, laws, failed })
     }
 
     /// Continues from what [`Live::checkpoint`] gave, to the same bits.
@@ -125,10 +130,16 @@ impl Live {
         let resumed = Simulation::resume(&case.model, &operation, &settings, stored.simulation);
         let simulation = resumed.map_err(|error| anew(error.to_string()))?;
         let rock_threads = RockThreads::of_others(&case, jobs);
-        Ok(Self { case, operation, simulation, rock_threads, took, laws: stored.laws, failed })
+        let (target_s, laws) = (stored.target_s, stored.laws);
+        if !target_s.is_finite() {
+            return Err(anew("the checkpoint is damaged: its target time".to_owned()));
+        }
+        Ok(Self { case, operation, simulation, rock_threads, took, target_s, laws, failed })
     }
 
-    /// Advances by `seconds`, to the nearest sample; stops before where it is cancelled.
+    /// Advances by `seconds`, to the nearest sample; stops before where it is cancelled. Times add up
+    /// exactly: what one call leaves of a sample, the next one has, so that many short calls come to
+    /// the same time as one long call. After a stop the time counts from where the run stands.
     ///
     /// # Errors
     /// A cancellation, a law of one's own that gave no answer, a run that diverged, and one whose
@@ -149,10 +160,11 @@ impl Live {
         let start = Instant::now();
         let sample_s = self.simulation.sample_interval_s();
         let from_s = self.simulation.time_s();
-        let end_s = from_s + seconds;
+        let end_s = self.target_s + seconds;
         let watch = Watch { observer, case: 0 };
         let shown = watch.simulation(self.operation.kind.name(), None, [from_s, end_s]);
-        let mut missing = (seconds / sample_s).round() as u64;
+        let target = (end_s / sample_s).round() as u64;
+        let mut missing = target.saturating_sub(self.simulation.samples());
         let asks = self.laws != StoredLaws::default();
         // One that asks laws of one's own stops at the sample at which one gave no answer.
         let mut pace = Pace::new(if asks { 0.0 } else { POLL_INTERVAL_S }, sample_s);
@@ -178,15 +190,19 @@ impl Live {
             shown.reach(self.simulation.time_s(), end_s, false);
         }
         self.took += start.elapsed();
+        self.target_s = if done.is_ok() { end_s } else { self.simulation.time_s() };
         done
     }
 
     /// Adds a line to the schedule: set points that go to new values. A time that has passed is now.
     ///
     /// # Errors
-    /// A time or a set point that is out of range, and a weight on bit that the elements are too
-    /// long for.
+    /// A time or a set point that a case could not have, and a weight on bit that the elements are
+    /// too long for.
     pub fn add_to_schedule(&mut self, line: ScheduleStep) -> Result<(), Error> {
+        if let Some(refusal) = refused_set_point(&line) {
+            return Err(Error::BadInput(refusal));
+        }
         if let Some(HoistSetPoint::WeightOnBit(weight_N)) = line.hoist
             && weight_N > self.set_weight_N()
             && let Some(element) = self.simulation.buckled_element_under(weight_N)
@@ -248,6 +264,11 @@ impl Live {
         self.simulation.restart_window();
     }
 
+    /// Drops the samples of before a time, s: see [`Simulation::forget`].
+    pub fn forget(&mut self, before_s: f64) {
+        self.simulation.forget(before_s);
+    }
+
     /// Whether the bit drills solid rock: a sample takes long.
     pub fn is_on_rock(&self) -> bool {
         self.simulation.is_on_rock()
@@ -272,6 +293,7 @@ impl Live {
             identity: digest(&self.case.identity()),
             operation: self.operation.kind.name().to_owned(),
             took_s: self.took.as_secs_f64(),
+            target_s: self.target_s,
             laws: self.laws.clone(),
             simulation: self.simulation.checkpoint(),
         };

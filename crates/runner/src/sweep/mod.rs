@@ -5,6 +5,8 @@ mod cases;
 mod checked;
 mod checked_points;
 mod ending;
+mod in_memory;
+mod indicators;
 mod one_case;
 mod pace;
 pub(crate) mod page;
@@ -25,6 +27,7 @@ pub(crate) use self::{
 };
 pub use self::{
     ending::Ended,
+    in_memory::{Many, operations_table, solve_many},
     prepared::{PreparedSweep, run},
     read::read,
     remote_case::RemoteCase,

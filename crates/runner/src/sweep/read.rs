@@ -6,7 +6,10 @@ use wholestring::outcome::{self, Quantity};
 use wholestring_case::dimension_at;
 use wholestring_results::{Column, Data, ResultsError, Table};
 
-use super::table::{FILE, SCALARS, STATISTICS};
+use super::{
+    indicators::INDICATORS,
+    table::{FILE, SCALARS, STATISTICS},
+};
 
 /// Columns of words, with what they are.
 const WORDS: [(&str, &str); 8] = [
@@ -41,13 +44,22 @@ pub fn read(folder: &Path) -> Result<(usize, Table), ResultsError> {
     let path = folder.join(FILE);
     let table = Table::read_csv(&path)?;
     let varied = varied(&path, table.columns())?;
+    Ok((varied, described(&table, varied)))
+}
+
+/// The table of a sweep of which so many columns, from the first, were varied, with numbers where it
+/// has numbers, and the unit and the meaning of each column.
+pub(super) fn described(table: &Table, varied: usize) -> Table {
     let columns = table.columns().iter().enumerate();
     let columns = columns.map(|(place, column)| match &column.data {
         Data::Text(words) if place < varied => key(&column.name, words),
         Data::Text(words) => answer(&column.name, words),
-        Data::Number(_) => column.clone(),
+        Data::Number(_) => {
+            let (unit, meaning) = about(&column.name).unwrap_or_default();
+            Column { unit: unit.to_owned(), meaning, ..column.clone() }
+        }
     });
-    Ok((varied, Table::new(columns.collect())))
+    Table::new(columns.collect())
 }
 
 /// How many columns, from the first, were varied.
@@ -96,14 +108,15 @@ fn answer(name: &str, words: &[String]) -> Column {
         let (unit, meaning) = (String::new(), (*meaning).to_owned());
         return Column { name, unit, meaning, data: Data::Text(words.to_vec()) };
     }
-    let (unit, meaning) = described(&name).unwrap_or_default();
+    let (unit, meaning) = about(&name).unwrap_or_default();
     let numbers = words.iter().map(|word| word.parse().ok()).collect();
     Column { name, unit: unit.to_owned(), meaning, data: Data::Number(numbers) }
 }
 
 /// Unit and meaning of a column of numbers.
-fn described(name: &str) -> Option<(&'static str, String)> {
-    if let Some((_, unit, meaning)) = NUMBERS.iter().find(|(of, ..)| *of == name) {
+fn about(name: &str) -> Option<(&'static str, String)> {
+    let declared = NUMBERS.iter().chain(INDICATORS.iter().map(|indicator| &indicator.about));
+    if let Some((_, unit, meaning)) = declared.into_iter().find(|(of, ..)| *of == name) {
         return Some((unit, (*meaning).to_owned()));
     }
     let scalars = outcome::SCALARS.iter().map(|of| of.quantity);

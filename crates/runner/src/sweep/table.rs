@@ -4,6 +4,8 @@ use serde_json::{Map, Value};
 use wholestring::{dynamics::DynamicOutcome, outcome};
 use wholestring_results::{Column, Level, OperationSummary, Table};
 
+use super::indicators::{INDICATORS, Indicator};
+
 /// Name of the file.
 pub const FILE: &str = "sweep.csv";
 
@@ -100,7 +102,7 @@ impl SweepTable {
     }
 
     /// The table: varied keys, model and operation, scalars, statistics, where the window begins
-    /// and what drifts in it, the lift, findings, how it ended, and where the rest of it lies.
+    /// and what drifts in it, indicators, the lift, findings, how it ended, and where the rest of it lies.
     pub(crate) fn table(&self) -> Table {
         let text = |name: &str, of: &dyn Fn(&Row) -> String| {
             Column::words(name, self.rows.iter().map(of).collect())
@@ -134,6 +136,12 @@ impl SweepTable {
                 row.solved.get("numerics")?.get("settle_s")?.as_f64()
             }));
             columns.push(text("drifting", &|row| drifting(&row.solved)));
+            for Indicator { path, about: (name, ..) } in INDICATORS {
+                columns.push(number((*name).to_owned(), &|row| {
+                    let indicators = row.solved.get("indicators")?;
+                    path.iter().try_fold(indicators, |value, key| value.get(key))?.as_f64()
+                }));
+            }
         }
         for name in LIFT.into_iter().filter(|_| self.lift) {
             columns.push(number(format!("lift_{name}"), &|row| {
