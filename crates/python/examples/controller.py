@@ -57,7 +57,7 @@ def soften(sim: ws.Simulation, seconds: float) -> None:
         comes_up_N_m = now["surface_torque_N_m"] - mean_N_m - own_N_m
         wanted_rad_per_s = 0.5 * comes_up_N_m / IMPEDANCE_N_M_S
         gives_way_rad_per_s += (wanted_rad_per_s - gives_way_rad_per_s) * STEP_S / FILTER_S
-        sim.set(rpm=set_rad_per_s - gives_way_rad_per_s, ramp=STEP_S)
+        sim.set(rotary_speed=set_rad_per_s - gives_way_rad_per_s, ramp=STEP_S)
         sim.advance(STEP_S)
 
 

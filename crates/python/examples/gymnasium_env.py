@@ -76,7 +76,7 @@ class StickSlip(gymnasium.Env[Observation, Action]):
             sim = self._simulation(rpm, None)
             sim.set(rpm=0.0, ramp="1 s")
             sim.advance("4 s")
-            sim.set(rpm=rpm * RPM, ramp="0.5 s")
+            sim.set(rpm=rpm, ramp="0.5 s")
             sim.advance("16 s")
             self._begun[rpm] = sim.checkpoint()
         self._sim = self._simulation(rpm, self._begun[rpm])
@@ -91,7 +91,7 @@ class StickSlip(gymnasium.Env[Observation, Action]):
             raise RuntimeError("the first step comes after a reset")
         change = float(np.clip(action[0], -1.0, 1.0)) * LARGEST_CHANGE
         self._set = min(max(self._set + change, SLOWEST), FASTEST)
-        sim.set(rpm=self._set, ramp=STEP_S)
+        sim.set(rotary_speed=self._set, ramp=STEP_S)
         sim.advance(STEP_S)
         observation, rate, severity = self._observe(sim)
         reward = rate / NOMINAL_RATE_M_PER_S - severity

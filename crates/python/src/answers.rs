@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
-use pyo3::{exceptions::PyKeyError, prelude::*};
+use pyo3::prelude::*;
 use wholestring::outcome::SCALARS;
-use wholestring_runner::{Output, copy_results, run};
+use wholestring_results::Summary;
+use wholestring_runner::{Output, copy_results, run, sweep::operations_table};
 
 use crate::{attended::attended, error, existing::existing_of, folder::Folder, table::Table};
 
@@ -85,6 +86,19 @@ impl Answers {
         }
     }
 
+    /// A row for each operation: scalars, statistics and indicators, as a sweep has them.
+    fn scalars(&self, py: Python<'_>) -> PyResult<Table> {
+        let table = match &self.0 {
+            Place::Memory(answers) => operations_table(&answers.summary().operations),
+            Place::Folder(folder) => {
+                let summary = Summary::parse(&folder.path.join("summary.json"), &folder.summary);
+                let summary = summary.map_err(|error| error::of_results(py, &error))?;
+                operations_table(&summary.operations)
+            }
+        };
+        Table::of(&table)
+    }
+
     /// Where they lie; nothing where they are in memory.
     #[getter]
     fn folder(&self) -> Option<PathBuf> {
@@ -109,7 +123,7 @@ impl Answers {
         let names = self.table_names();
         if !names.iter().any(|of| of == name) {
             let names = names.join(", ");
-            return Err(PyKeyError::new_err(format!("there is no table `{name}`: {names}")));
+            return Err(error::not_found(format!("there is no table `{name}`: {names}")));
         }
         match &self.0 {
             Place::Memory(answers) => {

@@ -16,15 +16,18 @@ use wholestring_case::{Case as Checked, Override, Quote, Template};
 use wholestring_runner::{
     Output,
     run::{self, Live},
+    sweep::{Many, solve_many},
 };
 
 use crate::{
     answers::Answers,
     attended::attended,
+    commands::option::{self, statics},
     error,
     existing::existing_of,
     law::{self, Function},
     simulation::Simulation,
+    table::Table,
 };
 
 /// A case that was checked, with the text that it was read from and the changes made to it.
@@ -37,10 +40,11 @@ pub(crate) struct Case {
     with_models: Mutex<BTreeMap<String, Arc<Checked>>>,
 }
 
-/// A change as diagnostics quote it.
-pub(crate) fn change(key: &str, value: &str) -> Override {
-    let text = format!("{key} = {value}");
-    let start = text.len() - value.len();
+/// A change as diagnostics quote it: a key and a TOML value, or none where the key is removed.
+pub(crate) fn change(key: &str, value: Option<&str>) -> Override {
+    let shown = value.unwrap_or("None");
+    let text = format!("{key} = {shown}");
+    let start = text.len() - shown.len();
     let quote = Quote {
         name: "with_".into(),
         key: 0..key.len(),
@@ -48,7 +52,18 @@ pub(crate) fn change(key: &str, value: &str) -> Override {
         text: text.into(),
         verbatim: true,
     };
-    Override::quoted(key, value, quote)
+    match value {
+        Some(value) => Override::quoted(key, value, quote),
+        None => Override::removal(key, quote),
+    }
+}
+
+/// Changes, each a key and a TOML value, or none where the key is removed.
+pub(crate) type Changes = Vec<(String, Option<String>)>;
+
+/// They as overrides.
+pub(crate) fn overrides(changes: &Changes) -> Vec<Override> {
+    changes.iter().map(|(key, value)| change(key, value.as_deref())).collect()
 }
 
 impl Case {
@@ -105,7 +120,7 @@ impl Case {
                 let quoted: Vec<String> = words.iter().map(|word| format!("{word:?}")).collect();
                 let list = format!("[{}]", quoted.join(", "));
                 name.push_str(&list);
-                changes.push(change(key, &list));
+                changes.push(change(key, Some(&list)));
             }
             name.push(';');
         }
@@ -141,10 +156,11 @@ impl Case {
         Self::of(py, Arc::new(Template::in_memory(name, text, files)), Vec::new())
     }
 
-    /// Another case: this one with changes, each a key and a TOML value.
-    fn changed(&self, py: Python<'_>, changes: Vec<(String, String)>) -> PyResult<Self> {
+    /// Another case: this one with changes, each a key and a TOML value, or none where the key is
+    /// removed.
+    fn changed(&self, py: Python<'_>, changes: Changes) -> PyResult<Self> {
         let mut all = self.changes.clone();
-        all.extend(changes.iter().map(|(key, value)| change(key, value)));
+        all.extend(overrides(&changes));
         Self::of(py, self.template.clone(), all)
     }
 
@@ -240,6 +256,37 @@ impl Case {
         let stopped = solved.stopped.map(|stop| error::of_work(py, &stop.into()));
         let raised = work.raised.or(stopped).map(|raised| raised.into_value(py).into_any());
         Ok((solved.answers.into(), raised))
+    }
+
+    /// Solves variations of it by a static model, in memory: a table, how many of its columns were
+    /// changed, and what was raised meanwhile.
+    #[pyo3(signature = (variations, model, operation, jobs, listener))]
+    fn many(
+        &self,
+        py: Python<'_>,
+        variations: Vec<Changes>,
+        model: &str,
+        operation: Option<&str>,
+        jobs: Option<NonZeroUsize>,
+        listener: &Bound<'_, PyAny>,
+    ) -> PyResult<(Table, usize)> {
+        let variations: Vec<Vec<Override>> = variations.iter().map(overrides).collect();
+        let work = attended(py, listener, |observer, cancellation| {
+            let many = Many {
+                template: &self.template,
+                overrides: &self.changes,
+                variations: &variations,
+                model: statics(model)?,
+                operation: operation.map(option::operation).transpose()?,
+                jobs,
+            };
+            solve_many(&many, observer, cancellation)
+        })?;
+        match (work.raised, work.result) {
+            (Some(raised), _) => Err(raised),
+            (None, Ok((table, changed))) => Ok((Table::of(&table)?, changed)),
+            (None, Err(error)) => Err(error::of_work(py, &error)),
+        }
     }
 
     /// Solves it into a folder: the answers there, and what was raised before the end, if it was.

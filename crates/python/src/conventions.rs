@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use pyo3::{exceptions::PyValueError, prelude::*};
+use pyo3::prelude::*;
 use serde_json::{Value as Json, json};
 use wholestring::outcome::{Quantity, SCALARS, Values, WELL_PATH};
 use wholestring_report::{Conventions, shown_dimension};
@@ -39,7 +39,7 @@ fn about(of: &Quantity) -> (String, &'static str) {
 /// The path from the surface to the bit.
 pub(crate) fn well_path(settings_json: &str) -> PyResult<Table> {
     let settings: Json = serde_json::from_str(settings_json)
-        .map_err(|error| PyValueError::new_err(format!("these are no settings: {error}")))?;
+        .map_err(|error| error::bad_input(format!("these are no settings: {error}")))?;
     let path = path_of(&settings);
     let columns = WELL_PATH.iter().map(|column| {
         let data = match (column.of)(&path) {

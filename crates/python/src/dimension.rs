@@ -1,7 +1,9 @@
 //! Dimensions by their names.
 
-use pyo3::{exceptions::PyValueError, prelude::*};
+use pyo3::prelude::*;
 use wholestring_units::Dimension;
+
+use crate::error;
 
 /// The dimension of a name, such as `rotary speed`.
 ///
@@ -12,7 +14,7 @@ pub(crate) fn dimension(name: &str) -> PyResult<Dimension> {
     found.copied().ok_or_else(|| {
         let names: Vec<&str> = Dimension::ALL.iter().map(|of| of.name()).collect();
         let names = names.join(", ");
-        PyValueError::new_err(format!("there is no dimension `{name}`: there are {names}"))
+        error::bad_input(format!("there is no dimension `{name}`: there are {names}"))
     })
 }
 
@@ -20,7 +22,7 @@ pub(crate) fn dimension(name: &str) -> PyResult<Dimension> {
 #[pyfunction]
 pub(crate) fn quantity(text: &str, dimension: &str) -> PyResult<f64> {
     let found = self::dimension(dimension)?;
-    found.parse(text).map_err(|error| PyValueError::new_err(error.to_string()))
+    found.parse(text).map_err(|error| error::bad_input(error.to_string()))
 }
 
 /// SI unit of a dimension, such as `"rotary speed"`.
@@ -29,11 +31,28 @@ pub(crate) fn si_unit(dimension: &str) -> PyResult<&'static str> {
     Ok(self::dimension(dimension)?.si_symbol())
 }
 
-/// SI unit of what a dotted or short key of a case measures; nothing of a bare number, a text, or a
-/// key that there is not.
+/// Unit of a bare number of a dotted or short key of a case: SI, and for rotary speeds, which the
+/// case file has in revolutions per minute, `rpm`. None for a pure number, a text, or a key that
+/// there is not.
 #[pyfunction]
 pub(crate) fn unit_of(key: &str) -> Option<&'static str> {
     // Stations are in metres and degrees, as in the case file.
     let bare = key.starts_with("well.stations.");
-    wholestring_case::dimension_at(key).filter(|_| !bare).map(Dimension::si_symbol)
+    wholestring_case::dimension_at(key).filter(|_| !bare).map(|dimension| match dimension {
+        Dimension::RotarySpeed => "rpm",
+        other => other.si_symbol(),
+    })
+}
+
+/// Name of the dimension of a dotted or short key of a case; none for a pure number, a text, or a
+/// key that there is not.
+#[pyfunction]
+pub(crate) fn dimension_of(key: &str) -> Option<&'static str> {
+    wholestring_case::dimension_at(key).map(Dimension::name)
+}
+
+/// Long form of a short key of a case; any other key as it is.
+#[pyfunction]
+pub(crate) fn long_key(key: &str) -> &str {
+    wholestring_case::long_key(key)
 }

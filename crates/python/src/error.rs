@@ -23,6 +23,16 @@ fn exception<'py>(
     }
 }
 
+/// The exception for something that was requested and is not possible.
+pub(crate) fn bad_input(message: impl Into<String>) -> PyErr {
+    Python::attach(|py| exception(py, "InputError", (message.into(),)))
+}
+
+/// The exception for a name that there is not.
+pub(crate) fn not_found(message: impl Into<String>) -> PyErr {
+    Python::attach(|py| exception(py, "NotFoundError", (message.into(),)))
+}
+
 /// The exception for work that was not done.
 pub(crate) fn of_work(py: Python<'_>, error: &Error) -> PyErr {
     let class = match error {

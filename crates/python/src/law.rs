@@ -2,9 +2,11 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use pyo3::{exceptions::PyValueError, prelude::*};
+use pyo3::prelude::*;
 use wholestring::dynamics::Shake;
 use wholestring_runner::run::{BitAnswer, BitReading, OwnLaws, SampledLaw, ShakeReading};
+
+use crate::error;
 
 /// What a function raised while a run asked it.
 #[derive(Clone, Default)]
@@ -40,7 +42,7 @@ impl Raised {
     /// What is wrong with an answer is raised as if the function had.
     fn refuse<T>(&self, what: &str, [one, other]: [f64; 2]) -> Option<T> {
         let message = format!("{what}, and not ({one}, {other})");
-        self.keep(PyValueError::new_err(message));
+        self.keep(error::bad_input(message));
         None
     }
 }

@@ -11,6 +11,7 @@ mod conventions;
 mod dimension;
 mod error;
 mod event_buffer;
+mod examples;
 mod existing;
 mod folder;
 mod import;
@@ -51,7 +52,7 @@ mod _core {
     use crate::import::{Imported, contents, import_files};
 
     #[pymodule_export]
-    use crate::dimension::{quantity, si_unit, unit_of};
+    use crate::dimension::{dimension_of, long_key, quantity, si_unit, unit_of};
 
     #[pymodule_export]
     use crate::measure::{advance_alone, solve_alone};
@@ -59,8 +60,7 @@ mod _core {
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", wholestring_results::ENGINE_VERSION)?;
-        // The case that the package shows itself with.
-        module.add("EXAMPLE", wholestring_cases::SLANT.text)?;
+        module.add("EXAMPLES", crate::examples::examples(module.py())?)?;
         module.add("SCALARS", crate::answers::scalars())
     }
 

@@ -36,9 +36,9 @@ pub(crate) fn solve_alone(
     changes: Vec<(String, String)>,
 ) -> PyResult<f64> {
     let mut all = of.changes.clone();
-    all.extend(changes.iter().map(|(key, value)| change(key, value)));
-    all.push(change("model", &format!("{model:?}")));
-    all.push(change("operation.kind", &format!("{operation:?}")));
+    all.extend(changes.iter().map(|(key, value)| change(key, Some(value))));
+    all.push(change("model", Some(&format!("{model:?}"))));
+    all.push(change("operation.kind", Some(&format!("{operation:?}"))));
     let case = match changes.is_empty() {
         true => of.with_models(py, Some(vec![model.to_owned()]), Some(operation.to_owned()))?,
         false => {

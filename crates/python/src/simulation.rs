@@ -186,6 +186,11 @@ impl Simulation {
         Table::of(&StoredTable::new(columns))
     }
 
+    /// Drops the samples of before a time, s.
+    fn forget(&self, py: Python<'_>, before_s: f64) -> PyResult<()> {
+        self.asked(py, |live| live.forget(before_s))
+    }
+
     /// The whole string as it is now.
     fn state(&self, py: Python<'_>) -> PyResult<Table> {
         let columns = self.asked(py, |live| columns(FRAME, &live.simulation().frame(), 0))?;

@@ -6,7 +6,7 @@ use std::{
     sync::{Mutex, MutexGuard, PoisonError},
 };
 
-use pyo3::{exceptions::PyValueError, prelude::*, types::PyBytes};
+use pyo3::{prelude::*, types::PyBytes};
 use wholestring_case::{Override, Variation};
 use wholestring_runner::{
     BatchOptions, BatchOutcome, CancellationToken, Output,
@@ -44,7 +44,7 @@ fn variation(py: Python<'_>, key: String, values: Values) -> PyResult<Variation>
             read.pop().ok_or_else(|| error::of_panic(py))
         }
         Values::List(values) => {
-            let values = values.iter().map(|value| change(&key, value)).collect();
+            let values = values.iter().map(|value| change(&key, Some(value))).collect();
             Ok(Variation { key, values })
         }
     }
@@ -72,7 +72,7 @@ impl Sweep {
 }
 
 fn ended() -> PyErr {
-    PyValueError::new_err("this sweep has ended")
+    error::bad_input("this sweep has ended")
 }
 
 #[pymethods]
@@ -182,7 +182,7 @@ impl Sweep {
     /// handed out again.
     fn take(&self, py: Python<'_>, case: usize, ended: &[u8]) -> PyResult<bool> {
         let ended: Ended = serde_json::from_slice(ended)
-            .map_err(|error| PyValueError::new_err(format!("no answer of a case: {error}")))?;
+            .map_err(|error| error::bad_input(format!("no answer of a case: {error}")))?;
         let is_interrupted = ended.is_interrupted();
         self.with(py, |hand| hand.take(case, ended))?;
         Ok(!is_interrupted)

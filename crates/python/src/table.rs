@@ -9,13 +9,13 @@ use arrow_array::{
 use arrow_buffer::{NullBuffer, ScalarBuffer};
 use arrow_schema::{DataType, Field, Schema};
 use pyo3::{
-    exceptions::{PyKeyError, PyRuntimeError, PyValueError},
+    exceptions::PyRuntimeError,
     prelude::*,
     types::{PyBytes, PyCapsule},
 };
 use wholestring_results::{Column as Stored, Data, Table as StoredTable};
 
-use crate::column::Column;
+use crate::{column::Column, error};
 
 /// A table: its columns, with the unit and the meaning of each.
 #[pyclass(frozen, module = "wholestring._core")]
@@ -59,7 +59,7 @@ impl Table {
             let names: Vec<&str> =
                 schema.fields().iter().map(|field| field.name().as_str()).collect();
             let message = format!("there is no column `{name}`: it has {}", names.join(", "));
-            PyKeyError::new_err(message)
+            error::not_found(message)
         })
     }
 
@@ -127,6 +127,14 @@ impl Table {
     #[getter]
     fn names(&self) -> Vec<String> {
         self.batch.schema().fields().iter().map(|field| field.name().clone()).collect()
+    }
+
+    /// Some of the columns, which share their memory.
+    fn select(&self, names: Vec<String>) -> PyResult<Self> {
+        let places = names.iter().map(|name| self.place(name)).collect::<PyResult<Vec<_>>>()?;
+        let batch = self.batch.project(&places);
+        let batch = batch.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+        Ok(Self { batch })
     }
 
     /// Number of rows.
@@ -200,7 +208,7 @@ impl Table {
         let columns: Option<Vec<Stored>> = parts.into_iter().map(column).collect();
         let columns =
             columns.filter(|all| all.windows(2).all(|two| two[0].data.len() == two[1].data.len()));
-        let columns = columns.ok_or_else(|| PyValueError::new_err("no columns of a table"))?;
+        let columns = columns.ok_or_else(|| error::bad_input("no columns of a table"))?;
         Self::of(&StoredTable::new(columns))
     }
 }

@@ -62,7 +62,7 @@ impl Variations {
                         break;
                     }
                     let changes: Vec<Override> =
-                        changes.iter().map(|(key, value)| change(key, value)).collect();
+                        changes.iter().map(|(key, value)| change(key, Some(value))).collect();
                     let (template, changes) = (&self.0, &changes[..]);
                     let case = RemoteCase { template, changes, name, keep, csv, checkpoint_every };
                     let ended = case.solve(folder, observer, cancellation);

@@ -227,7 +227,7 @@ def test_modes_are_those_of_a_rod(small: ws.Case) -> None:
 
 BAD: list[tuple[str, dict[str, Any], type[Exception], str]] = [
     ("plan", {"jobs": 0}, ValueError, "`jobs` was given 0: expected a whole number from 1"),
-    ("plan", {"jobs": 1.5}, TypeError, "float"),
+    ("plan", {"jobs": 1.5}, ws.InputTypeError, "`jobs` was given 1.5"),
     ("plan", {"units": "imperial"}, ws.InputError, "`units`: .*imperial"),
     ("plan", {"checkpoint": 0.0}, ws.InputError, "`checkpoint`: 0 s: expected 0.01 s to"),
     ("plan", {"checkpoint": "3 m"}, ValueError, "`checkpoint`: .*a time was expected"),

@@ -1,11 +1,16 @@
 """Errors: every class, with its message."""
 
 import pickle
+import re
 import signal
+import sys
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
+import pint
 import pytest
 import wholestring as ws
 from conftest import CASES
@@ -134,3 +139,80 @@ def test_python_runs_beside_it(short: ws.Case) -> None:
     beside.join()
     # Once, if Python waited for the run.
     assert turns > 3
+
+
+def _everything_that_is_refused(case: ws.Case, sim: ws.Simulation) -> dict[str, Callable[[], Any]]:
+    unit: Any = getattr(pint, "UnitRegistry")()  # noqa: B009 - its types are half known
+    soft = case.soft("drill")
+    wrong: Any = object()
+    return {
+        "nan": lambda: case.with_(wob=float("nan")),
+        "an object": lambda: case.with_(wob=wrong),
+        "another dimension": lambda: case.with_(wob=3 * unit.m),
+        "a length of time": lambda: sim.advance("1 m"),
+        "a list of time": lambda: sim.advance(wrong),
+        "a rate": lambda: case.simulation("drill", rate="1 bar", bit_law=lambda _: (0, 0)),
+        "a law without an answer": lambda: case.simulation(
+            "drill", bit_law=lambda _: wrong
+        ).advance(0.1),
+        "a law of nan": lambda: case.simulation(
+            "drill", bit_law=lambda _: (float("nan"), 0.0)
+        ).advance(0.1),
+        "no jobs": lambda: case.dynamic(jobs=0),
+        "half a job": lambda: case.dynamic(jobs=wrong),
+        "a track": lambda: ws.plot.tracks(soft, "tensoin"),
+        "a thing to draw": lambda: ws.plot.tracks(wrong),
+        "friction": lambda: sim.set(friction="low"),
+        "frictions": lambda: case.broomstick(frictions=wrong),
+        "a table": lambda: soft.table("fish"),
+        "a column": lambda: soft.nodes["fish"],
+        "an operation of results": lambda: soft["fish"],
+        "an operation": lambda: case.soft("fish"),
+        "an example": lambda: ws.Case.example("fish"),
+        "readings": lambda: case.calibrate(wrong),
+        "a survey": lambda: ws.Case.from_dict({}, survey=[1.0]),
+        "what is varied": lambda: ws.sweep(case, {"friction": wrong}),
+        "nothing varied": lambda: ws.sweep(case, {}),
+        "resume": lambda: case.run(resume=True),
+        "a folder": lambda: ws.load("no such folder"),
+        "a study": lambda: ws.study("no such study.toml"),
+        "a file": lambda: ws.import_files("no such file.csv"),
+    }
+
+
+def test_all_errors_are_ours(short: ws.Case, tmp_path: Path) -> None:
+    sim = short.simulation()
+    for what, ask in _everything_that_is_refused(short, sim).items():
+        with pytest.raises(Exception) as caught:
+            ask()
+        assert isinstance(caught.value, ws.Error), (what, repr(caught.value))
+        assert str(caught.value), what
+    ws.Case.example()
+
+
+def test_no_error_of_python_is_raised_by_the_package() -> None:
+    """Of the classes in the sources, all are ours."""
+    raised = re.compile(r"raise (\w+)\(")
+    ours = {name for name in dir(ws) if name.endswith("Error") or name == "Interrupted"}
+    for source in Path(ws.__file__).parent.rglob("*.py"):
+        for name in raised.findall(source.read_text("utf-8")):
+            assert name in ours | {"type"}, (source.name, name)
+
+
+@pytest.mark.parametrize("package", ["matplotlib", "pandas", "polars", "tqdm"])
+def test_a_package_that_is_missing_is_named(
+    short: ws.Case, monkeypatch: pytest.MonkeyPatch, package: str
+) -> None:
+    """The hint installs what is missing from any registry: a name that ours has or not."""
+    for name in [of for of in sys.modules if of.split(".")[0] == package]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, package, None)
+    soft = short.soft("drill")
+    ask: dict[str, Callable[[], Any]] = {
+        "matplotlib": lambda: ws.plot.tracks(soft, "tension"),
+        "pandas": soft.nodes.to_pandas,
+        "polars": soft.nodes.to_polars,
+        "tqdm": lambda: short.dynamic(progress=True),
+    }
+    with pytest.raises(ws.MissingPackageError, match=f"pip install {package}$"):
+        ask[package]()

@@ -46,7 +46,7 @@ def test_a_survey_is_part_of_a_case(survey: Path, tmp_path: Path) -> None:
     assert whole.soft()["trip_out"].bit_depth_m == pytest.approx(1219.2)
     saved = imported.save(tmp_path / "well.toml")
     assert saved.read_text() == imported.text
-    with pytest.raises(FileExistsError, match=r"well\.toml"):
+    with pytest.raises(ws.FolderError, match=r"well\.toml"):
         imported.save(saved)
 
 

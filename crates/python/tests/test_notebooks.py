@@ -34,10 +34,11 @@ def test_no_outputs_are_committed(path: Path) -> None:
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda of: of.stem)
-def test_it_runs(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_it_runs(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In any folder: what it needs comes with the package."""
     # The kernel of this environment: `python3` is the interpreter that runs the tests.
     monkeypatch.setenv("MPLBACKEND", "module://matplotlib_inline.backend_inline")
-    # The kernel works in the notebook's folder, and must find the package all the same.
+    # The kernel works in a folder of its own, and must find the package all the same.
     search = [str(Path(ws.__file__).parents[1]), os.environ.get("PYTHONPATH", "")]
     monkeypatch.setenv("PYTHONPATH", os.pathsep.join(of for of in search if of))
     notebook = read(path)
@@ -46,7 +47,7 @@ def test_it_runs(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         # 60 s where the package is built with optimisation; tests take it as other tests are built.
         timeout=240,
         kernel_name="python3",
-        resources={"metadata": {"path": str(path.parent)}},
+        resources={"metadata": {"path": str(tmp_path)}},
     )
     client.execute()
     shown = [

@@ -90,3 +90,45 @@ def test_units_and_meanings(slant: ws.Case) -> None:
     with pytest.raises(KeyError, match=r"there is no column `md_ft`: it has model"):
         nodes["md_ft"]
     assert nodes._repr_html_().count("<tr>") == 11
+
+
+def test_a_frame_of_pandas_is_made_of_it(slant: ws.Case) -> None:
+    nodes = slant.soft().nodes
+    frame = pandas.DataFrame(nodes)
+    assert tuple(frame.columns) == nodes.columns
+    for name in ("md_m", "tension_N"):
+        assert np.array_equal(frame[name], nodes[name])
+    assert list(frame["operation"]) == list(nodes["operation"])
+    first = next(iter(nodes))
+    assert first["md_m"] == nodes["md_m"][0]
+    assert len(list(nodes)) == len(nodes)
+
+
+def test_some_columns_are_a_table(slant: ws.Case) -> None:
+    nodes = slant.soft("drill").nodes
+    two = nodes[["md_m", "tension_N"]]
+    assert two.columns == ("md_m", "tension_N")
+    assert two.unit("tension_N") == "N"
+    assert np.shares_memory(two["tension_N"], nodes["tension_N"])
+    with pytest.raises(ws.NotFoundError, match="there is no column `fish`"):
+        nodes[["md_m", "fish"]]
+    with pytest.raises(KeyError):
+        nodes["fish"]
+    assert nodes._ipython_key_completions_() == list(nodes.columns)
+
+
+def test_scalars_are_a_row_for_each_operation(slant: ws.Case, short: ws.Case) -> None:
+    results = slant.soft()
+    frame = results.to_pandas()
+    assert list(frame["operation"]) == [of.operation for of in results]
+    assert list(frame["hook_load_N"]) == [of.hook_load_N for of in results]
+    assert results.scalars.unit("hook_load_N") == "N"
+    assert results._ipython_key_completions_() == [of.operation for of in results]
+    moving = short.dynamic()
+    scalars = moving.scalars
+    statistics = moving["drill"].statistics
+    assert scalars["hook_load_N_std"][0] == statistics["hook_load_N"]["std"]
+    indicators = moving["drill"].data["indicators"]["stick_slip"]
+    assert scalars["stick_slip_severity"][0] == indicators["severity"]
+    assert scalars.unit("bit_speed_max_rad_per_s") == "rad/s"
+    assert moving.to_polars()["operation"].to_list() == ["drill"]

@@ -1,6 +1,6 @@
 """A sweep on a Slurm cluster, by Dask: workers come and go as the queue has room for them.
 
-    pip install wholestring 'dask[distributed]' dask-jobqueue
+    pip install './crates/python[dask]'
     python dask_slurm.py my-well.toml out/friction-sweep
 
 This program runs where jobs are submitted, and stays there until the sweep is finished. If it is

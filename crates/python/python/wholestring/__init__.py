@@ -9,8 +9,9 @@ findings, and a :class:`Table` that polars, pandas, DuckDB and NumPy take withou
 line's commands do; :func:`load` reads what any of them left in a folder.
 :func:`import_files` makes a case of the files of other programs.
 
-Numbers are SI. Where a number goes in, a text with a unit does as well (``"45 klbf"``), and so does
-anything with ``.to(unit).magnitude``, such as a quantity of pint.
+Numbers are SI, but for ``rpm``, which is in rev/min as its name says. Where a number goes in, a
+text with a unit does as well (``"45 klbf"``), and so does anything with ``.to(unit).magnitude``,
+such as a quantity of pint, and any number or array of NumPy or pandas.
 """
 
 from . import plot
@@ -22,13 +23,17 @@ from .calibration import Calibration, Estimate
 from .case import Case
 from .errors import (
     CaseError,
+    CaseWarning,
     Diagnostic,
     Error,
     FindingsError,
     FolderError,
     InputError,
+    InputTypeError,
     Interrupted,
+    MissingPackageError,
     NoAnswerError,
+    NotFoundError,
     ResultsError,
 )
 from .importing import Contents, Imported, ImportNote, contents, import_files
@@ -50,6 +55,7 @@ __all__ = [
     "Calibration",
     "Case",
     "CaseError",
+    "CaseWarning",
     "Contents",
     "Diagnostic",
     "Error",
@@ -61,10 +67,13 @@ __all__ = [
     "ImportNote",
     "Imported",
     "InputError",
+    "InputTypeError",
     "Interrupted",
     "Limit",
+    "MissingPackageError",
     "Modes",
     "NoAnswerError",
+    "NotFoundError",
     "OperationResult",
     "Plan",
     "Quantity",

@@ -5,6 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from . import _core
+from ._values import Change
+from ._warned import warn
+from .errors import Diagnostic
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -22,8 +25,13 @@ class Checked:
         case._held = core
         return case
 
-    def _changed(self, changes: list[tuple[str, str]]) -> Self:
-        return self._of(self._held.changed(changes))
+    def _changed(self, changes: list[Change]) -> Self:
+        case = self._of(self._held.changed(changes))
+        warn(case._warnings(), besides=self._warnings())
+        return case
+
+    def _warnings(self) -> tuple[Diagnostic, ...]:
+        return tuple(Diagnostic(**found) for found in self._held.warnings())
 
     def to_toml(self) -> str:
         """Give the case as the text of a case file, with its comments and its changes.

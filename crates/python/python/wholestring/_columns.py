@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, cast
 
 import numpy as np
+
+from ._values import Value
+from .errors import InputError, InputTypeError
 
 
 def content(data: object) -> bytes:
@@ -19,12 +22,34 @@ def content(data: object) -> bytes:
     columns = _columns(data)
     lengths = {name: len(values) for name, values in columns.items()}
     if len(set(lengths.values())) > 1:
-        raise ValueError(f"the columns differ in length: {lengths}")
+        raise InputError(f"the columns differ in length: {lengths}")
     text = io.StringIO()
     rows = csv.writer(text)
     rows.writerow(columns)
     rows.writerows([_cell(value) for value in row] for row in zip(*columns.values(), strict=True))
     return text.getvalue().encode()
+
+
+def rows(data: object) -> list[Mapping[str, Value]]:
+    """Return changes of many cases, one by one: of a list as they are, of columns the rows.
+
+    >>> rows({"friction": [0.2, 0.3]})
+    [{'friction': 0.2}, {'friction': 0.3}]
+    """
+    if is_table(data):
+        columns = _columns(data)
+        if len({len(values) for values in columns.values()}) > 1:
+            lengths = {name: len(values) for name, values in columns.items()}
+            raise InputError(f"the columns differ in length: {lengths}")
+        return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+    if isinstance(data, str | bytes) or not isinstance(data, Iterable):
+        message = f"expected a list of changes, a data frame or a mapping of columns: {data!r}"
+        raise InputTypeError(message)
+    given = list(cast("Iterable[object]", data))
+    for one in given:
+        if not isinstance(one, Mapping):
+            raise InputTypeError(f"expected a mapping of keys to values in the list, not {one!r}")
+    return cast("list[Mapping[str, Value]]", given)
 
 
 def _columns(data: object) -> dict[str, list[Any]]:
@@ -34,7 +59,7 @@ def _columns(data: object) -> dict[str, list[Any]]:
         names = getattr(frame, "columns", None)
         if names is None:
             message = f"expected a path, a data frame or a mapping of columns, and got {data!r}"
-            raise TypeError(message)
+            raise InputTypeError(message)
         data = {str(name): frame[name] for name in names}
     table = cast("Mapping[str, Any]", data)
     return {str(name): list(np.asarray(values).tolist()) for name, values in table.items()}

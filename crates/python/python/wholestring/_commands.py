@@ -13,7 +13,7 @@ from ._base import BaseResults
 from ._folder import Place
 from ._listener import Listener
 from ._values import Scalar
-from .errors import Interrupted, NoAnswerError, ResultsError
+from .errors import InputError, InputTypeError, Interrupted, NoAnswerError, ResultsError
 
 R = TypeVar("R", bound=BaseResults)
 
@@ -50,10 +50,14 @@ def count(jobs: int | None) -> int | None:
     """Give the number of threads, if it is one."""
     if jobs is None:
         return None
-    number = operator.index(jobs)
+    try:
+        number = operator.index(jobs)
+    except TypeError:
+        message = f"`jobs` was given {jobs!r}: expected a whole number from 1 to {MOST_JOBS}"
+        raise InputTypeError(message) from None
     if not 1 <= number <= MOST_JOBS:
         message = f"`jobs` was given {number}: expected a whole number from 1 to {MOST_JOBS}"
-        raise ValueError(message)
+        raise InputError(message)
     return number
 
 

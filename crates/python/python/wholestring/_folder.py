@@ -8,6 +8,8 @@ import weakref
 from os import PathLike
 from pathlib import Path
 
+from .errors import InputError
+
 
 class Place:
     """Where results go: a folder of the user's, or a temporary one that goes with its last user.
@@ -28,9 +30,9 @@ class Place:
         resume: bool = False,
     ) -> None:
         if overwrite and resume:
-            raise ValueError("overwrite and resume exclude each other")
+            raise InputError("overwrite and resume exclude each other")
         if folder is None and resume:
-            raise ValueError("resume needs the folder that is to be continued")
+            raise InputError("resume needs the folder that is to be continued")
         self.is_temporary = folder is None
         self.existing = "resume" if resume else "overwrite" if overwrite else "protect"
         if folder is not None:

@@ -5,6 +5,9 @@ from __future__ import annotations
 import warnings
 from typing import TYPE_CHECKING, Any
 
+from ._warned import outside
+from .errors import MissingPackageError
+
 if TYPE_CHECKING:
     from typing_extensions import Self
 
@@ -26,7 +29,7 @@ class Listener:
     def said(self, is_warning: bool, sentence: str) -> None:
         """Hear a sentence."""
         if is_warning:
-            warnings.warn(sentence, stacklevel=4)
+            warnings.warn(sentence, stacklevel=outside())
 
     def progress(self, name: str, time_s: float, end_s: float) -> None:
         """Hear how far a simulation has come."""
@@ -73,6 +76,6 @@ def _tqdm() -> Any:
     try:
         from tqdm.auto import tqdm
     except ImportError as error:
-        message = "a progress bar needs tqdm: pip install 'wholestring[progress]'"
-        raise ImportError(message) from error
+        message = "a progress bar needs tqdm: pip install tqdm"
+        raise MissingPackageError(message) from error
     return tqdm

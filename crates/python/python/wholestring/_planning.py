@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Literal, SupportsFloat, TypeAlias, TypeVar, cast
 
 from . import _core, _values
 from ._checked import Checked
@@ -24,8 +24,11 @@ if TYPE_CHECKING:
 
 C = TypeVar("C", bound=Checked)
 
-Values: TypeAlias = "Scalar | NDArray[Any] | Sequence[Scalar]"
+Values: TypeAlias = "Scalar | NDArray[Any] | Iterable[Scalar]"
 """One value, several, or a text with several: ``"500m..1200m/100m"``."""
+
+Factors: TypeAlias = "str | SupportsFloat | NDArray[Any] | Iterable[SupportsFloat]"
+"""One friction factor, several, or a text with several: ``"0.2, 0.3"``."""
 
 Units = Literal["si", "metric", "field"]
 
@@ -39,7 +42,7 @@ class Planning(Checked):
         self,
         *,
         model: str | Sequence[str] | None = None,
-        frictions: str | float | Sequence[float] | None = None,
+        frictions: Factors | None = None,
         bit_depths: Values | None = None,
         operations: str | Sequence[str] | None = None,
         jobs: int | None = None,
@@ -80,7 +83,7 @@ class Planning(Checked):
         """
         options: _core.BroomstickOptions = {
             "models": words(model),
-            "frictions": factors("frictions", frictions),
+            "frictions": _values.factors("frictions", frictions),
             "bit_depths_m": _values.options("bit_depths", bit_depths, "length") or [],
             "operations": words(operations),
             "jobs": count(jobs),
@@ -164,7 +167,7 @@ class Planning(Checked):
         *,
         from_: Scalar | None = None,
         to: Scalar | None = None,
-        friction: str | float | Sequence[float] | None = None,
+        friction: Factors | None = None,
         operation: str | Sequence[str] | None = None,
         no_helix_friction: bool = False,
         stop_at_helix: bool = False,
@@ -229,7 +232,7 @@ class Planning(Checked):
         asked: _core.ReachOptions = {
             "from_m": _values.option("from_", from_, "length"),
             "to_m": _values.option("to", to, "length"),
-            "frictions": factors("friction", friction),
+            "frictions": _values.factors("friction", friction),
             "operations": words(operation),
             "no_helix_friction": no_helix_friction,
             "stop_at_helix": stop_at_helix,
@@ -243,7 +246,7 @@ class Planning(Checked):
 
     def calibrate(
         self: C,
-        data: str | PathLike[str] | Mapping[str, Any] | object,
+        data: str | PathLike[str] | bytes | Mapping[str, Any] | object,
         folder: str | PathLike[str] | None = None,
         *,
         others: Sequence[C] = (),
@@ -272,9 +275,10 @@ class Planning(Checked):
         Parameters
         ----------
         data
-            The readings: a file, CSV or Excel, or a data frame of polars or pandas, or columns by
-            their names. Names have units: ``bit_depth_m``, ``pick_up_kN``, ``slack_off_kN``,
-            ``rotating_kN``, ``torque_kN_m``, ``torque_on_bottom_kN_m``, as the headings of a file.
+            The readings: a file, CSV or Excel, or its content as bytes; a data frame of polars or
+            pandas, or columns by their names. Names have units: ``bit_depth_m``, ``pick_up_kN``,
+            ``slack_off_kN``, ``rotating_kN``, ``torque_kN_m``, ``torque_on_bottom_kN_m``, as the
+            headings of a file.
         folder
             Where the results go; a temporary folder where none is given.
         others
@@ -352,7 +356,7 @@ class Planning(Checked):
             depths = _values.options("check_dynamics", check_dynamics, "length")
         asked: _core.CalibrateOptions = {
             "data": read,
-            "content": None if is_path else content(data),
+            "content": None if is_path else data if isinstance(data, bytes) else content(data),
             "one_factor": one_factor,
             "by_section": by_section,
             "friction_around": friction_around,
@@ -362,9 +366,9 @@ class Planning(Checked):
             "weight_error": _values.written("weight_error", weight_error, "force"),
             "rotating_error": _values.written("rotating_error", rotating_error, "force"),
             "torque_error": _values.written("torque_error", torque_error, "torque"),
-            "outlier": str(outlier),
+            "outlier": str(_values.real(outlier, "outlier")),
             "without_outliers": without_outliers,
-            "band": str(band),
+            "band": str(_values.real(band, "band")),
             "model": model,
             "check_dynamics": depths,
         }
@@ -381,24 +385,7 @@ class Planning(Checked):
 
 def words(given: str | Sequence[str] | None) -> list[str]:
     """Give words, of which there may be one."""
-    return [given] if isinstance(given, str) else list(given or ())
-
-
-def factors(option: str, given: str | float | Sequence[float] | None) -> list[float]:
-    """Give friction factors."""
-    if given is None:
-        return []
-    if isinstance(given, str):
-        given = [_factor(option, part) for part in given.split(",")]
-    return [float(of) for of in (given if isinstance(given, Sequence) else [given])]
-
-
-def _factor(option: str, text: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        message = f"`{option}`: {text.strip()!r} is no friction factor: expected such as 0.3"
-        raise ValueError(message) from None
+    return [given] if isinstance(given, str) else [str(word) for word in _values.plain(given) or ()]
 
 
 def _held(name: str, value: Scalar) -> str:

@@ -8,6 +8,8 @@ from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, ProcessPoolExecutor
 from typing import Any, Protocol, runtime_checkable
 
+from .errors import InputTypeError
+
 ASK_EVERY_S = 5.0
 """How often a cluster that grows and shrinks is asked for its workers, s."""
 
@@ -35,7 +37,7 @@ class Pool:
             # Not pure: what was solved before in the same session is in its folder, not in memory.
             executor = executor.get_executor(pure=False)
         if not hasattr(executor, "submit"):
-            raise TypeError(
+            raise InputTypeError(
                 f"executor is {executor!r}: expected a concurrent.futures.Executor, or a Client of "
                 "Dask"
             )

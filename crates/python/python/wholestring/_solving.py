@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from os import PathLike
+from typing import Literal
 
+from . import _values
 from ._checked import Checked
+from ._columns import rows
 from ._commands import count, finished
 from ._folder import Place
 from ._listener import Listener
+from ._planning import words
 from ._values import Scalar
 from .laws import BitLaw, Excitation
 from .laws import bit_law as of_bit
 from .laws import excitation as of_shaking
+from .plot._shown import of_the_case
 from .results import Results
 from .simulation import Simulation
+from .table import Table
 
 
 class Solving(Checked):
@@ -21,13 +28,13 @@ class Solving(Checked):
 
     __slots__ = ()
 
-    def soft(self, operation: str | None = None) -> Results:
+    def soft(self, operation: str | Sequence[str] | None = None) -> Results:
         """Solve with the soft string: milliseconds.
 
         Parameters
         ----------
         operation
-            The one to solve; all of the case where none is named.
+            The one to solve, or several; all of the case where none is named.
 
         Examples
         --------
@@ -39,13 +46,66 @@ class Solving(Checked):
         """
         return self._solve(["soft"], operation, None, progress=False)
 
-    def stiff(self, operation: str | None = None) -> Results:
+    def soft_many(
+        self,
+        changes: object,
+        operation: str | None = None,
+        *,
+        model: Literal["soft", "stiff"] = "soft",
+        jobs: int | None = None,
+    ) -> Table:
+        """Solve many variations of the case in memory, into one table: a millisecond each.
+
+        Nothing is written: for dynamics, for what is to be kept and for other machines there is
+        :func:`sweep`. Every variation is checked before the table is returned.
+
+        Parameters
+        ----------
+        changes
+            The changes of each variation: a list of mappings such as :meth:`Case.with_` takes, or a
+            data frame or a mapping of columns, a row for each variation.
+        operation
+            The one to solve; all of the case where none is named.
+        model
+            ``"soft"`` or ``"stiff"``.
+        jobs
+            Number of parallel jobs; one per core where nothing is said.
+
+        Returns
+        -------
+        Table
+            A row for each variation and operation: the keys that were changed, SI; scalars,
+            findings and how it ended, as the table of a sweep has them; ``case``, the number of the
+            variation from zero.
+
+        Raises
+        ------
+        CaseError
+            If a variation is not valid.
+        Interrupted
+            If the user interrupted it.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import wholestring as ws
+        >>> case = ws.Case.example()
+        >>> table = case.soft_many({"friction": np.linspace(0.2, 0.3, 3)}, "trip_out")
+        >>> [f"{load / 1e3:.0f} kN" for load in table["hook_load_N"]]
+        ['400 kN', '419 kN', '438 kN']
+        """
+        variations = [_values.changes(one, {}) for one in rows(changes)]
+        with Listener(progress=False) as listener:
+            held, _ = self._held.many(variations, model, operation, count(jobs), listener)
+        return Table(held, "sweep")
+
+    def stiff(self, operation: str | Sequence[str] | None = None) -> Results:
         """Solve with the stiff string, at rest: tens of milliseconds.
 
         Parameters
         ----------
         operation
-            The one to solve; all of the case where none is named.
+            The one to solve, or several; all of the case where none is named.
 
         Raises
         ------
@@ -64,7 +124,7 @@ class Solving(Checked):
 
     def dynamic(
         self,
-        operation: str | None = None,
+        operation: str | Sequence[str] | None = None,
         *,
         progress: bool = False,
         jobs: int | None = None,
@@ -74,7 +134,7 @@ class Solving(Checked):
         Parameters
         ----------
         operation
-            The one to solve; all of the case where none is named.
+            The one to solve, or several; all of the case where none is named.
         progress
             Whether to draw a bar, with tqdm.
         jobs
@@ -209,11 +269,21 @@ class Solving(Checked):
         threads = count(jobs)
         with Listener(progress=False) as listener:
             held = self._held.simulation(operation, checkpoint, *laws, threads, listener)
-        return Simulation(held)
+        return Simulation(held, of_the_case(self))
 
     def _solve(
-        self, models: list[str], operation: str | None, jobs: int | None, *, progress: bool
+        self,
+        models: list[str],
+        operation: str | Sequence[str] | None,
+        jobs: int | None,
+        *,
+        progress: bool,
     ) -> Results:
+        held = self._held
+        if operation is not None and not isinstance(operation, str):
+            key = "operation.kind"
+            held = held.changed([(key, _values.toml(words(operation), key))])
+            operation = None
         with Listener(progress) as listener:
-            core, raised = self._held.answer(models, operation, count(jobs), listener)
+            core, raised = held.answer(models, operation, count(jobs), listener)
         return finished(Results(core), raised)

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from . import _core
+from .errors import Error, FolderError
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -100,7 +101,7 @@ class Done:
 def _opened(job: bytes) -> tuple[Job, _core.Variations]:
     held: Job = pickle.loads(job)
     if held.version != _core.__version__:
-        raise RuntimeError(
+        raise Error(
             f"the worker on {socket.gethostname()} has wholestring {_core.__version__}, and the "
             f"sweep was begun with {held.version}: their answers may differ"
         )
@@ -126,7 +127,7 @@ def solve(job: bytes, tasks: Sequence[Task]) -> Done:
         done.stopped = True
     elif shared:
         if not running.exists():
-            raise FileNotFoundError(
+            raise FolderError(
                 f"the worker on {socket.gethostname()} does not see {running.parent}: with "
                 "shared_folder=False it sends the files of its cases back"
             )

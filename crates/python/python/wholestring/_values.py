@@ -6,12 +6,19 @@ import json
 import math
 import os
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, cast, runtime_checkable
-
-import numpy as np
+from collections.abc import Iterable, Mapping, Sequence
+from typing import (
+    TYPE_CHECKING,
+    Any,
+    Protocol,
+    SupportsFloat,
+    TypeAlias,
+    cast,
+    runtime_checkable,
+)
 
 from . import _core
+from .errors import InputError, InputTypeError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -46,11 +53,46 @@ class Quantity(Protocol):
         ...
 
 
-Scalar: TypeAlias = "str | float | int | bool | np.integer[Any] | Quantity"
-"""A value of a key: a text, a number in SI, or a quantity."""
+Scalar: TypeAlias = "str | SupportsFloat | Quantity"
+"""A value of a key: a text, a number in SI, or a quantity.
 
-Value: TypeAlias = "Scalar | NDArray[Any] | Sequence[Value] | Mapping[str, Value]"
-"""A value of a key, a list or a table of such."""
+A number is Python's, NumPy's or pandas' own, of whatever precision, or an array without dimensions.
+"""
+
+Value: TypeAlias = "Scalar | NDArray[Any] | Iterable[Value] | Mapping[str, Value] | None"
+"""A value of a key, a list or a table of such; ``None`` removes a key."""
+
+
+def plain(value: object) -> Any:
+    """Return numbers, arrays and series of other libraries as Python has them.
+
+    >>> import numpy as np
+    >>> plain(np.float32(0.5)), plain(np.array(3)), plain(np.linspace(0.0, 1.0, 3))
+    (0.5, 3, [0.0, 0.5, 1.0])
+    """
+    if isinstance(value, str | bytes | Mapping) or _is_quantity(value):
+        return cast("Any", value)
+    for name in ("tolist", "to_list"):
+        give = getattr(value, name, None)
+        if callable(give):
+            return give()
+    return value
+
+
+def _is_quantity(value: object) -> bool:
+    """Tell a number with a unit from arrays of other libraries that also have a ``to``."""
+    has_unit = hasattr(value, "magnitude") or hasattr(value, "unit")
+    return isinstance(value, Quantity) and (has_unit or not hasattr(value, "tolist"))
+
+
+def _magnitude(value: Quantity, unit: str, name: str) -> Any:
+    """Return what a quantity is in a unit, as Python has it."""
+    try:
+        found = value.to(unit)
+    except Exception as error:
+        raise InputError(f"{name} was given {value!r}: {error}") from error
+    number = getattr(found, "magnitude", None)
+    return plain(found.value if number is None else number)
 
 
 def for_pint(symbol: str) -> str:
@@ -65,48 +107,60 @@ def for_pint(symbol: str) -> str:
 def toml(value: object, key: str) -> str:
     """Give a value as TOML; ``key`` is the dotted key that it is for.
 
-    A number of a key that has a unit is SI, and is written with it: a case file's own bare numbers
-    need not be.
+    A number of a key that has a unit is SI and is written with it. A rotary speed is in rev/min, as
+    in a case file: its keys are called ``rpm``.
 
+    >>> import numpy as np
     >>> toml({"kinetic": 0.3}, "well.hole.0.friction"), toml("300 m", "bit_depth")
     ('{ "kinetic" = 0.3 }', '"300 m"')
-    >>> toml(12.5, "rpm")
-    '"12.5 rad/s"'
+    >>> toml(12.5, "rpm"), toml(np.float32(0.5), "mud.density")
+    ('"12.5 rpm"', '"0.5 kg/m3"')
     """
+    value = plain(value)
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, int | float):
         return number(value, key)
     if isinstance(value, str | os.PathLike):
-        return text(os.fspath(value))
+        return text(os.fspath(cast("str | os.PathLike[str]", value)))
     if isinstance(value, Mapping):
         table = cast("Mapping[object, object]", value)
-        pairs = (f"{text(str(of))} = {toml(one, f'{key}.{of}')}" for of, one in table.items())
+        pairs = (
+            f"{text(str(name))} = {toml(one, f'{key}.{name}')}"
+            for name, one in table.items()
+            if one is not None
+        )
         return "{ " + ", ".join(pairs) + " }"
-    if isinstance(value, Sequence):
-        items = cast("Sequence[object]", value)
+    if _is_quantity(value):
+        return _quantity(cast("Quantity", value), key)
+    if isinstance(value, Iterable):
+        items = cast("Iterable[object]", value)
         return "[" + ", ".join(toml(one, f"{key}.{at}") for at, one in enumerate(items)) + "]"
-    if isinstance(value, Quantity):
-        unit = _core.unit_of(key)
-        if unit is None:
-            message = f"`{key}` takes a number without a unit or a text, and was given {value!r}"
-            raise TypeError(message)
-        return number(float(value.to(for_pint(unit)).magnitude), key)
-    # NumPy's numbers and arrays.
-    if isinstance(value, np.generic | np.ndarray):
-        return toml(cast("object", value.tolist()), key)
+    if isinstance(value, SupportsFloat):
+        return number(float(value), key)
     expected = "a text with a unit, a number in SI, a quantity, a list or a mapping"
-    raise TypeError(f"`{key}` was given {value!r}: expected {expected}")
+    raise InputTypeError(f"`{key}` was given {value!r}: expected {expected}")
 
 
-def number(value: float, key: str) -> str:
-    """Give a number as TOML, with its SI unit where it has one."""
-    if not math.isfinite(value):
-        raise ValueError(f"`{key}` was given {value}: expected a finite number")
-    # NumPy's numbers are Python's, but for how they are written.
-    plain = int(value) if isinstance(value, int) else float(value)
+def _quantity(value: Quantity, key: str) -> str:
     unit = _core.unit_of(key)
-    return repr(plain) if unit is None else f'"{plain!r} {unit}"'
+    # What has a bare number in rev/min has a quantity in SI all the same.
+    unit = "rad/s" if unit == REV_PER_MIN else unit
+    found = _magnitude(value, "dimensionless" if unit is None else for_pint(unit), f"`{key}`")
+    if isinstance(found, Iterable):
+        items = cast("Iterable[float]", found)
+        return "[" + ", ".join(number(one, key, unit) for one in items) + "]"
+    return number(float(found), key, unit)
+
+
+def number(value: float, key: str, unit: str | None = None) -> str:
+    """Return a number as TOML, with the unit that a number of the key has."""
+    if not math.isfinite(value):
+        raise InputError(f"`{key}` was given {value}: expected a finite number")
+    # NumPy's numbers are Python's, but for how they are written.
+    bare = int(value) if isinstance(value, int) else float(value)
+    unit = unit or _core.unit_of(key)
+    return repr(bare) if unit is None else f'"{bare!r} {unit}"'
 
 
 def text(value: str) -> str:
@@ -122,39 +176,103 @@ def text(value: str) -> str:
 def document(table: Mapping[str, Value]) -> str:
     """Give a table of tables as a TOML document."""
     lines: list[str] = []
+    table = {key: value for key, value in table.items() if value is not None}
     for key, value in table.items():
         if not isinstance(value, Mapping):
             lines.append(f"{text(key)} = {toml(value, key)}")
     for key, value in table.items():
         if isinstance(value, Mapping):
             lines.append(f"\n[{text(key)}]")
-            lines.extend(f"{text(of)} = {toml(one, f'{key}.{of}')}" for of, one in value.items())
+            inside = cast("Mapping[str, Value]", value).items()
+            lines.extend(
+                f"{text(name)} = {toml(one, f'{key}.{name}')}"
+                for name, one in inside
+                if one is not None
+            )
     return "\n".join(lines) + "\n"
 
 
-def changes(table: Mapping[str, Value], keywords: Mapping[str, Value]) -> Iterator[tuple[str, str]]:
-    """Give the keys and TOML values of changes; in a keyword, ``__`` stands for a dot."""
-    for key, value in table.items():
-        yield key, toml(value, key)
-    for keyword, value in keywords.items():
-        key = keyword.replace("__", ".")
-        yield key, toml(value, key)
+Change: TypeAlias = "tuple[str, str | None]"
+"""A key and its TOML value; ``None`` where the key is removed."""
+
+
+def changes(table: Mapping[str, Value], keywords: Mapping[str, Value]) -> list[Change]:
+    """Return the keys and TOML values of changes; in a keyword, ``__`` stands for a dot.
+
+    >>> changes({"mud.density": 1200.0}, {"operation__wob": None})
+    [('mud.density', '"1200.0 kg/m3"'), ('operation.wob', None)]
+    """
+    given = [*table.items(), *((word.replace("__", "."), of) for word, of in keywords.items())]
+    refuse_conflicts([key for key, _ in given])
+    return [(key, None if value is None else toml(value, key)) for key, value in given]
+
+
+def refuse_conflicts(keys: Sequence[str]) -> None:
+    """Refuse keys of which two set the same thing: which of both holds, nobody could tell.
+
+    >>> refuse_conflicts(["friction", "well.hole.1.diameter"])
+    >>> refuse_conflicts(["friction", "well.hole.1.friction"])
+    Traceback (most recent call last):
+    wholestring.errors.InputError: `friction` and `well.hole.1.friction` set the same key: ...
+    """
+    seen: list[tuple[str, list[str]]] = []
+    for key in keys:
+        parts = _core.long_key(key).split(".")
+        for other, others in seen:
+            pairs = zip(parts, others, strict=False)
+            if all(one == two or "*" in (one, two) for one, two in pairs):
+                what = f"`{key}` twice" if key == other else f"`{other}` and `{key}`"
+                raise InputError(
+                    f"{what} set the same key: give one of them, or one after the other to a "
+                    "`with_` of its own"
+                )
+        seen.append((key, parts))
 
 
 def si(value: Scalar, dimension: str) -> float:
-    """Give a quantity of a dimension in SI.
+    """Return a quantity of a dimension in SI.
 
-    >>> si("2 min", "time"), si(3, "time")
-    (120.0, 3.0)
+    >>> import numpy as np
+    >>> si("2 min", "time"), si(3, "time"), si(np.float32(0.5), "time"), si(np.array(2.0), "time")
+    (120.0, 3.0, 0.5, 2.0)
     """
     if isinstance(value, str):
         return _core.quantity(value, dimension)
-    if isinstance(value, int | float | np.integer):
+    if _is_quantity(value):
+        unit = for_pint(_core.si_unit(dimension))
+        return real(_magnitude(cast("Quantity", value), unit, f"a {dimension}"), dimension)
+    return real(plain(value), dimension)
+
+
+def real(value: object, what: str) -> float:
+    """Return a number.
+
+    >>> import numpy as np
+    >>> real(np.int64(2), "a count")
+    2.0
+    """
+    value = plain(value)
+    if isinstance(value, SupportsFloat) and not isinstance(value, str):
         return float(value)
-    if isinstance(value, Quantity):  # pyright: ignore[reportUnnecessaryIsInstance]
-        return float(value.to(for_pint(_core.si_unit(dimension))).magnitude)
     expected = "a text with a unit, a number in SI or a quantity"
-    raise TypeError(f"a {dimension} was given {value!r}: expected {expected}")
+    raise InputTypeError(f"a {what} was given {value!r}: expected {expected}")
+
+
+REV_PER_MIN = "rpm"
+
+
+def rotary_speed(name: str, value: Scalar | None) -> float | None:
+    """Return a rotary speed in rad/s of which a number is in rev/min.
+
+    >>> round(rotary_speed("rpm", 120), 3), rotary_speed("rpm", "12 rad/s")
+    (12.566, 12.0)
+    """
+    if value is None or isinstance(value, str) or _is_quantity(value):
+        return option(name, value, "rotary speed")
+    number = real(value, "rotary speed")
+    if not math.isfinite(number):
+        raise InputError(f"`{name}` was given {number}: expected a finite number")
+    return option(name, f"{number!r} {REV_PER_MIN}", "rotary speed")
 
 
 def option(name: str, value: Scalar | None, dimension: str) -> float | None:
@@ -167,11 +285,10 @@ def option(name: str, value: Scalar | None, dimension: str) -> float | None:
         return None
     try:
         found = si(value, dimension)
-    except (ValueError, TypeError) as error:
-        kind = ValueError if isinstance(error, ValueError) else TypeError
-        raise kind(f"`{name}`: {error}") from error
+    except InputError as error:
+        raise type(error)(f"`{name}`: {error}") from error
     if not math.isfinite(found):
-        raise ValueError(f"`{name}` was given {found}: expected a finite number")
+        raise InputError(f"`{name}` was given {found}: expected a finite number")
     return found
 
 
@@ -187,13 +304,42 @@ def options(name: str, value: object, dimension: str) -> list[float] | None:
         return None
     if isinstance(value, str):
         return _core.values(name, value, dimension)
-    if isinstance(value, Quantity):
-        value = value.to(for_pint(_core.si_unit(dimension))).magnitude
-    if isinstance(value, np.ndarray):
-        value = cast("object", value.tolist())
-    several = cast("Sequence[Scalar]", value if isinstance(value, Sequence) else [value])
+    if _is_quantity(value):
+        unit = for_pint(_core.si_unit(dimension))
+        value = _magnitude(cast("Quantity", value), unit, f"`{name}`")
+    value = plain(value)
+    several = cast("Iterable[Scalar]", value if isinstance(value, Iterable) else [value])
     found = (option(name, one, dimension) for one in several)
     return [one for one in found if one is not None]
+
+
+def factors(name: str, given: object) -> list[float]:
+    """Return friction factors: one, several, or a text with several.
+
+    >>> import numpy as np
+    >>> factors("friction", "0.2, 0.3"), factors("friction", np.array([0.25])), factors("f", None)
+    ([0.2, 0.3], [0.25], [])
+    """
+    if given is None:
+        return []
+    if isinstance(given, str):
+        return [_factor(name, part) for part in given.split(",")]
+    if _is_quantity(given):
+        given = _magnitude(cast("Quantity", given), "dimensionless", f"`{name}`")
+    given = plain(given)
+    several = cast("Iterable[object]", given if isinstance(given, Iterable) else [given])
+    return [_factor(name, one) for one in several]
+
+
+def _factor(name: str, given: object) -> float:
+    if _is_quantity(given):
+        given = _magnitude(cast("Quantity", given), "dimensionless", f"`{name}`")
+    try:
+        return float(cast("float", given))
+    except (TypeError, ValueError):
+        shown = given.strip() if isinstance(given, str) else given
+        message = f"`{name}`: {shown!r} is no friction factor: expected such as 0.3"
+        raise InputError(message) from None
 
 
 def written(name: str, value: Scalar | None, dimension: str) -> str | None:

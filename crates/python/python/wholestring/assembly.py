@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._base import BaseResults, Finding
+from .errors import InputError
 from .table import Table
 
 if TYPE_CHECKING:
@@ -194,7 +195,7 @@ class Modes(BaseResults):
         """
         families = ("lateral", "axial", "torsional")
         if family not in families:
-            raise ValueError(f"`family` was given {family!r}: expected one of {families}")
+            raise InputError(f"`family` was given {family!r}: expected one of {families}")
         found = [of["frequency_Hz"] for of in self.summary["modes"] if of["family"] == family]
         return np.array(found, dtype=np.float64)
 

@@ -13,6 +13,7 @@ from ._base import BaseResults, Finding
 from ._checked import Checked
 from ._folder import Place
 from ._pickled import Reduced
+from .errors import InputError, NotFoundError
 from .table import Table
 
 if TYPE_CHECKING:
@@ -122,7 +123,7 @@ class Calibration(BaseResults, Generic[C]):
             if parameter == of.parameter:
                 return of
         there = ", ".join(of.parameter for of in self.estimates)
-        raise KeyError(f"{parameter!r} was not looked for: looked for were {there}")
+        raise NotFoundError(f"{parameter!r} was not looked for: looked for were {there}")
 
     @property
     def held(self) -> Mapping[str, float]:
@@ -204,7 +205,7 @@ class Calibration(BaseResults, Generic[C]):
         """
         if self._calibrated is None:
             message = "a folder has no case file: give one to `applied_to`"
-            raise ValueError(message)
+            raise InputError(message)
         return self._calibrated
 
     @property

@@ -9,13 +9,14 @@ from typing import Any, cast
 
 import numpy as np
 
-from . import _core, _values
+from . import _case_html, _core, _values
 from ._assemblies import Assemblies
 from ._columns import content, is_table
 from ._planning import Planning
 from ._solving import Solving
 from ._values import Value
-from .errors import CaseError, Diagnostic
+from ._warned import warn
+from .errors import CaseError, Diagnostic, InputError, NotFoundError
 from .importing import import_files
 from .table import Table
 
@@ -58,6 +59,7 @@ class Case(Solving, Planning, Assemblies):
         files: Mapping[str, bytes] | None = None,
     ) -> None:
         self._held = _core.Case.parse(text, name, dict(files or {}))
+        warn(self._warnings())
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> Case:
@@ -83,7 +85,9 @@ class Case(Solving, Planning, Assemblies):
         ...     print(ws.Case.load(file) == ws.Case.example())
         True
         """
-        return cls._of(_core.Case.load(path))
+        case = cls._of(_core.Case.load(path))
+        warn(case._warnings())
+        return case
 
     @classmethod
     def from_files(
@@ -142,8 +146,8 @@ class Case(Solving, Planning, Assemblies):
     ) -> Case:
         """Make a case of Python objects: the tables and keys of a case file.
 
-        Numbers are SI, texts may have units, and so may quantities of pint. A case file's own bare
-        numbers are not all SI, such as ``rpm``: :meth:`load` and the class itself read those.
+        Numbers are SI, but for rotary speeds, which are in rev/min as in a case file. Texts may
+        have units, and so may quantities of pint. A key that is ``None`` is left out.
 
         Parameters
         ----------
@@ -197,16 +201,34 @@ class Case(Solving, Planning, Assemblies):
         return cls(_values.document(table), name=name, files=all_files)
 
     @classmethod
-    def example(cls) -> Case:
-        """Give a slant well of 1200 m, to try things on.
+    def example(cls, name: str = "slant") -> Case:
+        """Return a case that comes with the package, to try things on: a slant well of 1200 m.
+
+        Parameters
+        ----------
+        name
+            Another one: ``"vertical"``, ``"horizontal"``, ``"np13-x1042"``, ``"forge-16a"``, and so
+            on. :attr:`files` has the files that it comes with.
+
+        Raises
+        ------
+        NotFoundError
+            If there is none of that name.
 
         Examples
         --------
         >>> import wholestring as ws
         >>> ws.Case.example()
         <Case Slant well: soft, dynamic; trip_out, trip_in, rotate_off_bottom, drill, slide>
+        >>> sorted(ws.Case.example("forge-16a").files)
+        ['forge-16a-measured.csv', 'forge-16a-survey.csv']
         """
-        return cls(_core.EXAMPLE, name="slant.toml")
+        found = _core.EXAMPLES.get(name)
+        if found is None:
+            there = ", ".join(_core.EXAMPLES)
+            raise NotFoundError(f"there is no example {name!r}: there are {there}")
+        text, files = found
+        return cls(text, name=f"{name}.toml", files=files)
 
     def with_(self, changes: Mapping[str, Value] | None = None, /, **keys: Value) -> Case:
         """Make another case: this one with other values.
@@ -223,7 +245,15 @@ class Case(Solving, Planning, Assemblies):
         Raises
         ------
         CaseError
-            If the case would not be sound.
+            If the case would not be valid, or has no key that is to be removed.
+        InputError
+            If two of the keys set the same thing, such as ``friction`` and
+            ``well.hole.1.friction``.
+
+        Notes
+        -----
+        A number is SI, but for rotary speeds: ``rpm=120`` is 120 rev/min. ``None`` removes a key,
+        so that its default holds.
 
         Examples
         --------
@@ -232,8 +262,12 @@ class Case(Solving, Planning, Assemblies):
         >>> heavier = case.with_({"well.hole.1.friction": 0.35}, mud__density="1.4 sg", wob=60e3)
         >>> heavier.settings["mud"]["density_kg_per_m3"], case == heavier
         (1400.0, False)
+        >>> heavier.with_(rpm=60).settings["operation"]["rotary_speed_rad_per_s"]
+        6.283185307179586
+        >>> case.with_(name="A case").with_(name=None).name
+        'slant'
         """
-        return self._changed(list(_values.changes(changes or {}, keys)))
+        return self._changed(_values.changes(changes or {}, keys))
 
     def check(
         self, model: str | Sequence[str] | None = None, operation: str | None = None
@@ -321,8 +355,8 @@ class Case(Solving, Planning, Assemblies):
 
     @property
     def warnings(self) -> tuple[Diagnostic, ...]:
-        """What is probably not meant, but can be computed."""
-        return tuple(Diagnostic(**found) for found in self._held.warnings())
+        """What is probably not meant, but can be computed; Python's warnings have it too."""
+        return self._warnings()
 
     @property
     def files(self) -> Mapping[str, bytes]:
@@ -343,6 +377,9 @@ class Case(Solving, Planning, Assemblies):
         """Give a hash of all settings."""
         return hash(self._held.identity())
 
+    def _repr_html_(self) -> str:
+        return _case_html.html(self.settings, self._warnings())
+
     def __repr__(self) -> str:
         """Give its name, models and operations."""
         return f"<Case {self.name}: {', '.join(self.models)}; {', '.join(self.operations)}>"
@@ -355,9 +392,10 @@ def _stations(survey: object) -> list[list[float]]:
         rows = np.empty(0)
     if rows.shape[1:] != (3,):
         message = "`survey`: expected rows of measured depth, inclination and azimuth, or a table"
-        raise ValueError(message)
+        raise InputError(message)
     return cast("list[list[float]]", rows.tolist())
 
 
 def _restored(text: str, name: str, files: dict[str, bytes]) -> Case:
-    return Case(text, name=name, files=files)
+    # Who made it has heard of its warnings.
+    return Case._of(_core.Case.parse(text, name, files))

@@ -101,6 +101,67 @@ class InputError(Error, ValueError):
     """
 
 
+class InputTypeError(InputError, TypeError):
+    """An argument of a kind that is not taken: a list where a number belongs, and so on.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> try:
+    ...     ws.Case.example().with_(wob=object())
+    ... except ws.InputTypeError as error:
+    ...     print(isinstance(error, TypeError))
+    True
+    """
+
+
+class NotFoundError(Error, KeyError):
+    """A name that there is not: of a table, a column, an operation, a case of a sweep.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> try:
+    ...     ws.Case.example().soft("drill")["slide"]
+    ... except ws.NotFoundError as error:
+    ...     print(error)
+    there is no 'slide': there are soft drill
+    """
+
+    def __str__(self) -> str:
+        """Return the message as it is: ``KeyError`` quotes it."""
+        return str(self.args[0]) if self.args else ""
+
+
+class MissingPackageError(Error, ImportError):
+    """Another package is needed and not installed; the message says how to install it.
+
+    Examples
+    --------
+    >>> import wholestring as ws
+    >>> issubclass(ws.MissingPackageError, ImportError)
+    True
+    """
+
+
+class CaseWarning(UserWarning):
+    """A case has something that is probably not meant, but can be computed.
+
+    Such a warning goes to ``warnings.warn`` once, as the case is made. :attr:`Case.warnings` has
+    them all, each with its place.
+
+    Examples
+    --------
+    >>> import warnings
+    >>> import wholestring as ws
+    >>> with warnings.catch_warnings(record=True) as caught:
+    ...     warnings.simplefilter("always")
+    ...     _ = ws.Case.example().with_(mud__density=1.2)
+    >>> [issubclass(warning.category, ws.CaseWarning) for warning in caught]
+    [True]
+    """
+
+
 class FolderError(Error, OSError):
     """A folder that results cannot go to, or that cannot be continued.
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from . import _core
+from .errors import FolderError
 
 if TYPE_CHECKING:
     from ._values import Value
@@ -138,7 +139,7 @@ class Imported:
         for there in whole:
             if there.exists():
                 message = f"{there} is there already"
-                raise FileExistsError(message)
+                raise FolderError(message)
         for file, content in whole.items():
             file.write_bytes(content)
         return path

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple, SupportsFloat, TypeAlias, cast
 
 from . import _core, _values
 from ._values import Scalar
+from .errors import InputTypeError
 
 
 class BitReading(NamedTuple):
@@ -61,10 +62,10 @@ class ShakeReading(NamedTuple):
     angle_rad: float
 
 
-BitLaw: TypeAlias = Callable[[BitReading], tuple[float, float]]
+BitLaw: TypeAlias = Callable[[BitReading], tuple[SupportsFloat, SupportsFloat]]
 """Depth of cut per revolution, m, and torque, N·m, both zero or more."""
 
-Excitation: TypeAlias = Callable[[ShakeReading], tuple[float, float]]
+Excitation: TypeAlias = Callable[[ShakeReading], tuple[SupportsFloat, SupportsFloat]]
 """How much deeper the rock front stands, m, and by which part the torque is larger."""
 
 
@@ -74,10 +75,9 @@ def bit_law(law: BitLaw | None, rate: Scalar) -> _core.Function | None:
         return None
 
     def ask(*reading: float) -> tuple[float, float]:
-        depth_of_cut_m, torque_N_m = law(BitReading(*reading))
-        return float(depth_of_cut_m), float(torque_N_m)
+        return _two(law(BitReading(*reading)), "a bit law gives a depth of cut and a torque")
 
-    return ask, _name(law), _values.si(rate, "frequency")
+    return ask, _name(law), _rate(rate)
 
 
 def excitation(law: Excitation | None, rate: Scalar) -> _core.Function | None:
@@ -86,10 +86,22 @@ def excitation(law: Excitation | None, rate: Scalar) -> _core.Function | None:
         return None
 
     def ask(*reading: float) -> tuple[float, float]:
-        front_m, torque = law(ShakeReading(*reading))
-        return float(front_m), float(torque)
+        return _two(law(ShakeReading(*reading)), "an excitation gives a length and a torque's part")
 
-    return ask, _name(law), _values.si(rate, "frequency")
+    return ask, _name(law), _rate(rate)
+
+
+def _two(answer: object, expected: str) -> tuple[float, float]:
+    """Return what a law answers as two numbers."""
+    try:
+        one, other = cast("tuple[object, object]", _values.plain(answer))
+        return _values.real(one, "number"), _values.real(other, "number")
+    except (TypeError, ValueError):
+        raise InputTypeError(f"{expected}, two numbers, and not {answer!r}") from None
+
+
+def _rate(rate: Scalar) -> float:
+    return cast("float", _values.option("rate", rate, "frequency"))
 
 
 def _name(law: object) -> str:

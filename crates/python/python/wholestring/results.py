@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -12,6 +12,11 @@ from ._base import BaseResults, Finding, by_gravity
 from .plot._house import operation_words
 from .plot._shown import Shown, about
 from .table import Table
+
+if TYPE_CHECKING:
+    import pandas
+    import polars
+from .errors import NotFoundError
 
 
 class OperationResult:
@@ -187,8 +192,41 @@ class Results(BaseResults):
         there = ", ".join(f"{of.model} {of.operation}" for of in self)
         if found:
             message = f"several models solved {name!r}: name one, as in results['soft', {name!r}]"
-            raise KeyError(message)
-        raise KeyError(f"there is no {key!r}: there are {there}")
+            raise NotFoundError(message)
+        raise NotFoundError(f"there is no {key!r}: there are {there}")
+
+    @property
+    def scalars(self) -> Table:
+        """A row for each operation: scalars, statistics and indicators, as a sweep has them."""
+        if "" not in self._tables:
+            self._tables[""] = Table(self._core.scalars(), "scalars")
+        return self._tables[""]
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Give :attr:`scalars` as a pandas data frame, a row for each operation.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> frame = ws.Case.example().soft().to_pandas()
+        >>> frame.set_index("operation")["hook_load_N"].idxmax()
+        'trip_out'
+        """
+        return self.scalars.to_pandas()
+
+    def to_polars(self) -> polars.DataFrame:
+        """Give :attr:`scalars` as a polars data frame, a row for each operation.
+
+        Examples
+        --------
+        >>> import wholestring as ws
+        >>> ws.Case.example().soft("drill").to_polars()["operation"].to_list()
+        ['drill']
+        """
+        return self.scalars.to_polars()
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(dict.fromkeys(of.operation for of in self))
 
     @property
     def nodes(self) -> Table:

@@ -3,14 +3,28 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
+from typing import cast
 
-from . import _core, _values
+from . import _core, _html, _values
 from ._listener import Listener
+from ._planning import Factors
 from ._values import Scalar
-from .errors import Interrupted
+from .errors import InputError, Interrupted
+from .plot._house import operation_words
+from .plot._shown import Shown, Units, about
 from .results import Results
 from .table import Table
+
+_SHOWN = (
+    "hook_load_N",
+    "surface_torque_N_m",
+    "weight_on_bit_N",
+    "rotary_speed_rad_per_s",
+    "bit_rotary_speed_rad_per_s",
+    "bit_depth_m",
+)
+"""The columns of the last sample that notebooks show."""
 
 
 class Simulation:
@@ -33,10 +47,11 @@ class Simulation:
     True
     """
 
-    __slots__ = ("_held",)
+    __slots__ = ("_held", "_units")
 
-    def __init__(self, core: _core.Simulation) -> None:
+    def __init__(self, core: _core.Simulation, units: Units | None = None) -> None:
         self._held = core
+        self._units: Units | None = units
 
     @property
     def operation(self) -> str:
@@ -69,6 +84,11 @@ class Simulation:
     def advance(self, time: Scalar, *, progress: bool = False) -> None:
         """Advance by a time, to the nearest sample.
 
+        Times add up: what one call leaves of a sample, the next one has. A hundred calls of 0.01 s
+        come to 1 s, and so do a thousand of 0.001 s, of which nine in ten move nothing where
+        samples are 0.01 s apart. :attr:`sample_interval_s` is the case's
+        ``dynamics.sample_interval``.
+
         An exception of a law of one's own comes out here. The simulation then stands at the sample
         after it, until which the law held what it answered before; what was computed is there.
 
@@ -95,7 +115,7 @@ class Simulation:
         >>> round(sim.time_s, 2)
         1.0
         """
-        seconds = _values.si(time, "time")
+        seconds = cast("float", _values.option("time", time, "time"))
         with Listener(progress) as listener:
             try:
                 self._held.advance(seconds, listener)
@@ -107,10 +127,11 @@ class Simulation:
         self,
         *,
         rpm: Scalar | None = None,
+        rotary_speed: Scalar | None = None,
         block_velocity: Scalar | None = None,
         weight_on_bit: Scalar | None = None,
         flow_rate: Scalar | None = None,
-        friction: float | Sequence[float] | None = None,
+        friction: Factors | None = None,
         ramp: Scalar = 0.0,
     ) -> None:
         """Change set points from now on, as a line of the case's schedule does, or friction.
@@ -118,7 +139,9 @@ class Simulation:
         Parameters
         ----------
         rpm
-            Rotary speed at surface: ``"120 rpm"``, or rad/s.
+            Rotary speed at surface: 120 or ``"120 rpm"``; a number is in rev/min.
+        rotary_speed
+            The same in rad/s, as columns have it.
         block_velocity
             Speed of the block, positive downwards: ``"0.3 m/s"``, or m/s.
         weight_on_bit
@@ -131,6 +154,12 @@ class Simulation:
             to it.
         ramp
             Time in which all that is named goes to its new value: ``"5 s"``, or seconds.
+
+        Raises
+        ------
+        InputError
+            If a value is one that a case could not have: the limits are those of the keys of
+            ``operation.schedule``.
 
         Examples
         --------
@@ -145,23 +174,26 @@ class Simulation:
         (0.22, 0.35)
         """
         if block_velocity is not None and weight_on_bit is not None:
-            raise ValueError("the hoist follows either the block's velocity or a weight on bit")
-
-        def of(value: Scalar | None, dimension: str) -> float | None:
-            return None if value is None else _values.si(value, dimension)
-
-        ramp_s = _values.si(ramp, "time")
+            raise InputError("the hoist follows either the block's velocity or a weight on bit")
+        if rpm is not None and rotary_speed is not None:
+            raise InputError("`rpm` and `rotary_speed` set the same speed: give one of them")
+        speed = _values.rotary_speed("rpm", rpm)
+        if rotary_speed is not None:
+            speed = _values.option("rotary_speed", rotary_speed, "rotary speed")
+        ramp_s = cast("float", _values.option("ramp", ramp, "time"))
         points = (
-            of(rpm, "rotary speed"),
-            of(block_velocity, "speed"),
-            of(weight_on_bit, "force"),
-            of(flow_rate, "flow rate"),
+            speed,
+            _values.option("block_velocity", block_velocity, "speed"),
+            _values.option("weight_on_bit", weight_on_bit, "force"),
+            _values.option("flow_rate", flow_rate, "flow rate"),
         )
-        if friction is not None:
-            sections = friction if isinstance(friction, Sequence) else (friction,)
-            self._held.set_friction(ramp_s, [float(one) for one in sections])
+        sections = _values.factors("friction", friction)
+        if friction is not None and not sections:
+            raise InputError("`friction` was given no coefficient")
         if any(point is not None for point in points):
             self._held.set(ramp_s, *points)
+        if sections:
+            self._held.set_friction(ramp_s, sections)
 
     @property
     def friction(self) -> tuple[float, ...]:
@@ -201,7 +233,37 @@ class Simulation:
         >>> bool(new["time_s"][0] > before), bool(new["time_s"][-1] == sim.time_s)
         (True, True)
         """
-        return Table(self._held.samples(_values.si(time, "time")), "time")
+        after_s = cast("float", _values.option("time", time, "time"))
+        return Table(self._held.samples(after_s), "time")
+
+    def forget(self, before: Scalar | None = None) -> None:
+        """Drop the samples of before a time, so that memory does not grow with the time simulated.
+
+        A simulation keeps some 15 kB for each second otherwise, and every checkpoint has them. The
+        last sample stays, and while the string settles those that tell whether it is steady.
+        Statistics of :meth:`results` are then over the samples that are left of the window;
+        profiles along the string remain means over the whole window. Nothing that moves notices.
+
+        Parameters
+        ----------
+        before
+            Time of the simulation: ``"10 s"``, or seconds; now where nothing is said.
+
+        Examples
+        --------
+        Keep the last second:
+
+        >>> import wholestring as ws
+        >>> case = ws.Case.example().with_(mesh__element_length="20 m", dynamics__settle="0 s")
+        >>> sim = case.simulation("drill")
+        >>> for _ in range(4):
+        ...     sim.advance("0.5 s")
+        ...     sim.forget(sim.time_s - 1.0)
+        >>> round(float(sim.history["time_s"][0]), 2), round(sim.time_s, 2)
+        (1.0, 2.0)
+        """
+        before_s = math.inf if before is None else _values.option("before", before, "time")
+        self._held.forget(cast("float", before_s))
 
     def state(self) -> Table:
         """Give the whole string as it is now: a row a node, from the surface down.
@@ -254,3 +316,18 @@ class Simulation:
     def __repr__(self) -> str:
         """Give the operation and the time."""
         return f"<Simulation of {self.operation} at {self.time_s:.6g} s>"
+
+    def _repr_html_(self) -> str:
+        shown = Shown(self._units)
+        now = self.now
+        rows = [
+            ("Time", f"{self.time_s:.6g} s"),
+            ("State", "settling" if self.is_settling else "in the window of the statistics"),
+            ("Friction", ", ".join(f"{one:.3g}" for one in self.friction)),
+        ]
+        for name in _SHOWN:
+            value = now.get(name, math.nan)
+            if not math.isnan(value):
+                title, dimension = about(name)
+                rows.append((title, shown.quantity(value, dimension)))
+        return _html.facts(rows, caption=f"Simulation: {operation_words(self.operation)}")

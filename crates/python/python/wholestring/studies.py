@@ -13,7 +13,7 @@ from ._commands import common, finished, found
 from ._folder import Place
 from ._listener import Listener
 from ._values import Scalar, Value
-from .errors import FindingsError
+from .errors import FindingsError, InputError, NotFoundError
 from .sweep import Sweep
 from .table import Table
 
@@ -51,7 +51,7 @@ class Study(BaseResults):
     def _root(self) -> Path:
         folder = self.folder
         if folder is None:
-            raise ValueError("it has no folder")
+            raise InputError("it has no folder")
         return folder
 
     @property
@@ -66,8 +66,11 @@ class Study(BaseResults):
         Of a study in a temporary folder it can be read as long as the study is there.
         """
         if sweep not in self.sweeps:
-            raise KeyError(f"there is no sweep {sweep!r}: there are {', '.join(self.sweeps)}")
+            raise NotFoundError(f"there is no sweep {sweep!r}: there are {', '.join(self.sweeps)}")
         return Sweep(self._root / sweep)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self.sweeps)
 
     @property
     def figures(self) -> Mapping[str, Path]:
@@ -175,7 +178,7 @@ def study(
     """
     place = Place(folder, overwrite=overwrite, resume=resume)
     options = common(place, jobs=jobs, checkpoint=checkpoint, shard=shard, csv=csv, png=png)
-    keys = list(_values.changes(changes or {}, {}))
+    keys = _values.changes(changes or {}, {})
     with Listener(progress) as listener:
         ended = _core.study_of(fspath(path), keys, keep, options, listener)
     (where, raised), with_errors = ended

@@ -7,9 +7,7 @@ from concurrent.futures import Executor
 from functools import cached_property
 from os import PathLike
 from pathlib import Path
-from typing import Any, Literal, cast
-
-import numpy as np
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 from . import _core, _values
 from ._commands import count
@@ -19,9 +17,13 @@ from ._pool import HasExecutor, Pool
 from ._task import Job
 from ._values import Scalar, Value
 from .case import Case
-from .errors import Interrupted
+from .errors import InputError, InputTypeError, Interrupted, NotFoundError
 from .results import Results
 from .table import Table, html
+
+if TYPE_CHECKING:
+    import pandas
+    import polars
 
 
 class Sweep:
@@ -83,8 +85,37 @@ class Sweep:
 
     @property
     def table(self) -> Table:
-        """The table of ``sweep.csv``: what was varied, scalars, statistics, findings, status."""
+        """The table of ``sweep.csv``: keys that were varied, scalars, indicators, findings."""
         return self._table
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Give :attr:`table` as a pandas data frame.
+
+        Examples
+        --------
+        >>> import tempfile, wholestring as ws
+        >>> case = ws.Case.example().with_(model="soft", operation__kind="trip_out")
+        >>> swept = ws.sweep(case, {"friction": [0.2, 0.3]}, folder=tempfile.mkdtemp())
+        >>> swept.to_pandas()["friction"].tolist()
+        [0.2, 0.3]
+        """
+        return self._table.to_pandas()
+
+    def to_polars(self) -> polars.DataFrame:
+        """Give :attr:`table` as a polars data frame.
+
+        Examples
+        --------
+        >>> import tempfile, wholestring as ws
+        >>> case = ws.Case.example().with_(model="soft", operation__kind="trip_out")
+        >>> swept = ws.sweep(case, {"friction": [0.2, 0.3]}, folder=tempfile.mkdtemp())
+        >>> swept.to_polars()["friction"].to_list()
+        [0.2, 0.3]
+        """
+        return self._table.to_polars()
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self.names)
 
     @property
     def keys(self) -> tuple[str, ...]:
@@ -120,7 +151,9 @@ class Sweep:
         """
         name = self.names[case] if isinstance(case, int) else case
         if name not in self.names:
-            raise KeyError(f"there is no case {name!r}: the first are {', '.join(self.names[:3])}")
+            raise NotFoundError(
+                f"there is no case {name!r}: the first are {', '.join(self.names[:3])}"
+            )
         return Results.load(self._folder / name)
 
     def __len__(self) -> int:
@@ -244,15 +277,16 @@ def sweep(
     6 {}
     """
     if min(tries, 1 if in_flight is None else in_flight) < 1:
-        raise ValueError("tries and in_flight are at least 1")
+        raise InputError("tries and in_flight are at least 1")
     threads = count(jobs)
     existing = "overwrite" if overwrite else "resume" if resume else "protect"
-    bundle_s = _values.si(bundle, "time")
-    checkpoint_s = None if checkpoint_every is None else _values.si(checkpoint_every, "time")
+    bundle_s = cast("float", _values.option("bundle", bundle, "time"))
+    checkpoint_s = _values.option("checkpoint_every", checkpoint_every, "time")
     pool = None if executor is None else Pool(executor)
     varied = [(key, _written(key, values)) for key, values in vary.items()]
     if not varied:
-        raise ValueError("vary names no key: expected such as {'friction': [0.2, 0.3]}")
+        raise InputError("vary names no key: expected such as {'friction': [0.2, 0.3]}")
+    _values.refuse_conflicts([key for key, _ in varied])
     with Listener(progress) as listener:
         core = _core.Sweep.begin(
             case._held,
@@ -304,14 +338,13 @@ def _written(key: str, values: str | Iterable[Value]) -> str | list[str]:
         return values
     if isinstance(values, Mapping) or not isinstance(cast("object", values), Iterable):
         message = f"`{key}` was given {values!r}: expected a list of values, or a text"
-        raise TypeError(message)
+        raise InputTypeError(message)
     return [_values.toml(_short(value), key) for value in values]
 
 
 def _short(value: Value) -> Value:
     """Give a whole number as such: its folder is called ``bit_depth=300 m``, not 300.0."""
-    if isinstance(value, np.generic):
-        value = cast("Value", value.item())
+    value = cast("Value", _values.plain(value))
     if isinstance(value, float) and value.is_integer() and abs(value) < 1e15:
         return int(value)
     return value

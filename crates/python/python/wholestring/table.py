@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
 from . import _core, _html
+from .errors import MissingPackageError
 
 if TYPE_CHECKING:
     import pandas
@@ -58,12 +59,33 @@ class Table:
         """Tell whether there is such a column."""
         return column in self._core.names
 
-    def __getitem__(self, column: str) -> NDArray[Any]:
-        """Give a column: numbers are a view of the table's memory, read-only, NaN where null."""
+    @overload
+    def __getitem__(self, column: str) -> NDArray[Any]: ...
+
+    @overload
+    def __getitem__(self, column: list[str] | tuple[str, ...]) -> Table: ...
+
+    def __getitem__(self, column: str | list[str] | tuple[str, ...]) -> NDArray[Any] | Table:
+        """Give a column: numbers are a view of the table's memory, read-only, NaN where null.
+
+        Of a list of names it is a table of these columns, which shares their memory.
+        """
+        if not isinstance(column, str):
+            return Table(self._core.select([str(name) for name in column]), self._name)
         numbers = self._core.numbers(column)
         if numbers is not None:
             return np.asarray(numbers)
         return np.array(self._core.words(column), dtype=object)
+
+    def __iter__(self) -> Iterator[dict[str, Any]]:
+        """Give the rows, each a dictionary of its columns; ``pandas.DataFrame`` reads them."""
+        names = self.columns
+        columns = [self[name].tolist() for name in names]
+        for row in zip(*columns, strict=True):
+            yield dict(zip(names, row, strict=True))
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self.columns)
 
     def unit(self, column: str) -> str:
         """Give the SI unit of a column, empty where it has none.
@@ -120,8 +142,11 @@ class Table:
         >>> frame["md_m"].max()
         1200.0
         """
-        import polars
-
+        try:
+            import polars
+        except ImportError as error:
+            message = "to_polars needs polars: pip install polars"
+            raise MissingPackageError(message) from error
         return polars.DataFrame(self)
 
     def to_pandas(self) -> pandas.DataFrame:
@@ -134,8 +159,11 @@ class Table:
         >>> float(frame["md_m"].max())
         1200.0
         """
-        import pandas
-
+        try:
+            import pandas
+        except ImportError as error:
+            message = "to_pandas needs pandas: pip install pandas"
+            raise MissingPackageError(message) from error
         return pandas.DataFrame(self.to_numpy(), copy=False)
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use pyo3::prelude::*;
-use wholestring::operation::OperationKind;
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_runner::{Error, Keep};
 
 use crate::error;
@@ -40,11 +40,17 @@ pub(crate) fn keep(word: Option<&str>) -> Result<Option<Keep>, Error> {
     }))
 }
 
-pub(super) fn operation(name: &str) -> Result<OperationKind, Error> {
+pub(crate) fn operation(name: &str) -> Result<OperationKind, Error> {
     OperationKind::from_name(name).ok_or_else(|| {
         let names = OperationKind::ALL.map(OperationKind::name).join(", ");
         bad("operation", format!("`{name}` is no operation: expected one of {names}"))
     })
+}
+
+/// The static model of a name.
+pub(crate) fn statics(name: &str) -> Result<ModelKind, Error> {
+    let found = ModelKind::ALL.iter().copied().find(|model| model.name() == name);
+    found.filter(|model| !ModelKind::any_in_time(&[*model])).ok_or_else(|| no_statics(name))
 }
 
 pub(super) fn no_statics(name: &str) -> Error {

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
-use wholestring_case::Override;
 use wholestring_runner::{Keep, study};
 
 use super::{
@@ -11,7 +10,10 @@ use super::{
     common::Common,
     option,
 };
-use crate::{case::change, error};
+use crate::{
+    case::{Changes, overrides},
+    error,
+};
 
 /// The folder of a study, what was raised before its end, and a sentence for each case in whose
 /// answers errors were found.
@@ -19,14 +21,14 @@ use crate::{case::change, error};
 pub(crate) fn study_of(
     py: Python<'_>,
     path: PathBuf,
-    changes: Vec<(String, String)>,
+    changes: Changes,
     keep: Option<&str>,
     common: Common,
     listener: &Bound<'_, PyAny>,
 ) -> PyResult<(Ended, Vec<String>)> {
     let study = py.detach(|| study::load(&path));
     let study = study.map_err(|report| error::of_report(py, &report))?;
-    let overrides: Vec<Override> = changes.iter().map(|(key, value)| change(key, value)).collect();
+    let overrides = overrides(&changes);
     let mut with_errors = Vec::new();
     let ended = carry_out(py, listener, |observer, cancellation| {
         if !study.warnings.is_empty() {

@@ -8,6 +8,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from ..errors import InputError, InputTypeError
 from ..table import Table
 from ._shown import Numbers
 
@@ -51,7 +52,7 @@ class Columns:
             numbers = np.asarray(values, dtype=np.float64)
         except (TypeError, ValueError):
             message = f"{self._what} needs numbers in `{name}`: it holds {values[:1].tolist()}"
-            raise ValueError(message) from None
+            raise InputError(message) from None
         return numbers if self._rows is None else numbers[self._rows]
 
     def words(self, name: str) -> NDArray[Any]:
@@ -101,7 +102,7 @@ class Columns:
             noun = "column" if len(missing) == 1 else "columns"
             there = ", ".join(self._names())
             message = f"{self._what} needs the {noun} {', '.join(missing)}: there are {there}"
-            raise ValueError(message)
+            raise InputError(message)
 
     def _names(self) -> list[str]:
         return list(self._columns)
@@ -123,7 +124,7 @@ def _columns(thing: object, table: str, what: str) -> Mapping[str, Any]:
         except KeyError as error:
             there = ", ".join(cast("Sequence[str]", getattr(thing, "tables", ())))
             message = f"{what} needs the table `{table}`: there are {there}"
-            raise ValueError(message) from error
+            raise InputError(message) from error
     if isinstance(thing, Mapping):
         return {str(name): column for name, column in cast("Any", thing).items()}
     # A data frame of polars or pandas, or a table of pyarrow.
@@ -131,5 +132,5 @@ def _columns(thing: object, table: str, what: str) -> Mapping[str, Any]:
     names = getattr(frame, "column_names", getattr(frame, "columns", None))
     if names is None:
         message = f"{what} takes results, a table, a data frame or a mapping, not {thing!r}"
-        raise TypeError(message)
+        raise InputTypeError(message)
     return {str(name): frame[name] for name in names}

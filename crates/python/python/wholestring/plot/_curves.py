@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ..errors import InputError
 from ._columns import Columns
 from ._house import Look, colour, line_colour, operation_colour, operation_words, pictures, stroke
 from ._keys import Key
@@ -59,12 +60,12 @@ def curves(
     there = _united(runs, "operation")
     for operation in operations or ():
         if operation not in there:
-            raise ValueError(f"{what}: there is no {operation!r}: there are {', '.join(there)}")
+            raise InputError(f"{what}: there is no {operation!r}: there are {', '.join(there)}")
     shown = list(operations) if operations is not None else there or [""]
     solved = _united(runs, "model")
     for model in models or ():
         if model not in solved:
-            raise ValueError(f"{what}: no model {model!r} solved it: {', '.join(solved)} did")
+            raise InputError(f"{what}: no model {model!r} solved it: {', '.join(solved)} did")
     solved = list(models) if models is not None else solved
     known = [of for of in models_words() if of in solved]
     shown_models = known or solved or [""]

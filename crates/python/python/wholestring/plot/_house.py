@@ -10,6 +10,7 @@ from functools import cache
 from typing import Any, Literal, TypeAlias, cast
 
 from .. import _core
+from ..errors import MissingPackageError
 
 Drawn: TypeAlias = Any
 """Axes of matplotlib, whose own types leave out most of what is passed to them."""
@@ -96,8 +97,8 @@ def pyplot() -> Any:
     try:
         import matplotlib.pyplot as plt
     except ImportError as error:
-        message = "a figure needs matplotlib: pip install 'wholestring[plot]'"
-        raise ImportError(message) from error
+        message = "a figure needs matplotlib: pip install matplotlib"
+        raise MissingPackageError(message) from error
     return plt
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from ..errors import InputError
 from ._house import SMALL, TEXT, TITLE, Drawn, colour, family, pyplot, style, words
 from ._shown import Numbers
 
@@ -72,7 +73,7 @@ def given(axes: Sequence[Axes] | Axes, count: int, what: str) -> list[Drawn]:
         all_ = list(axes) if isinstance(axes, Sequence) else [axes]
     if len(all_) != count:
         noun = "frame" if count == 1 else "frames"
-        raise ValueError(f"{what} here has {count} {noun} and was given {len(all_)} axes")
+        raise InputError(f"{what} here has {count} {noun} and was given {len(all_)} axes")
     for ax in all_:
         dress(ax)
     return cast("list[Drawn]", all_)

@@ -8,6 +8,8 @@ from typing import Any, Literal, TypeAlias, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import _core
+from ..errors import InputError
 from ._house import conventions
 
 Units: TypeAlias = Literal["si", "metric", "field"]
@@ -30,9 +32,9 @@ class Shown:
     """
 
     def __init__(self, units: Units | None, thing: object = None) -> None:
-        name = units or _of_the_case(thing) or "si"
+        name = units or of_the_case(thing) or "si"
         if name not in SETS:
-            raise ValueError(f"there are no units {name!r}: there are {', '.join(SETS)}")
+            raise InputError(f"there are no units {name!r}: there are {', '.join(SETS)}")
         self.units: Units = name
         self._place = SETS.index(name)
 
@@ -77,15 +79,47 @@ def about(column: str) -> tuple[str, str]:
     ('Hook load without block', 'force')
     >>> about("my_column")
     ('My column', '')
+    >>> about("rpm")
+    ('Rotary speed', 'rotary speed')
     """
-    found = conventions()["quantities"].get(column)
+    quantities = conventions()["quantities"]
+    found = quantities.get(column)
     if found is not None:
         return str(found[0]), str(found[1])
-    words = column.rsplit(".", 1)[-1].replace("_", " ")
-    return words[:1].upper() + words[1:], ""
+    for ending, words in _STATISTICS.items():
+        of = quantities.get(column.removesuffix(ending)) if column.endswith(ending) else None
+        if of is not None:
+            return f"{of[0]}, {words}", str(of[1])
+    # A key of the case file.
+    short = column.rsplit(".", 1)[-1]
+    dimension = _core.dimension_of(column) or ""
+    named = quantities.get(_KEYS.get(short, "")) if dimension else None
+    title = str(named[0]) if named is not None else short.replace("_", " ")
+    return title[:1].upper() + title[1:], dimension
 
 
-def _of_the_case(thing: object) -> Units | None:
+_KEYS = {
+    "wob": "weight_on_bit_N",
+    "rpm": "rotary_speed_rad_per_s",
+    "bit_depth": "bit_depth_m",
+    "flow_rate": "flow_rate_m3_per_s",
+}
+"""Keys that are called as columns are, and such a column."""
+
+_STATISTICS = {
+    "_mean": "mean",
+    "_std": "standard deviation",
+    "_min": "least",
+    "_max": "largest",
+    "_p05": "5th percentile",
+    "_p95": "95th percentile",
+    "_std_error": "standard error of the mean",
+    "_drift": "drift",
+}
+
+
+def of_the_case(thing: object) -> Units | None:
+    """Return the units of the case that a thing is or came from; none where it does not say."""
     settings = getattr(thing, "settings", None)
     if settings is None:
         summary = getattr(thing, "summary", None)

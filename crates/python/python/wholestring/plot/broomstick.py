@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from ..errors import InputError
 from ._columns import Columns
 from ._curves import models_words
 from ._house import (
@@ -172,7 +173,7 @@ def _models(columns: Columns, models: Sequence[str] | None) -> list[str]:
     for model in models or ():
         if model not in there:
             message = f"a broomstick: no model {model!r} solved it: {', '.join(there)} did"
-            raise ValueError(message)
+            raise InputError(message)
     return list(models) if models is not None else there or [""]
 
 
@@ -181,7 +182,7 @@ def _operations(columns: Columns, quantity: str, operations: Sequence[str] | Non
     for operation in operations or ():
         if operation not in there:
             message = f"a broomstick: there is no {operation!r}: there are {', '.join(there)}"
-            raise ValueError(message)
+            raise InputError(message)
     if operations is not None:
         return list(operations)
     if "torque" not in quantity:

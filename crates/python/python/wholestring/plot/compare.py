@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from ..errors import InputError
 from ._columns import Columns
 from ._shown import Units, case_name
 from .tracks import draw
@@ -64,10 +65,10 @@ def compare(
     """
     what = "a comparison"
     if not 2 <= len(results) <= 7:
-        raise ValueError(f"{what} is of two to seven runs, and was given {len(results)}")
+        raise InputError(f"{what} is of two to seven runs, and was given {len(results)}")
     called = list(names) if names is not None else _names(results)
     if len(called) != len(results):
-        raise ValueError(f"{what} of {len(results)} runs was given {len(called)} names")
+        raise InputError(f"{what} of {len(results)} runs was given {len(called)} names")
     return draw(
         results,
         called,
@@ -93,10 +94,10 @@ def _operation(results: Sequence[object], operation: str | None, what: str) -> l
     if operation is not None:
         if operation not in common:
             there = ", ".join(common) or "none"
-            raise ValueError(f"{what}: not all have {operation!r}; in common they have {there}")
+            raise InputError(f"{what}: not all have {operation!r}; in common they have {there}")
         return [operation]
     if not common:
-        raise ValueError(f"{what}: the runs have no operation in common")
+        raise InputError(f"{what}: the runs have no operation in common")
     if len(common) > 1:
-        raise ValueError(f"{what} is of one operation: name one of {', '.join(common)}")
+        raise InputError(f"{what} is of one operation: name one of {', '.join(common)}")
     return common

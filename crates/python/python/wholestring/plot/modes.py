@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from ..errors import InputError
 from ._columns import Columns
 from ._house import SMALL, Drawn, Look, colour, curve_width, line_colour, stroke, words
 from ._keys import Key, write
@@ -186,14 +187,14 @@ def modes(
     ('Mode 1', True)
     """
     if count < 1:
-        raise ValueError(f"`count` was given {count!r}: expected at least 1")
+        raise InputError(f"`count` was given {count!r}: expected at least 1")
     what = "a picture of modes"
     shown = Shown(units, results)
     columns = Columns(results, "mode_shapes", what)
     columns.need("family", "number", "md_m")
     there = columns.distinct("family")
     if family not in there:
-        raise ValueError(f"{what}: there is no {family!r}: there are {', '.join(there)}")
+        raise InputError(f"{what}: there is no {family!r}: there are {', '.join(there)}")
     rows = columns.where(family=family)
     drawn = {
         "lateral": ("high_m", "right_m"),

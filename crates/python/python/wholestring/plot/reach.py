@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from ..errors import InputError
 from ._columns import Columns
 from ._house import Drawn, Look, colour, curve_width, line_colour, operation_words, pictures, stroke
 from ._keys import Key, write
@@ -73,7 +74,7 @@ def reach(
     there = columns.distinct("operation")
     for operation in operations or ():
         if operation not in there:
-            raise ValueError(f"{what}: there is no {operation!r}: there are {', '.join(there)}")
+            raise InputError(f"{what}: there is no {operation!r}: there are {', '.join(there)}")
     shows = list(operations) if operations is not None else there
     across = 1 if len(shows) == 1 else 2
     made = (

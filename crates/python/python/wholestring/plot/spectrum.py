@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from ..errors import InputError
 from ._columns import Columns
 from ._house import curve_width, line_colour, operation_words, stroke
 from ._labels import Name, name_curves
@@ -73,15 +74,15 @@ def spectrum(
     columns.need("signal", "unit", "frequency_Hz", "density")
     solved = columns.distinct("operation")
     if operation is not None and operation not in solved:
-        raise ValueError(f"{what}: there is no {operation!r}: there are {', '.join(solved)}")
+        raise InputError(f"{what}: there is no {operation!r}: there are {', '.join(solved)}")
     if operation is None and len(solved) > 1:
-        raise ValueError(f"{what} is of one operation: name one of {', '.join(solved)}")
+        raise InputError(f"{what} is of one operation: name one of {', '.join(solved)}")
     one = operation or (solved[0] if solved else None)
     rows = columns.where(operation=one)
     there = rows.distinct("signal")
     for signal in signals:
         if signal not in there:
-            raise ValueError(f"{what}: there is no signal {signal!r}: there are {', '.join(there)}")
+            raise InputError(f"{what}: there is no signal {signal!r}: there are {', '.join(there)}")
     shows = list(signals) or there
     count = len(shows)
     across = 1 if count == 1 else 2

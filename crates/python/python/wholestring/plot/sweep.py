@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from ..errors import InputError
 from ._columns import Columns, Rows
 from ._house import (
     Drawn,
@@ -99,7 +100,7 @@ def sweep(
     rows = columns.where(operation=operation, model=model)
     if not len(rows):
         asked = ", ".join(of for of in (operation, model) if of)
-        raise ValueError(f"{what}: there are no rows of {asked}")
+        raise InputError(f"{what}: there are no rows of {asked}")
     along, label, is_depth = _varied(rows, x, shown)
     title, dimension = about(y)
     values = shown.values(rows.numbers(y), dimension)
@@ -114,7 +115,7 @@ def sweep(
                 f"{what}: several rows have the same `{x}`"
                 f"{f' and `{by}`' if by else ''}: name operation and model, or what else differs"
             )
-            raise ValueError(message)
+            raise InputError(message)
         ink = operation_colour(kind) if by == "operation" else line_colour(place)
         look = Look(ink, stroke(place))
         points: tuple[Numbers, Numbers] = (value, at) if is_depth else (at, value)
@@ -177,11 +178,11 @@ def _texts(rows: Columns, name: str) -> tuple[Numbers, str] | None:
         message = (
             f"a picture of a sweep: `{name}` has no numbers: {', '.join(dict.fromkeys(words))}"
         )
-        raise ValueError(message)
+        raise InputError(message)
     pairs = [(of[1], of[2]) for of in split if of is not None]
     units = {unit for _, unit in pairs}
     if len(units) > 1:
-        raise ValueError(f"a picture of a sweep: `{name}` has several units: {sorted(units)}")
+        raise InputError(f"a picture of a sweep: `{name}` has several units: {sorted(units)}")
     return np.array([float(number) for number, _ in pairs]), units.pop()
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from ..errors import InputError
 from ._columns import Columns
 from ._house import Drawn, Look, colour, curve_width, line_colour, operation_words, pictures, stroke
 from ._keys import Key, write
@@ -149,11 +150,11 @@ def _operation(columns: Columns, operation: str | None) -> str | None:
     if operation is None:
         if len(there) > 1:
             message = f"a picture against time is of one operation: name one of {', '.join(there)}"
-            raise ValueError(message)
+            raise InputError(message)
         return there[0] if there else None
     if there and operation not in there:
         message = f"a picture against time: no {operation!r} is there: there are {', '.join(there)}"
-        raise ValueError(message)
+        raise InputError(message)
     return operation
 
 
@@ -175,7 +176,7 @@ def _chosen(names: Sequence[str], rows: Columns) -> list[History]:
             history = History(title, dimension, ((name, title),), least)
         if not any(rows.known(column) for column, _ in history.columns):
             rows.need(*(column for column, _ in history.columns))
-            raise ValueError(f"a picture against time: `{name}` has no values here")
+            raise InputError(f"a picture against time: `{name}` has no values here")
         chosen.append(history)
     return chosen
 

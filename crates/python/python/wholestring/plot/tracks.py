@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from .. import _core
+from ..errors import InputError
 from ..table import Table
 from . import _hole
 from ._columns import Columns
@@ -371,7 +372,7 @@ def _chosen(names: Sequence[str], runs: Sequence[Run], whose: Sequence[Curve]) -
         if not _has(track, runs, whose):
             if track.source == "profile":
                 runs[0].nodes.need(track.column)
-            raise ValueError(f"a picture of tracks: `{name}` has no values here")
+            raise InputError(f"a picture of tracks: `{name}` has no values here")
         chosen.append(track)
     return chosen
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from .. import _core
+from ..errors import InputError, InputTypeError
 from ..table import Table
 from . import _hole
 from ._columns import Columns
@@ -67,7 +68,7 @@ def well(
         Table(_core.well_path(json.dumps(settings)), "well"), "well", "a picture of a well"
     )
     if not len(path):
-        raise ValueError("a picture of a well: the case has no path")
+        raise InputError("a picture of a well: the case has no path")
     hole = _hole.sections(settings)
     made = (
         frames(
@@ -182,5 +183,5 @@ def _settings(case: object) -> Mapping[str, Any]:
         summary = cast("Mapping[str, object]", getattr(case, "summary", {}))
         settings = summary.get("settings")
     if not isinstance(settings, Mapping):
-        raise TypeError(f"a picture of a well takes a case or results, not {case!r}")
+        raise InputTypeError(f"a picture of a well takes a case or results, not {case!r}")
     return cast("Mapping[str, Any]", settings)
