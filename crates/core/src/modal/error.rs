@@ -10,8 +10,8 @@ pub enum ModalError {
     Stiff(#[from] StiffError),
     /// Modes were left out.
     #[error(
-        "{wanted} modes from {from_Hz} Hz on were not all found: ask for fewer, or from another \
-        frequency on"
+        "{wanted} lateral modes from {from_Hz} Hz on were not all found: request fewer of them, by \
+        `modes.count`"
     )]
     Incomplete {
         /// So many were wanted.
@@ -20,6 +20,17 @@ pub enum ModalError {
         from_Hz: f64,
     },
     /// A family's mode was not found.
-    #[error("a {0} mode was not found among the others: ask for fewer")]
-    Lost(&'static str),
+    #[error(
+        "of {wanted} {family} modes {found} were found, and the next one was not: set `modes.count` \
+        to {} at most",
+        (*found).max(1)
+    )]
+    Lost {
+        /// Name of the family.
+        family: &'static str,
+        /// Modes that were wanted.
+        wanted: usize,
+        /// Modes that were found.
+        found: usize,
+    },
 }

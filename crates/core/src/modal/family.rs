@@ -42,23 +42,28 @@ impl Family {
     }
 }
 
-/// Steps of Lanczos's method from a guess, at most, and between two looks.
-const MOST: usize = 60;
-const STEPS: usize = 6;
+/// Vectors that Lanczos's method makes from a guess, at most: a stretch of pipe on its low side has
+/// hundreds of lateral modes of about one frequency, among which a torsional one is shared out.
+const MAX_VECTORS: usize = 480;
 
-/// What may be left over of a mode.
+/// Vectors before the first look; later looks are apart by this part of the vectors so far.
+const FIRST_LOOK: usize = 6;
+const LOOKS_APART: f64 = 0.2;
+
+/// Largest residual of a mode.
 const CONVERGED: f64 = 1e-6;
 
 /// Part of its energy that a mode may share with one found before, to be another.
 const ANOTHER: f64 = 0.5;
 
-/// The first modes of the axial or of the torsional family, by rising frequency.
+/// The first modes of the axial or of the torsional family, by rising frequency; fewer than `count`
+/// where the guess of the next one led to no mode.
 ///
 /// Those of the chain that moves in this way alone are the guesses. From each of them Lanczos's
 /// method in the whole chain goes to the mode that has most of it: a shape that bends takes the
 /// lateral motion along, and lateral modes of about the same frequency, of which there may be
-/// many between two of the family, are passed by. None where a guess came to no mode.
-pub(super) fn modes(chain: &Chain, family: Family, count: usize) -> Option<Vec<RealMode>> {
+/// many between two of the family, are passed by.
+pub(super) fn modes(chain: &Chain, family: Family, count: usize) -> Vec<RealMode> {
     let motion = family.motions()[0];
     let line = Line::of(chain, motion);
     let mut found: Vec<RealMode> = Vec::new();
@@ -68,20 +73,28 @@ pub(super) fn modes(chain: &Chain, family: Family, count: usize) -> Option<Vec<R
         for (node, moved) in guess.shape.iter().enumerate() {
             whole[node * MOTIONS + motion] = *moved;
         }
-        found.push(follow(chain, guess.lambda, whole, &found)?);
+        let Some(mode) = follow(chain, guess.lambda, whole, &found) else { break };
+        found.push(mode);
     }
     found.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
-    Some(found)
+    found
+}
+
+/// Modes that a family has at most.
+pub(super) fn count(chain: &Chain, family: Family) -> usize {
+    Line::of(chain, family.motions()[0]).freedoms()
 }
 
 /// The mode that has most of a guess.
 fn follow(chain: &Chain, lambda: f64, guess: Vec<f64>, before: &[RealMode]) -> Option<RealMode> {
     let mut space = Krylov::new(chain, lambda, &[guess]);
+    let mut look = FIRST_LOOK;
     loop {
         let mut fresh = true;
-        for _ in 0..STEPS {
+        while fresh && space.size() < look {
             fresh = space.extend();
         }
+        look = (look as f64 * (1.0 + LOOKS_APART)) as usize + FIRST_LOOK;
         let mut found = space.ritz();
         // The first vector of the basis is the guess.
         let shares = |of: &Ritz| of.parts[0].powi(2);
@@ -99,7 +112,7 @@ fn follow(chain: &Chain, lambda: f64, guess: Vec<f64>, before: &[RealMode]) -> O
         if other.is_some() {
             return other;
         }
-        if space.size() >= MOST || !fresh {
+        if space.size() >= MAX_VECTORS || !fresh {
             return None;
         }
     }

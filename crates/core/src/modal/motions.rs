@@ -138,8 +138,11 @@ impl SmallMotions {
     /// Of the lateral family, which an [assembly](super::Assembly) has.
     pub fn family(&self, family: Family, count: usize) -> Result<Vec<Mode>, ModalError> {
         assert_ne!(family, Family::Lateral, "an assembly's");
-        let found =
-            family::modes(&self.chain, family, count).ok_or(ModalError::Lost(family.name()))?;
+        let found = family::modes(&self.chain, family, count);
+        let wanted = count.min(family::count(&self.chain, family));
+        if found.len() < wanted {
+            return Err(ModalError::Lost { family: family.name(), wanted, found: found.len() });
+        }
         // A mode that shares its energy with lateral motion is of the family that it was found
         // from.
         Ok(found.iter().map(|mode| Mode { family, ..self.real(mode) }).collect())
