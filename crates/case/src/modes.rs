@@ -82,6 +82,13 @@ table! {
             Number { unit: "Hz", range: Range::from_to(0.5, 200.0) },
             HIGHEST_HZ,
         );
+        /// Static over kinetic friction that the map of torsional stability assumes where a hole
+        /// section gives no `static`: 1.2 is usual, 1 leaves the friction of the case. Raising it
+        /// makes the string stick and slip at higher speeds.
+        static_over_kinetic: f64 = default(
+            Number { unit: "", range: Range::from_to(1.0, 5.0).usual(1.0, 2.5) },
+            1.0,
+        );
     }
 }
 
@@ -113,6 +120,9 @@ pub struct Modes {
     pub weights_N: [f64; 2],
     /// Fastest motion that it looks at, Hz.
     pub highest_frequency_Hz: f64,
+    /// Static over kinetic friction that it assumes where a section has no friction at rest above
+    /// its kinetic one.
+    pub static_over_kinetic: f64,
 }
 
 pub(crate) fn build(
@@ -162,6 +172,7 @@ pub(crate) fn build(
         force_from_bit_m: force_at.map(|at| at.value),
         weights_N,
         highest_frequency_Hz: *table.highest_frequency.get()?,
+        static_over_kinetic: *table.static_over_kinetic.get()?,
     })
 }
 

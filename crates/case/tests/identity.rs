@@ -22,6 +22,7 @@ const WITHOUT_EFFECT: &[(&str, &str)] = &[
     ("modes.lightest", "what the map of stability covers"),
     ("modes.heaviest", "what the map of stability covers"),
     ("modes.highest_frequency", "what the map of stability covers"),
+    ("modes.static_over_kinetic", "what the map of stability assumes"),
     ("mud.gel_strength", "what a plan's pumps break"),
     ("plan", "what is asked at other depths and frictions"),
     ("well.hole.0.from", "where the section above ends: anything else is refused"),

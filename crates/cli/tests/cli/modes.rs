@@ -1,6 +1,6 @@
 //! `modes`: natural frequencies, critical speeds and the answer to a force that turns.
 
-use std::fs;
+use std::{fs, path::Path};
 
 use wholestring_results::{
     CAMPBELL, CRITICAL_SPEEDS, MODE_SHAPES, MODES, ModesSummary, RESPONSE, STABILITY, Table,
@@ -69,7 +69,9 @@ fn a_map_of_torsional_stability() {
     let desk = Desk::new();
     let drills = "operation.kind=[\"trip_out\", \"drill\"]";
     let heaviest = ["--set", "modes.heaviest=120 kN", "--set", "modes.highest_frequency=3"];
-    let asked = [&["--set", drills, "-o", "out"], &heaviest[..]].concat();
+    // Without friction that falls with speed there would be no such map.
+    let falls = ["--set", "modes.static_over_kinetic=1.2"];
+    let asked = [&["--set", drills, "-o", "out"], &heaviest[..], &falls].concat();
     let output = desk.done(&few(&asked));
     let said = String::from_utf8(output.stdout).unwrap();
     let summary = ModesSummary::read(&desk.path("out/summary.json")).unwrap();
@@ -95,6 +97,28 @@ fn a_map_of_torsional_stability() {
     let output = desk.run(&few(&["--set", "modes.lightest=2000 kN"]));
     assert_eq!(output.status.code(), Some(2));
     assert!(transcript(&output).contains("the map of [modes] has no weights on bit"));
+}
+
+/// Where neither the bit's torque nor the friction falls with speed, a map on which every point is
+/// stable is no result: the reason says what the case lacks, and a usual ratio.
+#[test]
+fn no_map_where_nothing_falls_with_speed() {
+    let desk = Desk::new();
+    let vertical = |more: &[&str]| {
+        let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/vertical.toml");
+        let case = case.to_str().unwrap().to_owned();
+        let few = ["--set", "modes.count=2", "--set", "operation.kind=drill", "--overwrite"];
+        desk.done(&[&["modes", &case, "-o", "out"], &few[..], more].concat());
+        ModesSummary::read(&desk.path("out/summary.json")).unwrap()
+    };
+    let summary = vertical(&[]);
+    assert!(summary.torsional_stability.is_none());
+    let reason = summary.no_torsional_stability.unwrap();
+    for part in ["falls with speed", "static", "modes.static_over_kinetic = 1.2"] {
+        assert!(reason.contains(part), "{reason}");
+    }
+    let summary = vertical(&["--set", "modes.static_over_kinetic=1.2"]);
+    assert!(summary.torsional_stability.is_some(), "{:?}", summary.no_torsional_stability);
 }
 
 /// Eccentric collars push by themselves.

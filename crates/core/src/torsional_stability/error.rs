@@ -14,6 +14,22 @@ pub enum StabilityError {
          give its table to the bit"
     )]
     SolidRock,
+    /// Nothing in the case falls with speed, and every point of the map is stable.
+    #[error(
+        "neither the torque of the bit nor the friction along the hole falls with speed in this case, \
+        so that nothing drives stick-slip and every speed and weight is stable. Give the hole a \
+        static friction above the kinetic one, such as friction = {{ kinetic = {kinetic}, static = \
+        {at_rest} }}, or the bit a law that loses torque with speed (`bit.law` \"regenerative\" or \
+        \"table\"); `modes.static_over_kinetic = {ratio}` assumes that ratio for this map alone"
+    )]
+    NothingFalls {
+        /// Kinetic friction of the deepest section.
+        kinetic: f64,
+        /// A usual friction at rest beside it.
+        at_rest: f64,
+        /// A usual ratio of the two.
+        ratio: f64,
+    },
     /// The bit does not turn.
     #[error("the bit does not turn: its motor stalls, or the string does not turn")]
     Stands,

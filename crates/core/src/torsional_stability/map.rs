@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::{
     StabilityError, StabilitySettings,
-    bit::LinearBit,
+    bit::{LinearBit, LinearRock},
     chain::LumpedChain,
     characteristic::SteadyRotation,
     drive::LinearDrive,
@@ -28,6 +28,10 @@ const SLOWEST: f64 = 0.2;
 /// one to the next, rad: its frequency is then off by a part of `0.4²/24`, 0.7 %, and that of a
 /// motion five times slower by 0.03 %.
 const MERGED_RAD: f64 = 0.4;
+
+/// Friction at rest over kinetic friction that is offered where a case has none: of steel on rock and
+/// on casing in mud, 1.1 to 1.5 are measured.
+pub const USUAL_STATIC_OVER_KINETIC: f64 = 1.2;
 
 /// A threshold is found to this part of itself.
 const THRESHOLD: f64 = 1e-3;
@@ -79,6 +83,31 @@ impl<'a> TorsionalStability<'a> {
         // Says at once what has no slopes.
         LinearBit::new(&settings.bit, &operation, &operation)?;
         Ok(Self { model, operation, settings, mesh, torsion, axial, drive, string })
+    }
+
+    /// Whether something in the string's surroundings falls with speed, and so can drive stick-slip:
+    /// the friction of a section of the hole, the torque of the bit, or the weight of a bit that
+    /// cuts what its own passage before has left.
+    ///
+    /// # Errors
+    /// A bit without slopes.
+    pub fn anything_falls(&self) -> Result<bool, StabilityError> {
+        let sections = self.model.well.hole.sections();
+        let friction = sections.iter().map(|section| section.friction);
+        if friction.into_iter().any(|friction| friction.at_rest > friction.kinetic) {
+            return Ok(true);
+        }
+        let bit = LinearBit::new(&self.settings.bit, &self.operation, &self.operation)?;
+        Ok(bit.torque_per_speed_N_m_s < 0.0 || matches!(bit.rock, LinearRock::Delay { .. }))
+    }
+
+    /// Why a map on which every point is stable says nothing: the error that names what the case
+    /// lacks.
+    pub fn nothing_falls(&self) -> StabilityError {
+        let kinetic = self.model.well.hole.sections().last().map_or(0.0, |at| at.friction.kinetic);
+        let ratio = USUAL_STATIC_OVER_KINETIC;
+        let at_rest = (1e3 * ratio * kinetic).round() * 1e-3;
+        StabilityError::NothingFalls { kinetic, at_rest, ratio }
     }
 
     /// The case's own operation, with the torque and rate of its bit.

@@ -30,7 +30,7 @@ pub use drive_choice::TunedDrive;
 pub use error::StabilityError;
 pub use hoist::LinearHoist;
 pub use line::{StabilityLine, StabilityPoint, Threshold};
-pub use map::{StabilityAtWeight, TorsionalStability};
+pub use map::{StabilityAtWeight, TorsionalStability, USUAL_STATIC_OVER_KINETIC};
 pub use of_case::StabilityOfCase;
 pub use pressing::LiesBy;
 pub use roots::{Band, Root, Stability};

@@ -1,12 +1,15 @@
 //! The map of torsional stability of a case that drills.
 
-use std::{num::NonZeroUsize, sync::Mutex};
+use std::{borrow::Cow, num::NonZeroUsize, sync::Mutex};
 
 use wholestring::{
+    model::Model,
     operation::{Operation, OperationKind},
     torsional_stability::{
-        StabilityError, StabilityLine, StabilityRange, StabilitySettings, TorsionalStability,
+        StabilityError, StabilityLine, StabilityRange, StabilitySettings, Threshold,
+        TorsionalStability,
     },
+    well::{Hole, Well},
 };
 use wholestring_case::Case;
 use wholestring_report::StabilityPicture;
@@ -50,7 +53,8 @@ fn map(
     cancellation: &CancellationToken,
 ) -> Result<Stability, StabilityError> {
     let settings = settings(case);
-    let string = TorsionalStability::new(&case.model, operation, &case.dynamics)?;
+    let model = with_static_friction(&case.model, case.modes.static_over_kinetic);
+    let string = TorsionalStability::new(&model, operation, &case.dynamics)?;
     let of_case = string.of_case(&settings)?;
     let weights = settings.weights_N.values();
     let lines: Vec<Mutex<Option<Result<StabilityLine, StabilityError>>>> =
@@ -63,8 +67,39 @@ fn map(
     });
     let lines: Result<Vec<StabilityLine>, StabilityError> =
         lines.iter().filter_map(|line| lock(line).take()).collect();
+    let lines = lines?;
+    // A map that could not have come out otherwise would be taken for a result.
+    let stable = |line: &StabilityLine| line.threshold == Threshold::Everywhere;
+    if lines.iter().all(stable)
+        && of_case.threshold == Threshold::Everywhere
+        && !string.anything_falls()?
+    {
+        return Err(string.nothing_falls());
+    }
     let summary = StabilitySummary::new(&of_case, settings.highest_Hz);
-    Ok(Stability { summary, lines: lines? })
+    Ok(Stability { summary, lines })
+}
+
+/// The model with friction at rest of this ratio to the kinetic friction in the sections that have
+/// none above it.
+fn with_static_friction(model: &Model, ratio: f64) -> Cow<'_, Model> {
+    let hole = &model.well.hole;
+    let sections = hole.sections().iter().map(|section| {
+        let mut section = *section;
+        let friction = &mut section.friction;
+        if friction.at_rest <= friction.kinetic {
+            friction.at_rest = ratio * friction.kinetic;
+        }
+        section
+    });
+    let hole_of = |sections| Hole::new(sections)?.with_roughness(hole.roughness().copied());
+    match hole_of(sections.collect()) {
+        Ok(hole) if ratio > 1.0 => {
+            let path = model.well.path.clone();
+            Cow::Owned(Model { well: Well { path, hole }, ..model.clone() })
+        }
+        _ => Cow::Borrowed(model),
+    }
 }
 
 /// What the map covers.
