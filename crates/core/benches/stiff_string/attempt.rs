@@ -73,7 +73,9 @@ impl Try {
             }
             Err(StiffError::LocksUp { .. }) => (End::LocksUp, 0),
             Err(StiffError::RunsAway { iterations, .. }) => (End::LocksUp, iterations),
-            Err(StiffError::ElementBuckles { .. }) => (End::NotConverged, 0),
+            Err(StiffError::ElementBuckles { .. } | StiffError::ThroughWall { .. }) => {
+                (End::NotConverged, 0)
+            }
             Err(StiffError::Rolls { iterations, .. }) => (End::Rolls, iterations),
             Err(StiffError::NotConverged { iterations, .. }) => (End::NotConverged, iterations),
             Err(error) => panic!("well {seed}: {error}"),

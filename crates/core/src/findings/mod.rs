@@ -52,6 +52,7 @@ pub fn of_stiff(model: &Model, operation: &Operation, profile: &StiffProfile) ->
     let mut found = at_rest(model, operation, &profile.scalars, &profile.profile, &line);
     found.extend(numerics::equilibrium(&profile.convergence));
     found.extend(numerics::element_buckles(profile.convergence.buckled_element.as_ref()));
+    found.extend(numerics::penetration_at_rest(model, profile.deepest_penetration_m));
     found.extend(pump_at_rest(model, profile.hydraulics.as_ref()));
     gravest_first(found)
 }

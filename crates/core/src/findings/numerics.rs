@@ -56,10 +56,21 @@ pub fn no_equilibrium(error: &StiffError) -> Option<Finding> {
         | StiffError::RunsAway { md_m, .. }
         | StiffError::Rolls { md_m, .. }
         | StiffError::ElementBuckles { md_m, .. } => Some(found.at(md_m)),
+        StiffError::ThroughWall { md_m, penetration_m, clearance_m } => Some(
+            Finding::new(Kind::WallPenetration, Level::Error)
+                .at(md_m)
+                .value(penetration_m)
+                .limit(clearance_m),
+        ),
         StiffError::NotConverged { md_m, residual_N, .. } => {
             Some(found.at(md_m).value(residual_N).limit(0.0))
         }
     }
+}
+
+/// Of an equilibrium: how far the wall gives way, m, and at which measured depth.
+pub fn penetration_at_rest(model: &Model, [deepest_m, md_m]: [f64; 2]) -> Option<Finding> {
+    Some(penetration(mean_clearance_m(model), deepest_m)?.at(md_m))
 }
 
 /// Of a run that was computed to its end.

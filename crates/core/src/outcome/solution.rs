@@ -75,6 +75,7 @@ impl<'a> From<&'a StiffProfile> for Solution<'a> {
             bit_side_force_N: _,
             bit_tilt_rad: _,
             axis: _,
+            deepest_penetration_m: _,
             convergence: _,
         } = of;
         Self {

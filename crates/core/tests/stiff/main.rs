@@ -17,6 +17,7 @@ mod motor;
 mod motor_in_turn;
 mod transition;
 mod vertical;
+mod wall;
 
 use serde_json::Value;
 use wholestring::{

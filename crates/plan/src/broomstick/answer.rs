@@ -57,13 +57,35 @@ fn answers(
             let expected = levels.iter().find(|level| **level == FrictionLevel::Expected);
             let Some(&first) = expected.or(levels.first()) else { return Vec::new() };
             let (outcome, found) = by_stiff(of, first, operation, None);
+            let locked = locked_up(&outcome).filter(|_| operation.slides_down()).cloned();
             let mut outcome = Some(outcome);
-            let answer = |&level: &FrictionLevel| match outcome.take_if(|_| level == first) {
-                Some(outcome) => point(level, outcome),
-                None => point(level, by_stiff(of, level, operation, found.as_ref()).0),
+            let answer = |&level: &FrictionLevel| {
+                let own = outcome.take_if(|_| level == first);
+                let by_more = || locked.clone().filter(|_| of.rubs_more(level, first)).map(Err);
+                let outcome = own.or_else(by_more);
+                let solve = || by_stiff(of, level, operation, found.as_ref()).0;
+                point(level, outcome.unwrap_or_else(solve))
             };
             levels.iter().map(answer).collect()
         }
+    }
+}
+
+/// Why a string that locks up has no answer; none where it has one, or another reason.
+fn locked_up(outcome: &Result<PointAnswer, NoAnswer>) -> Option<&NoAnswer> {
+    let is_lock_up = |error: &&NoAnswer| {
+        matches!(error, NoAnswer::Stiff(StiffError::LocksUp { .. } | StiffError::RunsAway { .. }))
+    };
+    outcome.as_ref().err().filter(is_lock_up)
+}
+
+impl Broomstick {
+    /// Whether no section of the hole rubs less at a level of friction than at another: what locks
+    /// up under the one locks up under the other.
+    fn rubs_more(&self, level: FrictionLevel, other: FrictionLevel) -> bool {
+        let sections = |level| self.setup(level).well.hole.sections();
+        let mut pairs = sections(level).iter().zip(sections(other));
+        pairs.all(|(own, other)| own.friction.kinetic >= other.friction.kinetic)
     }
 }
 
@@ -104,12 +126,9 @@ fn by_stiff(
         Ok(model) => model,
         Err(error) => return (Err(error.into()), None),
     };
-    let anew = || stiff::equilibrium(&model, operation, &of.stiff);
     let found: Result<Equilibrium, StiffError> = match near {
-        Some(near) => {
-            stiff::equilibrium_near(&model, operation, &of.stiff, near).or_else(|_| anew())
-        }
-        None => anew(),
+        Some(near) => stiff::equilibrium_beside(&model, operation, &of.stiff, near),
+        None => stiff::equilibrium(&model, operation, &of.stiff),
     };
     match found {
         Ok(found) => {

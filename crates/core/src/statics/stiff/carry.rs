@@ -7,7 +7,8 @@
 use nalgebra::{Vector2, Vector3};
 
 use super::{
-    equilibrium::Equilibrium, heading::Heading, state::State, string_in_hole::StringInHole,
+    equilibrium::Equilibrium, heading::Heading, snake::Drawn, state::State,
+    string_in_hole::StringInHole,
 };
 use crate::rod::mesh::Mesh;
 
@@ -34,6 +35,33 @@ impl Equilibrium {
             let of = self.place(middle_m).element;
             state.tension_N[index] =
                 element.guess_N + self.state.tension_N[of] - self.string.elements[of].guess_N;
+        }
+        state
+    }
+
+    /// Its own state with its waves drawn out.
+    pub(super) fn drawn(&self, drawn: &Drawn) -> State {
+        let mut state = self.state.clone();
+        for (index, node) in self.mesh.nodes.iter().enumerate() {
+            let [from_bit_m, rate, sign] = drawn.before(node.from_bit_m);
+            if (from_bit_m, sign) == (node.from_bit_m, 1.0) {
+                continue;
+            }
+            let place = self.place(from_bit_m);
+            let [across, slope] = self.shape(&place);
+            let there = &self.string.nodes[place.element].low_and_side();
+            let own = &self.string.nodes[index];
+            let here = own.low_and_side();
+            let turned = |of: Vector2<f64>, scale: f64| {
+                (here[0] * there[0].dot(&of) + here[1] * (sign * there[1].dot(&of))) * scale
+            };
+            let (offset, slope) = (turned(across.xy(), 1.0), turned(slope.xy(), rate));
+            state.offset_m[index].x = offset.x;
+            state.offset_m[index].y = offset.y;
+            let along = own.axes[0] * slope.x + own.axes[1] * slope.y + own.axes[2];
+            state.heading[index] = Heading::new(along.normalize(), own.axes[0]);
+            state.normal_N[index] = self.normal_N(&place, &self.mesh, index);
+            state.slack_m[index] = own.clearance_m - offset.norm();
         }
         state
     }

@@ -40,15 +40,24 @@ pub(super) fn warm_start(
     equations: &mut Equations,
     iterations: &mut usize,
 ) -> Option<(Convergence, State)> {
-    let mut state = carried.clone();
-    let found = finish(string, &mut state, equations, iterations);
-    if let Some(found) = found.filter(|found| found.stable) {
-        return Some((found, state));
+    if let Some(settled) = settle(string, carried.clone(), equations, iterations) {
+        return Some(settled);
     }
-    state = carried;
+    let mut state = carried;
     state.leave_the_wall(string);
     let found = reach(string, &mut state, equations, Begins::Warm, iterations);
     Some((found.filter(|found| found.stable)?, state))
+}
+
+/// The stable equilibrium so near to a state that the contacts alone have to be found.
+pub(super) fn settle(
+    string: &StringInHole,
+    mut state: State,
+    equations: &mut Equations,
+    iterations: &mut usize,
+) -> Option<(Convergence, State)> {
+    let found = finish(string, &mut state, equations, iterations)?;
+    found.stable.then_some((found, state))
 }
 
 /// Interior point and active set; none where they reach no equilibrium.

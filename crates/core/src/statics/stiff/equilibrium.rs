@@ -2,11 +2,17 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{StiffSettings, mesh_error::MeshError, state::State, string_in_hole::StringInHole};
+use super::{
+    StiffError, StiffSettings, mesh_error::MeshError, state::State, string_in_hole::StringInHole,
+};
 use crate::{
     finite,
+    model::Model,
     rod::{buckled_element::BuckledElement, mesh::Mesh},
 };
+
+/// Strings whose lengths differ by less have the same mesh, m.
+const SAME_M: f64 = 1e-6;
 
 /// How the equilibrium was found.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -49,5 +55,34 @@ impl Equilibrium {
     /// How it was found.
     pub fn convergence(&self) -> &Convergence {
         &self.convergence
+    }
+}
+
+impl Equilibrium {
+    /// Whether a string has this one's mesh: that of its length, by the same settings.
+    pub(super) fn is_like(&self, model: &Model, settings: &StiffSettings) -> bool {
+        self.settings == *settings
+            && (self.mesh.length_m() - model.string.length_m()).abs() < SAME_M
+    }
+
+    /// The deepest penetration of the wall, m, and its node; none where nothing touches.
+    pub(super) fn deepest(&self) -> Option<(f64, usize)> {
+        let touching = self.string.nodes.iter().zip(&self.state.normal_N).enumerate();
+        touching
+            .filter(|(_, (node, normal_N))| node.has_wall() && **normal_N > 0.0)
+            .map(|(index, (node, normal_N))| (node.compliance.penetration_m(*normal_N).0, index))
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// An error where the wall gives way farther than its law holds: by more than the mean clearance
+    /// it is another hole.
+    pub(super) fn within_its_hole(self) -> Result<Self, StiffError> {
+        let Some((penetration_m, index)) = self.deepest() else { return Ok(self) };
+        let clearance_m = self.string.mean_clearance_m();
+        if penetration_m <= clearance_m {
+            return Ok(self);
+        }
+        let md_m = self.string.nodes[index].md_m;
+        Err(StiffError::ThroughWall { md_m, penetration_m, clearance_m })
     }
 }

@@ -59,6 +59,20 @@ pub enum StiffError {
         /// Its length, m.
         length_m: f64,
     },
+    /// The wall gives way farther than its contact law holds.
+    #[error(
+        "at MD {md_m:.0} m the string is pressed {penetration_m:.3} m into the wall, farther than its \
+        mean clearance of {clearance_m:.3} m: no wall that the contact law describes is so soft. \
+        Give a larger `contact_stiffness`, or the contact law \"hertz\""
+    )]
+    ThroughWall {
+        /// Measured depth of the deepest penetration, m.
+        md_m: f64,
+        /// That penetration, m.
+        penetration_m: f64,
+        /// Mean clearance of the string, m.
+        clearance_m: f64,
+    },
     /// The iterations came to no end.
     #[error(
         "no equilibrium was found: at MD {md_m:.1} m forces are out of balance by {residual_N:.3e} N \

@@ -46,6 +46,8 @@ pub struct StiffProfile {
     pub bit_tilt_rad: [f64; 2],
     /// Where its axis lies in the hole, which wall it presses and how it bends.
     pub axis: StringAxis,
+    /// Deepest penetration of the wall, m, and its measured depth, m; zeros where nothing touches.
+    pub deepest_penetration_m: [f64; 2],
     /// How the equilibrium was found.
     pub convergence: Convergence,
 }
@@ -109,6 +111,9 @@ impl StiffProfile {
             bit_side_force_N,
             bit_tilt_rad,
             axis,
+            deepest_penetration_m: of
+                .deepest()
+                .map_or([0.0; 2], |(depth_m, index)| [depth_m, string.nodes[index].md_m]),
             convergence: *convergence,
         }
     }

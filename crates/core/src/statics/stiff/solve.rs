@@ -2,10 +2,11 @@
 
 use super::{
     StiffError, StiffProfile, StiffSettings,
-    cascade::{NotFound, from_the_middle, released, warm_start},
+    cascade::{NotFound, from_the_middle, released, settle, warm_start},
     equations::Equations,
     equilibrium::{Convergence, Equilibrium},
     slender,
+    snake::of_least_energy,
     state::State,
     string_in_hole::StringInHole,
 };
@@ -19,9 +20,6 @@ use crate::{
         soft::{self, SoftProfile, SoftSettings},
     },
 };
-
-/// Strings whose lengths differ by less have the same mesh, m.
-const SAME_M: f64 = 1e-6;
 
 /// What the largest bending moment changes by, as a part of it, when the mesh is fine enough, and
 /// how often elements are halved at most.
@@ -67,7 +65,8 @@ pub(crate) fn solve_on(
     soft: &SoftProfile,
     mesh: Mesh,
 ) -> Result<StiffProfile, StiffError> {
-    let equilibrium = Task { model, operation, settings, soft }.found(mesh, None)?;
+    let found = Task { model, operation, settings, soft }.found(mesh, None)?;
+    let equilibrium = found.within_its_hole()?;
     Ok(StiffProfile::new(model, operation, &equilibrium))
 }
 
@@ -82,7 +81,7 @@ pub fn equilibrium(
 ) -> Result<Equilibrium, StiffError> {
     let soft = soft::solve(model, operation, &SOFT)?;
     let task = Task { model, operation, settings, soft: &soft };
-    Ok(task.refine(task.found(task.mesh()?, None)?))
+    task.refine(task.found(task.mesh()?, None)?).within_its_hole()
 }
 
 /// The string at rest, begun with that of a neighbouring friction, load or depth (a warm start):
@@ -99,15 +98,38 @@ pub fn equilibrium_near(
 ) -> Result<Equilibrium, StiffError> {
     let soft = soft::solve(model, operation, &SOFT)?;
     let task = Task { model, operation, settings, soft: &soft };
-    let same = near.settings == *settings
-        && (near.mesh.length_m() - model.string.length_m()).abs() < SAME_M;
-    if !same {
-        return Ok(task.refine(task.found(task.mesh()?, Some(near))?));
+    if !near.is_like(model, settings) {
+        return task.refine(task.found(task.mesh()?, Some(near))?).within_its_hole();
     }
     // Refined for the neighbour: a mesh that grew from one to the next would have no end.
     let mut found = task.found(near.mesh.clone(), Some(near))?;
     found.convergence.mesh_error = near.convergence.mesh_error;
-    Ok(found)
+    found.within_its_hole()
+}
+
+/// The string at rest, begun with that of a neighbouring friction, load or depth on the neighbour's
+/// mesh, and by itself, on its own mesh, where that leads to no stable equilibrium.
+///
+/// As [`equilibrium_near`], but a neighbour that does not help costs little: nothing is looked for on
+/// a mesh that was made for another load.
+///
+/// # Errors
+/// As of [`solve`].
+pub fn equilibrium_beside(
+    model: &Model,
+    operation: &Operation,
+    settings: &StiffSettings,
+    near: &Equilibrium,
+) -> Result<Equilibrium, StiffError> {
+    let soft = soft::solve(model, operation, &SOFT)?;
+    let task = Task { model, operation, settings, soft: &soft };
+    if near.is_like(model, settings)
+        && let Some(mut found) = task.found_beside(near)
+    {
+        found.convergence.mesh_error = near.convergence.mesh_error;
+        return found.within_its_hole();
+    }
+    task.refine(task.found(task.mesh()?, None)?).within_its_hole()
 }
 
 /// What is asked for.
@@ -154,7 +176,8 @@ impl Task<'_> {
                 }
             }
         };
-        Ok(self.equilibrium(mesh, string, state, &equations, convergence))
+        let found = self.equilibrium(mesh, string, state, &equations, convergence);
+        Ok(of_least_energy(found, &mut equations))
     }
 
     /// The same where the compression grew beyond what the soft string, by which the mesh was made,
@@ -186,7 +209,8 @@ impl Task<'_> {
         let string = self.string_in_hole(&mesh);
         let mut equations = Equations::new(string.nodes.len());
         let (convergence, state) = released(&string, &mut equations).map_err(|lost| lost.error)?;
-        Ok(self.equilibrium(mesh, string, state, &equations, convergence))
+        let found = self.equilibrium(mesh, string, state, &equations, convergence);
+        Ok(of_least_energy(found, &mut equations))
     }
 
     /// The same, begun with another one alone.
@@ -196,6 +220,17 @@ impl Task<'_> {
         let carried = near.carried_to(&string, &mesh);
         let (convergence, state) = warm_start(&string, carried, &mut equations, &mut 0)?;
         Some(self.equilibrium(mesh, string, state, &equations, convergence))
+    }
+
+    /// The same on the other one's mesh, and only where it is so near that few contacts change.
+    fn found_beside(&self, near: &Equilibrium) -> Option<Equilibrium> {
+        let mesh = near.mesh.clone();
+        let string = self.string_in_hole(&mesh);
+        let mut equations = Equations::new(string.nodes.len());
+        let carried = near.carried_to(&string, &mesh);
+        let (convergence, state) = settle(&string, carried, &mut equations, &mut 0)?;
+        let found = self.equilibrium(mesh, string, state, &equations, convergence);
+        Some(of_least_energy(found, &mut equations))
     }
 
     fn string_in_hole(&self, mesh: &Mesh) -> StringInHole {

@@ -49,4 +49,14 @@ impl Compliance {
             Self::Linear(stiffness) => (force_N / stiffness, 1.0 / stiffness),
         }
     }
+
+    /// Work that a force has done on the wall, J.
+    pub(super) fn energy_J(self, force_N: f64) -> f64 {
+        let (depth_m, _) = self.penetration_m(force_N);
+        let part = match self {
+            Self::Hertz(_) => 0.4,
+            Self::Linear(_) => 0.5,
+        };
+        part * force_N.max(0.0) * depth_m
+    }
 }

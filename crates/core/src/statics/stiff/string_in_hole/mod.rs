@@ -69,11 +69,15 @@ impl StringInHole {
     /// Mean weight of a node over its mean clearance, N/m: the elastic foundation on which a pipe
     /// lies on the low side of its hole, `w/r` of Dawson and Paslay.
     pub(super) fn foundation_N_per_m(&self) -> f64 {
+        self.weight_N() / self.nodes.len() as f64 / self.mean_clearance_m()
+    }
+
+    /// Mean clearance of the nodes that have a wall, m; a metre where none has.
+    pub(super) fn mean_clearance_m(&self) -> f64 {
         let walled = self.nodes.iter().filter(|node| node.has_wall());
         let (sum_m, count) =
             walled.fold((0.0, 0.0), |(sum, count), node| (sum + node.clearance_m, count + 1.0));
-        let clearance_m = if count > 0.0 { sum_m / count } else { 1.0 };
-        self.weight_N() / self.nodes.len() as f64 / clearance_m
+        if count > 0.0 { sum_m / count } else { 1.0 }
     }
 
     /// Buoyed weight of the string, N.

@@ -1,6 +1,6 @@
 //! The nodes: where the hole is around them and how its wall acts.
 
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
 
 use super::super::{settings::StiffSettings, wall::Compliance};
 use crate::{
@@ -43,6 +43,19 @@ impl Node {
     /// Whether a wall acts on it.
     pub(in super::super) fn has_wall(&self) -> bool {
         self.clearance_m.is_finite()
+    }
+
+    /// Directions to the low side and to the side of it, in parts along the node's two axes; in a
+    /// vertical hole the axes themselves.
+    pub(in super::super) fn low_and_side(&self) -> [Vector2<f64>; 2] {
+        let low = Vector2::new(self.axes[0].z, self.axes[1].z);
+        let low = low.try_normalize(1e-6).unwrap_or_else(Vector2::x);
+        [low, Vector2::new(-low.y, low.x)]
+    }
+
+    /// Whether the wall rubs on it.
+    pub(in super::super) fn rubs(&self) -> bool {
+        self.friction != [0.0, 0.0]
     }
 
     /// A direction across the hole by its parts along the node's two axes.
