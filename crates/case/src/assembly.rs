@@ -1,6 +1,8 @@
 //! The components one above the other, as long as the bit is deep.
 
-use wholestring::string::{AssemblyError, ComponentLength, DrillString, Material, StringSpec};
+use wholestring::string::{
+    AssemblyError, ComponentLength, ComponentSpec, DrillString, Material, StringSpec,
+};
 
 use wholestring_config::prelude::*;
 
@@ -31,6 +33,15 @@ pub(crate) fn spec(
         }
     }
     valid.then_some(StringSpec { components })
+}
+
+/// The component that most of the string is: the one that runs to the surface, or else the longest.
+pub(crate) fn longest(spec: &StringSpec) -> Option<&ComponentSpec> {
+    let length_m = |component: &ComponentSpec| match component.length {
+        ComponentLength::ToSurface => f64::INFINITY,
+        ComponentLength::Metres(length_m) => length_m,
+    };
+    spec.components.iter().max_by(|a, b| length_m(a).total_cmp(&length_m(b)))
 }
 
 /// What is wrong with a component that runs to the surface although others stand above it.
@@ -80,7 +91,8 @@ pub(crate) fn assemble(
         Ok(string) => return Some(string),
         Err(error) => error,
     };
-    let metres = |value: f64| number_text((value * 1e3).round() / 1e3);
+    let units = reader.units();
+    let length = |value: f64| shown(Dimension::Length, value, units);
     let top = tables.last().map(|table| table.place).unwrap_or_default();
     let bit = |diagnostic: Diagnostic| match bit_place {
         Some(place) => diagnostic.at(place, "the bit depth"),
@@ -88,39 +100,32 @@ pub(crate) fn assemble(
             .help("without bit_depth under [operation] the bit is at the last survey station"),
     };
     let diagnostic = match &error {
-        AssemblyError::AssemblyTooLong {
-            assembly_m,
-            bit_depth_m,
-            ..
-        } => bit(Diagnostic::error(format!(
-            "the string is longer than the hole is deep: {} m stand below the top component, the \
-             bit is at {} m",
-            metres(*assembly_m),
-            metres(*bit_depth_m)
-        ))
-        .at(top, "nothing is left for this component")),
-        AssemblyError::LengthMismatch {
-            string_m,
-            bit_depth_m,
-        } => bit(Diagnostic::error(format!(
-            "the string is {} m long, the bit is at {} m",
-            metres(*string_m),
-            metres(*bit_depth_m)
+        AssemblyError::AssemblyTooLong { assembly_m, bit_depth_m, .. } => {
+            bit(Diagnostic::error(format!(
+                "the string is longer than the hole is deep: {} stand below the top component, the \
+             bit is at {}",
+                length(*assembly_m),
+                length(*bit_depth_m)
+            ))
+            .at(top, "nothing is left for this component"))
+        }
+        AssemblyError::LengthMismatch { string_m, bit_depth_m } => bit(Diagnostic::error(format!(
+            "the string is {} long, the bit is at {}",
+            length(*string_m),
+            length(*bit_depth_m)
         ))
         .at(
             top,
             format!(
-                "{} m {}",
-                metres((bit_depth_m - string_m).abs()),
-                if string_m > bit_depth_m {
-                    "too long"
-                } else {
-                    "too short"
-                }
+                "{} {}",
+                length((bit_depth_m - string_m).abs()),
+                if string_m > bit_depth_m { "too long" } else { "too short" }
             ),
         )
         .help("length = \"to surface\" in the last component fills the rest")),
-        AssemblyError::Dimension { index, field: field @ ("bend_at" | "lateral_force_at"), .. } => {
+        AssemblyError::Dimension {
+            index, field: field @ ("bend_at" | "lateral_force_at"), ..
+        } => {
             let table = tables.get(*index);
             let given = table.and_then(|table| match *field {
                 "bend_at" => table.value.bend_at.given(),

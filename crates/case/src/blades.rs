@@ -2,7 +2,7 @@
 
 use wholestring::string::{Blades, ComponentLength, ComponentSpec};
 
-use wholestring_units::number_text;
+use wholestring_units::Dimension;
 
 use wholestring_config::{diagnostic::Diagnostic, reader::Reader};
 
@@ -52,7 +52,10 @@ impl ComponentTable {
             && length.value > component_m
         {
             return Diagnostic::error("the blades are longer than their component")
-                .at(length.place, format!("expected {} m or less", number_text(component_m)))
+                .at(
+                    length.place,
+                    format!("expected {} or less", reader.shown(Dimension::Length, component_m)),
+                )
                 .refuse(reader);
         }
         component.blades =

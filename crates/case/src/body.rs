@@ -4,7 +4,7 @@
 use wholestring::string::{
     BodyBend, Cavity, ComponentLength, ComponentSpec, Eccentricity, LateralForce, MAX_ECCENTRIC,
 };
-use wholestring_units::number_text;
+use wholestring_units::Dimension;
 
 use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned, source::Span};
 
@@ -29,7 +29,10 @@ impl ComponentTable {
         {
             let length = self.length.at()?;
             return Diagnostic::error("the survey sensor is not on its component")
-                .at(at.place, format!("expected {} m at most", number_text(length_m)))
+                .at(
+                    at.place,
+                    format!("expected {} at most", reader.shown(Dimension::Length, length_m)),
+                )
                 .at(length.place, "the component's length")
                 .refuse(reader);
         }
@@ -85,7 +88,10 @@ impl ComponentTable {
             (Some(at), ComponentLength::Metres(length_m)) if at.value > length_m => {
                 let length = self.length.at()?;
                 Diagnostic::error(format!("`{name}` is not on its component"))
-                    .at(at.place, format!("expected {} m at most", number_text(length_m)))
+                    .at(
+                        at.place,
+                        format!("expected {} at most", reader.shown(Dimension::Length, length_m)),
+                    )
                     .at(length.place, "the component's length")
                     .refuse(reader)
             }

@@ -2,7 +2,12 @@
 
 use std::path::Path as FilePath;
 
-use wholestring::{dynamics::RockLaw, model::Model, outcome::ModelKind, well::Well};
+use wholestring::{
+    dynamics::RockLaw,
+    model::Model,
+    outcome::ModelKind,
+    well::{USUAL_DOGLEG_RAD_PER_M, Well, endured_dogleg_rad_per_m},
+};
 use wholestring_config::{diagnostic::Report, file::tree, kind::Kind, prelude::*, usual};
 
 use crate::{
@@ -110,6 +115,11 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         .zip(steel.as_ref())
         .zip(own.as_ref())
         .and_then(|((components, steel), own)| assembly::spec(components, steel, own, reader));
+    if let (Some(_), Some(stations)) = (&path, stations.as_mut()) {
+        let od_m = spec.as_ref().and_then(assembly::longest).map(|pipe| pipe.od_m);
+        let endured = od_m.map_or(USUAL_DOGLEG_RAD_PER_M, endured_dogleg_rad_per_m);
+        stations.check_turns(endured, reader);
+    }
     let lowest = spec.as_ref().and_then(|spec| spec.components.first());
     let bit_radius_m = lowest.map(|bit| 0.5 * bit.od_m);
     let tested = bit_test::place(&case.bit_test);
@@ -200,9 +210,11 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     if let (Some(drill_string), Some(components)) = (&drill_string, components) {
         if let (Some(hole), Some(sections)) = (&hole, sections) {
             fit::check_clearance(drill_string, components, hole, sections, reader);
+            fit::check_gauge(drill_string, components, hole, sections, reader);
             let rms = rough.and_then(|table| table.rms.given());
             roughness::check_clearance(drill_string, hole, rms.map(|at| at.place), reader);
         }
+        fit::check_programme(drill_string, components, reader);
         if let Some(mud) = &mud {
             let wob = operation.and_then(|operation| operation.wob.given());
             fit::check_weight_on_bit(drill_string, mud, wob, reader);
@@ -290,6 +302,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         checkpoint_interval_s,
         records,
         survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),
+        mud_notes: case.mud.get()?.note(reader).into_iter().collect(),
         warnings: Report::default(),
         settings,
     };

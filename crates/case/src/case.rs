@@ -51,6 +51,8 @@ pub struct Case {
     /// How the survey file was understood, in sentences; empty where the stations stand in the
     /// case.
     pub survey_notes: Vec<String>,
+    /// What was fitted to readings of the mud, in sentences.
+    pub mud_notes: Vec<String>,
     /// What is probably not meant, but can be computed.
     pub warnings: Report,
     /// The case with all defaults filled in: SI numbers, units in the names of the keys.

@@ -1,16 +1,23 @@
 //! Whether the string fits the hole and stays down in the mud.
 
-use wholestring::{mud::Mud, string::DrillString, well::Hole};
+use wholestring::{
+    mud::Mud,
+    string::{Component, DrillString, nested_casings},
+    well::{Hole, HoleKind},
+};
 
 use wholestring_config::prelude::*;
 
-use crate::{
-    component::{ComponentTable, mm},
-    hole::HoleTable,
-};
+use crate::{component::ComponentTable, hole::HoleTable};
 
 /// Diameters that differ by less than this are equal, m: a thousandth of a millimetre.
 const EQUAL_M: f64 = 1e-6;
+
+/// A bit narrower than this part of its open hole did not drill it: a washout of an eighth is an exception.
+const DRILLS: f64 = 0.88;
+
+/// What touches the wall of a hole is this part of it at least.
+const FILLS: f64 = 0.9;
 
 /// Every component must pass the sections above its place in the hole. The bit may be as wide as
 /// its hole; anything else needs clearance.
@@ -57,16 +64,18 @@ pub(crate) fn check_clearance(
         } else {
             format!("{part}`{name}` {} not pass the hole", verb[1])
         };
-        let mut diagnostic =
-            Diagnostic::error(message).at(od_place(table, joint), format!("{} across", mm(od_m)));
+        let mut diagnostic = Diagnostic::error(message).at(
+            od_place(table, joint),
+            format!("{} across", reader.shown(Dimension::Diameter, od_m)),
+        );
         if let Some(place) = section_table.value.diameter_place() {
             diagnostic = diagnostic.at(
                 place,
                 format!(
-                    "hole of {} from {} to {} m",
-                    mm(section.diameter_m),
-                    number_text(section.from_md_m),
-                    number_text(section.to_md_m)
+                    "hole of {} from {} to {}",
+                    reader.shown(Dimension::Diameter, section.diameter_m),
+                    reader.shown(Dimension::Length, section.from_md_m),
+                    reader.shown(Dimension::Length, section.to_md_m)
                 ),
             );
         }
@@ -78,6 +87,87 @@ pub(crate) fn check_clearance(
         }
         reader.report(diagnostic);
     }
+}
+
+/// Warns of a bit that is narrower than the open hole it is in, and of stabilisers without blades.
+pub(crate) fn check_gauge(
+    string: &DrillString,
+    components: &[Spanned<ComponentTable>],
+    hole: &Hole,
+    sections: &[Spanned<HoleTable>],
+    reader: &mut Reader,
+) {
+    let bit_depth_m = string.length_m();
+    let at_depth = |md_m: f64| {
+        let mut found = hole.sections().iter().zip(sections);
+        found.find(|(section, _)| section.from_md_m < md_m && md_m <= section.to_md_m + EQUAL_M)
+    };
+    let diameter = |reader: &Reader, m: f64| reader.shown(Dimension::Diameter, m);
+    let opened = |diameter_m: f64| {
+        // Tool joints open no hole.
+        let width_m = |part: &Component| part.blades.map_or(part.od_m, |blades| blades.od_m);
+        let widest = string.components().iter().skip(1).map(width_m);
+        widest.fold(0.0, f64::max) > DRILLS * diameter_m
+    };
+    if let (Some(bit), Some(table), Some((section, at))) =
+        (string.components().first(), components.first(), at_depth(bit_depth_m))
+        && bit.is_bit()
+        && section.kind == HoleKind::Open
+        && bit.od_m < DRILLS * section.diameter_m
+        && !opened(section.diameter_m)
+    {
+        let mut diagnostic = Diagnostic::warning(format!(
+            "`{}` is {} narrower than the hole at its depth",
+            short(&bit.name),
+            diameter(reader, section.diameter_m - bit.od_m)
+        ))
+        .at(od_place(table, false), format!("{} across", diameter(reader, bit.od_m)));
+        if let Some(place) = at.value.diameter_place() {
+            let label = format!("hole of {}", diameter(reader, section.diameter_m));
+            diagnostic = diagnostic.at(place, label);
+        }
+        diagnostic.help("the od of a bit is its gauge, not that of its shank").report(reader);
+    }
+    for (span, table) in string.spans().zip(components) {
+        let part = span.component;
+        let Some((section, _)) = at_depth(bit_depth_m - span.from_bit_m) else { continue };
+        let fills = 2.0 * part.contact_radius_m() > FILLS * section.diameter_m;
+        if part.blades.is_some() || fills || !is_stabiliser(part) {
+            continue;
+        }
+        Diagnostic::warning(format!(
+            "`{}` is called a stabiliser or reamer and has no blades",
+            short(&part.name)
+        ))
+        .at(
+            od_place(table, false),
+            format!("it touches the wall with its body of {}", diameter(reader, part.od_m)),
+        )
+        .help("give its gauge as blade_od")
+        .report(reader);
+    }
+}
+
+/// Whether a component's name is that of a stabiliser or a reamer.
+fn is_stabiliser(component: &Component) -> bool {
+    let lower = component.name.to_lowercase();
+    let mut words = lower.split(|c: char| !c.is_alphanumeric());
+    words.any(|word| word == "stab" || word.starts_with("stabili") || word.ends_with("reamer"))
+}
+
+/// Warns of casings that go into each other.
+pub(crate) fn check_programme(
+    string: &DrillString,
+    components: &[Spanned<ComponentTable>],
+    reader: &mut Reader,
+) {
+    let diameters: Vec<(f64, f64)> =
+        string.components().iter().map(|part| (part.od_m, part.id_m)).collect();
+    let Some(top) = components.last().filter(|_| nested_casings(&diameters)) else { return };
+    Diagnostic::warning("the string has casings of which one goes into another")
+        .at(top.place, "one above the other, as a string has them")
+        .help("a casing programme is no string: casings that are in the hole belong under [[well.hole]]")
+        .report(reader);
 }
 
 /// A string that weighs less than it is to put on the bit would be pushed into the hole.
@@ -96,10 +186,17 @@ pub(crate) fn check_weight_on_bit(
         })
         .sum();
     if weight_N > 0.0 && wob.value > weight_N {
-        let kN = |force_N: f64| number_text((force_N / 100.0).round() / 10.0);
+        let unit = Dimension::Force.unit_in(reader.units());
+        let force = |force_N: f64| {
+            format!(
+                "{} {}",
+                number_text((unit.from_si(force_N) * 10.0).round() / 10.0),
+                unit.symbol
+            )
+        };
         Diagnostic::warning("the weight on bit is more than the string weighs")
-            .at(wob.place, format!("{} kN on the bit", kN(wob.value)))
-            .help(format!("the whole string weighs {} kN in this mud", kN(weight_N)))
+            .at(wob.place, format!("{} on the bit", force(wob.value)))
+            .help(format!("the whole string weighs {} in this mud", force(weight_N)))
             .report(reader);
     }
 }

@@ -157,7 +157,10 @@ pub(crate) fn build(
             && to.value <= above_m
         {
             Diagnostic::error("hole sections must go down")
-                .at(to.place, format!("expected more than {} m", number_text(above_m)))
+                .at(
+                    to.place,
+                    format!("expected more than {}", reader.shown(Dimension::Length, above_m)),
+                )
                 .at(above_place, "the section above ends here")
                 .report(reader);
             valid = false;
@@ -208,7 +211,7 @@ fn check_from(
         "there is a gap between hole sections"
     };
     let mut diagnostic = Diagnostic::error(message)
-        .at(from.place, format!("expected {} m", number_text(expected_m)));
+        .at(from.place, format!("expected {}", reader.shown(Dimension::Length, expected_m)));
     if let Some((_, place)) = above {
         diagnostic = diagnostic.at(place, "the section above ends here");
     }

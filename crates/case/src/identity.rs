@@ -44,6 +44,7 @@ impl Case {
             name: _,
             units: _,
             survey_notes: _,
+            mud_notes: _,
             warnings: _,
             // What does not change the answer.
             checkpoint_interval_s: _,

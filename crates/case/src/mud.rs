@@ -1,7 +1,13 @@
 //! `[mud]`.
 
-use wholestring::mud::{CYLINDER_DRAG_COEFFICIENT, Mud, Rheology};
+use serde_json::json;
+use wholestring::mud::{
+    CYLINDER_DRAG_COEFFICIENT, DIAL_PA, DialFit, DialReading, Mud, Rheology, fit_dial_readings,
+};
 use wholestring_config::prelude::*;
+
+/// Differences of dial readings from their law that deserve a warning: of the largest reading.
+const POOR_FIT: f64 = 0.05;
 
 /// The rheologies, without their numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -9,15 +15,21 @@ pub(crate) enum Flow {
     Newtonian,
     Bingham,
     PowerLaw,
+    HerschelBulkley,
 }
 
 const NEWTONIAN: &str = "newtonian";
 const BINGHAM: &str = "bingham";
 const POWER_LAW: &str = "power-law";
+const HERSCHEL_BULKLEY: &str = "herschel-bulkley";
 
 impl Flow {
-    const WORDS: &'static [(&'static str, Self)] =
-        &[(NEWTONIAN, Self::Newtonian), (BINGHAM, Self::Bingham), (POWER_LAW, Self::PowerLaw)];
+    const WORDS: &'static [(&'static str, Self)] = &[
+        (NEWTONIAN, Self::Newtonian),
+        (BINGHAM, Self::Bingham),
+        (POWER_LAW, Self::PowerLaw),
+        (HERSCHEL_BULKLEY, Self::HerschelBulkley),
+    ];
 
     fn word(self) -> &'static str {
         word_of(Self::WORDS, &self)
@@ -48,7 +60,8 @@ table! {
             Number { unit: "", range: Range::from_to(0.0, 100.0) },
             CYLINDER_DRAG_COEFFICIENT,
         );
-        /// How the mud flows: "newtonian", "bingham" or "power-law". With it the mud drags along
+        /// How the mud flows: "newtonian", "bingham", "power-law" or "herschel-bulkley" (the
+        /// yield-power law). With it the mud drags along
         /// the string and about it as the string moves and the pumps run, lifts it with its stream
         /// and with the bit's jets, and loses pressure on its way. Without it the mud does none of
         /// that.
@@ -66,25 +79,32 @@ table! {
             Range::from_to(1e-6, 1e3).usual(5e-4, 1.0),
             "25 cP",
         )).used_with(&[BINGHAM]);
-        /// Yield point of a Bingham mud: the stress below which it does not flow. Raising it raises
-        /// torque, drag and losses at any speed.
+        /// Yield point of a Bingham or Herschel-Bulkley mud: the stress below which it does not
+        /// flow. Raising it raises torque, drag and losses at any speed.
         yield_point: f64 = optional(Quantity::si(
             Dimension::ShearStress,
             Range::from_to(0.0, 1000.0).usual(0.1, 60.0),
             "15 lbf/100ft2",
-        )).used_with(&[BINGHAM]);
-        /// Consistency index of a power-law mud: its shear stress at a shear rate of 1 1/s.
+        )).used_with(&[BINGHAM, HERSCHEL_BULKLEY]);
+        /// Consistency index of a power-law or Herschel-Bulkley mud: its shear stress above the
+        /// yield point at a shear rate of 1 1/s.
         consistency_index: f64 = optional(Quantity::si(
             Dimension::Consistency,
             Range::from_to(1e-6, 1e3).usual(1e-3, 50.0),
             "0.6 Pa.s^n",
-        )).used_with(&[POWER_LAW]);
-        /// Flow behaviour index of a power-law mud: 1 is Newtonian; the lower, the more it thins as
-        /// it is sheared.
+        )).used_with(&[POWER_LAW, HERSCHEL_BULKLEY]);
+        /// Flow behaviour index of a power-law or Herschel-Bulkley mud: at 1 it does not thin; the
+        /// lower, the more it thins as it is sheared.
         flow_behaviour_index: f64 = optional(Number {
             unit: "",
             range: Range::from_to(0.1, 1.0),
-        }).used_with(&[POWER_LAW]);
+        }).used_with(&[POWER_LAW, HERSCHEL_BULKLEY]);
+        /// Readings of a rotational rheometer in place of the three numbers of a Herschel-Bulkley
+        /// mud: a list of [rev/min, degrees of the dial], such as [[600, 65], [300, 40], [200, 31],
+        /// [100, 21], [6, 7], [3, 6]]. The law of least squares goes through them; `wholestring
+        /// check` tells it and what the readings have beside it.
+        dial_readings: Vec<Spanned<[f64; 2]>> = optional(List::of(DialRule, "dial readings", 30))
+            .used_with(&[HERSCHEL_BULKLEY]);
         /// Gel strength after the rest before circulation is broken, such as the one after ten minutes. A
         /// plan's "break_circulation" says what pump pressure breaks it; runs do not use it.
         gel_strength: f64 = optional(Quantity::si(
@@ -116,8 +136,10 @@ impl MudTable {
         let chosen = self.rheology.optional()?;
         for key in self.written() {
             // Density and drag belong to every mud.
-            let [owner] = key.used_with[..] else { continue };
-            let why = format!("used with rheology = \"{owner}\"");
+            let Some(owner) = key.used_with.first() else { continue };
+            let owners: Vec<String> =
+                key.used_with.iter().map(|owner| format!("\"{owner}\"")).collect();
+            let why = format!("used with rheology = {}", owners.join(" or "));
             let diagnostic = Diagnostic::idle(key.name, key.place, why);
             match chosen {
                 Some(flow) if key.is_used_with(flow.value.word()) => {}
@@ -146,7 +168,133 @@ impl MudTable {
                 let index = needed(&self.flow_behaviour_index, "flow_behaviour_index", "0.65");
                 Rheology::PowerLaw { consistency_Pa_s_n: consistency?, flow_index: index? }
             }
+            Flow::HerschelBulkley if self.dial_readings.given().is_some() => {
+                self.dial_fit(reader)?.rheology
+            }
+            Flow::HerschelBulkley => {
+                let yields = needed(&self.yield_point, "yield_point", "\"5 Pa\", or dial_readings");
+                let consistency =
+                    needed(&self.consistency_index, "consistency_index", "\"0.6 Pa.s^n\"");
+                let index = needed(&self.flow_behaviour_index, "flow_behaviour_index", "0.65");
+                Rheology::HerschelBulkley {
+                    yield_point_Pa: yields?,
+                    consistency_Pa_s_n: consistency?,
+                    flow_index: index?,
+                }
+            }
         }))
+    }
+
+    /// The law through the dial readings; `None` after a mistake.
+    fn dial_fit(&self, reader: &mut Reader) -> Option<DialFit> {
+        let listed = self.dial_readings.optional()??;
+        let numbers = [&self.yield_point, &self.consistency_index, &self.flow_behaviour_index];
+        if let Some(number) = numbers.into_iter().find_map(|field| field.given()) {
+            return Diagnostic::error("the rheology is given twice")
+                .at(listed.place, "readings that it is fitted to")
+                .at(number.place, "a number of the law")
+                .help("keep one of the two")
+                .refuse(reader);
+        }
+        let Some(fit) = fit_of(&listed.value) else {
+            return Diagnostic::error("no yield-power law goes through these dial readings")
+                .at(
+                    listed.place,
+                    "expected readings at three speeds or more that grow with the speed",
+                )
+                .help(
+                    "of two readings: rheology = \"bingham\", plastic_viscosity the difference of \
+                       600 and 300 rev/min in cP, yield_point the rest at 300 in lbf/100ft2",
+                )
+                .refuse(reader);
+        };
+        let largest = listed.value.iter().map(|at| at.value[1] * DIAL_PA).fold(0.0, f64::max);
+        if fit.largest_Pa > POOR_FIT * largest {
+            Diagnostic::warning("the dial readings do not follow a yield-power law")
+                .at(
+                    listed.place,
+                    format!(
+                        "{} beside the law at {} rev/min",
+                        reader.shown(Dimension::ShearStress, fit.largest_Pa),
+                        number_text(fit.largest_at_rpm)
+                    ),
+                )
+                .help("is a reading wrong, or not in degrees of the dial?")
+                .report(reader);
+        }
+        Some(fit)
+    }
+
+    /// What was fitted to dial readings, in a sentence; nothing where there are none.
+    pub(crate) fn note(&self, reader: &Reader) -> Option<String> {
+        let chosen = self.rheology.given().map(|at| at.value);
+        let listed =
+            self.dial_readings.given().filter(|_| chosen == Some(Flow::HerschelBulkley))?;
+        let fit = fit_of(&listed.value)?;
+        let Rheology::HerschelBulkley { yield_point_Pa, consistency_Pa_s_n, flow_index } =
+            fit.rheology
+        else {
+            return None;
+        };
+        Some(format!(
+            "yield-power law through {} dial readings: yield point {}, consistency index {}, flow \
+             behaviour index {}; residual {} (root mean square), {} at most, at {} rev/min",
+            listed.value.len(),
+            reader.shown(Dimension::ShearStress, yield_point_Pa),
+            reader.shown(Dimension::Consistency, consistency_Pa_s_n),
+            number_text((flow_index * 1e4).round() / 1e4),
+            Dimension::ShearStress.format(fit.residual_Pa, reader.units()),
+            Dimension::ShearStress.format(fit.largest_Pa, reader.units()),
+            number_text(fit.largest_at_rpm),
+        ))
+    }
+}
+
+fn fit_of(listed: &[Spanned<[f64; 2]>]) -> Option<DialFit> {
+    let reading = |at: &Spanned<[f64; 2]>| {
+        let [speed_rpm, dial_deg] = at.value;
+        DialReading { speed_rpm, dial_deg }
+    };
+    fit_dial_readings(&listed.iter().map(reading).collect::<Vec<_>>())
+}
+
+/// One reading of a rheometer: `[rev/min, degrees]`.
+pub(crate) struct DialRule;
+
+impl DialRule {
+    const CELLS: [Number; 2] = [
+        Number { unit: "rev/min", range: Range::from_to(0.1, 2000.0) },
+        Number { unit: "deg", range: Range::from_to(0.0, 1000.0) },
+    ];
+}
+
+impl Rule for DialRule {
+    type Value = [f64; 2];
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<[f64; 2]> {
+        let items = match &node.value {
+            Value::List(items) if items.len() == 2 => items,
+            _ => {
+                return Diagnostic::error("a dial reading is two numbers")
+                    .at(node.place, "expected [rev/min, degrees], such as [600, 65]")
+                    .refuse(reader);
+            }
+        };
+        let mut values = [None; 2];
+        for ((cell, item), value) in Self::CELLS.iter().zip(items).zip(&mut values) {
+            *value = cell.read(item, reader);
+        }
+        let [Some(speed_rpm), Some(dial_deg)] = values else { return None };
+        Some([speed_rpm, dial_deg])
+    }
+
+    fn schema(&self) -> serde_json::Value {
+        let cells: Vec<_> = Self::CELLS.iter().map(Rule::schema).collect();
+        json!({ "type": "array", "prefixItems": cells, "minItems": 2, "maxItems": 2 })
+    }
+
+    fn json(&self, value: &[f64; 2]) -> serde_json::Value {
+        json!(value)
     }
 }
 

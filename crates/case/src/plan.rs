@@ -353,7 +353,10 @@ fn depths_m(
                 return Diagnostic::error(
                     "the shallowest depth of the plan is no shallower than the bit",
                 )
-                .at(from.place, format!("the bit is at {} m", number_text(deepest_m)))
+                .at(
+                    from.place,
+                    format!("the bit is at {}", reader.shown(Dimension::Length, deepest_m)),
+                )
                 .refuse(reader);
             }
         }

@@ -90,7 +90,10 @@ pub(crate) fn build(
         return Diagnostic::error("the section is drilled from no shallower than its end")
             .at(
                 from.place,
-                format!("the deepest bit of the plan is at {} m", number_text(deepest_m)),
+                format!(
+                    "the deepest bit of the plan is at {}",
+                    reader.shown(Dimension::Length, deepest_m)
+                ),
             )
             .refuse(reader);
     }

@@ -13,10 +13,13 @@ pub(crate) fn depth(example: &'static str) -> Quantity {
 pub(crate) fn listed_once(listed: &[Spanned<f64>], reader: &mut Reader) -> Option<Vec<f64>> {
     for (index, at) in listed.iter().enumerate() {
         if let Some(first) = listed[..index].iter().find(|first| first.value == at.value) {
-            return Diagnostic::error(format!("{} m is listed twice", number_text(at.value)))
-                .at(at.place, "again here")
-                .at(first.place, "first here")
-                .refuse(reader);
+            return Diagnostic::error(format!(
+                "{} is listed twice",
+                reader.shown(Dimension::Length, at.value)
+            ))
+            .at(at.place, "again here")
+            .at(first.place, "first here")
+            .refuse(reader);
         }
     }
     let mut depths_m: Vec<f64> = listed.iter().map(|at| at.value).collect();
@@ -26,25 +29,26 @@ pub(crate) fn listed_once(listed: &[Spanned<f64>], reader: &mut Reader) -> Optio
 
 /// A depth must be in the hole, and leave room for the components below the pipe.
 pub(crate) fn check_depth(at: &Spanned<f64>, setup: &Setup, reader: &mut Reader) -> Option<()> {
-    let metres = |value: f64| number_text((1e3 * value).round() / 1e3);
+    let units = reader.units();
+    let length = |value: f64| shown(Dimension::Length, value, units);
     let hole_m = setup.well.hole.sections().last().map_or(0.0, |last| last.to_md_m);
     if at.value > hole_m {
         return Diagnostic::error(format!(
-            "a bit depth of the plan is beyond the hole: {} m, the hole ends at {} m",
-            metres(at.value),
-            metres(hole_m)
+            "a bit depth of the plan is beyond the hole: {}, the hole ends at {}",
+            length(at.value),
+            length(hole_m)
         ))
-        .at(at.place, format!("expected {} m or less", metres(hole_m)))
+        .at(at.place, format!("expected {} or less", length(hole_m)))
         .refuse(reader);
     }
     let assembly_m = setup.shallowest_m();
     if at.value <= assembly_m {
         return Diagnostic::error(format!(
-            "a bit depth of the plan leaves no room for the string: {} m stand below its topmost \
+            "a bit depth of the plan leaves no room for the string: {} stand below its topmost \
              component",
-            metres(assembly_m)
+            length(assembly_m)
         ))
-        .at(at.place, format!("expected more than {} m", metres(assembly_m)))
+        .at(at.place, format!("expected more than {}", length(assembly_m)))
         .refuse(reader);
     }
     Some(())

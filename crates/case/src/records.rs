@@ -181,14 +181,17 @@ impl RecordsTable {
             let twice = depths[..i].iter().find(|first| first.value == depth.value);
             let too_deep = bit_depth_m.filter(|bit_m| depth.value > *bit_m);
             let diagnostic = match (twice, too_deep) {
-                (Some(first), _) => {
-                    Diagnostic::error(format!("{} m is listed twice", number_text(depth.value)))
-                        .at(depth.place, "again here")
-                        .at(first.place, "first here")
-                }
+                (Some(first), _) => Diagnostic::error(format!(
+                    "{} is listed twice",
+                    reader.shown(Dimension::Length, depth.value)
+                ))
+                .at(depth.place, "again here")
+                .at(first.place, "first here"),
                 (None, Some(bit_m)) => {
-                    Diagnostic::error("a depth of `node_spectra_at` is below the bit")
-                        .at(depth.place, format!("expected at most {} m", number_text(bit_m)))
+                    Diagnostic::error("a depth of `node_spectra_at` is below the bit").at(
+                        depth.place,
+                        format!("expected at most {}", reader.shown(Dimension::Length, bit_m)),
+                    )
                 }
                 (None, None) => continue,
             };

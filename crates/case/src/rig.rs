@@ -216,9 +216,10 @@ impl HoistTable {
         if load.value >= -most_N {
             return;
         }
-        let kN = |force_N: f64| format!("{} kN", number_text(force_N * 1e-3));
+        let units = reader.units();
+        let force = |force_N: f64| shown(Dimension::Force, force_N, units);
         let mut diagnostic = Diagnostic::error("the rig does not push so hard")
-            .at(load.place, format!("pushes with {}", kN(-load.value)));
+            .at(load.place, format!("pushes with {}", force(-load.value)));
         diagnostic = match push {
             Some(push) => diagnostic.at(push.place, "the most that it gives"),
             None => diagnostic.help("a rig that pushes has a snubbing_force in [rig]"),

@@ -1,15 +1,20 @@
 //! Survey stations, from the case or from a file, each with its place.
 
 use serde_json::json;
-use wholestring::well::{Station, TieIn};
+use wholestring::well::{Interpolation, Path, Station, TieIn};
 use wholestring_config::prelude::*;
-use wholestring_tabular::{Said, read_as};
+use wholestring_tabular::{
+    ImportedSurvey, Place, PositionCheck, Said, position_checks, read_as, station_doubts,
+};
 use wholestring_units::Unit;
 
 use crate::beside::{read_beside, unfit};
 
 /// No hole bends more sharply than this, rad/m: 10 deg/m is a radius of 5.7 m.
 const SHARPEST_RAD_PER_M: f64 = 10.0 * std::f64::consts::PI / 180.0;
+
+/// Doubtful turns that are pointed out one by one.
+const MAX_DOUBTS: usize = 5;
 
 /// A survey and where its stations stand.
 #[derive(Debug)]
@@ -23,39 +28,117 @@ pub(crate) struct Stations {
     pub(crate) tie_in: Option<TieIn>,
     /// How the file was understood.
     pub(crate) notes: Vec<String>,
+    /// The file, and which of the reader's texts it is, once a place in it was named.
+    file: Option<(ImportedSurvey, String, Option<usize>)>,
 }
 
 impl Stations {
-    pub(crate) fn place(&self, index: usize) -> Span {
-        self.places.get(index).copied().unwrap_or(self.whole)
+    /// The first station in the case, or the key that names the file.
+    pub(crate) fn first_place(&self) -> Span {
+        self.places.first().copied().unwrap_or(self.whole)
+    }
+
+    /// Points at a station: in the case, or in the file of the survey.
+    pub(crate) fn point(
+        &mut self,
+        diagnostic: Diagnostic,
+        index: usize,
+        text: &str,
+        reader: &mut Reader,
+    ) -> Diagnostic {
+        if let Some(place) = self.places.get(index) {
+            return diagnostic.at(*place, text);
+        }
+        let is_first = diagnostic.labels.is_empty();
+        let Some((survey, name, source)) = &mut self.file else {
+            return diagnostic.at(self.whole, text);
+        };
+        match (survey.places.place(index), survey.places.text()) {
+            (Some(Place::Text { span, .. }), Some(whole)) => {
+                let source = *source.get_or_insert_with(|| reader.add_source(name, whole));
+                let place = Span { source, start: span.start, end: span.end };
+                let diagnostic = diagnostic.at(place, text);
+                if is_first { diagnostic.at(self.whole, "the survey") } else { diagnostic }
+            }
+            (Some(_), _) => {
+                let row = survey.places.row_name(index);
+                diagnostic.at(self.whole, format!("{row}: {text}"))
+            }
+            (None, _) => diagnostic.at(self.whole, text),
+        }
+    }
+
+    /// Warns of turns that pipe of this outside diameter, m, does not endure, and of stations that are probably slips.
+    pub(crate) fn check_turns(&mut self, endured_rad_per_m: f64, reader: &mut Reader) {
+        let doubts = station_doubts(&self.list, endured_rad_per_m, reader.units());
+        let more = doubts.len().saturating_sub(MAX_DOUBTS);
+        for (count, doubt) in doubts.into_iter().take(MAX_DOUBTS).enumerate() {
+            let diagnostic = Diagnostic::warning(doubt.sentence);
+            let mut diagnostic = self.point(diagnostic, doubt.index, &doubt.label, reader);
+            diagnostic = diagnostic.help(doubt.help);
+            if count + 1 == MAX_DOUBTS && more > 0 {
+                diagnostic = diagnostic.help(format!("and {more} more turns of this kind"));
+            }
+            diagnostic.report(reader);
+        }
+    }
+
+    /// Holds the positions that the file has against those of the path through its stations.
+    pub(crate) fn check_positions(&mut self, path: &Path, reader: &mut Reader) {
+        let Some((survey, ..)) = &self.file else { return };
+        let set = reader.units();
+        let checks = position_checks(survey, path, set);
+        let agrees = |checks: &[PositionCheck]| checks.iter().all(|check| check.agrees);
+        let by_arcs = path.interpolation() == Interpolation::Spline && !agrees(&checks) && {
+            let arcs = Path::new(&self.list, Interpolation::MinimumCurvature, path.tie_in());
+            arcs.is_ok_and(|arcs| agrees(&position_checks(survey, &arcs, set)))
+        };
+        for check in checks {
+            if check.agrees {
+                self.notes.push(check.sentence);
+                continue;
+            }
+            let diagnostic = Diagnostic::warning(check.sentence);
+            let diagnostic = self.point(diagnostic, check.index, "the file's position", reader);
+            match by_arcs {
+                true => {
+                    diagnostic.help("by minimum curvature they agree: path = \"minimum-curvature\"")
+                }
+                false => diagnostic.help(check.reason),
+            }
+            .report(reader);
+        }
     }
 
     /// What no survey has, although the engine could compute with it.
-    pub(crate) fn check(&self, reader: &mut Reader) -> Option<()> {
-        for (index, station) in self.list.iter().enumerate() {
+    pub(crate) fn check(&mut self, reader: &mut Reader) -> Option<()> {
+        for (index, station) in self.list.clone().iter().enumerate() {
             if !(-1000.0..=20_000.0).contains(&station.md_m) {
-                return Diagnostic::error(format!(
-                    "measured depth {} m is deeper than any well",
-                    number_text(station.md_m)
-                ))
-                .at(self.place(index), "expected at most 20000 m")
-                .refuse(reader);
+                let diagnostic = Diagnostic::error(format!(
+                    "measured depth {} is deeper than any well",
+                    reader.shown(Dimension::Length, station.md_m)
+                ));
+                let most = reader.shown(Dimension::Length, 20_000.0);
+                return self
+                    .point(diagnostic, index, &format!("expected at most {most}"), reader)
+                    .refuse(reader);
             }
         }
-        for (index, pair) in self.list.windows(2).enumerate() {
+        for (index, pair) in self.list.clone().windows(2).enumerate() {
             let [above, below] = pair else { continue };
             let length_m = below.md_m - above.md_m;
             let turn_rad = angle_between(above, below);
             // A step too small or backwards is the path's to report.
             if length_m > 1e-3 && turn_rad / length_m > SHARPEST_RAD_PER_M {
-                return Diagnostic::error(format!(
-                    "the hole bends by {} deg within {} m below {} m",
+                let diagnostic = Diagnostic::error(format!(
+                    "the hole bends by {} deg within {} below {}",
                     number_text((turn_rad.to_degrees() * 10.0).round() / 10.0),
-                    number_text((length_m * 1e3).round() / 1e3),
-                    number_text(above.md_m)
-                ))
-                .at(self.place(index + 1), "expected at most 10 deg per metre")
-                .refuse(reader);
+                    reader.shown(Dimension::Length, length_m),
+                    reader.shown(Dimension::Length, above.md_m)
+                ));
+                return self
+                    .point(diagnostic, index + 1, "expected at most 10 deg per metre", reader)
+                    .refuse(reader);
             }
         }
         Some(())
@@ -171,6 +254,7 @@ pub(crate) fn from_case(listed: &Spanned<Vec<Spanned<[f64; 3]>>>) -> Stations {
         whole: listed.place,
         tie_in: None,
         notes: Vec::new(),
+        file: None,
     }
 }
 
@@ -183,12 +267,13 @@ pub(crate) fn from_file(
 ) -> Option<Stations> {
     let bytes = read_beside(file, "survey", files, reader)?;
     match read_as(&bytes, &file.value, said) {
-        Ok(imported) => Some(Stations {
-            list: imported.stations,
+        Ok(mut imported) => Some(Stations {
+            list: imported.stations.clone(),
             places: Vec::new(),
             whole: file.place,
             tie_in: imported.tie_in,
-            notes: imported.notes,
+            notes: std::mem::take(&mut imported.notes),
+            file: Some((imported, file.value.clone(), None)),
         }),
         Err(error) => {
             let diagnostic = unfit(&error, file, "survey", reader);

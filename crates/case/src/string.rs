@@ -1,7 +1,11 @@
 //! Components of the string, from their keys.
 
-use wholestring::string::{ComponentSpec, Material, catalogue::CatalogueError};
+use wholestring::string::{
+    ComponentSpec, Material,
+    catalogue::{CatalogueError, nominal_pipe},
+};
 use wholestring_config::prelude::*;
+use wholestring_units::UnitSet;
 
 use crate::{
     catalogue::OwnCatalogue,
@@ -41,10 +45,52 @@ impl ComponentTable {
         self.blades(&mut component, reader)?;
         self.body(&mut component, reader)?;
         if let Some(given) = self.mass_per_length.optional()? {
+            self.check_nominal(&component, given, own, reader);
             component.mass_per_length_kg_per_m = given.value;
             check_mass(&component, given.place, reader)?;
         }
         Some(component)
+    }
+
+    /// Warns of the nominal weight of drill pipe, which leaves tool joints out.
+    fn check_nominal(
+        &self,
+        component: &ComponentSpec,
+        given: &Spanned<f64>,
+        own: &OwnCatalogue,
+        reader: &mut Reader,
+    ) {
+        let designation = self.catalogue.given();
+        let entry = designation.and_then(|at| own.find(&at.value).ok());
+        if designation.is_some() && entry.is_none() {
+            return;
+        }
+        let (od_m, id_m) = (component.od_m, component.id_m);
+        let Some(pipe) = nominal_pipe(entry.as_ref(), od_m, id_m, given.value) else { return };
+        let unit = match reader.units() {
+            UnitSet::Si => Dimension::MassPerLength.find_unit("lb/ft"),
+            set => Some(Dimension::MassPerLength.unit_in(set)),
+        };
+        let Some(unit) = unit else { return };
+        let shown = |mass: f64| format!("{:.1} {}", unit.from_si(mass), unit.symbol);
+        let weight = pipe.mass_per_length_kg_per_m(component.material.density_kg_per_m3);
+        let mut diagnostic = Diagnostic::warning(format!(
+            "{} is the nominal weight of `{}`, without its tool joints",
+            shown(given.value),
+            pipe.designation
+        ))
+        .at(given.place, format!("with tool joints it weighs {}", shown(weight)));
+        if let Some(designation) = designation {
+            diagnostic = diagnostic.at(designation.place, "the catalogue's entry");
+        }
+        diagnostic
+            .help(match designation {
+                Some(_) => "leave `mass_per_length` out: the catalogue gives the weight",
+                None => {
+                    "give the weight with tool joints, or `catalogue` in place of the diameters"
+                }
+            })
+            .report(reader);
     }
 
     fn material(&self, steel: &Material, reader: &mut Reader) -> Option<Material> {

@@ -127,7 +127,11 @@ impl TortuosityTable {
                 return Diagnostic::error("the tortuosity leaves the survey")
                     .at(
                         given.place,
-                        format!("expected {} m to {} m", number_text(first_m), number_text(last_m)),
+                        format!(
+                            "expected {} to {}",
+                            reader.shown(Dimension::Length, first_m),
+                            reader.shown(Dimension::Length, last_m)
+                        ),
                     )
                     .refuse(reader);
             }
@@ -138,9 +142,9 @@ impl TortuosityTable {
                 .at(
                     end.map_or(place, |at| at.place),
                     format!(
-                        "it would act from {} m to {} m",
-                        number_text(from_m),
-                        number_text(to_m)
+                        "it would act from {} to {}",
+                        reader.shown(Dimension::Length, from_m),
+                        reader.shown(Dimension::Length, to_m)
                     ),
                 )
                 .refuse(reader);
@@ -195,7 +199,7 @@ impl TortuosityTable {
             let every_m = (median_m * 10.0).round() / 10.0;
             Diagnostic::warning("a survey has its tortuosity already")
                 .at(
-                    self.period.place().unwrap_or(stations.place(0)),
+                    self.period.place().unwrap_or(stations.first_place()),
                     format!("stations every {} m have measured such waves", number_text(every_m)),
                 )
                 .help("it is meant for a plan, or for waves shorter than two of its stations")

@@ -118,13 +118,16 @@ impl WellTable {
         }
     }
 
-    fn plan(&self, stations: &Stations, reader: &mut Reader) -> Option<Path> {
+    fn plan(&self, stations: &mut Stations, reader: &mut Reader) -> Option<Path> {
         let tie_in = self.tie_in(stations)?;
         let interpolation = *self.path.get()?;
         stations.check(reader)?;
         match Path::new(&stations.list, interpolation, tie_in) {
-            Ok(path) => Some(path),
-            Err(error) => path_error(&error, stations).refuse(reader),
+            Ok(path) => {
+                stations.check_positions(&path, reader);
+                Some(path)
+            }
+            Err(error) => path_error(&error, stations, reader).refuse(reader),
         }
     }
 
@@ -149,7 +152,7 @@ impl WellTable {
         bit_place: Option<Span>,
         reader: &mut Reader,
     ) -> Option<()> {
-        let bit_text = format!("bit at {} m", number_text(bit_depth_m));
+        let bit_text = format!("bit at {}", reader.shown(Dimension::Length, bit_depth_m));
         if let Some(path) = path {
             let last_m = path.last_md_m();
             let beyond_m = bit_depth_m - last_m;
@@ -157,9 +160,9 @@ impl WellTable {
                 && let Some(place) = bit_place
             {
                 Diagnostic::warning(format!(
-                    "the survey ends at {} m, {} m above the bit",
-                    number_text(last_m),
-                    number_text((beyond_m * 100.0).round() / 100.0)
+                    "the survey ends at {}, {} above the bit",
+                    reader.shown(Dimension::Length, last_m),
+                    reader.shown(Dimension::Length, (beyond_m * 100.0).round() / 100.0)
                 ))
                 .at(place, "the hole is taken to continue straight to here")
                 .report(reader);
@@ -170,11 +173,14 @@ impl WellTable {
             let last = self.hole.get()?.last()?;
             let to = last.value.to.at()?;
             let mut diagnostic = Diagnostic::error(format!(
-                "the hole ends at {} m, but the bit is at {} m",
-                number_text(end_m),
-                number_text(bit_depth_m)
+                "the hole ends at {}, but the bit is at {}",
+                reader.shown(Dimension::Length, end_m),
+                reader.shown(Dimension::Length, bit_depth_m)
             ))
-            .at(to.place, format!("expected {} m or more", number_text(bit_depth_m)));
+            .at(
+                to.place,
+                format!("expected {} or more", reader.shown(Dimension::Length, bit_depth_m)),
+            );
             if let Some(place) = bit_place {
                 diagnostic = diagnostic.at(place, bit_text);
             } else {
@@ -189,34 +195,42 @@ impl WellTable {
 }
 
 /// What the core says about the survey, at the station that it says it of.
-fn path_error(error: &PathError, stations: &Stations) -> Diagnostic {
-    let at = |index: usize| stations.place(index);
-    match error {
+fn path_error(error: &PathError, stations: &mut Stations, reader: &mut Reader) -> Diagnostic {
+    let index = error.index().unwrap_or(0);
+    let depth = |reader: &Reader, md_m: f64| reader.shown(Dimension::Length, md_m);
+    let (message, label, shows_above) = match error {
         PathError::TooFewStations(found) => {
-            Diagnostic::error(format!("the survey has {found} station"))
-                .at(at(0), "expected two stations or more")
+            let message = format!("the survey has {found} station");
+            (message, "expected two stations or more".to_owned(), false)
         }
-        PathError::DepthNotIncreasing { index, md_m, previous_md_m } => Diagnostic::error(format!(
-            "measured depth must grow down the survey: {} m follows {} m",
-            number_text(*md_m),
-            number_text(*previous_md_m)
-        ))
-        .at(at(*index), format!("expected more than {} m", number_text(*previous_md_m)))
-        .at(at(index - 1), "the station above"),
-        PathError::Inclination { index, inclination_rad, .. } => Diagnostic::error(format!(
-            "inclination {} deg is out of range",
-            number_text(inclination_rad.to_degrees())
-        ))
-        .at(at(*index), "expected 0 to 180 deg from vertical")
-        .help("the columns are md, inc, azi: are inclination and azimuth exchanged?"),
-        PathError::NotFinite { index, quantity, .. } => {
-            Diagnostic::error(format!("{quantity} is not a finite number")).at(at(*index), "")
+        PathError::DepthNotIncreasing { md_m, previous_md_m, .. } => {
+            let (here, above) = (depth(reader, *md_m), depth(reader, *previous_md_m));
+            let message =
+                format!("measured depth must grow down the survey: {here} follows {above}");
+            (message, format!("expected more than {above}"), true)
         }
-        PathError::Reversal { index, .. } => {
-            Diagnostic::error("the hole turns by 180 deg between two stations")
-                .at(at(*index), "opposite to the station above")
-                .at(at(index - 1), "the station above")
+        PathError::Inclination { inclination_rad, .. } => {
+            let degrees = number_text(inclination_rad.to_degrees());
+            let message = format!("inclination {degrees} deg is out of range");
+            (message, "expected 0 to 180 deg from vertical".to_owned(), false)
         }
-        _ => Diagnostic::error(short(&error.to_string())).at(at(0), ""),
+        PathError::NotFinite { quantity, .. } => {
+            (format!("{quantity} is not a finite number"), String::new(), false)
+        }
+        PathError::Reversal { .. } => {
+            let message = "the hole turns by 180 deg between two stations".to_owned();
+            (message, "opposite to the station above".to_owned(), true)
+        }
+        _ => (short(&error.to_string()), String::new(), false),
+    };
+    let mut diagnostic = stations.point(Diagnostic::error(message), index, &label, reader);
+    if shows_above && index > 0 {
+        diagnostic = stations.point(diagnostic, index - 1, "the station above", reader);
+    }
+    match error {
+        PathError::Inclination { .. } => {
+            diagnostic.help("the columns are md, inc, azi: are inclination and azimuth exchanged?")
+        }
+        _ => diagnostic,
     }
 }

@@ -65,6 +65,13 @@ const VALUES: &[(&str, [&str; 2])] = &[
     ("mesh.accuracy", ["coarse", "fine"]),
     ("mesh.regions", ["one", "auto"]),
     ("model", ["soft", "dynamic"]),
+    (
+        "mud.dial_readings",
+        [
+            "[[600, 65], [300, 40], [200, 31], [100, 21], [6, 7], [3, 6]]",
+            "[[600, 66], [300, 40], [200, 31], [100, 21], [6, 7], [3, 6]]",
+        ],
+    ),
     ("mud.flow_behaviour_index", ["0.7", "0.71"]),
     ("mud.rheology", ["newtonian", "bingham"]),
     ("operation.bit_depth", ["4200 m", "4201 m"]),
@@ -176,6 +183,9 @@ fn bases() -> Vec<String> {
             "rheology = \"newtonian\"\nviscosity = \"20 mPa.s\"\nplastic_viscosity = \"20 mPa.s\"\nyield_point = \"5 Pa\"\n",
         ),
         mud("rheology = \"bingham\"\nplastic_viscosity = \"20 mPa.s\"\nyield_point = \"5 Pa\"\n"),
+        mud(
+            "rheology = \"herschel-bulkley\"\ndial_readings = [[600, 65], [300, 40], [200, 31], [100, 21], [6, 7], [3, 6]]\n",
+        ),
         mud(
             "rheology = \"power-law\"\nconsistency_index = \"0.5 Pa.s^n\"\nflow_behaviour_index = 0.7\n",
         ),

@@ -177,10 +177,11 @@ fn held(step: &str, holder: Option<StepHolder>, effort: &Effort, case: &Case) ->
     text
 }
 
-/// How the survey was understood.
+/// How the survey was understood, and what was fitted to readings of the mud.
 fn survey(case: &Case) -> String {
     let notes = case.survey_notes.iter();
-    notes.map(|note| format!("survey: {note}\n")).collect()
+    let mud = case.mud_notes.iter().map(|note| format!("mud: {note}\n"));
+    notes.map(|note| format!("survey: {note}\n")).chain(mud).collect()
 }
 
 /// The rock and the bit's face, and how the bit is expected to drill.

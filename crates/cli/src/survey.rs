@@ -9,6 +9,7 @@ use wholestring_runner::survey::{self, Said};
 use wholestring_units::{Dimension, Unit};
 
 use crate::{
+    color::color,
     failure::Failure,
     terminal::{print_stderr, print_stdout},
 };
@@ -62,7 +63,15 @@ pub(crate) fn survey(args: &SurveyArgs) -> Result<(), Failure> {
     for note in &survey.notes {
         print_stderr(&format!("note: {note}\n"));
     }
-    let positions = survey::positions(&survey, Interpolation::from(args.path), args.step);
+    let interpolation = Interpolation::from(args.path);
+    let (doubts, notes) = survey::check(&survey, &args.survey, interpolation)?;
+    for note in &notes {
+        print_stderr(&format!("note: {note}\n"));
+    }
+    if !doubts.is_empty() {
+        print_stderr(&doubts.render(color()));
+    }
+    let positions = survey::positions(&survey, interpolation, args.step);
     let file = args.survey.display();
     let positions =
         positions.map_err(|error| Failure::BadInput(format!("error: {file}: {error}")))?;

@@ -7,7 +7,7 @@ pub use crate::{
     number::{Count, Number, Whole},
     quantity::Quantity,
     range::Range,
-    reader::Reader,
+    reader::{Reader, shown},
     rule::{Choice, List, Prose, Rule, Section, Spanned, Table, Text, Written, once_each, word_of},
     source::{COMMAND_LINE, Files, Span},
     table::{Field, default, keys, optional, required, table},

@@ -1,7 +1,7 @@
 //! Collects what is wrong while a case is read, so that all of it is reported at once.
 
 use serde_json::Value as Json;
-use wholestring_units::UnitSet;
+use wholestring_units::{Dimension, UnitSet, number_text};
 
 use crate::{
     bare::Bare,
@@ -46,6 +46,14 @@ impl Diagnostic {
     }
 }
 
+/// A quantity in the units of a set, to a thousandth of its unit.
+pub fn shown(dimension: Dimension, si: f64, set: UnitSet) -> String {
+    let unit = dimension.unit_in(set);
+    let value = unit.from_si(si);
+    let value = if value.abs() < 1.0 { value } else { (value * 1e3).round() / 1e3 };
+    format!("{} {}", number_text(value), unit.symbol)
+}
+
 /// More mistakes than this are kept by nobody: the file is probably something else.
 const MAX: usize = 100;
 
@@ -69,6 +77,11 @@ impl Reader {
     /// The units that the case is shown in.
     pub fn units(&self) -> UnitSet {
         self.units.unwrap_or(UnitSet::Si)
+    }
+
+    /// A quantity in the units that the case is shown in, to a thousandth of its unit.
+    pub fn shown(&self, dimension: Dimension, si: f64) -> String {
+        shown(dimension, si, self.units())
     }
 
     /// Says which units the case is shown in.

@@ -222,6 +222,19 @@ impl<R: Rule> Rule for List<R> {
         let items = match &node.value {
             Value::List(items) => items.as_slice(),
             _ if self.or_one => std::slice::from_ref(node),
+            Value::Table(_) if self.heading().is_some_and(|heading| heading.starts_with("[[")) => {
+                let heading = self.heading().unwrap_or_default();
+                return Diagnostic::error(format!(
+                    "`{}` is a list of tables, and single brackets make one table of it",
+                    reader.key
+                ))
+                .at(node.place, format!("expected {heading}"))
+                .help(format!(
+                    "write double brackets, once for each of the {}",
+                    self.noun.split(" (").next().unwrap_or(self.noun)
+                ))
+                .refuse(reader);
+            }
             _ => {
                 reader.expected(node, &format!("a list of {}", self.noun));
                 return None;

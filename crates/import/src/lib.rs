@@ -22,10 +22,12 @@
 
 mod case_text;
 mod choices;
+mod doubts;
 mod edm;
 mod error;
 mod format;
 mod fragment;
+mod grade;
 mod import;
 mod imported;
 mod input;

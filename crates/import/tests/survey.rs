@@ -131,7 +131,7 @@ Well: S-2
     let depths: Vec<f64> = stations(&imported).iter().map(|of| of[0]).collect();
     let expected = [0.0, 1000.0 * foot, 1100.0 * foot, 1200.0 * foot];
     assert!(depths.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9), "{depths:?}");
-    noted(&imported, "checked", "north by 0.00 m, east by 0.00 m");
+    noted(&imported, "checked", "north by 0.00 ft, east by 0.00 ft");
     noted(&imported, "read", "the mark '*' behind a number in line 8 is passed over");
     assert!(imported.text.contains("# line 3, well"), "{}", imported.text);
 }
@@ -186,7 +186,7 @@ fn mixed_units_and_units_that_are_said() {
     let asked = refused(half, &Choices::default());
     assert!(asked.contains("the true vertical depth has no unit; say it: --unit tvd=m"), "{asked}");
     let imported = imported_as("a.csv", half.as_bytes(), Choices::default().unit("tvd", "m"));
-    noted(&imported, "checked", "true vertical depth by 0.00 m");
+    noted(&imported, "checked", "true vertical depth by 0.00 ft");
     let wrong = refused(half, &Choices::default().unit("md", "m"));
     assert!(wrong.contains("in 'ft' by the file and in 'm' by what was said"), "{wrong}");
     let none = refused("0 0 0\n1000 0 0\n", &Choices::default());

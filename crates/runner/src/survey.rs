@@ -2,10 +2,12 @@
 
 use std::{io, path::Path};
 
-use wholestring::well::{Interpolation, Path as WellPath, PathError, PathPoint};
+use wholestring::well::{
+    Interpolation, Path as WellPath, PathError, PathPoint, USUAL_DOGLEG_RAD_PER_M,
+};
 use wholestring_case::{Diagnostic, Label, Report, Severity, Source, Span, read_file};
 pub use wholestring_tabular::{ImportedSurvey, Said};
-use wholestring_tabular::{TableError, read_as};
+use wholestring_tabular::{Place, TableError, position_checks, read_as, station_doubts};
 
 use crate::Error;
 
@@ -67,6 +69,71 @@ fn report(error: &TableError) -> Option<Report> {
             help: Vec::new(),
         }],
     })
+}
+
+/// What is doubtful about a survey, each with its row: positions of the file that are not those of its path, turns that are
+/// hardly the hole's. Positions that agree are among the notes.
+///
+/// # Errors
+/// There is no path through the stations: the row of the station, and why.
+pub fn check(
+    survey: &ImportedSurvey,
+    file: &Path,
+    interpolation: Interpolation,
+) -> Result<(Report, Vec<String>), Error> {
+    let name = file.display().to_string();
+    let path = WellPath::new(&survey.stations, interpolation, survey.start());
+    let path = path.map_err(|error| no_path(survey, &name, &error))?;
+    let set = survey.unit_set();
+    let mut notes = Vec::new();
+    let mut diagnostics = Vec::new();
+    for check in position_checks(survey, &path, set) {
+        if check.agrees {
+            notes.push(check.sentence);
+            continue;
+        }
+        let warning = Diagnostic::warning(check.sentence).help(check.reason);
+        diagnostics.push(at_station(survey, warning, check.index, "the file's position"));
+    }
+    for doubt in station_doubts(&survey.stations, USUAL_DOGLEG_RAD_PER_M, set) {
+        let warning = Diagnostic::warning(doubt.sentence).help(doubt.help);
+        diagnostics.push(at_station(survey, warning, doubt.index, &doubt.label));
+    }
+    Ok((Report { sources: vec![source(survey, &name)], diagnostics }, notes))
+}
+
+/// Why there is no path, at the row of the station.
+fn no_path(survey: &ImportedSurvey, name: &str, error: &PathError) -> Error {
+    let sentence = Diagnostic::error(error.to_string());
+    let diagnostic = match error.index() {
+        Some(index) => at_station(survey, sentence, index, "this station"),
+        None => sentence,
+    };
+    Report { sources: vec![source(survey, name)], diagnostics: vec![diagnostic] }.into()
+}
+
+fn source(survey: &ImportedSurvey, name: &str) -> Source {
+    Source { name: name.to_owned(), text: survey.places.text().unwrap_or_default().to_owned() }
+}
+
+/// Points at the row of a station: underlined in a text, named in a workbook.
+fn at_station(
+    survey: &ImportedSurvey,
+    mut diagnostic: Diagnostic,
+    index: usize,
+    label: &str,
+) -> Diagnostic {
+    match survey.places.place(index) {
+        Some(Place::Text { span, .. }) => {
+            let place = Span { source: 0, start: span.start, end: span.end };
+            diagnostic.labels.push(Label { place, text: label.to_owned() });
+        }
+        Some(Place::Cell { .. }) => {
+            diagnostic.help.insert(0, format!("{}: {label}", survey.places.row_name(index)));
+        }
+        None => {}
+    }
+    diagnostic
 }
 
 /// A point along a survey.

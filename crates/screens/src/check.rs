@@ -41,10 +41,11 @@ pub fn check(name: &str, text: &str, files: &dyn Files) -> Checked {
     let diagnostics = match &parse(name, text.as_bytes(), files, &[]) {
         Err(report) => diagnostic::of_report(report),
         Ok(checked) => {
-            let notes = checked.survey_notes.iter();
-            let notes = notes.map(|note| Diagnostic {
+            let survey = checked.survey_notes.iter().map(|note| ("well.survey", note));
+            let mud = checked.mud_notes.iter().map(|note| ("mud.dial_readings", note));
+            let notes = survey.chain(mud).map(|(key, note)| Diagnostic {
                 level: Level::Note,
-                key: Some("well.survey".to_owned()),
+                key: Some(key.to_owned()),
                 ..Diagnostic::sentence(note)
             });
             diagnostic::of_report(&checked.warnings).into_iter().chain(notes).collect()

@@ -46,7 +46,10 @@ pub use readings::{ImportedReading, ImportedReadings};
 pub use row_names::row_names;
 pub use sheets::{SheetText, is_workbook, sheets};
 pub use survey::{
+    doubts::{StationDoubt, station_doubts},
     imported::{ImportedSurvey, StatedPosition, SurveyTable, under_origin},
+    places::StationPlaces,
+    positions::{PositionCheck, position_checks},
     preamble::{About, Stated},
     said::Said,
 };

@@ -338,7 +338,7 @@ fn faults_in_the_rows_are_underlined() {
             "line 4, column 1: the measured depth runs backwards: 20 m after 30 m; it must grow from station to station",
         ),
         (
-            "30,1,1\n30.0,1,1",
+            "30,1,1\n30.0,1,2",
             "30.0",
             "line 4, column 1: the measured depth repeats: 30 m after 30 m; it must grow from station to station",
         ),
@@ -453,4 +453,82 @@ fn texts_with_more_cells_than_any_survey_are_refused() {
         let error = read_csv(text.as_bytes(), "a.csv").unwrap_err();
         assert_eq!(error.to_string(), format!("a.csv: the file holds {message} can be read"));
     }
+}
+
+/// A vertical station has no azimuth: taken as 0, and said. With 0 typed in, minimum curvature gives a true vertical depth of
+/// 799.86 m at 800 m.
+#[test]
+fn a_vertical_station_may_lack_its_azimuth() {
+    for blank in ["", "-", "N/A", "-999.25"] {
+        let found = survey(&format!("MD (m),Inc,Azi\n0,0,{blank}\n500,0,{blank}\n800,3,10\n"));
+        assert_eq!(found.stations.len(), 3);
+        assert_eq!(found.stations[1].azimuth_rad, 0.0);
+        let note = "the azimuth of 2 stations, vertical and without one, is taken as 0 (the first in line 2)";
+        assert!(found.notes.iter().any(|given| given == note), "{:?}", found.notes);
+    }
+    let error = read(b"MD (m),Inc,Azi\n0,0.5,\n500,1,10\n", "a.csv").unwrap_err();
+    assert!(error.to_string().contains("the azimuth is missing in this row"), "{error}");
+}
+
+#[test]
+fn a_station_that_stands_there_twice_counts_once() {
+    let found =
+        survey("MD (m),Inc,Azi,TVD (m)\n0,0,0,0\n500,1,10,499.9\n500,1,10,499.9\n900,8,12,899\n");
+    assert_eq!((found.stations.len(), found.stated.len()), (3, 3));
+    assert_eq!(found.stated[2].tvd_m, Some(899.0));
+    let note = "1 station of a depth that another has, alike, is left out (line 4)";
+    assert!(found.notes.iter().any(|given| given == note), "{:?}", found.notes);
+    assert_eq!(found.places.row_name(2), "line 5");
+}
+
+#[test]
+fn the_deepest_station_may_be_first() {
+    let found = survey("MD (m),Inc,Azi\n2300,61.9,340\n1900,52.1,344.2\n1530,38.25,351.7\n0,0,0\n");
+    let depths: Vec<f64> = found.stations.iter().map(|station| station.md_m).collect();
+    assert_eq!(depths, [0.0, 1530.0, 1900.0, 2300.0]);
+    assert_eq!(found.places.row_name(0), "line 5");
+    assert_eq!(found.place, "lines 2 to 5");
+    assert!(found.notes.iter().any(|note| note.contains("turned over")), "{:?}", found.notes);
+}
+
+/// Coordinates of a map are said to be such.
+#[test]
+fn coordinates_of_a_map_are_named() {
+    let found = survey(
+        "MD (m),Inc,Azi,North (m),East (m)\n0,0,0,6812340.5,471250.25\n90,1,0,6812341,471250\n",
+    );
+    assert!(found.start().is_on_map());
+    assert!(
+        found.notes.iter().any(|note| note.contains("coordinates of a map")),
+        "{:?}",
+        found.notes
+    );
+    let local = survey("MD (m),Inc,Azi,North (m),East (m)\n0,0,0,12.5,-3\n90,1,0,13,-3\n");
+    assert!(!local.start().is_on_map());
+}
+
+/// Positions of minimum curvature are held to the stations; a slip of one station is named with its row.
+#[test]
+fn positions_and_slips_are_found() {
+    use wholestring::well::{Interpolation, Path, USUAL_DOGLEG_RAD_PER_M};
+    use wholestring_tabular::{position_checks, station_doubts};
+    use wholestring_units::UnitSet;
+    // The quarter of a circle of 1200/π m: it ends 381.97 m below its beginning.
+    let found = survey(
+        "MD (m),Inc,Azi,TVD (m)\n0,0,30,0\n600,0,30,600\n1200,90,30,981.97\n3000,90,30,981.97\n",
+    );
+    let checks = |interpolation| {
+        let path = Path::new(&found.stations, interpolation, found.start()).expect("a path");
+        position_checks(&found, &path, UnitSet::Si)
+    };
+    assert!(checks(Interpolation::MinimumCurvature).iter().all(|check| check.agrees));
+    let spline = checks(Interpolation::Spline);
+    assert!(!spline[0].agrees && spline[0].sentence.contains("12.39 m"), "{spline:?}");
+    let found = survey("MD (ft),Inc,Azi\n3937,40,44\n4035.4,4.1,44\n4133.9,41,44\n9000,41,44\n");
+    let doubts = station_doubts(&found.stations, USUAL_DOGLEG_RAD_PER_M, found.unit_set());
+    assert_eq!(doubts.len(), 1);
+    let sentence = &doubts[0].sentence;
+    assert!(sentence.contains("deg/100ft") && sentence.contains("4035.4 ft"), "{sentence}");
+    assert!(doubts[0].help.ends_with("is 4.1 a slip of 41?"), "{}", doubts[0].help);
+    assert_eq!(found.places.row_name(doubts[0].index), "line 3");
 }

@@ -49,3 +49,30 @@ fn rheology_and_flow() {
         "#,
     );
 }
+
+/// Dial readings: too few, beside the numbers that they give, and one that is off.
+#[test]
+fn dial_readings() {
+    let with = |lines: &str| {
+        let rheology = "rheology = \"herschel-bulkley\"";
+        read(&changed(
+            "density = \"1.2 sg\"",
+            &format!("density = \"1.2 sg\"\n{rheology}\n{lines}"),
+        ))
+    };
+    refused("dial_readings_missing", with(""));
+    refused("dial_readings_of_two_speeds", with("dial_readings = [[600, 65], [300, 40]]"));
+    refused("dial_readings_of_one_number", with("dial_readings = [600, 65]"));
+    refused(
+        "dial_readings_beside_numbers",
+        with("yield_point = \"5 Pa\"\ndial_readings = [[600, 65], [300, 40], [6, 7]]"),
+    );
+    let off = with("dial_readings = [[600, 65], [300, 40], [200, 51], [100, 21], [6, 7], [3, 6]]");
+    let off = off.unwrap_or_else(|report| panic!("{report}")).warnings.to_string();
+    assert!(off.contains("the dial readings do not follow a yield-power law"), "{off}");
+    let sound =
+        with("dial_readings = [[600, 65], [300, 40], [200, 31], [100, 21], [6, 7], [3, 6]]");
+    let sound = sound.unwrap_or_else(|report| panic!("{report}"));
+    assert!(!sound.warnings.to_string().contains("dial"), "{}", sound.warnings);
+    assert!(sound.mud_notes[0].starts_with("yield-power law through 6 dial readings"));
+}

@@ -121,3 +121,20 @@ fn what_has_no_effect_or_is_odd() {
         "#,
     );
 }
+
+/// Weights and diameters that are another's: the nominal weight of pipe, the shank of a bit, the body of a stabiliser, casings that
+/// go into each other.
+#[test]
+fn weights_and_gauges() {
+    each_warned(
+        r#"
+        warn_nominal_weight: `catalogue = "5-1/2 in 21.90 lb/ft S-135"`
+            -> `catalogue = "5-1/2 in 21.90 lb/ft S-135"\nmass_per_length = "21.9 lb/ft"`
+        warn_nominal_weight_of_diameters: `catalogue = "5-1/2 in 21.90 lb/ft S-135"`
+            -> `od = "5-1/2 in"\nid = "4.778 in"\nmass_per_length = "21.9 lb/ft"`
+        warn_bit_of_its_shank: `od = "215.9 mm"` -> `od = "6.25 in"`
+        warn_stabiliser_without_blades: `[[string]]\ncomponent = "drill pipe"`
+            -> `[[string]]\ncomponent = "NB stab"\nod = "6.5 in"\nid = "2.25 in"\nlength = "5.1 ft"\n[[string]]\ncomponent = "drill pipe"`
+        "#,
+    );
+}

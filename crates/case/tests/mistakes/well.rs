@@ -1,6 +1,9 @@
 //! Mistakes in `[well]`.
 
-use crate::{common::changed, each_refused, each_warned, texts_refused};
+use crate::{
+    common::{EXAMPLE, changed, read},
+    each_refused, each_warned, refused, texts_refused,
+};
 
 #[test]
 fn hole() {
@@ -106,4 +109,12 @@ fn stations() {
         ("station_inclination", stations("[[0, 0, 0], [900, 190, 0], [4305, 20, 0]]")),
         ("station_bend", stations("[[0, 0, 0], [900, 0, 0], [900.5, 30, 0], [4305, 30, 0]]")),
     ]);
+}
+
+#[test]
+fn one_section_in_single_brackets() {
+    let (before, after) = EXAMPLE.split_once("[[well.hole]]").expect("a section");
+    let (_, after) = after.split_once("[[well.hole]]").expect("a second section");
+    let one = format!("{before}[well.hole]{after}");
+    refused("one_hole_in_single_brackets", read(&one));
 }

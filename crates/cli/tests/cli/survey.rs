@@ -171,3 +171,22 @@ fn a_survey_without_units_is_refused_by_all_alike() {
     let accepted = desk.done(&["survey", "own.csv", "--unit", "ft"]);
     assert_eq!(rows(&text(&accepted.stdout))[1].md_m, 2000.0 * 0.3048);
 }
+
+/// What no hole does is pointed out in its row: a turn of 180 deg refused, a slip warned of.
+#[test]
+fn turns_are_pointed_out_in_the_file() {
+    let desk = Desk::new();
+    fs::write(desk.path("back.csv"), "MD (m),Inc (deg),Azi (deg)\n0,0,0\n100,180,0\n900,180,0\n")
+        .unwrap();
+    let refused = text(&desk.run(&["survey", "back.csv"]).stderr);
+    assert!(refused.contains("back.csv:3:1") && refused.contains("turns by 180 deg"), "{refused}");
+    fs::write(
+        desk.path("slip.csv"),
+        "MD (m),Inc,Azi\n0,0,45\n1200,40,45\n1230,4.1,45\n1260,41,45\n",
+    )
+    .unwrap();
+    let output = desk.run(&["survey", "slip.csv"]);
+    let warned = text(&output.stderr);
+    assert!(output.status.success(), "{warned}");
+    assert!(warned.contains("slip.csv:4:1") && warned.contains("is 4.1 a slip of 41?"), "{warned}");
+}

@@ -46,7 +46,40 @@ fn laminar_wall_stress_Pa(rheology: &Rheology, radius_m: f64, flow_m3_per_s: f64
             }
             wall
         }
+        Rheology::HerschelBulkley { yield_point_Pa, consistency_Pa_s_n, flow_index: n } => {
+            let through = |excess_Pa: f64| {
+                yield_power_law_rate(yield_point_Pa, consistency_Pa_s_n, n, excess_Pa)
+            };
+            // A plug in the middle lets less through than the power law without it.
+            let mut low = consistency_Pa_s_n * libm::pow((3.0 * n + 1.0) / n * rate, n);
+            let mut high = low;
+            while through(high) < rate && high.is_finite() {
+                (low, high) = (high, 2.0 * high);
+            }
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if through(middle) < rate {
+                    low = middle
+                } else {
+                    high = middle
+                }
+                if high - low <= 1e-13 * high {
+                    break;
+                }
+            }
+            yield_point_Pa + 0.5 * (low + high)
+        }
     }
+}
+
+/// `Q/(π r³)` of a yield-power-law mud whose stress at the wall exceeds its yield point by `x`, Rabinowitsch's integral:
+/// `(x/K)^(1/n) n x [x²/(3n + 1) + 2 τ₀ x/(2n + 1) + τ₀²/(n + 1)]/τ³`.
+fn yield_power_law_rate(yield_point_Pa: f64, consistency: f64, n: f64, x: f64) -> f64 {
+    let wall = yield_point_Pa + x;
+    let sum = x * x / (3.0 * n + 1.0)
+        + 2.0 * yield_point_Pa * x / (2.0 * n + 1.0)
+        + yield_point_Pa * yield_point_Pa / (n + 1.0);
+    libm::pow(x / consistency, 1.0 / n) * n * x * sum / wall.powi(3)
 }
 
 #[cfg(test)]
@@ -66,6 +99,14 @@ mod tests {
             (Rheology::Newtonian { viscosity_Pa_s: 0.5 }, 2e-3),
             (Rheology::Bingham { plastic_viscosity_Pa_s: 0.5, yield_point_Pa: 8.0 }, 2e-3),
             (Rheology::PowerLaw { consistency_Pa_s_n: 2.0, flow_index: 0.55 }, 2e-3),
+            (
+                Rheology::HerschelBulkley {
+                    yield_point_Pa: 8.0,
+                    consistency_Pa_s_n: 2.0,
+                    flow_index: 0.55,
+                },
+                2e-3,
+            ),
         ] {
             let gradient = gradient_Pa_per_m(&mud(rheology), PI * radius * radius, flow);
             let wall = 0.5 * gradient * radius;
@@ -141,5 +182,19 @@ mod tests {
                 );
             }
         }
+    }
+
+    /// With an index of 1 the yield-power law is Bingham's, and without a yield point a power law: to 1e-9.
+    #[test]
+    fn the_yield_power_law_has_the_others_in_it() {
+        let (bore, flow) = (PI * 0.05 * 0.05, 8e-3);
+        let of = |rheology| gradient_Pa_per_m(&mud(rheology), bore, flow);
+        let bingham = of(Rheology::Bingham { plastic_viscosity_Pa_s: 0.3, yield_point_Pa: 8.0 });
+        let power = of(Rheology::PowerLaw { consistency_Pa_s_n: 2.0, flow_index: 0.55 });
+        let both = |yield_point_Pa, consistency_Pa_s_n, flow_index| {
+            of(Rheology::HerschelBulkley { yield_point_Pa, consistency_Pa_s_n, flow_index })
+        };
+        assert!((both(8.0, 0.3, 1.0) / bingham - 1.0).abs() < 1e-9);
+        assert!((both(0.0, 2.0, 0.55) / power - 1.0).abs() < 1e-9);
     }
 }

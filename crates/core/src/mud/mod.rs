@@ -6,6 +6,7 @@ mod conduit;
 pub mod gel;
 pub mod hydraulics;
 pub mod rheology;
+mod rheometer;
 mod turbulence;
 
 pub use annulus::{Annulus, AnnulusDrag, Motion};
@@ -13,6 +14,7 @@ pub(crate) use conduit::Conduit;
 pub use gel::AnnulusGel;
 pub use hydraulics::Hydraulics;
 pub use rheology::Rheology;
+pub use rheometer::{DIAL_PA, DialFit, DialReading, fit_dial_readings};
 
 /// Lateral drag coefficient `C_d` of a pipe where nothing else is said: that of a smooth cylinder
 /// across a stream at Reynolds numbers from 1e3 to 1e5.

@@ -28,6 +28,26 @@ pub enum Rheology {
         /// Flow behaviour index `n`: below 1 the mud thins as it is sheared.
         flow_index: f64,
     },
+    /// `τ = τ₀ + K γ̇ⁿ`, the yield-power law; rigid below `τ₀`.
+    HerschelBulkley {
+        /// Yield point `τ₀`, Pa.
+        yield_point_Pa: f64,
+        /// Consistency index `K`, Pa·sⁿ.
+        consistency_Pa_s_n: f64,
+        /// Flow behaviour index `n`: below 1 the mud thins as it is sheared.
+        flow_index: f64,
+    },
+}
+
+/// Shear rate at which the stiffness of a yield-power-law mud below its yield point is counted, 1/s.
+const STIFF_AT_PER_S: f64 = 100.0;
+
+/// Where the stiff line of a yield-power-law mud meets its law, 1/s and Pa: at the rate at which a Bingham mud, with the
+/// viscosity that `K γ̇ⁿ` has at 100 1/s, would leave its own.
+fn yields(yield_point_Pa: f64, consistency: f64, index: f64) -> (f64, f64) {
+    let viscosity = consistency * libm::pow(STIFF_AT_PER_S, index - 1.0);
+    let rate_per_s = yield_point_Pa / (UNYIELDED * viscosity);
+    (rate_per_s, yield_point_Pa + consistency * libm::pow(rate_per_s, index))
 }
 
 /// What a stress makes of a mud.
@@ -49,6 +69,13 @@ impl Rheology {
             }
             Self::PowerLaw { consistency_Pa_s_n, flow_index } => {
                 consistency_Pa_s_n * libm::pow(rate_per_s, flow_index)
+            }
+            Self::HerschelBulkley { yield_point_Pa, consistency_Pa_s_n, flow_index } => {
+                let (knee_per_s, knee_Pa) = yields(yield_point_Pa, consistency_Pa_s_n, flow_index);
+                if rate_per_s < knee_per_s {
+                    return knee_Pa / knee_per_s * rate_per_s;
+                }
+                yield_point_Pa + consistency_Pa_s_n * libm::pow(rate_per_s, flow_index)
             }
         }
     }
@@ -72,6 +99,16 @@ impl Rheology {
                 let fluidity = libm::pow(stress_Pa / consistency_Pa_s_n, inverse) / stress_Pa;
                 Flow { fluidity, slope: inverse * fluidity }
             }
+            Self::HerschelBulkley { yield_point_Pa, consistency_Pa_s_n, flow_index } => {
+                let (knee_per_s, knee_Pa) = yields(yield_point_Pa, consistency_Pa_s_n, flow_index);
+                if stress_Pa <= knee_Pa && knee_per_s > 0.0 {
+                    let stiff = knee_per_s / knee_Pa;
+                    return Flow { fluidity: stiff, slope: stiff };
+                }
+                let (excess_Pa, inverse) = (stress_Pa - yield_point_Pa, 1.0 / flow_index);
+                let rate_per_s = libm::pow(excess_Pa / consistency_Pa_s_n, inverse);
+                Flow { fluidity: rate_per_s / stress_Pa, slope: inverse * rate_per_s / excess_Pa }
+            }
         }
     }
 
@@ -80,14 +117,20 @@ impl Rheology {
     pub(super) fn knee_Pa(&self) -> f64 {
         match *self {
             Self::Bingham { yield_point_Pa, .. } => yield_point_Pa / (1.0 - 1.0 / UNYIELDED),
+            Self::HerschelBulkley { yield_point_Pa, .. } if yield_point_Pa == 0.0 => 0.0,
+            Self::HerschelBulkley { yield_point_Pa, consistency_Pa_s_n, flow_index } => {
+                yields(yield_point_Pa, consistency_Pa_s_n, flow_index).1
+            }
             Self::Newtonian { .. } | Self::PowerLaw { .. } => 0.0,
         }
     }
 
-    /// The index `n` that turbulence correlations require: 1 but for a power law.
+    /// The index `n` that turbulence correlations require: 1 but for a power law, with a yield point or without.
     pub fn flow_index(&self) -> f64 {
         match *self {
-            Self::PowerLaw { flow_index, .. } => flow_index,
+            Self::PowerLaw { flow_index, .. } | Self::HerschelBulkley { flow_index, .. } => {
+                flow_index
+            }
             Self::Newtonian { .. } | Self::Bingham { .. } => 1.0,
         }
     }
@@ -103,6 +146,16 @@ mod tests {
             Rheology::Newtonian { viscosity_Pa_s: 0.03 },
             Rheology::Bingham { plastic_viscosity_Pa_s: 0.025, yield_point_Pa: 7.0 },
             Rheology::PowerLaw { consistency_Pa_s_n: 0.8, flow_index: 0.6 },
+            Rheology::HerschelBulkley {
+                yield_point_Pa: 5.0,
+                consistency_Pa_s_n: 0.8,
+                flow_index: 0.6,
+            },
+            Rheology::HerschelBulkley {
+                yield_point_Pa: 0.0,
+                consistency_Pa_s_n: 0.8,
+                flow_index: 0.6,
+            },
         ] {
             for rate in [1e-3, 0.1, 1.0, 50.0, 1000.0] {
                 let stress = rheology.stress_Pa(rate);

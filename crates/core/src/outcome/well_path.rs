@@ -39,4 +39,15 @@ impl WellPath {
         }
         Self { md_m, ..well }
     }
+
+    /// The same for a drawing in single precision: coordinates of a map, which have no digits to spare there, are counted
+    /// from the first station; distances from a slot stay.
+    pub fn drawn(mut self, path: &Path) -> Self {
+        let start = path.tie_in();
+        if start.is_on_map() {
+            self.north_m.iter_mut().for_each(|north_m| *north_m -= start.north_m);
+            self.east_m.iter_mut().for_each(|east_m| *east_m -= start.east_m);
+        }
+        self
+    }
 }

@@ -8,6 +8,7 @@ mod connection;
 mod drill_string;
 mod lateral_force;
 mod material;
+mod nested_casings;
 mod spec;
 mod strength;
 
@@ -17,5 +18,6 @@ pub use connection::{ConnectionStrength, RotaryConnection, Shoulder};
 pub use drill_string::{DrillString, Span};
 pub use lateral_force::LateralForce;
 pub use material::Material;
+pub use nested_casings::nested_casings;
 pub use spec::{AssemblyError, ComponentLength, ComponentSpec, StringSpec};
 pub use strength::BodySection;

@@ -3,6 +3,7 @@
 pub mod casing;
 mod constructors;
 mod curve;
+mod doubtful_turn;
 mod friction_profile;
 mod hole;
 mod interpolation;
@@ -13,6 +14,9 @@ mod station;
 mod tortuosity;
 mod vertical;
 
+pub use doubtful_turn::{
+    DoubtfulTurn, USUAL_DOGLEG_RAD_PER_M, doubtful_turns, endured_dogleg_rad_per_m,
+};
 pub use hole::{CasingPipe, Friction, Hole, HoleError, HoleKind, HoleSection, NARROWEST_BAND};
 pub use interpolation::Interpolation;
 pub(crate) use path::Heading;

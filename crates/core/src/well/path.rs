@@ -32,6 +32,16 @@ pub struct TieIn {
     pub tvd_m: f64,
 }
 
+impl TieIn {
+    /// Farther than this from its origin a position is one of a map, m: 100 km.
+    pub const MAP_M: f64 = 1e5;
+
+    /// Whether north and east are coordinates of a map rather than distances from a slot.
+    pub fn is_on_map(&self) -> bool {
+        self.north_m.abs() > Self::MAP_M || self.east_m.abs() > Self::MAP_M
+    }
+}
+
 /// A point of the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PathPoint {
@@ -90,7 +100,7 @@ pub enum PathError {
     #[error("a path needs at least two survey stations, got {0}")]
     TooFewStations(usize),
     /// A number that is NaN or infinite.
-    #[error("station {index} (MD {md_m} m): {quantity} is not a finite number")]
+    #[error("the station at {md_m} m: {quantity} is not a finite number")]
     NotFinite {
         /// Which station.
         index: usize,
@@ -104,7 +114,7 @@ pub enum PathError {
     TieInNotFinite,
     /// The measured depth does not grow, or by less than a millimetre.
     #[error(
-        "station {index} (MD {md_m} m): measured depth must grow, but the station above lies at \
+        "the station at {md_m} m: measured depth must grow, but the station above lies at \
          {previous_md_m} m"
     )]
     DepthNotIncreasing {
@@ -117,7 +127,7 @@ pub enum PathError {
     },
     /// An inclination below 0 or above π.
     #[error(
-        "station {index} (MD {md_m} m): inclination {:.4} deg is not between 0 and 180 deg",
+        "the station at {md_m} m: inclination {:.4} deg is not between 0 and 180 deg",
         inclination_rad.to_degrees()
     )]
     Inclination {
@@ -131,7 +141,7 @@ pub enum PathError {
     /// The hole points back along itself: no curve between the two stations is more likely than
     /// another.
     #[error(
-        "station {index} (MD {md_m} m): the hole turns by 180 deg from the station above at \
+        "the station at {md_m} m: the hole turns by 180 deg from the station above at \
          {previous_md_m} m"
     )]
     Reversal {
@@ -142,6 +152,19 @@ pub enum PathError {
         /// Measured depth of the station above, m.
         previous_md_m: f64,
     },
+}
+
+impl PathError {
+    /// The station that it is about, counted from zero, where it is one.
+    pub fn index(&self) -> Option<usize> {
+        match self {
+            Self::NotFinite { index, .. }
+            | Self::DepthNotIncreasing { index, .. }
+            | Self::Inclination { index, .. }
+            | Self::Reversal { index, .. } => Some(*index),
+            Self::TooFewStations(_) | Self::TieInNotFinite => None,
+        }
+    }
 }
 
 /// The hole's axis: position, direction and curvature at any measured depth.
@@ -166,7 +189,7 @@ pub enum PathError {
 /// let backwards = [station(330.0, 0.0), station(300.0, 3.0)];
 /// assert_eq!(
 ///     Path::new(&backwards, Interpolation::Spline, TieIn::default()).unwrap_err().to_string(),
-///     "station 1 (MD 300 m): measured depth must grow, but the station above lies at 330 m"
+///     "the station at 300 m: measured depth must grow, but the station above lies at 330 m"
 /// );
 /// # Ok::<(), wholestring::well::PathError>(())
 /// ```
@@ -183,15 +206,11 @@ pub struct Path {
 impl Serialize for Path {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         // Every field is named: a new one either follows from these or is written.
-        let Self { stations, interpolation, pieces, end: _, near_vertical: _ } = self;
-        let start_m = pieces[0].position_m(0.0);
+        let Self { stations, interpolation, pieces: _, end: _, near_vertical: _ } = self;
         let mut path = to.serialize_struct("Path", 3)?;
         path.serialize_field("stations", stations)?;
         path.serialize_field("interpolation", interpolation)?;
-        path.serialize_field(
-            "tie_in",
-            &TieIn { north_m: start_m.x, east_m: start_m.y, tvd_m: start_m.z },
-        )?;
+        path.serialize_field("tie_in", &self.tie_in())?;
         path.end()
     }
 }
@@ -232,6 +251,12 @@ impl Path {
     /// How the curve runs between stations.
     pub fn interpolation(&self) -> Interpolation {
         self.interpolation
+    }
+
+    /// Where the first station lies.
+    pub fn tie_in(&self) -> TieIn {
+        let start_m = self.pieces[0].position_m(0.0);
+        TieIn { north_m: start_m.x, east_m: start_m.y, tvd_m: start_m.z }
     }
 
     /// Measured depth of the first station, m.

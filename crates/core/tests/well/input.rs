@@ -15,31 +15,31 @@ fn says_which_station_and_why() {
     assert_eq!(message(&[good]), "a path needs at least two survey stations, got 1");
     assert_eq!(
         message(&[good, station(30.0, f64::NAN, 0.0)]),
-        "station 1 (MD 30 m): inclination is not a finite number"
+        "the station at 30 m: inclination is not a finite number"
     );
     assert_eq!(
         message(&[good, station(30.0, 0.0, f64::INFINITY)]),
-        "station 1 (MD 30 m): azimuth is not a finite number"
+        "the station at 30 m: azimuth is not a finite number"
     );
     assert_eq!(
         message(&[good, station(f64::NAN, 0.0, 0.0)]),
-        "station 1 (MD NaN m): measured depth is not a finite number"
+        "the station at NaN m: measured depth is not a finite number"
     );
     assert_eq!(
         message(&[good, station(30.0, 1.0, 0.0), station(30.0, 2.0, 0.0)]),
-        "station 2 (MD 30 m): measured depth must grow, but the station above lies at 30 m"
+        "the station at 30 m: measured depth must grow, but the station above lies at 30 m"
     );
     assert_eq!(
         message(&[good, station(30.0, -0.5, 0.0)]),
-        "station 1 (MD 30 m): inclination -0.5000 deg is not between 0 and 180 deg"
+        "the station at 30 m: inclination -0.5000 deg is not between 0 and 180 deg"
     );
     assert_eq!(
         message(&[good, station(30.0, 181.0, 0.0)]),
-        "station 1 (MD 30 m): inclination 181.0000 deg is not between 0 and 180 deg"
+        "the station at 30 m: inclination 181.0000 deg is not between 0 and 180 deg"
     );
     assert_eq!(
         message(&[station(0.0, 90.0, 10.0), station(30.0, 90.0, 190.0)]),
-        "station 1 (MD 30 m): the hole turns by 180 deg from the station above at 0 m"
+        "the station at 30 m: the hole turns by 180 deg from the station above at 0 m"
     );
     let tie_in = TieIn { tvd_m: f64::NAN, ..TieIn::default() };
     let error = Path::new(&[good, station(30.0, 0.0, 0.0)], Interpolation::Spline, tie_in);

@@ -12,6 +12,7 @@ use super::{
     unit_set::Measure,
 };
 use crate::{
+    doubts,
     error::{ImportError, ImportErrorKind},
     fragment::Survey,
 };
@@ -86,12 +87,20 @@ pub(super) fn read<'a>(
         return Ok((None, depths));
     }
     let unit = reader.units.of(Measure::Length).symbol;
+    let list: Vec<Station> = stations.iter().map(|(station, _)| *station).collect();
+    let place = |index: usize| {
+        let row = stations.get(index).map(|(_, row)| row);
+        row.map_or_else(String::new, |row| format!("line {}", row.line()))
+    };
+    for note in doubts::notes(&list, doubts::unit_set(unit), place) {
+        reader.checked(note.text());
+    }
     let phase = of.get("phase").map_or(String::new(), |phase| format!(" ({phase})"));
     let survey = Survey {
         tie_in: tie_in(reader, &stations[0], depths)?,
         place: format!("{} stations of wellpath '{}'{phase}, {order}", stations.len(), label(of)),
         units: format!("{unit}, deg, deg"),
-        stations: stations.into_iter().map(|(station, _)| station).collect(),
+        stations: list,
     };
     Ok((Some(survey), depths))
 }

@@ -1,14 +1,15 @@
 //! A survey in a table.
 
-mod check;
-
+use wholestring::well::{Interpolation, Path};
 use wholestring_tabular::{
-    About, Column, ImportedSurvey, Said, Stated, SurveyTable, TableErrorKind, read_all,
+    About, Column, ImportedSurvey, Said, Stated, SurveyTable, TableErrorKind, position_checks,
+    read_all,
 };
 use wholestring_units::Dimension;
 
 use crate::{
     choices::Choices,
+    doubts,
     error::{ImportError, ImportErrorKind},
     fragment::{Entry, Fragment, Note, Origin, Survey, Value},
     tables::note,
@@ -25,7 +26,7 @@ pub(crate) fn read(bytes: &[u8], name: &str, choices: &Choices) -> Result<Fragme
     let (survey, left_out) = picked(tables(bytes, name, choices)?, name, choices)?;
     let mut notes: Vec<Note> = left_out.into_iter().collect();
     notes.extend(columns(&survey));
-    notes.extend(check::check(&survey));
+    notes.extend(checked(&survey, name)?);
     notes.extend(reference(&survey.preamble));
     notes.extend(survey.notes.iter().map(|text| match is_assumed(text) {
         true => Note::Assumed(text.clone()),
@@ -44,6 +45,30 @@ pub(crate) fn read(bytes: &[u8], name: &str, choices: &Choices) -> Result<Fragme
         notes,
         ..Fragment::default()
     })
+}
+
+/// The positions of the file against those of its path, and turns that are hardly the hole's.
+fn checked(survey: &ImportedSurvey, name: &str) -> Result<Vec<Note>, ImportError> {
+    let set = survey.unit_set();
+    let path = Path::new(&survey.stations, Interpolation::MinimumCurvature, survey.start());
+    let path = path.map_err(|error| {
+        let place = error.index().map(|index| survey.places.row_name(index));
+        let kind = ImportErrorKind::Refused(format!("its stations make no path: {error}"));
+        ImportError::new(name, place, kind)
+    })?;
+    let checks = position_checks(survey, &path, set).into_iter();
+    let mut notes: Vec<Note> = checks
+        .map(|check| match check.agrees {
+            true => Note::Checked(check.sentence),
+            false => {
+                let row = survey.places.row_name(check.index);
+                Note::Checked(format!("{} ({row}); {}", check.sentence, check.reason))
+            }
+        })
+        .collect();
+    let place = |index| survey.places.row_name(index);
+    notes.extend(doubts::notes(&survey.stations, set, place));
+    Ok(notes)
 }
 
 /// The tables of a file that are surveys.

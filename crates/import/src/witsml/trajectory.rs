@@ -11,6 +11,7 @@ use super::{
     tree::Node,
 };
 use crate::{
+    doubts,
     error::{ImportError, ImportErrorKind},
     fragment::{Fragment, Note, Survey},
 };
@@ -72,6 +73,12 @@ pub(crate) fn read(
     notes.extend(units.note());
     let tie_in = tie_in(first, source, notes)?;
     check_depths(&stations, tie_in, source, notes)?;
+    let list: Vec<Station> = stations.iter().map(|found| found.station).collect();
+    let place = |index: usize| {
+        let found = stations.get(index);
+        found.map_or_else(String::new, |found| format!("line {}", found.node.line))
+    };
+    notes.extend(doubts::notes(&list, doubts::unit_set(&units.said()), place));
     says_how(object, &stations, notes);
     fragment.survey = Some(Survey {
         place: format!(

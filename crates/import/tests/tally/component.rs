@@ -133,8 +133,8 @@ fn grades_and_tool_joints_are_taken_where_the_catalogue_is_not() {
     assumed: the length (line 3, column 'Length (ft)') is that of all joints: divided by their number it is a joint's
     read: the tally is read as listed, from the bit up: the bit, 'Bit', is in line 2
     assumed: 'Pipe above': a tool joint every 9.6 m, as in range 2
-    left out: the grade '4145H' of 'Pipe above' (line 4, column 'Grade'): its yield strength is not known; give yield_strength
     assumed: 'Bit': no weight; computed from the diameters as steel
+    left out: the grade '4145H' of 'Pipe above' (line 4, column 'Grade'): its yield strength is not known; give yield_strength
     read: header in line 1, columns parted by commas
     read: component from 'Component'
     read: outside diameter from 'OD (in)' in in
@@ -198,4 +198,75 @@ fn stabilisers_have_blades() {
     assert!(components(&imported)[1].blades.is_some());
     assert_snapshot!(refused(&of("6.5")), @"tally.csv, line 3, column 'Gauge (in)': the gauge of 'Stab' 6.5 in is out of range; expected its outside diameter, 6.75 in, or more");
     assert!(!string(&crate::imported(&of("0"))).contains("blade_od"));
+}
+
+/// A weight that is the one in the pipe's name is its nominal weight, without tool joints: the catalogue's counts, 22.0 lb/ft, and 25.7 lb/ft with the
+/// 7-1/2 in joints of S-135 (API RP 7G: 24 to 26 by the joint). Without an entry the tally's stands, and is named.
+#[test]
+fn a_nominal_weight_is_told_from_the_weight() {
+    let head =
+        "Component,OD (in),ID (in),Length (ft),Weight (lb/ft)\nBit,8.5,,1,\nDC,6.5,2.8125,181,91\n";
+    for (row, weights) in [
+        ("DP 5in 19.50 S-135,5,4.276,9400,19.5\n", 21.4..22.7),
+        ("\"5-1/2\"\" DP 21.90# S-135\",5.5,4.778,9400,21.9\n", 24.0..26.5),
+    ] {
+        let found = imported(&format!("{head}{row}"));
+        let pipe = string(&found);
+        let pipe = pipe.rsplit("[[string]]").next().unwrap_or_default();
+        assert!(!pipe.contains("mass_per_length"), "{pipe}");
+        assert!(notes(&found).contains("NOMINAL WEIGHT"), "{}", notes(&found));
+        let mass = components(&found)[2].mass_per_length_kg_per_m / (0.453_592_37 / 0.3048);
+        assert!(weights.contains(&mass), "{mass}");
+    }
+    let bare = imported(&format!("{head}Drill pipe,5,4.276,9400,19.5\n"));
+    assert!(string(&bare).contains("mass_per_length = \"19.5 lb/ft\""));
+    assert!(notes(&bare).contains("NOMINAL WEIGHT"), "{}", notes(&bare));
+    let right = imported(&format!("{head}DP 5in 19.50 S-135,5,4.276,9400,22.4\n"));
+    assert!(!notes(&right).contains("NOMINAL"), "{}", notes(&right));
+}
+
+/// The widest diameter of a bit is its gauge, that of a stabiliser its blades', that of pipe its tool joints'.
+#[test]
+fn the_widest_diameter_is_the_gauge() {
+    for heading in ["Max OD", "Maximum OD", "Blade/Gauge OD", "Gauge OD"] {
+        let found = imported(&format!(
+            "Element,{heading} (in),OD (in),ID (in),Length (ft)\nPDC Bit,8.5,6.25,2,0.9\nNB Stab,8.375,6.5,\
+             2.25,5.1\nMWD Collar,6.75,6.75,3.25,31.2\nIBS,8.25,6.5,2.8,5.4\nDP,6.625,5,4.276,8000\n"
+        ));
+        let parts = components(&found);
+        let inches = |m: f64| (m / 0.0254 * 1e4).round() / 1e4;
+        assert_eq!(inches(parts[0].od_m), 8.5, "{heading}");
+        let blades = |at: usize| parts[at].blades.map(|blades| inches(blades.od_m));
+        assert_eq!([blades(1), blades(2), blades(3)], [Some(8.375), None, Some(8.25)], "{heading}");
+        assert_eq!(parts[4].joints.map(|joints| inches(joints.od_m)), Some(6.625), "{heading}");
+    }
+}
+
+/// Grades of API Spec 5CT; of one that is not known there is one note, however many components have it.
+#[test]
+fn grades_of_casing_are_known() {
+    let tally = |grade: &str| {
+        imported(&format!(
+            "Description,OD (in),ID (in),Weight (ppf),Grade,Length (m),Cum Length (m)\nFloat shoe,9.625,8.681,47,{grade},0.55,0.55\n\
+             Csg jt,9.625,8.681,47,{grade},12.37,12.92\nCollar,9.625,8.681,47,{grade},0.42,13.34\nCsg jt,9.625,8.681,47,{grade},12.6,25.94\n"
+        ))
+    };
+    let known = tally("L-80");
+    assert!(string(&known).contains("yield_strength = \"80000 psi\""), "{}", string(&known));
+    assert!(!notes(&known).contains("is not known"), "{}", notes(&known));
+    let unknown = notes(&tally("XQ-77"));
+    assert_eq!(unknown.matches("its yield strength is not known").count(), 1, "{unknown}");
+    assert!(unknown.contains("'Float shoe' (line 2, column 'Grade') and"), "{unknown}");
+}
+
+#[test]
+fn a_casing_programme_is_no_string() {
+    let head = "Component,OD (in),ID (in),Length (m),Cum Length (m)\n";
+    let programme = imported(&format!(
+        "{head}Production,9.625,8.681,3000,3000\nIntermediate,13.375,12.347,1500,4500\nSurface,20,18.73,600,5100\n"
+    ));
+    assert!(notes(&programme).contains("casing programme"), "{}", notes(&programme));
+    let string =
+        imported(&format!("{head}Shoe joint,9.625,8.681,12,12\nCasing,9.625,8.681,1500,1512\n"));
+    assert!(!notes(&string).contains("casing programme"), "{}", notes(&string));
 }

@@ -28,12 +28,14 @@ fn a_sheet_as_a_directional_driller_hands_it_over() {
     od = "9.625 in"
     id = "6.25 in"
     length = "9.2 m"
+    blade_od = "12.125 in"
 
     [[string]]
     component = "String Stabilizer"
     od = "8.25 in"
     id = "2.8125 in"
     length = "2.1 m"
+    blade_od = "12.125 in"
 
     [[string]]
     component = "8 1/4\" MWD"
@@ -45,6 +47,7 @@ fn a_sheet_as_a_directional_driller_hands_it_over() {
     component = "12 x 5\" HWDP"
     catalogue = "HWDP 5 in 49.3 lb/ft"
     length = "112.4 m"
+    joint_od = "6.5 in"
 
     [[string]]
     component = "5\" DP 19.5# S-135"
@@ -55,17 +58,17 @@ fn a_sheet_as_a_directional_driller_hands_it_over() {
     read: the tally is read as listed, from the bit up: the bit, 'PDC Bit 12 1/4"', is in line 3
     read: '12 x 5" HWDP' is the catalogue's 'HWDP 5 in 49.3 lb/ft': od and id agree, and the case leaves them to it
     read: '5" DP 19.5# S-135' is the catalogue's '5 in 19.50 lb/ft S-135': od and id agree, and the case leaves them to it
-    assumed: 'String Stabilizer': called a stabiliser or reamer, and without a gauge: it touches the wall with its body; give blade_od
+    assumed: '9 5/8" Motor (1.15 deg bend)', 'String Stabilizer': the gauge is that of blades all along the component; give blade_length where they are shorter
     assumed: 'PDC Bit 12 1/4"', '9 5/8" Motor (1.15 deg bend)', 'String Stabilizer', '8 1/4" MWD': no weight; computed from the diameters as steel
     read: header in line 2, columns parted by commas
     read: component from 'Description'
     read: outside diameter from 'OD (in)' in in
     read: length from 'Length (m)' in m
     read: inside diameter from 'ID (in)' in in
+    read: gauge from 'Max OD (in)' in in
     read: connection from 'Top Conn'
     read: number from 'Item'
     left out: the column 'Serial No'
-    left out: the column 'Max OD (in)'
     left out: the column 'Total Length (m)'
     "#);
     assert_eq!(components(&imported).len(), 6);

@@ -37,6 +37,7 @@ pub(super) fn results(summary: &Summary) -> Vec<PageTable> {
             row("Hook load with block", scalar, block_N);
         }
     }
+    let pump_Pa = |of: &OperationSummary| Some(of.hydraulics?.pump_pressure_Pa);
     let stick = |of: &OperationSummary| of.indicators.and_then(|all| all.stick_slip);
     let more: &[Row<'_>] = &[
         ("Stick-slip severity", "ratio", &|of| stick(of)?.severity),
@@ -50,7 +51,9 @@ pub(super) fn results(summary: &Summary) -> Vec<PageTable> {
         ("Use of the top drive, largest", "percent", &|of| Some(of.indicators?.top_drive?.max)),
         ("Drag of the mud", "force", &|of| Some(of.hydraulics?.mud_drag_N)),
         ("Torque of the mud", "torque", &|of| Some(of.hydraulics?.mud_torque_N_m)),
-        ("Pump pressure", "pressure", &|of| Some(of.hydraulics?.pump_pressure_Pa)),
+        ("Pump pressure", "pressure", &|of| pump_Pa(of).filter(|pump_Pa| *pump_Pa >= 0.0)),
+        // A string that is pulled with its pumps off draws mud after it.
+        ("Swab below the bit", "pressure", &|of| pump_Pa(of).filter(|pump_Pa| *pump_Pa < 0.0)),
     ];
     add(&mut page_table, more, &summary.operations);
     vec![page_table]

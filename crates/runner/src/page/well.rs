@@ -48,6 +48,10 @@ impl<'a> WellBore<'a> {
     /// The path down to the bit.
     pub(super) fn path(&self) -> Well {
         let columns = self.columns();
+        let columns = match self.path.as_ref() {
+            Some(path) => columns.drawn(path),
+            None => columns,
+        };
         let packed = WELL_PATH.iter().filter_map(|column| match (column.of)(&columns) {
             Values::Numbers(values) => {
                 Some((column.quantity.name.to_owned(), Packed::single(values.iter().copied())))

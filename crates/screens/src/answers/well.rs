@@ -95,7 +95,7 @@ impl WellView {
 impl PathView {
     /// That of a path.
     pub fn of(path: &Path) -> Self {
-        let well = WellPath::at(path, depths(path));
+        let well = WellPath::at(path, depths(path)).drawn(path);
         let column = |numbers: Vec<f64>| numbers.into_iter().collect();
         Self {
             md_m: column(well.md_m),

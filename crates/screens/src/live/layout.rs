@@ -150,7 +150,7 @@ fn path(path: &Path) -> LivePath {
     depths.sort_by(f64::total_cmp);
     depths.dedup_by(|a, b| (*a - *b).abs() < 1e-3);
     let sides: Vec<_> = depths.iter().map(|md| path.high_side_at(*md)).collect();
-    let well = WellPath::at(path, depths);
+    let well = WellPath::at(path, depths).drawn(path);
     let single = |values: &[f64]| values.iter().map(|value| *value as f32).collect();
     LivePath {
         md_m: single(&well.md_m),

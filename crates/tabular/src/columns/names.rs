@@ -114,6 +114,12 @@ pub(crate) const NAMES: &[(Column, u8, &str)] = &[
          stabilizerod stabilisergauge stabilizergauge bitsize bladegauge",
     ),
     (
+        Column::Gauge,
+        1,
+        "maxod odmax maximumod maxdiameter maxdia maxdiam maximumdiameter maxoutsidediameter \
+         maximumoutsidediameter bladegaugeod gaugebladeod stabbladeod bladestabod",
+    ),
+    (
         Column::Joints,
         0,
         "jts joints jnts noofjoints nojoints numberofjoints numjoints jointcount count qty \

@@ -2,7 +2,12 @@
 
 use wholestring::well::{Station, TieIn};
 
-use crate::{error::TableError, survey::preamble::Stated};
+use wholestring_units::{Dimension, UnitSet};
+
+use crate::{
+    error::TableError,
+    survey::{places::StationPlaces, preamble::Stated},
+};
 
 /// A survey and how it was understood.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,6 +19,8 @@ pub struct ImportedSurvey {
     pub tie_in: Option<TieIn>,
     /// Where its rows stand: `lines 13 to 165`, `rows 5 to 20 of sheet 'Survey'`.
     pub place: String,
+    /// The row of each station.
+    pub places: StationPlaces,
     /// Symbols of the units of measured depth, inclination and azimuth.
     pub units: [&'static str; 3],
     /// What the file says of each station beside, by which its reading can be checked.
@@ -55,6 +62,12 @@ impl ImportedSurvey {
     /// deep as its measured depth.
     pub fn start(&self) -> TieIn {
         self.tie_in.unwrap_or_else(|| under_origin(&self.stations))
+    }
+
+    /// The units that sentences on it are in: a survey in feet has the field's.
+    pub fn unit_set(&self) -> UnitSet {
+        let feet = Dimension::Length.unit_in(UnitSet::Field).symbol;
+        if self.units[0] == feet { UnitSet::Field } else { UnitSet::Si }
     }
 }
 

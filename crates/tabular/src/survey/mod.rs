@@ -1,7 +1,11 @@
 //! Stations of a path.
 
+pub(crate) mod doubts;
 pub(crate) mod imported;
+pub(crate) mod places;
+pub(crate) mod positions;
 pub(crate) mod preamble;
+mod quantities;
 pub(crate) mod reader;
 pub(crate) mod said;
 pub(crate) mod stated;

@@ -120,6 +120,13 @@ impl Reader<'_> {
             "the first station lies at true vertical depth {} m, north {} m, east {} m",
             tie_in.tvd_m, tie_in.north_m, tie_in.east_m
         ));
+        if tie_in.is_on_map() {
+            notes.push(
+                "north and east are coordinates of a map, farther than 100 km from their origin: loads \
+                 do not depend on them, and drawings count from the first station"
+                    .to_owned(),
+            );
+        }
         Ok(Some(tie_in))
     }
 }

@@ -8,7 +8,7 @@ use wholestring_units::number_text;
 
 use crate::cells::number::{self, Style};
 use crate::cells::table::{Row, Table};
-use crate::columns::layout::{Found, Layout};
+use crate::columns::layout::{Found as FoundColumn, Layout};
 use crate::error::{TableError, TableErrorKind};
 use crate::{
     columns::column::Column,
@@ -16,6 +16,7 @@ use crate::{
     columns::sort::{SURVEY, Sort},
     survey::{
         imported::ImportedSurvey,
+        places::StationPlaces,
         preamble,
         reader::{Reader, position, style, whole},
         stated::{self, Dogleg},
@@ -45,29 +46,91 @@ impl From<TableError> for Broken {
 /// Reads the rows below the header.
 pub(crate) fn read(table: &Table, layout: &Layout) -> Result<ImportedSurvey, Broken> {
     let mut notes = layout.notes.clone();
-    let rows = data_rows(table, layout, &SURVEY, &mut notes);
+    let mut rows = data_rows(table, layout, &SURVEY, &mut notes);
     let reader = Reader { table, style: style(table, layout, &rows)? };
+    let is_turned = is_deepest_first(&reader, layout, &rows);
+    if is_turned {
+        rows.reverse();
+        notes.push("the deepest station is listed first: the list is turned over".to_owned());
+    }
     if reader.style == Style::Comma {
         notes.push("a comma is read as the decimal sign".to_owned());
     }
     notes.extend(marks(table, layout, &rows));
     let mut stations = Vec::with_capacity(rows.len());
+    let mut kept = Vec::with_capacity(rows.len());
+    let (mut alike, mut vertical) = (Vec::new(), Vec::new());
     for (place, &row) in rows.iter().enumerate() {
-        let station = station(
-            &reader,
-            layout,
-            &table.rows[row],
-            &stations,
-            place.checked_sub(1).map(|above| &table.rows[rows[above]]),
-        );
-        stations.push(station.map_err(|error| {
+        let above = place.checked_sub(1).map(|above| &table.rows[rows[above]]);
+        let found = station(&reader, layout, &table.rows[row], &stations, above);
+        let found = found.map_err(|error| {
             // A station that starts anew, or words where it should stand.
             let behind = place.checked_sub(1).map(|above| rows[above] + 1);
             let words = !table.rows[row].texts().any(number::is_number);
-            Broken { error, behind: behind.filter(|&behind| behind < row || words) }
-        })?);
+            let behind = behind.filter(|&behind| !is_turned && (behind < row || words));
+            Broken { error, behind }
+        })?;
+        match found {
+            Found::Station { station, has_azimuth } => {
+                stations.push(station);
+                kept.push(row);
+                if !has_azimuth {
+                    vertical.push(row);
+                }
+            }
+            Found::Alike => alike.push(row),
+        }
     }
-    finish(&reader, layout, &rows, stations, notes).map_err(Broken::from)
+    notes.extend(counted(table, &vertical, |stations| {
+        format!("the azimuth of {stations}, vertical and without one, is taken as 0")
+    }));
+    notes.extend(counted(table, &alike, |stations| {
+        format!("{stations} of a depth that another has, alike, is left out")
+    }));
+    finish(&reader, layout, &kept, stations, notes).map_err(Broken::from)
+}
+
+/// A note on some rows: how many, and where the first is.
+fn counted(table: &Table, rows: &[usize], note: impl Fn(&str) -> String) -> Option<String> {
+    let first = table.source.row_name(whole(&table.rows[*rows.first()?]));
+    Some(match rows.len() {
+        1 => format!("{} ({first})", note("1 station")),
+        count => format!("{} (the first in {first})", note(&format!("{count} stations"))),
+    })
+}
+
+/// Whether every depth is less than the one above it, or the same: the deepest station is listed first. Two rows are too few
+/// to be sure.
+fn is_deepest_first(reader: &Reader, layout: &Layout, rows: &[usize]) -> bool {
+    let Some(depth) = layout.column(Column::MeasuredDepth).filter(|_| rows.len() > 2) else {
+        return false;
+    };
+    let depth_m = |&row: &usize| {
+        let cell = reader.table.rows[row].cells.get(depth.index)?;
+        reader.number(cell, Column::MeasuredDepth, depth.unit)
+    };
+    let depths: Option<Vec<f64>> = rows.iter().map(depth_m).collect();
+    depths
+        .is_some_and(|depths| depths.is_sorted_by(|a, b| a >= b) && depths.first() > depths.last())
+}
+
+/// Whether a cell holds nothing, or a sign that stands for nothing.
+fn is_blank(text: &str) -> bool {
+    const SIGNS: [&str; 10] =
+        ["n/a", "na", "nan", "null", "none", "-999.25", "-999", "-9999", "-999.2500", "-9999.25"];
+    let text = text.trim();
+    text.chars().all(|c| "-–—.".contains(c))
+        || SIGNS.iter().any(|sign| text.eq_ignore_ascii_case(sign))
+}
+
+/// What a row has.
+enum Found {
+    Station {
+        station: Station,
+        has_azimuth: bool,
+    },
+    /// The station of the row above once more.
+    Alike,
 }
 
 /// The station of a row, below those above it.
@@ -77,7 +140,7 @@ fn station(
     row: &Row,
     above: &[Station],
     row_above: Option<&Row>,
-) -> Result<Station, TableError> {
+) -> Result<Found, TableError> {
     let source = reader.table.source;
     let needed = Column::NEEDED.map(|column| layout.column(column));
     let [Some(depth), Some(inclination), Some(azimuth)] = needed else {
@@ -91,23 +154,37 @@ fn station(
     if !(0.0..=DEEPEST_M).contains(&md_m) {
         return Err(reader.out_of_range(row, depth, "0 to 100 km"));
     }
+    let angles = || -> Result<(Station, bool), TableError> {
+        let inclination_rad = reader.value(row, inclination)?;
+        if !(0.0..=std::f64::consts::PI).contains(&inclination_rad) {
+            return Err(reader.out_of_range(row, inclination, "0 to 180 deg"));
+        }
+        // A vertical hole has no azimuth.
+        let has_azimuth = inclination_rad != 0.0 || !is_blank(row.text(azimuth.index));
+        let azimuth_rad = if has_azimuth { reader.value(row, azimuth)? } else { 0.0 };
+        let turn = std::f64::consts::TAU;
+        if !(-turn..=2.0 * turn).contains(&azimuth_rad) {
+            return Err(reader.out_of_range(row, azimuth, "-360 to 720 deg"));
+        }
+        Ok((Station { md_m, inclination_rad, azimuth_rad }, has_azimuth))
+    };
     if let Some(last) = above.last().filter(|last| md_m <= last.md_m) {
+        let again = angles().ok().filter(|_| md_m == last.md_m);
+        let is_alike = again.is_some_and(|(again, _)| {
+            again.inclination_rad == last.inclination_rad
+                && (again.azimuth_rad == last.azimuth_rad || again.inclination_rad == 0.0)
+        });
+        if is_alike {
+            return Ok(Found::Alike);
+        }
         let written = |row: &Row| format!("{} {}", row.text(depth.index), depth.unit.symbol);
         let previous = row_above.map_or_else(String::new, written);
         let found = if md_m == last.md_m { previous.clone() } else { written(row) };
         let kind = TableErrorKind::DepthNotIncreasing { found, previous };
         return Err(source.error(kind, Some(position(row, depth))));
     }
-    let inclination_rad = reader.value(row, inclination)?;
-    if !(0.0..=std::f64::consts::PI).contains(&inclination_rad) {
-        return Err(reader.out_of_range(row, inclination, "0 to 180 deg"));
-    }
-    let azimuth_rad = reader.value(row, azimuth)?;
-    let turn = std::f64::consts::TAU;
-    if !(-turn..=2.0 * turn).contains(&azimuth_rad) {
-        return Err(reader.out_of_range(row, azimuth, "-360 to 720 deg"));
-    }
-    Ok(Station { md_m, inclination_rad, azimuth_rad })
+    let (station, has_azimuth) = angles()?;
+    Ok(Found::Station { station, has_azimuth })
 }
 
 /// What else is to be known of stations that were read.
@@ -138,14 +215,17 @@ fn finish(
     notes.push(format!("{} stations", stations.len()));
     let dogleg = Dogleg::of(table, layout);
     let of_row = |&row: &usize| stated::position(reader, layout, dogleg.as_ref(), &table.rows[row]);
-    let symbol = |column| layout.column(column).map_or("", |found: &Found| found.unit.symbol);
+    let symbol = |column| layout.column(column).map_or("", |found: &FoundColumn| found.unit.symbol);
     let is_read = |index: usize| layout.columns.iter().any(|found| found.index == index);
     let unread = layout.header.iter().enumerate();
     let unread = unread.filter(|(index, text)| !text.is_empty() && !is_read(*index));
     Ok(ImportedSurvey {
         stations,
         tie_in,
-        place: table.source.rows_name(whole(&table.rows[first]), whole(&table.rows[last])),
+        place: table
+            .source
+            .rows_name(whole(&table.rows[first.min(last)]), whole(&table.rows[first.max(last)])),
+        places: StationPlaces::new(table, rows),
         units: Column::NEEDED.map(symbol),
         stated: rows.iter().map(of_row).collect(),
         unread: unread.map(|(_, text)| text.clone()).collect(),

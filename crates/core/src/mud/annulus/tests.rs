@@ -267,3 +267,53 @@ fn the_transition_is_that_of_api_rp_13d() {
         }
     }
 }
+
+/// A yield-power-law mud of index 1 is Bingham's, without a yield point a power law: to the quadrature's 1e-3 at the kink of the
+/// plug, and to its rounding.
+#[test]
+fn a_yield_power_law_has_the_others_in_it() {
+    let both = |yield_point_Pa, consistency_Pa_s_n, flow_index| {
+        weightless(Rheology::HerschelBulkley { yield_point_Pa, consistency_Pa_s_n, flow_index })
+    };
+    for motion in [moving(0.3, 7.0, 0.03), moving(-1.0, 0.0, 0.0), moving(0.0, 12.0, 0.02)] {
+        let v = motion.axial_m_per_s;
+        let (exact, found) =
+            (GAP.drag(&weightless(BINGHAM), &motion), GAP.drag(&both(7.2, 0.025, 1.0), &motion));
+        close("gradient", found.gradient_Pa_per_m, exact.gradient_Pa_per_m, 1e-6);
+        close("pull", found.axial_N_per_m(v), exact.axial_N_per_m(v), 1e-6);
+        let (exact, found) =
+            (GAP.drag(&weightless(POWER_LAW), &motion), GAP.drag(&both(0.0, 0.9, 0.55), &motion));
+        close("gradient", found.gradient_Pa_per_m, exact.gradient_Pa_per_m, 1e-9);
+        close("pull", found.axial_N_per_m(v), exact.axial_N_per_m(v), 1e-9);
+    }
+}
+
+/// Torque of a yield-power-law mud between a rotating pipe and a hole at rest, all of it yielded: `Ω = ∫ γ̇(T/2πr²) dr/r` by
+/// Simpson's rule.
+#[test]
+fn yield_power_law_torque_is_that_of_couette_flow() {
+    let (yield_point, consistency, index) = (5.0, 0.6, 0.7);
+    let torque = 1.5;
+    let steps = 4000;
+    let step = (HOLE_M - PIPE_M) / f64::from(steps);
+    let rate = |r: f64| {
+        let stress: f64 = torque / (2.0 * PI * r * r);
+        assert!(stress > yield_point, "{stress}");
+        ((stress - yield_point) / consistency).powf(1.0 / index) / r
+    };
+    let spin: f64 = (0..=steps)
+        .map(|at| {
+            let weight = if at == 0 || at == steps { 1.0 } else { f64::from(2 + 2 * (at % 2)) };
+            weight * rate(PIPE_M + step * f64::from(at))
+        })
+        .sum::<f64>()
+        * step
+        / 3.0;
+    let mud = weightless(Rheology::HerschelBulkley {
+        yield_point_Pa: yield_point,
+        consistency_Pa_s_n: consistency,
+        flow_index: index,
+    });
+    let drag = GAP.drag(&mud, &moving(0.0, spin, 0.0));
+    close("torque", -drag.torque_N(spin), torque, 1e-6);
+}

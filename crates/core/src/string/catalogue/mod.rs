@@ -19,6 +19,7 @@ mod connections;
 mod designation;
 mod entry;
 mod inches;
+mod nominal;
 pub(crate) mod parts;
 mod search;
 mod tables;
@@ -27,6 +28,7 @@ pub use class::PipeClass;
 pub use connections::{connection, tool_joint};
 pub use designation::find;
 pub use entry::{CatalogueEntry, EntryConnection, JointDimensions, TubularKind};
+pub use nominal::nominal_pipe;
 pub use search::describes;
 
 /// Why a designation names no entry.

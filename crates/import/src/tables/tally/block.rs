@@ -5,7 +5,7 @@ use wholestring_tabular::{Column, Holds, TallyCell};
 use wholestring_units::{Dimension, number_text};
 
 use super::{
-    designation, grade, joints,
+    designation, joints,
     length::Length,
     mass::{self, Body},
     metal, order,
@@ -16,6 +16,8 @@ use super::{
 use crate::{
     error::ImportErrorKind,
     fragment::{Block, Note, Origin, Value},
+    grade,
+    pipe::is_pipe,
 };
 
 /// Yield strengths that a case accepts, Pa.
@@ -47,6 +49,11 @@ pub(crate) fn of(
     let id = inside(part)?;
     let gauge = diameter(part, Column::Gauge)?;
     let joint_od = diameter(part, Column::JointOutsideDiameter)?;
+    // The widest of a pipe are its tool joints.
+    let (gauge, joint_od) = match is_pipe(&part.name) && !is_bit {
+        true => (None, joint_od.or(gauge)),
+        false => (gauge, joint_od),
+    };
     // The body of a bit is its shank.
     let (od, gauge) = match (is_bit, od, gauge) {
         (true, shank, Some(gauge)) => {
@@ -132,8 +139,9 @@ pub(crate) fn of(
         id_m: entry.as_ref().map_or(id_m.unwrap_or(0.0), |entry| entry.id_m),
         joint_od_m: joints_m,
         has_blades: blades.is_some(),
-        is_listed: entry.is_some(),
         density_kg_per_m3: metal::density(part)?.map(|(_, density)| density),
+        entry: entry.as_ref(),
+        is_pipe: is_pipe(&part.name),
     };
     metal::of(part, &mut block)?;
     // A bit is no ring of steel: its mass is whatever it is.
@@ -160,7 +168,7 @@ pub(crate) fn of(
             }
             block.push("yield_strength", quantity(cell), origin(cell));
         }
-        (None, None) => strength(part, &mut block, notes),
+        (None, None) => strength(part, &mut block, said),
         (None, Some(_)) => {}
     }
     if let Some(entry) = &entry {
@@ -261,7 +269,7 @@ fn listed(
 }
 
 /// Yield strength by the grade.
-fn strength(part: &Part, block: &mut Block, notes: &mut Vec<Note>) {
+fn strength(part: &Part, block: &mut Block, said: &mut Said) {
     let cell = part.row().get(Column::Grade);
     let of_name = grade::in_name(&part.name);
     let Some((grade, place)) = cell
@@ -276,11 +284,7 @@ fn strength(part: &Part, block: &mut Block, notes: &mut Vec<Note>) {
             Value::quantity(psi, unit(Dimension::Pressure, "psi")),
             Origin::Derived { from: format!("grade {grade} ({place})") },
         ),
-        None => notes.push(Note::LeftOut(format!(
-            "the grade '{grade}' of '{}' ({place}): its yield strength is not known; give \
-             yield_strength",
-            part.name
-        ))),
+        None => said.grades.push((grade.to_owned(), format!("'{}' ({place})", part.name))),
     }
 }
 

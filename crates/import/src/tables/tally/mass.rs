@@ -2,6 +2,10 @@
 
 use std::f64::consts::FRAC_PI_4;
 
+use wholestring::string::{
+    Material,
+    catalogue::{CatalogueEntry, nominal_pipe},
+};
 use wholestring_case::STEEL_DENSITY_KG_PER_M3;
 use wholestring_tabular::{Column, Holds, TallyCell};
 use wholestring_units::{Dimension, number_text};
@@ -14,7 +18,6 @@ use super::{
 use crate::{
     error::ImportErrorKind,
     fragment::{Note, Origin, Value},
-    pipe::is_pipe,
 };
 
 /// Standard gravity, m/s²: a weight as a force stands for a mass.
@@ -30,23 +33,25 @@ const LEAST: f64 = 0.4;
 const AGREES: f64 = 0.02;
 
 /// The diameters that a mass is held against, m.
-pub(crate) struct Body {
+pub(crate) struct Body<'a> {
     pub(crate) od_m: f64,
     pub(crate) id_m: f64,
     /// Of the tool joints, if it has any.
     pub(crate) joint_od_m: Option<f64>,
     /// Over the blades.
     pub(crate) has_blades: bool,
-    /// An entry of the catalogue knows its mass.
-    pub(crate) is_listed: bool,
     /// Density of its metal, where the table has it.
     pub(crate) density_kg_per_m3: Option<f64>,
+    /// The entry of the catalogue that knows its mass.
+    pub(crate) entry: Option<&'a CatalogueEntry>,
+    /// It is called pipe.
+    pub(crate) is_pipe: bool,
 }
 
 /// The mass per length of a component and where it comes from; none where the table has none.
 pub(crate) fn of(
     part: &Part,
-    body: &Body,
+    body: &Body<'_>,
     said: &mut Said,
     notes: &mut Vec<Note>,
 ) -> Result<Option<(Value, Origin)>, Refusal> {
@@ -57,6 +62,12 @@ pub(crate) fn of(
     let (value, from, place) = match (per_length, whole, nominal) {
         (Some(cell), whole, _) => {
             let (value, from) = per_metre(cell);
+            if let Some(note) = nominal_weight(part, body, &value, cell) {
+                notes.push(note);
+                if body.entry.is_some() {
+                    return Ok(None);
+                }
+            }
             if let (Some((_, whole)), Some(own)) = (whole, value.si())
                 && let Some(other) = whole.si()
                 && (own - other).abs() > AGREES * own
@@ -75,15 +86,15 @@ pub(crate) fn of(
             let from = format!("its total weight ({place}) over its length");
             (value, Origin::Derived { from }, place)
         }
-        (None, None, Some(cell)) if !body.is_listed => {
+        (None, None, Some(cell)) if body.entry.is_none() => {
             said.nominal.push(part.name.clone());
             let (value, from) = per_metre(cell);
             (value, from, cell.place.clone())
         }
         (None, None, _) => {
-            if !body.is_listed && is_pipe(&part.name) {
+            if body.entry.is_none() && body.is_pipe {
                 said.unweighed_pipe.push(part.name.clone());
-            } else if !body.is_listed {
+            } else if body.entry.is_none() {
                 said.unweighed.push(part.name.clone());
             }
             return Ok(None);
@@ -132,6 +143,33 @@ pub(crate) fn of(
         )));
     }
     Ok(Some((value, from)))
+}
+
+/// A note on a weight that is the nominal one of drill pipe, which leaves tool joints out: that of the catalogue's entry, or
+/// of a pipe of these diameters.
+fn nominal_weight(part: &Part, body: &Body, value: &Value, cell: &TallyCell) -> Option<Note> {
+    let mass = value.si()?;
+    if !body.is_pipe && body.entry.is_none() {
+        return None;
+    }
+    let found = nominal_pipe(body.entry, body.od_m, body.id_m, mass)?;
+    let with_joints = found.mass_per_length_kg_per_m(Material::STEEL.density_kg_per_m3);
+    let pounds = unit(Dimension::MassPerLength, "lb/ft");
+    let pounds = |mass: f64| format!("{:.1} lb/ft", pounds.from_si(mass));
+    Some(Note::Checked(format!(
+        "the weight of '{}', {} ({}), is the NOMINAL WEIGHT of '{}', without tool joints: with them it \
+         weighs {}{}",
+        part.name,
+        shown(value),
+        cell.place,
+        found.designation,
+        pounds(with_joints),
+        match body.entry {
+            Some(_) => ", which the case leaves to the catalogue",
+            None =>
+                "; the case has the tally's: give catalogue, or mass_per_length with tool joints",
+        }
+    )))
 }
 
 /// The mass per length of a cell, in its unit; of a force, in kg/m.

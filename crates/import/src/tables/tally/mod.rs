@@ -3,7 +3,6 @@
 mod alike;
 mod block;
 mod designation;
-mod grade;
 mod joints;
 mod length;
 mod lengths;
@@ -15,13 +14,14 @@ mod quote;
 mod said;
 mod sums;
 
+use wholestring::string::nested_casings;
 use wholestring_tabular::{Column, ImportedTally, TableErrorKind, TallyRow, read_tally};
 use wholestring_units::Unit;
 
 use crate::{
     choices::Choices,
     error::{ImportError, ImportErrorKind},
-    fragment::{Block, Fragment, Note},
+    fragment::{Block, Fragment, Note, Value},
     tables::note,
 };
 use length::Length;
@@ -103,7 +103,22 @@ fn blocks(
         blocks.push(block::of(part, index == 0, parts.len() > 1, &mut said, notes)?);
     }
     said.tell(notes);
+    notes.extend(programme(&blocks));
     Ok(blocks)
+}
+
+/// A note on casings of which one goes into another: they are a casing programme, and no string.
+fn programme(blocks: &[Block]) -> Option<Note> {
+    let si = |block: &Block, key: &str| block.get(key).and_then(Value::si);
+    let tubulars: Vec<(f64, f64)> =
+        blocks.iter().filter_map(|block| Some((si(block, "od")?, si(block, "id")?))).collect();
+    nested_casings(&tubulars).then(|| {
+        Note::Checked(
+            "THE CASINGS GO INTO EACH OTHER: this is a casing programme, and the case makes one string of \
+             it; casings that are in the hole belong under [[well.hole]]"
+                .to_owned(),
+        )
+    })
 }
 
 /// What the components are called.

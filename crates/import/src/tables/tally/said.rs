@@ -15,6 +15,8 @@ pub(crate) struct Said {
     pub(crate) unweighed: Vec<String>,
     /// With a nominal weight alone.
     pub(crate) nominal: Vec<String>,
+    /// Grades whose yield strength is not known, each with a component and its place.
+    pub(crate) grades: Vec<(String, String)>,
 }
 
 impl Said {
@@ -43,5 +45,27 @@ impl Said {
         );
         tell(self.unweighed, "no weight; computed from the diameters as steel");
         tell(self.nominal, "the nominal weight is taken for the weight, without tool joints");
+        for (grade, first, count) in counted(&self.grades) {
+            let others = match count {
+                1 => String::new(),
+                count => format!(" and {} more", count - 1),
+            };
+            notes.push(Note::LeftOut(format!(
+                "the grade '{grade}' of {first}{others}: its yield strength is not known; give \
+                 yield_strength"
+            )));
+        }
     }
+}
+
+/// Each grade once, with the first component that has it and how many do.
+fn counted(grades: &[(String, String)]) -> Vec<(&str, &str, usize)> {
+    let mut counted: Vec<(&str, &str, usize)> = Vec::new();
+    for (grade, component) in grades {
+        match counted.iter_mut().find(|(known, ..)| known == grade) {
+            Some((.., count)) => *count += 1,
+            None => counted.push((grade, component, 1)),
+        }
+    }
+    counted
 }

@@ -1,0 +1,36 @@
+//! Turns of a survey that are hardly the hole's, as notes.
+
+use wholestring::well::{Station, USUAL_DOGLEG_RAD_PER_M};
+use wholestring_tabular::station_doubts;
+use wholestring_units::UnitSet;
+
+use crate::fragment::Note;
+
+/// Notes on more turns than this are only counted.
+const NOTED: usize = 5;
+
+/// Notes on the doubtful turns of a survey; `place` says where in its file a station is.
+pub(crate) fn notes(
+    stations: &[Station],
+    set: UnitSet,
+    place: impl Fn(usize) -> String,
+) -> Vec<Note> {
+    let doubts = station_doubts(stations, USUAL_DOGLEG_RAD_PER_M, set);
+    let mut notes: Vec<Note> = doubts
+        .iter()
+        .take(NOTED)
+        .map(|doubt| {
+            let place = place(doubt.index);
+            Note::Checked(format!("{} ({place}: {}); {}", doubt.sentence, doubt.label, doubt.help))
+        })
+        .collect();
+    if doubts.len() > NOTED {
+        notes.push(Note::Checked(format!("{} more turns of this kind", doubts.len() - NOTED)));
+    }
+    notes
+}
+
+/// The units of sentences on a survey whose lengths are in feet or not.
+pub(crate) fn unit_set(units: &str) -> UnitSet {
+    if units.contains("ft") { UnitSet::Field } else { UnitSet::Si }
+}

@@ -1,0 +1,56 @@
+//! Where the stations of a survey are in its file.
+
+use crate::{
+    cells::table::{Position, Row, Source, Table},
+    error::Place,
+    survey::reader::whole,
+};
+
+/// The row of each station in its file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StationPlaces {
+    /// The file, where it is a text.
+    text: Option<String>,
+    /// The sheet, in a workbook.
+    sheet: String,
+    rows: Vec<Position>,
+}
+
+impl StationPlaces {
+    /// Those of the stations of these rows.
+    pub(crate) fn new(table: &Table, rows: &[usize]) -> Self {
+        let (text, sheet) = match table.source {
+            Source::Text { text, .. } => (Some(text.to_owned()), String::new()),
+            Source::Sheet { sheet, .. } => (None, sheet.to_owned()),
+        };
+        let is_text = text.is_some();
+        let position = |row: &Row| match (is_text, row.cells.iter().rfind(|cell| !cell.is_empty()))
+        {
+            (true, Some(last)) => Position(whole(row).0, last.at.1),
+            _ => whole(row),
+        };
+        Self { text, sheet, rows: rows.iter().map(|&row| position(&table.rows[row])).collect() }
+    }
+
+    fn source(&self) -> Source<'_> {
+        match &self.text {
+            Some(text) => Source::Text { file: "", text },
+            None => Source::Sheet { file: "", sheet: &self.sheet, unread: "" },
+        }
+    }
+
+    /// The row of a station; `None` where there is no such station.
+    pub fn place(&self, index: usize) -> Option<Place> {
+        Some(self.source().place(*self.rows.get(index)?))
+    }
+
+    /// The row of a station in words: `line 5`, `row 5 of sheet 'Survey'`.
+    pub fn row_name(&self, index: usize) -> String {
+        self.rows.get(index).map_or_else(String::new, |row| self.source().row_name(*row))
+    }
+
+    /// The file as text, in which a [`Place::Text`] counts; `None` of a workbook.
+    pub fn text(&self) -> Option<&str> {
+        self.text.as_deref()
+    }
+}
